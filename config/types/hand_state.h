@@ -1,0 +1,34 @@
+// What the servo tells the rest of the kiosk, once a tick.
+// Threads: a plain value; handed over by haptics/servo/exchange.h.
+#pragma once
+
+#include "config/types/vec2.h"
+
+#include <cstdint>
+
+namespace touchline {
+
+/// The paper's three contact states: no contact, one edge, held at a vertex.
+enum class ContactState : std::uint8_t { free = 0, edge = 1, vertex = 2 };
+
+/// How an outline feels.
+enum class Mode : std::uint8_t { wall, groove, ridge, stay };
+
+struct HandState {
+    double time_s = 0.0;  // since the servo started
+    Position p_WH;        // handle
+    Position p_WP;        // proxy; never crosses an outline
+    Force force;          // commanded, after the force chain
+    double speed_m_per_s = 0.0;
+    double level = 0.0;  // rendered level, with its fraction
+    bool is_level_auto = true;
+    double stiffness_N_per_m = 0.0;
+    Mode mode = Mode::wall;
+    ContactState state = ContactState::free;
+    int outline = -1;  // index in the map of the outline touched, -1 when free
+    std::uint64_t ticks = 0;
+    std::uint64_t missed_ticks = 0;  // ticks that could not run in their period and were skipped
+    std::uint64_t map_version = 0;   // of the map felt
+};
+
+}  // namespace touchline

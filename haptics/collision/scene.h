@@ -1,0 +1,26 @@
+// What the servo feels: the curves of a map and the collision tree over them.
+// Threads: immutable once built (off the tick); any thread may read.
+#pragma once
+
+#include "config/types/result.h"
+#include "config/types/tactile_map.h"
+#include "haptics/collision/collision_tree.h"
+#include "haptics/curve/curve_set.h"
+
+#include <cstdint>
+
+namespace touchline {
+
+struct Scene {
+    CurveSet curves;
+    CollisionTree tree;
+    Area area;
+    std::uint64_t map_version = 0;
+};
+
+/// O(N log N). `radius_m` >= 0 is the largest proxy radius that will be used on this scene: it decides
+/// which segments are crowded (see collision_tree.h).
+[[nodiscard]] Result<Scene> build_scene(const TactileMap& map, const CurveOptions& options,
+                                        double radius_m);
+
+}  // namespace touchline

@@ -1,0 +1,99 @@
+// All outlines of a map as wavelet multiresolution curves: cut at their pins into pieces, each piece
+// held as one polyline per level.
+// Threads: immutable once built; any thread may read.
+#pragma once
+
+#include "config/types/result.h"
+#include "config/types/tactile_map.h"
+#include "config/types/vec2.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+struct CurveOptions {
+    /// false: every vertex of the map is kept at level 0 and edges longer than the spacing are split
+    /// into equal collinear parts. true: each piece is resampled by arc length.
+    bool resample = false;
+    /// Spacing of level 0 (metres). 0: the outline's median edge, at least 0.1 mm (not resampled), or
+    /// the spacing that device and scene need (resampled).
+    double spacing_m = 0.0;
+    /// Share of the wavelet details that is kept, largest first, 0 ... 1 (compression, paper section 5).
+    double keep_details = 1.0;
+    /// Standard deviation of the noise to remove (metres): details are shrunk by its universal
+    /// threshold (denoising, paper section 5). 0: none.
+    double denoise_m = 0.0;
+};
+
+/// A stretch of an outline between pins; the unit that has levels.
+struct Piece {
+    int outline = 0;           // index in the map
+    bool is_closed = false;    // one periodic piece; else its two ends are pins
+    int next = -1, previous = -1;  // pieces that share a pin with it along the outline; -1: open end
+    double first_parameter = 0.0;  // outline parameter of its first point, in level-0 segments
+    int coarsest = 0;          // L: levels 0 ... L exist
+};
+
+/// What was kept of one outline and why, for `curve --json`.
+struct OutlineReport {
+    std::size_t points_in = 0;
+    std::size_t points_kept = 0;  // at level 0
+    double spacing_m = 0.0;
+    std::string reason;
+};
+
+/// One straight stretch of the rendered curve.
+struct Segment {
+    Position a, b;
+};
+
+class CurveSet {
+  public:
+    /// O(N). Repeated points (closer than 1 nm) are dropped; an outline left with fewer than two
+    /// points is left out. Fails when a point is not finite or lies further than 1 m from the origin.
+    [[nodiscard]] static Result<CurveSet> build(const TactileMap& map, const CurveOptions& options);
+
+    [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
+
+    [[nodiscard]] std::span<const OutlineReport> reports() const { return reports_; }
+
+    /// The coarsest level that any piece has.
+    [[nodiscard]] int coarsest() const { return coarsest_; }
+
+    /// Points of one level of a piece, 0 <= level <= its coarsest. An open piece has one point more than
+    /// segments; a closed one repeats no point.
+    [[nodiscard]] std::span<const Position> points(int piece, int level) const;
+
+    [[nodiscard]] int segment_count(int piece, int level) const;
+
+    /// The level at which a piece is rendered when `level` (fractional, >= 0) is wanted: min(level, L).
+    [[nodiscard]] double rendered_level(int piece, double level) const;
+
+    /// Segments of the piece as rendered at `level`: those of the next finer whole level where it is
+    /// fractional (architecture, "Levels blend").
+    [[nodiscard]] int rendered_count(int piece, double level) const;
+
+    /// Segment j, 0 <= j < rendered_count. At a fraction w above level k its ends are
+    /// (1 - w) p_k + w p_(k+1), p_(k+1) being the coarser polyline with its midpoints. O(1).
+    [[nodiscard]] Segment rendered_segment(int piece, double level, int j) const;
+
+  private:
+    struct Level {
+        std::uint32_t first = 0;  // in points_
+        std::uint32_t count = 0;
+    };
+
+    std::vector<Piece> pieces_;
+    std::vector<std::uint32_t> first_level_;  // per piece, in levels_
+    std::vector<Level> levels_;
+    std::vector<Position> points_;
+    std::vector<OutlineReport> reports_;
+    int coarsest_ = 0;
+
+    friend class CurveSetBuilder;
+};
+
+}  // namespace touchline
