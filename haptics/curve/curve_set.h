@@ -80,6 +80,13 @@ class CurveSet {
     /// (1 - w) p_k + w p_(k+1), p_(k+1) being the coarser polyline with its midpoints. O(1).
     [[nodiscard]] Segment rendered_segment(int piece, double level, int j) const;
 
+    /// Point i of the piece as rendered; an open piece has rendered_count + 1 of them. O(1).
+    [[nodiscard]] Position rendered_point(int piece, double level, int i) const;
+
+    /// The outline parameter, in level-0 segments from the outline's first point, at share t of rendered
+    /// segment j. The same at every level, so that a contact survives a change of level. O(1).
+    [[nodiscard]] double outline_parameter(int piece, double level, int j, double t) const;
+
   private:
     struct Level {
         std::uint32_t first = 0;  // in points_

@@ -1,0 +1,249 @@
+// Building a CurveSet: clean, cut at pins, place the level-0 points, transform.
+#include "haptics/curve/curve_set.h"
+#include "haptics/curve/pins.h"
+#include "haptics/curve/sampling.h"
+#include "haptics/curve/shrink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/core.h>
+
+namespace touchline {
+namespace {
+
+constexpr double repeated_point_m = 1e-9;   // nearer points are one point: far below any device's step
+constexpr double largest_coordinate_m = 1.0;
+constexpr double least_spacing_m = 1e-4;    // half a count of the finest 2diy
+constexpr double scene_tolerance_m = 5e-5;  // a fifth of what a finger finds on a 4 mm bump (0.039 mm
+                                            // amplitude at half that width), half the least spacing
+constexpr double coarsest_spacing_m = 4e-3;  // tried first when resampling
+
+/// A stretch of outline that becomes a piece, both its ends included.
+struct Stretch {
+    std::vector<Position> line;
+    int outline = 0;
+    bool is_closed = false;
+    bool has_next = false;      // the following stretch shares its end
+    std::size_t first_of_outline = 0;  // index of the outline's first stretch
+};
+
+std::vector<Position> without_repeats(const Outline& outline) {
+    std::vector<Position> kept;
+    for (const Position p : outline.points) {
+        if (kept.empty() || norm(p - kept.back()) > repeated_point_m) kept.push_back(p);
+    }
+    while (outline.is_closed && kept.size() > 1 &&
+           norm(kept.front() - kept.back()) <= repeated_point_m) {
+        kept.pop_back();
+    }
+    return kept;
+}
+
+Result<std::vector<Outline>> clean(const TactileMap& map) {
+    std::vector<Outline> outlines;
+    for (std::size_t i = 0; i < map.outlines.size(); ++i) {
+        for (const Position p : map.outlines[i].points) {
+            if (!(std::abs(p.x) <= largest_coordinate_m && std::abs(p.y) <= largest_coordinate_m)) {
+                return failure(fmt::format(
+                    "outline {} has a point that is not a number or lies more than 1 m from the "
+                    "centre; check the map's viewBox and units (millimetres)", i));
+            }
+        }
+        Outline outline = map.outlines[i];
+        outline.points = without_repeats(outline);
+        if (outline.points.size() < 3) outline.is_closed = false;
+        if (outline.points.size() < 2) outline.points.clear();  // keeps the outline's index
+        outlines.push_back(std::move(outline));
+    }
+    return outlines;
+}
+
+/// The stretch from vertex a to vertex b > a, indices running on past the end of a closed outline.
+std::vector<Position> line_between(const std::vector<Position>& points, std::size_t a,
+                                   std::size_t b) {
+    std::vector<Position> line;
+    for (std::size_t i = a; i <= b; ++i) line.push_back(points[i % points.size()]);
+    return line;
+}
+
+void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins,
+         std::vector<Stretch>& out) {
+    const std::size_t count = outline.points.size();
+    const std::size_t first = out.size();
+    if (count < 2) return;
+    if (pins.empty()) {
+        out.push_back({line_between(outline.points, 0, count), index, true, false, first});
+        return;
+    }
+    const std::size_t stretches = outline.is_closed ? pins.size() : pins.size() - 1;
+    for (std::size_t k = 0; k < stretches; ++k) {
+        const bool is_last = k + 1 == stretches;
+        const std::size_t to = k + 1 < pins.size() ? pins[k + 1] : pins[0] + count;
+        out.push_back({line_between(outline.points, pins[k], to), index, false,
+                       !is_last || outline.is_closed, first});
+    }
+}
+
+std::vector<Position> level_0(const Stretch& stretch, bool resampled, double spacing_m) {
+    std::vector<Position> points =
+        resampled ? resample(stretch.line, resampled_count(polyline_length_m(stretch.line), spacing_m,
+                                                           stretch.is_closed))
+                  : split_edges(stretch.line, spacing_m);
+    if (stretch.is_closed) points.pop_back();
+    return points;
+}
+
+/// The widest spacing that keeps every data point within the scene's tolerance, by halving the interval;
+/// never below what the device can tell.
+double spacing_for(const std::vector<Stretch>& stretches) {
+    const auto is_true = [&](double spacing_m) {
+        return std::all_of(stretches.begin(), stretches.end(), [&](const Stretch& stretch) {
+            const std::size_t count = resampled_count(polyline_length_m(stretch.line), spacing_m,
+                                                      stretch.is_closed);
+            return deviation_m(stretch.line, resample(stretch.line, count)) <= scene_tolerance_m;
+        });
+    };
+    if (is_true(coarsest_spacing_m)) return coarsest_spacing_m;
+    double fine = least_spacing_m;
+    double coarse = coarsest_spacing_m;
+    while (coarse > 1.05 * fine) {
+        const double middle = std::sqrt(fine * coarse);
+        (is_true(middle) ? fine : coarse) = middle;
+    }
+    return fine;
+}
+
+}  // namespace
+
+class CurveSetBuilder {
+  public:
+    CurveSetBuilder(std::vector<Outline> outlines, const CurveOptions& options)
+        : outlines_(std::move(outlines)), options_(options) {}
+
+    CurveSet build() {
+        const auto pins = find_pins(outlines_, PinRule{});
+        for (std::size_t i = 0; i < outlines_.size(); ++i) {
+            cut(outlines_[i], static_cast<int>(i), pins[i], stretches_);
+        }
+        choose_spacings();
+        place_points();
+        shrink();
+        link();
+        report();
+        return std::move(set_);
+    }
+
+  private:
+    void choose_spacings() {
+        const double common = options_.resample && !(options_.spacing_m > 0.0)
+                                  ? spacing_for(stretches_)
+                                  : options_.spacing_m;
+        for (const Outline& outline : outlines_) {
+            const double data = std::max(median_edge_m(outline.points), least_spacing_m);
+            spacings_m_.push_back(common > 0.0 ? common : data);
+        }
+    }
+
+    void place_points() {
+        for (const Stretch& stretch : stretches_) {
+            const double spacing = spacings_m_[static_cast<std::size_t>(stretch.outline)];
+            std::vector<Position> points = level_0(stretch, options_.resample, spacing);
+            const std::size_t segments = points.size() - (stretch.is_closed ? 0 : 1);
+            const CurveShape shape{segments, 1, stretch.is_closed};
+            firsts_.push_back(points);
+            curves_.push_back(
+                decompose(std::move(points), shape, halvings(segments, stretch.is_closed)));
+        }
+    }
+
+    /// Level 0 is the stored points, not a reconstruction, unless details were taken away.
+    void shrink() {
+        const double threshold = detail_threshold(curves_, options_.keep_details);
+        const bool is_changed = options_.denoise_m > 0.0 || options_.keep_details < 1.0;
+        if (!is_changed) return;
+        for (std::size_t i = 0; i < curves_.size(); ++i) {
+            if (options_.denoise_m > 0.0) denoise(curves_[i], options_.denoise_m);
+            if (options_.keep_details < 1.0) drop_details(curves_[i], threshold);
+            firsts_[i] = reconstruct(curves_[i]);
+        }
+    }
+
+    /// Stores the levels of every piece, and who follows whom.
+    void link() {
+        for (std::size_t i = 0; i < stretches_.size(); ++i) {
+            const Stretch& stretch = stretches_[i];
+            Piece piece;
+            piece.outline = stretch.outline;
+            piece.is_closed = stretch.is_closed;
+            piece.coarsest = static_cast<int>(curves_[i].details.size());
+            const bool is_last = i + 1 == stretches_.size() ||
+                                 stretches_[i + 1].first_of_outline != stretch.first_of_outline;
+            if (stretch.has_next) {
+                piece.next = static_cast<int>(is_last ? stretch.first_of_outline : i + 1);
+            }
+            if (i > stretch.first_of_outline) {
+                const auto before = i - 1;
+                piece.first_parameter =
+                    set_.pieces_[before].first_parameter + set_.segment_count(static_cast<int>(before), 0);
+            }
+            set_.coarsest_ = std::max(set_.coarsest_, piece.coarsest);
+            set_.pieces_.push_back(piece);
+            store_levels(i);
+        }
+        for (std::size_t i = 0; i < set_.pieces_.size(); ++i) {
+            const int next = set_.pieces_[i].next;
+            if (next >= 0) set_.pieces_[static_cast<std::size_t>(next)].previous = static_cast<int>(i);
+        }
+    }
+
+    void store_levels(std::size_t i) {
+        set_.first_level_.push_back(static_cast<std::uint32_t>(set_.levels_.size()));
+        std::vector<Position> points = firsts_[i];
+        CurveShape shape = curves_[i].shape;
+        for (std::size_t level = 0;; ++level) {
+            set_.levels_.push_back({static_cast<std::uint32_t>(set_.points_.size()),
+                                    static_cast<std::uint32_t>(points.size())});
+            set_.points_.insert(set_.points_.end(), points.begin(), points.end());
+            if (level == curves_[i].details.size()) return;
+            points = analyze(points, shape).points;
+            shape.stride *= 2;
+        }
+    }
+
+    void report() {
+        for (std::size_t i = 0; i < outlines_.size(); ++i) {
+            OutlineReport line;
+            line.points_in = outlines_[i].points.size();
+            line.spacing_m = spacings_m_[i];
+            line.reason = !options_.resample ? "every vertex of the map is kept"
+                          : options_.spacing_m > 0.0
+                              ? "spacing as asked"
+                              : line.spacing_m <= 1.06 * least_spacing_m
+                                    ? "device: finer than its step cannot be felt"
+                                    : "scene: the widest spacing within 0.05 mm of the data";
+            set_.reports_.push_back(line);
+        }
+        for (std::size_t i = 0; i < stretches_.size(); ++i) {
+            set_.reports_[static_cast<std::size_t>(stretches_[i].outline)].points_kept +=
+                firsts_[i].size() - (stretches_[i].has_next ? 1 : 0);
+        }
+    }
+
+    std::vector<Outline> outlines_;
+    CurveOptions options_;
+    std::vector<Stretch> stretches_;
+    std::vector<double> spacings_m_;                // per outline
+    std::vector<Decomposition> curves_;             // per stretch
+    std::vector<std::vector<Position>> firsts_;     // per stretch: level 0
+    CurveSet set_;
+};
+
+Result<CurveSet> CurveSet::build(const TactileMap& map, const CurveOptions& options) {
+    auto outlines = clean(map);
+    if (!outlines) return tl::unexpected(outlines.error());
+    return CurveSetBuilder(std::move(*outlines), options).build();
+}
+
+}  // namespace touchline

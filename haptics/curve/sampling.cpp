@@ -1,0 +1,102 @@
+#include "haptics/curve/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchline {
+namespace {
+
+double distance_to_segment_m(Position p, Position a, Position b) {
+    const Position e = b - a;
+    const double length2 = dot(e, e);
+    const double t = length2 > 0.0 ? std::clamp(dot(p - a, e) / length2, 0.0, 1.0) : 0.0;
+    return norm(p - (a + t * e));
+}
+
+}  // namespace
+
+double polyline_length_m(std::span<const Position> line) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += norm(line[i] - line[i - 1]);
+    return length;
+}
+
+std::vector<Position> split_edges(std::span<const Position> line, double spacing_m) {
+    std::vector<Position> out;
+    out.reserve(line.size());
+    out.push_back(line.front());
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Position e = line[i] - line[i - 1];
+        // The tolerance keeps an edge of exactly one spacing whole.
+        const double parts = std::max(1.0, std::ceil(norm(e) / spacing_m * (1.0 - 1e-9)));
+        for (double k = 1.0; k < parts; k += 1.0) out.push_back(line[i - 1] + (k / parts) * e);
+        out.push_back(line[i]);
+    }
+    return out;
+}
+
+std::vector<Position> resample(std::span<const Position> line, std::size_t segments) {
+    const double step = polyline_length_m(line) / static_cast<double>(segments);
+    std::vector<Position> out{line.front()};
+    std::size_t edge = 1;
+    double passed = 0.0;  // arc length at line[edge - 1]
+    for (std::size_t k = 1; k < segments; ++k) {
+        const double wanted = step * static_cast<double>(k);
+        double length = norm(line[edge] - line[edge - 1]);
+        while (edge + 1 < line.size() && passed + length < wanted) {
+            passed += length;
+            ++edge;
+            length = norm(line[edge] - line[edge - 1]);
+        }
+        const double t = length > 0.0 ? std::clamp((wanted - passed) / length, 0.0, 1.0) : 0.0;
+        out.push_back(line[edge - 1] + t * (line[edge] - line[edge - 1]));
+    }
+    out.push_back(line.back());
+    return out;
+}
+
+std::size_t resampled_count(double length_m, double spacing_m, bool is_closed) {
+    const std::size_t least = is_closed ? 8 : 1;
+    const double wanted = std::max(std::ceil(length_m / spacing_m * (1.0 - 1e-9)), 1.0);
+    auto count = std::max(static_cast<std::size_t>(wanted), least);
+    if (count < 4) return count;
+    std::size_t stride = 1;
+    while (count > 7 * stride) stride *= 2;
+    return (count + stride - 1) / stride * stride;
+}
+
+int halvings(std::size_t segments, bool is_closed) {
+    const std::size_t least = is_closed ? 8 : 4;
+    int levels = 0;
+    for (std::size_t n = (segments + 1) / 2; n >= least; n = (n + 1) / 2) ++levels;
+    return levels;
+}
+
+double deviation_m(std::span<const Position> line, std::span<const Position> kept) {
+    const double scale = static_cast<double>(kept.size() - 1) / polyline_length_m(line);
+    double worst = 0.0;
+    double arc = 0.0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (i > 0) arc += norm(line[i] - line[i - 1]);
+        const auto at = static_cast<std::ptrdiff_t>(arc * scale);
+        const auto last = static_cast<std::ptrdiff_t>(kept.size()) - 2;
+        double nearest = norm(line[i] - kept.front()) + norm(line[i] - kept.back());
+        for (auto j = std::max<std::ptrdiff_t>(0, at - 1); j <= std::min(last, at + 1); ++j) {
+            const auto k = static_cast<std::size_t>(j);
+            nearest = std::min(nearest, distance_to_segment_m(line[i], kept[k], kept[k + 1]));
+        }
+        worst = std::max(worst, nearest);
+    }
+    return worst;
+}
+
+double median_edge_m(std::span<const Position> line) {
+    if (line.size() < 2) return 0.0;
+    std::vector<double> edges;
+    for (std::size_t i = 1; i < line.size(); ++i) edges.push_back(norm(line[i] - line[i - 1]));
+    const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
+    std::nth_element(edges.begin(), middle, edges.end());
+    return *middle;
+}
+
+}  // namespace touchline
