@@ -1,0 +1,29 @@
+// The one interface to a force-feedback pantograph, real or simulated.
+#pragma once
+
+#include "config/types/vec2.h"
+
+#include <optional>
+
+namespace touchline {
+
+/// Threads: one at a time, the servo's while it runs. Neither call allocates, locks or logs. Both
+/// give up rather than wait longer than a servo period.
+class ForceDevice {
+  public:
+    virtual ~ForceDevice() = default;
+
+    /// Joint angles in D, read at now_s (servo time, never going back). Nothing when the device
+    /// does not answer.
+    [[nodiscard]] virtual std::optional<JointAngles> read_angles(double now_s) = 0;
+
+    /// Torques that act from now on until the next call. False when the device did not take them.
+    [[nodiscard]] virtual bool write_torques(JointTorques torques) = 0;
+
+  protected:
+    ForceDevice() = default;
+    ForceDevice(const ForceDevice&) = default;
+    ForceDevice& operator=(const ForceDevice&) = default;
+};
+
+}  // namespace touchline

@@ -1,0 +1,67 @@
+// A pantograph and a hand in software, on the clock that the servo passes in: same calls, same
+// bits. Models five-bar geometry, tip mass, viscous and Coulomb friction, encoder counts, motor
+// limits, transport delay and a scale error of one arm.
+#pragma once
+
+#include "haptics/device/force_device.h"
+#include "haptics/device/hand.h"
+#include "haptics/device/tip_dynamics.h"
+#include "haptics/pantograph/profile.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+namespace touchline {
+
+struct SimulationOptions {
+    HandModel hand = normal_hand;
+    double substep_s = 1.25e-4;      // longest integration step, > 0
+    double arm_1_scale_error = 0.0;  // relative error of encoder 1, e.g. 0.015
+};
+
+/// Threads: as ForceDevice; the path may be led from another thread if it says so.
+class SimulatedPantograph final : public ForceDevice {
+  public:
+    /// The tip starts at rest where the path starts, or at the centre of the drawing area when that
+    /// is out of reach.
+    SimulatedPantograph(const DeviceProfile& profile, const SimulationOptions& options,
+                        std::shared_ptr<const IntendedPath> path);
+
+    /// Advances the simulation to now_s (at most 0.1 s per call: a longer gap is a pause), then
+    /// reads the encoders.
+    [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
+
+    /// Clamped per motor as the firmware does; not finite counts as zero. Takes effect after the
+    /// profile's delay.
+    [[nodiscard]] bool write_torques(JointTorques torques) override;
+
+    /// The true state of the tip in W, for tests and drawings.
+    [[nodiscard]] const MassState& tip() const { return dynamics_.tip(); }
+
+    /// Torques that act now.
+    [[nodiscard]] JointTorques acting_torques() const { return acting_; }
+
+  private:
+    struct Command {
+        double from_s = 0.0;
+        JointTorques torques;
+    };
+
+    void advance_to(double t_s);
+    void integrate(double span_s);
+    [[nodiscard]] Force force_W() const;
+
+    DeviceProfile profile_;
+    SimulationOptions options_;
+    std::shared_ptr<const IntendedPath> path_;
+    TipDynamics dynamics_;
+    double time_s_ = 0.0;
+    JointTorques acting_;
+    std::array<Command, 64> pending_{};  // in order of time; first_pending_ is the oldest
+    std::size_t first_pending_ = 0;
+    std::size_t pending_count_ = 0;
+};
+
+}  // namespace touchline

@@ -1,0 +1,66 @@
+// The devices that are known, by name, and the two frames: picture W and device D.
+// Threads: immutable values.
+#pragma once
+
+#include "config/types/result.h"
+#include "config/types/tactile_map.h"
+#include "config/types/vec2.h"
+#include "haptics/pantograph/kinematics.h"
+
+#include <span>
+#include <string_view>
+
+namespace touchline {
+
+/// What a simulation of the device starts from. Estimates: no maker publishes them.
+struct MechanicsProfile {
+    double tip_mass_kg = 0.05;      // effective, at the tip
+    double viscous_Ns_per_m = 0.1;  // at the tip
+    double coulomb_N = 0.05;        // at the tip
+    double delay_s = 0.0;           // from writing a torque to its effect
+};
+
+struct DeviceProfile {
+    std::string_view name;
+    Geometry geometry;
+    JointAngles counts_per_turn;  // encoder counts that the board resolves per turn of each joint
+    double torque_limit_Nm = 0.123;  // of one motor at full duty
+    JointAngles home;                // angles of the home pose (rad)
+    Area area;                       // drawing area
+    Position centre;                 // of the drawing area, in D
+    double force_limit_N = 3.0;      // on the hand
+    double bandwidth_Hz = 100.0;     // faster forces are not felt as commanded
+    MechanicsProfile mechanics;
+};
+
+/// 2diy-gen3.1 (the default), 2diy-gen3, 2diy-gen2, haplet, mk2.
+[[nodiscard]] std::span<const DeviceProfile> device_profiles();
+
+[[nodiscard]] const DeviceProfile& default_profile();
+
+/// The error lists the names there are.
+[[nodiscard]] Result<DeviceProfile> find_profile(std::string_view name);
+
+/// W is D turned by 180 degrees about the centre of the drawing area: each is its own inverse.
+[[nodiscard]] constexpr Position device_from_picture(const DeviceProfile& profile, Position p_W) {
+    return profile.centre - p_W;
+}
+
+[[nodiscard]] constexpr Position picture_from_device(const DeviceProfile& profile, Position p_D) {
+    return profile.centre - p_D;
+}
+
+/// Free vectors change sign between W and D.
+template <class Quantity>
+[[nodiscard]] constexpr Vec2<Quantity> turned(Vec2<Quantity> v) {
+    return -v;
+}
+
+/// Turn of each joint for one encoder count (rad).
+[[nodiscard]] JointAngles encoder_quantum(const DeviceProfile& profile);
+
+/// The step of the tip for one encoder count, in the pose's worst direction, at the centre of the
+/// drawing area: the smallest motion that the device can surely tell.
+[[nodiscard]] double encoder_step_m(const DeviceProfile& profile);
+
+}  // namespace touchline

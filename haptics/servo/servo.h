@@ -1,0 +1,72 @@
+// The servo: the loop that owns the device and turns motion into force, 1000 times a second. Only
+// app/ knows that it is a thread of the kiosk; the calls would be the same if it were a process.
+#pragma once
+
+#include "config/types/hand_state.h"
+#include "config/types/result.h"
+#include "haptics/collision/scene.h"
+#include "haptics/device/force_device.h"
+#include "haptics/pantograph/profile.h"
+#include "haptics/servo/exchange.h"
+#include "haptics/servo/real_time.h"
+#include "haptics/servo/recorder.h"
+
+#include <cstddef>
+#include <memory>
+
+namespace touchline {
+
+struct ServoOptions {
+    double period_s = 1e-3;
+    bool is_real_time = true;        // try for real-time scheduling and locked memory
+    std::size_t recorded_ticks = 0;  // newest ticks kept for recording(); 0: none
+};
+
+/// Threads: all calls from one thread. None of them waits for the servo but start() and stop().
+class Servo {
+  public:
+    Servo();
+    /// Stops.
+    ~Servo();
+    Servo(const Servo&) = delete;
+    Servo& operator=(const Servo&) = delete;
+
+    /// Takes the device and starts the loop, force off -> armed -> ramp -> live. Commands and scene
+    /// given before count from the first tick. Fails when the servo runs already or the thread
+    /// cannot be made.
+    [[nodiscard]] Result<void> start(std::unique_ptr<ForceDevice> device,
+                                     const DeviceProfile& profile, const ServoOptions& options);
+
+    /// From the next tick on. A change of mode, radius or capture width goes through zero force
+    /// like a new scene.
+    void set(const ServoCommands& commands);
+
+    /// A new picture: force fades to zero (<= 50 ms), the old contact is dropped, force fades in.
+    /// The servo keeps the scene alive as long as it needs it; this thread frees it.
+    void feel(std::shared_ptr<const Scene> scene);
+
+    /// The newest tick. O(1); while nothing runs, the last one there was.
+    [[nodiscard]] const HandState& latest();
+
+    /// Of the newest tick.
+    [[nodiscard]] ForceStatus force_status();
+
+    /// How far the system let the loop be real-time; best_effort while nothing runs.
+    [[nodiscard]] RealTimeTier tier() const;
+
+    /// Fades force out, writes zero torque, gives the device up and ends the loop. Does nothing
+    /// when nothing runs.
+    void stop();
+
+    /// The ticks recorded; to be read while nothing runs.
+    [[nodiscard]] const Recorder& recording() const;
+
+  private:
+    struct Running;
+
+    ServoExchange exchange_;
+    Recorder recorder_;
+    std::unique_ptr<Running> running_;
+};
+
+}  // namespace touchline
