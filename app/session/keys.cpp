@@ -1,0 +1,55 @@
+#include "app/session/keys.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace touchline {
+
+namespace {
+
+constexpr KeyRow row(Key key, Action action, std::string_view name, std::string_view words) {
+    return {key, key, action, name, words};
+}
+
+constexpr std::array table{
+    row(Key::right, Action::next_picture, "Right", "next picture"),
+    row(Key::left, Action::previous_picture, "Left", "previous picture"),
+    KeyRow{Key{'1'}, Key{'5'}, Action::set_detail, "1 to 5",
+           "detail: 1 silhouette, 2 main parts, 5 everything"},
+    row(Key{'L'}, Action::toggle_level_automatic, "L", "level by hand speed, or fixed"),
+    row(Key::page_up, Action::coarser_level, "Page Up", "fixed level, one coarser"),
+    row(Key::page_down, Action::finer_level, "Page Down", "fixed level, one finer"),
+    row(Key::up, Action::firmer, "Up", "firmer outlines"),
+    row(Key::down, Action::softer, "Down", "softer outlines"),
+    row(Key{'M'}, Action::next_mode, "M",
+        "how an outline feels: wall, groove, ridge, stay on line"),
+    row(Key{'B'}, Action::toggle_boxes, "B", "error boxes of the curve on or off"),
+    row(Key{'H'}, Action::toggle_keys, "H", "this list of keys on or off"),
+    row(Key{'Q'}, Action::quit, "Q", "quit"),
+    row(Key::escape, Action::quit, "Escape", "quit"),
+};
+
+}  // namespace
+
+std::span<const KeyRow> key_table() {
+    return table;
+}
+
+std::optional<KeyAction> action_of(Key key) {
+    const auto found = std::find_if(table.begin(), table.end(), [key](const KeyRow& row) {
+        return row.first <= key && key <= row.last;
+    });
+    if (found == table.end()) return std::nullopt;
+    const auto offset = static_cast<std::uint32_t>(key) - static_cast<std::uint32_t>(found->first);
+    return KeyAction{found->action, static_cast<int>(offset)};
+}
+
+std::string keys_as_markdown() {
+    std::string text = "| key | what it does |\n|---|---|\n";
+    for (const KeyRow& row : table) text += fmt::format("| {} | {} |\n", row.name, row.words);
+    return text;
+}
+
+}  // namespace touchline

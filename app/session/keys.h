@@ -1,0 +1,64 @@
+// What each key of the kiosk does: the one table from which the session, the help overlay and the
+// README are made.
+// Threads: constant data and pure functions.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace touchline {
+
+/// A key as pressed, without any window system in it. A key that prints is its upper-case
+/// character.
+enum class Key : std::uint32_t {
+    unknown = 0,
+    left = 256,
+    right,
+    up,
+    down,
+    page_up,
+    page_down,
+    escape
+};
+
+enum class Action : std::uint8_t {
+    next_picture,
+    previous_picture,
+    set_detail,  // argument 0 ... 4: detail 1 ... 5
+    toggle_level_automatic,
+    coarser_level,
+    finer_level,
+    firmer,
+    softer,
+    next_mode,
+    toggle_boxes,
+    toggle_keys,
+    quit,
+};
+
+/// One row of the table: the keys `first` ... `last` (neighbours) do `action`.
+struct KeyRow {
+    Key first;
+    Key last;
+    Action action;
+    std::string_view name;   // as printed on the keys
+    std::string_view words;  // what they do
+};
+
+[[nodiscard]] std::span<const KeyRow> key_table();
+
+struct KeyAction {
+    Action action;
+    int argument = 0;  // which of the row's keys, from 0
+};
+
+/// Nothing for a key without a meaning.
+[[nodiscard]] std::optional<KeyAction> action_of(Key key);
+
+/// The table as Markdown, for the README; ends with a newline.
+[[nodiscard]] std::string keys_as_markdown();
+
+}  // namespace touchline

@@ -1,0 +1,120 @@
+#include "app/session/session.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchline {
+
+namespace {
+
+Step load(Session session, int picture, int detail) {
+    if (session.picture_count == 0) return {std::move(session), {}};
+    session.picture = (picture + session.picture_count) % session.picture_count;
+    session.detail = detail;
+    ++session.request;
+    session.is_loading = true;
+    session.message.clear();
+    return {std::move(session), {.load = true}};
+}
+
+Step fix_level(Session session, double level) {
+    const double coarsest = session.shown.coarsest_level;
+    const double whole = std::isfinite(level) ? std::clamp(std::round(level), 0.0, coarsest) : 0.0;
+    session.is_level_automatic = false;
+    session.fixed_level = static_cast<int>(whole);
+    return {std::move(session), {.feel = true}};
+}
+
+/// One level coarser (+1) or finer (-1) than what is felt or fixed now.
+Step step_level(const Session& session, double felt_level, int change) {
+    const double now = session.is_level_automatic ? std::round(felt_level) : session.fixed_level;
+    return fix_level(session, now + change);
+}
+
+Step toggle_level_automatic(Session session, double felt_level) {
+    if (session.is_level_automatic) return fix_level(std::move(session), felt_level);
+    session.is_level_automatic = true;
+    return {std::move(session), {.feel = true}};
+}
+
+/// Stays at the end of the steps rather than wrapping: firm must never turn soft under a hand.
+Step change_stiffness(Session session, int change) {
+    const int last = static_cast<int>(stiffness_steps.size()) - 1;
+    const int step = std::clamp(static_cast<int>(session.stiffness) + change, 0, last);
+    session.stiffness = static_cast<std::size_t>(step);
+    return {std::move(session), {.feel = true}};
+}
+
+Step next_mode(Session session) {
+    constexpr std::array order{Mode::wall, Mode::groove, Mode::ridge, Mode::stay};
+    session.mode = order[(static_cast<std::size_t>(session.mode) + 1) % order.size()];
+    return {std::move(session), {.feel = true}};
+}
+
+Step toggle(Session session, bool Session::*flag) {
+    session.*flag = !(session.*flag);
+    return {std::move(session), {}};
+}
+
+}  // namespace
+
+Step start_session(int picture_count) {
+    Session session;
+    session.picture_count = picture_count;
+    Step step = load(std::move(session), 0, Session{}.detail);
+    step.commands.feel = true;
+    return step;
+}
+
+Step press_key(const Session& session, Key key, double felt_level) {
+    const auto pressed = action_of(key);
+    if (!pressed) return {session, {}};
+    switch (pressed->action) {
+        case Action::next_picture:
+            return load(session, session.picture + 1, session.detail);
+        case Action::previous_picture:
+            return load(session, session.picture - 1, session.detail);
+        case Action::set_detail:
+            return load(session, session.picture, coarsest_detail + pressed->argument);
+        case Action::toggle_level_automatic:
+            return toggle_level_automatic(session, felt_level);
+        case Action::coarser_level:
+            return step_level(session, felt_level, +1);
+        case Action::finer_level:
+            return step_level(session, felt_level, -1);
+        case Action::firmer:
+            return change_stiffness(session, +1);
+        case Action::softer:
+            return change_stiffness(session, -1);
+        case Action::next_mode:
+            return next_mode(session);
+        case Action::toggle_boxes:
+            return toggle(session, &Session::shows_boxes);
+        case Action::toggle_keys:
+            return toggle(session, &Session::shows_keys);
+        case Action::quit:
+            return {session, {.quit = true}};
+    }
+    return {session, {}};
+}
+
+Step picture_ready(const Session& session, std::uint64_t request, const LoadedFacts& facts) {
+    if (request != session.request) return {session, {}};
+    Session next = session;
+    next.is_loading = false;
+    next.message.clear();
+    next.shown = {session.picture + 1, session.detail, facts.title, facts.outline_count,
+                  facts.coarsest_level};
+    next.fixed_level = std::min(session.fixed_level, facts.coarsest_level);
+    return {std::move(next), {.feel = true}};
+}
+
+Step picture_failed(const Session& session, std::uint64_t request, std::string line) {
+    if (request != session.request) return {session, {}};
+    Session next = session;
+    next.is_loading = false;
+    next.message = std::move(line);
+    return {std::move(next), {}};
+}
+
+}  // namespace touchline

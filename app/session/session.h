@@ -1,0 +1,88 @@
+// What the kiosk is doing: a pure state machine. A key or the end of a loading job comes in, the
+// new state and what has to be done about it come out. Threads: values and pure functions.
+#pragma once
+
+#include "app/session/keys.h"
+#include "config/types/hand_state.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace touchline {
+
+/// A named step of stiffness, as an operator chooses it.
+struct StiffnessStep {
+    double stiffness_N_per_m;
+    std::string_view name;
+};
+
+/// Softest first. The firmest stays below the stability limit of a light hand at 1 kHz (733 N/m).
+inline constexpr std::array stiffness_steps{
+    StiffnessStep{200.0, "very soft"}, StiffnessStep{350.0, "soft"}, StiffnessStep{500.0, "medium"},
+    StiffnessStep{700.0, "firm"}};
+
+inline constexpr int coarsest_detail = 1;
+inline constexpr int finest_detail = 5;
+
+/// The picture that is felt and shown.
+struct ShownPicture {
+    int number = 0;  // 1 ... picture_count; 0: none yet
+    int detail = 2;
+    std::string title;
+    int outline_count = 0;
+    int coarsest_level = 0;
+};
+
+struct Session {
+    int picture_count = 0;      // of the list
+    int picture = 0;            // wanted, from 0
+    int detail = 2;             // wanted, 1 ... 5
+    std::uint64_t request = 0;  // number of the last loading job asked for
+    bool is_loading = false;
+    ShownPicture shown;
+    std::string message;  // one line; empty: nothing to say
+
+    bool is_level_automatic = true;
+    int fixed_level = 0;        // 0 ... shown.coarsest_level
+    std::size_t stiffness = 2;  // in stiffness_steps
+    Mode mode = Mode::wall;
+    bool shows_boxes = false;
+    bool shows_keys = false;
+};
+
+/// What has to be done after a step.
+struct Commands {
+    bool load = false;  // session.picture at session.detail, as job session.request
+    bool feel = false;  // hand level, stiffness and mode to the servo
+    bool quit = false;
+};
+
+struct Step {
+    Session session;
+    Commands commands;
+};
+
+/// Asks for the first picture of the list. `picture_count` >= 0.
+[[nodiscard]] Step start_session(int picture_count);
+
+/// A key went down while the hand felt `felt_level`: a level that becomes fixed stays where it was.
+[[nodiscard]] Step press_key(const Session& session, Key key, double felt_level);
+
+struct LoadedFacts {
+    std::string title;
+    int outline_count = 0;
+    int coarsest_level = 0;
+};
+
+/// Loading job `request` is done and its map is felt. A job that is no longer wanted changes
+/// nothing.
+[[nodiscard]] Step picture_ready(const Session& session, std::uint64_t request,
+                                 const LoadedFacts& facts);
+
+/// Loading job `request` failed: what was felt and shown before stays, and `line` says what
+/// happened.
+[[nodiscard]] Step picture_failed(const Session& session, std::uint64_t request, std::string line);
+
+}  // namespace touchline

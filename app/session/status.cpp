@@ -1,0 +1,83 @@
+#include "app/session/status.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace touchline {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> detail_words{"silhouette", "main parts", "parts",
+                                                       "details", "everything"};
+
+std::string picture_words(const Session& session) {
+    if (session.picture_count == 0) return "none in the list";
+    return fmt::format("{} of {}", session.shown.number, session.picture_count);
+}
+
+std::string detail_text(const Session& session) {
+    const int detail = session.shown.detail;
+    return fmt::format("{} of 5, {}", detail, detail_words[static_cast<std::size_t>(detail - 1)]);
+}
+
+std::string level_words(const HandState& hand) {
+    return fmt::format("{:.1f}, {}", hand.level, hand.is_level_auto ? "by hand speed" : "fixed");
+}
+
+std::string stiffness_words(const Session& session) {
+    const StiffnessStep& step = stiffness_steps[session.stiffness];
+    return fmt::format("{}, {:.0f} N/m", step.name, step.stiffness_N_per_m);
+}
+
+std::string message_words(const Session& session) {
+    if (session.is_loading) return fmt::format("Opening picture {} ...", session.picture + 1);
+    return session.message;
+}
+
+}  // namespace
+
+std::string words_of(Mode mode) {
+    switch (mode) {
+        case Mode::wall:
+            return "wall";
+        case Mode::groove:
+            return "groove";
+        case Mode::ridge:
+            return "ridge";
+        case Mode::stay:
+            return "stay on line";
+    }
+    return {};
+}
+
+std::string words_of(ContactState state) {
+    switch (state) {
+        case ContactState::free:
+            return "free";
+        case ContactState::edge:
+            return "on an edge";
+        case ContactState::vertex:
+            return "in a vertex";
+    }
+    return {};
+}
+
+Status describe(const Session& session, const HandState& hand, const std::string& device) {
+    Status status;
+    status.title = session.shown.number > 0 ? session.shown.title : "No picture yet";
+    status.lines = {
+        {"Contact", words_of(hand.state)},
+        {"Level", level_words(hand)},
+        {"Force", fmt::format("{:.1f} N", norm(hand.force))},
+        {"Mode", words_of(session.mode)},
+        {"Stiffness", stiffness_words(session)},
+        {"Detail", detail_text(session)},
+        {"Picture", picture_words(session)},
+        {"Device", device},
+    };
+    status.message = message_words(session);
+    return status;
+}
+
+}  // namespace touchline

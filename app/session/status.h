@@ -1,0 +1,35 @@
+// The words of the panel: every fact on the screen is one named line of text first.
+// Threads: values and pure functions.
+#pragma once
+
+#include "app/session/session.h"
+
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// "Level" and "2.5, by hand speed".
+struct StatusLine {
+    std::string name;
+    std::string value;
+
+    friend bool operator==(const StatusLine&, const StatusLine&) = default;
+};
+
+struct Status {
+    std::string title;  // of the picture
+    std::vector<StatusLine> lines;
+    std::string message;  // what went wrong or is being done; may be empty
+
+    friend bool operator==(const Status&, const Status&) = default;
+};
+
+/// `device` names what the hand holds. Numbers are rounded to what can be read at a glance.
+[[nodiscard]] Status describe(const Session& session, const HandState& hand,
+                              const std::string& device);
+
+[[nodiscard]] std::string words_of(Mode mode);
+[[nodiscard]] std::string words_of(ContactState state);
+
+}  // namespace touchline

@@ -1,0 +1,247 @@
+#include "app/session/session.h"
+
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr int pictures = 3;
+constexpr double felt = 2.4;
+
+Session shown_session() {
+    const Session started = start_session(pictures).session;
+    return picture_ready(started, started.request, {"Fish", 4, 6}).session;
+}
+
+std::vector<Key> every_key() {
+    std::vector<Key> keys{Key::unknown, Key{'Z'}};
+    for (const KeyRow& row : key_table()) {
+        for (auto k = static_cast<std::uint32_t>(row.first); Key{k} <= row.last; ++k)
+            keys.push_back(Key{k});
+    }
+    return keys;
+}
+
+/// Every kind of state that a key can meet.
+std::vector<Session> every_state() {
+    const Session empty = start_session(0).session;
+    const Session loading = start_session(pictures).session;
+    const Session shown = shown_session();
+    const Session reloading = press_key(shown, Key::right, felt).session;
+    const Session failed = picture_failed(reloading, reloading.request, "bad file").session;
+    const Session failed_first = picture_failed(loading, loading.request, "bad file").session;
+    Session fixed = press_key(shown, Key{'L'}, felt).session;
+    fixed.shows_boxes = fixed.shows_keys = true;
+    return {empty, loading, shown, reloading, failed, failed_first, fixed};
+}
+
+void expect_sound(const Session& session) {
+    EXPECT_GE(session.picture, 0);
+    EXPECT_LT(session.picture, std::max(session.picture_count, 1));
+    EXPECT_GE(session.detail, coarsest_detail);
+    EXPECT_LE(session.detail, finest_detail);
+    EXPECT_GE(session.fixed_level, 0);
+    EXPECT_LE(session.fixed_level, session.shown.coarsest_level);
+    EXPECT_LT(session.stiffness, stiffness_steps.size());
+}
+
+TEST(Keys, NoKeyHasTwoMeanings) {
+    std::set<Key> seen;
+    for (const KeyRow& row : key_table()) {
+        for (auto k = static_cast<std::uint32_t>(row.first); Key{k} <= row.last; ++k)
+            EXPECT_TRUE(seen.insert(Key{k}).second) << row.name;
+    }
+}
+
+TEST(Keys, EveryRowHasWordsForTheOverlayAndTheReadme) {
+    const std::string text = keys_as_markdown();
+    for (const KeyRow& row : key_table()) {
+        EXPECT_FALSE(row.name.empty());
+        EXPECT_NE(text.find(std::string(row.words)), std::string::npos);
+    }
+}
+
+TEST(Keys, UnknownKeysHaveNoMeaning) {
+    EXPECT_FALSE(action_of(Key::unknown).has_value());
+    EXPECT_FALSE(action_of(Key{'Z'}).has_value());
+}
+
+TEST(Keys, DigitsGiveTheirPlaceInTheRow) {
+    EXPECT_EQ(action_of(Key{'4'})->action, Action::set_detail);
+    EXPECT_EQ(action_of(Key{'4'})->argument, 3);
+}
+
+TEST(Session, StartsByLoadingTheFirstPicture) {
+    const Step step = start_session(pictures);
+    EXPECT_TRUE(step.commands.load);
+    EXPECT_TRUE(step.commands.feel);
+    EXPECT_TRUE(step.session.is_loading);
+    EXPECT_EQ(step.session.picture, 0);
+    EXPECT_EQ(step.session.mode, Mode::wall);
+}
+
+TEST(Session, AnEmptyListLoadsNothing) {
+    const Step step = start_session(0);
+    EXPECT_FALSE(step.commands.load);
+    EXPECT_FALSE(press_key(step.session, Key::right, felt).commands.load);
+}
+
+TEST(Session, EveryKeyInEveryStateKeepsTheStateSound) {
+    for (const Session& state : every_state()) {
+        for (const Key key : every_key()) expect_sound(press_key(state, key, felt).session);
+    }
+}
+
+TEST(Session, EveryKeyDoesTheSameInEveryState) {
+    for (const Session& state : every_state()) {
+        for (const Key key : every_key()) {
+            const Commands commands = press_key(state, key, felt).commands;
+            const auto pressed = action_of(key);
+            const bool loads = pressed && (pressed->action == Action::next_picture ||
+                                           pressed->action == Action::previous_picture ||
+                                           pressed->action == Action::set_detail);
+            const bool feels =
+                pressed &&
+                (pressed->action == Action::toggle_level_automatic ||
+                 pressed->action == Action::coarser_level ||
+                 pressed->action == Action::finer_level || pressed->action == Action::firmer ||
+                 pressed->action == Action::softer || pressed->action == Action::next_mode);
+            EXPECT_EQ(commands.load, loads && state.picture_count > 0);
+            EXPECT_EQ(commands.feel, feels);
+            EXPECT_EQ(commands.quit, pressed && pressed->action == Action::quit);
+        }
+    }
+}
+
+TEST(Session, PicturesWrapAround) {
+    const Session shown = shown_session();
+    EXPECT_EQ(press_key(shown, Key::left, felt).session.picture, pictures - 1);
+    Session session = shown;
+    for (int i = 0; i < pictures; ++i) session = press_key(session, Key::right, felt).session;
+    EXPECT_EQ(session.picture, shown.picture);
+}
+
+TEST(Session, DigitsChooseTheDetailOfTheSamePicture) {
+    const Step step = press_key(shown_session(), Key{'5'}, felt);
+    EXPECT_EQ(step.session.detail, 5);
+    EXPECT_EQ(step.session.picture, 0);
+    EXPECT_TRUE(step.commands.load);
+}
+
+TEST(Session, ANewListEntryKeepsTheDetail) {
+    const Session detailed = press_key(shown_session(), Key{'5'}, felt).session;
+    EXPECT_EQ(press_key(detailed, Key::right, felt).session.detail, 5);
+}
+
+TEST(Session, FixingTheLevelKeepsWhatIsFelt) {
+    const Session fixed = press_key(shown_session(), Key{'L'}, felt).session;
+    EXPECT_FALSE(fixed.is_level_automatic);
+    EXPECT_EQ(fixed.fixed_level, 2);
+    EXPECT_TRUE(press_key(fixed, Key{'L'}, felt).session.is_level_automatic);
+}
+
+TEST(Session, PageKeysStepFromTheLevelFeltAndStayInRange) {
+    const Session shown = shown_session();
+    EXPECT_EQ(press_key(shown, Key::page_up, felt).session.fixed_level, 3);
+    EXPECT_EQ(press_key(shown, Key::page_down, felt).session.fixed_level, 1);
+    Session session = shown;
+    for (int i = 0; i < 20; ++i) session = press_key(session, Key::page_up, felt).session;
+    EXPECT_EQ(session.fixed_level, 6);
+    for (int i = 0; i < 20; ++i) session = press_key(session, Key::page_down, felt).session;
+    EXPECT_EQ(session.fixed_level, 0);
+}
+
+TEST(Session, ALevelThatIsNotANumberBecomesTheFinest) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(press_key(shown_session(), Key{'L'}, nan).session.fixed_level, 0);
+    EXPECT_EQ(press_key(shown_session(), Key::page_up, nan).session.fixed_level, 0);
+}
+
+TEST(Session, StiffnessStopsAtBothEnds) {
+    Session session = shown_session();
+    for (int i = 0; i < 10; ++i) session = press_key(session, Key::up, felt).session;
+    EXPECT_EQ(session.stiffness, stiffness_steps.size() - 1);
+    for (int i = 0; i < 10; ++i) session = press_key(session, Key::down, felt).session;
+    EXPECT_EQ(session.stiffness, 0u);
+}
+
+TEST(Session, StiffnessStepsRise) {
+    for (std::size_t i = 1; i < stiffness_steps.size(); ++i)
+        EXPECT_GT(stiffness_steps[i].stiffness_N_per_m, stiffness_steps[i - 1].stiffness_N_per_m);
+}
+
+TEST(Session, ModesFollowEachOtherInACircle) {
+    Session session = shown_session();
+    std::set<Mode> modes;
+    for (int i = 0; i < 4; ++i) {
+        modes.insert(session.mode);
+        session = press_key(session, Key{'M'}, felt).session;
+    }
+    EXPECT_EQ(modes.size(), 4u);
+    EXPECT_EQ(session.mode, Mode::wall);
+}
+
+TEST(Session, BoxesAndKeysAreSwitches) {
+    const Session shown = shown_session();
+    const Session boxes = press_key(shown, Key{'B'}, felt).session;
+    EXPECT_TRUE(boxes.shows_boxes);
+    EXPECT_FALSE(press_key(boxes, Key{'B'}, felt).session.shows_boxes);
+    EXPECT_TRUE(press_key(shown, Key{'H'}, felt).session.shows_keys);
+}
+
+TEST(Session, AFailedPictureLeavesTheOldOneAndSaysWhy) {
+    const Session wanted = press_key(shown_session(), Key::right, felt).session;
+    const Session failed = picture_failed(wanted, wanted.request, "bad.png: truncated").session;
+    EXPECT_EQ(failed.message, "bad.png: truncated");
+    EXPECT_EQ(failed.shown.number, 1);
+    EXPECT_FALSE(failed.is_loading);
+    const Session next = press_key(failed, Key::right, felt).session;
+    EXPECT_EQ(next.picture, 2);
+    EXPECT_TRUE(next.message.empty());
+}
+
+TEST(Session, AJobThatIsNoLongerWantedChangesNothing) {
+    const Session first = start_session(pictures).session;
+    const Session second = press_key(first, Key::right, felt).session;
+    const Step late = picture_ready(second, first.request, {"Old", 1, 1});
+    EXPECT_TRUE(late.session.is_loading);
+    EXPECT_EQ(late.session.shown.number, 0);
+    EXPECT_FALSE(late.commands.feel);
+    EXPECT_TRUE(picture_failed(second, first.request, "old").session.message.empty());
+}
+
+TEST(Session, AFixedLevelIsCutToWhatTheNewPictureHas) {
+    Session session = shown_session();
+    for (int i = 0; i < 6; ++i) session = press_key(session, Key::page_up, felt).session;
+    session = press_key(session, Key::right, felt).session;
+    session = picture_ready(session, session.request, {"Square", 1, 2}).session;
+    EXPECT_EQ(session.fixed_level, 2);
+}
+
+RC_GTEST_PROP(Session, AnyRunOfKeysAndJobsKeepsTheStateSound, ()) {
+    const auto keys = every_key();
+    Session session = start_session(*rc::gen::inRange(0, 5)).session;
+    const auto moves = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 40));
+    for (const int move : moves) {
+        const auto choice = static_cast<std::size_t>(move);
+        if (choice < keys.size())
+            session = press_key(session, keys[choice], move * 0.3).session;
+        else if (move % 2 == 0)
+            session = picture_ready(session, session.request, {"", 1, 4}).session;
+        else
+            session = picture_failed(session, session.request, "no").session;
+        RC_ASSERT(session.fixed_level <= session.shown.coarsest_level);
+        RC_ASSERT(session.picture >= 0);
+        RC_ASSERT(session.stiffness < stiffness_steps.size());
+    }
+}
+
+}  // namespace
+}  // namespace touchline
