@@ -1,0 +1,149 @@
+#include "app/decode/files.h"
+
+#include "app/decode/one_line.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+class Descriptor {
+  public:
+    explicit Descriptor(int number) noexcept : number_(number) {}
+
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    ~Descriptor() {
+        if (is_open()) ::close(number_);
+    }
+
+    [[nodiscard]] int number() const noexcept { return number_; }
+
+    [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
+
+    /// Some file systems report a failed write only here.
+    [[nodiscard]] bool close() noexcept { return ::close(std::exchange(number_, -1)) == 0; }
+
+  private:
+    int number_;
+};
+
+tl::unexpected<Error> file_failure(const std::string& path, std::string_view what) {
+    const std::string why = std::generic_category().message(errno);
+    return failure(fmt::format("{}: {}: {}", one_line(path), what, why));
+}
+
+bool write_all(int descriptor, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+Result<void> write_straight(const std::string& path, std::span<const std::byte> bytes) {
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!file.is_open()) return file_failure(path, "cannot be opened for writing");
+    if (!write_all(file.number(), bytes)) return file_failure(path, "cannot be written");
+    return {};
+}
+
+/// The name itself survives a power cut only when its folder is flushed too. Best effort: some file
+/// systems refuse it, and the file is whole either way.
+void flush_folder(const std::filesystem::path& folder) {
+    const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (opened.is_open()) ::fsync(opened.number());
+}
+
+/// A new file beside the target, named after it; its name is put into `temporary`.
+int create_beside(const std::string& target, std::string& temporary) {
+    constexpr int max_leftovers = 1000;  // of runs that were killed while writing
+    int descriptor = -1;
+    for (int i = 0; i < max_leftovers && descriptor < 0; ++i) {
+        temporary = fmt::format("{}.{}-{}.part", target, ::getpid(), i);
+        descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor < 0 && errno != EEXIST) break;
+    }
+    return descriptor;
+}
+
+Result<void> write_beside_and_rename(const std::string& path, const std::string& target,
+                                     std::span<const std::byte> bytes) {
+    std::string temporary;
+    Descriptor file(create_beside(target, temporary));
+    if (!file.is_open()) return file_failure(path, "cannot be created; choose another folder");
+    const bool is_whole = write_all(file.number(), bytes) && ::fsync(file.number()) == 0 &&
+                          file.close() && ::rename(temporary.c_str(), target.c_str()) == 0;
+    if (!is_whole) {
+        const auto error = file_failure(path, "cannot be written; is the disk full?");
+        ::unlink(temporary.c_str());
+        return error;
+    }
+    const auto folder = std::filesystem::path(target).parent_path();
+    flush_folder(folder.empty() ? "." : folder);
+    return {};
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> read_file(const std::string& path) {
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file.is_open()) return file_failure(path, "cannot be opened");
+
+    struct stat status {};
+
+    if (::fstat(file.number(), &status) != 0) return file_failure(path, "cannot be read");
+    if (S_ISDIR(status.st_mode)) {
+        return failure(one_line(path) + ": is a folder; name a file in it");
+    }
+    const auto too_large = [&] {
+        return failure(fmt::format("{}: is larger than {} MiB; make it smaller", one_line(path),
+                                   max_file_bytes >> 20U));
+    };
+    if (status.st_size > static_cast<off_t>(max_file_bytes)) return too_large();
+
+    // One byte more than the size says: the end is then seen without growing. Pipes say 0.
+    std::vector<std::byte> bytes(static_cast<std::size_t>(status.st_size) + 1);
+    std::size_t filled = 0;
+    while (true) {
+        const ssize_t got = ::read(file.number(), bytes.data() + filled, bytes.size() - filled);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return file_failure(path, "cannot be read");
+        if (got == 0) break;
+        filled += static_cast<std::size_t>(got);
+        if (filled > max_file_bytes) return too_large();
+        if (filled == bytes.size()) bytes.resize(2 * bytes.size() + 4096);
+    }
+    bytes.resize(filled);
+    return bytes;
+}
+
+Result<void> write_whole_file(const std::string& path, std::span<const std::byte> bytes) {
+    struct stat status {};
+
+    const bool exists = ::stat(path.c_str(), &status) == 0;
+    if (exists && S_ISDIR(status.st_mode)) {
+        return failure(one_line(path) + ": is a folder; name a file in it");
+    }
+    if (exists && !S_ISREG(status.st_mode)) return write_straight(path, bytes);
+    std::error_code error;
+    const auto linked_to = std::filesystem::canonical(path, error);
+    return write_beside_and_rename(path, error ? path : linked_to.string(), bytes);
+}
+
+Result<void> write_whole_file(const std::string& path, const std::string& text) {
+    return write_whole_file(path, std::as_bytes(std::span(text)));
+}
+
+}  // namespace touchline

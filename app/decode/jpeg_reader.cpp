@@ -1,0 +1,158 @@
+#include "app/decode/formats.h"
+
+#include <csetjmp>
+#include <cstdio>  // jpeglib.h needs FILE
+
+#include <jerror.h>
+#include <jpeglib.h>
+
+namespace touchline::decode {
+namespace {
+
+/// libjpeg reports an error by a call that must not return: we jump out of the library from it.
+struct ErrorCallbacks {
+    jpeg_error_mgr base;  // first: libjpeg's pointer to it is a pointer to this
+    std::jmp_buf way_out;
+    bool is_cut_short;
+    char message[JMSG_LENGTH_MAX];
+};
+
+/// A progressive file of a few kilobytes can ask for thousands of passes over every pixel.
+constexpr int max_scans = 200;
+
+ErrorCallbacks& callbacks_of(j_common_ptr codec) {
+    return *reinterpret_cast<ErrorCallbacks*>(codec->err);
+}
+
+[[noreturn]] void leave(j_common_ptr codec) {
+    ErrorCallbacks& errors = callbacks_of(codec);
+    errors.base.format_message(codec, errors.message);
+    std::longjmp(errors.way_out, 1);
+}
+
+/// Warnings pass (a picture with stray bytes is a picture) but for those that say data is missing.
+void note_warning(j_common_ptr codec, int message_level) {
+    if (message_level >= 0) return;
+    const int code = codec->err->msg_code;
+    if (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER) callbacks_of(codec).is_cut_short = true;
+}
+
+void limit_scans(j_common_ptr codec) {
+    const auto* decoder = reinterpret_cast<j_decompress_ptr>(codec);
+    if (decoder->input_scan_number > max_scans) ERREXIT(codec, JERR_BAD_PROGRESSION);
+}
+
+/// Runs one step of the decoder; false when libjpeg gave up in it. The jump ends here, so neither
+/// this function nor a step may hold an object with a destructor.
+template <class Step>
+bool run(ErrorCallbacks& errors, const Step& step) {
+    if (setjmp(errors.way_out) != 0) return false;  // NOLINT(cert-err52-cpp): libjpeg's interface
+    step();
+    return true;
+}
+
+class Decoder : public jpeg_decompress_struct {
+  public:
+    Decoder() : jpeg_decompress_struct{} {
+        err = jpeg_std_error(&errors.base);
+        errors.base.error_exit = leave;
+        errors.base.emit_message = note_warning;
+        progress_.progress_monitor = limit_scans;
+    }
+
+    Decoder(const Decoder&) = delete;
+    Decoder& operator=(const Decoder&) = delete;
+
+    ~Decoder() { jpeg_destroy_decompress(this); }
+
+    void open(Bytes bytes) {
+        jpeg_create_decompress(this);
+        progress = &progress_;
+        mem->max_memory_to_use = static_cast<long>(max_picture_bytes);
+        jpeg_mem_src(this, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+        jpeg_save_markers(this, JPEG_APP0 + 1, 0xffff);
+        jpeg_read_header(this, TRUE);
+    }
+
+    ErrorCallbacks errors{};
+
+  private:
+    jpeg_progress_mgr progress_{};
+};
+
+unsigned reduction(std::uint64_t width, std::uint64_t height) {
+    unsigned by = 1;
+    while (by < 8 && width * height / (by * by) > max_full_jpeg_pixels) by *= 2;
+    return by;
+}
+
+/// Printing inks to light. Adobe's programs store every ink inverted, and all others follow them;
+/// a file without Adobe's mark is taken at its word.
+void inks_to_bgr(const std::uint8_t* cmyk, std::size_t pixels, bool is_inverted,
+                 std::uint8_t* bgr) {
+    const unsigned flip = is_inverted ? 0U : 255U;
+    for (std::size_t i = 0; i < pixels; ++i, cmyk += 4, bgr += 3) {
+        const unsigned light = cmyk[3] ^ flip;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const unsigned passed = (cmyk[2 - channel] ^ flip) * light + 127U;
+            bgr[channel] = static_cast<std::uint8_t>(passed / 255U);
+        }
+    }
+}
+
+int orientation_of(const Decoder& decoder) {
+    for (const auto* marker = decoder.marker_list; marker != nullptr; marker = marker->next) {
+        const int orientation =
+            exif_orientation(std::as_bytes(std::span(marker->data, marker->data_length)));
+        if (orientation != 1) return orientation;
+    }
+    return 1;
+}
+
+bool read_rows(Decoder& decoder, bool has_inks, Picture& picture) {
+    const std::size_t width = decoder.output_width;
+    std::vector<std::uint8_t> ink_row(has_inks ? 4 * width : 0);
+    return run(decoder.errors, [&] {
+        while (decoder.output_scanline < decoder.output_height) {
+            std::uint8_t* out = picture.bgr.data() + 3 * width * decoder.output_scanline;
+            JSAMPROW row = has_inks ? ink_row.data() : out;
+            jpeg_read_scanlines(&decoder, &row, 1);
+            if (has_inks) {
+                inks_to_bgr(row, width, decoder.saw_Adobe_marker == TRUE, out);
+            }
+        }
+        jpeg_finish_decompress(&decoder);
+    });
+}
+
+}  // namespace
+
+Result<Picture> read_jpeg(Bytes bytes) {
+    Decoder decoder;
+    if (!run(decoder.errors, [&] { decoder.open(bytes); })) {
+        return damaged("JPEG", decoder.errors.message);
+    }
+    // One byte a pixel here: the pixels alone; the buffer is measured after the reduction.
+    if (auto fits = check_size("JPEG", decoder.image_width, decoder.image_height, 1); !fits) {
+        return tl::unexpected(fits.error());
+    }
+    const unsigned by = reduction(decoder.image_width, decoder.image_height);
+    const bool has_inks =
+        decoder.jpeg_color_space == JCS_CMYK || decoder.jpeg_color_space == JCS_YCCK;
+    decoder.scale_num = 1;
+    decoder.scale_denom = by;
+    decoder.out_color_space = has_inks ? JCS_CMYK : JCS_EXT_BGR;
+    if (!run(decoder.errors, [&] { jpeg_start_decompress(&decoder); })) {
+        return damaged("JPEG", decoder.errors.message);
+    }
+    Picture picture{static_cast<int>(decoder.output_width),
+                    static_cast<int>(decoder.output_height),
+                    {},
+                    1.0 / by};
+    picture.bgr.resize(std::size_t{3} * decoder.output_width * decoder.output_height);
+    if (!read_rows(decoder, has_inks, picture)) return damaged("JPEG", decoder.errors.message);
+    if (decoder.errors.is_cut_short) return damaged("JPEG", "the file ends before the picture");
+    return upright(std::move(picture), orientation_of(decoder));
+}
+
+}  // namespace touchline::decode

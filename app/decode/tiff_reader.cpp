@@ -1,0 +1,134 @@
+#include "app/decode/formats.h"
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include <tiffio.h>
+
+namespace touchline::decode {
+namespace {
+
+/// What libtiff reads from, and the first error it told.
+struct Source {
+    Bytes bytes;
+    std::size_t offset = 0;
+    std::string error;
+};
+
+Source& source_of(thandle_t handle) {
+    return *static_cast<Source*>(handle);
+}
+
+tmsize_t read_some(thandle_t handle, void* to, tmsize_t wanted) {
+    Source& source = source_of(handle);
+    if (wanted <= 0 || source.offset >= source.bytes.size()) return 0;
+    const std::size_t count =
+        std::min(static_cast<std::size_t>(wanted), source.bytes.size() - source.offset);
+    std::memcpy(to, source.bytes.data() + source.offset, count);
+    source.offset += count;
+    return static_cast<tmsize_t>(count);
+}
+
+tmsize_t refuse_write(thandle_t, void*, tmsize_t) {
+    return 0;
+}
+
+toff_t seek(thandle_t handle, toff_t offset, int from) {
+    Source& source = source_of(handle);
+    if (from == SEEK_CUR) offset += source.offset;
+    if (from == SEEK_END) offset += source.bytes.size();
+    source.offset = static_cast<std::size_t>(offset);
+    return offset;
+}
+
+int close_nothing(thandle_t) {
+    return 0;
+}
+
+toff_t size_of(thandle_t handle) {
+    return source_of(handle).bytes.size();
+}
+
+[[gnu::format(printf, 4, 0)]] int keep_first_error(TIFF*, void* user, const char*,
+                                                   const char* format, std::va_list arguments) {
+    std::string& error = static_cast<Source*>(user)->error;
+    if (error.empty()) {
+        char text[256];
+        std::vsnprintf(text, sizeof text, format, arguments);
+        error = text;
+    }
+    return 1;  // handled: nothing goes to the process-wide handler and stderr
+}
+
+[[gnu::format(printf, 4, 0)]] int drop_warning(TIFF*, void*, const char*, const char*,
+                                               std::va_list) {
+    return 1;
+}
+
+struct Close {
+    void operator()(TIFF* tiff) const { TIFFClose(tiff); }
+
+    void operator()(TIFFOpenOptions* options) const { TIFFOpenOptionsFree(options); }
+};
+
+std::unique_ptr<TIFF, Close> open(Source& source) {
+    const std::unique_ptr<TIFFOpenOptions, Close> options(TIFFOpenOptionsAlloc());
+    if (options == nullptr) return nullptr;
+    TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(max_picture_bytes));
+    TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_first_error, &source);
+    TIFFOpenOptionsSetWarningHandlerExtR(options.get(), drop_warning, nullptr);
+    return std::unique_ptr<TIFF, Close>(
+        TIFFClientOpenExt("picture", "r", &source, read_some, refuse_write, seek, close_nothing,
+                          size_of, nullptr, nullptr, options.get()));
+}
+
+/// libtiff packs a pixel into one number, colours multiplied by alpha; over white in place.
+void raster_to_bgr(std::vector<std::uint8_t>& raster) {
+    const std::size_t pixels = raster.size() / 4;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        std::uint32_t pixel = 0;
+        std::memcpy(&pixel, &raster[4 * i], 4);
+        const std::uint32_t white = 255 - TIFFGetA(pixel);
+        const std::uint32_t bgr[3] = {TIFFGetB(pixel), TIFFGetG(pixel), TIFFGetR(pixel)};
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const std::uint32_t sum = std::min(bgr[channel] + white, 255U);
+            raster[3 * i + channel] = static_cast<std::uint8_t>(sum);
+        }
+    }
+    raster.resize(3 * pixels);
+}
+
+}  // namespace
+
+Result<Picture> read_tiff(Bytes bytes) {
+    Source source{bytes, 0, {}};
+    const auto tiff = open(source);
+    if (tiff == nullptr) return damaged("TIFF", source.error);
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
+    TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
+    if (auto fits = check_size("TIFF", width, height, 4); !fits) {
+        return tl::unexpected(fits.error());
+    }
+    std::uint16_t orientation = ORIENTATION_TOPLEFT;
+    TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_ORIENTATION, &orientation);
+
+    Picture picture{static_cast<int>(width), static_cast<int>(height), {}};
+    picture.bgr.resize(std::size_t{4} * width * height);
+    // Rows and columns as they are stored: libtiff turns only four of the eight orientations.
+    // A byte vector's memory is aligned for any number.
+    auto* raster = reinterpret_cast<std::uint32_t*>(picture.bgr.data());
+    const int stop_on_error = 1;
+    if (TIFFReadRGBAImageOriented(tiff.get(), width, height, raster, orientation, stop_on_error) ==
+        0) {
+        return damaged("TIFF", source.error);
+    }
+    raster_to_bgr(picture.bgr);
+    return upright(std::move(picture), orientation);
+}
+
+}  // namespace touchline::decode
