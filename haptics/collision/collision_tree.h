@@ -5,6 +5,7 @@
 #pragma once
 
 #include "config/types/vec2.h"
+#include "haptics/collision/frame.h"
 #include "haptics/curve/curve_set.h"
 
 #include <array>
@@ -22,14 +23,6 @@ struct ErrorBox {
     int index = 0;  // of the segment at that level
 };
 
-/// Names a segment of the curve as rendered.
-struct SegmentRef {
-    int piece = -1;
-    int index = -1;
-
-    friend bool operator==(const SegmentRef&, const SegmentRef&) = default;
-};
-
 /// A disc that moves straight from `from` to `to`.
 struct Motion {
     Position from, to;
@@ -43,14 +36,16 @@ struct Budget {
     std::int64_t deadline_ns = 0;                 // of the steady clock; 0: none
 };
 
-/// First contact of a motion. Contract: architecture section 4, "Anytime".
+/// First contact of a motion. Boxes that the budget left unopened count as obstacles: `clear` is the share
+/// of the motion proven free of them, and a hit counts only before all of them (architecture section 4,
+/// "Anytime"). `clear` never falls as the budget grows.
 struct Hit {
     bool is_hit = false;
-    double clear = 1.0;   // fraction of the motion proven free; where is_hit, the fraction of the contact
-    SegmentRef segment;   // lowest of those touched at the same moment
+    double clear = 1.0;      // share of the motion proven free; where is_hit, the share of the contact
+    SegmentRef segment;      // lowest of those touched at the same moment
     double parameter = 0.0;  // on the segment, 0 ... 1
     Direction normal;        // from the point touched to the disc's centre
-    double distance_m = 0.0;  // from the point touched to the disc's centre at contact
+    double distance_m = 0.0;  // of the centre from the point touched
     int boxes = 0;            // opened
 };
 
@@ -77,9 +72,10 @@ class CollisionTree {
     [[nodiscard]] Closest closest_point(const CurveSet& curves, Position p, double level,
                                         double within_m) const;
 
-    /// True when nothing but its two neighbours comes within the disc's reach of this segment, at its
-    /// whole level `level`: sliding along it then needs no query.
-    [[nodiscard]] bool is_alone(int piece, int level, int j) const;
+    /// True when no box but those of its neighbours along the outline meets the box of the node that holds
+    /// rendered segment j, both grown by the radius of build(): sliding along it needs no query, only a
+    /// look at its neighbours (three each way). Valid at every level and blend. O(1).
+    [[nodiscard]] bool is_alone(const CurveSet& curves, SegmentRef segment, double level) const;
 
     /// The boundary section for a handle (paper section 3): the nodes whose box does not hold the
     /// handle while their parent's does, and, where the boxes hold it down to `level`, the nodes of that
@@ -91,7 +87,35 @@ class CollisionTree {
     [[nodiscard]] ErrorBox box(const CurveSet& curves, int piece, int level, int j) const;
 
   private:
+    /// Extents of a node's box along and across its segment, from the segment's first point; metres,
+    /// rounded outward.
+    struct Extents {
+        float along_low, along_high, across_low, across_high;
+    };
+
+    /// A node of the bounding hierarchy over all coarsest segments.
+    struct Bound {
+        float x_low, x_high, y_low, y_high;
+        std::int32_t left;   // child; right is left + 1. Negative: a leaf, root_[-left - 1]
+    };
+
+    struct Node {
+        int piece, level, index;
+    };
+
+    [[nodiscard]] AlignedBox aligned_box(const CurveSet& curves, const Node& node) const;
+    [[nodiscard]] std::size_t box_index(const Node& node) const;
+    [[nodiscard]] int leaf_level(const CurveSet& curves, int piece, double level) const;
+
+    std::vector<std::uint32_t> first_level_;  // per piece, in first_box_
+    std::vector<std::uint32_t> first_box_;    // per piece and level, in boxes_
+    std::vector<Extents> boxes_;
+    std::vector<bool> alone_;  // per box
+    std::vector<Bound> bounds_;
+    std::vector<Node> roots_;  // the coarsest segments
+
     friend class CollisionTreeBuilder;
+    template <class Visitor>
     friend class TreeWalk;
 };
 

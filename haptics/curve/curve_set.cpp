@@ -46,6 +46,23 @@ Segment CurveSet::rendered_segment(int piece, double level, int j) const {
     return {rendered_point(piece, level, j), rendered_point(piece, level, wraps ? 0 : j + 1)};
 }
 
+SegmentRef CurveSet::next(SegmentRef segment, double level) const {
+    const Piece& piece = pieces_[static_cast<std::size_t>(segment.piece)];
+    if (segment.index + 1 < rendered_count(segment.piece, level)) {
+        return {segment.piece, segment.index + 1};
+    }
+    if (piece.is_closed) return {segment.piece, 0};
+    return piece.next >= 0 ? SegmentRef{piece.next, 0} : SegmentRef{};
+}
+
+SegmentRef CurveSet::previous(SegmentRef segment, double level) const {
+    const Piece& piece = pieces_[static_cast<std::size_t>(segment.piece)];
+    if (segment.index > 0) return {segment.piece, segment.index - 1};
+    if (piece.is_closed) return {segment.piece, rendered_count(segment.piece, level) - 1};
+    if (piece.previous < 0) return {};
+    return {piece.previous, rendered_count(piece.previous, level) - 1};
+}
+
 double CurveSet::outline_parameter(int piece, double level, int j, double t) const {
     const auto stride = std::exp2(std::floor(rendered_level(piece, level)));
     const double length = segment_count(piece, 0);

@@ -7,6 +7,7 @@
 #include "config/types/tactile_map.h"
 #include "config/types/vec2.h"
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -50,6 +51,14 @@ struct Segment {
     Position a, b;
 };
 
+/// Names a segment of the curve as rendered; its index depends on the level. piece -1: none.
+struct SegmentRef {
+    int piece = -1;
+    int index = -1;
+
+    friend auto operator<=>(const SegmentRef&, const SegmentRef&) = default;
+};
+
 class CurveSet {
   public:
     /// O(N). Repeated points (closer than 1 nm) are dropped; an outline left with fewer than two
@@ -83,7 +92,11 @@ class CurveSet {
     /// Point i of the piece as rendered; an open piece has rendered_count + 1 of them. O(1).
     [[nodiscard]] Position rendered_point(int piece, double level, int i) const;
 
-    /// The outline parameter, in level-0 segments from the outline's first point, at share t of rendered
+    /// The segment after (before) one along its outline, across pins; piece -1 at an open end. O(1).
+    [[nodiscard]] SegmentRef next(SegmentRef segment, double level) const;
+    [[nodiscard]] SegmentRef previous(SegmentRef segment, double level) const;
+
+    /// The outline parameter, in level-0 segments from the start of the outline's first piece, at share t of rendered
     /// segment j. The same at every level, so that a contact survives a change of level. O(1).
     [[nodiscard]] double outline_parameter(int piece, double level, int j, double t) const;
 
