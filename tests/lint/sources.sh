@@ -1,0 +1,29 @@
+# shellcheck shell=bash disable=SC2034 # the lints use what is set here
+# Sourced by the lints. Goes to the root of the tree to check, the first argument.
+set -euo pipefail
+
+lint=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+cd "${1:?usage: LINT ROOT}"
+
+# The folders of the top level that may hold sources.
+folders=()
+for folder in config vision haptics audio-cues app tests; do
+    [[ ! -d $folder ]] || folders+=("$folder")
+done
+
+# cpp_sources: every C++ file, ended by NUL, in a fixed order.
+cpp_sources() { find "${folders[@]}" -type f \( -name '*.h' -o -name '*.cpp' \) -print0 | LC_ALL=C sort -z; }
+
+# texts: every file that people write, ended by NUL: all but pictures and data.
+texts() {
+    find "${folders[@]}" .ci -type f ! -path 'tests/data/*' \
+        ! -name '*.svg' ! -name '*.png' ! -name '*.csv' ! -name '*.json' -print0 2>/dev/null
+    find . -maxdepth 1 -type f ! -name LICENSE ! -name compile_commands.json -printf '%P\0'
+}
+
+# verdict LINES: prints them and fails, unless there are none.
+verdict() {
+    [[ -n $1 ]] || exit 0
+    printf '%s\n' "$1"
+    exit 1
+}
