@@ -1,9 +1,9 @@
 // Kinematics of the planar five-bar linkage. Device frame D: motor 1 at the origin, motor 2 at
 // (base, 0), angles counter-clockwise from +x; +y points from the motors to the user, +x to the
-// user's left. Only the working branch counts: tip on the user's side of both elbows, elbows out.
-// Formulas: closed form by vector geometry, right everywhere on that branch, unlike the published
-// acos version, which fails where the tip is nearer the base than an elbow. Threads: pure
-// functions; no allocation. O(1).
+// user's left. Only the working branch counts: the tip to the left of the line from elbow 1 to
+// elbow 2, both elbows turned out. Closed form by vector geometry, right everywhere on that branch,
+// unlike the published acos version, which fails where the tip is nearer the base than an elbow.
+// Threads: pure functions; no allocation. O(1).
 #pragma once
 
 #include "config/types/vec2.h"
@@ -36,8 +36,8 @@ struct Pose {
 [[nodiscard]] std::optional<Pose> forward(const Geometry& geometry, JointAngles angles);
 
 /// The joint angles of the working branch that put the tip at p_DH; nothing when out of reach or
-/// not finite. forward() of the result is p_DH to rounding. Angles are continuous over the half
-/// plane y > 0.
+/// not finite. forward() of the result is p_DH to rounding. Continuous but across the line straight
+/// behind each motor.
 [[nodiscard]] std::optional<JointAngles> inverse(const Geometry& geometry, Position p_DH);
 
 /// tau = J^T F: the motor torques that make the device push the hand with F (in D).

@@ -1,0 +1,83 @@
+#include "haptics/pantograph/profile.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <string>
+
+namespace touchline {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+constexpr JointAngles degrees(double joint_1, double joint_2) {
+    return {joint_1 * pi / 180.0, joint_2 * pi / 180.0};
+}
+
+// The M0 board of every 2diy resolves half of the counts that its set-up command is told.
+constexpr JointAngles m0_counts(double joint_1, double joint_2) {
+    return {joint_1 / 2.0, joint_2 / 2.0};
+}
+
+constexpr Geometry gen3_links{0.070, 0.090, 0.038};
+constexpr Geometry gen2_links{0.070, 0.090, 0.0};
+constexpr Geometry haplet_links{0.050, 0.070, 0.020};
+constexpr Geometry mk2_links{0.063, 0.075, 0.025};  // with joint 1 the paper's joint 5
+
+// Mechanics: middle of the ranges that users of the devices report or estimate.
+constexpr MechanicsProfile plastic_arms{0.07, 0.2, 0.10, 6e-4};
+constexpr MechanicsProfile metal_arms{0.08, 0.3, 0.15, 6e-4};
+constexpr MechanicsProfile small_arms{0.05, 0.2, 0.10, 6e-4};
+constexpr MechanicsProfile direct_drive{0.035, 0.05, 0.03, 1e-4};
+
+// Areas: the largest 4:3 box in which the Jacobian's condition stays below 3. Force: up to 3 N,
+// which the motors give in their best direction (2.8 N: mk2).
+constexpr std::array profiles{
+    DeviceProfile{"2diy-gen3.1", gen3_links, m0_counts(4880.0, 4880.0), 0.123, degrees(168.0, 12.0),
+                  Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0, plastic_arms},
+    DeviceProfile{"2diy-gen3", gen3_links,
+                  m0_counts(2048.0 * 2.5 * 1.0194 * 1.0154, 2048.0 * 2.5 * 1.0194), 0.123,
+                  degrees(97.23, 82.77), Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0,
+                  plastic_arms},
+    DeviceProfile{"2diy-gen2", gen2_links, m0_counts(10752.0, 10752.0), 0.123,
+                  degrees(241.0, -61.0), Area{0.144, 0.108}, Position{0.0, 0.076}, 3.0, 100.0,
+                  metal_arms},
+    DeviceProfile{"haplet", haplet_links, JointAngles{13824.0, 13824.0}, 0.123, degrees(180.0, 0.0),
+                  Area{0.104, 0.076}, Position{0.010, 0.060}, 3.0, 100.0, small_arms},
+    // No home pose is published: the symmetric one near the centre of the area.
+    DeviceProfile{"mk2", mk2_links, JointAngles{65536.0, 65536.0}, 0.1, degrees(150.0, 30.0),
+                  Area{0.096, 0.072}, Position{0.0125, 0.084}, 2.8, 400.0, direct_drive},
+};
+
+}  // namespace
+
+std::span<const DeviceProfile> device_profiles() {
+    return profiles;
+}
+
+const DeviceProfile& default_profile() {
+    return profiles.front();
+}
+
+Result<DeviceProfile> find_profile(std::string_view name) {
+    const auto* const found = std::find_if(profiles.begin(), profiles.end(),
+                                           [&](const auto& p) { return p.name == name; });
+    if (found != profiles.end()) return *found;
+    std::string names;
+    for (const DeviceProfile& p : profiles)
+        names += (names.empty() ? "" : ", ") + std::string(p.name);
+    return failure("no device profile is named '" + std::string(name) + "'; choose one of " +
+                   names);
+}
+
+JointAngles encoder_quantum(const DeviceProfile& profile) {
+    return {2.0 * pi / profile.counts_per_turn.x, 2.0 * pi / profile.counts_per_turn.y};
+}
+
+double encoder_step_m(const DeviceProfile& profile) {
+    const auto angles = inverse(profile.geometry, profile.centre);
+    const auto pose = forward(profile.geometry, angles.value());
+    return singular_values(pose.value().jacobian, encoder_quantum(profile)).largest;
+}
+
+}  // namespace touchline
