@@ -1,7 +1,6 @@
 #include "haptics/collision/collision_tree.h"
 
 #include "haptics/collision/frame.h"
-#include "haptics/collision/touch.h"
 #include "haptics/collision/tree_walk.h"
 
 #include <chrono>
@@ -58,7 +57,7 @@ class FirstHit {
         if (!found) return;
         const bool is_tie = hit_.is_hit && std::abs(found->fraction - hit_.clear) <= tie_;
         if (hit_.is_hit && (is_tie ? hit_.segment < ref : hit_.clear < found->fraction)) return;
-        hit_ = {true, found->fraction, ref, found->parameter, found->normal, found->distance_m, 0};
+        hit_ = {true, found->fraction, ref, *found, 0};
     }
 
     /// `unopened`: the earliest moment at which a box left unopened is met.
@@ -113,6 +112,27 @@ class ClosestPoint {
     Closest closest_;
 };
 
+/// Stops at the first leaf within reach.
+class AnyNear {
+  public:
+    AnyNear(Position p, double reach_m) : p_(p), reach_m_(reach_m) {}
+
+    std::optional<double> near(const AlignedBox& box) const { return distance_m(box, p_); }
+
+    [[nodiscard]] double cut() const { return is_met_ ? -1.0 : reach_m_; }
+
+    static bool spend() { return true; }
+
+    void leaf(SegmentRef) { is_met_ = true; }
+
+    [[nodiscard]] bool is_met() const { return is_met_; }
+
+  private:
+    Position p_;
+    double reach_m_;
+    bool is_met_ = false;
+};
+
 }  // namespace
 
 std::size_t CollisionTree::box_index(const Node& node) const {
@@ -151,6 +171,13 @@ Closest CollisionTree::closest_point(const CurveSet& curves, Position p, double 
     ClosestPoint visitor(curves, p, level, within_m);
     static_cast<void>(TreeWalk(*this, curves, level, visitor).run());
     return visitor.result();
+}
+
+bool CollisionTree::is_clear(const CurveSet& curves, Position p, double distance_m,
+                             double level) const {
+    AnyNear visitor(p, distance_m);
+    static_cast<void>(TreeWalk(*this, curves, level, visitor).run());
+    return !visitor.is_met();
 }
 
 bool CollisionTree::is_alone(const CurveSet& curves, SegmentRef segment, double level) const {

@@ -6,6 +6,7 @@
 
 #include "config/types/vec2.h"
 #include "haptics/collision/frame.h"
+#include "haptics/collision/touch.h"
 #include "haptics/curve/curve_set.h"
 
 #include <array>
@@ -41,12 +42,10 @@ struct Budget {
 /// "Anytime"). `clear` never falls as the budget grows.
 struct Hit {
     bool is_hit = false;
-    double clear = 1.0;      // share of the motion proven free; where is_hit, the share of the contact
-    SegmentRef segment;      // lowest of those touched at the same moment
-    double parameter = 0.0;  // on the segment, 0 ... 1
-    Direction normal;        // from the point touched to the disc's centre
-    double distance_m = 0.0;  // of the centre from the point touched
-    int boxes = 0;            // opened
+    double clear = 1.0;  // share of the motion proven free; where is_hit, that of the contact
+    SegmentRef segment;  // lowest of those touched at the same moment
+    Touch touch;
+    int boxes = 0;  // opened
 };
 
 struct Closest {
@@ -71,6 +70,11 @@ class CollisionTree {
     /// lowest segment.
     [[nodiscard]] Closest closest_point(const CurveSet& curves, Position p, double level,
                                         double within_m) const;
+
+    /// True when no box of the nodes that hold the curve as rendered at `level` comes within
+    /// `distance_m` of p: then no finer level and no blend does either.
+    [[nodiscard]] bool is_clear(const CurveSet& curves, Position p, double distance_m,
+                                double level) const;
 
     /// True when no box but those of its neighbours along the outline meets the box of the node that holds
     /// rendered segment j, both grown by the radius of build(): sliding along it needs no query, only a

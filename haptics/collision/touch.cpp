@@ -46,7 +46,7 @@ std::optional<Touch> touch_end(const Approach& motion, Position end, double para
     const double distance = norm(centre);
     if (!(distance > 0.0)) return {};
     return Touch{fraction, parameter, along<Direction>(centre, 1.0 / distance),
-                 std::min(motion.radius_m, distance)};
+                 std::min(motion.radius_m, distance), true};
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct Touch {
     double parameter = 0.0;  // of the point touched, on the segment, 0 ... 1
     Direction normal;        // from the point touched to the disc's centre
     double distance_m = 0.0;  // of the centre from the point touched
+    bool is_end = false;      // an end of the segment is touched, not its side
 };
 
 /// The nearest point of a segment.

@@ -5,6 +5,8 @@
 #include "config/types/hand_state.h"
 #include "config/types/vec2.h"
 #include "haptics/collision/scene.h"
+#include "haptics/contact/groove.h"
+#include "haptics/contact/proxy_state.h"
 
 #include <array>
 #include <cstdint>
@@ -13,36 +15,11 @@
 
 namespace touchline {
 
-struct ContactSettings {
-    Mode mode = Mode::wall;
-    double stiffness_N_per_m = 500.0;  // K, 0 < K <= 20000
-    double friction = 0.0;             // mu of the Coulomb cone, 0 ... 1
-    double radius_m = 0.0;             // of the proxy, 0 ... 0.02
-    double capture_m = 0.003;          // w, half width of groove and ridge, > 0
-};
+inline constexpr int max_walks = 256;        // per step
+inline constexpr int max_tree_queries = 8;  // per step
+inline constexpr std::size_t max_way_points = 2 * max_walks + 2;
 
-enum class Side : std::int8_t { right = -1, left = 1 };
-
-/// Where the proxy touches the curve as rendered: centre = point(segment, parameter) + offset * normal.
-struct Contact {
-    SegmentRef segment;
-    double parameter = 0.0;  // on the segment, 0 ... 1
-    Side side = Side::left;  // of the outline, looking along it
-    Direction normal;        // from the curve to the proxy
-    double offset_m = 0.0;   // distance kept: the proxy radius, at least the contact skin
-};
-
-/// State 0: no contact counts. State 1: contacts[0]. State 2: contacts[0] and, at a concave vertex or
-/// between two outlines, contacts[1]; at a round convex vertex or line end contacts[0] alone, its normal
-/// between those of the two edges.
-struct ProxyState {
-    ContactState state = ContactState::free;
-    Position centre;
-    std::array<Contact, 2> contacts{};
-    int contact_count = 0;
-};
-
-/// What one step did. The path is the proxy's way in this step, for tests and drawings.
+/// What one step did. 
 struct ContactReport {
     Force force;             // K (proxy - handle) in wall mode: the contact force itself, no limits
     Position p_WP;           // proxy
@@ -73,12 +50,22 @@ class ContactMachine {
 
     [[nodiscard]] const ProxyState& proxy() const { return proxy_; }
 
-    /// Way points of the last step, the first where it started. At most 258; for tests and drawings.
-    [[nodiscard]] std::span<const Position> path() const;
+    [[nodiscard]] double rendered_level() const { return level_; }
+
+    /// Way points of the last step, the first where it started; for tests and drawings.
+    [[nodiscard]] std::span<const Position> path() const { return {path_.data(), path_size_}; }
 
   private:
+    void adopt_level(double level, const ContactSettings& settings);
+    void fill(ContactReport& report) const;
+
     const Scene* scene_ = nullptr;
     ProxyState proxy_;
+    double level_ = 0.0;
+    std::array<Position, max_way_points> path_;
+    std::size_t path_size_ = 0;
+    GrooveState groove_;
+    Mode mode_ = Mode::wall;
 };
 
 }  // namespace touchline

@@ -1,0 +1,372 @@
+#include "haptics/contact/contact_step.h"
+
+#include "haptics/contact/round_vertex.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchline {
+namespace {
+
+constexpr double still_m = 1e-14;  // a motion this short is rounding
+constexpr int max_visits = 6;      // tries to leave one corner in a step, one per line that may meet there
+
+double sign_of(Side side) { return static_cast<double>(side); }
+
+Direction normal_of(const Segment& segment, Side side) {
+    return sign_of(side) * left_of(direction_of(segment.b - segment.a));
+}
+
+Position point_of(const Segment& segment, double parameter) {
+    // Exactly the end where the end is meant.
+    return parameter < 0.5 ? segment.a + parameter * (segment.b - segment.a)
+                           : segment.b + (parameter - 1.0) * (segment.b - segment.a);
+}
+
+}  // namespace
+
+ContactStep::ContactStep(const Scene& scene, double level, const ContactSettings& settings,
+                         Budget budget, ProxyState& proxy, std::span<Position> path)
+    : scene_(scene),
+      level_(level),
+      settings_(settings),
+      budget_(budget),
+      proxy_(proxy),
+      path_(path),
+      radius_m_(std::max(settings.radius_m, contact_skin_m)) {}
+
+std::size_t ContactStep::run(Position handle, ContactReport& report) {
+    handle_ = handle;
+    report_ = &report;
+    report.transitions[0] = proxy_.state;
+    report.transition_count = 1;
+    path_[path_size_++] = proxy_.centre;
+    Next next = Next::again;
+    for (int walk = 0; walk < max_walks && next == Next::again; ++walk) {
+        switch (proxy_.state) {
+            case ContactState::free:
+                next = move_free();
+                break;
+            case ContactState::edge:
+                next = move_on_edge();
+                break;
+            case ContactState::vertex:
+                next = proxy_.contact_count == 2 ? move_at_corner() : move_round();
+                break;
+        }
+    }
+    if (next == Next::again) report.carried_m = norm(handle_ - proxy_.centre);
+    return path_size_;
+}
+
+ContactStep::Next ContactStep::move_free() {
+    const double way = norm(handle_ - proxy_.centre);
+    if (!(way > 0.0)) return Next::done;
+    const Sweep found = sweep(handle_, radius_m_, {}, false);
+    if (found.share >= 1.0 && !found.contact) {
+        place(handle_);
+        return Next::done;
+    }
+    const Position from = proxy_.centre;
+    if (found.contact) {
+        first() = *found.contact;
+        proxy_.contact_count = 1;
+        enter(ContactState::edge);
+        if (first().is_round) enter(ContactState::vertex);
+        place_at_contact();
+        return Next::again;
+    }
+    place(from + found.share * (handle_ - from));
+    report_->carried_m = norm(handle_ - proxy_.centre);
+    return Next::done;
+}
+
+ContactStep::Next ContactStep::move_on_edge() {
+    Contact& at = first();
+    const Position pull = handle_ - proxy_.centre;
+    const double depth = -dot(pull, at.normal);
+    if (depth < 0.0) {
+        proxy_.contact_count = 0;
+        enter(ContactState::free);
+        return Next::again;
+    }
+    const Segment s = segment_of(at.segment);
+    const double length = norm(s.b - s.a);
+    const Direction u = direction_of(s.b - s.a);
+    double way = dot(pull, u);
+    const double held = settings_.friction * depth;
+    if (std::abs(way) <= held) return Next::done;
+    way -= std::copysign(held, way);
+    const double goal = at.parameter + way / length;
+    const double end = std::clamp(goal, 0.0, 1.0);
+    const double from = at.parameter;
+    const Position to = point_of(s, end) + along<Position>(at.normal, at.offset_m);
+    const Sweep found =
+        sweep(to, radius_m_, {at.segment}, scene_.tree.is_alone(scene_.curves, at.segment, level_));
+    at.parameter = from + found.share * (end - from);
+    if (found.share >= 1.0) at.parameter = end;
+    place_at_contact();
+    if (found.contact || found.is_cut) {
+        return arrive(found, std::abs(way) * (1.0 - found.share));
+    }
+    if (goal == end) return Next::done;
+    return reach_end(way > 0.0);
+}
+
+/// Stopped on the way by a second contact, or by the budget with `left_m` to go.
+ContactStep::Next ContactStep::arrive(const Sweep& sweep, double left_m) {
+    if (!sweep.contact) {
+        report_->carried_m = left_m;
+        return Next::done;
+    }
+    // Seen from where the centre came to lie, which on an arc is not quite where the sweep stopped.
+    Contact second = *sweep.contact;
+    const Foot at = foot(proxy_.centre, segment_of(second.segment));
+    if (second.is_round && at.distance_m > 0.0) {
+        second.offset_m = at.distance_m;
+        second.normal = along<Direction>(proxy_.centre - at.point, 1.0 / at.distance_m);
+    } else {
+        second.offset_m = dot(proxy_.centre - at.point, second.normal);
+        second.parameter = at.parameter;
+    }
+    proxy_.contacts[1] = second;
+    proxy_.contact_count = 2;
+    enter(ContactState::vertex);
+    return Next::again;
+}
+
+/// At the end of the edge: round it where the outline turns away or ends, else go on or hold.
+ContactStep::Next ContactStep::reach_end(bool is_forward) {
+    Contact& at = first();
+    const SegmentRef next = is_forward ? scene_.curves.next(at.segment, level_)
+                                       : scene_.curves.previous(at.segment, level_);
+    if (next.piece < 0) {
+        at.is_round = true;
+        enter(ContactState::vertex);
+        return Next::again;
+    }
+    const Segment s = segment_of(next);
+    const Direction normal = normal_of(s, at.side);
+    const Direction away = (is_forward ? 1.0 : -1.0) * direction_of(s.b - s.a);
+    const double arc = at.offset_m * norm(normal - at.normal);
+    if (dot(away, at.normal) < 0.0 && arc > approach_tolerance_m) {
+        at.is_round = true;
+        enter(ContactState::vertex);
+        return Next::again;
+    }
+    return walk_or_hold(next, is_forward, away, normal);
+}
+
+/// The next edge goes on almost straight, or bends towards the proxy by less than a sweep can tell.
+ContactStep::Next ContactStep::walk_or_hold(SegmentRef next, bool at_start, Direction away,
+                                            Direction normal) {
+    const Contact& at = first();
+    const Contact ahead{next, at_start ? 0.0 : 1.0, at.side, normal, at.offset_m, false};
+    const double depth = -dot(handle_ - proxy_.centre, at.normal);
+    if (dot(handle_ - proxy_.centre, away) > settings_.friction * depth) {
+        first() = ahead;
+        place_at_contact();
+        return Next::again;
+    }
+    proxy_.contacts[1] = ahead;
+    proxy_.contact_count = 2;
+    enter(ContactState::vertex);
+    return Next::done;
+}
+
+ContactStep::Next ContactStep::move_round() {
+    Contact& at = first();
+    const Position vertex = point_of(segment_of(at.segment), at.parameter);
+    const Position pull = handle_ - vertex;
+    if (dot(pull, at.normal) > at.offset_m) {
+        proxy_.contact_count = 0;
+        enter(ContactState::edge);
+        enter(ContactState::free);
+        return Next::again;
+    }
+    Contact left_edge, right_edge;
+    const double to_left = arc_to(at, 1.0, left_edge);
+    const double to_right = arc_to(at, -1.0, right_edge);
+    const ArcGoal goal =
+        arc_goal(at.normal, pull, at.offset_m, to_left, to_right, settings_.friction);
+    if (goal.turn == 0.0) return Next::done;
+    const double step = std::min(goal.angle_rad, largest_arc_step_rad(at.offset_m));
+    const Direction from = at.normal;
+    const Direction to = turned(from, goal.turn * step);
+    const Contact edge = goal.turn > 0.0 ? left_edge : right_edge;
+    const Contact other = goal.turn > 0.0 ? right_edge : left_edge;
+    const bool is_alone = scene_.tree.is_alone(scene_.curves, left_edge.segment, level_) &&
+                          scene_.tree.is_alone(scene_.curves, right_edge.segment, level_);
+    // The chord passes nearer to the vertex than the arc; the disc is taken that much smaller, so that other
+    // lines through the same vertex do not stop it.
+    const double chord_radius = std::min(radius_m_, at.offset_m) * std::cos(0.5 * step);
+    const Sweep found = sweep(vertex + along<Position>(to, at.offset_m), chord_radius,
+                              {edge.segment, other.segment}, is_alone);
+    at.normal = found.share >= 1.0
+                    ? to
+                    : direction_of((1.0 - found.share) * from + found.share * to);
+    place_at_contact();
+    if (found.contact || found.is_cut) {
+        return arrive(found, at.offset_m * (goal.angle_rad - found.share * step));
+    }
+    if (step < goal.angle_rad) return Next::again;
+    switch (goal.end) {
+        case ArcGoal::End::rest:
+            return Next::done;
+        case ArcGoal::End::edge:
+            first() = edge;
+            enter(ContactState::edge);
+            place_at_contact();
+            return Next::again;
+        case ArcGoal::End::free:
+            proxy_.contact_count = 0;
+            enter(ContactState::edge);
+            enter(ContactState::free);
+            return Next::again;
+    }
+    return Next::done;
+}
+
+/// Angle from a round contact to the end of its arc, turning left or right, and the edge found there.
+double ContactStep::arc_to(const Contact& at, double turn, Contact& edge) const {
+    const bool at_end = at.parameter > 0.5;  // of its own segment
+    // Seen from the left of the outline the edge before a convex vertex lies to the left of the vertex's
+    // normal, the edge after it to the right; from the right side the other way round.
+    const bool wants_before = turn * sign_of(at.side) > 0.0;
+    edge = at;
+    edge.is_round = false;
+    if (wants_before != at_end) {
+        const SegmentRef over = wants_before ? scene_.curves.previous(at.segment, level_)
+                                             : scene_.curves.next(at.segment, level_);
+        if (over.piece < 0) {  // round a line's end, to the other side of the same edge
+            edge.side = at.side == Side::left ? Side::right : Side::left;
+        } else {
+            edge.segment = over;
+            edge.parameter = wants_before ? 1.0 : 0.0;
+        }
+    }
+    edge.normal = normal_of(segment_of(edge.segment), edge.side);
+    return angle_between(at.normal, edge.normal, turn);
+}
+
+ContactStep::Next ContactStep::move_at_corner() {
+    const Position pull = handle_ - proxy_.centre;
+    if (!(norm(proxy_.centre - last_corner_) <= still_m)) visits_ = 0;
+    if (++visits_ > max_visits) return Next::done;
+    last_corner_ = proxy_.centre;
+    const Contact a = proxy_.contacts[0];
+    const Contact b = proxy_.contacts[1];
+    if (dot(pull, a.normal) >= 0.0 && dot(pull, b.normal) >= 0.0) {
+        if (!(norm(pull) > 0.0)) return Next::done;
+        proxy_.contact_count = 0;
+        enter(ContactState::edge);
+        enter(ContactState::free);
+        return Next::again;
+    }
+    double pull_a = 0.0;
+    double pull_b = 0.0;
+    const bool can_a = can_slide(a, b, pull_a);
+    const bool can_b = can_slide(b, a, pull_b);
+    if (!can_a && !can_b) return Next::done;
+    leave_corner(can_a && (!can_b || pull_a >= pull_b) ? 0 : 1);
+    return Next::again;
+}
+
+/// True when the handle pulls the proxy along one contact, pressed on it and away from the other.
+bool ContactStep::can_slide(const Contact& along_this, const Contact& other, double& pull_m) const {
+    const Position pull = handle_ - proxy_.centre;
+    const double depth = -dot(pull, along_this.normal);
+    const double sideways = cross(along_this.normal, pull);
+    pull_m = std::abs(sideways) - settings_.friction * std::max(depth, 0.0);
+    const Direction way = std::copysign(1.0, sideways) * left_of(along_this.normal);
+    return depth >= 0.0 && pull_m > still_m && dot(way, other.normal) >= -1e-9;
+}
+
+void ContactStep::leave_corner(std::size_t kept) {
+    first() = proxy_.contacts[kept];
+    proxy_.contact_count = 1;
+    if (!first().is_round) enter(ContactState::edge);
+}
+
+ContactStep::Sweep ContactStep::sweep(Position to, double radius_m, const Excluded& excluded,
+                                      bool is_alone) {
+    if (norm(to - proxy_.centre) <= still_m) return {};
+    return is_alone ? sweep_neighbours(to, radius_m, excluded)
+                    : sweep_tree(to, radius_m, excluded);
+}
+
+ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m,
+                                           const Excluded& excluded) {
+    if (queries_ == max_tree_queries) return {0.0, true, {}};
+    ++queries_;
+    const Motion motion{proxy_.centre, to, radius_m, level_, excluded};
+    const Hit hit = scene_.tree.first_hit(scene_.curves, motion, budget_);
+    budget_.boxes -= hit.boxes;
+    report_->boxes += hit.boxes;
+    if (!hit.is_hit) report_->clear = std::min(report_->clear, hit.clear);
+    Sweep result{hit.clear, !hit.is_hit && hit.clear < 1.0, {}};
+    if (hit.is_hit) result.contact = contact_of(hit.segment, hit.touch);
+    return result;
+}
+
+/// Nothing but the neighbours along the outline is within reach: three each way cover the nodes beside
+/// this one at a fractional level, one at a whole level.
+ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
+                                                 const Excluded& excluded) {
+    const bool is_blend = level_ != std::floor(level_);
+    Sweep result;
+    for (const SegmentRef& start : excluded) {
+        for (const bool is_forward : {true, false}) {
+            SegmentRef at = start;
+            for (int i = 0; i < (is_blend ? 3 : 1) && at.piece >= 0; ++i) {
+                at = is_forward ? scene_.curves.next(at, level_) : scene_.curves.previous(at, level_);
+                if (at.piece < 0 || at == excluded[0] || at == excluded[1]) continue;
+                const auto found = touch(proxy_.centre, to, radius_m, segment_of(at));
+                if (!found || found->fraction >= result.share) continue;
+                result = {found->fraction, false, contact_of(at, *found)};
+            }
+        }
+    }
+    return result;
+}
+
+Contact ContactStep::contact_of(SegmentRef segment, const Touch& touch) const {
+    const Segment s = segment_of(segment);
+    const Side side = cross(s.b - s.a, along<Position>(touch.normal, 1.0)) < 0.0 ? Side::right
+                                                                                 : Side::left;
+    return {segment, touch.parameter, side, touch.normal, touch.distance_m, touch.is_end};
+}
+
+Segment ContactStep::segment_of(SegmentRef segment) const {
+    return scene_.curves.rendered_segment(segment.piece, level_, segment.index);
+}
+
+/// Records a state. An edge, a vertex and again an edge within one step is a walk along the outline and
+/// counts as one edge.
+void ContactStep::enter(ContactState state) {
+    proxy_.state = state;
+    auto& seen = report_->transitions;
+    int& count = report_->transition_count;
+    const auto at = [&](int back) { return seen[static_cast<std::size_t>(count - back)]; };
+    if (at(1) == state) return;
+    const bool is_walk = count >= 2 && state == ContactState::edge &&
+                         at(1) == ContactState::vertex && at(2) == ContactState::edge;
+    if (is_walk) {
+        --count;
+    } else if (count < static_cast<int>(seen.size())) {
+        seen[static_cast<std::size_t>(count++)] = state;
+    }
+}
+
+void ContactStep::place(Position centre) {
+    proxy_.centre = centre;
+    if (path_size_ < path_.size()) path_[path_size_++] = centre;
+}
+
+void ContactStep::place_at_contact() {
+    const Contact& at = first();
+    place(point_of(segment_of(at.segment), at.parameter) +
+          along<Position>(at.normal, at.offset_m));
+}
+
+}  // namespace touchline

@@ -1,0 +1,76 @@
+// One servo step of the contact machine in wall mode.
+// Threads: a value on the stack of ContactMachine::step(). No allocation.
+#pragma once
+
+#include "config/types/vec2.h"
+#include "haptics/collision/scene.h"
+#include "haptics/contact/contact_machine.h"
+#include "haptics/contact/proxy_state.h"
+
+#include <optional>
+
+namespace touchline {
+
+class ContactStep {
+  public:
+    /// `path` has room for max_way_points.
+    ContactStep(const Scene& scene, double level, const ContactSettings& settings, Budget budget,
+                ProxyState& proxy, std::span<Position> path);
+
+    /// Moves the proxy; fills transitions, carried motion, boxes and clear. Returns the way points used.
+    std::size_t run(Position handle, ContactReport& report);
+
+  private:
+    /// What a state's move came to.
+    enum class Next { again, done };
+
+    using Excluded = std::array<SegmentRef, 2>;
+
+    /// Result of a sweep: the share of the way gone and, if something stopped it, what.
+    struct Sweep {
+        double share = 1.0;
+        bool is_cut = false;  // by the budget
+        std::optional<Contact> contact;
+    };
+
+    Next move_free();
+    Next move_on_edge();
+    Next move_round();
+    Next move_at_corner();
+
+    Next reach_end(bool is_forward);
+    Next walk_or_hold(SegmentRef next, bool at_start, Direction away, Direction normal);
+    Next arrive(const Sweep& sweep, double way_m);
+    void leave_corner(std::size_t kept);
+
+    [[nodiscard]] bool can_slide(const Contact& along_this, const Contact& other,
+                                 double& pull_m) const;
+    [[nodiscard]] Sweep sweep(Position to, double radius_m, const Excluded& excluded, bool is_alone);
+    [[nodiscard]] Sweep sweep_tree(Position to, double radius_m, const Excluded& excluded);
+    [[nodiscard]] Sweep sweep_neighbours(Position to, double radius_m, const Excluded& excluded);
+    [[nodiscard]] Contact contact_of(SegmentRef segment, const Touch& touch) const;
+    [[nodiscard]] Segment segment_of(SegmentRef segment) const;
+    [[nodiscard]] double arc_to(const Contact& at, double turn, Contact& edge) const;
+
+    Contact& first() { return proxy_.contacts[0]; }
+
+    void enter(ContactState state);
+    void place(Position centre);
+    void place_at_contact();
+
+    const Scene& scene_;
+    double level_;
+    const ContactSettings& settings_;
+    Budget budget_;
+    ProxyState& proxy_;
+    std::span<Position> path_;
+    std::size_t path_size_ = 0;
+    double radius_m_;
+    Position handle_;
+    Position last_corner_;  // the corner last visited and how often without moving away
+    int visits_ = 0;
+    int queries_ = 0;
+    ContactReport* report_ = nullptr;
+};
+
+}  // namespace touchline

@@ -1,0 +1,44 @@
+// What the contact machine keeps from step to step, and what it is set to.
+// Threads: plain values.
+#pragma once
+
+#include "config/types/hand_state.h"
+#include "config/types/vec2.h"
+#include "haptics/curve/curve_set.h"
+
+#include <array>
+#include <cstdint>
+
+namespace touchline {
+
+struct ContactSettings {
+    Mode mode = Mode::wall;
+    double stiffness_N_per_m = 500.0;  // K, 0 < K <= 20000
+    double friction = 0.0;             // mu of the Coulomb cone, 0 ... 1
+    double radius_m = 0.0;             // of the proxy, 0 ... 0.02
+    double capture_m = 0.003;          // w, half width of groove and ridge, > 0
+};
+
+enum class Side : std::int8_t { right = -1, left = 1 };
+
+/// Where the proxy touches the curve as rendered: centre = point(segment, parameter) + offset * normal.
+struct Contact {
+    SegmentRef segment;
+    double parameter = 0.0;  // on the segment, 0 ... 1
+    Side side = Side::left;  // of the outline, looking along it
+    Direction normal;        // from the curve to the proxy
+    double offset_m = 0.0;   // distance kept: the proxy radius, at least the contact skin
+    bool is_round = false;   // at an end of the segment, the normal between those of its two edges
+};
+
+/// State 0: no contact counts. State 1: contacts[0], on the side of an edge. State 2: contacts[0] and, at a
+/// concave vertex or between two outlines, contacts[1]; or contacts[0] alone, round a convex vertex or
+/// a line's end.
+struct ProxyState {
+    ContactState state = ContactState::free;
+    Position centre;
+    std::array<Contact, 2> contacts{};
+    int contact_count = 0;
+};
+
+}  // namespace touchline
