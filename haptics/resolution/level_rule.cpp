@@ -1,0 +1,80 @@
+#include "haptics/resolution/level_rule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace touchline {
+namespace {
+
+constexpr double points_per_wavelength = 4.0;  // two samples per half wave
+constexpr double samples_per_wavelength = 10.0;  // servo samples, at least
+constexpr double f_hand_Hz = 100.0;    // above, a detail is vibration, not shape
+constexpr double f_low_pass_Hz = 10.0;  // voluntary motion is slower
+constexpr double hysteresis_octaves = 0.25;
+constexpr double dwell_s = 0.15;
+constexpr double least_speed_m_per_s = 1e-9;  // keeps the logarithm finite
+
+}  // namespace
+
+double wavelength_m(const LevelLimits& limits, double level) {
+    return points_per_wavelength * limits.spacing_m * std::exp2(level);
+}
+
+double highest_detail_Hz(const LevelLimits& limits, double dt_s) {
+    return std::min({1.0 / (samples_per_wavelength * dt_s), limits.f_device_Hz, f_hand_Hz});
+}
+
+double speed_level(const LevelLimits& limits, double speed_m_per_s, double dt_s) {
+    const double crossed_m = highest_detail_Hz(limits, dt_s) * wavelength_m(limits, 0.0);
+    return std::log2(std::max(speed_m_per_s, least_speed_m_per_s) / crossed_m);
+}
+
+double encoder_level(const LevelLimits& limits) {
+    if (!(limits.encoder_step_m > limits.spacing_m)) return 0.0;
+    return std::ceil(std::log2(limits.encoder_step_m / limits.spacing_m) - 1e-9);
+}
+
+double SpeedMeasure::step(Position handle, double dt_s) {
+    const Position moved = has_last_ ? handle - last_ : Position{};
+    last_ = handle;
+    has_last_ = true;
+    const Velocity v = along<Velocity>(moved, 1.0 / dt_s);
+    const double share = 1.0 - std::exp(-2.0 * std::numbers::pi * f_low_pass_Hz * dt_s);
+    low_pass_ += share * (v - low_pass_);
+    slot_age_s_ += dt_s;
+    // A long tick may outlast several slots; each is emptied as it begins.
+    for (std::size_t i = 0; slot_age_s_ >= slot_s && i <= slots; ++i) {
+        slot_age_s_ -= slot_s;
+        newest_ = (newest_ + 1) % peaks_.size();
+        peaks_[newest_] = 0.0;
+    }
+    slot_age_s_ = std::min(slot_age_s_, slot_s);
+    peaks_[newest_] = std::max(peaks_[newest_], norm(low_pass_));
+    return *std::max_element(peaks_.begin(), peaks_.end());
+}
+
+LevelRule::LevelRule(const LevelLimits& limits) : limits_(limits), level_(0.0) {
+    level_ = bounded(0.0);
+}
+
+double LevelRule::bounded(double speed_level) const {
+    return std::min(limits_.coarsest, std::max({std::ceil(speed_level), encoder_level(limits_),
+                                                limits_.finest, 0.0}));
+}
+
+double LevelRule::step(Position handle, double dt_s) {
+    if (!is_finite(handle) || !(dt_s > 0.0)) return level_;
+    speed_m_per_s_ = measure_.step(handle, dt_s);
+    since_change_s_ += dt_s;
+    const double z = speed_level(limits_, speed_m_per_s_, dt_s);
+    const double coarser = bounded(z);
+    const double finer = bounded(z + hysteresis_octaves);
+    const bool may_refine = finer < level_ && since_change_s_ >= dwell_s;
+    if (coarser <= level_ && !may_refine) return level_;
+    level_ = coarser > level_ ? coarser : finer;
+    since_change_s_ = 0.0;
+    return level_;
+}
+
+}  // namespace touchline
