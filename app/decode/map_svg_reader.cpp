@@ -1,0 +1,257 @@
+#include "app/decode/files.h"
+#include "app/decode/map_svg.h"
+#include "app/decode/one_line.h"
+#include "app/decode/svg_scanner.h"
+#include "app/decode/svg_shapes.h"
+
+#include <algorithm>
+#include <exception>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+namespace touchline {
+namespace decode {
+namespace {
+
+constexpr int max_nesting = 100;  // drawing programs nest groups ten deep
+
+std::string_view local_name(const pugi::xml_node& element) {
+    const std::string_view name = element.name();
+    const auto colon = name.find(':');
+    return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+pugi::xml_node child_named(const pugi::xml_node& parent, std::string_view name) {
+    return parent.find_child([&](const pugi::xml_node& child) {
+        return child.type() == pugi::node_element && local_name(child) == name;
+    });
+}
+
+/// Appends words, one blank between them.
+void append_words(std::string& text, std::string_view more) {
+    constexpr std::string_view space = " \t\r\n";
+    for (auto begin = more.find_first_not_of(space); begin != std::string_view::npos;) {
+        const auto end = std::min(more.find_first_of(space, begin), more.size());
+        if (!text.empty()) text += ' ';
+        text += more.substr(begin, end - begin);
+        begin = more.find_first_not_of(space, end);
+    }
+}
+
+/// All text inside an element. Walked without recursion: nesting comes from the file.
+std::string text_of(pugi::xml_node element) {
+    struct Collector : pugi::xml_tree_walker {
+        bool for_each(pugi::xml_node& node) override {
+            const bool is_text =
+                node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
+            if (is_text) append_words(text, node.value());
+            return true;
+        }
+
+        std::string text;
+    } collector;
+
+    element.traverse(collector);
+    return std::move(collector.text);
+}
+
+bool is_hidden(const pugi::xml_node& element) {
+    if (std::string_view(element.attribute("display").value()) == "none") return true;
+    std::string style = element.attribute("style").value();
+    std::erase_if(style, [](char c) { return c == ' ' || c == '\t' || c == '\n'; });
+    return style.find("display:none") != std::string::npos;
+}
+
+/// Left-to-right walk over the document, collecting outlines and labels.
+class MapReader {
+  public:
+    explicit MapReader(const ViewBox& box) : box_(box) { map_.area = area_of(box); }
+
+    Result<TactileMap> read(const pugi::xml_node& root) {
+        map_.title = text_of(child_named(root, "title"));
+        map_.description = text_of(child_named(root, "desc"));
+        if (auto walked = walk(root, Affine{}, 0); !walked) return tl::unexpected(walked.error());
+        if (map_.outlines.empty()) {
+            return failure("the map holds no outline; draw at least one <path>");
+        }
+        return std::move(map_);
+    }
+
+  private:
+    Result<void> walk(const pugi::xml_node& parent, const Affine& to_view_box, int depth) {
+        if (depth > max_nesting) {
+            return failure(
+                fmt::format("the map nests groups more than {} deep; ungroup them", max_nesting));
+        }
+        for (const pugi::xml_node& element : parent.children()) {
+            if (element.type() != pugi::node_element || is_hidden(element)) continue;
+            if (auto taken = take(element, to_view_box, depth); !taken) return taken;
+        }
+        return {};
+    }
+
+    Result<void> take(const pugi::xml_node& element, const Affine& to_view_box, int depth) {
+        const auto own = parse_svg_transform(element.attribute("transform").value());
+        if (!own) return wrong(element, "its transform cannot be read");
+        const Affine transform = to_view_box * *own;
+        const std::string_view name = local_name(element);
+        if (name == "g" || name == "a" || name == "svg") return walk(element, transform, depth + 1);
+        if (name == "text") return take_label(element, transform);
+
+        SvgTracer tracer(transform, points_left_);
+        const auto drawn = draw_shape(element, name, tracer);
+        if (!drawn) return {};
+        if (!*drawn) return wrong(element, drawn->error().line);
+        if (!tracer.is_good()) {
+            return wrong(element, fmt::format("its points are not finite, or the map has more "
+                                              "than {}",
+                                              max_map_points));
+        }
+        return take_outlines(element, tracer.take());
+    }
+
+    Result<void> take_outlines(const pugi::xml_node& element, std::vector<Subpath> subpaths) {
+        Outline common;
+        common.label = one_spaced(element.attribute("data-label").value());
+        if (common.label.empty()) common.label = text_of(child_named(element, "title"));
+        if (const auto weight = element.attribute("data-weight")) {
+            const auto value = parse_svg_length(weight.value());
+            if (!value || !(*value > 0.0)) return wrong(element, "data-weight must be above 0");
+            common.weight = *value;
+        }
+        if (const auto detail = element.attribute("data-detail")) {
+            const std::string_view digit = detail.value();
+            const bool is_valid = digit.size() == 1 && digit[0] >= '1' && digit[0] <= '5';
+            if (!is_valid) return wrong(element, "data-detail must be 1, 2, 3, 4 or 5");
+            common.detail = digit[0] - '0';
+        }
+        for (const Subpath& subpath : subpaths) {
+            Outline outline = common;
+            outline.id = unique_id(element.attribute("id").value());
+            outline.is_closed = subpath.is_closed;
+            outline.points.reserve(subpath.points.size());
+            for (const UserPoint p : subpath.points) {
+                outline.points.push_back(from_view_box(p.x, p.y, box_));
+                if (!is_finite(outline.points.back())) return wrong(element, "it is too large");
+            }
+            points_left_ -= subpath.points.size();
+            map_.outlines.push_back(std::move(outline));
+        }
+        return {};
+    }
+
+    Result<void> take_label(const pugi::xml_node& element, const Affine& transform) {
+        std::string text = text_of(element);
+        if (text.empty()) return {};
+        const auto coordinate = [&](const char* name) -> std::optional<double> {
+            const pugi::xml_attribute attribute = element.attribute(name);
+            if (!attribute) return 0.0;
+            SvgScanner scanner(attribute.value());  // the first of a list: where the text begins
+            scanner.skip_space();
+            return scanner.take_number();
+        };
+        const auto x = coordinate("x");
+        const auto y = coordinate("y");
+        if (!x || !y) return wrong(element, "its place is not finite");
+        UserPoint place{*x, *y};
+        if (transform != Affine{}) {
+            place = transform(place);
+            place = {on_nanometre_grid_mm(place.x), on_nanometre_grid_mm(place.y)};
+        }
+        const Position p_W = from_view_box(place.x, place.y, box_);
+        if (!is_finite(p_W)) return wrong(element, "its place is not finite");
+        map_.labels.push_back({std::move(text), p_W});
+        return {};
+    }
+
+    static std::string one_spaced(std::string_view text) {
+        std::string words;
+        append_words(words, text);
+        return words;
+    }
+
+    std::string unique_id(const std::string& wished) {
+        if (wished.empty()) return wished;
+        std::string id = wished;
+        // Counting on from the last suffix keeps a thousand equal ids linear.
+        for (int& used = uses_[wished]; !ids_.insert(id).second;) {
+            used = std::max(used, 1) + 1;
+            id = fmt::format("{}-{}", wished, used);
+        }
+        return id;
+    }
+
+    static tl::unexpected<Error> wrong(const pugi::xml_node& element, std::string_view what) {
+        const std::string_view id = element.attribute("id").value();
+        return failure(fmt::format("the map's <{}>{}{} cannot be used: {}; correct it",
+                                   one_line(element.name()), id.empty() ? "" : " ", one_line(id),
+                                   one_line(what)));
+    }
+
+    ViewBox box_;
+    TactileMap map_;
+    std::size_t points_left_ = max_map_points;
+    std::unordered_set<std::string> ids_;
+    std::unordered_map<std::string, int> uses_;  // the last suffix given to an id
+};
+
+Result<ViewBox> view_box_in(const pugi::xml_node& root) {
+    constexpr auto advice = "write viewBox=\"0 0 WIDTH HEIGHT\" in millimetres in <svg>";
+    const pugi::xml_attribute attribute = root.attribute("viewBox");
+    if (!attribute) return failure(fmt::format("the map has no viewBox; {}", advice));
+    SvgScanner scanner(attribute.value());
+    scanner.skip_space();
+    const auto x = scanner.take_number();
+    const auto y = scanner.take_number();
+    const auto width = scanner.take_number();
+    const auto height = scanner.take_number();
+    const bool is_valid =
+        x && y && width && height && scanner.is_at_end() && *width > 0.0 && *height > 0.0;
+    if (!is_valid) {
+        return failure(
+            fmt::format("the map's viewBox \"{}\" is not four finite numbers with sizes "
+                        "above 0; {}",
+                        one_line(attribute.value()), advice));
+    }
+    return ViewBox{*x, *y, *width, *height};
+}
+
+Result<TactileMap> parse(std::string_view text) {
+    if (text.empty()) return failure("the map is empty; copy it again");
+    pugi::xml_document document;
+    const auto parsed = document.load_buffer(text.data(), text.size());
+    if (!parsed) {
+        return failure(fmt::format("the map is no XML: {} at byte {}; save it again as SVG",
+                                   parsed.description(), parsed.offset));
+    }
+    const pugi::xml_node root = child_named(document, "svg");
+    if (!root) return failure("the map is XML but no SVG; save it again as SVG");
+    const auto box = view_box_in(root);
+    if (!box) return tl::unexpected(box.error());
+    return MapReader(*box).read(root);
+}
+
+}  // namespace
+}  // namespace decode
+
+Result<TactileMap> parse_map_svg(std::string_view text) {
+    try {
+        return decode::parse(text);
+    } catch (const std::exception& problem) {
+        return failure("the map cannot be read: " + one_line(problem.what()));
+    }
+}
+
+Result<TactileMap> read_map_svg(const std::string& path) {
+    const auto bytes = read_file(path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    auto map = parse_map_svg({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+    if (!map) return failure(one_line(path) + ": " + map.error().line);
+    return map;
+}
+
+}  // namespace touchline

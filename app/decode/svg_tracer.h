@@ -1,0 +1,64 @@
+// Private to app/decode: a pen that turns lines and curves into polylines, in millimetres of the
+// viewBox. Threads: one tracer, one thread.
+#pragma once
+
+#include "app/decode/svg_transform.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace touchline::decode {
+
+/// Closed: the last point joins the first, which is not repeated. At least two points, and three
+/// when closed; no two in a row are equal.
+struct Subpath {
+    std::vector<UserPoint> points;
+    bool is_closed = false;
+};
+
+class SvgTracer {
+  public:
+    /// The transform leads to the viewBox; `max_points` bounds all subpaths together.
+    SvgTracer(const Affine& to_view_box, std::size_t max_points)
+        : to_view_box_(to_view_box), is_exact_(to_view_box == Affine{}), points_left_(max_points) {}
+
+    void move_to(UserPoint to);
+    void line_to(UserPoint to);
+    void quadratic_to(UserPoint control, UserPoint to);
+    void cubic_to(UserPoint control_1, UserPoint control_2, UserPoint to);
+
+    /// SVG's elliptical arc (SVG 1.1, appendix F.6), radii of any sign and size.
+    void arc_to(double radius_x, double radius_y, double rotation_deg, bool is_large,
+                bool is_sweeping, UserPoint to);
+
+    void close();
+
+    /// Where the pen is, in the units of the element.
+    [[nodiscard]] UserPoint pen() const { return pen_; }
+
+    /// False from the first point that is not finite, or one too many; nothing is stored then.
+    [[nodiscard]] bool is_good() const { return is_good_; }
+
+    /// What was drawn; the tracer is done with.
+    [[nodiscard]] std::vector<Subpath> take();
+
+  private:
+    void add(UserPoint in_view_box);
+    void add_computed(UserPoint in_view_box);
+    void add_end(UserPoint to);
+    [[nodiscard]] bool can_add(double count);
+    void begin_if_needed();
+    void end_subpath(bool is_closed);
+
+    Affine to_view_box_;
+    bool is_exact_;  // no transform: coordinates pass as they were written
+    std::size_t points_left_;
+    bool is_good_ = true;
+    bool is_open_ = false;
+    UserPoint start_;
+    UserPoint pen_;
+    Subpath subpath_;
+    std::vector<Subpath> done_;
+};
+
+}  // namespace touchline::decode
