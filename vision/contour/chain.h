@@ -1,0 +1,38 @@
+// An edge line in working pixels: the form that linking, corners and ranking pass along.
+#pragma once
+
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace touchline {
+
+/// One point of an edge line. Pixel (column, row) has its centre at (column, row).
+struct EdgePoint {
+    cv::Point2d at;
+    double strength = 0.0;  // grey levels per pixel
+    bool is_fixed = false;  // a junction, a corner or an end: kept exactly by everything after
+};
+
+/// Closed: the last point joins the first, which is not repeated.
+struct Chain {
+    std::vector<EdgePoint> points;
+    bool is_closed = false;
+};
+
+[[nodiscard]] inline double distance(const cv::Point2d& a, const cv::Point2d& b) {
+    return cv::norm(a - b);
+}
+
+/// Arc length in pixels; a closed chain's closing segment counts.
+[[nodiscard]] inline double length_of(const Chain& chain) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < chain.points.size(); ++i) {
+        sum += distance(chain.points[i - 1].at, chain.points[i].at);
+    }
+    return chain.is_closed && !chain.points.empty()
+               ? sum + distance(chain.points.back().at, chain.points.front().at)
+               : sum;
+}
+
+}  // namespace touchline

@@ -1,0 +1,198 @@
+#include "vision/contour/edge_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr int kNone = -1;
+
+/// Slope and curvature of the strength along the edge normal at one pixel.
+struct Profile {
+    float slope = 0.0F;
+    float curvature = 0.0F;
+    cv::Vec2f normal;
+};
+
+/// Whether the strength rises along the normal. A slope of exactly 0 counts as one whose maximum
+/// lies a hair to the right (then below): the same answer for either sign of the normal.
+bool is_rising(float slope, const cv::Vec2f& normal) {
+    return slope > 0.0F ||
+           (slope == 0.0F && (normal[0] > 0.0F || (normal[0] == 0.0F && normal[1] > 0.0F)));
+}
+
+/// A point where a line crosses an edge of the pixel grid, with its (at most two) neighbours on the
+/// line, one through each cell at that grid edge.
+struct Crossing {
+    EdgePoint point;
+    std::array<int, 2> next{kNone, kNone};
+};
+
+class LineTracer {
+  public:
+    LineTracer(const GradientField& field, const Hysteresis& limits)
+        : field_(field), limits_(limits) {}
+
+    std::vector<Chain> trace() {
+        find_and_link();
+        std::vector<Chain> chains;
+        std::vector<bool> used(crossings_.size(), false);
+        for (const bool ends_only : {true, false}) {  // open lines from their ends, then the rings
+            for (std::size_t i = 0; i < crossings_.size(); ++i) {
+                const bool is_end = crossings_[i].next[1] == kNone;
+                if (!used[i] && (is_end || !ends_only)) {
+                    keep_if_strong(follow(static_cast<int>(i), used), chains);
+                }
+            }
+        }
+        return chains;
+    }
+
+  private:
+    Profile profile(int x, int y) const {
+        const cv::Mat1f& m = field_.strength;
+        const int left = std::max(0, x - 1);
+        const int right = std::min(m.cols - 1, x + 1);
+        const float* above = m[std::max(0, y - 1)];
+        const float* here = m[y];
+        const float* below = m[std::min(m.rows - 1, y + 1)];
+        const cv::Vec2f n = field_.normal(y, x);
+        const float dx = 0.5F * (here[right] - here[left]);
+        const float dy = 0.5F * (below[x] - above[x]);
+        const float dxx = here[right] - 2.0F * here[x] + here[left];
+        const float dyy = below[x] - 2.0F * here[x] + above[x];
+        const float dxy = 0.25F * (below[right] - below[left] - above[right] + above[left]);
+        return {n[0] * dx + n[1] * dy,
+                n[0] * n[0] * dxx + 2.0F * n[0] * n[1] * dxy + n[1] * n[1] * dyy, n};
+    }
+
+    /// The crossing on the grid edge from pixel a to pixel b, or kNone.
+    int crossing_between(cv::Point a, cv::Point b) {
+        const float strength_a = field_.strength(a);
+        const float strength_b = field_.strength(b);
+        const auto low = static_cast<float>(limits_.low);
+        if (!(strength_a >= low) && !(strength_b >= low)) {
+            return kNone;
+        }
+        const Profile at_a = profile(a.x, a.y);
+        const Profile at_b = profile(b.x, b.y);
+        const float sign = at_a.normal.dot(at_b.normal) < 0.0F ? -1.0F : 1.0F;
+        const float slope_b = sign * at_b.slope;
+        if (is_rising(at_a.slope, at_a.normal) == is_rising(slope_b, sign * at_b.normal)) {
+            return kNone;
+        }
+        const float change = at_a.slope - slope_b;
+        const float t = change != 0.0F ? at_a.slope / change : 0.5F;
+        const float strength = strength_a + t * (strength_b - strength_a);
+        const float curvature = at_a.curvature + t * (at_b.curvature - at_a.curvature);
+        if (!(strength >= low) || !(curvature < 0.0F)) {
+            return kNone;
+        }
+        const cv::Point2d where = cv::Point2d(a) + static_cast<double>(t) * cv::Point2d(b - a);
+        crossings_.push_back({{where, static_cast<double>(strength), false}, {kNone, kNone}});
+        return static_cast<int>(crossings_.size()) - 1;
+    }
+
+    /// Row by row: crossings on the grid edges of a row of cells, then the links through its cells.
+    void find_and_link() {
+        const int cols = field_.strength.cols;
+        const int rows = field_.strength.rows;
+        std::vector<int> upper = row_crossings(0);
+        for (int y = 0; y + 1 < rows; ++y) {
+            std::vector<int> lower = row_crossings(y + 1);
+            int left = crossing_between({0, y}, {0, y + 1});
+            for (int x = 0; x + 1 < cols; ++x) {
+                const int right = crossing_between({x + 1, y}, {x + 1, y + 1});
+                const auto i = static_cast<std::size_t>(x);
+                link_through_cell({upper[i], right, lower[i], left});
+                left = right;
+            }
+            upper = std::move(lower);
+        }
+    }
+
+    std::vector<int> row_crossings(int y) {
+        std::vector<int> ids(static_cast<std::size_t>(field_.strength.cols), kNone);
+        for (int x = 0; x + 1 < field_.strength.cols; ++x) {
+            ids[static_cast<std::size_t>(x)] = crossing_between({x, y}, {x + 1, y});
+        }
+        return ids;
+    }
+
+    /// Two crossings of a cell are one line. Of three or four the closest two are joined first,
+    /// then what is left; a third stays an end.
+    void link_through_cell(const std::array<int, 4>& sides) {
+        std::array<int, 4> ids{};
+        std::size_t count = 0;
+        for (const int id : sides) {
+            if (id != kNone) {
+                ids[count++] = id;
+            }
+        }
+        while (count >= 2) {
+            std::size_t best_i = 0;
+            std::size_t best_j = 1;
+            for (std::size_t i = 0; i < count; ++i) {
+                for (std::size_t j = i + 1; j < count; ++j) {
+                    if (gap(ids[i], ids[j]) < gap(ids[best_i], ids[best_j])) {
+                        best_i = i;
+                        best_j = j;
+                    }
+                }
+            }
+            link(ids[best_i], ids[best_j]);
+            ids[best_j] = ids[--count];
+            ids[best_i] = ids[--count];
+        }
+    }
+
+    double gap(int i, int j) const { return distance(crossing(i).point.at, crossing(j).point.at); }
+
+    void link(int i, int j) {
+        add_neighbour(crossings_[static_cast<std::size_t>(i)], j);
+        add_neighbour(crossings_[static_cast<std::size_t>(j)], i);
+    }
+
+    static void add_neighbour(Crossing& c, int id) { c.next[c.next[0] == kNone ? 0 : 1] = id; }
+
+    const Crossing& crossing(int id) const { return crossings_[static_cast<std::size_t>(id)]; }
+
+    /// From a crossing along the line until it ends or comes round.
+    Chain follow(int start, std::vector<bool>& used) const {
+        Chain chain;
+        int previous = kNone;
+        int id = start;
+        while (id != kNone && !used[static_cast<std::size_t>(id)]) {
+            used[static_cast<std::size_t>(id)] = true;
+            chain.points.push_back(crossing(id).point);
+            const std::array<int, 2>& next = crossing(id).next;
+            const int ahead = next[0] != previous ? next[0] : next[1];
+            previous = id;
+            id = ahead;
+        }
+        chain.is_closed = id == start && chain.points.size() > 2;
+        return chain;
+    }
+
+    void keep_if_strong(Chain chain, std::vector<Chain>& chains) const {
+        const auto is_strong = [&](const EdgePoint& p) { return p.strength >= limits_.high; };
+        if (chain.points.size() >= 2 && std::ranges::any_of(chain.points, is_strong)) {
+            chains.push_back(std::move(chain));
+        }
+    }
+
+    const GradientField& field_;
+    Hysteresis limits_;
+    std::vector<Crossing> crossings_;
+};
+
+}  // namespace
+
+std::vector<Chain> edge_lines(const GradientField& field, const Hysteresis& limits) {
+    return LineTracer(field, limits).trace();
+}
+
+}  // namespace touchline

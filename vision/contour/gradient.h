@@ -1,0 +1,42 @@
+// From pixels to a colour gradient: the working picture, its noise, and where and how steeply
+// colours change.
+// Threads: pure functions. All are O(pixels).
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace touchline {
+
+/// Lab colours in units of grey levels: L is stretched to 0..255, a and b are CIE units. A step of
+/// one grey level is a step of about one unit.
+using LabPicture = cv::Mat3f;
+
+/// The picture reduced to at most `max_pixels` by area averaging (never enlarged), 8-bit, BGR or
+/// grey as it came.
+[[nodiscard]] cv::Mat reduced(const cv::Mat& picture, double max_pixels);
+
+[[nodiscard]] LabPicture to_lab(const cv::Mat& bgr_or_grey);
+
+/// Standard deviation of the picture's white noise in grey levels, all channels together. Median of
+/// |second differences both ways| (Immerkaer 1996, with a median so that edges do not count).
+[[nodiscard]] double noise_of(const LabPicture& lab);
+
+/// What white noise of this size leaves in the gradient after Gaussian smoothing (one component,
+/// standard deviation): noise / (sqrt(8 pi) sigma^2).
+[[nodiscard]] double gradient_noise(double noise, double sigma_px);
+
+/// strength: greatest rate of colour change, grey levels per pixel. normal: unit vector of that
+/// change (its sign means nothing). Both at pixel centres.
+struct GradientField {
+    cv::Mat1f strength;
+    cv::Mat2f normal;
+};
+
+/// Gaussian smoothing, then the structure tensor of the three channels (Di Zenzo 1986).
+[[nodiscard]] GradientField colour_gradient(const LabPicture& lab, double sigma_px);
+
+/// The value below which this fraction of the elements lie (0..1), from a sample of at most about
+/// 250 000 elements.
+[[nodiscard]] float quantile(const cv::Mat1f& values, double fraction);
+
+}  // namespace touchline

@@ -1,0 +1,105 @@
+#include "vision/contour/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchline {
+namespace {
+
+constexpr int kSmoothingPasses = 2;  // of (1 2 1)/4: a Gaussian of one spacing
+
+/// Binomial smoothing of the inner points.
+void smooth(std::vector<EdgePoint>& line) {
+    for (int pass = 0; pass < kSmoothingPasses; ++pass) {
+        cv::Point2d before = line.front().at;
+        for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+            const cv::Point2d here = line[i].at;
+            line[i].at = 0.25 * (before + 2.0 * here + line[i + 1].at);
+            before = here;
+        }
+    }
+}
+
+std::vector<EdgePoint> even_run(const std::vector<EdgePoint>& run, double spacing_px,
+                                int least_segments) {
+    const double length = length_of({run, false});
+    const int n = std::max(least_segments, static_cast<int>(std::lround(length / spacing_px)));
+    std::vector<EdgePoint> even = evenly_spaced(run, n);
+    smooth(even);
+    return even;
+}
+
+/// A ring without a fixed point: sampled from its first point, smoothed all round.
+Chain even_ring(std::vector<EdgePoint> ring, double spacing_px) {
+    constexpr int kOverlap = kSmoothingPasses;
+    ring.push_back(ring.front());
+    const double length = length_of({ring, false});
+    const int n = std::max(4, static_cast<int>(std::lround(length / spacing_px)));
+    std::vector<EdgePoint> even = evenly_spaced(ring, n);
+    even.pop_back();
+    std::vector<EdgePoint> round;
+    for (int i = -kOverlap; i < n + kOverlap; ++i) {
+        round.push_back(even[static_cast<std::size_t>((i + n) % n)]);
+    }
+    smooth(round);
+    return {{round.begin() + kOverlap, round.end() - kOverlap}, true};
+}
+
+}  // namespace
+
+std::vector<EdgePoint> evenly_spaced(const std::vector<EdgePoint>& line, int n) {
+    const double step = length_of({line, false}) / n;
+    std::vector<EdgePoint> even;
+    even.reserve(static_cast<std::size_t>(n) + 1);
+    even.push_back(line.front());
+    double passed = 0.0;  // arc length up to line[i - 1]
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const EdgePoint& a = line[i - 1];
+        const EdgePoint& b = line[i];
+        const double piece = distance(a.at, b.at);
+        while (static_cast<int>(even.size()) < n &&
+               passed + piece >= step * static_cast<double>(even.size())) {
+            const double t = (step * static_cast<double>(even.size()) - passed) / piece;
+            even.push_back({a.at + t * (b.at - a.at), a.strength + t * (b.strength - a.strength)});
+        }
+        passed += piece;
+    }
+    while (static_cast<int>(even.size()) < n) {
+        even.push_back(line.back());
+        even.back().is_fixed = false;
+    }
+    even.push_back(line.back());
+    return even;
+}
+
+Chain resampled(const Chain& chain, double spacing_px) {
+    std::vector<EdgePoint> points = chain.points;
+    if (chain.is_closed) {
+        const auto fixed = std::ranges::find_if(points, &EdgePoint::is_fixed);
+        if (fixed == points.end()) {
+            return even_ring(std::move(points), spacing_px);
+        }
+        std::ranges::rotate(points, fixed);
+        points.push_back(points.front());
+    }
+    Chain even{{points.front()}, chain.is_closed};
+    std::vector<EdgePoint> run{points.front()};
+    int corners = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        run.push_back(points[i]);
+        if (points[i].is_fixed || i + 1 == points.size()) {
+            // A closed outline needs three points, whatever its size.
+            const bool is_whole_ring = chain.is_closed && corners == 0 && i + 1 == points.size();
+            const std::vector<EdgePoint> part = even_run(run, spacing_px, is_whole_ring ? 4 : 1);
+            even.points.insert(even.points.end(), part.begin() + 1, part.end());
+            run = {points[i]};
+            ++corners;
+        }
+    }
+    if (chain.is_closed) {
+        even.points.pop_back();
+    }
+    return even;
+}
+
+}  // namespace touchline

@@ -1,0 +1,57 @@
+#include "vision/contour/scale.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+constexpr double kFinest_px = 1.0;  // below it the pixel grid shows in the slopes
+constexpr double kPhoto_px = 2.5;   // best of 1, 1.4, 2, 2.5, 2.8, 4 on photos
+constexpr double kDrawing = 0.15;   // at most this part of the picture changes: a drawing
+constexpr double kPhoto = 0.45;     // at least this part: a photo
+constexpr double kRounding = 0.3;   // gradient that 8-bit rounding and compression leave, per pixel
+constexpr double kSignificance =
+    5.0;  // times the gradient's noise: 4e-6 of the pixels of pure noise
+constexpr double kHighOverQuantile = 2.0;
+constexpr double kLowOverHigh = 0.4;
+
+/// The part of the picture whose lightness changes by more than noise and rounding explain.
+double changing_part(const LabPicture& lab, double noise, double sigma_px) {
+    cv::Mat1f lightness;
+    cv::extractChannel(lab, lightness, 0);
+    cv::GaussianBlur(lightness, lightness, cv::Size(), sigma_px, sigma_px, cv::BORDER_REPLICATE);
+    const double limit = std::max(2.0 * kRounding, 3.0 * gradient_noise(noise, sigma_px));
+    const auto limit_squared = static_cast<float>(4.0 * limit * limit);
+    std::size_t changing = 0;
+    for (int y = 1; y + 1 < lightness.rows; ++y) {
+        for (int x = 1; x + 1 < lightness.cols; ++x) {
+            const float dx = lightness(y, x + 1) - lightness(y, x - 1);
+            const float dy = lightness(y + 1, x) - lightness(y - 1, x);
+            changing += dx * dx + dy * dy > limit_squared ? 1 : 0;
+        }
+    }
+    return static_cast<double>(changing) / static_cast<double>(lightness.total());
+}
+
+}  // namespace
+
+double smoothing_for(const LabPicture& lab, double noise) {
+    // The least sigma that brings the gradient's noise down to one grey level a pixel.
+    const double fine_px = std::clamp(kFinest_px * std::sqrt(gradient_noise(noise, kFinest_px)),
+                                      kFinest_px, kPhoto_px);
+    const double part = changing_part(lab, noise, fine_px);
+    const double photo = std::clamp((part - kDrawing) / (kPhoto - kDrawing), 0.0, 1.0);
+    return fine_px + photo * (kPhoto_px - fine_px);
+}
+
+Hysteresis thresholds_for(const GradientField& field, double noise, double sigma_px) {
+    const double typical = static_cast<double>(quantile(field.strength, 0.75));
+    const double floor = std::max(4.0 * kRounding, kSignificance * gradient_noise(noise, sigma_px));
+    const double high = std::max(kHighOverQuantile * typical, floor);
+    return {kLowOverHigh * high, high};
+}
+
+}  // namespace touchline
