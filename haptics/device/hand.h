@@ -1,6 +1,6 @@
 // Simulated hands: a mass on a spring and damper that follow an intended path, held rigidly or
-// through the skin. Parameters: facts on stability, hand profiles H0 ... H4. Threads: values;
-// intended paths say their own rule.
+// through the skin.
+// Threads: values; intended paths say their own rule.
 #pragma once
 
 #include "config/types/vec2.h"

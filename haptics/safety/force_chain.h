@@ -1,8 +1,8 @@
 // The only place that limits force. One chain per device, stepped once a servo tick: finite check
 // -> gain (arming, ramp, fade) -> pose (0 near singularities) -> vector clamp -> slew -> joint
-// torques, both scaled together when one motor saturates. Every limit holds for any doubles; where
-// anything is in doubt the force is zero. Threads: one, the servo's. A plain value; no allocation,
-// lock, clock or log.
+// torques, both scaled together when one motor saturates.
+// Every limit holds for any doubles; where anything is in doubt the force is zero.
+// Threads: one, the servo's. A plain value; no allocation, lock, clock or log.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -64,9 +64,10 @@ class ForceChain {
     void fail(Fault cause);
 
     /// One tick. `jacobian`: of the pose now, nothing when the pose is unknown or out of reach.
-    /// |force| <= force_N, |torque| <= torque_Nm; |force| grows by at most rise_N_per_s dt_s; its
-    /// direction is that of the slewed force. A wanted force, Jacobian or dt_s that is not finite
-    /// is a fault.
+    /// |force|
+    /// <= force_N, |torque| <= torque_Nm; |force| grows by at most rise_N_per_s dt_s, changes by at
+    /// most change_N_per_s dt_s unless it must go to zero or a motor saturates, which keeps its
+    /// direction. A wanted force, Jacobian or dt_s that is not finite is a fault.
     [[nodiscard]] SafeForce step(Force wanted_D, const std::optional<Jacobian>& jacobian,
                                  double dt_s);
 
@@ -79,7 +80,8 @@ class ForceChain {
 
   private:
     void step_gain(Force wanted_D, double dt_s);
-    [[nodiscard]] Force slewed(Force target, double dt_s) const;
+    [[nodiscard]] Force slewed(Force target_D, double dt_s) const;
+    SafeForce none(Limit limit);
 
     ForceLimits limits_;
     ForceState state_ = ForceState::off;

@@ -1,0 +1,117 @@
+// Whatever doubles come in: finite out, within every limit, zero in doubt.
+
+#include "haptics/safety/force_chain.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr double tick_s = 1e-3;
+constexpr Jacobian good_pose{{-0.049, -0.0496}, {-0.049, 0.0496}};
+
+// Special values, any bit pattern, and the ordinary range, in equal parts.
+double any_double() {
+    using limits = std::numeric_limits<double>;
+    static constexpr double special[] = {0.0,
+                                         -0.0,
+                                         limits::quiet_NaN(),
+                                         limits::infinity(),
+                                         -limits::infinity(),
+                                         limits::denorm_min(),
+                                         1e308,
+                                         -1e308,
+                                         limits::max(),
+                                         limits::min(),
+                                         1e-300};
+    switch (*rc::gen::inRange(0, 3)) {
+        case 0:
+            return special[*rc::gen::inRange(0, 11)];
+        case 1:
+            return std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
+        default:
+            return *rc::gen::inRange(-100000, 100001) / 10000.0;
+    }
+}
+
+// Mostly like a device, now and then anything.
+Jacobian any_jacobian() {
+    if (*rc::gen::inRange(0, 4) == 0) {
+        return {{any_double(), any_double()}, {any_double(), any_double()}};
+    }
+    const auto entry = [] { return *rc::gen::inRange(-1000, 1001) / 10000.0; };
+    return {{entry(), entry()}, {entry(), entry()}};
+}
+
+ForceChain live_chain() {
+    ForceChain chain{ForceLimits{}};
+    chain.arm();
+    for (int i = 0; i < 1000; ++i) (void)chain.step({}, good_pose, tick_s);
+    return chain;
+}
+
+bool is_zero(const SafeForce& out) {
+    return out.force_D == Force{} && out.torques == JointTorques{};
+}
+
+RC_GTEST_PROP(ForceChainProperties, AnyDoublesGiveFiniteForcesWithinEveryLimit, ()) {
+    const ForceLimits limits;
+    ForceChain chain = live_chain();
+    Force last;
+    for (int tick = 0; tick < 20; ++tick) {
+        const bool is_known = *rc::gen::inRange(0, 10) != 0;
+        const Force wanted{any_double(), any_double()};
+        const auto pose = is_known ? std::optional(any_jacobian()) : std::nullopt;
+        const double dt_s = *rc::gen::inRange(0, 10) == 0 ? any_double() : tick_s;
+        const SafeForce out = chain.step(wanted, pose, dt_s);
+
+        RC_ASSERT(is_finite(out.force_D) && is_finite(out.torques));
+        RC_ASSERT(norm(out.force_D) <= limits.force_N * (1.0 + 1e-12));
+        RC_ASSERT(std::abs(out.torques.x) <= limits.torque_Nm * (1.0 + 1e-12));
+        RC_ASSERT(std::abs(out.torques.y) <= limits.torque_Nm * (1.0 + 1e-12));
+        const double growth = norm(out.force_D) - norm(last);
+        RC_ASSERT(growth <= 0.0 || growth <= limits.rise_N_per_s * dt_s + 1e-12);
+        if (!is_known || !is_finite(wanted) || !std::isfinite(dt_s)) RC_ASSERT(is_zero(out));
+        if (chain.state() == ForceState::fault) RC_ASSERT(is_zero(out));
+        last = out.force_D;
+    }
+}
+
+RC_GTEST_PROP(ForceChainProperties, ScalingKeepsTheDirectionAndTorquesAreThoseOfTheForce, ()) {
+    ForceChain chain = live_chain();
+    const Force wanted{*rc::gen::inRange(-9000, 9001) / 1000.0,
+                       *rc::gen::inRange(-9000, 9001) / 1000.0};
+    const auto entry = [] { return *rc::gen::inRange(200, 800) / 10000.0; };
+    const Jacobian pose{{-entry(), -entry()}, {-entry(), entry()}};
+    SafeForce out;
+    for (int i = 0; i < 50; ++i) out = chain.step(wanted, pose, tick_s);
+    RC_ASSERT(std::abs(cross(out.force_D, wanted)) <= 1e-12 * (1.0 + norm(wanted)));
+    RC_ASSERT(dot(out.force_D, wanted) >= 0.0);
+    const JointTorques torques = joint_torques(pose, out.force_D);
+    RC_ASSERT(norm(torques - out.torques) <= 1e-15);
+}
+
+RC_GTEST_PROP(ForceChainProperties, ForceChangesByAtMostTheSlew, ()) {
+    const ForceLimits limits;
+    ForceChain chain = live_chain();
+    Force last;
+    for (int tick = 0; tick < 30; ++tick) {
+        const Force wanted{*rc::gen::inRange(-3000, 3001) / 1000.0,
+                           *rc::gen::inRange(-3000, 3001) / 1000.0};
+        const SafeForce out = chain.step(wanted, good_pose, tick_s);
+        if (out.limit != Limit::torque) {
+            RC_ASSERT(norm(out.force_D - last) <= limits.change_N_per_s * tick_s + 1e-12);
+        }
+        last = out.force_D;
+    }
+}
+
+}  // namespace
+}  // namespace touchline

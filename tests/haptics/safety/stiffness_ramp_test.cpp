@@ -1,0 +1,44 @@
+#include "haptics/safety/stiffness_ramp.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+TEST(StiffnessRamp, RisesByFivePerCentASecond) {
+    StiffnessRamp ramp(500.0);
+    for (int i = 0; i < 1000; ++i) (void)ramp.step(1000.0, 0.0, 1e-3);
+    EXPECT_NEAR(ramp.stiffness_N_per_m(), 500.0 * std::exp(0.05), 0.01);
+}
+
+TEST(StiffnessRamp, FallsAtOnceAndStopsAtTheWantedValue) {
+    StiffnessRamp ramp(500.0);
+    EXPECT_EQ(ramp.step(200.0, 0.0, 1e-3), 200.0);
+    for (int i = 0; i < 2000; ++i) (void)ramp.step(210.0, 0.0, 1e-3);
+    EXPECT_EQ(ramp.stiffness_N_per_m(), 210.0);
+}
+
+TEST(StiffnessRamp, BooksTheEnergyPutIntoTheSpring) {
+    StiffnessRamp ramp(400.0);
+    (void)ramp.step(1e6, 0.003, 0.5);
+    EXPECT_NEAR(ramp.booked_J(), 0.5 * 10.0 * 9e-6, 1e-15);
+    (void)ramp.step(400.0, 0.003, 0.5);
+    EXPECT_NEAR(ramp.booked_J(), 0.0, 1e-15);
+}
+
+TEST(StiffnessRamp, NonsenseChangesNothing) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    StiffnessRamp ramp(500.0);
+    for (const double bad : {nan, 0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+        EXPECT_EQ(ramp.step(bad, 0.001, 1e-3), 500.0);
+    }
+    EXPECT_EQ(ramp.step(600.0, nan, 1e-3), 500.0);
+    EXPECT_EQ(ramp.step(600.0, 0.001, nan), 500.0);
+    EXPECT_EQ(ramp.booked_J(), 0.0);
+}
+
+}  // namespace
+}  // namespace touchline
