@@ -57,8 +57,8 @@ install_packages() {
         as_root=(sudo)
     fi
 
-    mkdir -p "$root/build" || stop "cannot write in $root"
-    say "installing ${#missing[@]} packages; this takes some minutes"
+    mkdir -p "$root/build" 2>/dev/null || stop "cannot write in $root"
+    say "installing what is missing (${#missing[@]} packages); this may take some minutes"
     local apt=("${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive
         apt-get -q -y -o DPkg::Lock::Timeout=120)
     # An update that fails need not matter: a foreign source may be down. The installation decides.
