@@ -11,9 +11,13 @@
 namespace touchline {
 namespace {
 
-float outward_low(double x) { return std::nextafterf(static_cast<float>(x), -INFINITY); }
+float outward_low(double x) {
+    return std::nextafterf(static_cast<float>(x), -INFINITY);
+}
 
-float outward_high(double x) { return std::nextafterf(static_cast<float>(x), INFINITY); }
+float outward_high(double x) {
+    return std::nextafterf(static_cast<float>(x), INFINITY);
+}
 
 /// Looks for a box, not of a neighbour, that meets one node's box.
 class Neighbourhood {
@@ -89,7 +93,8 @@ class CollisionTreeBuilder {
             const auto points = curves_.points(piece, finer);
             const auto first = static_cast<std::size_t>(j) << (level - finer);
             const auto segments = static_cast<std::size_t>(curves_.segment_count(piece, finer));
-            const auto last = std::min((static_cast<std::size_t>(j) + 1) << (level - finer), segments);
+            const auto last =
+                std::min((static_cast<std::size_t>(j) + 1) << (level - finer), segments);
             for (std::size_t i = first; i <= last; ++i) {
                 const Position w = points[i == points.size() ? 0 : i] - s.a;
                 s_low = std::min(s_low, dot(u, w));
@@ -138,7 +143,8 @@ class CollisionTreeBuilder {
                 y_high = std::max(y_high, c.y);
             }
         }
-        return {outward_low(x_low), outward_high(x_high), outward_low(y_low), outward_high(y_high), 0};
+        return {outward_low(x_low), outward_high(x_high), outward_low(y_low), outward_high(y_high),
+                0};
     }
 
     void find_alone() {

@@ -1,7 +1,7 @@
-// The paper's collision tree (section 3): each node (level, j) is a segment of the wavelet approximation
-// with a box aligned to it that holds the segment and every finer level over the same stretch. The
-// coarsest segments of all pieces hang under a bounding hierarchy.
-// Threads: immutable once built; queries are const and keep their state on the stack. No allocation.
+// The paper's collision tree (section 3): each node (level, j) is a segment of the wavelet
+// approximation with a box aligned to it that holds the segment and every finer level over the same
+// stretch. The coarsest segments of all pieces hang under a bounding hierarchy. Threads: immutable
+// once built; queries are const and keep their state on the stack. No allocation.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -37,9 +37,9 @@ struct Budget {
     std::int64_t deadline_ns = 0;                 // of the steady clock; 0: none
 };
 
-/// First contact of a motion. Boxes that the budget left unopened count as obstacles: `clear` is the share
-/// of the motion proven free of them, and a hit counts only before all of them (architecture section 4,
-/// "Anytime"). `clear` never falls as the budget grows.
+/// First contact of a motion. Boxes that the budget left unopened count as obstacles: `clear` is
+/// the share of the motion proven free of them, and a hit counts only before all of them
+/// (architecture section 4, "Anytime"). `clear` never falls as the budget grows.
 struct Hit {
     bool is_hit = false;
     double clear = 1.0;  // share of the motion proven free; where is_hit, that of the contact
@@ -61,13 +61,13 @@ class CollisionTree {
     /// O(N log N).
     [[nodiscard]] static CollisionTree build(const CurveSet& curves, double radius_m);
 
-    /// The first moment at which the disc touches a segment that it comes nearer to. A segment that the
-    /// disc overlaps at the start counts as touched at the distance it has.
+    /// The first moment at which the disc touches a segment that it comes nearer to. A segment that
+    /// the disc overlaps at the start counts as touched at the distance it has.
     [[nodiscard]] Hit first_hit(const CurveSet& curves, const Motion& motion,
                                 const Budget& budget) const;
 
-    /// The nearest point of the curves as rendered at `level`, if nearer than `within_m`; ties go to the
-    /// lowest segment.
+    /// The nearest point of the curves as rendered at `level`, if nearer than `within_m`; ties go
+    /// to the lowest segment.
     [[nodiscard]] Closest closest_point(const CurveSet& curves, Position p, double level,
                                         double within_m) const;
 
@@ -76,14 +76,15 @@ class CollisionTree {
     [[nodiscard]] bool is_clear(const CurveSet& curves, Position p, double distance_m,
                                 double level) const;
 
-    /// True when no box but those of its neighbours along the outline meets the box of the node that holds
-    /// rendered segment j, both grown by the radius of build(): sliding along it needs no query, only a
-    /// look at its neighbours (three each way). Valid at every level and blend. O(1).
+    /// True when no box but those of its neighbours along the outline meets the box of the node
+    /// that holds rendered segment j, both grown by the radius of build(): sliding along it needs
+    /// no query, only a look at its neighbours (three each way). Valid at every level and blend.
+    /// O(1).
     [[nodiscard]] bool is_alone(const CurveSet& curves, SegmentRef segment, double level) const;
 
     /// The boundary section for a handle (paper section 3): the nodes whose box does not hold the
-    /// handle while their parent's does, and, where the boxes hold it down to `level`, the nodes of that
-    /// level. Appends to `section`; for drawing and tests, not for the tick.
+    /// handle while their parent's does, and, where the boxes hold it down to `level`, the nodes of
+    /// that level. Appends to `section`; for drawing and tests, not for the tick.
     void boundary_section(const CurveSet& curves, Position handle, int level,
                           std::vector<ErrorBox>& section) const;
 
@@ -91,8 +92,8 @@ class CollisionTree {
     [[nodiscard]] ErrorBox box(const CurveSet& curves, int piece, int level, int j) const;
 
   private:
-    /// Extents of a node's box along and across its segment, from the segment's first point; metres,
-    /// rounded outward.
+    /// Extents of a node's box along and across its segment, from the segment's first point;
+    /// metres, rounded outward.
     struct Extents {
         float along_low, along_high, across_low, across_high;
     };
@@ -100,7 +101,7 @@ class CollisionTree {
     /// A node of the bounding hierarchy over all coarsest segments.
     struct Bound {
         float x_low, x_high, y_low, y_high;
-        std::int32_t left;   // child; right is left + 1. Negative: a leaf, root_[-left - 1]
+        std::int32_t left;  // child; right is left + 1. Negative: a leaf, root_[-left - 1]
     };
 
     struct Node {

@@ -18,8 +18,8 @@ struct Scene {
     std::uint64_t map_version = 0;
 };
 
-/// O(N log N). `radius_m` >= 0 is the largest proxy radius that will be used on this scene: it decides
-/// which segments are crowded (see collision_tree.h).
+/// O(N log N). `radius_m` >= 0 is the largest proxy radius that will be used on this scene: it
+/// decides which segments are crowded (see collision_tree.h).
 [[nodiscard]] Result<Scene> build_scene(const TactileMap& map, const CurveOptions& options,
                                         double radius_m);
 

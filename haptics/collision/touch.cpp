@@ -34,8 +34,8 @@ std::optional<Touch> touch_end(const Approach& motion, Position end, double para
     if (!(length > 0.0)) return {};
     const Direction u = along<Direction>(motion.way, 1.0 / length);
     const Position w = motion.from - end;
-    const double ahead = -dot(u, w);      // to the point nearest to the end
-    const double pass = cross(u, w);      // distance at which it is passed
+    const double ahead = -dot(u, w);  // to the point nearest to the end
+    const double pass = cross(u, w);  // distance at which it is passed
     const double nearest = ahead <= length ? std::abs(pass) : norm(w + motion.way);
     if (!(ahead > 0.0) || !(nearest < motion.radius_m - approach_tolerance_m)) return {};
     // Written as a product of the two ways to the circle: no cancellation at long ways.

@@ -1,7 +1,6 @@
-// The one traversal of the collision tree: top down, near children first, on a fixed stack. What to look
-// for is the visitor's: it says how near a box is, what to do with a leaf's segment, and when a
-// box is too far to matter.
-// Threads: a value on the stack of the query. No allocation.
+// The one traversal of the collision tree: top down, near children first, on a fixed stack. What to
+// look for is the visitor's: it says how near a box is, what to do with a leaf's segment, and when
+// a box is too far to matter. Threads: a value on the stack of the query. No allocation.
 #pragma once
 
 #include "haptics/collision/collision_tree.h"
@@ -14,8 +13,8 @@
 namespace touchline {
 
 /// Visitor:
-///   std::optional<double> near(const AlignedBox&)  a key, smaller is nearer; nothing: cannot matter
-///   double cut() const                             boxes with a larger key cannot matter
+///   std::optional<double> near(const AlignedBox&)  a key, smaller is nearer; nothing: cannot
+///   matter double cut() const                             boxes with a larger key cannot matter
 ///   void leaf(SegmentRef)                          a rendered segment
 ///   bool spend()                                   one box is opened; false: the budget is used up
 template <class Visitor>

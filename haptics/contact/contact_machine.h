@@ -15,36 +15,39 @@
 
 namespace touchline {
 
-inline constexpr int max_walks = 256;        // per step
-inline constexpr int max_tree_queries = 8;  // per step
-inline constexpr std::size_t max_way_points = 2 * max_walks + 2;
+inline constexpr int max_walks = 256;            // edges slid along in a step
+inline constexpr int max_tree_queries = 8;       // in a step
+inline constexpr int max_moves = 4 * max_walks;  // walks, arcs and changes of state in a step
+inline constexpr std::size_t max_way_points =
+    2 * max_moves + 1;  // a move places the proxy at most twice
 
-/// What one step did. 
+/// What one step did.
 struct ContactReport {
-    Force force;             // K (proxy - handle) in wall mode: the contact force itself, no limits
-    Position p_WP;           // proxy
+    Force force;    // K (proxy - handle) in wall mode: the contact force itself, no limits
+    Position p_WP;  // proxy
     ContactState state = ContactState::free;
     double level = 0.0;      // rendered level of the contact's piece, else the wanted one
     int outline = -1;        // touched, -1 when free
     double parameter = 0.0;  // on the outline, in level-0 segments
     Side side = Side::left;
-    std::array<ContactState, 16> transitions{};  // states passed through in order, first the one before
-    int transition_count = 0;                    // 1: no change; stays 16 when there were more
-    double carried_m = 0.0;  // motion left over for the next step
-    int boxes = 0;           // opened
-    double clear = 1.0;      // smallest fraction of a motion proven free
+    std::array<ContactState, 16>
+        transitions{};         // states passed through in order, first the one before
+    int transition_count = 0;  // 1: no change; stays 16 when there were more
+    double carried_m = 0.0;    // motion left over for the next step
+    int boxes = 0;             // opened
+    double clear = 1.0;        // smallest fraction of a motion proven free
 };
 
 class ContactMachine {
   public:
-    /// Starts free at the handle; exactly on a line it starts on the line's left. `scene` must outlive
-    /// the machine's use of it.
+    /// Starts free at the handle; exactly on a line it starts on the line's left. `scene` must
+    /// outlive the machine's use of it.
     void reset(const Scene& scene, Position handle, double level);
 
-    /// Moves the proxy towards the handle. At most 256 walks and 8 tree queries; the rest is carried.
-    /// |handle - proxy| never grows. A handle that is not finite gives zero force and moves nothing.
-    /// While the proxy is free and outside all boxes of the coarser of both levels, `level` becomes the
-    /// rendered one; else the rendered level stays until it is.
+    /// Moves the proxy towards the handle. At most 256 walks and 8 tree queries; the rest is
+    /// carried. |handle - proxy| never grows. A handle that is not finite gives zero force and
+    /// moves nothing. While the proxy is free and outside all boxes of the coarser of both levels,
+    /// `level` becomes the rendered one; else the rendered level stays until it is.
     [[nodiscard]] ContactReport step(Position handle, double level, const ContactSettings& settings,
                                      const Budget& budget);
 

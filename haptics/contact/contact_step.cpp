@@ -9,9 +9,12 @@ namespace touchline {
 namespace {
 
 constexpr double still_m = 1e-14;  // a motion this short is rounding
-constexpr int max_visits = 6;      // tries to leave one corner in a step, one per line that may meet there
+constexpr int max_visits =
+    6;  // tries to leave one corner in a step, one per line that may meet there
 
-double sign_of(Side side) { return static_cast<double>(side); }
+double sign_of(Side side) {
+    return static_cast<double>(side);
+}
 
 Direction normal_of(const Segment& segment, Side side) {
     return sign_of(side) * left_of(direction_of(segment.b - segment.a));
@@ -42,7 +45,7 @@ std::size_t ContactStep::run(Position handle, ContactReport& report) {
     report.transition_count = 1;
     path_[path_size_++] = proxy_.centre;
     Next next = Next::again;
-    for (int walk = 0; walk < max_walks && next == Next::again; ++walk) {
+    for (int move = 0; move < max_moves && walks_ < max_walks && next == Next::again; ++move) {
         switch (proxy_.state) {
             case ContactState::free:
                 next = move_free();
@@ -82,6 +85,7 @@ ContactStep::Next ContactStep::move_free() {
 }
 
 ContactStep::Next ContactStep::move_on_edge() {
+    ++walks_;
     Contact& at = first();
     const Position pull = handle_ - proxy_.centre;
     const double depth = -dot(pull, at.normal);
@@ -197,14 +201,13 @@ ContactStep::Next ContactStep::move_round() {
     const Contact other = goal.turn > 0.0 ? right_edge : left_edge;
     const bool is_alone = scene_.tree.is_alone(scene_.curves, left_edge.segment, level_) &&
                           scene_.tree.is_alone(scene_.curves, right_edge.segment, level_);
-    // The chord passes nearer to the vertex than the arc; the disc is taken that much smaller, so that other
-    // lines through the same vertex do not stop it.
+    // The chord passes nearer to the vertex than the arc; the disc is taken that much smaller, so
+    // that other lines through the same vertex do not stop it.
     const double chord_radius = std::min(radius_m_, at.offset_m) * std::cos(0.5 * step);
     const Sweep found = sweep(vertex + along<Position>(to, at.offset_m), chord_radius,
                               {edge.segment, other.segment}, is_alone);
-    at.normal = found.share >= 1.0
-                    ? to
-                    : direction_of((1.0 - found.share) * from + found.share * to);
+    at.normal =
+        found.share >= 1.0 ? to : direction_of((1.0 - found.share) * from + found.share * to);
     place_at_contact();
     if (found.contact || found.is_cut) {
         return arrive(found, at.offset_m * (goal.angle_rad - found.share * step));
@@ -227,11 +230,12 @@ ContactStep::Next ContactStep::move_round() {
     return Next::done;
 }
 
-/// Angle from a round contact to the end of its arc, turning left or right, and the edge found there.
+/// Angle from a round contact to the end of its arc, turning left or right, and the edge found
+/// there.
 double ContactStep::arc_to(const Contact& at, double turn, Contact& edge) const {
     const bool at_end = at.parameter > 0.5;  // of its own segment
-    // Seen from the left of the outline the edge before a convex vertex lies to the left of the vertex's
-    // normal, the edge after it to the right; from the right side the other way round.
+    // Seen from the left of the outline the edge before a convex vertex lies to the left of the
+    // vertex's normal, the edge after it to the right; from the right side the other way round.
     const bool wants_before = turn * sign_of(at.side) > 0.0;
     edge = at;
     edge.is_round = false;
@@ -291,12 +295,10 @@ void ContactStep::leave_corner(std::size_t kept) {
 ContactStep::Sweep ContactStep::sweep(Position to, double radius_m, const Excluded& excluded,
                                       bool is_alone) {
     if (norm(to - proxy_.centre) <= still_m) return {};
-    return is_alone ? sweep_neighbours(to, radius_m, excluded)
-                    : sweep_tree(to, radius_m, excluded);
+    return is_alone ? sweep_neighbours(to, radius_m, excluded) : sweep_tree(to, radius_m, excluded);
 }
 
-ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m,
-                                           const Excluded& excluded) {
+ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m, const Excluded& excluded) {
     if (queries_ == max_tree_queries) return {0.0, true, {}};
     ++queries_;
     const Motion motion{proxy_.centre, to, radius_m, level_, excluded};
@@ -309,8 +311,8 @@ ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m,
     return result;
 }
 
-/// Nothing but the neighbours along the outline is within reach: three each way cover the nodes beside
-/// this one at a fractional level, one at a whole level.
+/// Nothing but the neighbours along the outline is within reach: three each way cover the nodes
+/// beside this one at a fractional level, one at a whole level.
 ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
                                                  const Excluded& excluded) {
     const bool is_blend = level_ != std::floor(level_);
@@ -319,7 +321,8 @@ ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
         for (const bool is_forward : {true, false}) {
             SegmentRef at = start;
             for (int i = 0; i < (is_blend ? 3 : 1) && at.piece >= 0; ++i) {
-                at = is_forward ? scene_.curves.next(at, level_) : scene_.curves.previous(at, level_);
+                at = is_forward ? scene_.curves.next(at, level_)
+                                : scene_.curves.previous(at, level_);
                 if (at.piece < 0 || at == excluded[0] || at == excluded[1]) continue;
                 const auto found = touch(proxy_.centre, to, radius_m, segment_of(at));
                 if (!found || found->fraction >= result.share) continue;
@@ -332,8 +335,8 @@ ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
 
 Contact ContactStep::contact_of(SegmentRef segment, const Touch& touch) const {
     const Segment s = segment_of(segment);
-    const Side side = cross(s.b - s.a, along<Position>(touch.normal, 1.0)) < 0.0 ? Side::right
-                                                                                 : Side::left;
+    const Side side =
+        cross(s.b - s.a, along<Position>(touch.normal, 1.0)) < 0.0 ? Side::right : Side::left;
     return {segment, touch.parameter, side, touch.normal, touch.distance_m, touch.is_end};
 }
 
@@ -341,8 +344,8 @@ Segment ContactStep::segment_of(SegmentRef segment) const {
     return scene_.curves.rendered_segment(segment.piece, level_, segment.index);
 }
 
-/// Records a state. An edge, a vertex and again an edge within one step is a walk along the outline and
-/// counts as one edge.
+/// Records a state. An edge, a vertex and again an edge within one step is a walk along the outline
+/// and counts as one edge.
 void ContactStep::enter(ContactState state) {
     proxy_.state = state;
     auto& seen = report_->transitions;
@@ -359,14 +362,14 @@ void ContactStep::enter(ContactState state) {
 }
 
 void ContactStep::place(Position centre) {
+    if (centre == proxy_.centre) return;
     proxy_.centre = centre;
-    if (path_size_ < path_.size()) path_[path_size_++] = centre;
+    path_[path_size_++] = centre;
 }
 
 void ContactStep::place_at_contact() {
     const Contact& at = first();
-    place(point_of(segment_of(at.segment), at.parameter) +
-          along<Position>(at.normal, at.offset_m));
+    place(point_of(segment_of(at.segment), at.parameter) + along<Position>(at.normal, at.offset_m));
 }
 
 }  // namespace touchline

@@ -17,7 +17,8 @@ class ContactStep {
     ContactStep(const Scene& scene, double level, const ContactSettings& settings, Budget budget,
                 ProxyState& proxy, std::span<Position> path);
 
-    /// Moves the proxy; fills transitions, carried motion, boxes and clear. Returns the way points used.
+    /// Moves the proxy; fills transitions, carried motion, boxes and clear. Returns the way points
+    /// used.
     std::size_t run(Position handle, ContactReport& report);
 
   private:
@@ -45,7 +46,8 @@ class ContactStep {
 
     [[nodiscard]] bool can_slide(const Contact& along_this, const Contact& other,
                                  double& pull_m) const;
-    [[nodiscard]] Sweep sweep(Position to, double radius_m, const Excluded& excluded, bool is_alone);
+    [[nodiscard]] Sweep sweep(Position to, double radius_m, const Excluded& excluded,
+                              bool is_alone);
     [[nodiscard]] Sweep sweep_tree(Position to, double radius_m, const Excluded& excluded);
     [[nodiscard]] Sweep sweep_neighbours(Position to, double radius_m, const Excluded& excluded);
     [[nodiscard]] Contact contact_of(SegmentRef segment, const Touch& touch) const;
@@ -69,6 +71,7 @@ class ContactStep {
     Position handle_;
     Position last_corner_;  // the corner last visited and how often without moving away
     int visits_ = 0;
+    int walks_ = 0;
     int queries_ = 0;
     ContactReport* report_ = nullptr;
 };

@@ -49,12 +49,12 @@ GrooveForce groove_step(const Scene& scene, double level, Position handle,
                         const ContactSettings& settings, GrooveState& state) {
     Closest attached;
     attached.distance_m = settings.capture_m;
-    const bool is_known = state.segment.piece >= 0 &&
-                          state.segment.index < scene.curves.rendered_count(state.segment.piece, level);
+    const bool is_known =
+        state.segment.piece >= 0 &&
+        state.segment.index < scene.curves.rendered_count(state.segment.piece, level);
     if (is_known) attached = follow(scene, level, handle, state);
     const bool is_held = is_known && attached.distance_m < settings.capture_m;
-    const double within =
-        is_held ? attached.distance_m - handover_margin_m : settings.capture_m;
+    const double within = is_held ? attached.distance_m - handover_margin_m : settings.capture_m;
     const Closest other = scene.tree.closest_point(scene.curves, handle, level, within);
     if (other.segment.piece >= 0) attached = other;
     const bool is_attached = is_held || other.segment.piece >= 0;

@@ -1,6 +1,5 @@
-// Forces that hold the hand at a line (groove, stay) or push it away (ridge), on the same rendered curve
-// as the wall.
-// Threads: one, the servo's. No allocation.
+// Forces that hold the hand at a line (groove, stay) or push it away (ridge), on the same rendered
+// curve as the wall. Threads: one, the servo's. No allocation.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -22,13 +21,14 @@ struct GrooveForce {
     int boxes = 0;
 };
 
-/// Moves the attachment along the curve to the point nearest to the handle (at most 256 walks), or to
-/// another line that is nearer by a margin of 0.2 mm (so the energy never rises at the change), and gives the
-/// force. d: distance, w: capture width:
+/// Moves the attachment along the curve to the point nearest to the handle (at most 256 walks), or
+/// to another line that is nearer by a margin of 0.2 mm (so the energy never rises at the change),
+/// and gives the force. d: distance, w: capture width:
 ///   groove  K d (1 - (d/w)^2)^2 towards the attachment (architecture section 5)
 ///   ridge   the same, away from it
 ///   stay    K d (1 - (d/w)^8) towards it: stiff nearly to the edge, so that leaving takes a push
-/// 0 beyond w, where the attachment is given up. All are gradients: no loop gains energy while attached.
+/// 0 beyond w, where the attachment is given up. All are gradients: no loop gains energy while
+/// attached.
 [[nodiscard]] GrooveForce groove_step(const Scene& scene, double level, Position handle,
                                       const ContactSettings& settings, GrooveState& state);
 

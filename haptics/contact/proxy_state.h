@@ -21,7 +21,8 @@ struct ContactSettings {
 
 enum class Side : std::int8_t { right = -1, left = 1 };
 
-/// Where the proxy touches the curve as rendered: centre = point(segment, parameter) + offset * normal.
+/// Where the proxy touches the curve as rendered: centre = point(segment, parameter) + offset *
+/// normal.
 struct Contact {
     SegmentRef segment;
     double parameter = 0.0;  // on the segment, 0 ... 1
@@ -31,9 +32,9 @@ struct Contact {
     bool is_round = false;   // at an end of the segment, the normal between those of its two edges
 };
 
-/// State 0: no contact counts. State 1: contacts[0], on the side of an edge. State 2: contacts[0] and, at a
-/// concave vertex or between two outlines, contacts[1]; or contacts[0] alone, round a convex vertex or
-/// a line's end.
+/// State 0: no contact counts. State 1: contacts[0], on the side of an edge. State 2: contacts[0]
+/// and, at a concave vertex or between two outlines, contacts[1]; or contacts[0] alone, round a
+/// convex vertex or a line's end.
 struct ProxyState {
     ContactState state = ContactState::free;
     Position centre;

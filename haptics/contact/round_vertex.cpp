@@ -34,7 +34,8 @@ ArcGoal arc_goal(Direction n, Position pull, double offset_m, double to_left_rad
     const double depth = offset_m - dot(n, pull);
     const double distance = norm(pull);
     const bool is_behind = dot(n, pull) < 0.0;
-    if (std::abs(sideways) <= std::max(friction * depth, rest_m) && !(is_behind && friction == 0.0)) {
+    if (std::abs(sideways) <= std::max(friction * depth, rest_m) &&
+        !(is_behind && friction == 0.0)) {
         return {};
     }
     ArcGoal goal;
@@ -51,7 +52,8 @@ ArcGoal arc_goal(Direction n, Position pull, double offset_m, double to_left_rad
         stop = std::max(0.0, to_pull - std::acos(offset_m / distance));
         goal.end = ArcGoal::End::free;
     } else if (friction > 0.0) {
-        // At angle b before the pull's direction: distance sin b = friction (offset - distance cos b).
+        // At angle b before the pull's direction: distance sin b = friction (offset - distance cos
+        // b).
         const double lean = std::atan(friction);
         const double sine = offset_m * std::sin(lean) / distance;
         stop = sine < 1.0 ? std::max(0.0, to_pull - (std::asin(sine) - lean)) : 0.0;

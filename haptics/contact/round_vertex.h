@@ -1,6 +1,5 @@
-// The way of a disc's centre round a convex vertex or the end of a line (facts: G2, G7): an arc about the vertex
-// between the normals of its two edges.
-// Threads: pure functions.
+// The way of a disc's centre round a convex vertex or the end of a line (facts: G2, G7): an arc
+// about the vertex between the normals of its two edges. Threads: pure functions.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -10,27 +9,29 @@
 
 namespace touchline {
 
-/// Longest chord of the arc walked at once, as an angle: 15 degrees, so that the chord passes inside the arc
-/// by 1 % of the radius at most; 90 degrees for a radius of nanometres, where nothing can be felt.
+/// Longest chord of the arc walked at once, as an angle: 15 degrees, so that the chord passes
+/// inside the arc by 1 % of the radius at most; 90 degrees for a radius of nanometres, where
+/// nothing can be felt.
 [[nodiscard]] double largest_arc_step_rad(double offset_m);
 
 /// n turned left by an angle.
 [[nodiscard]] Direction turned(Direction n, double angle_rad);
 
-/// Angle in [0, 2 pi) from n to m, turning left (turn > 0) or right (turn < 0); angles that are a turn less
-/// a rounding error count as 0.
+/// Angle in [0, 2 pi) from n to m, turning left (turn > 0) or right (turn < 0); angles that are a
+/// turn less a rounding error count as 0.
 [[nodiscard]] double angle_between(Direction n, Direction m, double turn);
 
 /// Where a proxy that slides round a vertex under the pull of the handle is going.
 struct ArcGoal {
     enum class End { rest, edge, free } end = End::rest;
-    double turn = 0.0;      // +1 left, -1 right, 0: stays
+    double turn = 0.0;       // +1 left, -1 right, 0: stays
     double angle_rad = 0.0;  // still to go, >= 0
 };
 
-/// `n`: normal of the proxy now; `pull`: handle - vertex; `offset_m`: radius of the arc; `to_left_rad`,
-/// `to_right_rad`: angles to the ends of the arc. The proxy rests where the force is along the normal (or
-/// inside the friction cone), leaves where it becomes zero, else goes on to the edge.
+/// `n`: normal of the proxy now; `pull`: handle - vertex; `offset_m`: radius of the arc;
+/// `to_left_rad`, `to_right_rad`: angles to the ends of the arc. The proxy rests where the force is
+/// along the normal (or inside the friction cone), leaves where it becomes zero, else goes on to
+/// the edge.
 [[nodiscard]] ArcGoal arc_goal(Direction n, Position pull, double offset_m, double to_left_rad,
                                double to_right_rad, double friction);
 

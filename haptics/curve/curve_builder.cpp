@@ -13,11 +13,13 @@
 namespace touchline {
 namespace {
 
-constexpr double repeated_point_m = 1e-9;   // nearer points are one point: far below any device's step
+constexpr double repeated_point_m =
+    1e-9;  // nearer points are one point: far below any device's step
 constexpr double largest_coordinate_m = 1.0;
-constexpr double least_spacing_m = 1e-4;    // half a count of the finest 2diy
-constexpr double scene_tolerance_m = 5e-5;  // a fifth of what a finger finds on a 4 mm bump (0.039 mm
-                                            // amplitude at half that width), half the least spacing
+constexpr double least_spacing_m = 1e-4;  // half a count of the finest 2diy
+constexpr double scene_tolerance_m =
+    5e-5;  // a fifth of what a finger finds on a 4 mm bump (0.039 mm
+           // amplitude at half that width), half the least spacing
 constexpr double coarsest_spacing_m = 4e-3;  // tried first when resampling
 
 /// A stretch of outline that becomes a piece, both its ends included.
@@ -25,7 +27,7 @@ struct Stretch {
     std::vector<Position> line;
     int outline = 0;
     bool is_closed = false;
-    bool has_next = false;      // the following stretch shares its end
+    bool has_next = false;             // the following stretch shares its end
     std::size_t first_of_outline = 0;  // index of the outline's first stretch
 };
 
@@ -48,7 +50,8 @@ Result<std::vector<Outline>> clean(const TactileMap& map) {
             if (!(std::abs(p.x) <= largest_coordinate_m && std::abs(p.y) <= largest_coordinate_m)) {
                 return failure(fmt::format(
                     "outline {} has a point that is not a number or lies more than 1 m from the "
-                    "centre; check the map's viewBox and units (millimetres)", i));
+                    "centre; check the map's viewBox and units (millimetres)",
+                    i));
             }
         }
         Outline outline = map.outlines[i];
@@ -88,20 +91,20 @@ void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins
 
 std::vector<Position> level_0(const Stretch& stretch, bool resampled, double spacing_m) {
     std::vector<Position> points =
-        resampled ? resample(stretch.line, resampled_count(polyline_length_m(stretch.line), spacing_m,
-                                                           stretch.is_closed))
+        resampled ? resample(stretch.line, resampled_count(polyline_length_m(stretch.line),
+                                                           spacing_m, stretch.is_closed))
                   : split_edges(stretch.line, spacing_m);
     if (stretch.is_closed) points.pop_back();
     return points;
 }
 
-/// The widest spacing that keeps every data point within the scene's tolerance, by halving the interval;
-/// never below what the device can tell.
+/// The widest spacing that keeps every data point within the scene's tolerance, by halving the
+/// interval; never below what the device can tell.
 double spacing_for(const std::vector<Stretch>& stretches) {
     const auto is_true = [&](double spacing_m) {
         return std::all_of(stretches.begin(), stretches.end(), [&](const Stretch& stretch) {
-            const std::size_t count = resampled_count(polyline_length_m(stretch.line), spacing_m,
-                                                      stretch.is_closed);
+            const std::size_t count =
+                resampled_count(polyline_length_m(stretch.line), spacing_m, stretch.is_closed);
             return deviation_m(stretch.line, resample(stretch.line, count)) <= scene_tolerance_m;
         });
     };
@@ -185,8 +188,8 @@ class CurveSetBuilder {
             }
             if (i > stretch.first_of_outline) {
                 const auto before = i - 1;
-                piece.first_parameter =
-                    set_.pieces_[before].first_parameter + set_.segment_count(static_cast<int>(before), 0);
+                piece.first_parameter = set_.pieces_[before].first_parameter +
+                                        set_.segment_count(static_cast<int>(before), 0);
             }
             set_.coarsest_ = std::max(set_.coarsest_, piece.coarsest);
             set_.pieces_.push_back(piece);
@@ -194,7 +197,8 @@ class CurveSetBuilder {
         }
         for (std::size_t i = 0; i < set_.pieces_.size(); ++i) {
             const int next = set_.pieces_[i].next;
-            if (next >= 0) set_.pieces_[static_cast<std::size_t>(next)].previous = static_cast<int>(i);
+            if (next >= 0)
+                set_.pieces_[static_cast<std::size_t>(next)].previous = static_cast<int>(i);
         }
     }
 
@@ -217,12 +221,11 @@ class CurveSetBuilder {
             OutlineReport line;
             line.points_in = outlines_[i].points.size();
             line.spacing_m = spacings_m_[i];
-            line.reason = !options_.resample ? "every vertex of the map is kept"
-                          : options_.spacing_m > 0.0
-                              ? "spacing as asked"
-                              : line.spacing_m <= 1.06 * least_spacing_m
-                                    ? "device: finer than its step cannot be felt"
-                                    : "scene: the widest spacing within 0.05 mm of the data";
+            line.reason = !options_.resample         ? "every vertex of the map is kept"
+                          : options_.spacing_m > 0.0 ? "spacing as asked"
+                          : line.spacing_m <= 1.06 * least_spacing_m
+                              ? "device: finer than its step cannot be felt"
+                              : "scene: the widest spacing within 0.05 mm of the data";
             set_.reports_.push_back(line);
         }
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
@@ -234,9 +237,9 @@ class CurveSetBuilder {
     std::vector<Outline> outlines_;
     CurveOptions options_;
     std::vector<Stretch> stretches_;
-    std::vector<double> spacings_m_;                // per outline
-    std::vector<Decomposition> curves_;             // per stretch
-    std::vector<std::vector<Position>> firsts_;     // per stretch: level 0
+    std::vector<double> spacings_m_;             // per outline
+    std::vector<Decomposition> curves_;          // per stretch
+    std::vector<std::vector<Position>> firsts_;  // per stretch: level 0
     CurveSet set_;
 };
 

@@ -6,8 +6,8 @@
 namespace touchline {
 
 std::span<const Position> CurveSet::points(int piece, int level) const {
-    const Level& at = levels_[first_level_[static_cast<std::size_t>(piece)] +
-                              static_cast<std::uint32_t>(level)];
+    const Level& at =
+        levels_[first_level_[static_cast<std::size_t>(piece)] + static_cast<std::uint32_t>(level)];
     return {points_.data() + at.first, at.count};
 }
 
@@ -33,8 +33,8 @@ Position CurveSet::rendered_point(int piece, double level, int i) const {
     if (!(weight > 0.0)) return p;
     const auto coarse = points(piece, finer + 1);
     const auto half = static_cast<std::size_t>(i) / 2;
-    const bool is_unpaired_end =
-        !pieces_[static_cast<std::size_t>(piece)].is_closed && i + 1 == static_cast<int>(fine.size());
+    const bool is_unpaired_end = !pieces_[static_cast<std::size_t>(piece)].is_closed &&
+                                 i + 1 == static_cast<int>(fine.size());
     Position q = is_unpaired_end ? coarse.back() : coarse[half];
     if (i % 2 != 0 && !is_unpaired_end) q = 0.5 * (q + coarse[(half + 1) % coarse.size()]);
     return (1.0 - weight) * p + weight * q;

@@ -1,6 +1,5 @@
-// All outlines of a map as wavelet multiresolution curves: cut at their pins into pieces, each piece
-// held as one polyline per level.
-// Threads: immutable once built; any thread may read.
+// All outlines of a map as wavelet multiresolution curves: cut at their pins into pieces, each
+// piece held as one polyline per level. Threads: immutable once built; any thread may read.
 #pragma once
 
 #include "config/types/result.h"
@@ -16,13 +15,14 @@
 namespace touchline {
 
 struct CurveOptions {
-    /// false: every vertex of the map is kept at level 0 and edges longer than the spacing are split
-    /// into equal collinear parts. true: each piece is resampled by arc length.
+    /// false: every vertex of the map is kept at level 0 and edges longer than the spacing are
+    /// split into equal collinear parts. true: each piece is resampled by arc length.
     bool resample = false;
-    /// Spacing of level 0 (metres). 0: the outline's median edge, at least 0.1 mm (not resampled), or
-    /// the spacing that device and scene need (resampled).
+    /// Spacing of level 0 (metres). 0: the outline's median edge, at least 0.1 mm (not resampled),
+    /// or the spacing that device and scene need (resampled).
     double spacing_m = 0.0;
-    /// Share of the wavelet details that is kept, largest first, 0 ... 1 (compression, paper section 5).
+    /// Share of the wavelet details that is kept, largest first, 0 ... 1 (compression, paper
+    /// section 5).
     double keep_details = 1.0;
     /// Standard deviation of the noise to remove (metres): details are shrunk by its universal
     /// threshold (denoising, paper section 5). 0: none.
@@ -31,11 +31,12 @@ struct CurveOptions {
 
 /// A stretch of an outline between pins; the unit that has levels.
 struct Piece {
-    int outline = 0;           // index in the map
-    bool is_closed = false;    // one periodic piece; else its two ends are pins
-    int next = -1, previous = -1;  // pieces that share a pin with it along the outline; -1: open end
+    int outline = 0;         // index in the map
+    bool is_closed = false;  // one periodic piece; else its two ends are pins
+    int next = -1,
+        previous = -1;  // pieces that share a pin with it along the outline; -1: open end
     double first_parameter = 0.0;  // outline parameter of its first point, in level-0 segments
-    int coarsest = 0;          // L: levels 0 ... L exist
+    int coarsest = 0;              // L: levels 0 ... L exist
 };
 
 /// What was kept of one outline and why, for `curve --json`.
@@ -62,7 +63,8 @@ struct SegmentRef {
 class CurveSet {
   public:
     /// O(N). Repeated points (closer than 1 nm) are dropped; an outline left with fewer than two
-    /// points is left out. Fails when a point is not finite or lies further than 1 m from the origin.
+    /// points is left out. Fails when a point is not finite or lies further than 1 m from the
+    /// origin.
     [[nodiscard]] static Result<CurveSet> build(const TactileMap& map, const CurveOptions& options);
 
     [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
@@ -72,17 +74,18 @@ class CurveSet {
     /// The coarsest level that any piece has.
     [[nodiscard]] int coarsest() const { return coarsest_; }
 
-    /// Points of one level of a piece, 0 <= level <= its coarsest. An open piece has one point more than
-    /// segments; a closed one repeats no point.
+    /// Points of one level of a piece, 0 <= level <= its coarsest. An open piece has one point more
+    /// than segments; a closed one repeats no point.
     [[nodiscard]] std::span<const Position> points(int piece, int level) const;
 
     [[nodiscard]] int segment_count(int piece, int level) const;
 
-    /// The level at which a piece is rendered when `level` (fractional, >= 0) is wanted: min(level, L).
+    /// The level at which a piece is rendered when `level` (fractional, >= 0) is wanted: min(level,
+    /// L).
     [[nodiscard]] double rendered_level(int piece, double level) const;
 
-    /// Segments of the piece as rendered at `level`: those of the next finer whole level where it is
-    /// fractional (architecture, "Levels blend").
+    /// Segments of the piece as rendered at `level`: those of the next finer whole level where it
+    /// is fractional (architecture, "Levels blend").
     [[nodiscard]] int rendered_count(int piece, double level) const;
 
     /// Segment j, 0 <= j < rendered_count. At a fraction w above level k its ends are
@@ -92,12 +95,14 @@ class CurveSet {
     /// Point i of the piece as rendered; an open piece has rendered_count + 1 of them. O(1).
     [[nodiscard]] Position rendered_point(int piece, double level, int i) const;
 
-    /// The segment after (before) one along its outline, across pins; piece -1 at an open end. O(1).
+    /// The segment after (before) one along its outline, across pins; piece -1 at an open end.
+    /// O(1).
     [[nodiscard]] SegmentRef next(SegmentRef segment, double level) const;
     [[nodiscard]] SegmentRef previous(SegmentRef segment, double level) const;
 
-    /// The outline parameter, in level-0 segments from the start of the outline's first piece, at share t of rendered
-    /// segment j. The same at every level, so that a contact survives a change of level. O(1).
+    /// The outline parameter, in level-0 segments from the start of the outline's first piece, at
+    /// share t of rendered segment j. The same at every level, so that a contact survives a change
+    /// of level. O(1).
     [[nodiscard]] double outline_parameter(int piece, double level, int j, double t) const;
 
   private:

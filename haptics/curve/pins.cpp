@@ -29,8 +29,8 @@ class Walker {
         double turns = std::floor(arc / length);
         if (!outline_.is_closed) turns = 0.0;
         const double local = arc - turns * length;
-        const std::size_t segments = outline_.is_closed ? outline_.points.size()
-                                                        : outline_.points.size() - 1;
+        const std::size_t segments =
+            outline_.is_closed ? outline_.points.size() : outline_.points.size() - 1;
         if (s_[segment_] > local) segment_ = 0;  // passed the seam
         while (segment_ + 1 < segments && s_[segment_ + 1] < local) ++segment_;
         const Position a = outline_.points[segment_];
@@ -74,7 +74,9 @@ std::vector<std::size_t> corners(const Outline& outline, const PinRule& rule) {
 
 using Place = std::pair<double, double>;
 
-Place place(Position p) { return {p.x, p.y}; }
+Place place(Position p) {
+    return {p.x, p.y};
+}
 
 /// Places where an open outline ends.
 std::vector<Place> line_ends(const std::vector<Outline>& outlines) {

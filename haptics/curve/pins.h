@@ -1,6 +1,5 @@
-// Pins: the vertices that coincide at every level, so that corners stay sharp and linked pieces never
-// come apart. Decided once, when a map is built.
-// Threads: pure functions.
+// Pins: the vertices that coincide at every level, so that corners stay sharp and linked pieces
+// never come apart. Decided once, when a map is built. Threads: pure functions.
 #pragma once
 
 #include "config/types/tactile_map.h"
@@ -11,18 +10,18 @@
 namespace touchline {
 
 struct PinRule {
-    double reach_m = 0.002;      // a turn is measured between chords of this length on both sides
+    double reach_m = 0.002;  // a turn is measured between chords of this length on both sides
     double turn_rad = 0.785398163397448;  // 45 degrees: weaker corners are not pinned
-    double apart_m = 0.004;      // least distance along the outline between two corners
+    double apart_m = 0.004;               // least distance along the outline between two corners
 };
 
-/// The turn at every vertex, measured over +-reach (less near the ends of an open outline, where it is 0
-/// at the ends themselves). O(N).
+/// The turn at every vertex, measured over +-reach (less near the ends of an open outline, where it
+/// is 0 at the ends themselves). O(N).
 [[nodiscard]] std::vector<double> turns(const Outline& outline, double reach_m);
 
-/// Pins of every outline of a map, as ascending vertex indices: the ends of open outlines, vertices where
-/// the end of another outline lies (junctions), and corners, strongest first. A closed outline may have
-/// none. O(N log N).
+/// Pins of every outline of a map, as ascending vertex indices: the ends of open outlines, vertices
+/// where the end of another outline lies (junctions), and corners, strongest first. A closed
+/// outline may have none. O(N log N).
 [[nodiscard]] std::vector<std::vector<std::size_t>> find_pins(const std::vector<Outline>& outlines,
                                                               const PinRule& rule);
 

@@ -6,8 +6,8 @@
 namespace touchline {
 namespace {
 
-// Gain of white noise through the prediction, sqrt(1 + (9^2 + 9^2 + 1 + 1) / 16^2), and through the 13-tap
-// low-pass, the root of the sum of its squared taps.
+// Gain of white noise through the prediction, sqrt(1 + (9^2 + 9^2 + 1 + 1) / 16^2), and through the
+// 13-tap low-pass, the root of the sum of its squared taps.
 constexpr double detail_gain = 1.2808688457449497;
 constexpr double low_pass_gain = 0.80926;
 
@@ -39,7 +39,8 @@ Decomposition decompose(std::vector<Position> points, const CurveShape& shape, i
 std::vector<Position> reconstruct(const Decomposition& curve) {
     std::vector<Position> points = curve.coarsest;
     for (std::size_t level = curve.details.size(); level-- > 0;) {
-        points = synthesize({std::move(points), curve.details[level]}, at_level(curve.shape, level));
+        points =
+            synthesize({std::move(points), curve.details[level]}, at_level(curve.shape, level));
     }
     return points;
 }

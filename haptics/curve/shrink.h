@@ -11,7 +11,8 @@
 
 namespace touchline {
 
-/// A curve as its coarsest points and the details of every level, levels[k] leading from k + 1 to k.
+/// A curve as its coarsest points and the details of every level, levels[k] leading from k + 1 to
+/// k.
 struct Decomposition {
     std::vector<Position> coarsest;
     std::vector<std::vector<Position>> details;
@@ -27,8 +28,8 @@ struct Decomposition {
 /// `sigma_m` per coordinate: sigma sqrt(2 ln N), times what the filters make of it on each level.
 void denoise(Decomposition& curve, double sigma_m);
 
-/// The detail size (metres, scaled by its level so that sizes compare in energy) above which the share
-/// `keep` of all details of the curves lies. 0 for keep >= 1.
+/// The detail size (metres, scaled by its level so that sizes compare in energy) above which the
+/// share `keep` of all details of the curves lies. 0 for keep >= 1.
 [[nodiscard]] double detail_threshold(std::span<const Decomposition> curves, double keep);
 
 /// Drops the details below the threshold of detail_threshold().

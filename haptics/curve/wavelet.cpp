@@ -27,8 +27,8 @@ struct Step {
           length(static_cast<double>(shape.finest_segments)),
           is_closed(shape.is_closed) {}
 
-    /// Index in the finer level of coarse point i. The last point of an open curve with an odd number of
-    /// segments is kept although its index is odd.
+    /// Index in the finer level of coarse point i. The last point of an open curve with an odd
+    /// number of segments is kept although its index is odd.
     [[nodiscard]] Index fine_index(Index i) const {
         return is_closed ? 2 * i : std::min(2 * i, fine);
     }
@@ -92,8 +92,8 @@ Position predicted(const Stencil& stencil, const std::vector<Position>& evens) {
     return sum;
 }
 
-/// The detail at an odd index of the finer level, extended: odd about the ends of an open curve (so that
-/// their update is exactly 0), periodic on a closed one. Where parity breaks (unpaired): 0.
+/// The detail at an odd index of the finer level, extended: odd about the ends of an open curve (so
+/// that their update is exactly 0), periodic on a closed one. Where parity breaks (unpaired): 0.
 Position detail_at(const Step& step, const std::vector<Position>& details, Index index) {
     double sign = 1.0;
     if (step.is_closed) {
@@ -132,9 +132,8 @@ WaveletLevel analyze(const std::vector<Position>& points, const CurveShape& shap
             points[static_cast<std::size_t>(step.fine_index(i))];
     }
     for (Index k = 0; k < step.odds; ++k) {
-        coarse.details[static_cast<std::size_t>(k)] =
-            points[static_cast<std::size_t>(2 * k + 1)] -
-            predicted(prediction(step, k), coarse.points);
+        coarse.details[static_cast<std::size_t>(k)] = points[static_cast<std::size_t>(2 * k + 1)] -
+                                                      predicted(prediction(step, k), coarse.points);
     }
     for (Index i = 0; i < step.evens; ++i) {
         coarse.points[static_cast<std::size_t>(i)] += update(step, coarse.details, i);

@@ -1,8 +1,8 @@
 // One level of the paper's interpolating biorthogonal wavelet transform ("pseudocoiflets", four
-// vanishing moments; paper section 2) in lifting form: predict each odd point from its even neighbours by the
-// four-point Deslauriers-Dubuc rule (-1, 9, 9, -1)/16, update the evens with half the adjoint of
-// that rule. Analysis low-pass = P (3 - 2P), P the Deslauriers-Dubuc half-band filter: 13 taps.
-// Threads: pure functions.
+// vanishing moments; paper section 2) in lifting form: predict each odd point from its even
+// neighbours by the four-point Deslauriers-Dubuc rule (-1, 9, 9, -1)/16, update the evens with half
+// the adjoint of that rule. Analysis low-pass = P (3 - 2P), P the Deslauriers-Dubuc half-band
+// filter: 13 taps. Threads: pure functions.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -14,20 +14,24 @@ namespace touchline {
 
 /// A curve at one level and what was left out of it on the way from the next finer level.
 struct WaveletLevel {
-    std::vector<Position> points;   // scaling coefficients: the approximating polyline
-    std::vector<Position> details;  // wavelet coefficients, one for each odd point of the finer level
+    std::vector<Position> points;  // scaling coefficients: the approximating polyline
+    std::vector<Position>
+        details;  // wavelet coefficients, one for each odd point of the finer level
 };
 
-/// Which points of a polyline lie where. An open polyline of n segments has n + 1 points and keeps its
-/// ends; a closed one has n points. An odd last segment passes up unpaired, as a shorter segment.
+/// Which points of a polyline lie where. An open polyline of n segments has n + 1 points and keeps
+/// its ends; a closed one has n points. An odd last segment passes up unpaired, as a shorter
+/// segment.
 struct CurveShape {
     std::size_t finest_segments = 0;  // of level 0: the parameter runs from 0 to this
-    std::size_t stride = 1;           // 2^level: parameter of point i is min(i * stride, finest_segments)
+    std::size_t stride = 1;  // 2^level: parameter of point i is min(i * stride, finest_segments)
     bool is_closed = false;
 };
 
 /// Segments of the next coarser level: ceil(n / 2).
-[[nodiscard]] constexpr std::size_t coarser_count(std::size_t segments) { return (segments + 1) / 2; }
+[[nodiscard]] constexpr std::size_t coarser_count(std::size_t segments) {
+    return (segments + 1) / 2;
+}
 
 /// One analysis step from the level with `shape` to the next coarser. Cubics in the parameter are
 /// reproduced (details 0) everywhere; the ends of an open curve stay where they are. O(n).

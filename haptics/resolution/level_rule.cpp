@@ -7,10 +7,10 @@
 namespace touchline {
 namespace {
 
-constexpr double points_per_wavelength = 4.0;  // two samples per half wave
+constexpr double points_per_wavelength = 4.0;    // two samples per half wave
 constexpr double samples_per_wavelength = 10.0;  // servo samples, at least
-constexpr double f_hand_Hz = 100.0;    // above, a detail is vibration, not shape
-constexpr double f_low_pass_Hz = 10.0;  // voluntary motion is slower
+constexpr double f_hand_Hz = 100.0;              // above, a detail is vibration, not shape
+constexpr double f_low_pass_Hz = 10.0;           // voluntary motion is slower
 constexpr double hysteresis_octaves = 0.25;
 constexpr double dwell_s = 0.15;
 constexpr double least_speed_m_per_s = 1e-9;  // keeps the logarithm finite

@@ -1,7 +1,7 @@
-// The level of resolution follows the hand's speed: coarse while the hand is fast, fine while it is slow.
-// A detail of wavelength lambda crossed at speed v is a force of frequency v / lambda; what is faster than the
-// servo, the device and the hand can follow is left out (paper section 1; facts: the rule of 5.3 and 5.4).
-// Threads: one, the servo's. No allocation.
+// The level of resolution follows the hand's speed: coarse while the hand is fast, fine while it is
+// slow. A detail of wavelength lambda crossed at speed v is a force of frequency v / lambda; what
+// is faster than the servo, the device and the hand can follow is left out (paper section 1; facts:
+// the rule of 5.3 and 5.4). Threads: one, the servo's. No allocation.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -25,14 +25,15 @@ struct LevelLimits {
 /// Highest detail frequency worth rendering: min(f_s / 10, f_device, 100 Hz), f_s = 1 / dt.
 [[nodiscard]] double highest_detail_Hz(const LevelLimits& limits, double dt_s);
 
-/// log2(v / (f_max lambda_0)): the level at which v crosses details at exactly f_max; negative for a slow hand.
+/// log2(v / (f_max lambda_0)): the level at which v crosses details at exactly f_max; negative for
+/// a slow hand.
 [[nodiscard]] double speed_level(const LevelLimits& limits, double speed_m_per_s, double dt_s);
 
 /// l_encoder: the finest level whose spacing the encoders can tell, lambda_l >= 4 Delta.
 [[nodiscard]] double encoder_level(const LevelLimits& limits);
 
-/// The hand's speed as the rule sees it: largest |10 Hz low-pass of v| of the last half second, so that a
-/// tremor does not switch levels. Starts at rest.
+/// The hand's speed as the rule sees it: largest |10 Hz low-pass of v| of the last half second, so
+/// that a tremor does not switch levels. Starts at rest.
 class SpeedMeasure {
   public:
     /// The handle after dt_s > 0. Returns the held speed in m/s.
@@ -50,8 +51,8 @@ class SpeedMeasure {
     double slot_age_s_ = 0.0;
 };
 
-/// Whole level = min(coarsest, max(ceil(l_speed), l_encoder, finest)). Coarsens at once; refines a quarter of
-/// an octave later than it coarsened, and not within 150 ms of the last change.
+/// Whole level = min(coarsest, max(ceil(l_speed), l_encoder, finest)). Coarsens at once; refines a
+/// quarter of an octave later than it coarsened, and not within 150 ms of the last change.
 class LevelRule {
   public:
     explicit LevelRule(const LevelLimits& limits);
