@@ -1,8 +1,7 @@
 // Motion of a device's tip and the hand that holds it: the one integrator behind every simulation.
 //   m x'' = F + k_h (x_d - x) + b_h (x_d' - x') - b x' - Coulomb friction
-// Semi-implicit: damping and friction are implicit, so neither can create energy, and friction holds
-// exactly.
-// Threads: a plain value. No allocation.
+// Semi-implicit: damping and friction are implicit, so neither can create energy, and friction
+// holds exactly. Threads: a plain value. No allocation.
 #pragma once
 
 #include "config/types/vec2.h"
