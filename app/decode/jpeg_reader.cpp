@@ -136,6 +136,7 @@ Result<Picture> read_jpeg(Bytes bytes) {
     if (auto fits = check_size("JPEG", decoder.image_width, decoder.image_height, 1); !fits) {
         return tl::unexpected(fits.error());
     }
+    const int orientation = orientation_of(decoder);  // the markers are gone at the end
     const unsigned by = reduction(decoder.image_width, decoder.image_height);
     const bool has_inks =
         decoder.jpeg_color_space == JCS_CMYK || decoder.jpeg_color_space == JCS_YCCK;
@@ -152,7 +153,7 @@ Result<Picture> read_jpeg(Bytes bytes) {
     picture.bgr.resize(std::size_t{3} * decoder.output_width * decoder.output_height);
     if (!read_rows(decoder, has_inks, picture)) return damaged("JPEG", decoder.errors.message);
     if (decoder.errors.is_cut_short) return damaged("JPEG", "the file ends before the picture");
-    return upright(std::move(picture), orientation_of(decoder));
+    return upright(std::move(picture), orientation);
 }
 
 }  // namespace touchline::decode
