@@ -29,7 +29,7 @@ inline constexpr int finest_detail = 5;
 /// The picture that is felt and shown.
 struct ShownPicture {
     int number = 0;  // 1 ... picture_count; 0: none yet
-    int detail = 2;
+    int detail = 3;
     std::string title;
     int outline_count = 0;
     int coarsest_level = 0;
@@ -38,7 +38,7 @@ struct ShownPicture {
 struct Session {
     int picture_count = 0;      // of the list
     int picture = 0;            // wanted, from 0
-    int detail = 2;             // wanted, 1 ... 5
+    int detail = 3;             // wanted, 1 ... 5
     std::uint64_t request = 0;  // number of the last loading job asked for
     bool is_loading = false;
     ShownPicture shown;

@@ -32,7 +32,7 @@ TEST(Status, SaysContactLevelForceAndMode) {
     EXPECT_EQ(value_of(status, "Force"), "1.0 N");
     EXPECT_EQ(value_of(status, "Mode"), "wall");
     EXPECT_EQ(value_of(status, "Stiffness"), "medium, 500 N/m");
-    EXPECT_EQ(value_of(status, "Detail"), "2 of 5, main parts");
+    EXPECT_EQ(value_of(status, "Detail"), "3 of 5, parts");
     EXPECT_EQ(value_of(status, "Picture"), "1 of 3");
     EXPECT_EQ(value_of(status, "Device"), "mouse");
 }

@@ -1,0 +1,47 @@
+// A Cairo image surface and its context, owned.
+// Threads: one at a time.
+#pragma once
+
+#include "app/decode/picture.h"
+
+#include <memory>
+
+#include <cairo.h>
+
+namespace touchline {
+
+struct CairoDeleter {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+
+    void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+
+/// 32-bit premultiplied BGRA in memory, rows from the top. Transparent when made.
+class Canvas {
+  public:
+    /// Sizes 1 ... 32767 px.
+    Canvas(int width, int height);
+
+    [[nodiscard]] cairo_t* context() const { return context_.get(); }
+
+    [[nodiscard]] cairo_surface_t* surface() const { return surface_.get(); }
+
+    [[nodiscard]] int width() const;
+    [[nodiscard]] int height() const;
+
+    /// The pixels as drawn so far: rows of `stride` bytes.
+    [[nodiscard]] const unsigned char* pixels() const;
+    [[nodiscard]] int stride() const;
+
+  private:
+    std::unique_ptr<cairo_surface_t, CairoDeleter> surface_;
+    std::unique_ptr<cairo_t, CairoDeleter> context_;
+};
+
+/// The picture with its longer side at most `longest_px`: what the screen can show of it.
+[[nodiscard]] Canvas canvas_of(const Picture& picture, int longest_px);
+
+/// The canvas over black.
+[[nodiscard]] Picture picture_of(const Canvas& canvas);
+
+}  // namespace touchline

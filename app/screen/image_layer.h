@@ -1,0 +1,37 @@
+// A painted canvas as a texture, drawn pixel for pixel.
+// Threads: the one that holds the context.
+#pragma once
+
+#include "app/screen/canvas.h"
+#include "app/screen/gl_objects.h"
+
+namespace touchline {
+
+class ImageLayer {
+  public:
+    ImageLayer() : texture_(make_texture()), corners_(make_buffer()) {}
+
+    /// Shows `canvas` with its upper left corner at (x, y) of a screen of this size (px).
+    void upload(const Canvas& canvas, int x, int y, int screen_width, int screen_height);
+
+  private:
+    friend class ImageRenderer;
+
+    GlTexture texture_;
+    GlBuffer corners_;
+};
+
+class ImageRenderer {
+  public:
+    [[nodiscard]] static Result<ImageRenderer> make();
+
+    /// Over what is there. The layer must have been uploaded.
+    void draw(const ImageLayer& layer) const;
+
+  private:
+    explicit ImageRenderer(GlProgram program) : program_(std::move(program)) {}
+
+    GlProgram program_;
+};
+
+}  // namespace touchline

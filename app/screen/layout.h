@@ -1,0 +1,65 @@
+// Where things are on the screen, and how W maps onto it.
+// Threads: pure functions.
+#pragma once
+
+#include "config/types/tactile_map.h"
+#include "config/types/vec2.h"
+
+namespace touchline {
+
+using PixelPoint = Vec2<struct Pixel>;  // x right, y down, from the top left corner
+
+struct Rect {
+    double x = 0.0;
+    double y = 0.0;
+    double width = 0.0;
+    double height = 0.0;
+
+    friend bool operator==(const Rect&, const Rect&) = default;
+};
+
+/// The picture on the left and the panel on the right of a wide screen, one above the other on any
+/// other.
+struct ScreenLayout {
+    Rect picture;
+    Rect panel;
+
+    friend bool operator==(const ScreenLayout&, const ScreenLayout&) = default;
+};
+
+/// Sizes in pixels, > 0; edges lie on whole pixels.
+[[nodiscard]] ScreenLayout lay_out(int width_px, int height_px);
+
+/// W -> pixels: one scale, y turned over.
+struct View {
+    double px_per_m = 1.0;
+    PixelPoint origin;  // of W
+
+    [[nodiscard]] PixelPoint to_px(Position p_W) const {
+        return origin + PixelPoint{px_per_m * p_W.x, -px_per_m * p_W.y};
+    }
+
+    [[nodiscard]] Position to_W(PixelPoint p) const {
+        const PixelPoint d = p - origin;
+        return {d.x / px_per_m, -d.y / px_per_m};
+    }
+};
+
+/// The whole drawing area, as large as it fits, in the middle of `rect` with a small margin.
+[[nodiscard]] View view_of(const Area& area, const Rect& rect);
+
+/// Where the drawing area lies on the screen.
+[[nodiscard]] Rect area_rect(const Area& area, const View& view);
+
+/// Ends of the two barbs of an arrow's head, `head_px` long.
+struct Barbs {
+    PixelPoint left, right;
+};
+
+[[nodiscard]] Barbs barbs_of(PixelPoint from, PixelPoint to, double head_px);
+
+/// The largest rectangle of the same shape as a picture, centred in the drawing area: where the
+/// picture lies in W. Sizes > 0.
+[[nodiscard]] Area fitted(const Area& area, double width, double height);
+
+}  // namespace touchline

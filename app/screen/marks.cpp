@@ -1,0 +1,40 @@
+#include "app/screen/marks.h"
+
+#include "app/screen/rendered_path.h"
+
+namespace touchline {
+
+void add_outlines(Strokes& strokes, const View& view, const CurveSet& curves, double level,
+                  double width_px) {
+    for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
+        const auto path = rendered_path(curves, piece, level, view);
+        for (std::size_t i = 1; i < path.size(); ++i)
+            strokes.add_line(path[i - 1], path[i], width_px, {theme::outline});
+    }
+}
+
+void add_boxes(Strokes& strokes, const View& view, std::span<const ErrorBox> boxes,
+               double width_px) {
+    for (const ErrorBox& box : boxes) {
+        for (std::size_t i = 0; i < box.corners.size(); ++i)
+            strokes.add_line(view.to_px(box.corners[i]),
+                             view.to_px(box.corners[(i + 1) % box.corners.size()]), width_px,
+                             {theme::box});
+    }
+}
+
+void add_hand(Strokes& strokes, const View& view, const HandState& hand, double unit_px) {
+    constexpr double arrow_units_per_N = 40.0;
+    const PixelPoint handle = view.to_px(hand.p_WH);
+    const PixelPoint proxy = view.to_px(hand.p_WP);
+    const double px_per_N = arrow_units_per_N * unit_px;
+    const PixelPoint reach{px_per_N * hand.force.x, -px_per_N * hand.force.y};
+    strokes.add_line(handle, proxy, unit_px, {theme::proxy});
+    strokes.add_arrow(handle, handle + reach, 1.5 * unit_px, {theme::force});
+    strokes.add_ring(handle, 5.0 * unit_px, 2.0 * unit_px, {theme::background});
+    strokes.add_ring(handle, 5.0 * unit_px, 1.25 * unit_px, {theme::handle});
+    strokes.add_dot(proxy, 3.0 * unit_px, {theme::background});
+    strokes.add_dot(proxy, 2.5 * unit_px, {theme::proxy});
+}
+
+}  // namespace touchline

@@ -1,0 +1,27 @@
+// What moves on the screen, as strokes: outlines at the level rendered now, boxes of the boundary
+// section, handle, proxy and force.
+// Threads: pure functions.
+#pragma once
+
+#include "app/screen/strokes.h"
+#include "config/types/hand_state.h"
+#include "haptics/collision/collision_tree.h"
+#include "haptics/curve/curve_set.h"
+
+#include <span>
+
+namespace touchline {
+
+/// All pieces as rendered at `level`. O(segments).
+void add_outlines(Strokes& strokes, const View& view, const CurveSet& curves, double level,
+                  double width_px);
+
+/// The edges of the boxes.
+void add_boxes(Strokes& strokes, const View& view, std::span<const ErrorBox> boxes,
+               double width_px);
+
+/// Handle (ring), proxy (dot), the spring between them and the force on the hand (arrow from the
+/// handle). Shapes differ, so that no colour has to be told apart. `unit_px`: width of a thin line.
+void add_hand(Strokes& strokes, const View& view, const HandState& hand, double unit_px);
+
+}  // namespace touchline

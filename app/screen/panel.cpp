@@ -1,0 +1,183 @@
+#include "app/screen/panel.h"
+
+#include "app/screen/paint.h"
+#include "app/screen/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace touchline {
+
+namespace {
+
+constexpr double title_size = 1.25;       // of the cap height
+constexpr double least_column_caps = 20;  // a column holds the longest line at this width
+constexpr double gap_caps = 0.9;          // between columns and around everything
+constexpr double row_gap_caps = 0.25;     // below each line
+constexpr double least_cap_px = 6.0;
+
+Rect inset(const Rect& rect, double by) {
+    return {rect.x + by, rect.y + by, std::max(rect.width - 2.0 * by, 1.0),
+            std::max(rect.height - 2.0 * by, 1.0)};
+}
+
+/// The largest cap height up to `cap_px` at which `height_at` fits; shrinks in steps of 6 %.
+template <class HeightAt>
+double fitting_cap_px(double cap_px, double room_px, const HeightAt& height_at) {
+    constexpr double step = 0.94;
+    while (cap_px > least_cap_px && height_at(cap_px) > room_px) cap_px *= step;
+    return cap_px;
+}
+
+std::array<TextRun, 3> runs_of(const StatusLine& line) {
+    return {TextRun{line.name, theme::name}, TextRun{"  "}, TextRun{line.value, theme::text, true}};
+}
+
+/// Lines spread over columns, filled one after the other.
+class StatusColumns {
+  public:
+    StatusColumns(cairo_t* cr, const Rect& rect, const Status& status, double cap_px)
+        : cr_(cr), rect_(inset(rect, gap_caps * cap_px)), status_(status), cap_px_(cap_px) {
+        const double columns = std::floor(rect_.width / (least_column_caps * cap_px));
+        columns_ = static_cast<std::size_t>(std::clamp(columns, 1.0, 4.0));
+    }
+
+    [[nodiscard]] double height_px() const {
+        double tallest = 0.0;
+        for (std::size_t column = 0; column < columns_; ++column)
+            tallest = std::max(tallest, column_height_px(column));
+        return title_height_px() + tallest + 2.0 * gap_caps * cap_px_;
+    }
+
+    void paint() const {
+        paint_text(cr_, {rect_.x, rect_.y}, rect_.width, title_size * cap_px_, title());
+        for (std::size_t column = 0; column < columns_; ++column) paint_column(column);
+    }
+
+  private:
+    [[nodiscard]] std::array<TextRun, 1> title() const {
+        return {TextRun{status_.title, theme::text, true}};
+    }
+
+    [[nodiscard]] double title_height_px() const {
+        return text_height_px(cr_, rect_.width, title_size * cap_px_, title()) +
+               row_gap_caps * cap_px_;
+    }
+
+    [[nodiscard]] double column_width_px() const {
+        const double gaps = gap_caps * cap_px_ * static_cast<double>(columns_ - 1);
+        return (rect_.width - gaps) / static_cast<double>(columns_);
+    }
+
+    [[nodiscard]] std::span<const StatusLine> lines_of(std::size_t column) const {
+        const std::size_t each = (status_.lines.size() + columns_ - 1) / columns_;
+        const std::size_t first = std::min(column * each, status_.lines.size());
+        return std::span(status_.lines)
+            .subspan(first, std::min(each, status_.lines.size() - first));
+    }
+
+    [[nodiscard]] double column_height_px(std::size_t column) const {
+        double height = 0.0;
+        for (const StatusLine& line : lines_of(column))
+            height += text_height_px(cr_, column_width_px(), cap_px_, runs_of(line)) +
+                      row_gap_caps * cap_px_;
+        return height;
+    }
+
+    void paint_column(std::size_t column) const {
+        const double width = column_width_px();
+        PixelPoint at{rect_.x + static_cast<double>(column) * (width + gap_caps * cap_px_),
+                      rect_.y + title_height_px()};
+        for (const StatusLine& line : lines_of(column))
+            at.y += paint_text(cr_, at, width, cap_px_, runs_of(line)) + row_gap_caps * cap_px_;
+    }
+
+    cairo_t* cr_;
+    Rect rect_;
+    const Status& status_;
+    double cap_px_;
+    std::size_t columns_ = 1;
+};
+
+/// The key table as two columns: names and words.
+class KeyRows {
+  public:
+    KeyRows(cairo_t* cr, const Rect& rect, double cap_px)
+        : cr_(cr), rect_(inset(rect, gap_caps * cap_px)), cap_px_(cap_px) {}
+
+    [[nodiscard]] double height_px() const {
+        double height = 2.0 * gap_caps * cap_px_;
+        for (const KeyRow& row : key_table()) height += row_height_px(row);
+        return height;
+    }
+
+    void paint() const {
+        PixelPoint at{rect_.x, rect_.y};
+        for (const KeyRow& row : key_table()) {
+            paint_text(cr_, at, name_width_px(), cap_px_, name_of(row));
+            paint_text(cr_, at + PixelPoint{name_width_px(), 0.0}, words_width_px(), cap_px_,
+                       words_of(row));
+            at.y += row_height_px(row);
+        }
+    }
+
+  private:
+    static std::array<TextRun, 1> name_of(const KeyRow& row) {
+        return {TextRun{row.name, theme::name, true}};
+    }
+
+    static std::array<TextRun, 1> words_of(const KeyRow& row) { return {TextRun{row.words}}; }
+
+    [[nodiscard]] double name_width_px() const { return 9.0 * cap_px_; }
+
+    [[nodiscard]] double words_width_px() const {
+        return std::max(rect_.width - name_width_px(), 1.0);
+    }
+
+    [[nodiscard]] double row_height_px(const KeyRow& row) const {
+        return std::max(text_height_px(cr_, name_width_px(), cap_px_, name_of(row)),
+                        text_height_px(cr_, words_width_px(), cap_px_, words_of(row)));
+    }
+
+    cairo_t* cr_;
+    Rect rect_;
+    double cap_px_;
+};
+
+}  // namespace
+
+double paint_panel(cairo_t* cr, const Rect& rect, const Status& status, double cap_px) {
+    fill(cr, rect, {theme::background});
+    cap_px = fitting_cap_px(cap_px, rect.height, [&](double cap) {
+        return StatusColumns(cr, rect, status, cap).height_px();
+    });
+    StatusColumns(cr, rect, status, cap_px).paint();
+    return cap_px;
+}
+
+double paint_keys(cairo_t* cr, const Rect& rect, double cap_px) {
+    fill(cr, rect, {theme::background, 0.92});
+    cap_px = fitting_cap_px(cap_px, rect.height,
+                            [&](double cap) { return KeyRows(cr, rect, cap).height_px(); });
+    KeyRows(cr, rect, cap_px).paint();
+    return cap_px;
+}
+
+double paint_message(cairo_t* cr, const Rect& rect, const std::string& message, double cap_px) {
+    const std::array<TextRun, 1> runs{TextRun{message, theme::alert, true}};
+    const auto height_at = [&](double cap) {
+        return text_height_px(cr, inset(rect, gap_caps * cap).width, cap, runs) +
+               2.0 * row_gap_caps * cap;
+    };
+    cap_px = fitting_cap_px(cap_px, rect.height / 2.0, height_at);
+    const double height = height_at(cap_px);
+    const Rect band{rect.x, rect.y + rect.height - height, rect.width, height};
+    fill(cr, band, {theme::background, 0.92});
+    paint_text(cr, {band.x + gap_caps * cap_px, band.y + row_gap_caps * cap_px},
+               inset(rect, gap_caps * cap_px).width, cap_px, runs);
+    return cap_px;
+}
+
+}  // namespace touchline

@@ -1,0 +1,137 @@
+#include "app/screen/window.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+
+#include <epoxy/gl.h>
+// Before GLFW: epoxy declares OpenGL itself.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+namespace touchline {
+
+namespace {
+
+/// GLFW names printing keys by their upper-case ASCII character, as Key does.
+Key key_of(int glfw_key) {
+    constexpr std::array named{
+        std::pair{GLFW_KEY_LEFT, Key::left},       std::pair{GLFW_KEY_RIGHT, Key::right},
+        std::pair{GLFW_KEY_UP, Key::up},           std::pair{GLFW_KEY_DOWN, Key::down},
+        std::pair{GLFW_KEY_PAGE_UP, Key::page_up}, std::pair{GLFW_KEY_PAGE_DOWN, Key::page_down},
+        std::pair{GLFW_KEY_ESCAPE, Key::escape}};
+    for (const auto& [code, key] : named) {
+        if (code == glfw_key) return key;
+    }
+    constexpr int last_printing = 126;
+    const bool prints = glfw_key > 0 && glfw_key <= last_printing;
+    return prints ? Key{static_cast<std::uint32_t>(glfw_key)} : Key::unknown;
+}
+
+/// The reason GLFW gives for its last failure.
+std::string glfw_reason() {
+    const char* words = nullptr;
+    glfwGetError(&words);
+    return words != nullptr ? words : "no reason given";
+}
+
+GLFWwindow* create_window(bool is_full_screen) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 2);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
+    GLFWmonitor* const monitor = is_full_screen ? glfwGetPrimaryMonitor() : nullptr;
+    const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    const int width = mode != nullptr ? mode->width : 1280;
+    const int height = mode != nullptr ? mode->height : 800;
+    return glfwCreateWindow(width, height, "Touchline", mode != nullptr ? monitor : nullptr,
+                            nullptr);
+}
+
+}  // namespace
+
+std::int64_t now_ns() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+Result<std::unique_ptr<Window>> Window::open(bool is_full_screen, Listener listener) {
+    if (glfwInit() != GLFW_TRUE)
+        return failure(fmt::format("no window: {}; start it on a display, or use touchline tour",
+                                   glfw_reason()));
+    GLFWwindow* const window = create_window(is_full_screen);
+    if (window == nullptr) {
+        const std::string reason = glfw_reason();
+        glfwTerminate();
+        return failure(fmt::format("no window: {}; OpenGL 2.1 is needed", reason));
+    }
+    return std::unique_ptr<Window>(new Window(window, std::move(listener)));
+}
+
+Window::Window(GLFWwindow* window, Listener listener)
+    : window_(window), listener_(std::move(listener)) {
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) {
+        static_cast<Window*>(glfwGetWindowUserPointer(w))->update_size();
+    });
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
+        if (action != GLFW_PRESS) return;
+        static_cast<Window*>(glfwGetWindowUserPointer(w))->listener_.key_down(key_of(key));
+    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+        auto* const self = static_cast<Window*>(glfwGetWindowUserPointer(w));
+        int width = 0;
+        int height = 0;
+        glfwGetWindowSize(w, &width, &height);  // the pointer's unit may be several pixels
+        if (width <= 0 || height <= 0) return;
+        self->listener_.pointer_moved({x * self->width_px_ / width, y * self->height_px_ / height});
+    });
+    if (glfwGetWindowMonitor(window_) != nullptr)
+        glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);
+    update_size();
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+void Window::update_size() {
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    width_px_ = std::max(width, 1);
+    height_px_ = std::max(height, 1);
+}
+
+double Window::mm_per_px() const {
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode == nullptr || mode->width <= 0) return 0.0;
+    int width_mm = 0;
+    int height_mm = 0;
+    glfwGetMonitorPhysicalSize(monitor, &width_mm, &height_mm);
+    return static_cast<double>(width_mm) / mode->width;
+}
+
+bool Window::is_closing() const {
+    return glfwWindowShouldClose(window_) == GLFW_TRUE;
+}
+
+void Window::show_frame() {
+    glfwSwapBuffers(window_);
+}
+
+void Window::wait_until(std::int64_t due_ns) {
+    glfwPollEvents();
+    for (std::int64_t left_ns = due_ns - now_ns(); left_ns > 0; left_ns = due_ns - now_ns())
+        glfwWaitEventsTimeout(static_cast<double>(left_ns) * 1e-9);
+}
+
+}  // namespace touchline

@@ -1,0 +1,64 @@
+// The kiosk's window: GLFW, an OpenGL context, keys and the pointer.
+// Threads: the main thread only, as GLFW demands. One window at a time.
+#pragma once
+
+#include "app/screen/layout.h"
+#include "app/session/keys.h"
+#include "config/types/result.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+struct GLFWwindow;
+
+namespace touchline {
+
+/// Now on the clock of Window::wait_until() (the steady clock).
+[[nodiscard]] std::int64_t now_ns();
+
+class Window {
+  public:
+    /// Called from wait_until() as things happen. A key acts when it goes down and never repeats.
+    struct Listener {
+        std::function<void(Key)> key_down;
+        std::function<void(PixelPoint)> pointer_moved;
+    };
+
+    /// Full screen on the first monitor, or a window of 1280 x 800. Fails where there is no display
+    /// or no OpenGL 2.1.
+    [[nodiscard]] static Result<std::unique_ptr<Window>> open(bool is_full_screen,
+                                                              Listener listener);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    /// Of the drawable, in pixels; >= 1.
+    [[nodiscard]] int width_px() const { return width_px_; }
+
+    [[nodiscard]] int height_px() const { return height_px_; }
+
+    /// Size of a pixel as the monitor tells it; 0 where it does not.
+    [[nodiscard]] double mm_per_px() const;
+
+    /// The person at the window system asked to close it.
+    [[nodiscard]] bool is_closing() const;
+
+    /// Shows what was drawn.
+    void show_frame();
+
+    /// Sleeps until `due_ns`, handling keys and pointer as they come, at least once.
+    void wait_until(std::int64_t due_ns);
+
+  private:
+    Window(GLFWwindow* window, Listener listener);
+
+    void update_size();
+
+    GLFWwindow* window_;
+    Listener listener_;
+    int width_px_ = 1;
+    int height_px_ = 1;
+};
+
+}  // namespace touchline

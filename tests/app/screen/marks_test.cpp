@@ -1,0 +1,109 @@
+#include "app/screen/marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+const View view{10'000.0, {580.0, 420.0}};
+
+int stroke_count(const Strokes& strokes) {
+    return static_cast<int>(strokes.vertices().size()) / Strokes::vertices_per_stroke;
+}
+
+/// True when the shader would fill the pixel at p for some stroke of this colour.
+bool covers(const Strokes& strokes, PixelPoint p, Colour colour) {
+    const auto& vertices = strokes.vertices();
+    for (std::size_t i = 0; i < vertices.size(); i += Strokes::vertices_per_stroke) {
+        const StrokeVertex& first = vertices[i];
+        const StrokeVertex& second = vertices[i + 1];
+        if (first.rgba[0] != std::lround(255.0 * colour.red)) continue;
+        if (first.rgba[2] != std::lround(255.0 * colour.blue)) continue;
+        const PixelPoint corner{first.x, first.y};
+        const Direction ahead = direction_of(PixelPoint{second.x, second.y} - corner);
+        const PixelPoint from_corner = p - corner;
+        const double along_px = dot(from_corner, ahead) + double{first.along};
+        const double across_px = dot(from_corner, left_of(ahead)) + double{first.across};
+        const double beyond = std::max({-along_px, along_px - double{first.length}, 0.0});
+        if (std::hypot(beyond, across_px) <= double{first.half_width}) return true;
+    }
+    return false;
+}
+
+TEST(Strokes, ALineCoversItsLengthAndItsRoundEnds) {
+    Strokes strokes;
+    strokes.add_line({100.0, 100.0}, {200.0, 100.0}, 10.0, {theme::outline});
+    EXPECT_EQ(stroke_count(strokes), 1);
+    EXPECT_TRUE(covers(strokes, {150.0, 104.0}, theme::outline));
+    EXPECT_TRUE(covers(strokes, {96.0, 100.0}, theme::outline));
+    EXPECT_FALSE(covers(strokes, {96.0, 104.0}, theme::outline));
+    EXPECT_FALSE(covers(strokes, {150.0, 106.0}, theme::outline));
+}
+
+TEST(Strokes, WhatIsNotFiniteDrawsNothing) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Strokes strokes;
+    strokes.add_line({nan, 0.0}, {1.0, 1.0}, 2.0, {theme::outline});
+    strokes.add_arrow({0.0, 0.0}, {nan, 1.0}, 2.0, {theme::outline});
+    strokes.add_dot({0.0, nan}, 2.0, {theme::outline});
+    EXPECT_EQ(stroke_count(strokes), 0);
+}
+
+TEST(Strokes, AShortArrowIsNone) {
+    Strokes strokes;
+    strokes.add_arrow({0.0, 0.0}, {0.5, 0.0}, 2.0, {theme::force});
+    EXPECT_EQ(stroke_count(strokes), 0);
+}
+
+TEST(Marks, OutlinesLieOnTheCurve) {
+    Outline rectangle;
+    rectangle.points = {{-0.03, -0.02}, {0.03, -0.02}, {0.03, 0.02}, {-0.03, 0.02}};
+    rectangle.is_closed = true;
+    TactileMap map;
+    map.outlines = {rectangle};
+    const auto curves = CurveSet::build(map, CurveOptions{});
+    ASSERT_TRUE(curves.has_value());
+    Strokes strokes;
+    add_outlines(strokes, view, *curves, 0.0, 4.0);
+    for (const Position p : {Position{0.0, -0.02}, {0.03, 0.0}, {-0.03, 0.013}, {0.03, 0.02}})
+        EXPECT_TRUE(covers(strokes, view.to_px(p), theme::outline));
+    EXPECT_FALSE(covers(strokes, view.to_px({0.0, 0.0}), theme::outline));
+}
+
+TEST(Marks, BoxesAreDrawnByTheirEdges) {
+    ErrorBox box;
+    box.corners = {Position{0.0, 0.0}, {0.01, 0.0}, {0.01, 0.005}, {0.0, 0.005}};
+    Strokes strokes;
+    add_boxes(strokes, view, std::vector{box}, 2.0);
+    EXPECT_EQ(stroke_count(strokes), 4);
+    EXPECT_TRUE(covers(strokes, view.to_px({0.005, 0.0}), theme::box));
+    EXPECT_FALSE(covers(strokes, view.to_px({0.005, 0.0025}), theme::box));
+}
+
+TEST(Marks, TheHandIsRingDotAndArrow) {
+    HandState hand;
+    hand.p_WH = {0.0, 0.0};
+    hand.p_WP = {0.0, 0.004};
+    hand.force = {0.0, 2.0};
+    Strokes strokes;
+    add_hand(strokes, view, hand, 2.0);
+    EXPECT_TRUE(covers(strokes, view.to_px(hand.p_WP), theme::proxy));
+    EXPECT_TRUE(covers(strokes, view.to_px(hand.p_WH) + PixelPoint{10.0, 0.0}, theme::handle));
+    EXPECT_TRUE(covers(strokes, view.to_px(hand.p_WH) + PixelPoint{0.0, -100.0}, theme::force));
+}
+
+TEST(Marks, AHandThatIsNowhereDrawsNothing) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    HandState hand;
+    hand.p_WH = hand.p_WP = {nan, nan};
+    Strokes strokes;
+    add_hand(strokes, view, hand, 2.0);
+    EXPECT_EQ(stroke_count(strokes), 0);
+}
+
+}  // namespace
+}  // namespace touchline

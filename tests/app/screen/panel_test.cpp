@@ -1,0 +1,92 @@
+#include "app/screen/panel.h"
+
+#include "app/screen/text.h"
+#include "tests/app/screen/probes.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+Status full_status() {
+    Session session = start_session(14).session;
+    session = picture_ready(session, session.request, {"A house with a garden", 9, 6}).session;
+    return describe(session, HandState{}, "simulated, the mouse is the hand");
+}
+
+TEST(Text, ACapitalIsAsHighAsAsked) {
+    for (const double cap_px : {12.0, 27.0, 60.0}) {
+        const Canvas canvas(400, 200);
+        const std::array<TextRun, 1> runs{TextRun{"H"}};
+        paint_text(canvas.context(), {10.0, 10.0}, 380.0, cap_px, runs);
+        EXPECT_NEAR(ink_of(canvas).height, cap_px, 1.5) << cap_px;
+    }
+}
+
+TEST(Text, LongTextIsWrappedNotCut) {
+    const Canvas canvas(300, 1);
+    const std::array<TextRun, 1> one{TextRun{"word"}};
+    const std::array<TextRun, 1> many{TextRun{"word word word word word word word word word word"}};
+    EXPECT_GT(text_height_px(canvas.context(), 280.0, 20.0, many),
+              2.0 * text_height_px(canvas.context(), 280.0, 20.0, one));
+}
+
+TEST(Text, BytesThatAreNoTextAreDrawnAsReplacements) {
+    const Canvas canvas(400, 100);
+    const std::array<TextRun, 1> runs{TextRun{"\xff\xfe name.png", theme::alert}};
+    paint_text(canvas.context(), {10.0, 10.0}, 380.0, 20.0, runs);
+    EXPECT_GT(ink_of(canvas).width, 20.0);
+}
+
+/// Ink stays off the rim: nothing is cut off.
+void expect_inside(const Canvas& canvas) {
+    const Rect ink = ink_of(canvas);
+    EXPECT_GT(ink.width, 0.0);
+    EXPECT_GT(ink.x, 0.0);
+    EXPECT_GT(ink.y, 0.0);
+    EXPECT_LT(ink.x + ink.width, canvas.width());
+    EXPECT_LT(ink.y + ink.height, canvas.height());
+}
+
+TEST(Panel, NothingIsCutOffOnAnyScreen) {
+    constexpr std::array<std::array<int, 2>, 6> screens{
+        {{1920, 1080}, {1280, 1024}, {1280, 800}, {1024, 768}, {800, 480}, {1080, 1920}}};
+    for (const auto& [width, height] : screens) {
+        const Rect panel = lay_out(width, height).panel;
+        const Canvas canvas(static_cast<int>(panel.width), static_cast<int>(panel.height));
+        const Rect rect{0.0, 0.0, panel.width, panel.height};
+        paint_panel(canvas.context(), rect, full_status(), 38.0);
+        expect_inside(canvas);
+    }
+}
+
+TEST(Panel, HasTheSizeAskedForOnAFullSizeScreen) {
+    const Rect panel = lay_out(1920, 1080).panel;
+    const Canvas canvas(static_cast<int>(panel.width), static_cast<int>(panel.height));
+    const double used =
+        paint_panel(canvas.context(), {0.0, 0.0, panel.width, panel.height}, full_status(), 26.5);
+    EXPECT_EQ(used, 26.5);
+}
+
+TEST(Panel, TheKeyTableFitsThePicturePart) {
+    for (const auto& [width, height] : {std::array{1920, 1080}, {1280, 1024}, {800, 480}}) {
+        const Rect part = lay_out(width, height).picture;
+        const Canvas canvas(static_cast<int>(part.width), static_cast<int>(part.height));
+        EXPECT_GE(paint_keys(canvas.context(), {0.0, 0.0, part.width, part.height}, 27.0), 6.0);
+        expect_inside(canvas);
+    }
+}
+
+TEST(Panel, AMessageLiesAlongTheLowerEdge) {
+    const Canvas canvas(900, 700);
+    paint_message(
+        canvas.context(), {0.0, 0.0, 900.0, 700.0},
+        "a-very-long-name-of-a-picture-on-a-stick.png: the file is cut short; copy it again", 27.0);
+    expect_inside(canvas);
+    EXPECT_GT(ink_of(canvas).y, 350.0);
+}
+
+}  // namespace
+}  // namespace touchline
