@@ -132,9 +132,9 @@ class CurveSetBuilder {
         }
         choose_spacings();
         place_points();
+        report();
         shrink();
         link();
-        report();
         return std::move(set_);
     }
 
@@ -169,7 +169,24 @@ class CurveSetBuilder {
         for (std::size_t i = 0; i < curves_.size(); ++i) {
             if (options_.denoise_m > 0.0) denoise(curves_[i], options_.denoise_m);
             if (options_.keep_details < 1.0) drop_details(curves_[i], threshold);
-            firsts_[i] = reconstruct(curves_[i]);
+            std::vector<Position> shrunk = reconstruct(curves_[i]);
+            add_error(static_cast<std::size_t>(stretches_[i].outline), firsts_[i], shrunk);
+            firsts_[i] = std::move(shrunk);
+        }
+        for (OutlineReport& report : set_.reports_) {
+            const auto count = static_cast<double>(std::max<std::size_t>(report.points_kept, 1));
+            report.shrunk_rms_m = std::sqrt(report.shrunk_rms_m / count);
+        }
+    }
+
+    /// Sums squares in shrunk_rms_m until all pieces of the outline are in.
+    void add_error(std::size_t outline, const std::vector<Position>& from,
+                   const std::vector<Position>& to) {
+        OutlineReport& report = set_.reports_[outline];
+        for (std::size_t k = 0; k < from.size(); ++k) {
+            const double moved = norm(to[k] - from[k]);
+            report.shrunk_rms_m += moved * moved;
+            report.shrunk_max_m = std::max(report.shrunk_max_m, moved);
         }
     }
 

@@ -45,6 +45,9 @@ struct OutlineReport {
     std::size_t points_kept = 0;  // at level 0
     double spacing_m = 0.0;
     std::string reason;
+    // How far denoising and compression moved its level-0 points.
+    double shrunk_rms_m = 0.0;
+    double shrunk_max_m = 0.0;
 };
 
 /// One straight stretch of the rendered curve.

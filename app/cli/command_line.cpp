@@ -1,0 +1,243 @@
+#include "app/cli/command_line.h"
+
+#include "app/cli/curve.h"
+#include "app/cli/feel.h"
+#include "app/cli/trace_command.h"
+#include "haptics/pantograph/profile.h"
+
+#include <charconv>
+#include <map>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+namespace touchline {
+namespace {
+
+constexpr int done = 0;
+constexpr int unusable_input = 1;
+constexpr int wrong_usage = 2;
+
+constexpr double largest_area_m = 1.0;
+
+/// "116x84", millimetres.
+std::string parse_area(const std::string& text, Area& area) {
+    double width_mm = 0.0;
+    double height_mm = 0.0;
+    const char* const last = text.data() + text.size();
+    const auto [after, error] = std::from_chars(text.data(), last, width_mm);
+    const bool has_x = error == std::errc{} && after != last && *after == 'x';
+    const auto height = has_x ? std::from_chars(after + 1, last, height_mm)
+                              : std::from_chars_result{nullptr, std::errc::invalid_argument};
+    area = {width_mm / 1000.0, height_mm / 1000.0};
+    const bool is_usable = height.ec == std::errc{} && height.ptr == last && area.width_m > 0.0 &&
+                           area.height_m > 0.0 && area.width_m <= largest_area_m &&
+                           area.height_m <= largest_area_m;
+    return is_usable ? "" : fmt::format("{} is no area; write millimetres, like 116x84", text);
+}
+
+/// "auto" or a level >= 0, fractions allowed.
+std::string parse_level(const std::string& text, std::optional<double>& level) {
+    level.reset();
+    if (text == "auto") return "";
+    double value = 0.0;
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, value);
+    if (error != std::errc{} || end != last || !(value >= 0.0 && value <= 1000.0)) {
+        return fmt::format("{} is no level; write auto or a number from 0 (finest)", text);
+    }
+    level = value;
+    return "";
+}
+
+/// A number above 0 and at most `largest`.
+CLI::Validator above_zero(double largest) {
+    return {[largest](const std::string& text) {
+                double value = 0.0;
+                const char* const last = text.data() + text.size();
+                const auto [end, error] = std::from_chars(text.data(), last, value);
+                const bool is_good =
+                    error == std::errc{} && end == last && value > 0.0 && value <= largest;
+                return is_good ? std::string{}
+                               : fmt::format("{} is not above 0 and at most {}", text, largest);
+            },
+            fmt::format("0 < value <= {}", largest)};
+}
+
+void add_input(CLI::App& command, std::string& input, bool* as_picture) {
+    command.add_option("input", input, "A picture (PNG, JPEG, WebP, TIFF) or a map (.svg)")
+        ->required();
+    if (as_picture != nullptr) {
+        command.add_flag("--picture", *as_picture, "Take an .svg as a picture, not as a map");
+    }
+}
+
+void add_curves(CLI::App& command, CurveOptions& curves) {
+    command.add_flag("--resample", curves.resample,
+                     "Place points by arc length, no more than the scene needs");
+}
+
+class CommandLine {
+  public:
+    CommandLine() {
+        app_.set_help_flag("-h,--help", "Show what can be said here");
+        app_.require_subcommand(0, 1);
+        app_.add_flag("--window", kiosk_.in_window, "The kiosk in a window instead of full screen");
+        app_.add_option("--measure", kiosk_.measure_s,
+                        "Run the kiosk this many seconds, print its ticks and frames, and end")
+            ->check(above_zero(86400.0));
+        app_.add_option("files", kiosk_.files, "Pictures and maps to show before the gallery")
+            ->check(CLI::ExistingFile);
+        add_trace();
+        add_curve();
+        add_feel();
+        add_tour();
+    }
+
+    int run(const std::vector<std::string>& arguments, const Programs& programs, std::ostream& out,
+            std::ostream& err) {
+        try {
+            app_.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+        } catch (const CLI::CallForHelp&) {
+            const auto chosen = app_.get_subcommands();
+            out << (chosen.empty() ? app_ : *chosen.front()).help();
+            return done;
+        } catch (const CLI::ParseError& error) {
+            err << "touchline: " << error.what() << "; --help shows what can be said\n";
+            return wrong_usage;
+        }
+        return start(programs, err);
+    }
+
+  private:
+    void add_trace() {
+        trace_command_ = app_.add_subcommand("trace", "Outlines of a picture as a map");
+        add_input(*trace_command_, trace_.input, nullptr);
+        trace_command_->add_option("-o", trace_.output, "MAP.svg")->required();
+        trace_command_->add_option("--detail", trace_.trace.detail, "1 silhouette ... 5 all")
+            ->check(CLI::Range(1, 5));
+        trace_command_->add_option("--area", area_, "Drawing area in millimetres, like 116x84")
+            ->check(
+                [this](const std::string& text) { return parse_area(text, trace_.trace.area); });
+        trace_command_->add_option("--json", trace_.report, "REPORT.json");
+        trace_command_->add_option("--edges", trace_.edges, "STRENGTH.png");
+    }
+
+    void add_curve() {
+        curve_command_ = app_.add_subcommand("curve", "The curve of a picture or map at one level");
+        add_input(*curve_command_, curve_.input, &curve_.as_picture);
+        curve_command_->add_option("-o", curve_.output, "OUT.svg")->required();
+        curve_command_->add_option("--level", curve_.level, "0 finest; fractions are blends")
+            ->required()
+            ->check(CLI::Range(0.0, 1000.0));
+        add_curves(*curve_command_, curve_.curves);
+        curve_command_->add_flag("--boxes", curve_.with_boxes, "Draw the error boxes");
+        curve_command_
+            ->add_option("--keep-details", curve_.curves.keep_details,
+                         "Share of the wavelet details to keep, largest first")
+            ->check(CLI::Range(0.0, 1.0));
+        curve_command_
+            ->add_option("--denoise", denoise_mm_, "Noise to remove, standard deviation in mm")
+            ->check(CLI::Range(0.0, 10.0));
+        curve_command_->add_option("--json", curve_.report, "REPORT.json");
+    }
+
+    void add_feel() {
+        feel_command_ =
+            app_.add_subcommand("feel", "A hand's path over a picture or map, step by step");
+        add_input(*feel_command_, feel_.input, &feel_.as_picture);
+        feel_command_->add_option("--path", feel_.path, "HAND.csv: t_s,x_m,y_m")->required();
+        feel_command_->add_option("-o", feel_.output, "RUN.csv")->required();
+        ContactSettings& contact = feel_.contact;
+        const std::map<std::string, Mode> modes{{"wall", Mode::wall},
+                                                {"groove", Mode::groove},
+                                                {"ridge", Mode::ridge},
+                                                {"stay", Mode::stay}};
+        feel_command_->add_option("--mode", contact.mode, "wall, groove, ridge or stay")
+            ->transform(CLI::CheckedTransformer(modes));
+        feel_command_->add_option("--level", level_, "auto, or a level from 0 (finest)")
+            ->check([this](const std::string& text) { return parse_level(text, feel_.level); });
+        feel_command_->add_option("--stiffness", contact.stiffness_N_per_m, "N/m")
+            ->check(above_zero(20000.0));
+        feel_command_->add_option("--friction", contact.friction, "Coulomb coefficient")
+            ->check(CLI::Range(0.0, 1.0));
+        feel_command_->add_option("--radius", contact.radius_m, "Proxy radius, m")
+            ->check(CLI::Range(0.0, 0.02));
+        feel_command_->add_option("--capture", contact.capture_m, "Half width of a groove, m")
+            ->check(above_zero(0.1));
+        feel_command_->add_option("--profile", feel_.profile,
+                                  "Device whose encoders bound the level");
+        add_curves(*feel_command_, feel_.curves);
+        feel_command_->add_option("--h0", feel_.curves.spacing_m, "Spacing of level 0, m")
+            ->check(above_zero(0.1));
+        auto* budget =
+            feel_command_->add_option("--budget", feel_.budget_boxes, "Boxes that a step may open")
+                ->check(CLI::Range(0, 1000000000));
+        feel_command_->add_option("--deadline-us", feel_.deadline_us, "Time that a step may take")
+            ->check(above_zero(1e6))
+            ->excludes(budget);
+        feel_command_->add_flag("--timing", feel_.with_timing, "Adds the column step_ns");
+    }
+
+    void add_tour() {
+        tour_command_ = app_.add_subcommand(
+            "tour", "A simulated hand explores a picture or map; no display needed");
+        add_input(*tour_command_, tour_.input, &tour_.as_picture);
+        tour_command_->add_option("-o", tour_.output, "RUN.png")->required();
+    }
+
+    int start(const Programs& programs, std::ostream& err) {
+        if (trace_command_->parsed()) {
+            return finish(run_trace(trace_).map([&err](const std::string& warning) {
+                if (!warning.empty()) err << "touchline: " << warning << '\n';
+            }),
+                          err);
+        }
+        if (curve_command_->parsed()) {
+            curve_.curves.denoise_m = denoise_mm_ / 1000.0;
+            return finish(run_curve(curve_), err);
+        }
+        if (feel_command_->parsed()) return start_feel(err);
+        if (tour_command_->parsed()) return finish(programs.tour(tour_), err);
+        return programs.kiosk(kiosk_);
+    }
+
+    int start_feel(std::ostream& err) {
+        // A profile that does not exist is wrong usage, like a mode that does not exist.
+        if (const auto profile = find_profile(feel_.profile); !profile) {
+            err << "touchline: " << profile.error().line << '\n';
+            return wrong_usage;
+        }
+        return finish(run_feel(feel_), err);
+    }
+
+    static int finish(const Result<void>& result, std::ostream& err) {
+        if (result) return done;
+        err << "touchline: " << result.error().line << '\n';
+        return unusable_input;
+    }
+
+    CLI::App app_{"Feel the outlines of a picture with a force-feedback pantograph", "touchline"};
+    CLI::App* trace_command_ = nullptr;
+    CLI::App* curve_command_ = nullptr;
+    CLI::App* feel_command_ = nullptr;
+    CLI::App* tour_command_ = nullptr;
+    KioskArguments kiosk_;
+    TourArguments tour_;
+    TraceCommandOptions trace_;
+    CurveCommandOptions curve_;
+    FeelOptions feel_;
+    std::string area_;
+    std::string level_;
+    double denoise_mm_ = 0.0;
+};
+
+}  // namespace
+
+int run_command_line(const std::vector<std::string>& arguments, const Programs& programs,
+                     std::ostream& out, std::ostream& err) {
+    return CommandLine().run(arguments, programs, out, err);
+}
+
+}  // namespace touchline

@@ -1,0 +1,156 @@
+#include "app/cli/feel.h"
+
+#include "app/cli/hand_csv.h"
+#include "app/cli/load.h"
+#include "app/decode/files.h"
+#include "haptics/pantograph/profile.h"
+#include "haptics/resolution/level_rule.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace touchline {
+namespace {
+
+constexpr double first_period_s = 1e-3;  // of a path with a single row
+
+std::int64_t now_ns() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+constexpr std::string_view name_of(ContactState state) {
+    switch (state) {
+        case ContactState::free:
+            return "free";
+        case ContactState::edge:
+            return "edge";
+        case ContactState::vertex:
+            return "vertex";
+    }
+    return "";
+}
+
+Result<std::vector<HandRow>> read_hand(const std::string& path) {
+    return read_file(path).and_then([&path](const std::vector<std::byte>& bytes) {
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a text
+        return parse_hand_csv({reinterpret_cast<const char*>(bytes.data()), bytes.size()})
+            .map_error([&path](const Error& error) {
+                return Error{fmt::format("{}: {}", path, error.line)};
+            });
+    });
+}
+
+/// One line of RUN.csv. Numbers are written so that they read back to the same bits.
+void write_row(fmt::memory_buffer& out, const HandRow& hand, const ContactReport& report) {
+    auto to = std::back_inserter(out);
+    fmt::format_to(to, "{},{},{},{},{},{},{},{},{},", hand.t_s, hand.p_WH.x, hand.p_WH.y,
+                   report.p_WP.x, report.p_WP.y, report.force.x, report.force.y,
+                   name_of(report.state), report.level);
+    if (report.state == ContactState::free) {
+        fmt::format_to(to, ",,,");
+    } else {
+        fmt::format_to(to, "{},{},{},", report.outline, report.parameter,
+                       report.side == Side::left ? "left" : "right");
+    }
+    for (int i = 0; i < report.transition_count; ++i) {
+        fmt::format_to(to, "{}{}", i == 0 ? "" : ">",
+                       static_cast<int>(report.transitions[static_cast<std::size_t>(i)]));
+    }
+    fmt::format_to(to, ",{},{},{}", report.carried_m, report.boxes, report.clear);
+}
+
+/// The finest spacing of any outline: what the level rule counts from.
+double finest_spacing_m(const CurveSet& curves) {
+    double spacing = 1.0;
+    for (const OutlineReport& report : curves.reports()) {
+        spacing = std::min(spacing, report.spacing_m);
+    }
+    return spacing;
+}
+
+/// The rows of a run, stepped through the production code.
+class Feeling {
+  public:
+    Feeling(const Scene& scene, const FeelOptions& options, const DeviceProfile& profile)
+        : scene_(scene),
+          options_(options),
+          rule_({finest_spacing_m(scene.curves), encoder_step_m(profile), profile.bandwidth_Hz, 0.0,
+                 static_cast<double>(scene.curves.coarsest())}) {}
+
+    std::string run(const std::vector<HandRow>& hand) {
+        fmt::memory_buffer out;
+        fmt::format_to(
+            std::back_inserter(out),
+            "t_s,x_m,y_m,proxy_x_m,proxy_y_m,fx_N,fy_N,state,level,outline,parameter,side,"
+            "transitions,carried_m,nodes,clear{}\n",
+            options_.with_timing ? ",step_ns" : "");
+        for (std::size_t i = 0; i < hand.size(); ++i) {
+            const double dt_s = i > 0 ? hand[i].t_s - hand[i - 1].t_s : first_period_s;
+            const std::int64_t begin_ns = options_.with_timing ? now_ns() : 0;
+            const double level = wanted_level(hand[i].p_WH, dt_s);
+            const ContactReport report =
+                i == 0 ? start(hand[0].p_WH, level)
+                       : machine_.step(hand[i].p_WH, level, options_.contact, budget());
+            const std::int64_t step_ns = options_.with_timing ? now_ns() - begin_ns : 0;
+            write_row(out, hand[i], report);
+            if (options_.with_timing) fmt::format_to(std::back_inserter(out), ",{}", step_ns);
+            out.push_back('\n');
+        }
+        return fmt::to_string(out);
+    }
+
+  private:
+    /// The first row: proxy = handle, free (on a line: beside it by the contact skin).
+    ContactReport start(Position handle, double level) {
+        machine_.reset(scene_, handle, level);
+        ContactReport report;
+        report.p_WP = machine_.proxy().centre;
+        report.force = along<Force>(report.p_WP - handle, options_.contact.stiffness_N_per_m);
+        report.level = level;
+        report.transition_count = 1;
+        return report;
+    }
+
+    double wanted_level(Position handle, double dt_s) {
+        const double coarsest = scene_.curves.coarsest();
+        if (options_.level) return std::min(*options_.level, coarsest);
+        return rule_.step(handle, dt_s);
+    }
+
+    [[nodiscard]] Budget budget() const {
+        Budget budget;
+        if (options_.budget_boxes) budget.boxes = *options_.budget_boxes;
+        if (options_.deadline_us) {
+            budget.deadline_ns =
+                now_ns() + static_cast<std::int64_t>(*options_.deadline_us * 1000.0);
+        }
+        return budget;
+    }
+
+    const Scene& scene_;
+    const FeelOptions& options_;
+    LevelRule rule_;
+    ContactMachine machine_;
+};
+
+}  // namespace
+
+Result<void> run_feel(const FeelOptions& options) {
+    const auto profile = find_profile(options.profile);
+    if (!profile) return tl::unexpected(profile.error());
+    const auto hand = read_hand(options.path);
+    if (!hand) return tl::unexpected(hand.error());
+    const auto scene =
+        load_map(options.input, options.as_picture).and_then([&](const TactileMap& map) {
+            return build_scene(map, options.curves, options.contact.radius_m);
+        });
+    if (!scene) return tl::unexpected(scene.error());
+    return write_whole_file(options.output, Feeling(*scene, options, *profile).run(*hand));
+}
+
+}  // namespace touchline

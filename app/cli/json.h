@@ -1,0 +1,16 @@
+// JSON for reports: enough to write one.
+// Threads: pure functions.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace touchline {
+
+/// The text as a JSON string, quotes included.
+[[nodiscard]] std::string json_string(std::string_view text);
+
+/// The shortest number that reads back to the same bits; null where it is not finite.
+[[nodiscard]] std::string json_number(double value);
+
+}  // namespace touchline

@@ -1,0 +1,24 @@
+// touchline trace: the outlines of a picture as a map.
+// Threads: one.
+#pragma once
+
+#include "config/types/result.h"
+#include "vision/contour/trace.h"
+
+#include <string>
+
+namespace touchline {
+
+struct TraceCommandOptions {
+    std::string input;   // a picture, whatever its name
+    std::string output;  // MAP.svg
+    std::string report;  // REPORT.json; empty: none
+    std::string edges;   // STRENGTH.png; empty: none
+    TraceOptions trace;
+};
+
+/// Writes the map and what else was asked for; a file appears whole or not at all. Returns one
+/// sentence worth telling the user (outlines cut to the budget), else an empty text.
+[[nodiscard]] Result<std::string> run_trace(const TraceCommandOptions& options);
+
+}  // namespace touchline
