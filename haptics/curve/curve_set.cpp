@@ -37,7 +37,7 @@ Position CurveSet::rendered_point(int piece, double level, int i) const {
                                  i + 1 == static_cast<int>(fine.size());
     Position q = is_unpaired_end ? coarse.back() : coarse[half];
     if (i % 2 != 0 && !is_unpaired_end) q = 0.5 * (q + coarse[(half + 1) % coarse.size()]);
-    return (1.0 - weight) * p + weight * q;
+    return p + weight * (q - p);  // in this form a pin stays exactly where it is
 }
 
 Segment CurveSet::rendered_segment(int piece, double level, int j) const {

@@ -68,7 +68,7 @@ std::size_t resampled_count(double length_m, double spacing_m, bool is_closed) {
 int halvings(std::size_t segments, bool is_closed) {
     const std::size_t least = is_closed ? 8 : 4;
     int levels = 0;
-    for (std::size_t n = (segments + 1) / 2; n >= least; n = (n + 1) / 2) ++levels;
+    for (std::size_t n = segments; n >= 2 * least; n = (n + 1) / 2) ++levels;
     return levels;
 }
 

@@ -24,7 +24,7 @@ namespace touchline {
 /// than 4 as they are; a closed piece has at least 8.
 [[nodiscard]] std::size_t resampled_count(double length_m, double spacing_m, bool is_closed);
 
-/// Halvings that leave at least 4 segments (closed: 8). O(log n).
+/// Halvings down to 4 ... 7 segments (closed: 8 ... 15). O(log n).
 [[nodiscard]] int halvings(std::size_t segments, bool is_closed);
 
 /// Largest distance from a point of `line` to the polyline `kept`, both running the same way: each

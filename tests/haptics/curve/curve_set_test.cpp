@@ -1,0 +1,181 @@
+#include "haptics/curve/curve_set.h"
+
+#include "haptics/curve/level_error.h"
+#include "haptics/curve/pins.h"
+#include "tests/haptics/scenes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace touchline {
+namespace {
+
+using scenes::circle;
+using scenes::map_of;
+using scenes::outline;
+using scenes::square;
+
+CurveSet built(const TactileMap& map, const CurveOptions& options = {}) {
+    return CurveSet::build(map, options).value();
+}
+
+TEST(Pins, AreTheCornersOfASquareAndNothingOfACircle) {
+    const auto pins = find_pins({square(0.04, 40), circle(0.02, 200)}, PinRule{});
+    EXPECT_EQ(pins[0], (std::vector<std::size_t>{0, 40, 80, 120}));
+    EXPECT_TRUE(pins[1].empty());
+}
+
+TEST(Pins, AreTheEndsOfAnOpenOutlineAndTheJunctionItLeadsTo) {
+    Outline round = circle(0.02, 100);
+    const Outline spoke = outline({{0.0, 0.0}, {0.01, 0.0}, round.points[0]}, false);
+    const auto pins = find_pins({round, spoke}, PinRule{});
+    EXPECT_EQ(pins[0], (std::vector<std::size_t>{0}));
+    EXPECT_EQ(pins[1], (std::vector<std::size_t>{0, 2}));
+}
+
+TEST(Pins, KeepTheirDistanceAndTheStrongestWins) {
+    // Two right angles 3 mm apart and, between them, a sharper one.
+    const Outline zigzag =
+        outline({{0, 0}, {0.02, 0}, {0.0203, 0.0015}, {0.0206, 0}, {0.05, 0}}, false);
+    const auto pins = find_pins({zigzag}, PinRule{});
+    EXPECT_EQ(pins[0].size(), 3U);
+}
+
+TEST(CurveSet, KeepsEveryVertexAndSplitsLongEdgesIntoCollinearParts) {
+    const Outline line =
+        outline({{0, 0}, {0.001, 0}, {0.002, 0.0005}, {0.012, 0.0005}, {0.013, 0}}, false);
+    const CurveSet curves = built(map_of({line}));
+    std::vector<Position> all;
+    for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
+        const auto points = curves.points(piece, 0);
+        all.insert(all.end(), points.begin(), points.end());
+    }
+    for (const Position p : line.points) EXPECT_NE(std::find(all.begin(), all.end(), p), all.end());
+    for (const Position p : all) {
+        double nearest = 1.0;
+        for (std::size_t i = 1; i < line.points.size(); ++i) {
+            nearest =
+                std::min(nearest, scenes::distance_m(p, {line.points[i - 1], line.points[i]}));
+        }
+        EXPECT_LE(nearest, 1e-17);
+    }
+    EXPECT_GT(all.size(), 10U);
+}
+
+TEST(CurveSet, PinsCoincideAtEveryLevelSoThatPiecesNeverComeApart) {
+    const CurveSet curves = built(map_of({square(0.04, 64)}));
+    ASSERT_EQ(curves.pieces().size(), 4U);
+    EXPECT_GE(curves.coarsest(), 3);
+    for (int piece = 0; piece < 4; ++piece) {
+        const int next = curves.pieces()[static_cast<std::size_t>(piece)].next;
+        for (int level = 0; level <= curves.coarsest(); ++level) {
+            EXPECT_EQ(curves.points(piece, level).back(), curves.points(piece, 0).back());
+            EXPECT_EQ(curves.points(piece, level).back(), curves.points(next, level).front());
+        }
+    }
+}
+
+TEST(CurveSet, ResampledPiecesHaveFourToSevenTimesAPowerOfTwoSegments) {
+    CurveOptions options;
+    options.resample = true;
+    const CurveSet curves = built(map_of({square(0.04, 200), circle(0.015, 300)}), options);
+    for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
+        const Piece& of = curves.pieces()[static_cast<std::size_t>(piece)];
+        const int coarse = curves.segment_count(piece, of.coarsest);
+        EXPECT_EQ(curves.segment_count(piece, 0), coarse << of.coarsest);
+        EXPECT_GE(coarse, of.is_closed ? 8 : 4);
+        EXPECT_LE(coarse, of.is_closed ? 14 : 7);
+    }
+    EXPECT_LT(curves.reports()[0].points_kept, 100U);
+    for (const Position p : circle(0.015, 300).points) {
+        double nearest = 1.0;
+        for (int j = 0; j < curves.segment_count(4, 0); ++j) {
+            nearest = std::min(nearest, scenes::distance_m(p, curves.rendered_segment(4, 0.0, j)));
+        }
+        EXPECT_LE(nearest, 5e-5);
+    }
+}
+
+TEST(CurveSet, ABlendLiesBetweenTheCoarsePolylineWithMidpointsAndTheFine) {
+    const CurveSet curves = built(map_of({circle(0.03, 77)}));
+    for (int i = 0; i < curves.rendered_count(0, 1.25); ++i) {
+        const Position fine = curves.rendered_point(0, 1.0, i);
+        const auto coarse = curves.points(0, 2);
+        const auto half = static_cast<std::size_t>(i / 2);
+        const Position other =
+            i % 2 == 0 ? coarse[half] : 0.5 * (coarse[half] + coarse[(half + 1) % coarse.size()]);
+        EXPECT_LE(norm(curves.rendered_point(0, 1.25, i) - (0.75 * fine + 0.25 * other)), 1e-17);
+    }
+}
+
+RC_GTEST_PROP(CurveSet, NextAndPreviousUndoEachOtherAndParametersRunOn, ()) {
+    const auto seed = *rc::gen::arbitrary<unsigned>();
+    const auto level = *rc::gen::element(0.0, 0.5, 1.0, 2.0, 2.7);
+    const CurveSet curves = built(scenes::random_map(seed, 3));
+    for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
+        double before = curves.pieces()[static_cast<std::size_t>(piece)].first_parameter;
+        for (int j = 0; j < curves.rendered_count(piece, level); ++j) {
+            const SegmentRef next = curves.next({piece, j}, level);
+            if (next.piece >= 0) {
+                RC_ASSERT(curves.previous(next, level) == (SegmentRef{piece, j}));
+                RC_ASSERT(curves.rendered_segment(next.piece, level, next.index).a ==
+                          curves.rendered_segment(piece, level, j).b);
+            }
+            RC_ASSERT(curves.outline_parameter(piece, level, j, 0.0) == before);
+            before = curves.outline_parameter(piece, level, j, 1.0);
+        }
+    }
+}
+
+TEST(CurveSet, DegenerateOutlinesAreTakenOrLeftOutWithoutHarm) {
+    const CurveSet curves =
+        built(map_of({outline({{0, 0}, {0, 0}, {0, 0}}, true), outline({{0, 0}, {0.01, 0}}, true),
+                      outline({{0, 0}, {0, 0}, {0.01, 0.01}, {0.01, 0.01}}, false)}));
+    ASSERT_EQ(curves.pieces().size(), 2U);
+    EXPECT_EQ(curves.pieces()[0].outline, 1);
+    EXPECT_FALSE(curves.pieces()[0].is_closed);
+    EXPECT_EQ(curves.segment_count(1, 0), 1);
+    EXPECT_TRUE(built(TactileMap{}).pieces().empty());
+}
+
+TEST(CurveSet, PointsThatAreNoNumbersOrFarAwayAreOneClearLine) {
+    for (const double bad : {std::nan(""), 1.5, static_cast<double>(INFINITY)}) {
+        const auto curves = CurveSet::build(map_of({outline({{0, 0}, {bad, 0}}, false)}), {});
+        ASSERT_FALSE(curves);
+        EXPECT_NE(curves.error().line.find("outline 0"), std::string::npos);
+    }
+}
+
+TEST(CurveSet, CompressionSaysHowFarItMovedTheCurve) {
+    CurveOptions options;
+    options.keep_details = 0.1;
+    const TactileMap map = scenes::random_map(3, 1);
+    const CurveSet whole = built(map);
+    const CurveSet small = built(map, options);
+    double worst = 0.0;
+    for (int piece = 0; piece < static_cast<int>(whole.pieces().size()); ++piece) {
+        for (int i = 0; i < whole.rendered_count(piece, 0.0); ++i) {
+            worst = std::max(worst, norm(whole.rendered_point(piece, 0.0, i) -
+                                         small.rendered_point(piece, 0.0, i)));
+        }
+    }
+    EXPECT_GT(worst, 0.0);
+    EXPECT_DOUBLE_EQ(small.reports()[0].shrunk_max_m, worst);
+    EXPECT_LE(small.reports()[0].shrunk_rms_m, worst);
+}
+
+TEST(LevelError, OfACirclesCoarsePolygonIsItsSagitta) {
+    const CurveSet curves = built(map_of({circle(0.03, 512)}));
+    const LevelError error = level_error(curves, 0, 4);
+    const double sagitta = 0.03 * (1.0 - std::cos(3.14159265358979 / 32.0));
+    EXPECT_EQ(error.points, 32U);
+    EXPECT_NEAR(error.hausdorff_m, sagitta, 0.02 * sagitta);
+    EXPECT_LT(error.rms_m, error.hausdorff_m);
+    EXPECT_EQ(level_error(curves, 0, 0).hausdorff_m, 0.0);
+}
+
+}  // namespace
+}  // namespace touchline

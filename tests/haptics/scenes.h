@@ -1,0 +1,27 @@
+// Small scenes for the tests of the haptic core.
+#pragma once
+
+#include "config/types/tactile_map.h"
+#include "haptics/curve/curve_set.h"
+
+#include <vector>
+
+namespace touchline::scenes {
+
+[[nodiscard]] Outline outline(std::vector<Position> points, bool is_closed);
+
+[[nodiscard]] TactileMap map_of(std::vector<Outline> outlines);
+
+/// Counter-clockwise, about the origin.
+[[nodiscard]] Outline circle(double radius_m, int points);
+
+/// Counter-clockwise, about the origin, `per_side` edges a side, the first vertex a corner.
+[[nodiscard]] Outline square(double side_m, int per_side);
+
+/// Wobbly closed curves and open walks of 8 to 80 points within +-50 mm, which may cross themselves
+/// and each other; every third open one ends on a vertex of the outline before it.
+[[nodiscard]] TactileMap random_map(unsigned seed, int outlines);
+
+[[nodiscard]] double distance_m(Position p, const Segment& segment);
+
+}  // namespace touchline::scenes
