@@ -110,6 +110,8 @@ class ServoExchange {
         std::uint64_t serial = 0;
     };
 
+    void drop_unused_scenes();
+
     TripleBuffer<ServoCommands> commands_;
     TripleBuffer<Offer> offers_;
     TripleBuffer<ServoReport> reports_;

@@ -1,0 +1,28 @@
+#include "haptics/servo/servo_loop.h"
+
+namespace touchline {
+
+void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
+    const StepInput input{now_s, missed_ticks, device_.read_angles(now_s), exchange_.commands(),
+                          exchange_.wanted_scene()};
+    const JointTorques torques = step_.step(input);
+    if (!device_.write_torques(torques)) step_.lose_device();
+    if (step_.scene() == input.scene) exchange_.release_older_scenes();
+    exchange_.publish(step_.report());
+    recorder_.push(step_.report().hand);
+}
+
+void ServoLoop::run(Clock& clock, std::int64_t period_ns, const std::atomic<bool>& is_stop_wanted) {
+    TickSchedule schedule(clock.now_ns(), period_ns);
+    bool is_stopping = false;
+    while (!is_stopping || !step_.is_silent()) {
+        clock.sleep_until(schedule.due_ns());
+        is_stopping = is_stop_wanted.load(std::memory_order_relaxed);
+        if (is_stopping) step_.fade_out();
+        tick(schedule.due_s(), schedule.missed());
+        schedule.finish(clock.now_ns());
+    }
+    (void)device_.write_torques({});
+}
+
+}  // namespace touchline

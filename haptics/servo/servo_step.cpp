@@ -1,0 +1,129 @@
+#include "haptics/servo/servo_step.h"
+
+#include <algorithm>
+
+namespace touchline {
+namespace {
+
+// Enough for a hand that sweeps across a dense picture, and about a quarter of a 1 ms tick at
+// worst.
+constexpr int boxes_per_tick = 4096;
+constexpr double longest_silence_s = 0.02;
+
+double finest_spacing_m(const Scene& scene) {
+    double spacing_m = LevelLimits{}.spacing_m;
+    bool has_one = false;
+    for (const OutlineReport& outline : scene.curves.reports()) {
+        if (outline.points_kept == 0) continue;
+        spacing_m = has_one ? std::min(spacing_m, outline.spacing_m) : outline.spacing_m;
+        has_one = true;
+    }
+    return spacing_m;
+}
+
+LevelLimits limits_of_device(const DeviceProfile& profile) {
+    LevelLimits limits;
+    limits.encoder_step_m = encoder_step_m(profile);
+    limits.f_device_Hz = profile.bandwidth_Hz;
+    return limits;
+}
+
+}  // namespace
+
+ServoStep::ServoStep(const DeviceProfile& profile, double period_s)
+    : profile_(profile),
+      period_s_(period_s),
+      chain_(limits_of(profile)),
+      level_limits_(limits_of_device(profile)),
+      level_rule_(level_limits_),
+      stiffness_(ServoCommands{}.stiffness_N_per_m) {
+    chain_.arm();
+}
+
+JointTorques ServoStep::step(const StepInput& input) {
+    const double dt_s = std::max(period_s_, input.now_s - last_s_);
+    last_s_ = input.now_s;
+    const std::optional<Pose> pose = find_pose(input);
+    Force wanted_W;
+    if (pose) {
+        p_WH_ = picture_from_device(profile_, pose->p_DH);
+        const double level = wanted_level(input.commands, dt_s);
+        follow_shape(input, level);
+        wanted_W = feel(input.commands, level, dt_s);
+    }
+    if (is_stopping_) chain_.fade();
+    // Ramps and slew advance by one period however late the tick is.
+    const auto jacobian = pose ? std::optional(pose->jacobian) : std::nullopt;
+    const SafeForce safe = chain_.step(turned(wanted_W), jacobian, period_s_);
+    fill(input, safe);
+    return safe.torques;
+}
+
+std::optional<Pose> ServoStep::find_pose(const StepInput& input) {
+    silent_s_ = input.angles ? 0.0 : silent_s_ + period_s_;
+    if (silent_s_ > longest_silence_s) chain_.fail(Fault::device_lost);
+    return input.angles ? forward(profile_.geometry, *input.angles) : std::nullopt;
+}
+
+double ServoStep::wanted_level(const ServoCommands& commands, double dt_s) {
+    level_limits_.finest = commands.finest_level;
+    level_limits_.coarsest = commands.coarsest_level;
+    level_rule_.set_limits(level_limits_);
+    const double by_speed = level_rule_.step(p_WH_, dt_s);
+    return commands.is_level_auto ? by_speed : commands.level;
+}
+
+void ServoStep::follow_shape(const StepInput& input, double level) {
+    const ServoCommands& commands = input.commands;
+    const Shape wanted{input.scene, commands.mode, commands.radius_m, commands.capture_m};
+    if (wanted == felt_) {
+        if (is_swapping_) chain_.resume();
+        is_swapping_ = false;
+        return;
+    }
+    is_swapping_ = true;
+    chain_.fade();
+    if (!chain_.is_faded()) return;
+    felt_ = wanted;
+    contact_report_ = {};
+    if (felt_.scene == nullptr) return;
+    contact_.reset(*felt_.scene, p_WH_, level);
+    level_limits_.spacing_m = finest_spacing_m(*felt_.scene);
+}
+
+Force ServoStep::feel(const ServoCommands& commands, double level, double dt_s) {
+    // Without force a change of stiffness does no work, so it need not be ramped.
+    if (chain_.is_faded()) stiffness_ = StiffnessRamp(commands.stiffness_N_per_m);
+    const double depth_m = norm(contact_report_.p_WP - p_WH_);
+    (void)stiffness_.step(commands.stiffness_N_per_m, depth_m, dt_s);
+    if (felt_.scene == nullptr) {
+        contact_report_.p_WP = p_WH_;
+        contact_report_.level = level;
+        return {};
+    }
+    const ContactSettings settings{felt_.mode, stiffness_.stiffness_N_per_m(), commands.friction,
+                                   felt_.radius_m, felt_.capture_m};
+    contact_report_ = contact_.step(p_WH_, level, settings, Budget{boxes_per_tick, 0});
+    return contact_report_.force;
+}
+
+void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
+    HandState& hand = report_.hand;
+    hand.time_s = input.now_s;
+    hand.p_WH = p_WH_;
+    hand.p_WP = contact_report_.p_WP;
+    hand.force = turned(safe.force_D);
+    hand.speed_m_per_s = level_rule_.speed_m_per_s();
+    hand.level = contact_report_.level;
+    hand.is_level_auto = input.commands.is_level_auto;
+    hand.stiffness_N_per_m = stiffness_.stiffness_N_per_m();
+    hand.mode = felt_.mode;
+    hand.state = contact_report_.state;
+    hand.outline = contact_report_.outline;
+    ++hand.ticks;
+    hand.missed_ticks = input.missed_ticks;
+    hand.map_version = felt_.scene == nullptr ? 0 : felt_.scene->map_version;
+    report_.force = {chain_.state(), chain_.cause(), safe.limit};
+}
+
+}  // namespace touchline

@@ -1,0 +1,86 @@
+// One servo tick as a pure step: joint angles and commands in, joint torques and hand state out.
+// Threads: one, the servo's. No allocation, lock, log, clock or system call.
+#pragma once
+
+#include "config/types/hand_state.h"
+#include "config/types/vec2.h"
+#include "haptics/collision/scene.h"
+#include "haptics/contact/contact_machine.h"
+#include "haptics/pantograph/profile.h"
+#include "haptics/resolution/level_rule.h"
+#include "haptics/safety/force_chain.h"
+#include "haptics/safety/stiffness_ramp.h"
+#include "haptics/servo/exchange.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace touchline {
+
+struct StepInput {
+    double now_s = 0.0;                 // since the servo started
+    std::uint64_t missed_ticks = 0;     // so far
+    std::optional<JointAngles> angles;  // nothing when the device did not answer
+    ServoCommands commands;
+    const Scene* scene = nullptr;  // wanted; must live until scene() is another one
+};
+
+class ServoStep {
+  public:
+    /// period_s > 0: of the loop. Force is armed at once.
+    ServoStep(const DeviceProfile& profile, double period_s);
+
+    /// kinematics -> handle in W -> level -> contact -> force chain. A new scene, mode, proxy
+    /// radius or capture width fades force to zero first, drops the contact and fades in again. A
+    /// device that has not answered for 20 ms is a fault.
+    [[nodiscard]] JointTorques step(const StepInput& input);
+
+    /// Fades force out for good; is_silent() tells when.
+    void fade_out() { is_stopping_ = true; }
+
+    [[nodiscard]] bool is_silent() const { return chain_.is_faded(); }
+
+    /// The device took no torques.
+    void lose_device() { chain_.fail(Fault::device_lost); }
+
+    /// Of the last step.
+    [[nodiscard]] const ServoReport& report() const { return report_; }
+
+    /// The scene felt now.
+    [[nodiscard]] const Scene* scene() const { return felt_.scene; }
+
+  private:
+    /// What cannot change under a hand that is in contact.
+    struct Shape {
+        const Scene* scene = nullptr;
+        Mode mode = Mode::wall;
+        double radius_m = 0.0;
+        double capture_m = 0.0;
+
+        friend bool operator==(const Shape&, const Shape&) = default;
+    };
+
+    [[nodiscard]] std::optional<Pose> find_pose(const StepInput& input);
+    void follow_shape(const StepInput& input, double level);
+    [[nodiscard]] double wanted_level(const ServoCommands& commands, double dt_s);
+    [[nodiscard]] Force feel(const ServoCommands& commands, double level, double dt_s);
+    void fill(const StepInput& input, const SafeForce& safe);
+
+    DeviceProfile profile_;
+    double period_s_;
+    ForceChain chain_;
+    LevelLimits level_limits_;
+    LevelRule level_rule_;
+    StiffnessRamp stiffness_;
+    ContactMachine contact_;
+    ContactReport contact_report_;
+    Shape felt_;
+    Position p_WH_;  // the last that was known
+    double last_s_ = 0.0;
+    double silent_s_ = 0.0;  // since the device last answered
+    bool is_swapping_ = false;
+    bool is_stopping_ = false;
+    ServoReport report_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,148 @@
+#include "haptics/servo/exchange.h"
+
+#include "tests/haptics/servo/rigs.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+struct Pair {
+    std::uint64_t a = 0;
+    std::uint64_t b = ~std::uint64_t{0};
+};
+
+TEST(TripleBuffer, ReaderSeesTheInitialValueFirst) {
+    TripleBuffer<int> buffer(7);
+    EXPECT_FALSE(buffer.update());
+    EXPECT_EQ(buffer.value(), 7);
+}
+
+TEST(TripleBuffer, ReaderSeesTheLatestValueOnce) {
+    TripleBuffer<int> buffer;
+    for (int i = 1; i <= 5; ++i) buffer.write(i);
+    EXPECT_TRUE(buffer.update());
+    EXPECT_EQ(buffer.value(), 5);
+    EXPECT_FALSE(buffer.update());
+    EXPECT_EQ(buffer.value(), 5);
+}
+
+TEST(TripleBuffer, ValueStaysWhileTheWriterGoesOn) {
+    TripleBuffer<int> buffer;
+    buffer.write(1);
+    ASSERT_TRUE(buffer.update());
+    const int& held = buffer.value();
+    for (int i = 2; i < 10; ++i) {
+        buffer.write(i);
+        EXPECT_EQ(held, 1);
+    }
+    ASSERT_TRUE(buffer.update());
+    EXPECT_EQ(buffer.value(), 9);
+}
+
+TEST(TripleBuffer, NoValueIsTornOrOlderThanTheOneBefore) {
+    TripleBuffer<Pair> buffer;
+    constexpr std::uint64_t last = 200000;
+    std::thread writer([&buffer] {
+        for (std::uint64_t i = 1; i <= last; ++i) buffer.write({i, ~i});
+    });
+    std::uint64_t seen = 0;
+    while (seen < last) {
+        buffer.update();
+        const Pair pair = buffer.value();
+        ASSERT_EQ(pair.b, ~pair.a);
+        ASSERT_GE(pair.a, seen);
+        seen = pair.a;
+    }
+    writer.join();
+}
+
+TEST(ServoExchange, CommandsAndReportsAreTheNewest) {
+    ServoExchange exchange;
+    EXPECT_EQ(exchange.commands().stiffness_N_per_m, 500.0);
+    ServoCommands commands;
+    commands.stiffness_N_per_m = 300.0;
+    exchange.set(commands);
+    commands.stiffness_N_per_m = 400.0;
+    exchange.set(commands);
+    EXPECT_EQ(exchange.commands().stiffness_N_per_m, 400.0);
+
+    ServoReport report;
+    report.hand.ticks = 12;
+    report.force.limit = Limit::slew;
+    exchange.publish(report);
+    EXPECT_EQ(exchange.report().hand.ticks, 12U);
+    EXPECT_EQ(exchange.report().force.limit, Limit::slew);
+}
+
+TEST(ServoExchange, ScenesLiveUntilTheServoHasMovedOn) {
+    ServoExchange exchange;
+    EXPECT_EQ(exchange.wanted_scene(), nullptr);
+    auto first = line_scene(0.0);
+    const std::weak_ptr<const Scene> first_alive = first;
+    exchange.feel(std::move(first));
+    const Scene* const felt = exchange.wanted_scene();
+    EXPECT_EQ(felt, first_alive.lock().get());
+    exchange.release_older_scenes();
+
+    auto second = line_scene(0.01);
+    const std::weak_ptr<const Scene> second_alive = second;
+    exchange.feel(std::move(second));
+    EXPECT_NE(exchange.wanted_scene(), felt);
+    (void)exchange.report();
+    EXPECT_FALSE(first_alive.expired());  // the servo is still fading out of it
+    exchange.release_older_scenes();
+    (void)exchange.report();
+    EXPECT_TRUE(first_alive.expired());
+    EXPECT_FALSE(second_alive.expired());
+}
+
+TEST(ServoExchange, ScenesThatTheServoNeverTookAreFreedToo) {
+    ServoExchange exchange;
+    auto skipped = line_scene(0.0);
+    const std::weak_ptr<const Scene> skipped_alive = skipped;
+    exchange.feel(std::move(skipped));
+    exchange.feel(line_scene(0.01));
+    (void)exchange.wanted_scene();
+    exchange.release_older_scenes();
+    (void)exchange.report();
+    EXPECT_TRUE(skipped_alive.expired());
+}
+
+TEST(ServoExchange, ScenesAreFreedByTheKiosksThreadWhileTheServoReadsThem) {
+    ServoExchange exchange;
+    std::atomic<bool> is_done{false};
+    std::thread servo([&] {
+        while (!is_done.load()) {
+            const Scene* const scene = exchange.wanted_scene();
+            // Reads the scene; an address sanitizer would see one freed too early.
+            EXPECT_TRUE(scene == nullptr || scene->map_version >= 1U);
+            exchange.release_older_scenes();
+        }
+    });
+    const auto kiosk = std::this_thread::get_id();
+    std::atomic<int> freed{0};
+    for (std::uint64_t i = 1; i <= 2000; ++i) {
+        auto* const scene = new Scene{};
+        scene->map_version = i;
+        exchange.feel({scene, [&freed, kiosk](const Scene* old) {
+                           EXPECT_EQ(std::this_thread::get_id(), kiosk);
+                           ++freed;
+                           delete old;
+                       }});
+    }
+    is_done = true;
+    servo.join();
+    (void)exchange.wanted_scene();
+    exchange.release_older_scenes();
+    (void)exchange.report();
+    EXPECT_EQ(freed.load(), 1999);
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,132 @@
+#include "haptics/servo/servo_loop.h"
+
+#include "haptics/device/simulated_pantograph.h"
+#include "tests/haptics/servo/rigs.h"
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr double tick_s = 1e-3;
+constexpr std::int64_t period_ns = 1'000'000;
+
+/// A clock that asks for the end of the loop at a moment.
+class EndingClock final : public Clock {
+  public:
+    EndingClock(std::int64_t end_ns, std::atomic<bool>& is_stop_wanted)
+        : end_ns_(end_ns), is_stop_wanted_(is_stop_wanted) {}
+
+    [[nodiscard]] std::int64_t now_ns() override { return time_.now_ns(); }
+
+    void sleep_until(std::int64_t t_ns) override {
+        time_.sleep_until(t_ns);
+        if (t_ns >= end_ns_) is_stop_wanted_ = true;
+    }
+
+    VirtualClock& time() { return time_; }
+
+  private:
+    VirtualClock time_;
+    std::int64_t end_ns_;
+    std::atomic<bool>& is_stop_wanted_;
+};
+
+std::vector<TickRecord> explore_in_simulation() {
+    const auto path = std::make_shared<WaypointPath>(std::vector<WaypointPath::Waypoint>{
+        {0.0, {-0.03, 0.02}}, {1.0, {-0.03, 0.02}}, {1.3, {-0.03, -0.005}}, {2.3, {0.03, -0.005}}});
+    SimulatedPantograph device(default_profile(), {}, path);
+    ServoExchange exchange;
+    exchange.feel(line_scene(0.0));
+    Recorder recorder(3000);
+    ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
+    std::atomic<bool> is_stop_wanted{false};
+    EndingClock clock(2'300 * period_ns, is_stop_wanted);
+    loop.run(clock, period_ns, is_stop_wanted);
+    (void)device.read_angles(3.0);  // the last write has arrived
+    EXPECT_EQ(device.acting_torques(), JointTorques{});
+    return recorder.ticks();
+}
+
+TEST(ServoLoop, SimulatedHandSlidesAlongTheWallAndNeverThroughIt) {
+    const auto ticks = explore_in_simulation();
+    ASSERT_GE(ticks.size(), 2301U);
+    double most_N = 0.0;
+    for (const TickRecord& tick : ticks) {
+        EXPECT_GE(tick.p_WP.y, 0.0);
+        most_N = std::max(most_N, norm(tick.force));
+    }
+    // The hand (300 N/m) means to be 5 mm beyond a wall of 500 N/m.
+    const TickRecord& sliding = ticks[2200];
+    EXPECT_EQ(sliding.state, ContactState::edge);
+    EXPECT_NEAR(sliding.force.y, 0.94, 0.15);
+    EXPECT_NEAR(sliding.p_WH.y, -0.0019, 0.0004);
+    EXPECT_GT(sliding.p_WP.x, 0.01);
+    EXPECT_LT(most_N, 1.7);
+}
+
+TEST(ServoLoop, SameRunGivesTheSameBits) {
+    const auto a = explore_in_simulation();
+    const auto b = explore_in_simulation();
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        ASSERT_EQ(a[i].p_WH, b[i].p_WH);
+        ASSERT_EQ(a[i].p_WP, b[i].p_WP);
+        ASSERT_EQ(a[i].force, b[i].force);
+    }
+}
+
+TEST(ServoLoop, LateTicksAreSkippedCountedAndPublished) {
+    PlacedDevice device({0.0, 0.0});
+    ServoExchange exchange;
+    Recorder recorder(1000);
+    ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
+    std::atomic<bool> is_stop_wanted{false};
+    EndingClock clock(100 * period_ns, is_stop_wanted);
+    clock.time().work_ns = 2'500'000;  // every tick takes two and a half periods
+    loop.run(clock, period_ns, is_stop_wanted);
+    const HandState& hand = exchange.report().hand;
+    EXPECT_GT(hand.missed_ticks, 40U);
+    const auto ticks = recorder.ticks();
+    EXPECT_NEAR(static_cast<double>(ticks.size() + hand.missed_ticks), 101.0, 2.0);
+    for (std::size_t i = 1; i < ticks.size(); ++i) {
+        EXPECT_GE(ticks[i].time_s - ticks[i - 1].time_s, 1e-3 - 1e-12);
+    }
+}
+
+TEST(ServoLoop, StopFadesOutThenWritesZero) {
+    PlacedDevice device({0.0, 0.01});
+    ServoExchange exchange;
+    exchange.feel(line_scene(0.0));
+    Recorder recorder(1000);
+    ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
+    for (int k = 0; k < 800; ++k) loop.tick(k * tick_s, 0);
+    device.angles = angles_at(default_profile(), {0.0, -0.002});
+    for (int k = 800; k < 900; ++k) loop.tick(k * tick_s, 0);
+    ASSERT_NEAR(norm(exchange.report().hand.force), 1.0, 0.02);
+    ASSERT_NE(device.written, JointTorques{});
+    std::atomic<bool> is_stop_wanted{true};
+    VirtualClock clock;
+    loop.run(clock, period_ns, is_stop_wanted);
+    EXPECT_EQ(device.written, JointTorques{});
+    EXPECT_LE(clock.now_ns(), 52 * period_ns);
+}
+
+TEST(ServoLoop, DeviceThatTakesNoTorquesIsAFault) {
+    PlacedDevice device({0.0, 0.01});
+    device.is_listening = false;
+    ServoExchange exchange;
+    Recorder recorder;
+    ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
+    loop.tick(0.0, 0);
+    loop.tick(tick_s, 0);
+    EXPECT_EQ(exchange.report().force.fault, Fault::device_lost);
+    EXPECT_EQ(device.written, JointTorques{});
+}
+
+}  // namespace
+}  // namespace touchline

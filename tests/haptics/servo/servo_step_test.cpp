@@ -1,0 +1,327 @@
+#include "haptics/servo/servo_step.h"
+
+#include "tests/haptics/servo/rigs.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr double tick_s = 1e-3;
+
+/// A servo step whose handle and commands the test sets, one virtual millisecond a tick.
+struct Bench {
+    const DeviceProfile profile = default_profile();
+    std::unique_ptr<ServoStep> step = std::make_unique<ServoStep>(profile, tick_s);
+    StepInput input;
+    JointTorques torques;
+
+    Bench() { place({0.0, 0.01}); }
+
+    void place(Position p_W) { input.angles = angles_at(profile, p_W); }
+
+    const HandState& run(int ticks) {
+        for (int i = 0; i < ticks; ++i) {
+            torques = step->step(input);
+            input.now_s += tick_s;
+        }
+        return hand();
+    }
+
+    /// In small steps, as a hand moves.
+    void drag(Position from, Position to) {
+        for (int i = 1; i <= 50; ++i) {
+            place(from + i / 50.0 * (to - from));
+            run(1);
+        }
+    }
+
+    [[nodiscard]] const HandState& hand() const { return step->report().hand; }
+
+    [[nodiscard]] const ForceStatus& force() const { return step->report().force; }
+};
+
+/// The same handle with arm 1 on the other side: a pose that the device cannot be in.
+JointAngles with_elbow_turned_in(const DeviceProfile& profile, Position p_W) {
+    const Position p_D = device_from_picture(profile, p_W);
+    const JointAngles out = angles_at(profile, p_W);
+    return {2.0 * std::atan2(p_D.y, p_D.x) - out.x, out.y};
+}
+
+/// Live, in free space above the line y = 0.
+Bench bench_above_a_line(const std::shared_ptr<const Scene>& scene) {
+    Bench bench;
+    bench.input.scene = scene.get();
+    bench.run(800);
+    EXPECT_EQ(bench.force().state, ForceState::live);
+    return bench;
+}
+
+TEST(ServoStep, SeesTheHandleThroughTheKinematics) {
+    Bench bench;
+    bench.place({0.031, -0.022});
+    EXPECT_NEAR(norm(bench.run(1).p_WH - Position{0.031, -0.022}), 0.0, 1e-12);
+    EXPECT_EQ(bench.hand().p_WP, bench.hand().p_WH);
+    EXPECT_EQ(bench.torques, JointTorques{});
+}
+
+TEST(ServoStep, WallPushesBackThroughTheMotors) {
+    const auto scene = line_scene(0.0);
+    Bench bench = bench_above_a_line(scene);
+    bench.drag({0.0, 0.01}, {0.0, -0.001});
+    const HandState& hand = bench.run(20);
+    EXPECT_EQ(hand.state, ContactState::edge);
+    EXPECT_EQ(hand.outline, 0);
+    EXPECT_NEAR(hand.p_WP.y, 0.0, 1e-6);
+    EXPECT_NEAR(hand.force.y, 500.0 * 0.001, 1e-3);
+    EXPECT_NEAR(hand.force.x, 0.0, 1e-9);
+    EXPECT_EQ(bench.force().limit, Limit::none);
+    // The motors make that force, turned into the device's frame.
+    const Pose pose = forward(bench.profile.geometry, *bench.input.angles).value();
+    const JointTorques expected = joint_torques(pose.jacobian, turned(hand.force));
+    EXPECT_NEAR(norm(bench.torques - expected), 0.0, 1e-12);
+}
+
+TEST(ServoStep, ReportsWhatItWasTold) {
+    const auto scene = line_scene(0.0, 42);
+    Bench bench;
+    bench.input.scene = scene.get();
+    bench.input.missed_ticks = 3;
+    bench.input.commands.is_level_auto = false;
+    bench.input.commands.stiffness_N_per_m = 350.0;
+    bench.input.commands.mode = Mode::groove;
+    const HandState& hand = bench.run(10);
+    EXPECT_EQ(hand.ticks, 10U);
+    EXPECT_EQ(hand.missed_ticks, 3U);
+    EXPECT_EQ(hand.map_version, 42U);
+    EXPECT_NEAR(hand.time_s, 9 * tick_s, 1e-12);
+    EXPECT_FALSE(hand.is_level_auto);
+    EXPECT_EQ(hand.stiffness_N_per_m, 350.0);
+    EXPECT_EQ(hand.mode, Mode::groove);
+}
+
+TEST(ServoStep, ForceComesOnOnlyAfterArmingAndRamp) {
+    const auto scene = line_scene(0.0);
+    Bench bench;
+    bench.input.scene = scene.get();
+    bench.drag({0.0, 0.01}, {0.0, -0.002});
+    bench.run(500);  // pressing from the start: never armed
+    EXPECT_EQ(bench.force().state, ForceState::armed);
+    EXPECT_EQ(bench.hand().force, Force{});
+    EXPECT_EQ(bench.hand().state, ContactState::edge);
+}
+
+TEST(ServoStep, FasterHandFeelsACoarserLevel) {
+    TactileMap map;
+    Outline wave;
+    for (int i = 0; i <= 512; ++i) {
+        const double x = -0.05 + 0.1 * i / 512.0;
+        wave.points.push_back({x, 0.02 + 0.001 * std::sin(200.0 * x)});
+    }
+    map.outlines.push_back(wave);
+    const auto scene = std::make_shared<const Scene>(build_scene(map, {}, 0.0).value());
+    Bench bench;
+    bench.input.scene = scene.get();
+    bench.run(10);
+    const double still = bench.hand().level;
+    for (int i = 0; i < 60; ++i) {
+        bench.place({-0.03 + i * 1e-3, -0.02});  // 1 m/s
+        bench.run(1);
+    }
+    EXPECT_GT(bench.hand().level, still);
+    EXPECT_GT(bench.hand().speed_m_per_s, 0.3);
+    bench.input.commands.is_level_auto = false;
+    bench.input.commands.level = 1.5;
+    bench.run(1);
+    EXPECT_EQ(bench.hand().level, 1.5);
+}
+
+TEST(ServoStep, OperatorsBoundsHoldTheAutomaticLevel) {
+    const auto scene = line_scene(0.0);
+    Bench bench;
+    bench.input.scene = scene.get();
+    bench.input.commands.finest_level = 3.0;
+    bench.run(300);
+    EXPECT_EQ(bench.hand().level, 3.0);
+    bench.input.commands.finest_level = 0.0;
+    bench.input.commands.coarsest_level = 0.0;
+    bench.run(300);
+    EXPECT_EQ(bench.hand().level, 0.0);
+}
+
+TEST(ServoStep, NewSceneIsSwappedAtZeroForceWithinFadeTime) {
+    const auto first = line_scene(0.0, 1);
+    const auto second = line_scene(0.005, 2);
+    Bench bench = bench_above_a_line(first);
+    bench.drag({0.0, 0.01}, {0.0, -0.002});
+    bench.run(20);
+    ASSERT_NEAR(norm(bench.hand().force), 1.0, 1e-2);
+
+    bench.input.scene = second.get();
+    Force last = bench.hand().force;
+    int ticks = 0;
+    for (; bench.hand().map_version == 1 && ticks < 100; ++ticks) {
+        bench.run(1);
+        EXPECT_LE(norm(bench.hand().force - last), 1500.0 * tick_s + 1e-12);
+        last = bench.hand().force;
+    }
+    EXPECT_LE(ticks, 52);
+    EXPECT_EQ(bench.hand().force, Force{});
+    EXPECT_EQ(bench.hand().state, ContactState::free);
+    EXPECT_EQ(bench.hand().p_WP, bench.hand().p_WH);  // 7 mm past the new line, and free
+    EXPECT_EQ(bench.step->scene(), second.get());
+
+    bench.run(200);
+    EXPECT_EQ(bench.force().state, ForceState::live);
+    bench.drag({0.0, -0.002}, {0.0, 0.006});  // the new line holds from below
+    bench.run(20);
+    EXPECT_NEAR(bench.hand().force.y, -0.5, 1e-2);
+}
+
+TEST(ServoStep, SwapTakenBackMidwayComesBackToTheOldScene) {
+    const auto first = line_scene(0.0, 1);
+    const auto second = line_scene(0.005, 2);
+    Bench bench = bench_above_a_line(first);
+    bench.drag({0.0, 0.01}, {0.0, -0.002});
+    bench.input.scene = second.get();
+    bench.run(20);
+    bench.input.scene = first.get();
+    bench.run(300);
+    EXPECT_EQ(bench.hand().map_version, 1U);
+    EXPECT_NEAR(bench.hand().force.y, 1.0, 1e-2);
+    EXPECT_EQ(bench.hand().state, ContactState::edge);
+}
+
+TEST(ServoStep, SceneCanBeTakenAway) {
+    const auto scene = line_scene(0.0);
+    Bench bench = bench_above_a_line(scene);
+    bench.drag({0.0, 0.01}, {0.0, -0.002});
+    bench.input.scene = nullptr;
+    bench.run(60);
+    EXPECT_EQ(bench.step->scene(), nullptr);
+    EXPECT_EQ(bench.hand().force, Force{});
+    EXPECT_EQ(bench.hand().state, ContactState::free);
+    EXPECT_EQ(bench.hand().map_version, 0U);
+}
+
+TEST(ServoStep, ChangeOfModeOrRadiusGoesThroughZeroForce) {
+    for (const bool is_mode : {true, false}) {
+        const auto scene = line_scene(0.0);
+        Bench bench = bench_above_a_line(scene);
+        bench.drag({0.0, 0.01}, {0.0, -0.002});
+        bench.run(20);
+        if (is_mode) {
+            bench.input.commands.mode = Mode::groove;
+        } else {
+            bench.input.commands.radius_m = 0.002;
+        }
+        bench.run(1);
+        EXPECT_EQ(bench.hand().mode, Mode::wall);
+        bench.run(51);
+        EXPECT_EQ(bench.hand().mode, is_mode ? Mode::groove : Mode::wall);
+        EXPECT_NEAR(norm(bench.hand().force), 0.0, 0.05);
+    }
+}
+
+TEST(ServoStep, StiffnessUnderTheHandRisesSlowlyAndFreelyAtZeroForce) {
+    const auto scene = line_scene(0.0);
+    Bench bench = bench_above_a_line(scene);
+    bench.drag({0.0, 0.01}, {0.0, -0.001});
+    bench.input.commands.stiffness_N_per_m = 1000.0;
+    bench.run(1000);
+    EXPECT_NEAR(bench.hand().stiffness_N_per_m, 525.6, 0.1);
+    bench.input.commands.stiffness_N_per_m = 200.0;
+    bench.run(1);
+    EXPECT_EQ(bench.hand().stiffness_N_per_m, 200.0);
+
+    Bench fresh;
+    fresh.input.commands.stiffness_N_per_m = 1000.0;
+    EXPECT_EQ(fresh.run(1).stiffness_N_per_m, 1000.0);
+}
+
+TEST(ServoStep, OutOfReachIsZeroForceAndKeepsTheSideOfTheWall) {
+    const auto scene = line_scene(0.0);
+    Bench bench = bench_above_a_line(scene);
+    bench.drag({0.0, 0.01}, {0.0, -0.001});
+    bench.run(20);
+    bench.input.angles = with_elbow_turned_in(bench.profile, {0.0, -0.001});
+    const Position before = bench.hand().p_WH;
+    bench.run(1);
+    EXPECT_EQ(bench.torques, JointTorques{});
+    EXPECT_EQ(bench.force().limit, Limit::unreachable);
+    EXPECT_EQ(bench.hand().p_WH, before);
+    bench.place({0.0, -0.001});
+    bench.run(20);
+    EXPECT_NEAR(bench.hand().force.y, 0.5, 1e-2);
+}
+
+TEST(ServoStep, SilentDeviceIsZeroAtOnceAndAFaultAfter20Milliseconds) {
+    const auto scene = line_scene(0.0);
+    Bench bench = bench_above_a_line(scene);
+    bench.drag({0.0, 0.01}, {0.0, -0.001});
+    bench.input.angles.reset();
+    bench.run(1);
+    EXPECT_EQ(bench.torques, JointTorques{});
+    EXPECT_EQ(bench.force().state, ForceState::live);
+    bench.run(21);
+    EXPECT_EQ(bench.force().state, ForceState::fault);
+    EXPECT_EQ(bench.force().fault, Fault::device_lost);
+    bench.place({0.0, -0.001});
+    bench.run(2000);
+    EXPECT_EQ(bench.torques, JointTorques{});
+}
+
+TEST(ServoStep, AnglesThatAreNotFiniteGiveZeroTorque) {
+    const auto scene = line_scene(0.0);
+    Bench bench = bench_above_a_line(scene);
+    bench.drag({0.0, 0.01}, {0.0, -0.001});
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 1e308,
+                             std::numeric_limits<double>::infinity()}) {
+        bench.input.angles = JointAngles{bad, 0.2};
+        bench.run(1);
+        EXPECT_EQ(bench.torques, JointTorques{});
+        EXPECT_TRUE(is_finite(bench.hand().p_WH));
+    }
+}
+
+TEST(ServoStep, CommandsThatAreNotFiniteGiveZeroForce) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (int kind = 0; kind < 4; ++kind) {
+        const auto scene = line_scene(0.0);
+        Bench bench = bench_above_a_line(scene);
+        bench.drag({0.0, 0.01}, {0.0, -0.001});
+        ServoCommands& commands = bench.input.commands;
+        if (kind == 0) commands.friction = nan;
+        if (kind == 1) commands.radius_m = nan;
+        if (kind == 2) commands.capture_m = nan;
+        if (kind == 3) {
+            commands.is_level_auto = false;
+            commands.level = nan;
+        }
+        for (int i = 0; i < 200; ++i) {
+            bench.run(1);
+            EXPECT_TRUE(is_finite(bench.torques)) << kind;
+        }
+    }
+}
+
+TEST(ServoStep, FadesOutForGood) {
+    const auto scene = line_scene(0.0);
+    Bench bench = bench_above_a_line(scene);
+    bench.drag({0.0, 0.01}, {0.0, -0.001});
+    bench.step->fade_out();
+    int ticks = 0;
+    for (; !bench.step->is_silent() && ticks < 100; ++ticks) bench.run(1);
+    EXPECT_LE(ticks, 51);
+    const auto other = line_scene(0.005);
+    bench.input.scene = other.get();
+    bench.run(500);
+    EXPECT_EQ(bench.torques, JointTorques{});
+}
+
+}  // namespace
+}  // namespace touchline
