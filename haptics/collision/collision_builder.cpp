@@ -159,12 +159,19 @@ class CollisionTreeBuilder {
         }
     }
 
+    /// The coarsest nodes of a piece are also felt while other pieces are rendered coarser still.
     [[nodiscard]] bool is_alone(int piece, int level, int j) const {
-        const double at = level;
-        Neighbourhood visitor(tree_.aligned_box(curves_, {piece, level, j}), reach_m_, {piece, j},
-                              curves_.previous({piece, j}, at), curves_.next({piece, j}, at));
-        static_cast<void>(TreeWalk(tree_, curves_, at, visitor).run());
-        return !visitor.is_met();
+        const bool is_coarsest =
+            level == curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
+        for (int others = level; others <= (is_coarsest ? curves_.coarsest() : level); ++others) {
+            const double at = others;
+            Neighbourhood visitor(tree_.aligned_box(curves_, {piece, level, j}), reach_m_,
+                                  {piece, j}, curves_.previous({piece, j}, at),
+                                  curves_.next({piece, j}, at));
+            static_cast<void>(TreeWalk(tree_, curves_, at, visitor).run());
+            if (visitor.is_met()) return false;
+        }
+        return true;
     }
 
     const CurveSet& curves_;

@@ -43,7 +43,9 @@ class FirstHit {
           tie_(approach_tolerance_m / std::max(norm(motion.to - motion.from), 1e-30)) {}
 
     std::optional<double> near(const AlignedBox& box) const {
-        return entry(grown(box, motion_.radius_m), motion_.from, motion_.to);
+        // The tolerance is more than all rounding: no box is entered after what it holds is
+        // touched.
+        return entry(grown(box, motion_.radius_m + approach_tolerance_m), motion_.from, motion_.to);
     }
 
     [[nodiscard]] double cut() const { return hit_.is_hit ? hit_.clear + tie_ : 1.0; }
@@ -55,16 +57,21 @@ class FirstHit {
         const auto found = touch(motion_.from, motion_.to, motion_.radius_m,
                                  curves_.rendered_segment(ref.piece, motion_.level, ref.index));
         if (!found) return;
-        const bool is_tie = hit_.is_hit && std::abs(found->fraction - hit_.clear) <= tie_;
-        if (hit_.is_hit && (is_tie ? hit_.segment < ref : hit_.clear < found->fraction)) return;
-        hit_ = {true, found->fraction, ref, *found, 0};
+        if (hit_.is_hit && found->fraction > hit_.clear + tie_) return;
+        const bool is_tie = hit_.is_hit && found->fraction >= hit_.clear - tie_;
+        const bool is_kept = is_tie && hit_.segment < ref;
+        const double clear = is_tie ? std::min(hit_.clear, found->fraction) : found->fraction;
+        if (!is_kept) hit_ = {true, clear, ref, *found, 0};
+        hit_.clear = clear;
     }
 
-    /// `unopened`: the earliest moment at which a box left unopened is met.
+    /// `unopened`: the earliest moment at which a box left unopened is met. A hit counts only
+    /// before it.
     Hit result(double unopened) {
-        if (unopened < (hit_.is_hit ? hit_.clear : 1.0)) {
+        if (unopened <= cut()) {
+            const double clear = std::min(unopened, hit_.is_hit ? hit_.clear : 1.0);
             hit_ = {};
-            hit_.clear = unopened;
+            hit_.clear = clear;
         }
         hit_.boxes = spender_.opened();
         return hit_;
