@@ -9,6 +9,7 @@ namespace touchline {
 namespace {
 
 constexpr int kNone = -1;
+constexpr double kLeastRing_px = 4.0;  // smaller rings are pixels at which the normal turns round
 
 /// Slope and curvature of the strength along the edge normal at one pixel.
 struct Profile {
@@ -179,7 +180,8 @@ class LineTracer {
 
     void keep_if_strong(Chain chain, std::vector<Chain>& chains) const {
         const auto is_strong = [&](const EdgePoint& p) { return p.strength >= limits_.high; };
-        if (chain.points.size() >= 2 && std::ranges::any_of(chain.points, is_strong)) {
+        const bool is_dot = chain.is_closed && length_of(chain) < kLeastRing_px;
+        if (chain.points.size() >= 2 && !is_dot && std::ranges::any_of(chain.points, is_strong)) {
             chains.push_back(std::move(chain));
         }
     }

@@ -13,8 +13,7 @@ constexpr double kPhoto_px = 2.5;   // best of 1, 1.4, 2, 2.5, 2.8, 4 on photos
 constexpr double kDrawing = 0.15;   // at most this part of the picture changes: a drawing
 constexpr double kPhoto = 0.45;     // at least this part: a photo
 constexpr double kRounding = 0.3;   // gradient that 8-bit rounding and compression leave, per pixel
-constexpr double kSignificance =
-    5.0;  // times the gradient's noise: 4e-6 of the pixels of pure noise
+constexpr double kSignificance = 6.0;  // x gradient noise: 2e-8 of the pixels of pure noise
 constexpr double kHighOverQuantile = 2.0;
 constexpr double kLowOverHigh = 0.4;
 

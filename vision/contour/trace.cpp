@@ -1,7 +1,9 @@
 #include "vision/contour/trace.h"
 
 #include "config/types/map_frame.h"
+#include "vision/contour/corners.h"
 #include "vision/contour/edge_lines.h"
+#include "vision/contour/linking.h"
 #include "vision/contour/ranking.h"
 #include "vision/contour/sampling.h"
 #include "vision/contour/scale.h"
@@ -21,6 +23,7 @@ constexpr double kShortest_m = 0.004;  // 4 mm of line: the smallest feature wor
 constexpr double kShortest_px = 8.0;  // shorter lines are pixels, whatever their size on the device
 constexpr double kSpacing_m = 0.0002;  // points no denser than the hand's device resolves
 constexpr double kSpacing_px = 1.0;
+constexpr double kPictureBlur_px = 0.8;  // sigma, of lens and sampling
 
 std::string size_of(const cv::Mat& picture) {
     return std::to_string(picture.cols) + " x " + std::to_string(picture.rows);
@@ -105,6 +108,17 @@ cv::Mat strength_picture(const std::vector<Chain>& chains, cv::Size size, double
         }
     }
     return picture;
+}
+
+Reach reach_for(cv::Size size, double smoothing_px, double shortest_px) {
+    constexpr double kGapOverDiagonal = 0.02;
+    constexpr double kLeastGap_px = 6.0;
+    Reach reach;
+    reach.junction_px = 2.5 * smoothing_px + 2.0;
+    reach.gap_px = std::max(kLeastGap_px, kGapOverDiagonal * std::hypot(size.width, size.height));
+    reach.blur_px = 1.5 * smoothing_px;
+    reach.shortest_px = shortest_px;
+    return reach;
 }
 
 int drop_specks(std::vector<Chain>& chains, double shortest_px) {
@@ -201,8 +215,17 @@ Result<Trace> traced(const cv::Mat& picture, const TraceOptions& options) {
     report.lines_found = static_cast<int>(chains.size());
     trace.edge_strength = strength_picture(chains, working.lab.size(), limits.high);
     const double metres_per_px = placement.metres_per_working_pixel();
-    report.specks_dropped =
-        drop_specks(chains, std::max(kShortest_px, kShortest_m / metres_per_px));
+    const double shortest_px = std::max(kShortest_px, kShortest_m / metres_per_px);
+    Linked network = linked(std::move(chains), working.lab.size(),
+                            reach_for(working.lab.size(), working.smoothing_px, shortest_px));
+    chains = std::move(network.chains);
+    report.gaps_closed = network.gaps_closed;
+    report.junctions = network.junctions;
+    report.specks_dropped = drop_specks(chains, shortest_px);
+    const double blur_px = std::hypot(working.smoothing_px, kPictureBlur_px);
+    for (Chain& chain : chains) {
+        chain = with_sharp_corners(chain, blur_px);
+    }
     if (chains.empty()) {
         return failure(nothing_found(picture));
     }

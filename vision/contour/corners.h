@@ -1,0 +1,16 @@
+// Corners that smoothing has rounded, put back.
+// Threads: pure function, O(points).
+#pragma once
+
+#include "vision/contour/chain.h"
+
+namespace touchline {
+
+/// Where a line turns by more than 35 degrees within the reach of the blur and its course before
+/// and after is straight, the rounded stretch is replaced by the crossing of the two courses, a
+/// fixed point. Courses are lines fitted beyond the blur. A corner that is rounder than `blur_px`
+/// (Gaussian sigma of picture and smoothing together) explains is a round one and stays as it is.
+/// Fixed points stay.
+[[nodiscard]] Chain with_sharp_corners(const Chain& chain, double blur_px);
+
+}  // namespace touchline

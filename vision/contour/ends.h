@@ -1,0 +1,82 @@
+// The ends of lines, and finding what is near them.
+// Threads: values.
+#pragma once
+
+#include "vision/contour/chain.h"
+
+#include <cstddef>
+
+namespace touchline {
+
+/// One end of an open chain: 2 x chain index, + 1 for its back.
+using EndId = std::size_t;
+
+[[nodiscard]] constexpr EndId front_of(std::size_t chain) {
+    return 2 * chain;
+}
+
+[[nodiscard]] constexpr EndId back_of(std::size_t chain) {
+    return 2 * chain + 1;
+}
+
+[[nodiscard]] constexpr std::size_t chain_of(EndId end) {
+    return end / 2;
+}
+
+[[nodiscard]] constexpr bool is_back(EndId end) {
+    return end % 2 == 1;
+}
+
+/// The straight continuation of a line beyond an end.
+struct Ray {
+    cv::Point2d from;
+    cv::Point2d direction;  // unit vector, outward
+};
+
+/// The direction of the line near an end, from its points between `skip_px` and `skip_px + span_px`
+/// of arc length from the end (fewer on a short line); `from` is the first of them.
+[[nodiscard]] Ray ray_at(const std::vector<EdgePoint>& line, bool at_back, double skip_px,
+                         double span_px);
+
+/// Angle between two directions, 0 to pi.
+[[nodiscard]] double angle_between(const cv::Point2d& a, const cv::Point2d& b);
+
+/// Where a point of a chain lies in the list of chains.
+struct PointRef {
+    std::size_t chain = 0;
+    std::size_t index = 0;
+};
+
+/// All points of some chains in square cells, for range queries. Holds no reference to the chains.
+class PointGrid {
+  public:
+    /// cell_px > 0: about the radius that will be asked for.
+    PointGrid(const std::vector<Chain>& chains, cv::Size picture, double cell_px);
+
+    /// Points in the cells that the disc touches: a superset of those within the radius.
+    template <class Visit>
+    void near(const cv::Point2d& centre, double radius_px, Visit&& visit) const {
+        const int left = column(centre.x - radius_px);
+        const int right = column(centre.x + radius_px);
+        for (int r = row(centre.y - radius_px); r <= row(centre.y + radius_px); ++r) {
+            const auto first = static_cast<std::size_t>(r * columns_ + left);
+            const auto last = static_cast<std::size_t>(r * columns_ + right);
+            for (std::size_t i = start_[first]; i < start_[last + 1]; ++i) {
+                visit(refs_[i]);
+            }
+        }
+    }
+
+  private:
+    [[nodiscard]] int column(double x) const;
+    [[nodiscard]] int row(double y) const;
+    [[nodiscard]] std::size_t cell_of(const cv::Point2d& p) const;
+
+    double cell_px_;
+    int columns_;
+    int rows_;
+    std::vector<std::size_t> start_;  // of each cell in refs_, one more at the end
+    std::vector<PointRef> refs_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,290 @@
+#include "vision/contour/linking.h"
+
+#include "vision/contour/ends.h"
+#include "vision/contour/junctions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr double kSpan_px = 6.0;            // of a line, to know its direction
+constexpr double kOwnGapOverLength = 0.05;  // a ring with a break is still a ring
+constexpr double kCone =
+    70.0 * std::numbers::pi / 180.0;  // where a line may meet another, off its course
+
+/// Two ends that may be one line, and what joining them costs in pixels.
+struct GapCandidate {
+    double cost_px = 0.0;
+    EndId a = 0;
+    EndId b = 0;
+};
+
+class Linker {
+  public:
+    Linker(std::vector<Chain> lines, cv::Size picture, const Reach& reach)
+        : lines_(std::move(lines)),
+          picture_(picture),
+          reach_(reach),
+          is_free_(2 * lines_.size(), false),
+          rays_(2 * lines_.size()) {}
+
+    Linked run() {
+        lead_to_frame();
+        const PointGrid grid(lines_, picture_, std::max(reach_.gap_px, reach_.junction_px));
+        JunctionSet junctions(reach_.blur_px, kSpan_px);
+        meet_ends(grid, junctions);
+        const std::vector<std::optional<Meeting>> meetings = nearest_meetings(grid);
+        const int gaps_closed = close_gaps(grid, meetings, junctions);
+        for (EndId end = 0; end < is_free_.size(); ++end) {
+            if (is_free_[end] && meetings[end] && length_of_chain(end) >= reach_.shortest_px) {
+                junctions.add_meeting(end, meetings[end]->host);
+            }
+        }
+        const int count = junctions.size();
+        Linked result{junctions.assembled(std::move(lines_)), gaps_closed, count};
+        close_along_frame(result.chains);
+        return result;
+    }
+
+  private:
+    /// Where an end would meet another line.
+    struct Meeting {
+        PointRef host;
+        double distance_px = 0.0;
+    };
+
+    const EdgePoint& point_at(EndId end) const {
+        const std::vector<EdgePoint>& points = lines_[chain_of(end)].points;
+        return is_back(end) ? points.back() : points.front();
+    }
+
+    double length_of_chain(EndId end) const { return lengths_[chain_of(end)]; }
+
+    /// An end beside the frame runs on to it; it is then no loose end any more. All others are.
+    void lead_to_frame() {
+        for (std::size_t c = 0; c < lines_.size(); ++c) {
+            lengths_.push_back(length_of(lines_[c]));
+            for (const EndId end : {front_of(c), back_of(c)}) {
+                if (lines_[c].is_closed) {
+                    continue;
+                }
+                rays_[end] = ray_at(lines_[c].points, is_back(end), 1.0, kSpan_px);
+                EdgePoint last = point_at(end);
+                const std::optional<cv::Point2d> exit = exit_near(last.at, rays_[end].direction);
+                is_free_[end] = !exit;
+                if (exit) {
+                    last.at = *exit;
+                    last.is_fixed = true;
+                    std::vector<EdgePoint>& points = lines_[c].points;
+                    points.insert(is_back(end) ? points.end() : points.begin(), last);
+                }
+            }
+        }
+    }
+
+    /// Where the ray leaves the picture, if that is within the distance over which the frame bends
+    /// lines.
+    std::optional<cv::Point2d> exit_near(const cv::Point2d& from,
+                                         const cv::Point2d& direction) const {
+        const double limit_px = reach_.blur_px + 2.0;
+        double nearest = limit_px;
+        const auto consider = [&](double to_frame, double speed) {
+            if (speed > 0.0 && to_frame >= 0.0) {
+                nearest = std::min(nearest, to_frame / speed);
+            }
+        };
+        consider(from.x + 0.5, -direction.x);
+        consider(picture_.width - 0.5 - from.x, direction.x);
+        consider(from.y + 0.5, -direction.y);
+        consider(picture_.height - 0.5 - from.y, direction.y);
+        if (nearest >= limit_px) {
+            return std::nullopt;
+        }
+        const cv::Point2d exit = from + nearest * direction;
+        return cv::Point2d(std::clamp(exit.x, -0.5, picture_.width - 0.5),
+                           std::clamp(exit.y, -0.5, picture_.height - 0.5));
+    }
+
+    /// The end at a point, if the point is a free one.
+    std::optional<EndId> free_end_at(const PointRef& ref) const {
+        const Chain& chain = lines_[ref.chain];
+        if (chain.is_closed) {
+            return std::nullopt;
+        }
+        if (ref.index == 0 && is_free_[front_of(ref.chain)]) {
+            return front_of(ref.chain);
+        }
+        if (ref.index + 1 == chain.points.size() && is_free_[back_of(ref.chain)]) {
+            return back_of(ref.chain);
+        }
+        return std::nullopt;
+    }
+
+    /// Three or more free ends together are a junction.
+    void meet_ends(const PointGrid& grid, JunctionSet& junctions) {
+        for (EndId end = 0; end < is_free_.size(); ++end) {
+            if (!is_free_[end]) {
+                continue;
+            }
+            std::vector<EndId> together;
+            const cv::Point2d centre = point_at(end).at;
+            grid.near(centre, reach_.junction_px, [&](const PointRef& ref) {
+                const std::optional<EndId> other = free_end_at(ref);
+                if (other && distance(point_at(*other).at, centre) <= reach_.junction_px) {
+                    together.push_back(*other);
+                }
+            });
+            if (together.size() < 3) {
+                continue;
+            }
+            cv::Point2d sum;
+            for (const EndId other : together) {
+                sum += point_at(other).at;
+                is_free_[other] = false;
+            }
+            junctions.add_cluster(together, sum * (1.0 / static_cast<double>(together.size())));
+        }
+    }
+
+    /// For each free end the best place on another line (or far along its own) within reach and
+    /// ahead.
+    std::vector<std::optional<Meeting>> nearest_meetings(const PointGrid& grid) const {
+        std::vector<std::optional<Meeting>> meetings(is_free_.size());
+        for (EndId end = 0; end < is_free_.size(); ++end) {
+            if (!is_free_[end]) {
+                continue;
+            }
+            double best = reach_.junction_px * (1.0 + kCone);
+            grid.near(point_at(end).at, reach_.junction_px, [&](const PointRef& ref) {
+                const cv::Point2d step = lines_[ref.chain].points[ref.index].at - point_at(end).at;
+                const double angle = angle_between(rays_[end].direction, step);
+                const double cost = cv::norm(step) * (1.0 + angle);
+                if (cv::norm(step) <= reach_.junction_px && angle <= kCone && cost < best &&
+                    can_host(ref, end)) {
+                    best = cost;
+                    meetings[end] = Meeting{ref, cv::norm(step)};
+                }
+            });
+        }
+        return meetings;
+    }
+
+    /// Inner points of other lines that are not specks, unless one of their free ends is as near
+    /// (then the two ends belong together); of the end's own line those a good way back.
+    bool can_host(const PointRef& ref, EndId end) const {
+        const Chain& host = lines_[ref.chain];
+        const auto is_near_end = [&](EndId other) {
+            return other != end && is_free_[other] &&
+                   distance(point_at(other).at, point_at(end).at) <= reach_.junction_px;
+        };
+        if (lengths_[ref.chain] < reach_.shortest_px) {
+            return false;
+        }
+        if (!host.is_closed &&
+            (ref.index < 2 || ref.index + 3 > host.points.size() ||
+             is_near_end(front_of(ref.chain)) || is_near_end(back_of(ref.chain)))) {
+            return false;
+        }
+        const std::size_t back = is_back(end) ? host.points.size() - 1 - ref.index : ref.index;
+        return ref.chain != chain_of(end) || static_cast<double>(back) > 4.0 * reach_.junction_px;
+    }
+
+    int close_gaps(const PointGrid& grid, const std::vector<std::optional<Meeting>>& meetings,
+                   JunctionSet& junctions) {
+        std::vector<GapCandidate> candidates;
+        for (EndId a = 0; a < is_free_.size(); ++a) {
+            if (!is_free_[a]) {
+                continue;
+            }
+            grid.near(point_at(a).at, reach_.gap_px, [&](const PointRef& ref) {
+                const std::optional<EndId> b = free_end_at(ref);
+                if (b && a < *b) {
+                    consider_gap(a, *b, meetings, candidates);
+                }
+            });
+            if (!is_back(a) && is_free_[a + 1]) {
+                consider_own_gap(a, candidates);
+            }
+        }
+        std::ranges::stable_sort(candidates, {}, &GapCandidate::cost_px);
+        int closed = 0;
+        for (const GapCandidate& c : candidates) {
+            if (is_free_[c.a] && is_free_[c.b]) {
+                is_free_[c.a] = is_free_[c.b] = false;
+                junctions.add_joint(c.a, c.b);
+                ++closed;
+            }
+        }
+        return closed;
+    }
+
+    void consider_gap(EndId a, EndId b, const std::vector<std::optional<Meeting>>& meetings,
+                      std::vector<GapCandidate>& candidates) const {
+        const double gap = distance(point_at(a).at, point_at(b).at);
+        for (const EndId end : {a, b}) {  // a line between the ends is met, not crossed
+            if (meetings[end] && meetings[end]->distance_px < gap) {
+                return;
+            }
+        }
+        const double cost = gap * (1.0 + bending(a, b));
+        if (cost <= reach_.gap_px || gap <= reach_.junction_px) {
+            candidates.push_back({cost, a, b});
+        }
+    }
+
+    void consider_own_gap(EndId front, std::vector<GapCandidate>& candidates) const {
+        const double gap = distance(point_at(front).at, point_at(front + 1).at);
+        const double limit =
+            std::min(kOwnGapOverLength * length_of_chain(front), 2.0 * reach_.gap_px);
+        if (gap <= limit && bending(front, front + 1) < std::numbers::pi / 2.0) {
+            candidates.push_back({gap * (1.0 + bending(front, front + 1)), front, front + 1});
+        }
+    }
+
+    /// How much a line turns from one end over the straight bridge into the other, radians.
+    double bending(EndId a, EndId b) const {
+        const cv::Point2d bridge = point_at(b).at - point_at(a).at;
+        return cv::norm(bridge) > 0.0 ? angle_between(rays_[a].direction, bridge) +
+                                            angle_between(bridge, -rays_[b].direction)
+                                      : angle_between(rays_[a].direction, -rays_[b].direction);
+    }
+
+    bool are_on_one_side(const cv::Point2d& a, const cv::Point2d& b) const {
+        const double right = picture_.width - 0.5;
+        const double bottom = picture_.height - 0.5;
+        return (a.x == b.x && (a.x == -0.5 || a.x == right)) ||
+               (a.y == b.y && (a.y == -0.5 || a.y == bottom));
+    }
+
+    /// What the frame cuts off is closed by it, unless the frame would be most of the outline.
+    void close_along_frame(std::vector<Chain>& chains) const {
+        for (Chain& chain : chains) {
+            const cv::Point2d a = chain.points.front().at;
+            const cv::Point2d b = chain.points.back().at;
+            if (!chain.is_closed && are_on_one_side(a, b) && chain.points.size() > 2 &&
+                distance(a, b) < 0.5 * length_of(chain)) {
+                chain.is_closed = true;
+            }
+        }
+    }
+
+    std::vector<Chain> lines_;
+    cv::Size picture_;
+    Reach reach_;
+    std::vector<double> lengths_;  // of each line
+    std::vector<bool> is_free_;    // of each end: open, not at the frame, not joined yet
+    std::vector<Ray> rays_;        // of each end of an open line
+};
+
+}  // namespace
+
+Linked linked(std::vector<Chain> lines, cv::Size picture, const Reach& reach) {
+    return Linker(std::move(lines), picture, reach).run();
+}
+
+}  // namespace touchline
