@@ -6,8 +6,8 @@
 #include "haptics/pantograph/profile.h"
 
 #include <charconv>
-#include <map>
 #include <ostream>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -49,6 +49,17 @@ std::string parse_level(const std::string& text, std::optional<double>& level) {
     }
     level = value;
     return "";
+}
+
+std::string parse_mode(const std::string& text, Mode& mode) {
+    for (const auto& [name, value] :
+         {std::pair{"wall", Mode::wall}, std::pair{"groove", Mode::groove},
+          std::pair{"ridge", Mode::ridge}, std::pair{"stay", Mode::stay}}) {
+        if (text != name) continue;
+        mode = value;
+        return "";
+    }
+    return fmt::format("{} is no mode; write wall, groove, ridge or stay", text);
 }
 
 /// A number above 0 and at most `largest`.
@@ -150,12 +161,9 @@ class CommandLine {
         feel_command_->add_option("--path", feel_.path, "HAND.csv: t_s,x_m,y_m")->required();
         feel_command_->add_option("-o", feel_.output, "RUN.csv")->required();
         ContactSettings& contact = feel_.contact;
-        const std::map<std::string, Mode> modes{{"wall", Mode::wall},
-                                                {"groove", Mode::groove},
-                                                {"ridge", Mode::ridge},
-                                                {"stay", Mode::stay}};
-        feel_command_->add_option("--mode", contact.mode, "wall, groove, ridge or stay")
-            ->transform(CLI::CheckedTransformer(modes));
+        feel_command_->add_option("--mode", mode_, "wall, groove, ridge or stay")
+            ->check(
+                [this](const std::string& text) { return parse_mode(text, feel_.contact.mode); });
         feel_command_->add_option("--level", level_, "auto, or a level from 0 (finest)")
             ->check([this](const std::string& text) { return parse_level(text, feel_.level); });
         feel_command_->add_option("--stiffness", contact.stiffness_N_per_m, "N/m")
@@ -230,6 +238,7 @@ class CommandLine {
     FeelOptions feel_;
     std::string area_;
     std::string level_;
+    std::string mode_;
     double denoise_mm_ = 0.0;
 };
 
