@@ -1,0 +1,68 @@
+#include "app/gallery/gallery.h"
+
+#include "app/decode/map_svg.h"
+#include "app/decode/one_line.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <system_error>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<std::vector<std::string>> maps_in(const std::string& folder) {
+    std::vector<std::string> paths;
+    std::error_code error;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        if (it->path().extension() == ".svg") paths.push_back(it->path());
+    }
+    if (error) {
+        return failure("the gallery " + one_line(folder) + " cannot be read: " + error.message() +
+                       "; install the kiosk again or set TOUCHLINE_GALLERY");
+    }
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+Result<std::vector<GalleryEntry>> list(const std::string& folder) {
+    const auto paths = maps_in(folder);
+    if (!paths) return tl::unexpected(paths.error());
+    std::vector<GalleryEntry> entries;
+    for (const std::string& path : *paths) {
+        auto map = read_map_svg(path);
+        if (!map) return tl::unexpected(map.error());
+        entries.push_back({path, std::move(map->title), std::move(map->description)});
+    }
+    if (entries.empty()) {
+        return failure("the gallery " + one_line(folder) +
+                       " holds no .svg file; install the kiosk again or set TOUCHLINE_GALLERY");
+    }
+    return entries;
+}
+
+}  // namespace
+
+Result<std::vector<GalleryEntry>> list_gallery(const std::string& folder) {
+    try {
+        return list(folder);
+    } catch (const std::exception& problem) {
+        return failure("the gallery cannot be read: " + one_line(problem.what()));
+    }
+}
+
+std::string gallery_folder() {
+    if (const char* chosen = std::getenv("TOUCHLINE_GALLERY"); chosen != nullptr && *chosen != 0) {
+        return chosen;
+    }
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    const fs::path installed = program.parent_path() / TOUCHLINE_GALLERY_BESIDE_PROGRAM;
+    if (!error && fs::is_directory(installed, error)) return installed.lexically_normal();
+    return TOUCHLINE_GALLERY_SOURCE;
+}
+
+}  // namespace touchline
