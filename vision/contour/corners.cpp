@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -13,11 +14,14 @@ namespace {
 
 constexpr double kStep_px = 0.5;
 constexpr double kLeastTurn = 35.0 * std::numbers::pi / 180.0;
+constexpr double kGreatestTurn =
+    155.0 * std::numbers::pi / 180.0;  // beyond it, the end of a stroke
 constexpr double kLeastSpan_px = 2.5;  // of a course, to fit a line
 constexpr double kSpan_px = 7.0;
 constexpr double kStraight_px = 0.25;  // rms about the fitted line
 // An ideal corner between sides at angle a, blurred by sigma, is rounded by 0.5 sigma / sin(a/2).
-constexpr double kRounding = 1.0;
+constexpr double kRounding = 0.6;
+constexpr double kRoundingSlack_px = 1.2;  // noise
 
 /// A line fitted to part of the chain, directed along it.
 struct Course {
@@ -182,16 +186,16 @@ class Run {
             skip_px = bent_px(turn);
         }
         const std::optional<cv::Point2d> vertex = crossing(*in, *out);
-        if (turn < kLeastTurn || !vertex) {
+        if (turn < kLeastTurn || turn > kGreatestTurn || !vertex) {
             return std::nullopt;
         }
         const Corner corner{apex - std::min(samples_in(skip_px), (2 * room_before) / 5),
                             apex + std::min(samples_in(skip_px), (2 * room_after) / 5), *vertex};
-        double rounding_px = skip_px;
+        double rounding_px = std::numeric_limits<double>::infinity();
         for (int i = corner.from; i <= corner.to; ++i) {
             rounding_px = std::min(rounding_px, distance(*vertex, sample(i).at));
         }
-        const double explained_px = kRounding * blur_px_ / std::cos(0.5 * turn) + 0.5;
+        const double explained_px = kRounding * blur_px_ / std::cos(0.5 * turn) + kRoundingSlack_px;
         return rounding_px <= explained_px ? std::optional(corner) : std::nullopt;
     }
 
