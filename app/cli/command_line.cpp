@@ -62,18 +62,27 @@ std::string parse_mode(const std::string& text, Mode& mode) {
     return fmt::format("{} is no mode; write wall, groove, ridge or stay", text);
 }
 
-/// A number above 0 and at most `largest`.
-CLI::Validator above_zero(double largest) {
-    return {[largest](const std::string& text) {
+/// A number from `low` to `largest`; unlike the library's own range, not a NaN.
+CLI::Validator number_in(double low, double largest, bool is_low_allowed) {
+    return {[=](const std::string& text) {
                 double value = 0.0;
                 const char* const last = text.data() + text.size();
                 const auto [end, error] = std::from_chars(text.data(), last, value);
-                const bool is_good =
-                    error == std::errc{} && end == last && value > 0.0 && value <= largest;
+                const bool is_good = error == std::errc{} && end == last && value <= largest &&
+                                     (is_low_allowed ? value >= low : value > low);
                 return is_good ? std::string{}
-                               : fmt::format("{} is not above 0 and at most {}", text, largest);
+                               : fmt::format("{} is not {} {} and at most {}", text,
+                                             is_low_allowed ? "at least" : "above", low, largest);
             },
-            fmt::format("0 < value <= {}", largest)};
+            fmt::format("{} {} {}", low, is_low_allowed ? "to" : "< value <=", largest)};
+}
+
+CLI::Validator above_zero(double largest) {
+    return number_in(0.0, largest, false);
+}
+
+CLI::Validator from_zero(double largest) {
+    return number_in(0.0, largest, true);
 }
 
 void add_input(CLI::App& command, std::string& input, bool* as_picture) {
@@ -141,16 +150,16 @@ class CommandLine {
         curve_command_->add_option("-o", curve_.output, "OUT.svg")->required();
         curve_command_->add_option("--level", curve_.level, "0 finest; fractions are blends")
             ->required()
-            ->check(CLI::Range(0.0, 1000.0));
+            ->check(from_zero(1000.0));
         add_curves(*curve_command_, curve_.curves);
         curve_command_->add_flag("--boxes", curve_.with_boxes, "Draw the error boxes");
         curve_command_
             ->add_option("--keep-details", curve_.curves.keep_details,
                          "Share of the wavelet details to keep, largest first")
-            ->check(CLI::Range(0.0, 1.0));
+            ->check(from_zero(1.0));
         curve_command_
             ->add_option("--denoise", denoise_mm_, "Noise to remove, standard deviation in mm")
-            ->check(CLI::Range(0.0, 10.0));
+            ->check(from_zero(10.0));
         curve_command_->add_option("--json", curve_.report, "REPORT.json");
     }
 
@@ -169,9 +178,9 @@ class CommandLine {
         feel_command_->add_option("--stiffness", contact.stiffness_N_per_m, "N/m")
             ->check(above_zero(20000.0));
         feel_command_->add_option("--friction", contact.friction, "Coulomb coefficient")
-            ->check(CLI::Range(0.0, 1.0));
+            ->check(from_zero(1.0));
         feel_command_->add_option("--radius", contact.radius_m, "Proxy radius, m")
-            ->check(CLI::Range(0.0, 0.02));
+            ->check(from_zero(0.02));
         feel_command_->add_option("--capture", contact.capture_m, "Half width of a groove, m")
             ->check(above_zero(0.1));
         feel_command_->add_option("--profile", feel_.profile,
