@@ -13,8 +13,11 @@ constexpr double kPhoto_px = 2.5;   // best of 1, 1.4, 2, 2.5, 2.8, 4 on photos
 constexpr double kDrawing = 0.15;   // at most this part of the picture changes: a drawing
 constexpr double kPhoto = 0.45;     // at least this part: a photo
 constexpr double kRounding = 0.3;   // gradient that 8-bit rounding and compression leave, per pixel
-constexpr double kSignificance = 6.0;  // x gradient noise: 2e-8 of the pixels of pure noise
+constexpr double kSignificance = 6.0;       // x gradient noise: 2e-8 of the pixels of pure noise
+constexpr double kMedianOverSigma = 1.177;  // of a Rayleigh distribution: the gradient of noise
+constexpr double kMostlyNoise = 2.5;  // measured over predicted gradient noise; photos 5 and more
 constexpr double kHighOverQuantile = 2.0;
+constexpr double kHighOverStrongest = 0.6;  // a checkerboard is edges all over
 constexpr double kLowOverHigh = 0.4;
 
 /// The part of the picture whose lightness changes by more than noise and rounding explain.
@@ -35,6 +38,14 @@ double changing_part(const LabPicture& lab, double noise, double sigma_px) {
     return static_cast<double>(changing) / static_cast<double>(lightness.total());
 }
 
+double quantile_of(const GradientField& field, double fraction) {
+    return static_cast<double>(quantile(field.strength, fraction));
+}
+
+Hysteresis hysteresis(double high) {
+    return {kLowOverHigh * high, high};
+}
+
 }  // namespace
 
 double smoothing_for(const LabPicture& lab, double noise) {
@@ -47,10 +58,20 @@ double smoothing_for(const LabPicture& lab, double noise) {
 }
 
 Hysteresis thresholds_for(const GradientField& field, double noise, double sigma_px) {
-    const double typical = static_cast<double>(quantile(field.strength, 0.75));
-    const double floor = std::max(4.0 * kRounding, kSignificance * gradient_noise(noise, sigma_px));
-    const double high = std::max(kHighOverQuantile * typical, floor);
-    return {kLowOverHigh * high, high};
+    const double median = quantile_of(field, 0.5);
+    const double predicted = gradient_noise(noise, sigma_px);
+    const double measured = median / kMedianOverSigma;
+    // Where most of the gradient is noise the gradient itself measures it best.
+    const double floor =
+        kSignificance *
+        (measured < kMostlyNoise * predicted ? std::max(predicted, measured) : predicted);
+    const double crowd = std::min(kHighOverQuantile * quantile_of(field, 0.75),
+                                  kHighOverStrongest * quantile_of(field, 0.98));
+    return hysteresis(std::max({crowd, floor, 4.0 * kRounding}));
+}
+
+Hysteresis grain_thresholds(const GradientField& field) {
+    return hysteresis(kHighOverQuantile * quantile_of(field, 0.75));
 }
 
 }  // namespace touchline

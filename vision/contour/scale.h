@@ -12,8 +12,11 @@ namespace touchline {
 /// (photos, where finer edges are texture).
 [[nodiscard]] double smoothing_for(const LabPicture& lab, double noise);
 
-/// high = 2 x the 75th percentile of the gradient, low = 0.4 high; never below five times
-/// what the noise leaves in the gradient, nor below what rounding to 8 bits leaves.
+/// high = 2 x the 75th percentile of the gradient, at most 0.6 x the 98th; low = 0.4 high. Never
+/// below six times what noise leaves in the gradient, nor below what rounding to 8 bits leaves.
 [[nodiscard]] Hysteresis thresholds_for(const GradientField& field, double noise, double sigma_px);
+
+/// The same without the floor: for a picture in which nothing but its own grain can be felt.
+[[nodiscard]] Hysteresis grain_thresholds(const GradientField& field);
 
 }  // namespace touchline

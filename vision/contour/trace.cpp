@@ -1,9 +1,10 @@
 #include "vision/contour/trace.h"
 
-#include "config/types/map_frame.h"
 #include "vision/contour/corners.h"
 #include "vision/contour/edge_lines.h"
+#include "vision/contour/edge_strength.h"
 #include "vision/contour/linking.h"
+#include "vision/contour/placement.h"
 #include "vision/contour/ranking.h"
 #include "vision/contour/sampling.h"
 #include "vision/contour/scale.h"
@@ -23,6 +24,9 @@ constexpr double kShortest_m = 0.004;  // 4 mm of line: the smallest feature wor
 constexpr double kShortest_px = 8.0;  // shorter lines are pixels, whatever their size on the device
 constexpr double kSpacing_m = 0.0002;  // points no denser than the hand's device resolves
 constexpr double kSpacing_px = 1.0;
+constexpr double kGrain =
+    1.0;  // grey levels; more noise than that in an otherwise empty picture is its content
+constexpr std::size_t kGrainOutlines = 20;
 constexpr double kPictureBlur_px = 0.8;  // sigma, of lens and sampling
 
 std::string size_of(const cv::Mat& picture) {
@@ -52,62 +56,6 @@ Working prepared(const cv::Mat& picture) {
         return measured(reduced(small, kPhotoPixels));
     }
     return working;
-}
-
-/// Where working pixels lie in W.
-class Placement {
-  public:
-    Placement(const cv::Mat& picture, cv::Size working, const Area& area)
-        : area_(area),
-          mm_per_pixel_(1000.0 *
-                        std::min(area.width_m / picture.cols, area.height_m / picture.rows)),
-          mm_per_column_(mm_per_pixel_ * picture.cols / working.width),
-          mm_per_row_(mm_per_pixel_ * picture.rows / working.height),
-          left_mm_(500.0 * area.width_m - 0.5 * mm_per_pixel_ * picture.cols),
-          top_mm_(500.0 * area.height_m - 0.5 * mm_per_pixel_ * picture.rows) {}
-
-    double picture_pixels_per_metre() const { return 1000.0 / mm_per_pixel_; }
-
-    double metres_per_working_pixel() const { return 0.5e-3 * (mm_per_column_ + mm_per_row_); }
-
-    Position in_w(cv::Point2d at) const {
-        return canonical_point(left_mm_ + (at.x + 0.5) * mm_per_column_,
-                               top_mm_ + (at.y + 0.5) * mm_per_row_, area_);
-    }
-
-  private:
-    Area area_;
-    double mm_per_pixel_;
-    double mm_per_column_;
-    double mm_per_row_;
-    double left_mm_;
-    double top_mm_;
-};
-
-cv::Mat strength_picture(const std::vector<Chain>& chains, cv::Size size, double high) {
-    constexpr int kReach = 28;  // points either way: about 20 pixels
-    constexpr double kExtent_px = 30.0;
-    cv::Mat1b picture(size, uchar{0});
-    for (const Chain& chain : chains) {
-        const int n = static_cast<int>(chain.points.size());
-        const double extent = 1.0 - std::exp(-length_of(chain) / kExtent_px);
-        std::vector<double> sum(chain.points.size() + 1, 0.0);
-        for (std::size_t i = 0; i < chain.points.size(); ++i) {
-            sum[i + 1] = sum[i] + chain.points[i].strength;
-        }
-        for (int i = 0; i < n; ++i) {
-            const int from = std::max(0, i - kReach);
-            const int to = std::min(n, i + kReach + 1);
-            const double mean =
-                (sum[static_cast<std::size_t>(to)] - sum[static_cast<std::size_t>(from)]) /
-                (to - from);
-            const double r = mean / high * extent;
-            const cv::Point2d at = chain.points[static_cast<std::size_t>(i)].at;
-            uchar& pixel = picture(cvRound(at.y), cvRound(at.x));
-            pixel = std::max(pixel, cv::saturate_cast<uchar>(255.0 * r / (1.0 + r)));
-        }
-    }
-    return picture;
 }
 
 Reach reach_for(cv::Size size, double smoothing_px, double shortest_px) {
@@ -187,7 +135,7 @@ void fill_map(const std::vector<RankedOutline>& order, const Placement& placemen
         }
     }
     report.outlines = static_cast<int>(trace.map.outlines.size());
-    if (report.over_budget > 0) {
+    if (report.over_budget > 0 && report.warning.empty()) {
         report.warning =
             "the picture has " + std::to_string(order.size()) +
             " outlines, more than can be felt; only the " +
@@ -196,41 +144,68 @@ void fill_map(const std::vector<RankedOutline>& order, const Placement& placemen
     }
 }
 
-Result<Trace> traced(const cv::Mat& picture, const TraceOptions& options) {
-    const Working working = prepared(picture);
-    const GradientField field = colour_gradient(working.lab, working.smoothing_px);
-    const Hysteresis limits = thresholds_for(field, working.noise, working.smoothing_px);
-    std::vector<Chain> chains = edge_lines(field, limits);
+/// Grain says nothing by being felt whole: a few lines of it show what there is.
+void keep_some_grain(std::vector<RankedOutline>& order, TraceReport& report) {
+    const std::size_t kept = std::min(order.size(), kGrainOutlines);
+    report.over_budget = static_cast<int>(order.size() - kept);
+    report.warning = "nothing in the picture stands out from its grain; of " +
+                     std::to_string(report.lines_found) + " lines in the grain only the " +
+                     std::to_string(kept) + " strongest are used";
+    order.resize(kept);
+}
 
-    Trace trace;
-    trace.map.area = area_of(view_box_of(options.area));
-    const Placement placement(picture, working.lab.size(), trace.map.area);
+/// The outlines that these thresholds give.
+std::vector<Chain> outlines_of(const GradientField& field, const Hysteresis& limits,
+                               double smoothing_px, double metres_per_px, Trace& trace) {
     TraceReport& report = trace.report;
-    report.working_scale = static_cast<double>(working.lab.cols) / picture.cols;
-    report.pixels_per_metre = placement.picture_pixels_per_metre();
-    report.noise = working.noise;
-    report.smoothing_px = working.smoothing_px;
+    const cv::Size size = field.strength.size();
+    std::vector<Chain> lines = edge_lines(field, limits);
     report.low = limits.low;
     report.high = limits.high;
-    report.lines_found = static_cast<int>(chains.size());
-    trace.edge_strength = strength_picture(chains, working.lab.size(), limits.high);
-    const double metres_per_px = placement.metres_per_working_pixel();
+    report.lines_found = static_cast<int>(lines.size());
+    trace.edge_strength = edge_strength(lines, size, limits.high);
     const double shortest_px = std::max(kShortest_px, kShortest_m / metres_per_px);
-    Linked network = linked(std::move(chains), working.lab.size(),
-                            reach_for(working.lab.size(), working.smoothing_px, shortest_px));
-    chains = std::move(network.chains);
+    Linked network = linked(std::move(lines), size, reach_for(size, smoothing_px, shortest_px));
     report.gaps_closed = network.gaps_closed;
     report.junctions = network.junctions;
-    report.specks_dropped = drop_specks(chains, shortest_px);
-    const double blur_px = std::hypot(working.smoothing_px, kPictureBlur_px);
-    for (Chain& chain : chains) {
+    report.specks_dropped = drop_specks(network.chains, shortest_px);
+    const double blur_px = std::hypot(smoothing_px, kPictureBlur_px);
+    for (Chain& chain : network.chains) {
         chain = with_sharp_corners(chain, blur_px);
     }
-    if (chains.empty()) {
+    return std::move(network.chains);
+}
+
+Result<Trace> traced(const cv::Mat& picture, const TraceOptions& options) {
+    const Working working = prepared(picture);
+    const double smoothing_px = working.smoothing_px;
+    const GradientField field = colour_gradient(working.lab, smoothing_px);
+    Trace trace;
+    trace.map.area = area_of(view_box_of(options.area));
+    const Placement placement(picture.size(), working.lab.size(), trace.map.area);
+    const double metres_per_px = placement.metres_per_working_pixel();
+    trace.report.working_scale = static_cast<double>(working.lab.cols) / picture.cols;
+    trace.report.pixels_per_metre = placement.picture_pixels_per_metre();
+    trace.report.noise = working.noise;
+    trace.report.smoothing_px = smoothing_px;
+
+    bool is_grain = false;
+    std::vector<Chain> outlines =
+        outlines_of(field, thresholds_for(field, working.noise, smoothing_px), smoothing_px,
+                    metres_per_px, trace);
+    if (outlines.empty() && working.noise >= kGrain) {
+        outlines = outlines_of(field, grain_thresholds(field), smoothing_px, metres_per_px, trace);
+        is_grain = true;
+    }
+    if (outlines.empty()) {
         return failure(nothing_found(picture));
     }
-    fill_map(ranked(std::move(chains), limits.high, metres_per_px), placement, options.detail,
-             trace);
+    std::vector<RankedOutline> order =
+        ranked(std::move(outlines), trace.report.high, metres_per_px);
+    if (is_grain) {
+        keep_some_grain(order, trace.report);
+    }
+    fill_map(order, placement, options.detail, trace);
     return trace;
 }
 
