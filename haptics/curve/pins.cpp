@@ -82,7 +82,7 @@ Place place(Position p) {
 std::vector<Place> line_ends(const std::vector<Outline>& outlines) {
     std::vector<Place> ends;
     for (const Outline& outline : outlines) {
-        if (outline.is_closed) continue;
+        if (outline.is_closed || outline.points.empty()) continue;
         ends.push_back(place(outline.points.front()));
         ends.push_back(place(outline.points.back()));
     }
@@ -114,6 +114,10 @@ std::vector<std::vector<std::size_t>> find_pins(const std::vector<Outline>& outl
     const std::vector<Place> ends = line_ends(outlines);
     std::vector<std::vector<std::size_t>> pins;
     for (const Outline& outline : outlines) {
+        if (outline.points.empty()) {
+            pins.emplace_back();
+            continue;
+        }
         std::vector<std::size_t> own = corners(outline, rule);
         for (std::size_t i = 0; i < outline.points.size(); ++i) {
             if (std::binary_search(ends.begin(), ends.end(), place(outline.points[i]))) {
