@@ -23,7 +23,9 @@ class ForceDevice {
   protected:
     ForceDevice() = default;
     ForceDevice(const ForceDevice&) = default;
+    ForceDevice(ForceDevice&&) = default;
     ForceDevice& operator=(const ForceDevice&) = default;
+    ForceDevice& operator=(ForceDevice&&) = default;
 };
 
 }  // namespace touchline

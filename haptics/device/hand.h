@@ -46,7 +46,9 @@ class IntendedPath {
   protected:
     IntendedPath() = default;
     IntendedPath(const IntendedPath&) = default;
+    IntendedPath(IntendedPath&&) = default;
     IntendedPath& operator=(const IntendedPath&) = default;
+    IntendedPath& operator=(IntendedPath&&) = default;
 };
 
 /// Straight from way point to way point; still before the first and after the last.

@@ -29,7 +29,9 @@ class Servo {
     /// Stops.
     ~Servo();
     Servo(const Servo&) = delete;
+    Servo(Servo&&) = delete;
     Servo& operator=(const Servo&) = delete;
+    Servo& operator=(Servo&&) = delete;
 
     /// Takes the device and starts the loop, force off -> armed -> ramp -> live. Commands and scene
     /// given before count from the first tick. Fails when the servo runs already or the thread

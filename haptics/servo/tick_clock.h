@@ -17,7 +17,9 @@ class Clock {
   protected:
     Clock() = default;
     Clock(const Clock&) = default;
+    Clock(Clock&&) = default;
     Clock& operator=(const Clock&) = default;
+    Clock& operator=(Clock&&) = default;
 };
 
 /// CLOCK_MONOTONIC. Threads: any.
