@@ -20,7 +20,9 @@ class Descriptor {
     explicit Descriptor(int number) noexcept : number_(number) {}
 
     Descriptor(const Descriptor&) = delete;
+    Descriptor(Descriptor&&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
+    Descriptor& operator=(Descriptor&&) = delete;
 
     ~Descriptor() {
         if (is_open()) ::close(number_);

@@ -1,5 +1,6 @@
 #include "app/decode/formats.h"
 
+#include <array>
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h needs FILE
 
@@ -14,7 +15,7 @@ struct ErrorCallbacks {
     jpeg_error_mgr base;  // first: libjpeg's pointer to it is a pointer to this
     std::jmp_buf way_out;
     bool is_cut_short;
-    char message[JMSG_LENGTH_MAX];
+    std::array<char, JMSG_LENGTH_MAX> message;
 };
 
 /// A progressive file of a few kilobytes can ask for thousands of passes over every pixel.
@@ -26,8 +27,8 @@ ErrorCallbacks& callbacks_of(j_common_ptr codec) {
 
 [[noreturn]] void leave(j_common_ptr codec) {
     ErrorCallbacks& errors = callbacks_of(codec);
-    errors.base.format_message(codec, errors.message);
-    std::longjmp(errors.way_out, 1);
+    errors.base.format_message(codec, errors.message.data());
+    std::longjmp(errors.way_out, 1);  // NOLINT(cert-err52-cpp): libjpeg's interface
 }
 
 /// Warnings pass (a picture with stray bytes is a picture) but for those that say data is missing.
@@ -61,7 +62,9 @@ class Decoder : public jpeg_decompress_struct {
     }
 
     Decoder(const Decoder&) = delete;
+    Decoder(Decoder&&) = delete;
     Decoder& operator=(const Decoder&) = delete;
+    Decoder& operator=(Decoder&&) = delete;
 
     ~Decoder() { jpeg_destroy_decompress(this); }
 
@@ -80,10 +83,11 @@ class Decoder : public jpeg_decompress_struct {
     jpeg_progress_mgr progress_{};
 };
 
+/// The divisor of both sides: 1, 2, 4 or 8.
 unsigned reduction(std::uint64_t width, std::uint64_t height) {
-    unsigned by = 1;
+    std::uint64_t by = 1;
     while (by < 8 && width * height / (by * by) > max_full_jpeg_pixels) by *= 2;
-    return by;
+    return static_cast<unsigned>(by);
 }
 
 /// Printing inks to light. Adobe's programs store every ink inverted, and all others follow them;
@@ -130,7 +134,7 @@ bool read_rows(Decoder& decoder, bool has_inks, Picture& picture) {
 Result<Picture> read_jpeg(Bytes bytes) {
     Decoder decoder;
     if (!run(decoder.errors, [&] { decoder.open(bytes); })) {
-        return damaged("JPEG", decoder.errors.message);
+        return damaged("JPEG", decoder.errors.message.data());
     }
     // One byte a pixel here: the pixels alone; the buffer is measured after the reduction.
     if (auto fits = check_size("JPEG", decoder.image_width, decoder.image_height, 1); !fits) {
@@ -144,14 +148,15 @@ Result<Picture> read_jpeg(Bytes bytes) {
     decoder.scale_denom = by;
     decoder.out_color_space = has_inks ? JCS_CMYK : JCS_EXT_BGR;
     if (!run(decoder.errors, [&] { jpeg_start_decompress(&decoder); })) {
-        return damaged("JPEG", decoder.errors.message);
+        return damaged("JPEG", decoder.errors.message.data());
     }
     Picture picture{static_cast<int>(decoder.output_width),
                     static_cast<int>(decoder.output_height),
                     {},
                     1.0 / by};
     picture.bgr.resize(std::size_t{3} * decoder.output_width * decoder.output_height);
-    if (!read_rows(decoder, has_inks, picture)) return damaged("JPEG", decoder.errors.message);
+    if (!read_rows(decoder, has_inks, picture))
+        return damaged("JPEG", decoder.errors.message.data());
     if (decoder.errors.is_cut_short) return damaged("JPEG", "the file ends before the picture");
     return upright(std::move(picture), orientation);
 }

@@ -114,7 +114,8 @@ class MapReader {
         return take_outlines(element, tracer.take());
     }
 
-    Result<void> take_outlines(const pugi::xml_node& element, std::vector<Subpath> subpaths) {
+    Result<void> take_outlines(const pugi::xml_node& element,
+                               const std::vector<Subpath>& subpaths) {
         Outline common;
         common.label = one_spaced(element.attribute("data-label").value());
         if (common.label.empty()) common.label = text_of(child_named(element, "title"));

@@ -1,5 +1,6 @@
 #include "app/decode/map_svg.h"
 
+#include <array>
 #include <charconv>
 #include <sstream>
 
@@ -10,8 +11,8 @@ namespace touchline {
 namespace {
 
 void append_number(std::string& text, double value) {
-    char digits[32];  // the longest double takes 24
-    text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+    std::array<char, 32> digits{};  // the longest double takes 24
+    text.append(digits.data(), std::to_chars(digits.begin(), digits.end(), value).ptr);
 }
 
 void set(pugi::xml_node node, const char* name, const std::string& value) {

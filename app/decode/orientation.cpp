@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 namespace touchline::decode {
@@ -39,10 +40,10 @@ class TiffNumbers {
 }  // namespace
 
 int exif_orientation(Bytes app1) {
-    constexpr char signature[] = "Exif\0";  // and the 0 that ends the literal: six bytes
-    if (app1.size() < sizeof signature) return 1;
-    if (std::memcmp(app1.data(), signature, sizeof signature) != 0) return 1;
-    const TiffNumbers numbers(app1.subspan(sizeof signature));
+    constexpr std::string_view signature("Exif\0\0", 6);
+    if (app1.size() < signature.size()) return 1;
+    if (std::memcmp(app1.data(), signature.data(), signature.size()) != 0) return 1;
+    const TiffNumbers numbers(app1.subspan(signature.size()));
     const std::size_t directory = numbers.read_32(4);
     const std::uint32_t entries = numbers.read_16(directory);
     for (std::uint32_t i = 0; i < entries; ++i) {

@@ -30,7 +30,7 @@ Result<void> check_size(std::string_view format, std::uint64_t width, std::uint6
 tl::unexpected<Error> damaged(std::string_view format, std::string_view detail) {
     return failure(
         fmt::format("the {} picture is cut short or damaged ({}); copy it again or save it anew",
-                    format, one_line(detail)));
+                    format, detail.empty() ? "its data make no sense" : one_line(detail)));
 }
 
 namespace {

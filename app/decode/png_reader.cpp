@@ -11,7 +11,9 @@ class Image : public png_image {
     Image() : png_image{} { version = PNG_IMAGE_VERSION; }
 
     Image(const Image&) = delete;
+    Image(Image&&) = delete;
     Image& operator=(const Image&) = delete;
+    Image& operator=(Image&&) = delete;
 
     ~Image() { png_image_free(this); }
 };
@@ -29,7 +31,7 @@ std::uint64_t big_endian_32(Bytes bytes, std::size_t offset) {
 Result<Picture> read_png(Bytes bytes) {
     constexpr std::size_t header_end = 24;  // signature 8, IHDR's length and name 8, two sides 8
     if (bytes.size() < header_end) return damaged("PNG", "the header is missing");
-    // Looked at here because libpng calls a large header merely invalid. 4: with transparency.
+    // Looked at here because libpng calls a large header merely invalid.
     if (auto fits = check_size("PNG", big_endian_32(bytes, 16), big_endian_32(bytes, 20), 3);
         !fits) {
         return tl::unexpected(fits.error());

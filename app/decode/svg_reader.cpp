@@ -57,7 +57,8 @@ void copy_rows(cairo_surface_t* surface, Picture& picture) {
     const int stride = cairo_image_surface_get_stride(surface);
     std::uint8_t* to = picture.bgr.data();
     for (int y = 0; y < picture.height; ++y, row += stride) {
-        for (int x = 0; x < picture.width; ++x, to += 3) std::copy_n(row + 4 * x, 3, to);
+        const unsigned char* from = row;
+        for (int x = 0; x < picture.width; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
     }
 }
 

@@ -99,7 +99,8 @@ void SvgTracer::cubic_to(UserPoint control_1, UserPoint control_2, UserPoint to)
     const double parts =
         parts_for(6.0 * std::max(norm(b0 - 2.0 * b1 + b2), norm(b1 - 2.0 * b2 + b3)));
     if (!can_add(parts)) return;
-    for (double i = 1.0; i < parts; ++i) {
+    const int count = static_cast<int>(parts);  // can_add: at most max_map_points
+    for (int i = 1; i < count; ++i) {
         const double t = i / parts;
         const double s = 1.0 - t;
         add_computed((s * s * s) * b0 + (3.0 * s * s * t) * b1 + (3.0 * s * t * t) * b2 +
@@ -120,7 +121,8 @@ void SvgTracer::arc_to(double radius_x, double radius_y, double rotation_deg, bo
             std::max(norm(arc.axis_x), norm(arc.axis_y)) * to_view_box_.stretch();
         const double parts = std::ceil(std::abs(arc.sweep_rad) / step_for(radius_mm));
         if (!can_add(parts)) return;
-        for (double i = 1.0; i < parts; ++i) {
+        const int count = static_cast<int>(parts);
+        for (int i = 1; i < count; ++i) {
             add_computed(to_view_box_(arc.at(arc.begin_rad + arc.sweep_rad * (i / parts))));
         }
     }

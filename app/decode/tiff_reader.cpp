@@ -1,6 +1,7 @@
 #include "app/decode/formats.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
@@ -32,7 +33,7 @@ tmsize_t read_some(thandle_t handle, void* to, tmsize_t wanted) {
     return static_cast<tmsize_t>(count);
 }
 
-tmsize_t refuse_write(thandle_t, void*, tmsize_t) {
+tmsize_t refuse_write(thandle_t /*handle*/, void* /*from*/, tmsize_t /*size*/) {
     return 0;
 }
 
@@ -44,7 +45,7 @@ toff_t seek(thandle_t handle, toff_t offset, int from) {
     return offset;
 }
 
-int close_nothing(thandle_t) {
+int close_nothing(thandle_t /*handle*/) {
     return 0;
 }
 
@@ -52,19 +53,20 @@ toff_t size_of(thandle_t handle) {
     return source_of(handle).bytes.size();
 }
 
-[[gnu::format(printf, 4, 0)]] int keep_first_error(TIFF*, void* user, const char*,
-                                                   const char* format, std::va_list arguments) {
+[[gnu::format(printf, 4, 0)]] int keep_first_error(TIFF* /*tiff*/, void* user,
+                                                   const char* /*module*/, const char* format,
+                                                   std::va_list arguments) {
     std::string& error = static_cast<Source*>(user)->error;
     if (error.empty()) {
-        char text[256];
-        std::vsnprintf(text, sizeof text, format, arguments);
-        error = text;
+        std::array<char, 256> text{};
+        const int length = std::vsnprintf(text.data(), text.size(), format, arguments);
+        error = length > 0 ? text.data() : "libtiff gives no reason";
     }
     return 1;  // handled: nothing goes to the process-wide handler and stderr
 }
 
-[[gnu::format(printf, 4, 0)]] int drop_warning(TIFF*, void*, const char*, const char*,
-                                               std::va_list) {
+int drop_warning(TIFF* /*tiff*/, void* /*user*/, const char* /*module*/, const char* /*format*/,
+                 std::va_list /*arguments*/) {
     return 1;
 }
 
@@ -92,7 +94,7 @@ void raster_to_bgr(std::vector<std::uint8_t>& raster) {
         std::uint32_t pixel = 0;
         std::memcpy(&pixel, &raster[4 * i], 4);
         const std::uint32_t white = 255 - TIFFGetA(pixel);
-        const std::uint32_t bgr[3] = {TIFFGetB(pixel), TIFFGetG(pixel), TIFFGetR(pixel)};
+        const std::array bgr{TIFFGetB(pixel), TIFFGetG(pixel), TIFFGetR(pixel)};
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const std::uint32_t sum = std::min(bgr[channel] + white, 255U);
             raster[3 * i + channel] = static_cast<std::uint8_t>(sum);
