@@ -10,6 +10,8 @@ stop() {
     exit 1
 }
 
+mkdir -p "$root/build" 2>/dev/null || stop "cannot write in $root"
+
 # missing_packages LIST...: names in config/packages/LIST.txt that dpkg does not have installed.
 missing_packages() {
     local list wanted
@@ -57,7 +59,6 @@ install_packages() {
         as_root=(sudo)
     fi
 
-    mkdir -p "$root/build" 2>/dev/null || stop "cannot write in $root"
     say "installing what is missing (${#missing[@]} packages); this may take some minutes"
     local apt=("${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive
         apt-get -q -y -o DPkg::Lock::Timeout=120)
@@ -87,7 +88,7 @@ build() {
 
 stop_build() {
     local free_kB
-    free_kB=$(df -Pk "$root" | awk 'NR == 2 { print $4 }')
-    ((free_kB > 100000)) || stop "$1 failed: the disk of $root is full; free about 2 GB, then start again"
+    free_kB=$(df -Pk "$root/build" | awk 'NR == 2 { print $4 }')
+    ((free_kB > 100000)) || stop "$1 failed: the disk is full; free about 2 GB, then start again"
     stop "$1 failed: the lines above say why"
 }
