@@ -31,9 +31,7 @@ Result<KioskScreen> KioskScreen::make(double cap_px) {
     if (!images) return tl::unexpected(images.error());
     auto strokes = StrokeRenderer::make();
     if (!strokes) return tl::unexpected(strokes.error());
-    glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // colours come multiplied by alpha
-    glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
     return KioskScreen(cap_px, std::move(*images), std::move(*strokes));
 }
 
@@ -47,16 +45,21 @@ void KioskScreen::draw(const FrameContent& content, int width_px, int height_px,
     update_panel(content.status, now_ns);
     update_overlay(content);
     if (content.shown.scene) update_outlines(*content.shown.scene, content.hand.level);
-    update_marks(content);
+    update_boxes(content);
+    update_hand(content.hand);
     is_stale_ = false;
 
     glViewport(0, 0, width_px_, height_px_);
-    glClear(GL_COLOR_BUFFER_BIT);
+    // The two opaque layers cover the whole screen: no clearing, and without blending software
+    // drawing copies them.
+    glDisable(GL_BLEND);
     images_.draw(picture_);
-    if (content.shown.scene) stroke_renderer_.draw(outlines_, width_px_, height_px_);
-    stroke_renderer_.draw(marks_, width_px_, height_px_);
-    images_.draw(panel_);
+    glEnable(GL_BLEND);
+    for (const StrokeBuffer* strokes : {&boxes_, &outlines_, &hand_})
+        stroke_renderer_.draw(*strokes, width_px_, height_px_);
     if (painted_keys_ || !painted_message_.empty()) images_.draw(overlay_);
+    glDisable(GL_BLEND);
+    images_.draw(panel_);
 }
 
 void KioskScreen::lay_out_again(int width_px, int height_px) {
@@ -76,6 +79,7 @@ void KioskScreen::update_picture(const ShownScene& shown) {
     const Area area = shown.scene ? shown.scene->area : Area{};
     const View local = view_of(area, at_origin(layout_.picture));
     const Canvas canvas = canvas_for(layout_.picture);
+    fill(canvas.context(), at_origin(layout_.picture), {theme::background});
     if (shown.picture) paint_picture(canvas.context(), local, area, *shown.picture);
     paint_frame(canvas.context(), area_rect(area, local), unit_px());
     upload(picture_, canvas, layout_.picture);
@@ -117,7 +121,7 @@ void KioskScreen::update_outlines(const Scene& scene, double level) {
     outlined_level_ = level;
 }
 
-void KioskScreen::update_marks(const FrameContent& content) {
+void KioskScreen::update_boxes(const FrameContent& content) {
     strokes_.clear();
     if (content.shows_boxes && content.shown.scene) {
         const Scene& scene = *content.shown.scene;
@@ -126,8 +130,13 @@ void KioskScreen::update_marks(const FrameContent& content) {
         scene.tree.boundary_section(scene.curves, content.hand.p_WH, level, boxes);
         add_boxes(strokes_, view_, boxes, 0.75 * unit_px());
     }
-    add_hand(strokes_, view_, content.hand, unit_px());
-    marks_.upload(strokes_);
+    boxes_.upload(strokes_);
+}
+
+void KioskScreen::update_hand(const HandState& hand) {
+    strokes_.clear();
+    add_hand(strokes_, view_, hand, proxy_radius_m, unit_px());
+    hand_.upload(strokes_);
 }
 
 }  // namespace touchline

@@ -49,7 +49,8 @@ class KioskScreen {
     void update_panel(const Status& status, std::int64_t now_ns);
     void update_overlay(const FrameContent& content);
     void update_outlines(const Scene& scene, double level);
-    void update_marks(const FrameContent& content);
+    void update_boxes(const FrameContent& content);
+    void update_hand(const HandState& hand);
     void upload(ImageLayer& layer, const Canvas& canvas, const Rect& rect) const;
 
     [[nodiscard]] double unit_px() const { return cap_px_ / 14.0; }
@@ -58,7 +59,7 @@ class KioskScreen {
     ImageRenderer images_;
     StrokeRenderer stroke_renderer_;
     ImageLayer picture_, panel_, overlay_;
-    StrokeBuffer outlines_, marks_;
+    StrokeBuffer boxes_, outlines_, hand_;
     Strokes strokes_;
 
     int width_px_ = 0;

@@ -6,15 +6,16 @@
 namespace touchline {
 
 ScreenLayout lay_out(int width_px, int height_px) {
-    constexpr double panel_share = 0.3;
-    constexpr double wide = 1.5;  // 16:9 and 16:10, not 4:3, 5:4 or upright
+    constexpr double share_beside = 0.32;  // of the panel; holds its words at full size on usual
+    constexpr double share_below = 0.36;   // screens
+    constexpr double wide = 1.5;           // 16:9 and 16:10, not 4:3, 5:4 or upright
     const double width = width_px;
     const double height = height_px;
     if (width / height >= wide) {
-        const double split = std::round(width * (1.0 - panel_share));
+        const double split = std::round(width * (1.0 - share_beside));
         return {{0.0, 0.0, split, height}, {split, 0.0, width - split, height}};
     }
-    const double split = std::round(height * (1.0 - panel_share));
+    const double split = std::round(height * (1.0 - share_below));
     return {{0.0, 0.0, width, split}, {0.0, split, width, height - split}};
 }
 

@@ -2,6 +2,8 @@
 
 #include "app/screen/rendered_path.h"
 
+#include <algorithm>
+
 namespace touchline {
 
 void add_outlines(Strokes& strokes, const View& view, const CurveSet& curves, double level,
@@ -23,18 +25,19 @@ void add_boxes(Strokes& strokes, const View& view, std::span<const ErrorBox> box
     }
 }
 
-void add_hand(Strokes& strokes, const View& view, const HandState& hand, double unit_px) {
+void add_hand(Strokes& strokes, const View& view, const HandState& hand, double proxy_radius_m,
+              double unit_px) {
     constexpr double arrow_units_per_N = 40.0;
     const PixelPoint handle = view.to_px(hand.p_WH);
     const PixelPoint proxy = view.to_px(hand.p_WP);
     const double px_per_N = arrow_units_per_N * unit_px;
     const PixelPoint reach{px_per_N * hand.force.x, -px_per_N * hand.force.y};
-    strokes.add_line(handle, proxy, unit_px, {theme::proxy});
-    strokes.add_arrow(handle, handle + reach, 1.5 * unit_px, {theme::force});
-    strokes.add_ring(handle, 5.0 * unit_px, 2.0 * unit_px, {theme::background});
+    const double disc_px = std::max(view.px_per_m * proxy_radius_m, 2.5 * unit_px);
+    strokes.add_dot(proxy, disc_px, {theme::proxy});
+    strokes.add_line(handle, proxy, unit_px, {theme::handle});
+    strokes.add_ring(handle, 5.0 * unit_px, 2.5 * unit_px, {theme::background});
     strokes.add_ring(handle, 5.0 * unit_px, 1.25 * unit_px, {theme::handle});
-    strokes.add_dot(proxy, 3.0 * unit_px, {theme::background});
-    strokes.add_dot(proxy, 2.5 * unit_px, {theme::proxy});
+    strokes.add_arrow(handle, handle + reach, 1.5 * unit_px, {theme::force});
 }
 
 }  // namespace touchline

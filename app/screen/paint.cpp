@@ -80,6 +80,14 @@ void paint_forces(cairo_t* cr, const View& view, std::span<const ForceMark> mark
     }
 }
 
+void paint_stroke(cairo_t* cr, PixelPoint from, PixelPoint to, double width_px,
+                  const Paint& paint) {
+    set_pen(cr, width_px, paint);
+    cairo_new_path(cr);
+    for (const PixelPoint p : {from, to}) line_to(cr, p);
+    cairo_stroke(cr);
+}
+
 void paint_arrow(cairo_t* cr, PixelPoint from, PixelPoint to, double width_px, const Paint& paint) {
     set_pen(cr, width_px, paint);
     const Barbs barbs = barbs_of(from, to, 4.0 * width_px);

@@ -40,6 +40,8 @@ struct ForceMark {
 void paint_forces(cairo_t* cr, const View& view, std::span<const ForceMark> marks, double px_per_N,
                   double width_px);
 
+void paint_stroke(cairo_t* cr, PixelPoint from, PixelPoint to, double width_px, const Paint& paint);
+
 /// An arrow from one point of the screen to another.
 void paint_arrow(cairo_t* cr, PixelPoint from, PixelPoint to, double width_px, const Paint& paint);
 

@@ -130,7 +130,7 @@ class KeyRows {
 
     static std::array<TextRun, 1> words_of(const KeyRow& row) { return {TextRun{row.words}}; }
 
-    [[nodiscard]] double name_width_px() const { return 9.0 * cap_px_; }
+    [[nodiscard]] double name_width_px() const { return 10.0 * cap_px_; }
 
     [[nodiscard]] double words_width_px() const {
         return std::max(rect_.width - name_width_px(), 1.0);

@@ -4,7 +4,7 @@ namespace touchline {
 
 std::vector<PixelPoint> rendered_path(const CurveSet& curves, int piece, double level,
                                       const View& view) {
-    constexpr double least_px = 1.0;
+    constexpr double least_px = 2.0;
     std::vector<PixelPoint> path;
     const int segments = curves.rendered_count(piece, level);
     for (int j = 0; j < segments; ++j) {

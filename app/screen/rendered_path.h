@@ -9,8 +9,8 @@
 
 namespace touchline {
 
-/// The polyline of a piece at `level`, closed where the piece is. Points less than a pixel from the
-/// last one kept are left out, but never an end: nobody sees them, and a traced photograph has
+/// The polyline of a piece at `level`, closed where the piece is. Points less than two pixels from
+/// the last one kept are left out, but never an end: nobody sees them, and a traced photograph has
 /// tens of thousands. O(segments).
 [[nodiscard]] std::vector<PixelPoint> rendered_path(const CurveSet& curves, int piece, double level,
                                                     const View& view);

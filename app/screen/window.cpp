@@ -15,6 +15,10 @@ namespace touchline {
 
 namespace {
 
+// Smaller, and no word could be read.
+constexpr int least_width = 480;
+constexpr int least_height = 320;
+
 /// GLFW names printing keys by their upper-case ASCII character, as Key does.
 Key key_of(int glfw_key) {
     constexpr std::array named{
@@ -77,6 +81,7 @@ Window::Window(GLFWwindow* window, Listener listener)
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(window_, this);
+    glfwSetWindowSizeLimits(window_, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) {
         static_cast<Window*>(glfwGetWindowUserPointer(w))->update_size();
     });

@@ -102,7 +102,7 @@ Step picture_ready(const Session& session, std::uint64_t request, const LoadedFa
     if (request != session.request) return {session, {}};
     Session next = session;
     next.is_loading = false;
-    next.message.clear();
+    next.message = facts.note;
     next.shown = {session.picture + 1, session.detail, facts.title, facts.outline_count,
                   facts.coarsest_level};
     next.fixed_level = std::min(session.fixed_level, facts.coarsest_level);

@@ -23,6 +23,10 @@ inline constexpr std::array stiffness_steps{
     StiffnessStep{200.0, "very soft"}, StiffnessStep{350.0, "soft"}, StiffnessStep{500.0, "medium"},
     StiffnessStep{700.0, "firm"}};
 
+/// Radius of the proxy: 1.4 F / K at 0.7 N and 700 N/m, so that the force stays continuous around
+/// corners at every step of stiffness in ordinary exploration.
+inline constexpr double proxy_radius_m = 0.0014;
+
 inline constexpr int coarsest_detail = 1;
 inline constexpr int finest_detail = 5;
 
@@ -74,6 +78,7 @@ struct LoadedFacts {
     std::string title;
     int outline_count = 0;
     int coarsest_level = 0;
+    std::string note;  // one sentence worth telling; may be empty
 };
 
 /// Loading job `request` is done and its map is felt. A job that is no longer wanted changes

@@ -22,12 +22,14 @@ std::string detail_text(const Session& session) {
 }
 
 std::string level_words(const HandState& hand) {
-    return fmt::format("{:.1f}, {}", hand.level, hand.is_level_auto ? "by hand speed" : "fixed");
+    return fmt::format("{:.1f}, {}", hand.level, hand.is_level_auto ? "by speed" : "fixed");
 }
 
-std::string stiffness_words(const Session& session) {
+/// The step that was chosen and what is felt: a rise is slow, so that it cannot push the hand.
+std::string stiffness_words(const Session& session, const HandState& hand) {
     const StiffnessStep& step = stiffness_steps[session.stiffness];
-    return fmt::format("{}, {:.0f} N/m", step.name, step.stiffness_N_per_m);
+    const double felt = hand.stiffness_N_per_m;
+    return fmt::format("{}, {:.0f} N/m", step.name, felt > 0.0 ? felt : step.stiffness_N_per_m);
 }
 
 std::string message_words(const Session& session) {
@@ -63,7 +65,7 @@ std::string words_of(ContactState state) {
     return {};
 }
 
-Status describe(const Session& session, const HandState& hand, const std::string& device) {
+Status describe(const Session& session, const HandState& hand, const std::string& hand_words) {
     Status status;
     status.title = session.shown.number > 0 ? session.shown.title : "No picture yet";
     status.lines = {
@@ -71,10 +73,11 @@ Status describe(const Session& session, const HandState& hand, const std::string
         {"Level", level_words(hand)},
         {"Force", fmt::format("{:.1f} N", norm(hand.force))},
         {"Mode", words_of(session.mode)},
-        {"Stiffness", stiffness_words(session)},
+        {"Stiffness", stiffness_words(session, hand)},
         {"Detail", detail_text(session)},
         {"Picture", picture_words(session)},
-        {"Device", device},
+        {"Hand", hand_words},
+        {"Keys", "H lists them"},
     };
     status.message = message_words(session);
     return status;

@@ -9,7 +9,7 @@
 
 namespace touchline {
 
-/// "Level" and "2.5, by hand speed".
+/// "Level" and "2.5, by speed".
 struct StatusLine {
     std::string name;
     std::string value;
@@ -25,9 +25,9 @@ struct Status {
     friend bool operator==(const Status&, const Status&) = default;
 };
 
-/// `device` names what the hand holds. Numbers are rounded to what can be read at a glance.
+/// `hand_words` say what the hand is. Numbers are rounded to what can be read at a glance.
 [[nodiscard]] Status describe(const Session& session, const HandState& hand,
-                              const std::string& device);
+                              const std::string& hand_words);
 
 [[nodiscard]] std::string words_of(Mode mode);
 [[nodiscard]] std::string words_of(ContactState state);

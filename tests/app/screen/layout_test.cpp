@@ -14,8 +14,8 @@ namespace {
 
 TEST(Layout, AWideScreenHasThePanelOnTheRight) {
     const ScreenLayout layout = lay_out(1920, 1080);
-    EXPECT_EQ(layout.picture, (Rect{0.0, 0.0, 1344.0, 1080.0}));
-    EXPECT_EQ(layout.panel, (Rect{1344.0, 0.0, 576.0, 1080.0}));
+    EXPECT_EQ(layout.picture, (Rect{0.0, 0.0, 1306.0, 1080.0}));
+    EXPECT_EQ(layout.panel, (Rect{1306.0, 0.0, 614.0, 1080.0}));
 }
 
 TEST(Layout, AnyOtherScreenHasThePanelBelow) {

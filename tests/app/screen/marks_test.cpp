@@ -90,7 +90,7 @@ TEST(Marks, TheHandIsRingDotAndArrow) {
     hand.p_WP = {0.0, 0.004};
     hand.force = {0.0, 2.0};
     Strokes strokes;
-    add_hand(strokes, view, hand, 2.0);
+    add_hand(strokes, view, hand, 0.001, 2.0);
     EXPECT_TRUE(covers(strokes, view.to_px(hand.p_WP), theme::proxy));
     EXPECT_TRUE(covers(strokes, view.to_px(hand.p_WH) + PixelPoint{10.0, 0.0}, theme::handle));
     EXPECT_TRUE(covers(strokes, view.to_px(hand.p_WH) + PixelPoint{0.0, -100.0}, theme::force));
@@ -101,7 +101,7 @@ TEST(Marks, AHandThatIsNowhereDrawsNothing) {
     HandState hand;
     hand.p_WH = hand.p_WP = {nan, nan};
     Strokes strokes;
-    add_hand(strokes, view, hand, 2.0);
+    add_hand(strokes, view, hand, 0.001, 2.0);
     EXPECT_EQ(stroke_count(strokes), 0);
 }
 

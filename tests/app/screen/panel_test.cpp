@@ -12,8 +12,8 @@ namespace {
 
 Status full_status() {
     Session session = start_session(14).session;
-    session = picture_ready(session, session.request, {"A house with a garden", 9, 6}).session;
-    return describe(session, HandState{}, "simulated, the mouse is the hand");
+    session = picture_ready(session, session.request, {"A house with a garden", 9, 6, ""}).session;
+    return describe(session, HandState{}, "mouse, no device");
 }
 
 TEST(Text, ACapitalIsAsHighAsAsked) {

@@ -17,7 +17,7 @@ constexpr double felt = 2.4;
 
 Session shown_session() {
     const Session started = start_session(pictures).session;
-    return picture_ready(started, started.request, {"Fish", 4, 6}).session;
+    return picture_ready(started, started.request, {"Fish", 4, 6, ""}).session;
 }
 
 std::vector<Key> every_key() {
@@ -207,10 +207,16 @@ TEST(Session, AFailedPictureLeavesTheOldOneAndSaysWhy) {
     EXPECT_TRUE(next.message.empty());
 }
 
+TEST(Session, WhatIsWorthTellingAboutAPictureIsTold) {
+    const Session wanted = press_key(shown_session(), Key::right, felt).session;
+    const LoadedFacts facts{"Noise", 40, 3, "Only the 40 longest outlines are kept."};
+    EXPECT_EQ(picture_ready(wanted, wanted.request, facts).session.message, facts.note);
+}
+
 TEST(Session, AJobThatIsNoLongerWantedChangesNothing) {
     const Session first = start_session(pictures).session;
     const Session second = press_key(first, Key::right, felt).session;
-    const Step late = picture_ready(second, first.request, {"Old", 1, 1});
+    const Step late = picture_ready(second, first.request, {"Old", 1, 1, ""});
     EXPECT_TRUE(late.session.is_loading);
     EXPECT_EQ(late.session.shown.number, 0);
     EXPECT_FALSE(late.commands.feel);
@@ -221,7 +227,7 @@ TEST(Session, AFixedLevelIsCutToWhatTheNewPictureHas) {
     Session session = shown_session();
     for (int i = 0; i < 6; ++i) session = press_key(session, Key::page_up, felt).session;
     session = press_key(session, Key::right, felt).session;
-    session = picture_ready(session, session.request, {"Square", 1, 2}).session;
+    session = picture_ready(session, session.request, {"Square", 1, 2, ""}).session;
     EXPECT_EQ(session.fixed_level, 2);
 }
 
@@ -234,7 +240,7 @@ RC_GTEST_PROP(Session, AnyRunOfKeysAndJobsKeepsTheStateSound, ()) {
         if (choice < keys.size())
             session = press_key(session, keys[choice], move * 0.3).session;
         else if (move % 2 == 0)
-            session = picture_ready(session, session.request, {"", 1, 4}).session;
+            session = picture_ready(session, session.request, {"", 1, 4, ""}).session;
         else
             session = picture_failed(session, session.request, "no").session;
         RC_ASSERT(session.fixed_level <= session.shown.coarsest_level);

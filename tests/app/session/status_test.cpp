@@ -11,7 +11,7 @@ namespace {
 
 Session shown_session() {
     const Session started = start_session(3).session;
-    return picture_ready(started, started.request, {"Fish", 4, 6}).session;
+    return picture_ready(started, started.request, {"Fish", 4, 6, ""}).session;
 }
 
 std::string value_of(const Status& status, const std::string& name) {
@@ -28,13 +28,13 @@ TEST(Status, SaysContactLevelForceAndMode) {
     const Status status = describe(shown_session(), hand, "mouse");
     EXPECT_EQ(status.title, "Fish");
     EXPECT_EQ(value_of(status, "Contact"), "in a vertex");
-    EXPECT_EQ(value_of(status, "Level"), "2.5, by hand speed");
+    EXPECT_EQ(value_of(status, "Level"), "2.5, by speed");
     EXPECT_EQ(value_of(status, "Force"), "1.0 N");
     EXPECT_EQ(value_of(status, "Mode"), "wall");
     EXPECT_EQ(value_of(status, "Stiffness"), "medium, 500 N/m");
     EXPECT_EQ(value_of(status, "Detail"), "3 of 5, parts");
     EXPECT_EQ(value_of(status, "Picture"), "1 of 3");
-    EXPECT_EQ(value_of(status, "Device"), "mouse");
+    EXPECT_EQ(value_of(status, "Hand"), "mouse");
 }
 
 TEST(Status, NumbersThatLookTheSameGiveTheSameStatus) {
@@ -42,6 +42,12 @@ TEST(Status, NumbersThatLookTheSameGiveTheSameStatus) {
     a.level = 1.01;
     b.level = 1.02;
     EXPECT_EQ(describe(shown_session(), a, "mouse"), describe(shown_session(), b, "mouse"));
+}
+
+TEST(Status, AStiffnessOnItsWayIsSaidAsItIsFelt) {
+    HandState hand;
+    hand.stiffness_N_per_m = 420.0;
+    EXPECT_EQ(value_of(describe(shown_session(), hand, "mouse"), "Stiffness"), "medium, 420 N/m");
 }
 
 TEST(Status, NothingIsLeftUnnamedBeforeTheFirstPicture) {

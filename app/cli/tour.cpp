@@ -1,0 +1,155 @@
+#include "app/cli/tour.h"
+
+#include "app/cli/explorer.h"
+#include "app/cli/load.h"
+#include "app/decode/png_writer.h"
+#include "app/screen/tour_figure.h"
+#include "app/session/session.h"
+#include "haptics/device/simulated_pantograph.h"
+#include "haptics/servo/servo_step.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace touchline {
+
+namespace {
+
+constexpr double period_s = 1e-3;
+constexpr int longest_picture_px = 2000;
+
+/// Means what it was last told. Threads: one.
+class LedHand final : public IntendedPath {
+  public:
+    explicit LedHand(Position start) : now_{start, {}} {}
+
+    void mean(const Intention& intention) { now_ = intention; }
+
+    [[nodiscard]] Intention at(double) const override { return now_; }
+
+  private:
+    Intention now_;
+};
+
+Felt felt_by(const ServoReport& report, const Scene& scene) {
+    const HandState& hand = report.hand;
+    const bool is_there = hand.map_version == scene.map_version;
+    const bool is_live = report.force.state == ForceState::live;
+    const Rendering rendering = !is_there ? Rendering::off
+                                : is_live ? Rendering::on
+                                          : Rendering::changing;
+    return {hand.p_WP, hand.force, hand.state != ContactState::free, rendering};
+}
+
+void add_figures(TourRun& run) {
+    double force_sum_N = 0.0;
+    for (const TourTick& tick : run.ticks) {
+        const double force_N = norm(tick.hand.force);
+        run.largest_force_N = std::max(run.largest_force_N, force_N);
+        if (tick.hand.state == ContactState::free) continue;
+        run.contact_s += run.period_s;
+        force_sum_N += force_N * run.period_s;
+    }
+    if (run.contact_s > 0.0) run.mean_force_N = force_sum_N / run.contact_s;
+}
+
+/// The way in pieces: a new one wherever the hand lifts or comes down.
+std::vector<TourStretch> way_of(const TourRun& run) {
+    constexpr std::size_t ticks_per_point = 4;
+    std::vector<TourStretch> way;
+    for (std::size_t i = 0; i < run.ticks.size(); ++i) {
+        const TourTick& tick = run.ticks[i];
+        const bool is_new = way.empty() || way.back().is_lifted != tick.is_lifted;
+        if (is_new) way.push_back({tick.is_lifted, {}, {}});
+        if (!is_new && i % ticks_per_point != 0) continue;
+        way.back().handle.push_back(tick.hand.p_WH);
+        way.back().proxy.push_back(tick.hand.p_WP);
+    }
+    return way;
+}
+
+/// A force every few millimetres of the handle's way.
+std::vector<ForceMark> forces_of(const TourRun& run) {
+    constexpr double apart_m = 0.003;
+    std::vector<ForceMark> marks;
+    for (const TourTick& tick : run.ticks) {
+        if (tick.hand.state == ContactState::free || tick.is_lifted) continue;
+        if (marks.empty() || norm(tick.hand.p_WH - marks.back().at) >= apart_m)
+            marks.push_back({tick.hand.p_WH, tick.hand.force});
+    }
+    return marks;
+}
+
+std::string title_of(const TactileMap& map, const std::string& path) {
+    return "Tour: " +
+           (map.title.empty() ? std::filesystem::path(path).filename().string() : map.title);
+}
+
+}  // namespace
+
+TourRun take_tour(const TactileMap& map, const Scene& scene) {
+    Explorer explorer(map, scene, ExplorerOptions{});
+    const auto hand = std::make_shared<LedHand>(explorer.start());
+    const DeviceProfile& profile = default_profile();
+    SimulatedPantograph device(profile, SimulationOptions{}, hand);
+    ServoStep servo(profile, period_s);
+    ServoCommands commands;
+    commands.radius_m = proxy_radius_m;
+    TourRun run;
+    run.period_s = period_s;
+    run.outlines = static_cast<int>(map.outlines.size());
+    while (!explorer.is_done()) {
+        const double now_s = period_s * static_cast<double>(run.ticks.size());
+        const bool is_lifted = explorer.is_lifted();
+        const StepInput input{now_s, 0, device.read_angles(now_s), commands,
+                              is_lifted ? nullptr : &scene};
+        (void)device.write_torques(servo.step(input));
+        const ServoReport& report = servo.report();
+        run.ticks.push_back({report.hand, is_lifted});
+        explorer.step(felt_by(report, scene), period_s);
+        hand->mean(explorer.intention());
+    }
+    run.visited = explorer.visited();
+    add_figures(run);
+    return run;
+}
+
+std::vector<std::string> describe_tour(const TourRun& run) {
+    const double time_s = run.period_s * static_cast<double>(run.ticks.size());
+    const double share = time_s > 0.0 ? 100.0 * run.contact_s / time_s : 0.0;
+    const ServoCommands settings;
+    return {
+        fmt::format("A pen grip explored {} of {} outlines in {:.1f} s, at {:.0f} mm/s along them.",
+                    run.visited, run.outlines, time_s, 1000.0 * ExplorerOptions{}.follow_m_per_s),
+        fmt::format("Wall of {:.0f} N/m, proxy radius {:.1f} mm, level by hand speed, {}.",
+                    settings.stiffness_N_per_m, 1000.0 * proxy_radius_m, default_profile().name),
+        fmt::format("In contact for {:.1f} s, {:.0f} % of the time.", run.contact_s, share),
+        fmt::format("Force on the hand in contact: {:.2f} N on average, {:.2f} N at most.",
+                    run.mean_force_N, run.largest_force_N)};
+}
+
+Result<void> run_tour(const TourArguments& arguments) {
+    Result<TactileMap> map = load_map(arguments.input, arguments.as_picture);
+    if (!map) return tl::unexpected(map.error());
+    map->version = 1;
+    const Result<Picture> picture = read_picture(arguments.input);
+    if (!picture) return tl::unexpected(picture.error());
+    const Result<Scene> scene = build_scene(*map, CurveOptions{.resample = true}, proxy_radius_m);
+    if (!scene) return failure(fmt::format("{}: {}", arguments.input, scene.error().line));
+
+    const TourRun run = take_tour(*map, *scene);
+    const std::vector<std::string> lines = describe_tour(run);
+    const TourFigure figure{title_of(*map, arguments.input), lines, way_of(run), forces_of(run)};
+    const Canvas canvas = paint_tour(figure, *scene, canvas_of(*picture, longest_picture_px));
+    auto written = write_png(arguments.output, picture_of(canvas));
+    if (!written) return written;
+    fmt::print("{}\n", figure.title);
+    for (const std::string& line : lines) fmt::print("{}\n", line);
+    fmt::print("Drawn in {}\n", arguments.output);
+    return {};
+}
+
+}  // namespace touchline

@@ -1,0 +1,223 @@
+#include "app/main/kiosk.h"
+
+#include "app/gallery/gallery.h"
+#include "app/main/loading.h"
+#include "app/screen/frame_limiter.h"
+#include "app/screen/kiosk_screen.h"
+#include "app/screen/window.h"
+#include "app/session/session.h"
+#include "app/session/status.h"
+#include "haptics/device/simulated_pantograph.h"
+#include "haptics/servo/servo.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <future>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace touchline {
+
+namespace {
+
+constexpr int frame_rate_Hz = 60;
+constexpr double viewing_distance_m = 0.6;  // a visitor stands at the handle
+
+std::atomic<bool> is_end_asked{false};
+
+void ask_for_end(int) {
+    is_end_asked = true;
+}
+
+void report(const std::string& line) {
+    fmt::print(stderr, "touchline: {}\n", line);
+}
+
+/// The files that were named, then the gallery. Without one the kiosk still shows the files.
+std::vector<std::string> files_to_show(std::vector<std::string> files) {
+    const auto gallery = list_gallery(gallery_folder());
+    if (!gallery) {
+        report(gallery.error().line);
+        return files;
+    }
+    for (const GalleryEntry& entry : *gallery) files.push_back(entry.path);
+    return files;
+}
+
+/// What the servo counted up to a moment.
+struct ServoCount {
+    std::uint64_t ticks = 0;
+    std::uint64_t missed = 0;
+};
+
+class Kiosk {
+  public:
+    explicit Kiosk(const KioskArguments& arguments)
+        : arguments_(arguments), files_(files_to_show(arguments.files)) {}
+
+    Result<void> run() {
+        auto opened = open();
+        if (!opened) return opened;
+        carry_out(start_session(static_cast<int>(files_.size())));
+        run_frames();
+        if (arguments_.measure_s && !is_end_asked) measure_without_window();
+        servo_.stop();
+        return {};
+    }
+
+  private:
+    Result<void> open() {
+        auto window = Window::open(
+            !arguments_.in_window,
+            {[this](Key key) { press(key); }, [this](PixelPoint place) { lead_hand(place); }});
+        if (!window) return tl::unexpected(window.error());
+        window_ = std::move(*window);
+        auto screen = KioskScreen::make(cap_height_px(viewing_distance_m, window_->mm_per_px()));
+        if (!screen) return tl::unexpected(screen.error());
+        screen_ = std::make_unique<KioskScreen>(std::move(*screen));
+        return servo_.start(
+            std::make_unique<SimulatedPantograph>(default_profile(), SimulationOptions{}, hand_),
+            default_profile(), ServoOptions{});
+    }
+
+    void press(Key key) { carry_out(press_key(session_, key, servo_.latest().level)); }
+
+    /// The hand means to be where the pointer is, inside the drawing area.
+    void lead_hand(PixelPoint place) {
+        if (!screen_) return;
+        const Position p = screen_->view().to_W(place);
+        const Area area = shown_.scene ? shown_.scene->area : Area{};
+        hand_->move_to({std::clamp(p.x, -area.width_m / 2.0, area.width_m / 2.0),
+                        std::clamp(p.y, -area.height_m / 2.0, area.height_m / 2.0)});
+    }
+
+    void carry_out(Step step) {
+        session_ = std::move(step.session);
+        if (step.commands.feel) set_servo();
+        if (step.commands.quit) is_quitting_ = true;
+    }
+
+    void set_servo() {
+        ServoCommands commands;
+        commands.mode = session_.mode;
+        commands.stiffness_N_per_m = stiffness_steps[session_.stiffness].stiffness_N_per_m;
+        commands.radius_m = proxy_radius_m;
+        commands.is_level_auto = session_.is_level_automatic;
+        commands.level = session_.fixed_level;
+        servo_.set(commands);
+    }
+
+    /// One job at a time; what was asked for while it ran comes next, and only the last of it.
+    void start_job() {
+        const std::string path = files_[static_cast<std::size_t>(session_.picture)];
+        job_request_ = session_.request;
+        job_ = std::async(std::launch::async, load_scene, path, session_.detail);
+    }
+
+    void finish_job() {
+        if (job_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+        Result<LoadedScene> loaded = job_.get();
+        if (job_request_ != session_.request) return;
+        if (!loaded) {
+            report(loaded.error().line);
+            carry_out(picture_failed(session_, job_request_, loaded.error().line));
+            return;
+        }
+        if (!loaded->facts.note.empty()) report(loaded->facts.note);
+        shown_ = std::move(loaded->shown);
+        servo_.feel(shown_.scene);
+        carry_out(picture_ready(session_, job_request_, loaded->facts));
+    }
+
+    void update_job() {
+        if (job_.valid()) finish_job();
+        if (!job_.valid() && session_.is_loading) start_job();
+    }
+
+    void draw(std::int64_t time_ns) {
+        const HandState& hand = servo_.latest();
+        const FrameContent content{describe(session_, hand, hand_words), session_.shows_keys,
+                                   session_.shows_boxes, hand, shown_};
+        screen_->draw(content, window_->width_px(), window_->height_px(), time_ns);
+        window_->show_frame();
+    }
+
+    [[nodiscard]] bool goes_on(std::int64_t time_ns, std::int64_t start_ns) const {
+        if (is_quitting_ || is_end_asked || window_->is_closing()) return false;
+        return !arguments_.measure_s ||
+               static_cast<double>(time_ns - start_ns) < *arguments_.measure_s * 1e9;
+    }
+
+    void run_frames() {
+        const std::int64_t start_ns = now_ns();
+        const ServoCount before = count();
+        FrameLimiter limiter(start_ns, frame_rate_Hz);
+        std::int64_t time_ns = start_ns;
+        for (; goes_on(time_ns, start_ns); time_ns = now_ns()) {
+            update_job();
+            draw(time_ns);
+            window_->wait_until(limiter.finish_frame(now_ns()));
+        }
+        if (arguments_.measure_s) {
+            fmt::print("{}, {} frames, {} skipped\n",
+                       counted("with the window", time_ns - start_ns, before), limiter.frames(),
+                       limiter.skipped());
+        }
+    }
+
+    void measure_without_window() {
+        screen_.reset();
+        window_.reset();
+        const std::int64_t start_ns = now_ns();
+        const ServoCount before = count();
+        std::this_thread::sleep_for(std::chrono::duration<double>(*arguments_.measure_s));
+        fmt::print("{}\n", counted("without the window", now_ns() - start_ns, before));
+    }
+
+    [[nodiscard]] ServoCount count() {
+        const HandState& hand = servo_.latest();
+        return {hand.ticks, hand.missed_ticks};
+    }
+
+    std::string counted(const char* name, std::int64_t elapsed_ns, const ServoCount& before) {
+        const ServoCount after = count();
+        return fmt::format("{}: {:.2f} s, {} ticks, {} missed", name,
+                           static_cast<double>(elapsed_ns) * 1e-9, after.ticks - before.ticks,
+                           after.missed - before.missed);
+    }
+
+    static constexpr const char* hand_words = "mouse, no device";
+
+    KioskArguments arguments_;
+    std::vector<std::string> files_;
+    std::shared_ptr<MouseHand> hand_ = std::make_shared<MouseHand>(Position{});
+    Servo servo_;
+    std::unique_ptr<Window> window_;
+    std::unique_ptr<KioskScreen> screen_;  // dies before the window that has its OpenGL context
+    Session session_;
+    ShownScene shown_;
+    std::future<Result<LoadedScene>> job_;
+    std::uint64_t job_request_ = 0;
+    bool is_quitting_ = false;
+};
+
+}  // namespace
+
+int run_kiosk(const KioskArguments& arguments) {
+    is_end_asked = false;
+    std::signal(SIGINT, ask_for_end);
+    std::signal(SIGTERM, ask_for_end);
+    const Result<void> done = Kiosk(arguments).run();
+    if (done) return 0;
+    report(done.error().line);
+    return 1;
+}
+
+}  // namespace touchline

@@ -1,0 +1,38 @@
+#include "app/main/loading.h"
+
+#include "app/cli/load.h"
+#include "haptics/collision/scene.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace touchline {
+
+namespace {
+
+// More pixels than any screen shows.
+constexpr int longest_picture_px = 2000;
+
+std::string title_of(const TactileMap& map, const std::string& path) {
+    return map.title.empty() ? std::filesystem::path(path).stem().string() : map.title;
+}
+
+}  // namespace
+
+Result<LoadedScene> load_scene(const std::string& path, int detail) {
+    auto loaded = load_picture_or_map(path, detail, Area{});
+    if (!loaded) return tl::unexpected(loaded.error());
+    const CurveOptions curves{.resample = true};
+    auto scene = build_scene(loaded->map, curves, proxy_radius_m);
+    if (!scene) return failure(fmt::format("{}: {}", path, scene.error().line));
+    LoadedScene result;
+    result.facts = {title_of(loaded->map, path), static_cast<int>(loaded->map.outlines.size()),
+                    scene->curves.coarsest(), loaded->warning};
+    result.shown.scene = std::make_shared<const Scene>(std::move(*scene));
+    result.shown.picture =
+        std::make_shared<const Canvas>(canvas_of(loaded->picture, longest_picture_px));
+    return result;
+}
+
+}  // namespace touchline
