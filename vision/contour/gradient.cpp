@@ -11,9 +11,11 @@
 namespace touchline {
 namespace {
 
-constexpr double kMadToSigma = 1.4826;    // of a normal distribution
-constexpr double kLaplacianGain = 6.0;    // root of the kernel's summed squares: 36
-constexpr float kGreyLevelsPerL = 2.55F;  // L runs 0..100
+constexpr double kNoiseQuantile =
+    0.25;  // low: in a dense pattern most second differences are edges
+constexpr double kQuantileToSigma = 1.0 / 0.31864;  // of a normal distribution
+constexpr double kLaplacianGain = 6.0;              // root of the kernel's summed squares: 36
+constexpr float kGreyLevelsPerL = 2.55F;            // L runs 0..100
 
 /// sRGB to CIE Lab (D65) for 8-bit input. OpenCV's own conversion spends 0.2 s of every process on
 /// building its tables.
@@ -116,7 +118,8 @@ double noise_of(const LabPicture& lab) {
         cv::Mat1f one;
         cv::extractChannel(second, one, channel);
         one = cv::abs(one);
-        const double sigma = kMadToSigma * static_cast<double>(quantile(one, 0.5)) / kLaplacianGain;
+        const double sigma =
+            kQuantileToSigma * static_cast<double>(quantile(one, kNoiseQuantile)) / kLaplacianGain;
         variance += sigma * sigma;
     }
     return std::sqrt(variance);

@@ -17,8 +17,9 @@ using LabPicture = cv::Mat3f;
 
 [[nodiscard]] LabPicture to_lab(const cv::Mat& bgr_or_grey);
 
-/// Standard deviation of the picture's white noise in grey levels, all channels together. Median of
-/// |second differences both ways| (Immerkaer 1996, with a median so that edges do not count).
+/// Standard deviation of the picture's white noise in grey levels, all channels together. From the
+/// |second differences both ways| (Immerkaer 1996, by their lower quartile, so that edges do not
+/// count).
 [[nodiscard]] double noise_of(const LabPicture& lab);
 
 /// What white noise of this size leaves in the gradient after Gaussian smoothing (one component,

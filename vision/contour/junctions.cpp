@@ -87,6 +87,7 @@ void JunctionSet::cut_hosts() {
     for (const auto& [junction, end] : host_arms_) {
         junctions_[junction].arms.push_back(end);
     }
+    std::erase_if(junctions_, [](const Junction& j) { return j.arms.empty(); });
 }
 
 /// The first piece stays in the line's place, the others are appended.
@@ -129,9 +130,6 @@ Ray JunctionSet::ray_of(EndId end) const {
 
 /// On a line that runs straight through, the junction stays on it; else it is where all arms point.
 void JunctionSet::place(Junction& junction) {
-    if (junction.arms.empty()) {
-        return;
-    }
     std::vector<Ray> rays;
     double straightest = std::numbers::pi;
     for (const EndId end : junction.arms) {

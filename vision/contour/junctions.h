@@ -26,13 +26,13 @@ class JunctionSet {
     /// An end that meets a line at one of its points.
     void add_meeting(EndId end, PointRef host);
 
-    /// Clusters and meetings so far.
-    [[nodiscard]] int size() const { return static_cast<int>(junctions_.size()); }
-
     /// The outlines. Each end at a junction becomes the junction's point, fixed, bit for bit the
     /// same for all; arms that continue each other within 30 degrees run through it. O(points +
     /// junctions).
     [[nodiscard]] std::vector<Chain> assembled(std::vector<Chain> lines);
+
+    /// Junctions, after `assembled`.
+    [[nodiscard]] int size() const { return static_cast<int>(junctions_.size()); }
 
   private:
     struct Junction {

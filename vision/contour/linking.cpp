@@ -13,6 +13,7 @@ namespace touchline {
 namespace {
 
 constexpr double kSpan_px = 6.0;            // of a line, to know its direction
+constexpr double kFrameOverLine = 0.7;      // a half disc is 0.64, a horizon 1
 constexpr double kOwnGapOverLength = 0.05;  // a ring with a break is still a ring
 constexpr double kCone =
     70.0 * std::numbers::pi / 180.0;  // where a line may meet another, off its course
@@ -45,8 +46,7 @@ class Linker {
                 junctions.add_meeting(end, meetings[end]->host);
             }
         }
-        const int count = junctions.size();
-        Linked result{junctions.assembled(std::move(lines_)), gaps_closed, count};
+        Linked result{junctions.assembled(std::move(lines_)), gaps_closed, junctions.size()};
         close_along_frame(result.chains);
         return result;
     }
@@ -88,26 +88,22 @@ class Linker {
     }
 
     /// Where the ray leaves the picture, if that is within the distance over which the frame bends
-    /// lines.
-    std::optional<cv::Point2d> exit_near(const cv::Point2d& from,
-                                         const cv::Point2d& direction) const {
-        const double limit_px = reach_.blur_px + 2.0;
-        double nearest = limit_px;
-        const auto consider = [&](double to_frame, double speed) {
-            if (speed > 0.0 && to_frame >= 0.0) {
-                nearest = std::min(nearest, to_frame / speed);
-            }
-        };
-        consider(from.x + 0.5, -direction.x);
-        consider(picture_.width - 0.5 - from.x, direction.x);
-        consider(from.y + 0.5, -direction.y);
-        consider(picture_.height - 0.5 - from.y, direction.y);
-        if (nearest >= limit_px) {
+    /// lines. Exactly on the side that it leaves by.
+    std::optional<cv::Point2d> exit_near(const cv::Point2d& from, const cv::Point2d& way) const {
+        const double right = picture_.width - 0.5;
+        const double bottom = picture_.height - 0.5;
+        const double side_x = way.x < 0.0 ? -0.5 : right;
+        const double side_y = way.y < 0.0 ? -0.5 : bottom;
+        const double far_px = reach_.blur_px + 2.0;
+        const double to_x = way.x != 0.0 ? (side_x - from.x) / way.x : far_px;
+        const double to_y = way.y != 0.0 ? (side_y - from.y) / way.y : far_px;
+        if (std::min(to_x, to_y) >= far_px) {
             return std::nullopt;
         }
-        const cv::Point2d exit = from + nearest * direction;
-        return cv::Point2d(std::clamp(exit.x, -0.5, picture_.width - 0.5),
-                           std::clamp(exit.y, -0.5, picture_.height - 0.5));
+        if (to_x < to_y) {
+            return cv::Point2d(side_x, std::clamp(from.y + to_x * way.y, -0.5, bottom));
+        }
+        return cv::Point2d(std::clamp(from.x + to_y * way.x, -0.5, right), side_y);
     }
 
     /// The end at a point, if the point is a free one.
@@ -267,7 +263,7 @@ class Linker {
             const cv::Point2d a = chain.points.front().at;
             const cv::Point2d b = chain.points.back().at;
             if (!chain.is_closed && are_on_one_side(a, b) && chain.points.size() > 2 &&
-                distance(a, b) < 0.5 * length_of(chain)) {
+                distance(a, b) < kFrameOverLine * length_of(chain)) {
                 chain.is_closed = true;
             }
         }

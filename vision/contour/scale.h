@@ -16,7 +16,8 @@ namespace touchline {
 /// below six times what noise leaves in the gradient, nor below what rounding to 8 bits leaves.
 [[nodiscard]] Hysteresis thresholds_for(const GradientField& field, double noise, double sigma_px);
 
-/// The same without the floor: for a picture in which nothing but its own grain can be felt.
+/// 2 x the 75th percentile, without the floor: for a picture in which nothing but its own grain can
+/// be felt.
 [[nodiscard]] Hysteresis grain_thresholds(const GradientField& field);
 
 }  // namespace touchline
