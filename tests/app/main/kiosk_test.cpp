@@ -1,0 +1,126 @@
+// The program itself, in a window on a virtual display, driven by keys. Nothing here depends on how
+// fast the machine is: waits are for something to happen, with a limit far away.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Kiosk : public testing::Test {
+  protected:
+    void SetUp() override { fs::create_directories(folder_); }
+
+    void TearDown() override { fs::remove_all(folder_); }
+
+    /// Exit status of a script in which `kiosk ARGUMENTS` starts the program, `keys KEY ...`
+    /// presses keys in its window, `wait_for PATTERN FILE` waits for words and `finish` ends with
+    /// its status.
+    int run_script(const std::string& script, bool has_display = true) {
+        const fs::path path = folder_ / "script.sh";
+        std::ofstream(path) << "cd '" << folder_.string() << "'\n" << tools << script << '\n';
+        const std::string display = has_display
+                                        ? "LP_NUM_THREADS=1 xvfb-run -a -s '-screen 0 1024x768x24' "
+                                        : "env -u DISPLAY -u WAYLAND_DISPLAY ";
+        const int status =
+            std::system((display + "timeout 240 bash '" + path.string() + "'").c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+    [[nodiscard]] std::string text_of(const char* name) const {
+        std::ifstream file(folder_ / name);
+        std::stringstream text;
+        text << file.rdbuf();
+        return text.str();
+    }
+
+    fs::path folder_ = fs::path(testing::TempDir()) /
+                       testing::UnitTest::GetInstance()->current_test_info()->name();
+
+  private:
+    static constexpr const char* tools = "program='" TOUCHLINE_PROGRAM
+                                         "'\n"
+                                         "export TOUCHLINE_GALLERY='" TOUCHLINE_SOURCE_DIR
+                                         "/app/gallery/pictures'\n"
+                                         R"(
+kiosk() { "$program" "$@" >out.txt 2>err.txt & pid=$!; }
+keys() { timeout 100 xdotool search --sync --name '^Touchline$' key "$@" >/dev/null 2>&1; }
+wait_for() { for _ in $(seq 1000); do grep -q "$1" "$2" && return; sleep 0.1; done; }
+finish() { wait "$pid"; exit $?; }
+)";
+};
+
+TEST_F(Kiosk, QuitsOnItsKey) {
+    EXPECT_EQ(run_script("kiosk; keys q; finish"), 0);
+    EXPECT_EQ(text_of("err.txt"), "");
+}
+
+TEST_F(Kiosk, RunsInAWindowToo) {
+    EXPECT_EQ(run_script("kiosk --window; keys Escape; finish"), 0);
+}
+
+TEST_F(Kiosk, EveryKeyLeavesItRunning) {
+    EXPECT_EQ(run_script("kiosk; keys Right b h h 5 1 l Prior Next l Up Down m m m m Left;"
+                         "kill -0 $pid || exit 9; keys q; finish"),
+              0);
+    EXPECT_EQ(text_of("err.txt"), "");
+}
+
+TEST_F(Kiosk, EndsAsAskedByTheSystem) {
+    EXPECT_EQ(run_script("kiosk; keys b; kill -TERM $pid; finish"), 0);
+}
+
+TEST_F(Kiosk, ABadPictureIsOneLineAndTheSessionGoesOn) {
+    EXPECT_EQ(run_script("echo 'not a picture' >bad.png; kiosk bad.png; wait_for bad err.txt;"
+                         "keys Right; kill -0 $pid || exit 9; keys q; finish"),
+              0);
+    const std::string words = text_of("err.txt");
+    EXPECT_NE(words.find("bad.png"), std::string::npos);
+    EXPECT_EQ(std::count(words.begin(), words.end(), '\n'), 1) << words;
+}
+
+TEST_F(Kiosk, DrawsTheOutlinesOnTheScreen) {
+    ASSERT_EQ(run_script("kiosk; keys b; for _ in $(seq 100); do "
+                         "import -window root screen.png; convert screen.png -fill black +opaque "
+                         "'#FFD400' -format '%[fx:mean]' info: >yellow.txt; "
+                         "grep -qE '[1-9]' yellow.txt && break; sleep 0.5; done; keys q; finish"),
+              0);
+    EXPECT_GT(std::stod(text_of("yellow.txt")), 1e-4);
+}
+
+TEST_F(Kiosk, CountsTicksAndFramesWithTheWindowAndWithout) {
+    ASSERT_EQ(run_script("kiosk --measure 2; finish"), 0);
+    const std::string words = text_of("out.txt");
+    const std::regex with(R"(with the window: [0-9.]+ s, [1-9][0-9]* ticks, [0-9]+ missed, )"
+                          R"([1-9][0-9]* frames, [0-9]+ skipped)");
+    const std::regex without(R"(without the window: [0-9.]+ s, [1-9][0-9]* ticks, [0-9]+ missed)");
+    EXPECT_TRUE(std::regex_search(words, with)) << words;
+    EXPECT_TRUE(std::regex_search(words, without)) << words;
+}
+
+TEST_F(Kiosk, WithoutADisplayIsOneLine) {
+    EXPECT_EQ(run_script("kiosk; finish", false), 1);
+    const std::string words = text_of("err.txt");
+    EXPECT_NE(words.find("touchline tour"), std::string::npos);
+    EXPECT_EQ(std::count(words.begin(), words.end(), '\n'), 1) << words;
+}
+
+TEST_F(Kiosk, ATourNeedsNoDisplay) {
+    EXPECT_EQ(run_script("\"$program\" tour \"$TOUCHLINE_GALLERY\"/05-key.svg -o key.png >out.txt",
+                         false),
+              0);
+    EXPECT_NE(text_of("out.txt").find("2 of 2 outlines"), std::string::npos);
+    EXPECT_TRUE(fs::exists(folder_ / "key.png"));
+}
+
+}  // namespace
+}  // namespace touchline
