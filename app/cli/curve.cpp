@@ -19,6 +19,7 @@ std::vector<Position> rendered_points(const CurveSet& curves, int piece, double 
     const bool is_closed = curves.pieces()[static_cast<std::size_t>(piece)].is_closed;
     const int count = curves.rendered_count(piece, level) + (is_closed ? 0 : 1);
     std::vector<Position> points;
+    points.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) points.push_back(curves.rendered_point(piece, level, i));
     return points;
 }
@@ -107,7 +108,7 @@ Result<void> run_curve(const CurveCommandOptions& options) {
     if (!map) return tl::unexpected(map.error());
     const Result<CurveSet> curves = CurveSet::build(*map, options.curves);
     if (!curves) return tl::unexpected(curves.error());
-    const Result<void> drawn = write_whole_file(options.output, svg(*map, *curves, options));
+    Result<void> drawn = write_whole_file(options.output, svg(*map, *curves, options));
     if (!drawn || options.report.empty()) return drawn;
     return write_whole_file(options.report, report(*map, *curves, options.level));
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace touchline {
@@ -88,7 +89,10 @@ class CollisionTreeBuilder {
     [[nodiscard]] Extents extents(int piece, int level, int j) const {
         const Segment s = curves_.rendered_segment(piece, level, j);
         const Direction u = direction_of(s.b - s.a);
-        double s_low = 0.0, s_high = norm(s.b - s.a), n_low = 0.0, n_high = 0.0;
+        double s_low = 0.0;
+        double s_high = norm(s.b - s.a);
+        double n_low = 0.0;
+        double n_high = 0.0;
         for (int finer = level - 1; finer >= 0; --finer) {
             const auto points = curves_.points(piece, finer);
             const auto first = static_cast<std::size_t>(j) << (level - finer);
@@ -134,7 +138,11 @@ class CollisionTreeBuilder {
     }
 
     [[nodiscard]] Bound bound_of(std::size_t first, std::size_t last) const {
-        double x_low = INFINITY, x_high = -INFINITY, y_low = INFINITY, y_high = -INFINITY;
+        constexpr double far = std::numeric_limits<double>::infinity();
+        double x_low = far;
+        double x_high = -far;
+        double y_low = far;
+        double y_high = -far;
         for (std::size_t i = first; i < last; ++i) {
             for (const Position c : corners_of(tree_.aligned_box(curves_, tree_.roots_[i]))) {
                 x_low = std::min(x_low, c.x);

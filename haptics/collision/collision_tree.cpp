@@ -130,7 +130,7 @@ class AnyNear {
 
     static bool spend() { return true; }
 
-    void leaf(SegmentRef) { is_met_ = true; }
+    void leaf(SegmentRef /*ref*/) { is_met_ = true; }
 
     [[nodiscard]] bool is_met() const { return is_met_; }
 
@@ -148,7 +148,7 @@ std::size_t CollisionTree::box_index(const Node& node) const {
            static_cast<std::size_t>(node.index);
 }
 
-int CollisionTree::leaf_level(const CurveSet& curves, int piece, double level) const {
+int CollisionTree::leaf_level(const CurveSet& curves, int piece, double level) {
     return static_cast<int>(std::ceil(curves.rendered_level(piece, level)));
 }
 

@@ -110,7 +110,7 @@ class CollisionTree {
 
     [[nodiscard]] AlignedBox aligned_box(const CurveSet& curves, const Node& node) const;
     [[nodiscard]] std::size_t box_index(const Node& node) const;
-    [[nodiscard]] int leaf_level(const CurveSet& curves, int piece, double level) const;
+    [[nodiscard]] static int leaf_level(const CurveSet& curves, int piece, double level);
 
     std::vector<std::uint32_t> first_level_;  // per piece, in first_box_
     std::vector<std::uint32_t> first_box_;    // per piece and level, in boxes_

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace touchline {
 namespace {
@@ -19,7 +20,11 @@ bool clip(double start, double way, double slab_low, double slab_high, double& l
 
 /// True when all corners lie outside one side of the box.
 bool separates(const AlignedBox& box, const std::array<Position, 4>& corners) {
-    double s_low = INFINITY, s_high = -INFINITY, n_low = INFINITY, n_high = -INFINITY;
+    constexpr double far = std::numeric_limits<double>::infinity();
+    double s_low = far;
+    double s_high = -far;
+    double n_low = far;
+    double n_high = -far;
     for (const Position c : corners) {
         const double s = dot(box.along, c - box.origin);
         const double n = cross(box.along, c - box.origin);

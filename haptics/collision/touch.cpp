@@ -32,7 +32,7 @@ std::optional<Touch> touch_line(const Approach& motion, const Segment& s, Positi
 std::optional<Touch> touch_end(const Approach& motion, Position end, double parameter) {
     const double length = norm(motion.way);
     if (!(length > 0.0)) return {};
-    const Direction u = along<Direction>(motion.way, 1.0 / length);
+    const auto u = along<Direction>(motion.way, 1.0 / length);
     const Position w = motion.from - end;
     const double ahead = -dot(u, w);  // to the point nearest to the end
     const double pass = cross(u, w);  // distance at which it is passed

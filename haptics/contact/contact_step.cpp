@@ -188,7 +188,8 @@ ContactStep::Next ContactStep::move_round() {
         enter(ContactState::free);
         return Next::again;
     }
-    Contact left_edge, right_edge;
+    Contact left_edge;
+    Contact right_edge;
     const double to_left = arc_to(at, 1.0, left_edge);
     const double to_right = arc_to(at, -1.0, right_edge);
     const ArcGoal goal =

@@ -41,7 +41,7 @@ class ContactStep {
 
     Next reach_end(bool is_forward);
     Next walk_or_hold(SegmentRef next, bool at_start, Direction away, Direction normal);
-    Next arrive(const Sweep& sweep, double way_m);
+    Next arrive(const Sweep& sweep, double left_m);
     void leave_corner(std::size_t kept);
 
     [[nodiscard]] bool can_slide(const Contact& along_this, const Contact& other,

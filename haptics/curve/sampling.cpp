@@ -28,8 +28,10 @@ std::vector<Position> split_edges(std::span<const Position> line, double spacing
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Position e = line[i] - line[i - 1];
         // The tolerance keeps an edge of exactly one spacing whole.
-        const double parts = std::max(1.0, std::ceil(norm(e) / spacing_m * (1.0 - 1e-9)));
-        for (double k = 1.0; k < parts; k += 1.0) out.push_back(line[i - 1] + (k / parts) * e);
+        const auto parts = std::max(1L, std::lround(std::ceil(norm(e) / spacing_m * (1.0 - 1e-9))));
+        for (long k = 1; k < parts; ++k) {
+            out.push_back(line[i - 1] + (static_cast<double>(k) / static_cast<double>(parts)) * e);
+        }
         out.push_back(line[i]);
     }
     return out;

@@ -39,7 +39,7 @@ double SpeedMeasure::step(Position handle, double dt_s) {
     const Position moved = has_last_ ? handle - last_ : Position{};
     last_ = handle;
     has_last_ = true;
-    const Velocity v = along<Velocity>(moved, 1.0 / dt_s);
+    const auto v = along<Velocity>(moved, 1.0 / dt_s);
     const double share = 1.0 - std::exp(-2.0 * std::numbers::pi * f_low_pass_Hz * dt_s);
     low_pass_ += share * (v - low_pass_);
     slot_age_s_ += dt_s;
@@ -54,9 +54,7 @@ double SpeedMeasure::step(Position handle, double dt_s) {
     return *std::max_element(peaks_.begin(), peaks_.end());
 }
 
-LevelRule::LevelRule(const LevelLimits& limits) : limits_(limits), level_(0.0) {
-    level_ = bounded(0.0);
-}
+LevelRule::LevelRule(const LevelLimits& limits) : limits_(limits), level_(bounded(0.0)) {}
 
 double LevelRule::bounded(double speed_level) const {
     return std::min(limits_.coarsest, std::max({std::ceil(speed_level), encoder_level(limits_),

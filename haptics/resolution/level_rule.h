@@ -72,7 +72,7 @@ class LevelRule {
 
     LevelLimits limits_;
     SpeedMeasure measure_;
-    double level_;
+    double level_ = 0.0;
     double speed_m_per_s_ = 0.0;
     double since_change_s_ = 1.0;
 };
