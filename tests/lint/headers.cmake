@@ -1,5 +1,6 @@
-# Every header compiles alone: one source file a header, that includes it and nothing else, with the include
-# folders and definitions of all our libraries (who may use which is the include lint's business).
+# Every header compiles alone. A source file includes its own header first (the include lint checks it), so
+# only a header without one needs a source file here, that includes it and nothing else, with the include
+# folders and definitions of all our libraries.
 
 # Our static libraries of a folder and those below it.
 function(libraries_below folder result)
@@ -22,13 +23,17 @@ set(root ${PROJECT_SOURCE_DIR})
 file(GLOB_RECURSE headers RELATIVE ${root} CONFIGURE_DEPENDS
      ${root}/config/*.h ${root}/vision/*.h ${root}/haptics/*.h ${root}/audio-cues/*.h ${root}/app/*.h ${root}/tests/*.h)
 foreach(header IN LISTS headers)
-  set(source ${CMAKE_CURRENT_BINARY_DIR}/alone/${header}.cpp)
-  file(CONFIGURE OUTPUT ${source} CONTENT "#include \"${header}\"\n")
-  list(APPEND sources ${source})
+  cmake_path(REPLACE_EXTENSION header cpp OUTPUT_VARIABLE own_source)
+  if(NOT EXISTS ${root}/${own_source})
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/alone/${header}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "#include \"${header}\"\n")
+    list(APPEND sources ${source})
+  endif()
 endforeach()
 
 add_library(touchline_headers OBJECT EXCLUDE_FROM_ALL ${sources})
 target_include_directories(touchline_headers PRIVATE ${root})
+target_compile_options(touchline_headers PRIVATE -O0 -g0)
 libraries_below(${root} libraries)
 foreach(library IN LISTS libraries)
   target_include_directories(touchline_headers SYSTEM PRIVATE $<TARGET_PROPERTY:${library},INCLUDE_DIRECTORIES>)

@@ -62,7 +62,15 @@ function check_library(    rule) {
     else if (!is_in(FILENAME, library[rule])) fault("allowed in:" library[rule])
 }
 
+# A source file that includes its own header first proves that the header needs nothing before it.
+function check_first(    own) {
+    own = FILENAME
+    if (sub(/\.cpp$/, ".h", own) && header != own && exists(own)) fault("its own header comes first: " own)
+}
+
 FILENAME ~ /layers\.txt$/ { read_rule(); next }
+
+FNR == 1 { is_first = 1 }
 
 /^[ \t]*#[ \t]*include/ {
     header = $0
@@ -70,6 +78,8 @@ FILENAME ~ /layers\.txt$/ { read_rule(); next }
     else if (match(header, /<[^>]*>/)) kind = "library"
     else next
     header = substr(header, RSTART + 1, RLENGTH - 2)
+    if (is_first) check_first()
+    is_first = 0
     if (kind == "library" && longest(header, folder) == "") check_library()
     else check_own()
 }
