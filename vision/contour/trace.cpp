@@ -218,7 +218,9 @@ Result<Trace> trace_outlines(const cv::Mat& picture, const TraceOptions& options
         }
         return traced(picture, options);
     } catch (const std::exception& e) {  // OpenCV reports lack of memory this way
-        return failure(std::string("the picture could not be traced: ") + e.what());
+        const std::string why = e.what();
+        return failure("the picture could not be traced, because of " +
+                       why.substr(0, why.find('\n')) + "; try a smaller one");
     }
 }
 

@@ -67,7 +67,7 @@ TEST_P(BlurredShapes, LightOnDarkInNoiseLieWithinTwice) {
                   2.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sigma, BlurredShapes, ::testing::Values(0.0, 0.5, 1.0));
+INSTANTIATE_TEST_SUITE_P(Sigma, BlurredShapes, ::testing::Values(0.0, 1.0));
 
 }  // namespace
 }  // namespace touchline::testing
