@@ -11,7 +11,8 @@ namespace touchline {
 
 /// The drawing area: a rectangle centred on the origin of W.
 struct Area {
-    double width_m = 0.116;  // > 0; default: the largest 4:3 box of a 2diy gen 3 with condition <= 3
+    double width_m =
+        0.116;  // > 0; default: the largest 4:3 box of a 2diy gen 3 with condition <= 3
     double height_m = 0.084;
 
     friend bool operator==(const Area&, const Area&) = default;
@@ -21,10 +22,10 @@ struct Area {
 struct Outline {
     std::vector<Position> points;  // >= 2 points, all finite
     bool is_closed = false;
-    std::string id;      // unique in its map; may be empty
-    std::string label;   // the name of the part, for speech; may be empty
+    std::string id;       // unique in its map; may be empty
+    std::string label;    // the name of the part, for speech; may be empty
     double weight = 1.0;  // importance, > 0
-    int detail = 1;      // the lowest detail (1 silhouette ... 5 all) at which it is shown
+    int detail = 1;       // the lowest detail (1 silhouette ... 5 all) at which it is shown
 };
 
 /// A text tied to a place in W.

@@ -13,19 +13,24 @@ struct Vec2 {
     double y = 0.0;
 
     friend constexpr Vec2 operator+(Vec2 a, Vec2 b) noexcept { return {a.x + b.x, a.y + b.y}; }
+
     friend constexpr Vec2 operator-(Vec2 a, Vec2 b) noexcept { return {a.x - b.x, a.y - b.y}; }
+
     friend constexpr Vec2 operator-(Vec2 a) noexcept { return {-a.x, -a.y}; }
+
     friend constexpr Vec2 operator*(double s, Vec2 a) noexcept { return {s * a.x, s * a.y}; }
+
     friend constexpr bool operator==(Vec2 a, Vec2 b) noexcept = default;
+
     constexpr Vec2& operator+=(Vec2 b) noexcept { return *this = *this + b; }
 };
 
-using Position = Vec2<struct Metre>;              // m, also differences of positions
-using Velocity = Vec2<struct MetrePerSecond>;     // m/s
-using Force = Vec2<struct Newton>;                // N, on the hand
-using Direction = Vec2<struct UnitVector>;        // length 1
-using JointAngles = Vec2<struct Radian>;          // x: motor 1, y: motor 2
-using JointTorques = Vec2<struct NewtonMetre>;    // x: motor 1, y: motor 2
+using Position = Vec2<struct Metre>;            // m, also differences of positions
+using Velocity = Vec2<struct MetrePerSecond>;   // m/s
+using Force = Vec2<struct Newton>;              // N, on the hand
+using Direction = Vec2<struct UnitVector>;      // length 1
+using JointAngles = Vec2<struct Radian>;        // x: motor 1, y: motor 2
+using JointTorques = Vec2<struct NewtonMetre>;  // x: motor 1, y: motor 2
 
 template <class A, class B>
 [[nodiscard]] constexpr double dot(Vec2<A> a, Vec2<B> b) noexcept {
