@@ -38,6 +38,7 @@ std::vector<std::string_view> fields(std::string_view line) {
 
 std::optional<double> number(std::string_view text) {
     double value = 0.0;
+    if (text.starts_with('+')) text.remove_prefix(1);
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
         return {};
@@ -83,6 +84,8 @@ Result<HandRow> row(std::string_view line, const std::array<std::size_t, 3>& at,
 }  // namespace
 
 Result<std::vector<HandRow>> parse_hand_csv(std::string_view text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     const auto at = columns(take_until(text, '\n'));
     if (!at) return tl::unexpected(at.error());
     std::vector<HandRow> rows;

@@ -87,8 +87,9 @@ class FirstHit {
 
 class ClosestPoint {
   public:
-    ClosestPoint(const CurveSet& curves, Position p, double level, double within_m)
-        : curves_(curves), p_(p), level_(level) {
+    ClosestPoint(const CurveSet& curves, Position p, double level, double within_m,
+                 const Budget& budget)
+        : curves_(curves), p_(p), level_(level), spender_(budget) {
         closest_.distance_m = within_m;
     }
 
@@ -96,10 +97,7 @@ class ClosestPoint {
 
     [[nodiscard]] double cut() const { return closest_.distance_m; }
 
-    bool spend() {
-        ++closest_.boxes;
-        return true;
-    }
+    bool spend() { return spender_.spend(); }
 
     void leaf(SegmentRef ref) {
         const Foot at = foot(p_, curves_.rendered_segment(ref.piece, level_, ref.index));
@@ -107,36 +105,46 @@ class ClosestPoint {
         const bool is_lower = at.distance_m == closest_.distance_m && closest_.segment.piece >= 0 &&
                               ref < closest_.segment;
         if (!is_nearer && !is_lower) return;
-        closest_ = {ref, at.parameter, at.point, at.distance_m, closest_.boxes};
+        closest_ = {ref, at.parameter, at.point, at.distance_m, 0, true};
     }
 
-    [[nodiscard]] const Closest& result() const { return closest_; }
+    /// `unopened`: the distance of the nearest box left unopened.
+    Closest result(double unopened) {
+        closest_.boxes = spender_.opened();
+        closest_.is_complete = unopened > closest_.distance_m;
+        return closest_;
+    }
 
   private:
     const CurveSet& curves_;
     Position p_;
     double level_;
+    Spender spender_;
     Closest closest_;
 };
 
 /// Stops at the first leaf within reach.
 class AnyNear {
   public:
-    AnyNear(Position p, double reach_m) : p_(p), reach_m_(reach_m) {}
+    AnyNear(Position p, double reach_m, const Budget& budget)
+        : p_(p), reach_m_(reach_m), spender_(budget) {}
 
     std::optional<double> near(const AlignedBox& box) const { return distance_m(box, p_); }
 
     [[nodiscard]] double cut() const { return is_met_ ? -1.0 : reach_m_; }
 
-    static bool spend() { return true; }
+    bool spend() { return spender_.spend(); }
 
     void leaf(SegmentRef /*ref*/) { is_met_ = true; }
 
-    [[nodiscard]] bool is_met() const { return is_met_; }
+    [[nodiscard]] Clearance result(double unopened) const {
+        return {!is_met_ && unopened > reach_m_, spender_.opened()};
+    }
 
   private:
     Position p_;
     double reach_m_;
+    Spender spender_;
     bool is_met_ = false;
 };
 
@@ -174,17 +182,17 @@ Hit CollisionTree::first_hit(const CurveSet& curves, const Motion& motion,
 }
 
 Closest CollisionTree::closest_point(const CurveSet& curves, Position p, double level,
-                                     double within_m) const {
-    ClosestPoint visitor(curves, p, level, within_m);
-    static_cast<void>(TreeWalk(*this, curves, level, visitor).run());
-    return visitor.result();
+                                     double within_m, const Budget& budget) const {
+    ClosestPoint visitor(curves, p, level, within_m, budget);
+    const double unopened = TreeWalk(*this, curves, level, visitor).run();
+    return visitor.result(unopened);
 }
 
-bool CollisionTree::is_clear(const CurveSet& curves, Position p, double distance_m,
-                             double level) const {
-    AnyNear visitor(p, distance_m);
-    static_cast<void>(TreeWalk(*this, curves, level, visitor).run());
-    return !visitor.is_met();
+Clearance CollisionTree::clearance(const CurveSet& curves, Position p, double distance_m,
+                                   double level, const Budget& budget) const {
+    AnyNear visitor(p, distance_m, budget);
+    const double unopened = TreeWalk(*this, curves, level, visitor).run();
+    return visitor.result(unopened);
 }
 
 bool CollisionTree::is_alone(const CurveSet& curves, SegmentRef segment, double level) const {

@@ -54,6 +54,14 @@ struct Closest {
     Position point;
     double distance_m = 0.0;
     int boxes = 0;
+    bool is_complete =
+        true;  // false: the budget ended before every box that may hold a nearer point
+};
+
+/// Whether nothing comes near a place.
+struct Clearance {
+    bool is_clear = false;  // false also where the budget ended first
+    int boxes = 0;          // opened
 };
 
 class CollisionTree {
@@ -69,12 +77,12 @@ class CollisionTree {
     /// The nearest point of the curves as rendered at `level`, if nearer than `within_m`; ties go
     /// to the lowest segment.
     [[nodiscard]] Closest closest_point(const CurveSet& curves, Position p, double level,
-                                        double within_m) const;
+                                        double within_m, const Budget& budget = {}) const;
 
-    /// True when no box of the nodes that hold the curve as rendered at `level` comes within
+    /// Clear when no box of the nodes that hold the curve as rendered at `level` comes within
     /// `distance_m` of p: then no finer level and no blend does either.
-    [[nodiscard]] bool is_clear(const CurveSet& curves, Position p, double distance_m,
-                                double level) const;
+    [[nodiscard]] Clearance clearance(const CurveSet& curves, Position p, double distance_m,
+                                      double level, const Budget& budget) const;
 
     /// True when no box but those of its neighbours along the outline meets the box of the node
     /// that holds rendered segment j, both grown by the radius of build(): sliding along it needs

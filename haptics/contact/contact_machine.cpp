@@ -41,42 +41,51 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     if (!is_usable) return report;
     if (settings.mode != mode_ && settings.mode == Mode::wall) reset(*scene_, handle, level_);
     mode_ = settings.mode;
-    adopt_level(std::max(level, 0.0), settings);
+    const int spent = adopt_level(std::max(level, 0.0), settings, budget);
+    const Budget left{budget.boxes - spent, budget.deadline_ns};
     if (settings.mode == Mode::wall) {
         path_size_ =
-            ContactStep(*scene_, level_, settings, budget, proxy_, path_).run(handle, report);
+            ContactStep(*scene_, level_, settings, left, proxy_, path_).run(handle, report);
         report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
     } else {
-        const GrooveForce held = groove_step(*scene_, level_, handle, settings, groove_);
+        const GrooveForce held = groove_step(*scene_, level_, handle, settings, left, groove_);
         const bool is_attached = groove_.segment.piece >= 0;
         proxy_ = {};
         proxy_.centre = held.attachment;
         report.force = held.force;
         report.boxes = held.boxes;
+        report.clear = held.is_complete ? 1.0 : 0.0;
         if (is_attached) {
             proxy_.state = ContactState::edge;
             proxy_.contact_count = 1;
             proxy_.contacts[0].segment = groove_.segment;
             proxy_.contacts[0].parameter = groove_.parameter;
+            proxy_.contacts[0].side = held.side;
         }
         if (report.transitions[0] != proxy_.state) {
             report.transitions[1] = proxy_.state;
             report.transition_count = 2;
         }
     }
+    report.boxes += spent;
     fill(report);
     return report;
 }
 
-void ContactMachine::adopt_level(double level, const ContactSettings& settings) {
-    if (level == level_) return;
+int ContactMachine::adopt_level(double level, const ContactSettings& settings,
+                                const Budget& budget) {
+    if (level == level_) return 0;
+    if (settings.mode != Mode::wall) {
+        level_ = level;
+        groove_ = {};
+        return 0;
+    }
+    if (proxy_.state != ContactState::free) return 0;
     const double radius = std::max(settings.radius_m, contact_skin_m);
-    const bool is_free =
-        proxy_.state == ContactState::free &&
-        scene_->tree.is_clear(scene_->curves, proxy_.centre, radius, std::max(level, level_));
-    if (settings.mode == Mode::wall && !is_free) return;
-    level_ = level;
-    groove_ = {};
+    const Clearance found = scene_->tree.clearance(scene_->curves, proxy_.centre, radius,
+                                                   std::max(level, level_), budget);
+    if (found.is_clear) level_ = level;
+    return found.boxes;
 }
 
 void ContactMachine::fill(ContactReport& report) const {

@@ -33,9 +33,9 @@ struct ContactReport {
     std::array<ContactState, 16>
         transitions{};         // states passed through in order, first the one before
     int transition_count = 0;  // 1: no change; stays 16 when there were more
-    double carried_m = 0.0;    // motion left over for the next step
-    int boxes = 0;             // opened
-    double clear = 1.0;        // smallest fraction of a motion proven free
+    double carried_m = 0.0;  // left over: along the line where a slide was cut, else to the handle
+    int boxes = 0;           // opened
+    double clear = 1.0;      // smallest fraction of a motion proven free
 };
 
 class ContactMachine {
@@ -59,7 +59,8 @@ class ContactMachine {
     [[nodiscard]] std::span<const Position> path() const { return {path_.data(), path_size_}; }
 
   private:
-    void adopt_level(double level, const ContactSettings& settings);
+    /// Returns the boxes opened.
+    int adopt_level(double level, const ContactSettings& settings, const Budget& budget);
     void fill(ContactReport& report) const;
 
     const Scene* scene_ = nullptr;

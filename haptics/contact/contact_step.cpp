@@ -9,6 +9,8 @@ namespace touchline {
 namespace {
 
 constexpr double still_m = 1e-14;  // a motion this short is rounding
+constexpr double parallel = 1e-9;  // sine of an angle too small to tell
+constexpr double growth_tolerance_m = 1e-12;
 constexpr int max_visits =
     6;  // tries to leave one corner in a step, one per line that may meet there
 
@@ -41,6 +43,7 @@ ContactStep::ContactStep(const Scene& scene, double level, const ContactSettings
 std::size_t ContactStep::run(Position handle, ContactReport& report) {
     handle_ = handle;
     report_ = &report;
+    const ProxyState before = proxy_;
     report.transitions[0] = proxy_.state;
     report.transition_count = 1;
     path_[path_size_++] = proxy_.centre;
@@ -59,6 +62,13 @@ std::size_t ContactStep::run(Position handle, ContactReport& report) {
         }
     }
     if (next == Next::again) report.carried_m = norm(handle_ - proxy_.centre);
+    // The invariant of the machine, whatever the geometry: a step never moves away from the handle.
+    if (norm(handle_ - proxy_.centre) > norm(handle_ - before.centre) + growth_tolerance_m) {
+        proxy_ = before;
+        report.transition_count = 1;
+        report.carried_m = norm(handle_ - before.centre);
+        path_size_ = 1;
+    }
     return path_size_;
 }
 
@@ -153,7 +163,9 @@ ContactStep::Next ContactStep::reach_end(bool is_forward) {
     const Direction normal = normal_of(s, at.side);
     const Direction away = (is_forward ? 1.0 : -1.0) * direction_of(s.b - s.a);
     const double arc = at.offset_m * norm(normal - at.normal);
-    if (dot(away, at.normal) < 0.0 && arc > approach_tolerance_m) {
+    // An outline that runs back on itself turns away to neither side: it is rounded like an end.
+    const bool runs_back = dot(normal, at.normal) < 0.0 && dot(away, at.normal) < parallel;
+    if ((dot(away, at.normal) < 0.0 || runs_back) && arc > approach_tolerance_m) {
         at.is_round = true;
         enter(ContactState::vertex);
         return Next::again;
@@ -257,7 +269,10 @@ double ContactStep::arc_to(const Contact& at, double turn, Contact& edge) const 
 ContactStep::Next ContactStep::move_at_corner() {
     const Position pull = handle_ - proxy_.centre;
     if (!(norm(proxy_.centre - last_corner_) <= still_m)) visits_ = 0;
-    if (++visits_ > max_visits) return Next::done;
+    if (++visits_ > max_visits) {
+        report_->carried_m = norm(pull);
+        return Next::done;
+    }
     last_corner_ = proxy_.centre;
     const Contact a = proxy_.contacts[0];
     const Contact b = proxy_.contacts[1];
@@ -284,7 +299,7 @@ bool ContactStep::can_slide(const Contact& along_this, const Contact& other, dou
     const double sideways = cross(along_this.normal, pull);
     pull_m = std::abs(sideways) - settings_.friction * std::max(depth, 0.0);
     const Direction way = std::copysign(1.0, sideways) * left_of(along_this.normal);
-    return depth >= 0.0 && pull_m > still_m && dot(way, other.normal) >= -1e-9;
+    return depth >= 0.0 && pull_m > still_m && dot(way, other.normal) >= -parallel;
 }
 
 void ContactStep::leave_corner(std::size_t kept) {
@@ -300,7 +315,10 @@ ContactStep::Sweep ContactStep::sweep(Position to, double radius_m, const Exclud
 }
 
 ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m, const Excluded& excluded) {
-    if (queries_ == max_tree_queries) return {0.0, true, {}};
+    if (queries_ == max_tree_queries) {
+        report_->clear = 0.0;
+        return {0.0, true, {}};
+    }
     ++queries_;
     const Motion motion{proxy_.centre, to, radius_m, level_, excluded};
     const Hit hit = scene_.tree.first_hit(scene_.curves, motion, budget_);
@@ -335,9 +353,15 @@ ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
 }
 
 Contact ContactStep::contact_of(SegmentRef segment, const Touch& touch) const {
-    const Segment s = segment_of(segment);
-    const Side side =
-        cross(s.b - s.a, along<Position>(touch.normal, 1.0)) < 0.0 ? Side::right : Side::left;
+    // At a joint an edge alone cannot tell: seen from a sharp tip the normal may point to the other
+    // side of either edge. It always lies on the outer side of the two together.
+    Direction left = normal_of(segment_of(segment), Side::left);
+    if (touch.is_end) {
+        const SegmentRef over = touch.parameter > 0.5 ? scene_.curves.next(segment, level_)
+                                                      : scene_.curves.previous(segment, level_);
+        if (over.piece >= 0) left = left + normal_of(segment_of(over), Side::left);
+    }
+    const Side side = dot(left, touch.normal) < 0.0 ? Side::right : Side::left;
     return {segment, touch.parameter, side, touch.normal, touch.distance_m, touch.is_end};
 }
 

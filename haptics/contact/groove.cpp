@@ -31,7 +31,7 @@ Closest follow(const Scene& scene, double level, Position handle, const GrooveSt
         }
         if (!is_nearer) break;
     }
-    return {at, best.parameter, best.point, best.distance_m, 0};
+    return {at, best.parameter, best.point, best.distance_m, 0, true};
 }
 
 double profile_N(const ContactSettings& settings, double distance_m) {
@@ -46,7 +46,7 @@ double profile_N(const ContactSettings& settings, double distance_m) {
 }  // namespace
 
 GrooveForce groove_step(const Scene& scene, double level, Position handle,
-                        const ContactSettings& settings, GrooveState& state) {
+                        const ContactSettings& settings, const Budget& budget, GrooveState& state) {
     Closest attached;
     attached.distance_m = settings.capture_m;
     const bool is_known =
@@ -55,14 +55,21 @@ GrooveForce groove_step(const Scene& scene, double level, Position handle,
     if (is_known) attached = follow(scene, level, handle, state);
     const bool is_held = is_known && attached.distance_m < settings.capture_m;
     const double within = is_held ? attached.distance_m - handover_margin_m : settings.capture_m;
-    const Closest other = scene.tree.closest_point(scene.curves, handle, level, within);
+    const Closest other = scene.tree.closest_point(scene.curves, handle, level, within, budget);
     if (other.segment.piece >= 0) attached = other;
     const bool is_attached = is_held || other.segment.piece >= 0;
     state = is_attached ? GrooveState{attached.segment, attached.parameter} : GrooveState{};
-    if (!is_attached) return {{}, handle, 0.0, other.boxes};
+    if (!is_attached) return {{}, handle, 0.0, Side::left, other.boxes, other.is_complete};
+    const Segment s =
+        scene.curves.rendered_segment(attached.segment.piece, level, attached.segment.index);
+    const Side side = cross(s.b - s.a, handle - attached.point) < 0.0 ? Side::right : Side::left;
     const Direction to_line = direction_of(attached.point - handle);
-    return {along<Force>(to_line, profile_N(settings, attached.distance_m)), attached.point,
-            attached.distance_m, other.boxes};
+    return {along<Force>(to_line, profile_N(settings, attached.distance_m)),
+            attached.point,
+            attached.distance_m,
+            side,
+            other.boxes,
+            other.is_complete};
 }
 
 }  // namespace touchline

@@ -18,7 +18,9 @@ struct GrooveForce {
     Force force;
     Position attachment;  // the handle itself where there is none
     double distance_m = 0.0;
-    int boxes = 0;
+    Side side = Side::left;   // of the outline, where the handle is
+    int boxes = 0;            // opened
+    bool is_complete = true;  // false: the budget ended before all nearer lines were looked at
 };
 
 /// Moves the attachment along the curve to the point nearest to the handle (at most 256 walks), or
@@ -30,6 +32,7 @@ struct GrooveForce {
 /// 0 beyond w, where the attachment is given up. All are gradients: no loop gains energy while
 /// attached.
 [[nodiscard]] GrooveForce groove_step(const Scene& scene, double level, Position handle,
-                                      const ContactSettings& settings, GrooveState& state);
+                                      const ContactSettings& settings, const Budget& budget,
+                                      GrooveState& state);
 
 }  // namespace touchline

@@ -21,6 +21,7 @@ constexpr double scene_tolerance_m =
     5e-5;  // a fifth of what a finger finds on a 4 mm bump (0.039 mm
            // amplitude at half that width), half the least spacing
 constexpr double coarsest_spacing_m = 4e-3;  // tried first when resampling
+constexpr double most_points = 4e6;  // of a map: more than any picture gives, and within 1 GB
 
 /// A stretch of outline that becomes a piece, both its ends included.
 struct Stretch {
@@ -125,12 +126,18 @@ class CurveSetBuilder {
     CurveSetBuilder(std::vector<Outline> outlines, const CurveOptions& options)
         : outlines_(std::move(outlines)), options_(options) {}
 
-    CurveSet build() {
+    Result<CurveSet> build() {
         const auto pins = find_pins(outlines_, PinRule{});
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             cut(outlines_[i], static_cast<int>(i), pins[i], stretches_);
         }
         choose_spacings();
+        if (const double points = expected_points(); !(points <= most_points)) {
+            return failure(
+                fmt::format("the curves would have {:.3g} points, more than {:.0f}; choose a wider "
+                            "spacing (--h0)",
+                            points, most_points));
+        }
         place_points();
         report();
         shrink();
@@ -147,6 +154,17 @@ class CurveSetBuilder {
             const double data = std::max(median_edge_m(outline.points), least_spacing_m);
             spacings_m_.push_back(common > 0.0 ? common : data);
         }
+    }
+
+    /// At least as many as place_points() makes.
+    [[nodiscard]] double expected_points() const {
+        double points = 0.0;
+        for (const Stretch& stretch : stretches_) {
+            const double spacing = spacings_m_[static_cast<std::size_t>(stretch.outline)];
+            const double split = 2.0 * polyline_length_m(stretch.line) / spacing;
+            points += split + static_cast<double>(stretch.line.size());
+        }
+        return points;
     }
 
     void place_points() {

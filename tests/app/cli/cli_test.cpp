@@ -262,6 +262,8 @@ TEST_F(Cli, FeelSaysWhatIsWrongWithAPath) {
         EXPECT_EQ(lines_of_err(), 1) << err();
         EXPECT_FALSE(exists("run.csv"));
     }
+    write("hand.csv", "\xEF\xBB\xBFt_s,x_m,y_m\n0,+0.01,0\n");
+    EXPECT_EQ(feel({}), 0) << err();
     write("hand.csv", "x_m, y_m, note, t_s\r\n0.01,0.02,hello,0\r\n0.01,0.02,,0.5\r\n\r\n");
     EXPECT_EQ(feel({}), 0) << err();
     EXPECT_EQ(rows().size(), 2U);

@@ -122,6 +122,46 @@ TEST(ContactMachine, KeepsItsRadiusFromEveryLine) {
     }
 }
 
+/// Triangles with a sharp tip, both ways round, and a spike that goes out and back.
+std::vector<Outline> sharp_outlines() {
+    std::vector<Outline> made;
+    for (const double half_angle : {0.02, 0.1, 0.35, 0.6}) {
+        const Position out{0.03 * std::cos(half_angle), 0.03 * std::sin(half_angle)};
+        Outline tip = outline({{0, 0}, {out.x, -out.y}, {out.x, out.y}}, true);
+        made.push_back(tip);
+        std::reverse(tip.points.begin(), tip.points.end());
+        made.push_back(tip);
+    }
+    made.push_back(outline({{-0.02, 0}, {0.02, 0}, {-0.01, 0}}, false));
+    return made;
+}
+
+TEST(ContactMachine, SharpTipsAreRoundedOnTheirOuterSide) {
+    for (const double radius : {5e-5, 1e-3, 3e-3}) {
+        ContactSettings settings;
+        settings.radius_m = radius;
+        const auto sharp_ones = sharp_outlines();
+        for (std::size_t k = 0; k < sharp_ones.size(); ++k) {
+            SCOPED_TRACE(k);
+            const Outline& sharp = sharp_ones[k];
+            const Scene scene = scene_of(map_of({sharp}), radius);
+            const Judge judge(scene.curves, 0.0, 2e-3);
+            Wanderer hand(17);
+            ContactMachine machine;
+            machine.reset(scene, {-0.03, 0.02}, 0.0);
+            Position before = machine.proxy().centre;
+            for (int i = 0; i < 4000; ++i) {
+                const Position handle = 0.6 * hand.next();
+                const ContactReport report = machine.step(handle, 0.0, settings, {});
+                ASSERT_TRUE(judge.is_free(machine.path())) << radius << " " << i;
+                ASSERT_LE(norm(handle - report.p_WP), norm(handle - before) + 1e-12) << i;
+                ASSERT_GE(judge.distance_m(report.p_WP, 4e-3), 0.98 * radius) << radius << " " << i;
+                before = report.p_WP;
+            }
+        }
+    }
+}
+
 TEST(ContactMachine, TheFirstHandleOnALineStartsOnItsLeft) {
     const Scene scene = scene_of(map_of({outline({{-0.01, 0}, {0.01, 0}}, false)}));
     ContactMachine machine;
@@ -271,7 +311,15 @@ TEST(Groove, PullsToTheLineByItsProfileAndNotBeyondItsCapture) {
         const ContactReport report = machine.step({0.0, d}, 0.0, settings, {});
         EXPECT_NEAR(report.force.y, mode == Mode::ridge ? expected : -expected, 1e-12);
         EXPECT_EQ(report.state, ContactState::edge);
+        EXPECT_EQ(report.side, Side::left);
+        EXPECT_EQ(machine.step({0.0, -d}, 0.0, settings, {}).side, Side::right);
         EXPECT_NEAR(report.p_WP.y, 0.0, 1e-15);
+        ContactMachine unable;
+        unable.reset(scene, {0.0, 0.01}, 0.0);
+        const ContactReport cut = unable.step({0.0, d}, 0.0, settings, {0, 0});
+        EXPECT_EQ(cut.boxes, 0);
+        EXPECT_EQ(cut.clear, 0.0);
+        EXPECT_EQ(cut.force, Force{});
     }
 }
 

@@ -149,6 +149,19 @@ TEST(CurveSet, PointsThatAreNoNumbersOrFarAwayAreOneClearLine) {
     }
 }
 
+TEST(CurveSet, ASpacingThatWouldFillTheMemoryIsOneClearLine) {
+    for (const bool resample : {false, true}) {
+        for (const double spacing_m : {1e-9, 1e-300}) {
+            CurveOptions options;
+            options.resample = resample;
+            options.spacing_m = spacing_m;
+            const auto curves = CurveSet::build(map_of({scenes::circle(0.03, 64)}), options);
+            ASSERT_FALSE(curves);
+            EXPECT_NE(curves.error().line.find("wider spacing"), std::string::npos);
+        }
+    }
+}
+
 TEST(CurveSet, CompressionSaysHowFarItMovedTheCurve) {
     CurveOptions options;
     options.keep_details = 0.1;
