@@ -1,7 +1,7 @@
 // The level of resolution follows the hand's speed: coarse while the hand is fast, fine while it is
 // slow. A detail of wavelength lambda crossed at speed v is a force of frequency v / lambda; what
-// is faster than the servo, the device and the hand can follow is left out (paper, sections 1 and 5).
-// Threads: one, the servo's. No allocation.
+// is faster than the servo, the device and the hand can follow is left out (paper, sections 1 and
+// 5). Threads: one, the servo's. No allocation.
 #pragma once
 
 #include "config/types/vec2.h"
