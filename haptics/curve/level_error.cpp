@@ -1,5 +1,7 @@
 #include "haptics/curve/level_error.h"
 
+#include "haptics/curve/sampling.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,10 +9,7 @@ namespace touchline {
 namespace {
 
 double distance_m(Position p, const Segment& s) {
-    const Position e = s.b - s.a;
-    const double length2 = dot(e, e);
-    const double t = length2 > 0.0 ? std::clamp(dot(p - s.a, e) / length2, 0.0, 1.0) : 0.0;
-    return norm(p - (s.a + t * e));
+    return distance_to_segment_m(p, s.a, s.b);
 }
 
 /// Sums over the edges of level 0.

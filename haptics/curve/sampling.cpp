@@ -4,16 +4,12 @@
 #include <cmath>
 
 namespace touchline {
-namespace {
-
 double distance_to_segment_m(Position p, Position a, Position b) {
     const Position e = b - a;
     const double length2 = dot(e, e);
     const double t = length2 > 0.0 ? std::clamp(dot(p - a, e) / length2, 0.0, 1.0) : 0.0;
     return norm(p - (a + t * e));
 }
-
-}  // namespace
 
 double polyline_length_m(std::span<const Position> line) {
     double length = 0.0;
