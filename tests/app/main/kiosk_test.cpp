@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 #include <string>
 
@@ -98,13 +97,13 @@ TEST_F(Kiosk, DrawsTheOutlinesOnTheScreen) {
 }
 
 TEST_F(Kiosk, CountsTicksAndFramesWithTheWindowAndWithout) {
-    ASSERT_EQ(run_script("kiosk --measure 2; finish"), 0);
-    const std::string words = text_of("out.txt");
-    const std::regex with(R"(with the window: [0-9.]+ s, [1-9][0-9]* ticks, [0-9]+ missed, )"
-                          R"([1-9][0-9]* frames, [0-9]+ skipped)");
-    const std::regex without(R"(without the window: [0-9.]+ s, [1-9][0-9]* ticks, [0-9]+ missed)");
-    EXPECT_TRUE(std::regex_search(words, with)) << words;
-    EXPECT_TRUE(std::regex_search(words, without)) << words;
+    EXPECT_EQ(run_script("kiosk --measure 2; wait $pid && "
+                         "grep -qE 'with the window: [0-9.]+ s, [1-9][0-9]* ticks, [0-9]+ missed, "
+                         "[1-9][0-9]* frames, [0-9]+ skipped' out.txt && "
+                         "grep -qE 'without the window: [0-9.]+ s, [1-9][0-9]* ticks, "
+                         "[0-9]+ missed' out.txt"),
+              0)
+        << text_of("out.txt");
 }
 
 TEST_F(Kiosk, WithoutADisplayIsOneLine) {
