@@ -3,11 +3,11 @@
 #include "app/cli/hand_csv.h"
 #include "app/cli/load.h"
 #include "app/decode/files.h"
+#include "config/types/steady_clock.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/resolution/level_rule.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -16,12 +16,6 @@ namespace touchline {
 namespace {
 
 constexpr double first_period_s = 1e-3;  // of a path with a single row
-
-std::int64_t now_ns() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
 
 constexpr std::string_view name_of(ContactState state) {
     switch (state) {
@@ -64,23 +58,14 @@ void write_row(fmt::memory_buffer& out, const HandRow& hand, const ContactReport
     fmt::format_to(to, ",{},{},{}", report.carried_m, report.boxes, report.clear);
 }
 
-/// The finest spacing of any outline: what the level rule counts from.
-double finest_spacing_m(const CurveSet& curves) {
-    double spacing = 1.0;
-    for (const OutlineReport& report : curves.reports()) {
-        spacing = std::min(spacing, report.spacing_m);
-    }
-    return spacing;
-}
-
 /// The rows of a run, stepped through the production code.
 class Feeling {
   public:
     Feeling(const Scene& scene, const FeelOptions& options, const DeviceProfile& profile)
         : scene_(scene),
           options_(options),
-          rule_({finest_spacing_m(scene.curves), encoder_step_m(profile), profile.bandwidth_Hz, 0.0,
-                 static_cast<double>(scene.curves.coarsest())}) {}
+          rule_({scene.curves.finest_spacing_m(), encoder_step_m(profile), profile.bandwidth_Hz,
+                 0.0, static_cast<double>(scene.curves.coarsest())}) {}
 
     std::string run(const std::vector<HandRow>& hand) {
         fmt::memory_buffer out;
@@ -91,12 +76,12 @@ class Feeling {
             options_.with_timing ? ",step_ns" : "");
         for (std::size_t i = 0; i < hand.size(); ++i) {
             const double dt_s = i > 0 ? hand[i].t_s - hand[i - 1].t_s : first_period_s;
-            const std::int64_t begin_ns = options_.with_timing ? now_ns() : 0;
+            const std::int64_t begin_ns = options_.with_timing ? steady_now_ns() : 0;
             const double level = wanted_level(hand[i].p_WH, dt_s);
             const ContactReport report =
                 i == 0 ? start(hand[0].p_WH, level)
                        : machine_.step(hand[i].p_WH, level, options_.contact, budget());
-            const std::int64_t step_ns = options_.with_timing ? now_ns() - begin_ns : 0;
+            const std::int64_t step_ns = options_.with_timing ? steady_now_ns() - begin_ns : 0;
             write_row(out, hand[i], report);
             if (options_.with_timing) fmt::format_to(std::back_inserter(out), ",{}", step_ns);
             out.push_back('\n');
@@ -127,7 +112,7 @@ class Feeling {
         if (options_.budget_boxes) budget.boxes = *options_.budget_boxes;
         if (options_.deadline_us) {
             budget.deadline_ns =
-                now_ns() + static_cast<std::int64_t>(*options_.deadline_us * 1000.0);
+                steady_now_ns() + static_cast<std::int64_t>(*options_.deadline_us * 1000.0);
         }
         return budget;
     }

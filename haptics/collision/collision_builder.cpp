@@ -1,8 +1,8 @@
 // Building the collision tree: boxes, the hierarchy over the coarsest segments, and who is alone.
+#include "haptics/collision/box.h"
 #include "haptics/collision/collision_tree.h"
-#include "haptics/collision/frame.h"
+#include "haptics/collision/crowding.h"
 #include "haptics/collision/touch.h"
-#include "haptics/collision/tree_walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,33 +19,32 @@ float outward_high(double x) {
     return std::nextafterf(static_cast<float>(x), INFINITY);
 }
 
-/// Looks for a box, not of a neighbour, that meets one node's box.
-class Neighbourhood {
+/// Extents along and across an axis, in axis lengths, that grow to hold points.
+class Growing {
   public:
-    Neighbourhood(const AlignedBox& box, double reach_m, SegmentRef self, SegmentRef before,
-                  SegmentRef after)
-        : box_(grown(box, reach_m)), reach_m_(reach_m), own_{self, before, after} {}
-
-    std::optional<double> near(const AlignedBox& other) const {
-        if (overlap(box_, grown(other, reach_m_))) return 0.0;
-        return {};
+    explicit Growing(const Segment& s)
+        : origin_(s.a), axis_(frame_axis(s)), scale_(1.0 / dot(axis_, axis_)) {
+        add(s.b);
     }
 
-    [[nodiscard]] double cut() const { return is_met_ ? -1.0 : 0.0; }
-
-    static bool spend() { return true; }
-
-    void leaf(SegmentRef ref) {
-        if (std::find(own_.begin(), own_.end(), ref) == own_.end()) is_met_ = true;
+    void add(Position p) {
+        const double s = dot(axis_, p - origin_);
+        const double n = cross(axis_, p - origin_);
+        s_low_ = std::min(s_low_, s);
+        s_high_ = std::max(s_high_, s);
+        n_low_ = std::min(n_low_, n);
+        n_high_ = std::max(n_high_, n);
     }
 
-    [[nodiscard]] bool is_met() const { return is_met_; }
+    [[nodiscard]] PackedExtents packed() const {
+        return {scale_ * s_low_, scale_ * s_high_, scale_ * n_low_, scale_ * n_high_};
+    }
 
   private:
-    AlignedBox box_;
-    double reach_m_;
-    std::array<SegmentRef, 3> own_;
-    bool is_met_ = false;
+    Position origin_;
+    Position axis_;
+    double scale_;
+    double s_low_ = 0.0, s_high_ = 0.0, n_low_ = 0.0, n_high_ = 0.0;
 };
 
 }  // namespace
@@ -56,57 +55,75 @@ class CollisionTreeBuilder {
         : curves_(curves), reach_m_(std::max(radius_m, contact_skin_m) + approach_tolerance_m) {}
 
     CollisionTree build() {
+        tree_.extents_.resize(curves_.point_count() - curves_.finest_count());
         for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
             bound_piece(piece);
         }
         if (!tree_.roots_.empty()) {
+            tree_.bounds_.reserve(2 * tree_.roots_.size());
             tree_.bounds_.emplace_back();
             bound_roots(0, 0, tree_.roots_.size());
         }
-        find_alone();
+        tree_.alone_ = Crowding(tree_, curves_, reach_m_).find_alone();
         return std::move(tree_);
     }
 
   private:
     using Bound = CollisionTree::Bound;
-    using Extents = CollisionTree::Extents;
 
     void bound_piece(int piece) {
         const int coarsest = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
-        tree_.first_level_.push_back(static_cast<std::uint32_t>(tree_.first_box_.size()));
-        for (int level = 0; level <= coarsest; ++level) {
-            tree_.first_box_.push_back(static_cast<std::uint32_t>(tree_.boxes_.size()));
+        for (int level = 1; level <= coarsest; ++level) {
+            const std::size_t first = curves_.first_point(piece, level) - curves_.finest_count();
             const int count = curves_.segment_count(piece, level);
-            for (int j = 0; j < count; ++j) tree_.boxes_.push_back(extents(piece, level, j));
+            for (int j = 0; j < count; ++j) {
+                tree_.extents_[first + static_cast<std::size_t>(j)] = extents(piece, level, j);
+            }
         }
         for (int j = 0; j < curves_.segment_count(piece, coarsest); ++j) {
             tree_.roots_.push_back({piece, coarsest, j});
         }
     }
 
-    /// Holds the segment and the points of every finer level over its stretch.
-    [[nodiscard]] Extents extents(int piece, int level, int j) const {
-        const Segment s = curves_.rendered_segment(piece, level, j);
-        const Direction u = direction_of(s.b - s.a);
-        double s_low = 0.0;
-        double s_high = norm(s.b - s.a);
-        double n_low = 0.0;
-        double n_high = 0.0;
-        for (int finer = level - 1; finer >= 0; --finer) {
-            const auto points = curves_.points(piece, finer);
-            const auto first = static_cast<std::size_t>(j) << (level - finer);
-            const auto segments = static_cast<std::size_t>(curves_.segment_count(piece, finer));
-            const auto last =
-                std::min((static_cast<std::size_t>(j) + 1) << (level - finer), segments);
-            for (std::size_t i = first; i <= last; ++i) {
-                const Position w = points[i == points.size() ? 0 : i] - s.a;
-                s_low = std::min(s_low, dot(u, w));
-                s_high = std::max(s_high, dot(u, w));
-                n_low = std::min(n_low, cross(u, w));
-                n_high = std::max(n_high, cross(u, w));
+    /// Holds the segment and the points of every finer level over its stretch: points down to
+    /// `scanned` levels below, then the boxes of that level, which hold the rest. O(2^scanned).
+    [[nodiscard]] PackedExtents extents(int piece, int level, int j) const {
+        constexpr int scanned = 4;
+        Growing box(segment(piece, level, j));
+        const int finest = std::max(level - scanned, 0);
+        for (int finer = level - 1; finer >= finest; --finer)
+            add_points(piece, level, j, finer, box);
+        if (finest > 0) add_boxes(piece, level, j, finest, box);
+        return box.packed();
+    }
+
+    void add_points(int piece, int level, int j, int finer, Growing& box) const {
+        const auto points = curves_.points(piece, finer);
+        const auto first = static_cast<std::size_t>(j) << (level - finer);
+        const auto last = last_of(piece, level, j, finer);
+        for (std::size_t i = first; i < last; ++i) box.add(points[i]);
+        box.add(points[last == points.size() ? 0 : last]);
+    }
+
+    void add_boxes(int piece, int level, int j, int finer, Growing& box) const {
+        const auto first = static_cast<std::size_t>(j) << (level - finer);
+        const auto last = last_of(piece, level, j, finer);
+        for (std::size_t i = first; i < last; ++i) {
+            for (const Position corner :
+                 corners_of(tree_.node_box(curves_, {piece, finer, static_cast<int>(i)}))) {
+                box.add(corner);
             }
         }
-        return {outward_low(s_low), outward_high(s_high), outward_low(n_low), outward_high(n_high)};
+    }
+
+    /// One past the last segment of level `finer` over the stretch of segment j.
+    [[nodiscard]] std::size_t last_of(int piece, int level, int j, int finer) const {
+        return std::min((static_cast<std::size_t>(j) + 1) << (level - finer),
+                        static_cast<std::size_t>(curves_.segment_count(piece, finer)));
+    }
+
+    [[nodiscard]] Segment segment(int piece, int level, int j) const {
+        return curves_.rendered_segment(piece, level, j);
     }
 
     /// Node `at` over roots [first, last), halved at the median of the longer side.
@@ -121,7 +138,7 @@ class CollisionTreeBuilder {
         const std::size_t middle = (first + last) / 2;
         const auto begin = tree_.roots_.begin();
         const auto place = [&](const CollisionTree::Node& node) {
-            const Segment s = curves_.rendered_segment(node.piece, node.level, node.index);
+            const Segment s = segment(node.piece, node.level, node.index);
             return is_wide ? s.a.x + s.b.x : s.a.y + s.b.y;
         };
         std::nth_element(begin + static_cast<std::ptrdiff_t>(first),
@@ -143,7 +160,7 @@ class CollisionTreeBuilder {
         double y_low = far;
         double y_high = -far;
         for (std::size_t i = first; i < last; ++i) {
-            for (const Position c : corners_of(tree_.aligned_box(curves_, tree_.roots_[i]))) {
+            for (const Position c : corners_of(tree_.node_box(curves_, tree_.roots_[i]))) {
                 x_low = std::min(x_low, c.x);
                 x_high = std::max(x_high, c.x);
                 y_low = std::min(y_low, c.y);
@@ -152,33 +169,6 @@ class CollisionTreeBuilder {
         }
         return {outward_low(x_low), outward_high(x_high), outward_low(y_low), outward_high(y_high),
                 0};
-    }
-
-    void find_alone() {
-        tree_.alone_.resize(tree_.boxes_.size());
-        for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
-            const int coarsest = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
-            for (int level = 0; level <= coarsest; ++level) {
-                for (int j = 0; j < curves_.segment_count(piece, level); ++j) {
-                    tree_.alone_[tree_.box_index({piece, level, j})] = is_alone(piece, level, j);
-                }
-            }
-        }
-    }
-
-    /// The coarsest nodes of a piece are also felt while other pieces are rendered coarser still.
-    [[nodiscard]] bool is_alone(int piece, int level, int j) const {
-        const bool is_coarsest =
-            level == curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
-        for (int others = level; others <= (is_coarsest ? curves_.coarsest() : level); ++others) {
-            const double at = others;
-            Neighbourhood visitor(tree_.aligned_box(curves_, {piece, level, j}), reach_m_,
-                                  {piece, j}, curves_.previous({piece, j}, at),
-                                  curves_.next({piece, j}, at));
-            static_cast<void>(TreeWalk(tree_, curves_, at, visitor).run());
-            if (visitor.is_met()) return false;
-        }
-        return true;
     }
 
     const CurveSet& curves_;

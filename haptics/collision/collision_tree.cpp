@@ -1,28 +1,24 @@
 #include "haptics/collision/collision_tree.h"
 
-#include "haptics/collision/frame.h"
+#include "config/types/steady_clock.h"
+#include "haptics/collision/crossing.h"
 #include "haptics/collision/tree_walk.h"
 
-#include <chrono>
 #include <cmath>
 
 namespace touchline {
 namespace {
 
-std::int64_t steady_ns() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
-
-/// Counts boxes; looks at the clock only where a deadline is set.
+/// Counts boxes; looks at the clock only where a deadline is set, and then only at every fourth
+/// box: reading it costs as much as opening three.
 class Spender {
   public:
     explicit Spender(const Budget& budget) : budget_(budget) {}
 
     bool spend() {
         if (opened_ >= budget_.boxes) return false;
-        if (budget_.deadline_ns != 0 && steady_ns() >= budget_.deadline_ns) return false;
+        const bool is_asking = budget_.deadline_ns != 0 && opened_ % 4 == 0;
+        if (is_asking && steady_now_ns() >= budget_.deadline_ns) return false;
         ++opened_;
         return true;
     }
@@ -34,28 +30,20 @@ class Spender {
     int opened_ = 0;
 };
 
-class FirstHit {
+/// Collects the first of several touches, ties to the lowest segment.
+class FirstTouch {
   public:
-    FirstHit(const CurveSet& curves, const Motion& motion, const Budget& budget)
-        : curves_(curves),
-          motion_(motion),
-          spender_(budget),
-          tie_(approach_tolerance_m / std::max(norm(motion.to - motion.from), 1e-30)) {}
+    explicit FirstTouch(const Motion& motion)
+        : motion_(motion), way_(way_of(motion)), tie_(tie_of(motion)) {}
 
-    std::optional<double> near(const AlignedBox& box) const {
-        // The tolerance is more than all rounding: no box is entered after what it holds is
-        // touched.
-        return entry(grown(box, motion_.radius_m + approach_tolerance_m), motion_.from, motion_.to);
-    }
+    [[nodiscard]] const Way& way() const { return way_; }
 
     [[nodiscard]] double cut() const { return hit_.is_hit ? hit_.clear + tie_ : 1.0; }
 
-    bool spend() { return spender_.spend(); }
-
-    void leaf(SegmentRef ref) {
+    void test(SegmentRef ref, const Segment& segment) {
         if (ref == motion_.excluded[0] || ref == motion_.excluded[1]) return;
-        const auto found = touch(motion_.from, motion_.to, motion_.radius_m,
-                                 curves_.rendered_segment(ref.piece, motion_.level, ref.index));
+        if (!meets({segment.a, segment.b - segment.a, 0.0, 1.0, 0.0, 0.0}, way_)) return;
+        const auto found = touch(motion_.from, motion_.to, motion_.radius_m, segment);
         if (!found) return;
         if (hit_.is_hit && found->fraction > hit_.clear + tie_) return;
         const bool is_tie = hit_.is_hit && found->fraction >= hit_.clear - tie_;
@@ -67,40 +55,102 @@ class FirstHit {
 
     /// `unopened`: the earliest moment at which a box left unopened is met. A hit counts only
     /// before it.
-    Hit result(double unopened) {
+    [[nodiscard]] Hit result(double unopened, int opened) {
         if (unopened <= cut()) {
             const double clear = std::min(unopened, hit_.is_hit ? hit_.clear : 1.0);
             hit_ = {};
             hit_.clear = clear;
         }
-        hit_.boxes = spender_.opened();
+        hit_.boxes = opened;
         return hit_;
     }
 
   private:
-    const CurveSet& curves_;
+    /// The tolerance is more than all rounding: no box is entered after what it holds is touched.
+    static Way way_of(const Motion& motion) {
+        return {motion.from, motion.to - motion.from, motion.radius_m + approach_tolerance_m};
+    }
+
+    /// Share of the motion within which two contacts are one moment.
+    static double tie_of(const Motion& motion) {
+        constexpr double few_ulp = 8.9e-16;
+        if (motion.radius_m == 0.0) return few_ulp;
+        return approach_tolerance_m / std::max(norm(motion.to - motion.from), 1e-30);
+    }
+
     const Motion& motion_;
-    Spender spender_;
-    double tie_;  // share of the motion within which two contacts are one moment
+    Way way_;
+    double tie_;
     Hit hit_;
+};
+
+class FirstHit {
+  public:
+    static constexpr bool asks_leaf_boxes = false;
+
+    FirstHit(const Motion& motion, const Budget& budget) : first_(motion), spender_(budget) {}
+
+    [[nodiscard]] std::optional<double> near(const Box& box) const {
+        if (!meets(box, first_.way())) return {};
+        return entry(box, first_.way());
+    }
+
+    [[nodiscard]] double cut() const { return first_.cut(); }
+
+    bool spend() { return spender_.spend(); }
+
+    void leaf(SegmentRef ref, const Segment& segment) { first_.test(ref, segment); }
+
+    Hit result(double unopened) { return first_.result(unopened, spender_.opened()); }
+
+  private:
+    FirstTouch first_;
+    Spender spender_;
+};
+
+class Crossings {
+  public:
+    static constexpr bool asks_leaf_boxes = false;
+
+    Crossings(Position p, Position q) : p_(p), q_(q), way_{p, q - p, approach_tolerance_m} {}
+
+    [[nodiscard]] std::optional<double> near(const Box& box) const {
+        if (!meets(box, way_)) return {};
+        return 0.0;
+    }
+
+    [[nodiscard]] static double cut() { return 1.0; }
+
+    static bool spend() { return true; }
+
+    void leaf(SegmentRef /*ref*/, const Segment& segment) {
+        count_ += passes(p_, q_, segment) ? 1 : 0;
+    }
+
+    [[nodiscard]] int count() const { return count_; }
+
+  private:
+    Position p_, q_;
+    Way way_;
+    int count_ = 0;
 };
 
 class ClosestPoint {
   public:
-    ClosestPoint(const CurveSet& curves, Position p, double level, double within_m,
-                 const Budget& budget)
-        : curves_(curves), p_(p), level_(level), spender_(budget) {
+    static constexpr bool asks_leaf_boxes = false;
+
+    ClosestPoint(Position p, double within_m, const Budget& budget) : p_(p), spender_(budget) {
         closest_.distance_m = within_m;
     }
 
-    std::optional<double> near(const AlignedBox& box) const { return distance_m(box, p_); }
+    [[nodiscard]] std::optional<double> near(const Box& box) const { return distance_m(box, p_); }
 
     [[nodiscard]] double cut() const { return closest_.distance_m; }
 
     bool spend() { return spender_.spend(); }
 
-    void leaf(SegmentRef ref) {
-        const Foot at = foot(p_, curves_.rendered_segment(ref.piece, level_, ref.index));
+    void leaf(SegmentRef ref, const Segment& segment) {
+        const Foot at = foot(p_, segment);
         const bool is_nearer = at.distance_m < closest_.distance_m;
         const bool is_lower = at.distance_m == closest_.distance_m && closest_.segment.piece >= 0 &&
                               ref < closest_.segment;
@@ -116,26 +166,26 @@ class ClosestPoint {
     }
 
   private:
-    const CurveSet& curves_;
     Position p_;
-    double level_;
     Spender spender_;
     Closest closest_;
 };
 
-/// Stops at the first leaf within reach.
+/// Stops at the first leaf's box within reach.
 class AnyNear {
   public:
+    static constexpr bool asks_leaf_boxes = true;
+
     AnyNear(Position p, double reach_m, const Budget& budget)
         : p_(p), reach_m_(reach_m), spender_(budget) {}
 
-    std::optional<double> near(const AlignedBox& box) const { return distance_m(box, p_); }
+    [[nodiscard]] std::optional<double> near(const Box& box) const { return distance_m(box, p_); }
 
     [[nodiscard]] double cut() const { return is_met_ ? -1.0 : reach_m_; }
 
     bool spend() { return spender_.spend(); }
 
-    void leaf(SegmentRef /*ref*/) { is_met_ = true; }
+    void leaf(SegmentRef /*ref*/, const Segment& /*segment*/) { is_met_ = true; }
 
     [[nodiscard]] Clearance result(double unopened) const {
         return {!is_met_ && unopened > reach_m_, spender_.opened()};
@@ -150,40 +200,22 @@ class AnyNear {
 
 }  // namespace
 
-std::size_t CollisionTree::box_index(const Node& node) const {
-    return first_box_[first_level_[static_cast<std::size_t>(node.piece)] +
-                      static_cast<std::uint32_t>(node.level)] +
-           static_cast<std::size_t>(node.index);
-}
-
-int CollisionTree::leaf_level(const CurveSet& curves, int piece, double level) {
-    return static_cast<int>(std::ceil(curves.rendered_level(piece, level)));
-}
-
-AlignedBox CollisionTree::aligned_box(const CurveSet& curves, const Node& node) const {
-    const Extents& e = boxes_[box_index(node)];
-    const auto points = curves.points(node.piece, node.level);
-    const auto j = static_cast<std::size_t>(node.index);
-    const Position a = points[j];
-    const Position b = points[j + 1 == points.size() ? 0 : j + 1];
-    return {a,
-            direction_of(b - a),
-            static_cast<double>(e.along_low),
-            static_cast<double>(e.along_high),
-            static_cast<double>(e.across_low),
-            static_cast<double>(e.across_high)};
-}
-
 Hit CollisionTree::first_hit(const CurveSet& curves, const Motion& motion,
                              const Budget& budget) const {
-    FirstHit visitor(curves, motion, budget);
+    FirstHit visitor(motion, budget);
     const double unopened = TreeWalk(*this, curves, motion.level, visitor).run();
     return visitor.result(unopened);
 }
 
+int CollisionTree::crossings(const CurveSet& curves, Position p, Position q, double level) const {
+    Crossings visitor(p, q);
+    (void)TreeWalk(*this, curves, level, visitor).run();
+    return visitor.count();
+}
+
 Closest CollisionTree::closest_point(const CurveSet& curves, Position p, double level,
                                      double within_m, const Budget& budget) const {
-    ClosestPoint visitor(curves, p, level, within_m, budget);
+    ClosestPoint visitor(p, within_m, budget);
     const double unopened = TreeWalk(*this, curves, level, visitor).run();
     return visitor.result(unopened);
 }
@@ -195,14 +227,19 @@ Clearance CollisionTree::clearance(const CurveSet& curves, Position p, double di
     return visitor.result(unopened);
 }
 
-bool CollisionTree::is_alone(const CurveSet& curves, SegmentRef segment, double level) const {
-    const int leaf = leaf_level(curves, segment.piece, level);
-    const bool is_blend = curves.rendered_level(segment.piece, level) < leaf;
-    return alone_[box_index({segment.piece, leaf, is_blend ? segment.index / 2 : segment.index})];
+NodeRange CollisionTree::nodes(const CurveSet& curves, int piece, double level) {
+    const double rendered = curves.rendered_level(piece, level);
+    const auto leaf = static_cast<int>(std::ceil(rendered));
+    return {curves.first_point(piece, leaf), rendered < leaf};
 }
 
 ErrorBox CollisionTree::box(const CurveSet& curves, int piece, int level, int j) const {
-    return {corners_of(aligned_box(curves, {piece, level, j})), piece, level, j};
+    return {corners_of(node_box(curves, {piece, level, j})), piece, level, j};
+}
+
+std::size_t CollisionTree::memory_bytes() const {
+    return extents_.capacity() * sizeof(PackedExtents) + alone_.capacity() / 8 +
+           bounds_.capacity() * sizeof(Bound) + roots_.capacity() * sizeof(Node);
 }
 
 void CollisionTree::boundary_section(const CurveSet& curves, Position handle, int level,
@@ -211,7 +248,7 @@ void CollisionTree::boundary_section(const CurveSet& curves, Position handle, in
     while (!open.empty()) {
         const Node node = open.back();
         open.pop_back();
-        const bool holds = distance_m(aligned_box(curves, node), handle) <= 0.0;
+        const bool holds = distance_m(node_box(curves, node), handle) <= 0.0;
         if (!holds || node.level <= level || node.level == 0) {
             section.push_back(box(curves, node.piece, node.level, node.index));
             continue;

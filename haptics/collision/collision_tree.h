@@ -5,7 +5,8 @@
 #pragma once
 
 #include "config/types/vec2.h"
-#include "haptics/collision/frame.h"
+#include "haptics/collision/box.h"
+#include "haptics/collision/packed_extents.h"
 #include "haptics/collision/touch.h"
 #include "haptics/curve/curve_set.h"
 
@@ -27,9 +28,15 @@ struct ErrorBox {
 /// A disc that moves straight from `from` to `to`.
 struct Motion {
     Position from, to;
-    double radius_m = 0.0;
+    double radius_m = 0.0;  // 0: a point, exactly (touch.h); else at least the contact skin
     double level = 0.0;
     std::array<SegmentRef, 2> excluded{};  // segments that are not obstacles
+};
+
+/// Nodes of one piece and level, in the order of its segments.
+struct NodeRange {
+    std::size_t first = 0;
+    bool is_blend = false;  // each holds two rendered segments, 2j and 2j + 1, not one
 };
 
 struct Budget {
@@ -46,6 +53,13 @@ struct Hit {
     SegmentRef segment;  // lowest of those touched at the same moment
     Touch touch;
     int boxes = 0;  // opened
+};
+
+/// The paper's own stop (section 3): the answer at the finest level that all candidates reached.
+struct HitAtLevel {
+    Hit hit;
+    double level = 0.0;   // the answer's; the level asked for where the budget sufficed
+    bool is_any = false;  // false: the budget ended before the coarsest level, nothing is known
 };
 
 struct Closest {
@@ -74,6 +88,18 @@ class CollisionTree {
     [[nodiscard]] Hit first_hit(const CurveSet& curves, const Motion& motion,
                                 const Budget& budget) const;
 
+    /// The paper's query (section 3): boxes that the motion meets are refined level by level, and
+    /// when the budget ends the motion is answered exactly for the level that all of them reached.
+    /// That level never coarsens as the budget grows. At most 1024 boxes of a level are held.
+    [[nodiscard]] HitAtLevel first_hit_at_level_reached(const CurveSet& curves,
+                                                        const Motion& motion,
+                                                        const Budget& budget) const;
+
+    /// How often the straight way from p to q crosses the curves as rendered at `level`, counted so
+    /// that the parity is right at vertices and along segments: for a closed curve it is odd
+    /// exactly when one of p and q is inside (points on the curve count as on its upper side).
+    [[nodiscard]] int crossings(const CurveSet& curves, Position p, Position q, double level) const;
+
     /// The nearest point of the curves as rendered at `level`, if nearer than `within_m`; ties go
     /// to the lowest segment.
     [[nodiscard]] Closest closest_point(const CurveSet& curves, Position p, double level,
@@ -84,11 +110,13 @@ class CollisionTree {
     [[nodiscard]] Clearance clearance(const CurveSet& curves, Position p, double distance_m,
                                       double level, const Budget& budget) const;
 
-    /// True when no box but those of its neighbours along the outline meets the box of the node
-    /// that holds rendered segment j, both grown by the radius of build(): sliding along it needs
-    /// no query, only a look at its neighbours (three each way). Valid at every level and blend.
-    /// O(1).
-    [[nodiscard]] bool is_alone(const CurveSet& curves, SegmentRef segment, double level) const;
+    /// The nodes that hold a piece as rendered at `level`. O(1).
+    [[nodiscard]] static NodeRange nodes(const CurveSet& curves, int piece, double level);
+
+    /// True when no box but those of its neighbours along the outline meets the node's box, both
+    /// grown by the radius of build(): sliding along what it holds needs no query, only a look at
+    /// its neighbours (at a fractional level three segments each way). O(1).
+    [[nodiscard]] bool is_alone(std::size_t node) const { return alone_[node]; }
 
     /// The boundary section for a handle (paper section 3): the nodes whose box does not hold the
     /// handle while their parent's does, and, where the boxes hold it down to `level`, the nodes of
@@ -99,37 +127,52 @@ class CollisionTree {
     /// The box of a node, for drawing and tests.
     [[nodiscard]] ErrorBox box(const CurveSet& curves, int piece, int level, int j) const;
 
-  private:
-    /// Extents of a node's box along and across its segment, from the segment's first point;
-    /// metres, rounded outward.
-    struct Extents {
-        float along_low, along_high, across_low, across_high;
-    };
+    /// What the tree adds to its curves.
+    [[nodiscard]] std::size_t memory_bytes() const;
 
+  private:
     /// A node of the bounding hierarchy over all coarsest segments.
     struct Bound {
         float x_low, x_high, y_low, y_high;
         std::int32_t left;  // child; right is left + 1. Negative: a leaf, root_[-left - 1]
+
+        [[nodiscard]] Box box() const {
+            return {{},
+                    {1.0, 0.0},
+                    static_cast<double>(x_low),
+                    static_cast<double>(x_high),
+                    static_cast<double>(y_low),
+                    static_cast<double>(y_high)};
+        }
     };
 
     struct Node {
         int piece, level, index;
     };
 
-    [[nodiscard]] AlignedBox aligned_box(const CurveSet& curves, const Node& node) const;
-    [[nodiscard]] std::size_t box_index(const Node& node) const;
-    [[nodiscard]] static int leaf_level(const CurveSet& curves, int piece, double level);
+    [[nodiscard]] Box node_box(const CurveSet& curves, const Node& node) const;
 
-    std::vector<std::uint32_t> first_level_;  // per piece, in first_box_
-    std::vector<std::uint32_t> first_box_;    // per piece and level, in boxes_
-    std::vector<Extents> boxes_;
-    std::vector<bool> alone_;  // per box
+    std::vector<PackedExtents> extents_;  // of levels 1 ... L, in the order of the curves' points
+    std::vector<bool> alone_;             // of all levels, in the order of the curves' points
     std::vector<Bound> bounds_;
     std::vector<Node> roots_;  // the coarsest segments
 
     friend class CollisionTreeBuilder;
+    friend class Crowding;
+    friend class LevelByLevel;
     template <class Visitor>
     friend class TreeWalk;
 };
+
+inline Box CollisionTree::node_box(const CurveSet& curves, const Node& node) const {
+    const auto points = curves.points(node.piece, node.level);
+    const auto j = static_cast<std::size_t>(node.index);
+    const Segment s{points[j], points[j + 1 == points.size() ? 0 : j + 1]};
+    const Position axis = frame_axis(s);
+    if (node.level == 0) return {s.a, axis, 0.0, axis == s.b - s.a ? 1.0 : 0.0, 0.0, 0.0};
+    const PackedExtents& e =
+        extents_[curves.first_point(node.piece, node.level) + j - curves.finest_count()];
+    return {s.a, axis, e.along_low(), e.along_high(), e.across_low(), e.across_high()};
+}
 
 }  // namespace touchline

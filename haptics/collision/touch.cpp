@@ -1,5 +1,7 @@
 #include "haptics/collision/touch.h"
 
+#include "haptics/collision/crossing.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,17 +51,18 @@ std::optional<Touch> touch_end(const Approach& motion, Position end, double para
                  std::min(motion.radius_m, distance), true};
 }
 
-}  // namespace
-
-Foot foot(Position p, const Segment& segment) {
-    const Position e = segment.b - segment.a;
-    const double length2 = dot(e, e);
-    const double t = length2 > 0.0 ? std::clamp(dot(p - segment.a, e) / length2, 0.0, 1.0) : 0.0;
-    const Position point = segment.a + t * e;
-    return {t, point, norm(p - point)};
+std::optional<Touch> touch_point(Position from, Position to, const Segment& segment) {
+    const auto met = crossing(from, to, segment);
+    if (!met) return {};
+    const Direction left = left_of(direction_of(segment.b - segment.a));
+    const bool is_end = met->parameter == 0.0 || met->parameter == 1.0;
+    return Touch{met->fraction, met->parameter, met->from_left ? left : -left, 0.0, is_end};
 }
 
+}  // namespace
+
 std::optional<Touch> touch(Position from, Position to, double radius_m, const Segment& segment) {
+    if (radius_m == 0.0) return touch_point(from, to, segment);
     const Position e = segment.b - segment.a;
     const double length = norm(e);
     const double start = foot(from, segment).distance_m;

@@ -26,18 +26,10 @@ struct Touch {
     bool is_end = false;      // an end of the segment is touched, not its side
 };
 
-/// The nearest point of a segment.
-struct Foot {
-    double parameter = 0.0;
-    Position point;
-    double distance_m = 0.0;
-};
-
-[[nodiscard]] Foot foot(Position p, const Segment& segment);
-
 /// The first moment at which a disc of `radius_m` >= contact_skin_m moving from `from` to `to`
 /// comes as near to the segment as its radius, or as it was at the start where that is nearer;
-/// nothing if it does not come nearer by more than the tolerance.
+/// nothing if it does not come nearer by more than the tolerance. At radius 0 a point: the first
+/// point of the way on the segment, touching at the start included, decided exactly (crossing.h).
 [[nodiscard]] std::optional<Touch> touch(Position from, Position to, double radius_m,
                                          const Segment& segment);
 

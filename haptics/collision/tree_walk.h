@@ -3,20 +3,25 @@
 // a box is too far to matter. Threads: a value on the stack of the query. No allocation.
 #pragma once
 
+#include "haptics/collision/box.h"
 #include "haptics/collision/collision_tree.h"
-#include "haptics/collision/frame.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace touchline {
 
 /// Visitor:
-///   std::optional<double> near(const AlignedBox&)  a key, smaller is nearer; nothing: cannot
-///   matter double cut() const                             boxes with a larger key cannot matter
-///   void leaf(SegmentRef)                          a rendered segment
-///   bool spend()                                   one box is opened; false: the budget is used up
+///   std::optional<double> near(const Box&)  a key, smaller is nearer; nothing: cannot matter
+///   double cut() const                      boxes with a larger key cannot matter
+///   void leaf(SegmentRef, const Segment&)   a rendered segment
+///   bool asks_leaf_boxes                    false: where a node holds one rendered segment, the
+///                                           segment is passed to leaf() without a look at its box
+///   bool spend()                            one box is opened; false: the budget is used up
+/// A box is opened when its children are looked at, so n opened boxes lead to at most n + 1 leaves.
 template <class Visitor>
 class TreeWalk {
   public:
@@ -34,7 +39,11 @@ class TreeWalk {
                 ++size_;
                 return smallest_key();
             }
-            open(top);
+            if (top.piece < 0) {
+                open_bound(top);
+            } else {
+                open_node(top);
+            }
         }
         return INFINITY;
     }
@@ -55,7 +64,7 @@ class TreeWalk {
         return key;
     }
 
-    void push(const AlignedBox& box, double parent_key, Entry entry) {
+    void push(const Box& box, double parent_key, Entry entry) {
         const std::optional<double> key = visitor_.near(box);
         if (!key) return;
         // A child's box may stick out of its parent's, its content does not: so keys never fall.
@@ -64,41 +73,15 @@ class TreeWalk {
     }
 
     void push_bound(std::int32_t index, double parent_key) {
-        const auto& bound = tree_.bounds_[static_cast<std::size_t>(index)];
-        const AlignedBox box{{},
-                             {1.0, 0.0},
-                             static_cast<double>(bound.x_low),
-                             static_cast<double>(bound.x_high),
-                             static_cast<double>(bound.y_low),
-                             static_cast<double>(bound.y_high)};
-        push(box, parent_key, {0.0, -1, 0, index});
-    }
-
-    void push_node(int piece, int level, int index, double parent_key) {
-        push(tree_.aligned_box(curves_, {piece, level, index}), parent_key,
-             {0.0, piece, level, index});
-    }
-
-    void open(const Entry& entry) {
-        if (entry.piece < 0) {
-            open_bound(entry);
-        } else if (entry.level == tree_.leaf_level(curves_, entry.piece, level_)) {
-            open_leaf(entry);
-        } else {
-            const std::size_t before = size_;
-            push_node(entry.piece, entry.level - 1, 2 * entry.index, entry.key);
-            if (2 * entry.index + 1 < curves_.segment_count(entry.piece, entry.level - 1)) {
-                push_node(entry.piece, entry.level - 1, 2 * entry.index + 1, entry.key);
-            }
-            nearest_last(before);
-        }
+        push(tree_.bounds_[static_cast<std::size_t>(index)].box(), parent_key, {0.0, -1, 0, index});
     }
 
     void open_bound(const Entry& entry) {
         const auto left = tree_.bounds_[static_cast<std::size_t>(entry.index)].left;
         if (left < 0) {
             const auto& root = tree_.roots_[static_cast<std::size_t>(-left - 1)];
-            push_node(root.piece, root.level, root.index, entry.key);
+            look_up(root.piece);
+            visit(root.level, root.index, entry.key);
             return;
         }
         const std::size_t before = size_;
@@ -107,15 +90,53 @@ class TreeWalk {
         nearest_last(before);
     }
 
-    /// At a fractional level a leaf holds its two blended halves.
-    void open_leaf(const Entry& entry) {
-        const double rendered = curves_.rendered_level(entry.piece, level_);
-        const bool is_blend = rendered < entry.level;
-        const int first = is_blend ? 2 * entry.index : entry.index;
-        const int count = curves_.rendered_count(entry.piece, level_);
-        for (int j = first; j < std::min(first + (is_blend ? 2 : 1), count); ++j) {
-            visitor_.leaf({entry.piece, j});
+    void open_node(const Entry& entry) {
+        look_up(entry.piece);
+        if (entry.level == leaf_level_) {
+            open_leaf(entry.index);
+            return;
         }
+        const std::size_t before = size_;
+        visit(entry.level - 1, 2 * entry.index, entry.key);
+        if (2 * entry.index + 1 < curves_.segment_count(piece_, entry.level - 1)) {
+            visit(entry.level - 1, 2 * entry.index + 1, entry.key);
+        }
+        nearest_last(before);
+    }
+
+    /// At a fractional level a node of the next whole one holds two blended halves.
+    void open_leaf(int index) {
+        if (!is_blend_) {
+            leaf(index);
+            return;
+        }
+        leaf(2 * index);
+        leaf(2 * index + 1);
+    }
+
+    /// A node of the piece looked up.
+    void visit(int level, int index, double parent_key) {
+        if (level == leaf_level_ && !is_blend_ && !Visitor::asks_leaf_boxes) {
+            leaf(index);
+        } else {
+            push(tree_.node_box(curves_, {piece_, level, index}), parent_key,
+                 {0.0, piece_, level, index});
+        }
+    }
+
+    void leaf(int index) {
+        if (index < rendered_.segment_count()) {
+            visitor_.leaf({piece_, index}, rendered_.segment(index));
+        }
+    }
+
+    void look_up(int piece) {
+        if (piece == piece_) return;
+        piece_ = piece;
+        const double at = curves_.rendered_level(piece, level_);
+        leaf_level_ = static_cast<int>(std::ceil(at));
+        is_blend_ = at < leaf_level_;
+        rendered_ = curves_.rendered(piece, level_);
     }
 
     void nearest_last(std::size_t before) {
@@ -128,8 +149,12 @@ class TreeWalk {
     const CurveSet& curves_;
     double level_;
     Visitor& visitor_;
-    std::array<Entry, capacity> stack_;
+    int piece_ = -1;  // whose leaves these are:
+    int leaf_level_ = 0;
+    bool is_blend_ = false;
+    RenderedPiece rendered_;
     std::size_t size_ = 0;
+    std::array<Entry, capacity> stack_;
 };
 
 }  // namespace touchline

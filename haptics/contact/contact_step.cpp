@@ -10,7 +10,6 @@ namespace {
 
 constexpr double still_m = 1e-14;  // a motion this short is rounding
 constexpr double parallel = 1e-9;  // sine of an angle too small to tell
-constexpr double growth_tolerance_m = 1e-12;
 constexpr int max_visits =
     6;  // tries to leave one corner in a step, one per line that may meet there
 
@@ -33,7 +32,7 @@ Position point_of(const Segment& segment, double parameter) {
 ContactStep::ContactStep(const Scene& scene, double level, const ContactSettings& settings,
                          Budget budget, ProxyState& proxy, std::span<Position> path)
     : scene_(scene),
-      level_(level),
+      outlines_(scene, level),
       settings_(settings),
       budget_(budget),
       proxy_(proxy),
@@ -43,7 +42,6 @@ ContactStep::ContactStep(const Scene& scene, double level, const ContactSettings
 std::size_t ContactStep::run(Position handle, ContactReport& report) {
     handle_ = handle;
     report_ = &report;
-    const ProxyState before = proxy_;
     report.transitions[0] = proxy_.state;
     report.transition_count = 1;
     path_[path_size_++] = proxy_.centre;
@@ -62,13 +60,6 @@ std::size_t ContactStep::run(Position handle, ContactReport& report) {
         }
     }
     if (next == Next::again) report.carried_m = norm(handle_ - proxy_.centre);
-    // The invariant of the machine, whatever the geometry: a step never moves away from the handle.
-    if (norm(handle_ - proxy_.centre) > norm(handle_ - before.centre) + growth_tolerance_m) {
-        proxy_ = before;
-        report.transition_count = 1;
-        report.carried_m = norm(handle_ - before.centre);
-        path_size_ = 1;
-    }
     return path_size_;
 }
 
@@ -95,36 +86,122 @@ ContactStep::Next ContactStep::move_free() {
 }
 
 ContactStep::Next ContactStep::move_on_edge() {
-    ++walks_;
-    Contact& at = first();
-    const Position pull = handle_ - proxy_.centre;
-    const double depth = -dot(pull, at.normal);
-    if (depth < 0.0) {
-        proxy_.contact_count = 0;
-        enter(ContactState::free);
-        return Next::again;
+    Edge edge = outlines_.edge(first().segment);
+    while (walks_ < max_walks) {
+        ++walks_;
+        const Contact& at = first();
+        const Position pull = handle_ - proxy_.centre;
+        const double depth = -dot(pull, at.normal);
+        if (depth < 0.0) {
+            proxy_.contact_count = 0;
+            enter(ContactState::free);
+            return Next::again;
+        }
+        double way_m = dot(pull, edge.along);
+        const double held_m = settings_.friction * depth;
+        if (std::abs(way_m) <= held_m) return Next::done;
+        way_m -= std::copysign(held_m, way_m);
+        switch (is_simple(at) ? slide_simply(edge, way_m) : Hop::none) {
+            case Hop::over:
+                continue;
+            case Hop::rest:
+                return Next::done;
+            case Hop::corner:
+                return Next::again;
+            case Hop::none:
+                return slide(edge, way_m);
+        }
     }
-    const Segment s = segment_of(at.segment);
-    const double length = norm(s.b - s.a);
-    const Direction u = direction_of(s.b - s.a);
-    double way = dot(pull, u);
-    const double held = settings_.friction * depth;
-    if (std::abs(way) <= held) return Next::done;
-    way -= std::copysign(held, way);
-    const double goal = at.parameter + way / length;
+    return Next::again;
+}
+
+/// A slide in general: whatever is near, however thick the proxy.
+ContactStep::Next ContactStep::slide(const Edge& edge, double way_m) {
+    Contact& at = first();
+    const double goal = at.parameter + way_m / edge.length_m;
     const double end = std::clamp(goal, 0.0, 1.0);
     const double from = at.parameter;
-    const Position to = point_of(s, end) + along<Position>(at.normal, at.offset_m);
-    const Sweep found =
-        sweep(to, radius_m_, {at.segment}, scene_.tree.is_alone(scene_.curves, at.segment, level_));
+    const Position to = point_of(edge.segment, end) + along<Position>(at.normal, at.offset_m);
+    const Sweep found = sweep(to, radius_m_, {at.segment}, outlines_.is_alone(at.segment));
     at.parameter = from + found.share * (end - from);
     if (found.share >= 1.0) at.parameter = end;
     place_at_contact();
     if (found.contact || found.is_cut) {
-        return arrive(found, std::abs(way) * (1.0 - found.share));
+        return arrive(found, std::abs(way_m) * (1.0 - found.share));
     }
     if (goal == end) return Next::done;
-    return reach_end(way > 0.0);
+    return reach_end(way_m > 0.0);
+}
+
+/// Nothing but the neighbouring edges can be met from this one, and the proxy is a point but for
+/// its skin: then a slide needs no sweep.
+bool ContactStep::is_simple(const Contact& at) {
+    return radius_m_ == contact_skin_m && at.offset_m <= 1.5 * contact_skin_m &&
+           at.offset_m >= 0.5 * contact_skin_m && outlines_.is_whole(at.segment) &&
+           outlines_.is_alone(at.segment);
+}
+
+ContactStep::Hop ContactStep::slide_simply(Edge& edge, double way_m) {
+    const Contact& at = first();
+    const bool is_forward = way_m > 0.0;
+    const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
+    if (std::abs(way_m) > left_m) return hop(edge, is_forward, left_m);
+    if (std::abs(way_m) + 2.0 * at.offset_m > left_m) return Hop::none;
+    return stay_on_edge(edge, way_m) ? Hop::rest : Hop::none;
+}
+
+/// The slide ends on this edge, before the next one can matter unless that runs back beside this
+/// one (false).
+bool ContactStep::stay_on_edge(const Edge& edge, double way_m) {
+    Contact& at = first();
+    const SegmentRef next = outlines_.next(at.segment, way_m > 0.0);
+    if (next.piece >= 0) {
+        const Segment s = outlines_.segment(next);
+        if (dot(edge.along, s.b - s.a) < 0.0) return false;
+    }
+    at.parameter += way_m * edge.per_length_m;
+    place_at_contact(edge.segment);
+    return true;
+}
+
+/// Slides to the end of the edge and over it, if the next one turns by less than a right angle. The
+/// centre passes a convex vertex on a chord of at most 1.5 skins, and a concave one where the two
+/// lines that it keeps its skin from cross; there it stays where the handle does not pull it on.
+ContactStep::Hop ContactStep::hop(Edge& edge, bool is_forward, double left_m) {
+    Contact& at = first();
+    const SegmentRef next = outlines_.next(at.segment, is_forward);
+    if (next.piece < 0) return Hop::none;
+    const Edge ahead = outlines_.edge(next);
+    const Direction normal = sign_of(at.side) * left_of(ahead.along);
+    const Direction away = (is_forward ? 1.0 : -1.0) * ahead.along;
+    const double cosine = dot(at.normal, normal);
+    if (!(cosine > 0.1)) return Hop::none;
+    const Position vertex = is_forward ? edge.segment.b : edge.segment.a;
+    const bool is_convex = dot(away, at.normal) < 0.0;
+    const Direction between = is_convex ? normal : 1.0 / (1.0 + cosine) * (at.normal + normal);
+    const auto offset = along<Position>(between, at.offset_m);
+    const double inset_m = is_convex ? 0.0 : dot(offset, away);
+    if (inset_m > left_m || 2.0 * inset_m > ahead.length_m) return Hop::none;
+    const Position corner = vertex + offset;
+    const Position pull = handle_ - corner;
+    const double depth = -dot(pull, normal);
+    const bool is_pulled_on = depth >= 0.0 && dot(pull, away) > settings_.friction * depth;
+    if (is_convex && !is_pulled_on) return Hop::none;
+    if (is_convex) place(vertex + along<Position>(at.normal, at.offset_m));
+    place(corner);
+    const double inset = inset_m * ahead.per_length_m;
+    const Contact beyond{next, is_forward ? inset : 1.0 - inset, at.side, normal, at.offset_m,
+                         false};
+    if (is_pulled_on) {
+        at = beyond;
+        edge = ahead;
+        return Hop::over;
+    }
+    at.parameter = is_forward ? 1.0 - inset_m * edge.per_length_m : inset_m * edge.per_length_m;
+    proxy_.contacts[1] = beyond;
+    proxy_.contact_count = 2;
+    enter(ContactState::vertex);
+    return Hop::corner;
 }
 
 /// Stopped on the way by a second contact, or by the budget with `left_m` to go.
@@ -135,7 +212,7 @@ ContactStep::Next ContactStep::arrive(const Sweep& sweep, double left_m) {
     }
     // Seen from where the centre came to lie, which on an arc is not quite where the sweep stopped.
     Contact second = *sweep.contact;
-    const Foot at = foot(proxy_.centre, segment_of(second.segment));
+    const Foot at = foot(proxy_.centre, outlines_.segment(second.segment));
     if (second.is_round && at.distance_m > 0.0) {
         second.offset_m = at.distance_m;
         second.normal = along<Direction>(proxy_.centre - at.point, 1.0 / at.distance_m);
@@ -152,14 +229,13 @@ ContactStep::Next ContactStep::arrive(const Sweep& sweep, double left_m) {
 /// At the end of the edge: round it where the outline turns away or ends, else go on or hold.
 ContactStep::Next ContactStep::reach_end(bool is_forward) {
     Contact& at = first();
-    const SegmentRef next = is_forward ? scene_.curves.next(at.segment, level_)
-                                       : scene_.curves.previous(at.segment, level_);
+    const SegmentRef next = outlines_.next(at.segment, is_forward);
     if (next.piece < 0) {
         at.is_round = true;
         enter(ContactState::vertex);
         return Next::again;
     }
-    const Segment s = segment_of(next);
+    const Segment s = outlines_.segment(next);
     const Direction normal = normal_of(s, at.side);
     const Direction away = (is_forward ? 1.0 : -1.0) * direction_of(s.b - s.a);
     const double arc = at.offset_m * norm(normal - at.normal);
@@ -192,7 +268,7 @@ ContactStep::Next ContactStep::walk_or_hold(SegmentRef next, bool at_start, Dire
 
 ContactStep::Next ContactStep::move_round() {
     Contact& at = first();
-    const Position vertex = point_of(segment_of(at.segment), at.parameter);
+    const Position vertex = point_of(outlines_.segment(at.segment), at.parameter);
     const Position pull = handle_ - vertex;
     if (dot(pull, at.normal) > at.offset_m) {
         proxy_.contact_count = 0;
@@ -212,8 +288,8 @@ ContactStep::Next ContactStep::move_round() {
     const Direction to = turned(from, goal.turn * step);
     const Contact edge = goal.turn > 0.0 ? left_edge : right_edge;
     const Contact other = goal.turn > 0.0 ? right_edge : left_edge;
-    const bool is_alone = scene_.tree.is_alone(scene_.curves, left_edge.segment, level_) &&
-                          scene_.tree.is_alone(scene_.curves, right_edge.segment, level_);
+    const bool is_alone =
+        outlines_.is_alone(left_edge.segment) && outlines_.is_alone(right_edge.segment);
     // The chord passes nearer to the vertex than the arc; the disc is taken that much smaller, so
     // that other lines through the same vertex do not stop it.
     const double chord_radius = std::min(radius_m_, at.offset_m) * std::cos(0.5 * step);
@@ -245,7 +321,7 @@ ContactStep::Next ContactStep::move_round() {
 
 /// Angle from a round contact to the end of its arc, turning left or right, and the edge found
 /// there.
-double ContactStep::arc_to(const Contact& at, double turn, Contact& edge) const {
+double ContactStep::arc_to(const Contact& at, double turn, Contact& edge) {
     const bool at_end = at.parameter > 0.5;  // of its own segment
     // Seen from the left of the outline the edge before a convex vertex lies to the left of the
     // vertex's normal, the edge after it to the right; from the right side the other way round.
@@ -253,8 +329,7 @@ double ContactStep::arc_to(const Contact& at, double turn, Contact& edge) const 
     edge = at;
     edge.is_round = false;
     if (wants_before != at_end) {
-        const SegmentRef over = wants_before ? scene_.curves.previous(at.segment, level_)
-                                             : scene_.curves.next(at.segment, level_);
+        const SegmentRef over = outlines_.next(at.segment, !wants_before);
         if (over.piece < 0) {  // round a line's end, to the other side of the same edge
             edge.side = at.side == Side::left ? Side::right : Side::left;
         } else {
@@ -262,7 +337,7 @@ double ContactStep::arc_to(const Contact& at, double turn, Contact& edge) const 
             edge.parameter = wants_before ? 1.0 : 0.0;
         }
     }
-    edge.normal = normal_of(segment_of(edge.segment), edge.side);
+    edge.normal = normal_of(outlines_.segment(edge.segment), edge.side);
     return angle_between(at.normal, edge.normal, turn);
 }
 
@@ -320,7 +395,7 @@ ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m, const E
         return {0.0, true, {}};
     }
     ++queries_;
-    const Motion motion{proxy_.centre, to, radius_m, level_, excluded};
+    const Motion motion{proxy_.centre, to, radius_m, outlines_.level(), excluded};
     const Hit hit = scene_.tree.first_hit(scene_.curves, motion, budget_);
     budget_.boxes -= hit.boxes;
     report_->boxes += hit.boxes;
@@ -334,16 +409,15 @@ ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m, const E
 /// beside this one at a fractional level, one at a whole level.
 ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
                                                  const Excluded& excluded) {
-    const bool is_blend = level_ != std::floor(level_);
     Sweep result;
     for (const SegmentRef& start : excluded) {
         for (const bool is_forward : {true, false}) {
             SegmentRef at = start;
-            for (int i = 0; i < (is_blend ? 3 : 1) && at.piece >= 0; ++i) {
-                at = is_forward ? scene_.curves.next(at, level_)
-                                : scene_.curves.previous(at, level_);
+            const int reached = at.piece < 0 ? 0 : (outlines_.is_whole(at) ? 1 : 3);
+            for (int i = 0; i < reached && at.piece >= 0; ++i) {
+                at = outlines_.next(at, is_forward);
                 if (at.piece < 0 || at == excluded[0] || at == excluded[1]) continue;
-                const auto found = touch(proxy_.centre, to, radius_m, segment_of(at));
+                const auto found = touch(proxy_.centre, to, radius_m, outlines_.segment(at));
                 if (!found || found->fraction >= result.share) continue;
                 result = {found->fraction, false, contact_of(at, *found)};
             }
@@ -352,21 +426,16 @@ ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
     return result;
 }
 
-Contact ContactStep::contact_of(SegmentRef segment, const Touch& touch) const {
+Contact ContactStep::contact_of(SegmentRef segment, const Touch& touch) {
     // At a joint an edge alone cannot tell: seen from a sharp tip the normal may point to the other
     // side of either edge. It always lies on the outer side of the two together.
-    Direction left = normal_of(segment_of(segment), Side::left);
+    Direction left = normal_of(outlines_.segment(segment), Side::left);
     if (touch.is_end) {
-        const SegmentRef over = touch.parameter > 0.5 ? scene_.curves.next(segment, level_)
-                                                      : scene_.curves.previous(segment, level_);
-        if (over.piece >= 0) left = left + normal_of(segment_of(over), Side::left);
+        const SegmentRef over = outlines_.next(segment, touch.parameter > 0.5);
+        if (over.piece >= 0) left = left + normal_of(outlines_.segment(over), Side::left);
     }
     const Side side = dot(left, touch.normal) < 0.0 ? Side::right : Side::left;
     return {segment, touch.parameter, side, touch.normal, touch.distance_m, touch.is_end};
-}
-
-Segment ContactStep::segment_of(SegmentRef segment) const {
-    return scene_.curves.rendered_segment(segment.piece, level_, segment.index);
 }
 
 /// Records a state. An edge, a vertex and again an edge within one step is a walk along the outline
@@ -393,8 +462,12 @@ void ContactStep::place(Position centre) {
 }
 
 void ContactStep::place_at_contact() {
+    place_at_contact(outlines_.segment(first().segment));
+}
+
+void ContactStep::place_at_contact(const Segment& segment) {
     const Contact& at = first();
-    place(point_of(segment_of(at.segment), at.parameter) + along<Position>(at.normal, at.offset_m));
+    place(point_of(segment, at.parameter) + along<Position>(at.normal, at.offset_m));
 }
 
 }  // namespace touchline

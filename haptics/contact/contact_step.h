@@ -6,6 +6,7 @@
 #include "haptics/collision/scene.h"
 #include "haptics/contact/contact_machine.h"
 #include "haptics/contact/proxy_state.h"
+#include "haptics/contact/rendered_outlines.h"
 
 #include <optional>
 
@@ -25,6 +26,9 @@ class ContactStep {
     /// What a state's move came to.
     enum class Next { again, done };
 
+    /// What a simple slide came to: on the next edge, at rest, at a corner, or not simple at all.
+    enum class Hop { over, rest, corner, none };
+
     using Excluded = std::array<SegmentRef, 2>;
 
     /// Result of a sweep: the share of the way gone and, if something stopped it, what.
@@ -36,6 +40,11 @@ class ContactStep {
 
     Next move_free();
     Next move_on_edge();
+    Next slide(const Edge& edge, double way_m);
+    [[nodiscard]] bool is_simple(const Contact& at);
+    Hop slide_simply(Edge& edge, double way_m);
+    bool stay_on_edge(const Edge& edge, double way_m);
+    Hop hop(Edge& edge, bool is_forward, double left_m);
     Next move_round();
     Next move_at_corner();
 
@@ -50,18 +59,18 @@ class ContactStep {
                               bool is_alone);
     [[nodiscard]] Sweep sweep_tree(Position to, double radius_m, const Excluded& excluded);
     [[nodiscard]] Sweep sweep_neighbours(Position to, double radius_m, const Excluded& excluded);
-    [[nodiscard]] Contact contact_of(SegmentRef segment, const Touch& touch) const;
-    [[nodiscard]] Segment segment_of(SegmentRef segment) const;
-    [[nodiscard]] double arc_to(const Contact& at, double turn, Contact& edge) const;
+    [[nodiscard]] Contact contact_of(SegmentRef segment, const Touch& touch);
+    [[nodiscard]] double arc_to(const Contact& at, double turn, Contact& edge);
 
     Contact& first() { return proxy_.contacts[0]; }
 
     void enter(ContactState state);
     void place(Position centre);
     void place_at_contact();
+    void place_at_contact(const Segment& segment);
 
     const Scene& scene_;
-    double level_;
+    RenderedOutlines outlines_;
     const ContactSettings& settings_;
     Budget budget_;
     ProxyState& proxy_;

@@ -208,8 +208,9 @@ class CurveSetBuilder {
         }
     }
 
-    /// Stores the levels of every piece, and who follows whom.
+    /// Names every piece, stores its levels, and says who follows whom.
     void link() {
+        store_points();
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
             const Stretch& stretch = stretches_[i];
             Piece piece;
@@ -228,8 +229,8 @@ class CurveSetBuilder {
             }
             set_.coarsest_ = std::max(set_.coarsest_, piece.coarsest);
             set_.pieces_.push_back(piece);
-            store_levels(i);
         }
+        measure_spacing();
         for (std::size_t i = 0; i < set_.pieces_.size(); ++i) {
             const int next = set_.pieces_[i].next;
             if (next >= 0)
@@ -237,17 +238,54 @@ class CurveSetBuilder {
         }
     }
 
-    void store_levels(std::size_t i) {
-        set_.first_level_.push_back(static_cast<std::uint32_t>(set_.levels_.size()));
-        std::vector<Position> points = firsts_[i];
+    void measure_spacing() {
+        std::vector<double> edges_m;
+        for (std::size_t i = 0; i < set_.pieces_.size(); ++i) {
+            const auto piece = static_cast<int>(i);
+            const RenderedPiece level_0 = set_.rendered(piece, 0.0);
+            for (int j = 0; j < level_0.segment_count(); ++j) {
+                const Segment s = level_0.segment(j);
+                edges_m.push_back(norm(s.b - s.a));
+            }
+            const bool is_last_of_outline = i + 1 == set_.pieces_.size() ||
+                                            set_.pieces_[i + 1].outline != set_.pieces_[i].outline;
+            if (!is_last_of_outline) continue;
+            const auto middle = edges_m.begin() + static_cast<std::ptrdiff_t>(edges_m.size() / 2);
+            std::nth_element(edges_m.begin(), middle, edges_m.end());
+            set_.finest_spacing_m_ = std::min(set_.finest_spacing_m_, *middle);
+            edges_m.clear();
+        }
+    }
+
+    /// Level 0 of all pieces first, then each piece's coarser levels.
+    void store_points() {
+        std::size_t finest = 0;
+        for (const auto& points : firsts_) finest += points.size();
+        set_.finest_count_ = finest;
+        set_.points_.reserve(2 * finest + 32 * firsts_.size());
+        for (const auto& points : firsts_) {
+            set_.points_.insert(set_.points_.end(), points.begin(), points.end());
+        }
+        std::uint32_t first = 0;
+        for (std::size_t i = 0; i < firsts_.size(); ++i) {
+            set_.first_level_.push_back(static_cast<std::uint32_t>(set_.levels_.size()));
+            const auto count = static_cast<std::uint32_t>(firsts_[i].size());
+            set_.levels_.push_back({first, count});
+            first += count;
+            store_coarser_levels(i);
+        }
+        set_.points_.shrink_to_fit();
+    }
+
+    void store_coarser_levels(std::size_t i) {
+        std::vector<Position> points = std::move(firsts_[i]);
         CurveShape shape = curves_[i].shape;
-        for (std::size_t level = 0;; ++level) {
+        for (std::size_t level = 0; level < curves_[i].details.size(); ++level) {
+            points = analyze(points, shape).points;
+            shape.stride *= 2;
             set_.levels_.push_back({static_cast<std::uint32_t>(set_.points_.size()),
                                     static_cast<std::uint32_t>(points.size())});
             set_.points_.insert(set_.points_.end(), points.begin(), points.end());
-            if (level == curves_[i].details.size()) return;
-            points = analyze(points, shape).points;
-            shape.stride *= 2;
         }
     }
 

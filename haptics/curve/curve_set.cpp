@@ -5,10 +5,39 @@
 
 namespace touchline {
 
+Position RenderedPiece::blended_point(int i) const {
+    const Position p = fine_[i];
+    const bool is_open = segment_count_ < fine_count_;
+    const bool is_unpaired_end = is_open && i + 1 == fine_count_;
+    const int half = i / 2;
+    Position q = coarse_[is_unpaired_end ? coarse_count_ - 1 : half];
+    if (i % 2 != 0 && !is_unpaired_end) {
+        q = 0.5 * (q + coarse_[half + 1 == coarse_count_ ? 0 : half + 1]);
+    }
+    return p + weight_ * (q - p);  // in this form a pin stays exactly where it is
+}
+
 std::span<const Position> CurveSet::points(int piece, int level) const {
-    const Level& at =
-        levels_[first_level_[static_cast<std::size_t>(piece)] + static_cast<std::uint32_t>(level)];
+    const Level& at = level_of(piece, level);
     return {points_.data() + at.first, at.count};
+}
+
+RenderedPiece CurveSet::rendered(int piece, double level) const {
+    const double at = rendered_level(piece, level);
+    const auto finer = static_cast<int>(at);
+    const Level& fine = level_of(piece, finer);
+    RenderedPiece view;
+    view.fine_ = points_.data() + fine.first;
+    view.fine_count_ = static_cast<int>(fine.count);
+    view.segment_count_ =
+        view.fine_count_ - (pieces_[static_cast<std::size_t>(piece)].is_closed ? 0 : 1);
+    view.weight_ = at - finer;
+    if (view.weight_ > 0.0) {
+        const Level& coarse = level_of(piece, finer + 1);
+        view.coarse_ = points_.data() + coarse.first;
+        view.coarse_count_ = static_cast<int>(coarse.count);
+    }
+    return view;
 }
 
 int CurveSet::segment_count(int piece, int level) const {
@@ -22,28 +51,6 @@ double CurveSet::rendered_level(int piece, double level) const {
 
 int CurveSet::rendered_count(int piece, double level) const {
     return segment_count(piece, static_cast<int>(rendered_level(piece, level)));
-}
-
-Position CurveSet::rendered_point(int piece, double level, int i) const {
-    const double rendered = rendered_level(piece, level);
-    const auto finer = static_cast<int>(rendered);
-    const double weight = rendered - finer;
-    const auto fine = points(piece, finer);
-    const Position p = fine[static_cast<std::size_t>(i)];
-    if (!(weight > 0.0)) return p;
-    const auto coarse = points(piece, finer + 1);
-    const auto half = static_cast<std::size_t>(i) / 2;
-    const bool is_unpaired_end = !pieces_[static_cast<std::size_t>(piece)].is_closed &&
-                                 i + 1 == static_cast<int>(fine.size());
-    Position q = is_unpaired_end ? coarse.back() : coarse[half];
-    if (i % 2 != 0 && !is_unpaired_end) q = 0.5 * (q + coarse[(half + 1) % coarse.size()]);
-    return p + weight * (q - p);  // in this form a pin stays exactly where it is
-}
-
-Segment CurveSet::rendered_segment(int piece, double level, int j) const {
-    const int count = rendered_count(piece, level);
-    const bool wraps = pieces_[static_cast<std::size_t>(piece)].is_closed && j + 1 == count;
-    return {rendered_point(piece, level, j), rendered_point(piece, level, wraps ? 0 : j + 1)};
 }
 
 SegmentRef CurveSet::next(SegmentRef segment, double level) const {
@@ -64,7 +71,7 @@ SegmentRef CurveSet::previous(SegmentRef segment, double level) const {
 }
 
 double CurveSet::outline_parameter(int piece, double level, int j, double t) const {
-    const auto stride = std::exp2(std::floor(rendered_level(piece, level)));
+    const double stride = 1 << static_cast<int>(rendered_level(piece, level));
     const double length = segment_count(piece, 0);
     const double from = stride * j;
     const double to = std::min(from + stride, length);

@@ -5,6 +5,7 @@
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 #include "config/types/vec2.h"
+#include "haptics/curve/segment.h"
 
 #include <compare>
 #include <cstdint>
@@ -50,17 +51,43 @@ struct OutlineReport {
     double shrunk_max_m = 0.0;
 };
 
-/// One straight stretch of the rendered curve.
-struct Segment {
-    Position a, b;
-};
-
 /// Names a segment of the curve as rendered; its index depends on the level. piece -1: none.
 struct SegmentRef {
     int piece = -1;
     int index = -1;
 
     friend auto operator<=>(const SegmentRef&, const SegmentRef&) = default;
+};
+
+/// One piece as rendered at one level, looked up once for many segments. At a fraction w above
+/// level k its points are (1 - w) p_k + w p_(k+1), p_(k+1) being the coarser polyline with its
+/// midpoints (architecture, "Levels blend"). A view: valid as long as its CurveSet.
+class RenderedPiece {
+  public:
+    [[nodiscard]] int segment_count() const { return segment_count_; }
+
+    /// Segment j, 0 <= j < segment_count(). O(1).
+    [[nodiscard]] Segment segment(int j) const {
+        const int end = j + 1 == fine_count_ ? 0 : j + 1;
+        return {point(j), point(end)};
+    }
+
+    /// Point i; an open piece has segment_count() + 1 of them. O(1).
+    [[nodiscard]] Position point(int i) const {
+        return weight_ > 0.0 ? blended_point(i) : fine_[i];
+    }
+
+  private:
+    [[nodiscard]] Position blended_point(int i) const;
+
+    const Position* fine_ = nullptr;
+    const Position* coarse_ = nullptr;
+    double weight_ = 0.0;
+    int fine_count_ = 0;
+    int coarse_count_ = 0;
+    int segment_count_ = 0;
+
+    friend class CurveSet;
 };
 
 class CurveSet {
@@ -83,6 +110,24 @@ class CurveSet {
 
     [[nodiscard]] int segment_count(int piece, int level) const;
 
+    /// Where the points of a level lie among all points: those of level 0 of all pieces first. A
+    /// tree over the curves keeps its nodes in the same order.
+    [[nodiscard]] std::size_t first_point(int piece, int level) const {
+        return level_of(piece, level).first;
+    }
+
+    [[nodiscard]] std::size_t point_count() const { return points_.size(); }
+
+    /// Points of level 0 of all pieces.
+    [[nodiscard]] std::size_t finest_count() const { return finest_count_; }
+
+    /// The smallest median edge of any outline's level 0, as it is stored: what the level rule
+    /// counts from. 1 m where there is no outline.
+    [[nodiscard]] double finest_spacing_m() const { return finest_spacing_m_; }
+
+    /// A piece as rendered at `level` (fractional, >= 0). O(1).
+    [[nodiscard]] RenderedPiece rendered(int piece, double level) const;
+
     /// The level at which a piece is rendered when `level` (fractional, >= 0) is wanted: min(level,
     /// L).
     [[nodiscard]] double rendered_level(int piece, double level) const;
@@ -91,12 +136,14 @@ class CurveSet {
     /// is fractional (architecture, "Levels blend").
     [[nodiscard]] int rendered_count(int piece, double level) const;
 
-    /// Segment j, 0 <= j < rendered_count. At a fraction w above level k its ends are
-    /// (1 - w) p_k + w p_(k+1), p_(k+1) being the coarser polyline with its midpoints. O(1).
-    [[nodiscard]] Segment rendered_segment(int piece, double level, int j) const;
+    /// Segment and point of rendered(piece, level). O(1).
+    [[nodiscard]] Segment rendered_segment(int piece, double level, int j) const {
+        return rendered(piece, level).segment(j);
+    }
 
-    /// Point i of the piece as rendered; an open piece has rendered_count + 1 of them. O(1).
-    [[nodiscard]] Position rendered_point(int piece, double level, int i) const;
+    [[nodiscard]] Position rendered_point(int piece, double level, int i) const {
+        return rendered(piece, level).point(i);
+    }
 
     /// The segment after (before) one along its outline, across pins; piece -1 at an open end.
     /// O(1).
@@ -114,10 +161,17 @@ class CurveSet {
         std::uint32_t count = 0;
     };
 
+    [[nodiscard]] const Level& level_of(int piece, int level) const {
+        return levels_[first_level_[static_cast<std::size_t>(piece)] +
+                       static_cast<std::uint32_t>(level)];
+    }
+
     std::vector<Piece> pieces_;
     std::vector<std::uint32_t> first_level_;  // per piece, in levels_
     std::vector<Level> levels_;
-    std::vector<Position> points_;
+    std::vector<Position> points_;  // level 0 of every piece, then each piece's coarser levels
+    std::size_t finest_count_ = 0;
+    double finest_spacing_m_ = 1.0;
     std::vector<OutlineReport> reports_;
     int coarsest_ = 0;
 

@@ -1,7 +1,5 @@
 #include "haptics/curve/level_error.h"
 
-#include "haptics/curve/sampling.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +7,7 @@ namespace touchline {
 namespace {
 
 double distance_m(Position p, const Segment& s) {
-    return distance_to_segment_m(p, s.a, s.b);
+    return foot(p, s).distance_m;
 }
 
 /// Sums over the edges of level 0.

@@ -1,15 +1,11 @@
 #include "haptics/curve/sampling.h"
 
+#include "haptics/curve/segment.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace touchline {
-double distance_to_segment_m(Position p, Position a, Position b) {
-    const Position e = b - a;
-    const double length2 = dot(e, e);
-    const double t = length2 > 0.0 ? std::clamp(dot(p - a, e) / length2, 0.0, 1.0) : 0.0;
-    return norm(p - (a + t * e));
-}
 
 double polyline_length_m(std::span<const Position> line) {
     double length = 0.0;
@@ -81,7 +77,7 @@ double deviation_m(std::span<const Position> line, std::span<const Position> kep
         double nearest = norm(line[i] - kept.front()) + norm(line[i] - kept.back());
         for (auto j = std::max<std::ptrdiff_t>(0, at - 1); j <= std::min(last, at + 1); ++j) {
             const auto k = static_cast<std::size_t>(j);
-            nearest = std::min(nearest, distance_to_segment_m(line[i], kept[k], kept[k + 1]));
+            nearest = std::min(nearest, foot(line[i], {kept[k], kept[k + 1]}).distance_m);
         }
         worst = std::max(worst, nearest);
     }

@@ -10,9 +10,6 @@
 
 namespace touchline {
 
-/// Of a point from the segment between a and b, which may be one point.
-[[nodiscard]] double distance_to_segment_m(Position p, Position a, Position b);
-
 /// Sum of the edges of a polyline.
 [[nodiscard]] double polyline_length_m(std::span<const Position> line);
 

@@ -10,17 +10,6 @@ namespace {
 constexpr int boxes_per_tick = 4096;
 constexpr double longest_silence_s = 0.02;
 
-double finest_spacing_m(const Scene& scene) {
-    double spacing_m = LevelLimits{}.spacing_m;
-    bool has_one = false;
-    for (const OutlineReport& outline : scene.curves.reports()) {
-        if (outline.points_kept == 0) continue;
-        spacing_m = has_one ? std::min(spacing_m, outline.spacing_m) : outline.spacing_m;
-        has_one = true;
-    }
-    return spacing_m;
-}
-
 LevelLimits limits_of_device(const DeviceProfile& profile) {
     LevelLimits limits;
     limits.encoder_step_m = encoder_step_m(profile);
@@ -88,7 +77,7 @@ void ServoStep::follow_shape(const StepInput& input, double level) {
     contact_report_ = {};
     if (felt_.scene == nullptr) return;
     contact_.reset(*felt_.scene, p_WH_, level);
-    level_limits_.spacing_m = finest_spacing_m(*felt_.scene);
+    level_limits_.spacing_m = felt_.scene->curves.finest_spacing_m();
 }
 
 Force ServoStep::feel(const ServoCommands& commands, double level, double dt_s) {

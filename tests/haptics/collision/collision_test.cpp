@@ -277,7 +277,9 @@ TEST(CollisionTree, NothingButNeighboursComesWithinReachOfASegmentThatIsAlone) {
         for (const double level : {0.0, 0.4, 1.0, 1.7, 2.0}) {
             const auto all = all_segments(scene.curves, level);
             for (const SegmentRef ref : all) {
-                if (!scene.tree.is_alone(scene.curves, ref, level)) continue;
+                const NodeRange nodes = CollisionTree::nodes(scene.curves, ref.piece, level);
+                const int node = nodes.is_blend ? ref.index / 2 : ref.index;
+                if (!scene.tree.is_alone(nodes.first + static_cast<std::size_t>(node))) continue;
                 ++alone;
                 std::vector<SegmentRef> near{ref};
                 SegmentRef forward = ref;

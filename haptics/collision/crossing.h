@@ -1,0 +1,30 @@
+// Where a point's straight way meets a segment, decided exactly: signs by expansion arithmetic
+// after Shewchuk (1997) behind a floating-point filter. Threads: pure functions, no allocation.
+#pragma once
+
+#include "config/types/vec2.h"
+#include "haptics/curve/curve_set.h"
+
+#include <optional>
+
+namespace touchline {
+
+/// +1: c lies to the left of the line from a to b, -1: to the right, 0: on it. Exact for
+/// coordinates whose products neither overflow nor underflow (1e-140 ... 1e150).
+[[nodiscard]] int orientation(Position a, Position b, Position c);
+
+/// The first point that a way and a segment, both closed, have in common.
+struct Crossing {
+    double fraction = 0.0;   // of the way, to 4 ulp
+    double parameter = 0.0;  // on the segment, to 4 ulp
+    bool from_left = false;  // the way starts on the segment's left, or on its line
+};
+
+/// Nothing where they have no point in common, exactly.
+[[nodiscard]] std::optional<Crossing> crossing(Position from, Position to, const Segment& segment);
+
+/// Whether the way, moved to its right by less than anything, passes through the segment: the ways
+/// and segments of a closed curve count then in a consistent way at vertices and along segments.
+[[nodiscard]] bool passes(Position from, Position to, const Segment& segment);
+
+}  // namespace touchline

@@ -1,0 +1,137 @@
+#include "haptics/collision/crowding.h"
+
+#include "haptics/collision/box.h"
+
+#include <algorithm>
+
+namespace touchline {
+
+Crowding::Crowding(const CollisionTree& tree, const CurveSet& curves, double reach_m)
+    : tree_(tree),
+      curves_(curves),
+      reach_m_(2.0 * reach_m),
+      alone_(curves.point_count(), true),
+      left_(64 * curves.point_count() + 4096) {}
+
+std::vector<bool> Crowding::find_alone() {
+    if (!tree_.bounds_.empty()) within_hierarchy(0);
+    if (left_ == 0) alone_.assign(alone_.size(), false);
+    return std::move(alone_);
+}
+
+void Crowding::within_hierarchy(std::size_t bound) {
+    const auto left = tree_.bounds_[bound].left;
+    if (left < 0) {
+        const auto& root = tree_.roots_[static_cast<std::size_t>(-left - 1)];
+        within({root.piece, root.index}, root.level);
+        return;
+    }
+    const auto child = static_cast<std::size_t>(left);
+    within_hierarchy(child);
+    within_hierarchy(child + 1);
+    between_bounds(child, child + 1);
+}
+
+/// Opens both, so that the depth stays that of the hierarchy.
+void Crowding::between_bounds(std::size_t a, std::size_t b) {
+    const auto& bound_a = tree_.bounds_[a];
+    const auto& bound_b = tree_.bounds_[b];
+    if (left_ == 0) return;
+    --left_;
+    if (!overlap(bound_a.box(), bound_b.box(), reach_m_)) return;
+    if (bound_a.left < 0 && bound_b.left < 0) {
+        between_roots(static_cast<std::size_t>(-bound_a.left - 1),
+                      static_cast<std::size_t>(-bound_b.left - 1));
+        return;
+    }
+    const auto first = [](std::size_t at, const CollisionTree::Bound& bound) {
+        return bound.left < 0 ? at : static_cast<std::size_t>(bound.left);
+    };
+    const auto last = [](std::size_t at, const CollisionTree::Bound& bound) {
+        return bound.left < 0 ? at : static_cast<std::size_t>(bound.left) + 1;
+    };
+    for (std::size_t i = first(a, bound_a); i <= last(a, bound_a); ++i) {
+        for (std::size_t j = first(b, bound_b); j <= last(b, bound_b); ++j) between_bounds(i, j);
+    }
+}
+
+void Crowding::between_roots(std::size_t a, std::size_t b) {
+    const Part part_a{tree_.roots_[a].piece, tree_.roots_[a].index};
+    const Part part_b{tree_.roots_[b].piece, tree_.roots_[b].index};
+    compare(part_a, part_b, std::max(curves_.coarsest(), 0));
+}
+
+void Crowding::within(Part a, int level) {
+    if (level == 0) return;
+    const Parts c = children(a, level);
+    for (int i = 0; i < c.count; ++i) within(c.at[i], level - 1);
+    if (c.count == 2) between_neighbours(c.at[0], c.at[1], level - 1);
+}
+
+void Crowding::compare(Part a, Part b, int level) {
+    if (are_neighbours(a, b, level)) {
+        between_neighbours(a, b, level);
+    } else {
+        between_strangers(a, b, level);
+    }
+}
+
+void Crowding::between_neighbours(Part a, Part b, int level) {
+    if (level == 0) return;
+    const Parts of_a = children(a, level);
+    const Parts of_b = children(b, level);
+    for (int i = 0; i < of_a.count; ++i) {
+        for (int j = 0; j < of_b.count; ++j) compare(of_a.at[i], of_b.at[j], level - 1);
+    }
+}
+
+void Crowding::between_strangers(Part a, Part b, int level) {
+    if (left_ == 0) return;
+    --left_;
+    const Box box_a = tree_.node_box(curves_, {a.piece, level_of(a, level), a.index});
+    const Box box_b = tree_.node_box(curves_, {b.piece, level_of(b, level), b.index});
+    if (!overlap(box_a, box_b, reach_m_)) return;
+    mark(a, level);
+    mark(b, level);
+    if (level == 0) return;
+    const Parts of_a = children(a, level);
+    const Parts of_b = children(b, level);
+    for (int i = 0; i < of_a.count; ++i) {
+        for (int j = 0; j < of_b.count; ++j) {
+            between_strangers(of_a.at[i], of_b.at[j], level - 1);
+        }
+    }
+}
+
+int Crowding::level_of(Part a, int level) const {
+    return std::min(level, curves_.pieces()[static_cast<std::size_t>(a.piece)].coarsest);
+}
+
+/// The nodes that take part in its stead at the next finer level, level > 0.
+Crowding::Parts Crowding::children(Part a, int level) const {
+    if (level == 0 || level_of(a, level) < level) return {{a, a}, 1};
+    const int first = 2 * a.index;
+    const bool is_paired = first + 1 < curves_.segment_count(a.piece, level - 1);
+    return {{{a.piece, first}, {a.piece, first + 1}}, is_paired ? 2 : 1};
+}
+
+bool Crowding::is_last(Part a, int level) const {
+    return a.index + 1 == curves_.segment_count(a.piece, level_of(a, level));
+}
+
+bool Crowding::are_neighbours(Part a, Part b, int level) const {
+    const auto follows = [&](Part before, Part after) {
+        const Piece& piece = curves_.pieces()[static_cast<std::size_t>(before.piece)];
+        if (before.piece == after.piece && after.index == before.index + 1) return true;
+        const int next = piece.is_closed ? before.piece : piece.next;
+        return after.index == 0 && after.piece == next && is_last(before, level);
+    };
+    return follows(a, b) || follows(b, a);
+}
+
+void Crowding::mark(Part a, int level) {
+    alone_[curves_.first_point(a.piece, level_of(a, level)) + static_cast<std::size_t>(a.index)] =
+        false;
+}
+
+}  // namespace touchline

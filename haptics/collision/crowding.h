@@ -1,0 +1,57 @@
+// Which nodes of a collision tree are alone: no box but their neighbours' along the outline comes
+// near. Found by walking pairs of boxes that meet down from the hierarchy, so that what is far
+// apart is never compared. Threads: off the tick.
+#pragma once
+
+#include "haptics/collision/collision_tree.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace touchline {
+
+class Crowding {
+  public:
+    /// `reach_m`: boxes nearer than twice this crowd each other.
+    Crowding(const CollisionTree& tree, const CurveSet& curves, double reach_m);
+
+    /// One flag for each node, in the order of the curves' points. About 3 comparisons a node for
+    /// curves that keep clear of themselves. A scene so crowded that 64 a node do not suffice has
+    /// no node that is alone: then every slide asks the tree, which is slower and as right.
+    [[nodiscard]] std::vector<bool> find_alone();
+
+  private:
+    /// A node as it takes part at a level: pieces with fewer levels take part with their coarsest.
+    struct Part {
+        int piece, index;
+
+        friend bool operator==(const Part&, const Part&) = default;
+    };
+
+    struct Parts {
+        Part at[2];
+        int count;
+    };
+
+    void within_hierarchy(std::size_t bound);
+    void between_bounds(std::size_t a, std::size_t b);
+    void within(Part a, int level);
+    void between_roots(std::size_t a, std::size_t b);
+    void between_neighbours(Part a, Part b, int level);
+    void between_strangers(Part a, Part b, int level);
+    void compare(Part a, Part b, int level);
+
+    [[nodiscard]] int level_of(Part a, int level) const;
+    [[nodiscard]] Parts children(Part a, int level) const;
+    [[nodiscard]] bool are_neighbours(Part a, Part b, int level) const;
+    [[nodiscard]] bool is_last(Part a, int level) const;
+    void mark(Part a, int level);
+
+    const CollisionTree& tree_;
+    const CurveSet& curves_;
+    double reach_m_;
+    std::vector<bool> alone_;
+    std::size_t left_;  // comparisons that may still be made
+};
+
+}  // namespace touchline

@@ -1,0 +1,29 @@
+// One straight stretch of a curve, and its point nearest to a place. Threads: pure functions.
+#pragma once
+
+#include "config/types/vec2.h"
+
+#include <algorithm>
+
+namespace touchline {
+
+struct Segment {
+    Position a, b;
+};
+
+/// The nearest point of a segment.
+struct Foot {
+    double parameter = 0.0;  // 0 ... 1; 0 where the segment is one point
+    Position point;
+    double distance_m = 0.0;
+};
+
+[[nodiscard]] inline Foot foot(Position p, const Segment& segment) {
+    const Position e = segment.b - segment.a;
+    const double square = dot(e, e);
+    const double t = square > 0.0 ? std::clamp(dot(p - segment.a, e) / square, 0.0, 1.0) : 0.0;
+    const Position point = segment.a + t * e;
+    return {t, point, norm(p - point)};
+}
+
+}  // namespace touchline
