@@ -5,13 +5,6 @@
 namespace touchline {
 namespace {
 
-/// The share of a way at which a slab is entered; `start` and `by` along the slab's normal.
-double slab_entry(double start, double by, double low, double high) {
-    if (start < low) return by > 0.0 ? (low - start) / by : 0.0;
-    if (start > high) return by < 0.0 ? (high - start) / by : 0.0;
-    return 0.0;
-}
-
 /// True when all corners lie further than `reach_m` outside one side of the box.
 bool separates(const Box& box, const std::array<Position, 4>& corners, double reach_m) {
     constexpr double far = std::numeric_limits<double>::infinity();
@@ -34,18 +27,6 @@ bool separates(const Box& box, const std::array<Position, 4>& corners, double re
 }
 
 }  // namespace
-
-double entry(const Box& box, const Way& way) {
-    const Position w = way.from - box.origin;
-    const double square = dot(box.axis, box.axis);
-    const double grow = way.reach_m * length_bound(box.axis);
-    const double along = slab_entry(dot(box.axis, w), dot(box.axis, way.by),
-                                    box.along_low * square - grow, box.along_high * square + grow);
-    const double across =
-        slab_entry(cross(box.axis, w), cross(box.axis, way.by), box.across_low * square - grow,
-                   box.across_high * square + grow);
-    return std::min(1.0, std::max(along, across));
-}
 
 double distance_m(const Box& box, Position p) {
     const double square = dot(box.axis, box.axis);

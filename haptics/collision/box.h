@@ -38,9 +38,16 @@ struct Way {
     return std::abs(v.x) + std::abs(v.y);
 }
 
-/// False only when no point of the way comes within its reach of the box: separating axes, the
-/// reach taken up to 42 % too large. About 30 operations.
-[[nodiscard]] inline bool meets(const Box& box, const Way& way) {
+/// How a way lies to a box.
+struct Approach {
+    bool is_met = false;   // false only when no point of the way comes within its reach of the box
+    double entry = 0.0;    // where met: share of the way, never later than the first point in reach
+    double gap2_m2 = 0.0;  // else: the way stays at least this far (squared) out of reach
+};
+
+/// Separating axes, the reach taken up to 42 % too large, so that no root is needed. About 40
+/// operations, without calls.
+[[nodiscard]] [[gnu::always_inline]] inline Approach approach(const Box& box, const Way& way) {
     const Position w = way.from - box.origin;
     const double square = dot(box.axis, box.axis);
     const double grow = way.reach_m * length_bound(box.axis);
@@ -52,16 +59,20 @@ struct Way {
     const double s_high = box.along_high * square + grow;
     const double n_low = box.across_low * square - grow;
     const double n_high = box.across_high * square + grow;
-    const bool is_beside = (std::max(s, s + ds) < s_low) | (std::min(s, s + ds) > s_high) |
-                           (std::max(n, n + dn) < n_low) | (std::min(n, n + dn) > n_high);
-    if (is_beside) return false;
-    const double off = ds * (n_low + n_high - 2.0 * n) - dn * (s_low + s_high - 2.0 * s);
-    return !(std::abs(off) > std::abs(ds) * (n_high - n_low) + std::abs(dn) * (s_high - s_low));
+    const double beside = std::max(s_low - std::max(s, s + ds), std::min(s, s + ds) - s_high);
+    const double off = std::max(n_low - std::max(n, n + dn), std::min(n, n + dn) - n_high);
+    const double gap = std::max(beside, off);
+    if (gap > 0.0) return {false, 0.0, gap * gap / square};
+    const double turn = ds * (n_low + n_high - 2.0 * n) - dn * (s_low + s_high - 2.0 * s);
+    if (std::abs(turn) > std::abs(ds) * (n_high - n_low) + std::abs(dn) * (s_high - s_low)) {
+        return {};
+    }
+    // Shares at which the two slabs are entered. A way along a slab starts in it.
+    double entry = 0.0;
+    if (s < s_low || s > s_high) entry = ((s < s_low ? s_low : s_high) - s) / ds;
+    if (n < n_low || n > n_high) entry = std::max(entry, ((n < n_low ? n_low : n_high) - n) / dn);
+    return {true, std::min(entry, 1.0), 0.0};
 }
-
-/// The share of the way at which a box that it meets is entered, never later than the first point
-/// within reach.
-[[nodiscard]] double entry(const Box& box, const Way& way);
 
 /// 0 inside.
 [[nodiscard]] double distance_m(const Box& box, Position p);

@@ -47,6 +47,17 @@ class Growing {
     double s_low_ = 0.0, s_high_ = 0.0, n_low_ = 0.0, n_high_ = 0.0;
 };
 
+/// An upright rectangle that grows.
+struct Extent {
+    Position low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    Position high{-low.x, -low.y};
+
+    void add(const Extent& other) {
+        low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
+        high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
+    }
+};
+
 }  // namespace
 
 class CollisionTreeBuilder {
@@ -55,7 +66,7 @@ class CollisionTreeBuilder {
         : curves_(curves), reach_m_(std::max(radius_m, contact_skin_m) + approach_tolerance_m) {}
 
     CollisionTree build() {
-        tree_.extents_.resize(curves_.point_count() - curves_.finest_count());
+        tree_.extents_.resize(curves_.point_count() - curves_.finest_count() + Fan::width - 1);
         for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
             bound_piece(piece);
         }
@@ -63,6 +74,7 @@ class CollisionTreeBuilder {
             tree_.bounds_.reserve(2 * tree_.roots_.size());
             tree_.bounds_.emplace_back();
             bound_roots(0, 0, tree_.roots_.size());
+            lay_grid();
         }
         tree_.alone_ = Crowding(tree_, curves_, reach_m_).find_alone();
         return std::move(tree_);
@@ -80,8 +92,9 @@ class CollisionTreeBuilder {
                 tree_.extents_[first + static_cast<std::size_t>(j)] = extents(piece, level, j);
             }
         }
-        for (int j = 0; j < curves_.segment_count(piece, coarsest); ++j) {
-            tree_.roots_.push_back({piece, coarsest, j});
+        const int count = curves_.segment_count(piece, coarsest);
+        for (int first = 0; first < count; first += Fan::width) {
+            tree_.roots_.push_back({piece, coarsest, first, std::min(Fan::width, count - first)});
         }
     }
 
@@ -137,8 +150,8 @@ class CollisionTreeBuilder {
         const bool is_wide = bound.x_high - bound.x_low >= bound.y_high - bound.y_low;
         const std::size_t middle = (first + last) / 2;
         const auto begin = tree_.roots_.begin();
-        const auto place = [&](const CollisionTree::Node& node) {
-            const Segment s = segment(node.piece, node.level, node.index);
+        const auto place = [&](const Stretch& roots) {
+            const Segment s = segment(roots.piece, roots.level, roots.first + roots.count / 2);
             return is_wide ? s.a.x + s.b.x : s.a.y + s.b.y;
         };
         std::nth_element(begin + static_cast<std::ptrdiff_t>(first),
@@ -154,21 +167,53 @@ class CollisionTreeBuilder {
     }
 
     [[nodiscard]] Bound bound_of(std::size_t first, std::size_t last) const {
-        constexpr double far = std::numeric_limits<double>::infinity();
-        double x_low = far;
-        double x_high = -far;
-        double y_low = far;
-        double y_high = -far;
-        for (std::size_t i = first; i < last; ++i) {
-            for (const Position c : corners_of(tree_.node_box(curves_, tree_.roots_[i]))) {
-                x_low = std::min(x_low, c.x);
-                x_high = std::max(x_high, c.x);
-                y_low = std::min(y_low, c.y);
-                y_high = std::max(y_high, c.y);
+        Extent all;
+        for (std::size_t i = first; i < last; ++i) all.add(extent_of(tree_.roots_[i]));
+        return {outward_low(all.low.x), outward_high(all.high.x), outward_low(all.low.y),
+                outward_high(all.high.y), 0};
+    }
+
+    [[nodiscard]] Extent extent_of(const Stretch& stretch) const {
+        const Fan fan =
+            tree_.fan(curves_, stretch.piece, stretch.level, stretch.first, stretch.count);
+        Extent extent;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(stretch.count); ++k) {
+            for (const Position c : corners_of(fan.box(k))) extent.add({c, c});
+        }
+        return extent;
+    }
+
+    /// Every piece in stretches of four nodes of about 1 mm.
+    void lay_grid() {
+        std::vector<Stretch> stretches;
+        std::vector<Position> low;
+        std::vector<Position> high;
+        for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
+            const int level = start_level(piece);
+            const int count = curves_.segment_count(piece, level);
+            for (int first = 0; first < count; first += Fan::width) {
+                stretches.push_back({piece, level, first, std::min(Fan::width, count - first)});
+                const Extent extent = extent_of(stretches.back());
+                low.push_back(extent.low);
+                high.push_back(extent.high);
             }
         }
-        return {outward_low(x_low), outward_high(x_high), outward_low(y_low), outward_high(y_high),
-                0};
+        tree_.start_grid_ = StartGrid(std::move(stretches), low, high);
+    }
+
+    /// The finest level of a piece whose nodes are at least 1 mm long on average.
+    [[nodiscard]] int start_level(int piece) const {
+        constexpr double node_m = 1e-3;
+        const int coarsest = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
+        const RenderedPiece coarse = curves_.rendered(piece, coarsest);
+        double length_m = 0.0;
+        for (int j = 0; j < coarse.segment_count(); ++j) {
+            const Segment s = coarse.segment(j);
+            length_m += norm(s.b - s.a);
+        }
+        int level = coarsest;
+        while (level > 0 && length_m / curves_.segment_count(piece, level - 1) >= node_m) --level;
+        return level;
     }
 
     const CurveSet& curves_;

@@ -9,17 +9,25 @@
 namespace touchline {
 namespace {
 
-/// Counts boxes; looks at the clock only where a deadline is set, and then only at every fourth
-/// box: reading it costs as much as opening three.
+/// Keys are distances, rounded down.
+Sifted distances(const Fan& fan, Position p) {
+    Sifted out{(1U << Fan::width) - 1U, {}, 0.0F};
+    for (std::size_t k = 0; k < Fan::width; ++k) {
+        const auto distance = static_cast<float>(distance_m(fan.box(k), p));
+        out.key[k] = distance > 0.0F ? std::nextafterf(distance, 0.0F) : 0.0F;
+    }
+    return out;
+}
+
+/// Counts boxes; looks at the clock only where a deadline is set.
 class Spender {
   public:
     explicit Spender(const Budget& budget) : budget_(budget) {}
 
-    bool spend() {
-        if (opened_ >= budget_.boxes) return false;
-        const bool is_asking = budget_.deadline_ns != 0 && opened_ % 4 == 0;
-        if (is_asking && steady_now_ns() >= budget_.deadline_ns) return false;
-        ++opened_;
+    bool spend(int boxes) {
+        if (opened_ + boxes > budget_.boxes) return false;
+        if (budget_.deadline_ns != 0 && steady_now_ns() >= budget_.deadline_ns) return false;
+        opened_ += boxes;
         return true;
     }
 
@@ -38,11 +46,28 @@ class FirstTouch {
 
     [[nodiscard]] const Way& way() const { return way_; }
 
+    /// What is not looked at stays at least this far out of reach.
+    void spare(double margin_m) { least_gap2_m2_ = std::min(least_gap2_m2_, margin_m * margin_m); }
+
+    Sifted sift(const Fan& fan) {
+        const Sifted found = touchline::sift(fan, way_);
+        least_gap2_m2_ = std::min(least_gap2_m2_, static_cast<double>(found.gap2_m2));
+        return found;
+    }
+
+    /// The share of the way at which a box is entered; nothing where it cannot matter.
+    [[nodiscard]] std::optional<double> near(const Box& box) {
+        const Approach found = approach(box, way_);
+        if (found.is_met) return found.entry;
+        least_gap2_m2_ = std::min(least_gap2_m2_, found.gap2_m2);
+        return {};
+    }
+
     [[nodiscard]] double cut() const { return hit_.is_hit ? hit_.clear + tie_ : 1.0; }
 
     void test(SegmentRef ref, const Segment& segment) {
         if (ref == motion_.excluded[0] || ref == motion_.excluded[1]) return;
-        if (!meets({segment.a, segment.b - segment.a, 0.0, 1.0, 0.0, 0.0}, way_)) return;
+        least_gap2_m2_ = 0.0;
         const auto found = touch(motion_.from, motion_.to, motion_.radius_m, segment);
         if (!found) return;
         if (hit_.is_hit && found->fraction > hit_.clear + tie_) return;
@@ -60,6 +85,8 @@ class FirstTouch {
             const double clear = std::min(unopened, hit_.is_hit ? hit_.clear : 1.0);
             hit_ = {};
             hit_.clear = clear;
+        } else if (!hit_.is_hit) {
+            hit_.spare_m = std::sqrt(least_gap2_m2_);
         }
         hit_.boxes = opened;
         return hit_;
@@ -81,6 +108,7 @@ class FirstTouch {
     const Motion& motion_;
     Way way_;
     double tie_;
+    double least_gap2_m2_ = INFINITY;
     Hit hit_;
 };
 
@@ -90,14 +118,17 @@ class FirstHit {
 
     FirstHit(const Motion& motion, const Budget& budget) : first_(motion), spender_(budget) {}
 
-    [[nodiscard]] std::optional<double> near(const Box& box) const {
-        if (!meets(box, first_.way())) return {};
-        return entry(box, first_.way());
-    }
+    [[nodiscard]] const Way& way() const { return first_.way(); }
+
+    void spare(double margin_m) { first_.spare(margin_m); }
+
+    Sifted sift(const Fan& fan) { return first_.sift(fan); }
+
+    [[nodiscard]] std::optional<double> near(const Box& box) { return first_.near(box); }
 
     [[nodiscard]] double cut() const { return first_.cut(); }
 
-    bool spend() { return spender_.spend(); }
+    bool spend(int boxes) { return spender_.spend(boxes); }
 
     void leaf(SegmentRef ref, const Segment& segment) { first_.test(ref, segment); }
 
@@ -114,14 +145,16 @@ class Crossings {
 
     Crossings(Position p, Position q) : p_(p), q_(q), way_{p, q - p, approach_tolerance_m} {}
 
+    [[nodiscard]] Sifted sift(const Fan& fan) const { return touchline::sift(fan, way_); }
+
     [[nodiscard]] std::optional<double> near(const Box& box) const {
-        if (!meets(box, way_)) return {};
+        if (!approach(box, way_).is_met) return {};
         return 0.0;
     }
 
     [[nodiscard]] static double cut() { return 1.0; }
 
-    static bool spend() { return true; }
+    static bool spend(int /*boxes*/) { return true; }
 
     void leaf(SegmentRef /*ref*/, const Segment& segment) {
         count_ += passes(p_, q_, segment) ? 1 : 0;
@@ -143,11 +176,13 @@ class ClosestPoint {
         closest_.distance_m = within_m;
     }
 
+    [[nodiscard]] Sifted sift(const Fan& fan) const { return distances(fan, p_); }
+
     [[nodiscard]] std::optional<double> near(const Box& box) const { return distance_m(box, p_); }
 
     [[nodiscard]] double cut() const { return closest_.distance_m; }
 
-    bool spend() { return spender_.spend(); }
+    bool spend(int boxes) { return spender_.spend(boxes); }
 
     void leaf(SegmentRef ref, const Segment& segment) {
         const Foot at = foot(p_, segment);
@@ -179,11 +214,13 @@ class AnyNear {
     AnyNear(Position p, double reach_m, const Budget& budget)
         : p_(p), reach_m_(reach_m), spender_(budget) {}
 
+    [[nodiscard]] Sifted sift(const Fan& fan) const { return distances(fan, p_); }
+
     [[nodiscard]] std::optional<double> near(const Box& box) const { return distance_m(box, p_); }
 
     [[nodiscard]] double cut() const { return is_met_ ? -1.0 : reach_m_; }
 
-    bool spend() { return spender_.spend(); }
+    bool spend(int boxes) { return spender_.spend(boxes); }
 
     void leaf(SegmentRef /*ref*/, const Segment& /*segment*/) { is_met_ = true; }
 
@@ -203,8 +240,11 @@ class AnyNear {
 Hit CollisionTree::first_hit(const CurveSet& curves, const Motion& motion,
                              const Budget& budget) const {
     FirstHit visitor(motion, budget);
-    const double unopened = TreeWalk(*this, curves, motion.level, visitor).run();
-    return visitor.result(unopened);
+    TreeWalk walk(*this, curves, motion.level, visitor);
+    const auto cells = start_grid_.cells_near(visitor.way());
+    if (!cells) return visitor.result(walk.run());
+    visitor.spare(cells->margin_m);
+    return visitor.result(walk.run_from(*cells));
 }
 
 int CollisionTree::crossings(const CurveSet& curves, Position p, Position q, double level) const {
@@ -239,12 +279,18 @@ ErrorBox CollisionTree::box(const CurveSet& curves, int piece, int level, int j)
 
 std::size_t CollisionTree::memory_bytes() const {
     return extents_.capacity() * sizeof(PackedExtents) + alone_.capacity() / 8 +
-           bounds_.capacity() * sizeof(Bound) + roots_.capacity() * sizeof(Node);
+           bounds_.capacity() * sizeof(Bound) + roots_.capacity() * sizeof(Stretch) +
+           start_grid_.memory_bytes();
 }
 
 void CollisionTree::boundary_section(const CurveSet& curves, Position handle, int level,
                                      std::vector<ErrorBox>& section) const {
-    std::vector<Node> open(roots_.rbegin(), roots_.rend());
+    std::vector<Node> open;
+    for (const Stretch& roots : roots_) {
+        for (int k = 0; k < roots.count; ++k) {
+            open.push_back({roots.piece, roots.level, roots.first + k});
+        }
+    }
     while (!open.empty()) {
         const Node node = open.back();
         open.pop_back();

@@ -7,6 +7,8 @@
 #include "config/types/vec2.h"
 #include "haptics/collision/box.h"
 #include "haptics/collision/packed_extents.h"
+#include "haptics/collision/sift.h"
+#include "haptics/collision/start_grid.h"
 #include "haptics/collision/touch.h"
 #include "haptics/curve/curve_set.h"
 
@@ -52,7 +54,9 @@ struct Hit {
     double clear = 1.0;  // share of the motion proven free; where is_hit, that of the contact
     SegmentRef segment;  // lowest of those touched at the same moment
     Touch touch;
-    int boxes = 0;  // opened
+    int boxes = 0;         // opened
+    double spare_m = 0.0;  // without a hit: nothing comes within reach of the motion's end before
+                           // it has moved on by this much, at the same level
 };
 
 /// The paper's own stop (section 3): the answer at the finest level that all candidates reached.
@@ -131,10 +135,10 @@ class CollisionTree {
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
-    /// A node of the bounding hierarchy over all coarsest segments.
+    /// A node of the bounding hierarchy over the coarsest segments, four to a leaf.
     struct Bound {
         float x_low, x_high, y_low, y_high;
-        std::int32_t left;  // child; right is left + 1. Negative: a leaf, root_[-left - 1]
+        std::int32_t left;  // child; right is left + 1. Negative: a leaf, roots_[-left - 1]
 
         [[nodiscard]] Box box() const {
             return {{},
@@ -151,11 +155,14 @@ class CollisionTree {
     };
 
     [[nodiscard]] Box node_box(const CurveSet& curves, const Node& node) const;
+    [[nodiscard]] Fan fan(const CurveSet& curves, int piece, int level, int first, int count) const;
 
-    std::vector<PackedExtents> extents_;  // of levels 1 ... L, in the order of the curves' points
+    std::vector<PackedExtents> extents_;  // of levels 1 ... L, in the order of the curves' points,
+                                          // and three more, so that four may be read at any
     std::vector<bool> alone_;             // of all levels, in the order of the curves' points
     std::vector<Bound> bounds_;
-    std::vector<Node> roots_;  // the coarsest segments
+    std::vector<Stretch> roots_;  // the coarsest segments of all pieces
+    StartGrid start_grid_;
 
     friend class CollisionTreeBuilder;
     friend class Crowding;
@@ -164,15 +171,24 @@ class CollisionTree {
     friend class TreeWalk;
 };
 
+inline Fan CollisionTree::fan(const CurveSet& curves, int piece, int level, int first,
+                              int count) const {
+    const auto points = curves.points(piece, level);
+    const auto at = static_cast<std::size_t>(first);
+    Fan fan;
+    for (std::size_t k = 0; k <= Fan::width; ++k) {
+        const std::size_t i = at + std::min(k, static_cast<std::size_t>(count));
+        fan.points[k] = points[i == points.size() ? 0 : i];
+    }
+    if (level > 0) {
+        fan.extents =
+            extents_.data() + (curves.first_point(piece, level) - curves.finest_count()) + at;
+    }
+    return fan;
+}
+
 inline Box CollisionTree::node_box(const CurveSet& curves, const Node& node) const {
-    const auto points = curves.points(node.piece, node.level);
-    const auto j = static_cast<std::size_t>(node.index);
-    const Segment s{points[j], points[j + 1 == points.size() ? 0 : j + 1]};
-    const Position axis = frame_axis(s);
-    if (node.level == 0) return {s.a, axis, 0.0, axis == s.b - s.a ? 1.0 : 0.0, 0.0, 0.0};
-    const PackedExtents& e =
-        extents_[curves.first_point(node.piece, node.level) + j - curves.finest_count()];
-    return {s.a, axis, e.along_low(), e.along_high(), e.across_low(), e.across_high()};
+    return fan(curves, node.piece, node.level, node.index, 1).box(0);
 }
 
 }  // namespace touchline

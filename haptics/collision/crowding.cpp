@@ -22,8 +22,7 @@ std::vector<bool> Crowding::find_alone() {
 void Crowding::within_hierarchy(std::size_t bound) {
     const auto left = tree_.bounds_[bound].left;
     if (left < 0) {
-        const auto& root = tree_.roots_[static_cast<std::size_t>(-left - 1)];
-        within({root.piece, root.index}, root.level);
+        within_roots(static_cast<std::size_t>(-left - 1));
         return;
     }
     const auto child = static_cast<std::size_t>(left);
@@ -55,10 +54,26 @@ void Crowding::between_bounds(std::size_t a, std::size_t b) {
     }
 }
 
+void Crowding::within_roots(std::size_t a) {
+    const Stretch& roots = tree_.roots_[a];
+    for (int i = 0; i < roots.count; ++i) {
+        const Part part{roots.piece, roots.first + i};
+        within(part, roots.level);
+        for (int j = i + 1; j < roots.count; ++j) {
+            compare(part, {roots.piece, roots.first + j}, curves_.coarsest());
+        }
+    }
+}
+
 void Crowding::between_roots(std::size_t a, std::size_t b) {
-    const Part part_a{tree_.roots_[a].piece, tree_.roots_[a].index};
-    const Part part_b{tree_.roots_[b].piece, tree_.roots_[b].index};
-    compare(part_a, part_b, std::max(curves_.coarsest(), 0));
+    const Stretch& roots_a = tree_.roots_[a];
+    const Stretch& roots_b = tree_.roots_[b];
+    for (int i = 0; i < roots_a.count; ++i) {
+        for (int j = 0; j < roots_b.count; ++j) {
+            compare({roots_a.piece, roots_a.first + i}, {roots_b.piece, roots_b.first + j},
+                    curves_.coarsest());
+        }
+    }
 }
 
 void Crowding::within(Part a, int level) {

@@ -35,6 +35,7 @@ class Crowding {
 
     void within_hierarchy(std::size_t bound);
     void between_bounds(std::size_t a, std::size_t b);
+    void within_roots(std::size_t a);
     void within(Part a, int level);
     void between_roots(std::size_t a, std::size_t b);
     void between_neighbours(Part a, Part b, int level);

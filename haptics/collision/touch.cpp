@@ -67,13 +67,13 @@ std::optional<Touch> touch(Position from, Position to, double radius_m, const Se
     const double length = norm(e);
     const double start = foot(from, segment).distance_m;
     const Approach motion{from, to - from, std::min(radius_m, start)};
-    std::optional<Touch> first;
-    const auto take = [&first](const std::optional<Touch>& next) {
-        if (next && (!first || next->fraction < first->fraction)) first = next;
-    };
-    if (length > 0.0) take(touch_line(motion, segment, e, length));
-    take(touch_end(motion, segment.a, 0.0));
-    take(touch_end(motion, segment.b, 1.0));
+    // The disc comes as near to the line as it does to anything on it: a touched side is the first.
+    if (length > 0.0) {
+        if (const auto side = touch_line(motion, segment, e, length)) return side;
+    }
+    std::optional<Touch> first = touch_end(motion, segment.a, 0.0);
+    const std::optional<Touch> second = touch_end(motion, segment.b, 1.0);
+    if (second && (!first || second->fraction < first->fraction)) first = second;
     return first;
 }
 

@@ -5,23 +5,26 @@
 
 #include "haptics/collision/box.h"
 #include "haptics/collision/collision_tree.h"
+#include "haptics/collision/sift.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 namespace touchline {
 
 /// Visitor:
+///   Sifted sift(const Fan&)                 which of four nodes may matter, and a key for each
 ///   std::optional<double> near(const Box&)  a key, smaller is nearer; nothing: cannot matter
 ///   double cut() const                      boxes with a larger key cannot matter
 ///   void leaf(SegmentRef, const Segment&)   a rendered segment
 ///   bool asks_leaf_boxes                    false: where a node holds one rendered segment, the
 ///                                           segment is passed to leaf() without a look at its box
-///   bool spend()                            one box is opened; false: the budget is used up
+///   bool spend(int)                         so many boxes are opened; false: the budget does not
+///                                           suffice
 /// A box is opened when its children are looked at, so n opened boxes lead to at most n + 1 leaves.
+/// Two levels are opened at once where the tree is that deep: a node and its two children.
 template <class Visitor>
 class TreeWalk {
   public:
@@ -32,10 +35,52 @@ class TreeWalk {
     double run() {
         if (tree_.bounds_.empty()) return INFINITY;
         push_bound(0, 0.0);
+        return finish();
+    }
+
+    /// The same over the stretches that the start grid has in `cells`.
+    double run_from(const StartGrid::Cells& cells) {
+        for (int y = cells.y_first; y <= cells.y_last; ++y) {
+            for (int x = cells.x_first; x <= cells.x_last; ++x) {
+                for (const std::int32_t i : tree_.start_grid_.stretches_in(x, y)) {
+                    if (has_met(i)) continue;
+                    const Stretch& stretch = tree_.start_grid_.stretch(i);
+                    if (!visitor_.spend(stretch.count)) return 0.0;
+                    const double unopened = start(stretch);
+                    if (std::isfinite(unopened)) return 0.0;
+                }
+            }
+        }
+        return INFINITY;
+    }
+
+  private:
+    /// One of several cells that share it has led to this stretch already, as far as remembered.
+    bool has_met(std::int32_t stretch) {
+        for (const std::int32_t met : met_) {
+            if (met == stretch) return true;
+        }
+        met_[next_met_] = stretch;
+        next_met_ = (next_met_ + 1) % met_.size();
+        return false;
+    }
+
+    /// A stretch of the grid, or of its parents where a coarser level is rendered.
+    double start(const Stretch& stretch) {
+        look_up(stretch.piece);
+        const int up = std::max(leaf_level_ - stretch.level, 0);
+        const int first = stretch.first >> up;
+        const int last = (stretch.first + stretch.count - 1) >> up;
+        first_of_fan_ = size_;
+        open_fan(stretch.level + up, first, last - first + 1, 0.0);
+        return finish();
+    }
+
+    double finish() {
         while (size_ > 0) {
             const Entry top = stack_[--size_];
             if (top.key > visitor_.cut()) continue;
-            if (!visitor_.spend()) {
+            if (!visitor_.spend(cost_of(top))) {
                 ++size_;
                 return smallest_key();
             }
@@ -48,15 +93,15 @@ class TreeWalk {
         return INFINITY;
     }
 
-  private:
     /// A node of the hierarchy (piece -1) or of a piece.
     struct Entry {
         double key;
         std::int32_t piece, level, index;
     };
 
-    /// Deeper than any tree: 2^32 roots halve 32 times, and a piece has at most 32 levels.
-    static constexpr std::size_t capacity = 72;
+    /// Deeper than any tree: the hierarchy over 2^32 fans, and 32 levels of a piece, three nodes
+    /// left behind for every two of them.
+    static constexpr std::size_t capacity = 96;
 
     [[nodiscard]] double smallest_key() const {
         double key = INFINITY;
@@ -64,44 +109,81 @@ class TreeWalk {
         return key;
     }
 
-    void push(const Box& box, double parent_key, Entry entry) {
-        const std::optional<double> key = visitor_.near(box);
-        if (!key) return;
-        // A child's box may stick out of its parent's, its content does not: so keys never fall.
-        entry.key = std::max(*key, parent_key);
-        if (entry.key <= visitor_.cut()) stack_[size_++] = entry;
+    /// A child's box may stick out of its parent's, its content does not: so keys never fall.
+    void push(double key, double parent_key, Entry entry) {
+        entry.key = std::max(key, parent_key);
+        if (entry.key > visitor_.cut()) return;
+        // Nearest last, among the few pushed since `first_of_fan_`.
+        std::size_t at = size_++;
+        for (; at > first_of_fan_ && stack_[at - 1].key < entry.key; --at) {
+            stack_[at] = stack_[at - 1];
+        }
+        stack_[at] = entry;
     }
 
     void push_bound(std::int32_t index, double parent_key) {
-        push(tree_.bounds_[static_cast<std::size_t>(index)].box(), parent_key, {0.0, -1, 0, index});
+        const auto& bound = tree_.bounds_[static_cast<std::size_t>(index)];
+        const std::optional<double> key = visitor_.near(bound.box());
+        if (key) push(*key, parent_key, {0.0, -1, 0, index});
     }
 
     void open_bound(const Entry& entry) {
-        const auto left = tree_.bounds_[static_cast<std::size_t>(entry.index)].left;
-        if (left < 0) {
-            const auto& root = tree_.roots_[static_cast<std::size_t>(-left - 1)];
-            look_up(root.piece);
-            visit(root.level, root.index, entry.key);
+        const auto& bound = tree_.bounds_[static_cast<std::size_t>(entry.index)];
+        first_of_fan_ = size_;
+        if (bound.left >= 0) {
+            push_bound(bound.left, entry.key);
+            push_bound(bound.left + 1, entry.key);
             return;
         }
-        const std::size_t before = size_;
-        push_bound(left, entry.key);
-        push_bound(left + 1, entry.key);
-        nearest_last(before);
+        const auto& roots = tree_.roots_[static_cast<std::size_t>(-bound.left - 1)];
+        look_up(roots.piece);
+        open_fan(roots.level, roots.first, roots.count, entry.key);
     }
 
     void open_node(const Entry& entry) {
         look_up(entry.piece);
+        first_of_fan_ = size_;
         if (entry.level == leaf_level_) {
             open_leaf(entry.index);
             return;
         }
-        const std::size_t before = size_;
-        visit(entry.level - 1, 2 * entry.index, entry.key);
-        if (2 * entry.index + 1 < curves_.segment_count(piece_, entry.level - 1)) {
-            visit(entry.level - 1, 2 * entry.index + 1, entry.key);
+        const int down = depth_of(entry);
+        const int level = entry.level - down;
+        const int first = entry.index << down;
+        const int count = std::min(1 << down, curves_.segment_count(piece_, level) - first);
+        open_fan(level, first, count, entry.key);
+    }
+
+    /// Levels opened at once.
+    [[nodiscard]] int depth_of(const Entry& entry) const {
+        return entry.level - leaf_level_ >= 2 ? 2 : 1;
+    }
+
+    [[nodiscard]] int cost_of(const Entry& entry) {
+        if (entry.piece < 0) {
+            const auto left = tree_.bounds_[static_cast<std::size_t>(entry.index)].left;
+            if (left >= 0) return 1;
+            // Stands for the two or three nodes that a binary tree would have above its roots.
+            return std::max(tree_.roots_[static_cast<std::size_t>(-left - 1)].count - 1, 1);
         }
-        nearest_last(before);
+        look_up(entry.piece);
+        return entry.level == leaf_level_ ? 1 : (1 << depth_of(entry)) - 1;
+    }
+
+    /// Looks at `count` neighbouring nodes.
+    void open_fan(int level, int first, int count, double parent_key) {
+        const bool are_leaves = level == leaf_level_ && !is_blend_ && !Visitor::asks_leaf_boxes;
+        const auto fan = tree_.fan(curves_, piece_, level, first, count);
+        const Sifted found = visitor_.sift(fan);
+        for (int k = 0; k < count; ++k) {
+            if ((found.near & (1U << k)) == 0) continue;
+            if (are_leaves) {
+                leaf(first + k);
+            } else {
+                push(static_cast<double>(found.key[static_cast<std::size_t>(k)]), parent_key,
+                     {0.0, piece_, level, first + k});
+            }
+        }
     }
 
     /// At a fractional level a node of the next whole one holds two blended halves.
@@ -112,16 +194,6 @@ class TreeWalk {
         }
         leaf(2 * index);
         leaf(2 * index + 1);
-    }
-
-    /// A node of the piece looked up.
-    void visit(int level, int index, double parent_key) {
-        if (level == leaf_level_ && !is_blend_ && !Visitor::asks_leaf_boxes) {
-            leaf(index);
-        } else {
-            push(tree_.node_box(curves_, {piece_, level, index}), parent_key,
-                 {0.0, piece_, level, index});
-        }
     }
 
     void leaf(int index) {
@@ -139,12 +211,6 @@ class TreeWalk {
         rendered_ = curves_.rendered(piece, level_);
     }
 
-    void nearest_last(std::size_t before) {
-        if (size_ == before + 2 && stack_[before].key < stack_[before + 1].key) {
-            std::swap(stack_[before], stack_[before + 1]);
-        }
-    }
-
     const CollisionTree& tree_;
     const CurveSet& curves_;
     double level_;
@@ -154,6 +220,9 @@ class TreeWalk {
     bool is_blend_ = false;
     RenderedPiece rendered_;
     std::size_t size_ = 0;
+    std::size_t first_of_fan_ = 0;
+    std::array<std::int32_t, 8> met_{-1, -1, -1, -1, -1, -1, -1, -1};
+    std::size_t next_met_ = 0;
     std::array<Entry, capacity> stack_;
 };
 

@@ -8,19 +8,18 @@
 namespace touchline {
 
 void ContactMachine::reset(const Scene& scene, Position handle, double level) {
-    scene_ = &scene;
+    outlines_ = RenderedOutlines(scene, std::max(level, 0.0));
     proxy_ = {};
     proxy_.centre = handle;
     groove_ = {};
-    level_ = std::max(level, 0.0);
     path_size_ = 0;
     // Nearer than the skin to a line: onto its left. A second line as near is met at the next
     // round.
     for (int i = 0; i < 8 && is_finite(handle); ++i) {
-        const Closest at =
-            scene.tree.closest_point(scene.curves, proxy_.centre, level_, contact_skin_m);
+        const Closest at = scene.tree.closest_point(scene.curves, proxy_.centre, outlines_.level(),
+                                                    contact_skin_m);
         if (at.segment.piece < 0) return;
-        const Segment s = scene.curves.rendered_segment(at.segment.piece, level_, at.segment.index);
+        const Segment s = outlines_.segment(at.segment);
         const Position away = proxy_.centre - at.point;
         const Direction out = norm(away) > approach_tolerance_m ? direction_of(away)
                                                                 : left_of(direction_of(s.b - s.a));
@@ -34,71 +33,84 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     report.transitions[0] = proxy_.state;
     report.transition_count = 1;
     report.p_WP = proxy_.centre;
-    report.level = level_;
+    report.level = outlines_.level();
     path_size_ = 0;
-    const bool is_usable = scene_ != nullptr && is_finite(handle) && std::isfinite(level) &&
+    const bool is_usable = outlines_.has_scene() && is_finite(handle) && std::isfinite(level) &&
                            std::isfinite(settings.stiffness_N_per_m);
     if (!is_usable) return report;
-    if (settings.mode != mode_ && settings.mode == Mode::wall) reset(*scene_, handle, level_);
+    if (settings.mode != mode_ && settings.mode == Mode::wall) {
+        reset(outlines_.scene(), handle, outlines_.level());
+    }
     mode_ = settings.mode;
+    if (settings.radius_m != radius_m_) proxy_.spare_m = 0.0;
+    radius_m_ = settings.radius_m;
     const int spent = adopt_level(std::max(level, 0.0), settings, budget);
     const Budget left{budget.boxes - spent, budget.deadline_ns};
     if (settings.mode == Mode::wall) {
-        path_size_ =
-            ContactStep(*scene_, level_, settings, left, proxy_, path_).run(handle, report);
+        path_size_ = ContactStep(outlines_, settings, left, proxy_, path_).run(handle, report);
         report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
     } else {
-        const GrooveForce held = groove_step(*scene_, level_, handle, settings, left, groove_);
-        const bool is_attached = groove_.segment.piece >= 0;
-        proxy_ = {};
-        proxy_.centre = held.attachment;
-        report.force = held.force;
-        report.boxes = held.boxes;
-        report.clear = held.is_complete ? 1.0 : 0.0;
-        if (is_attached) {
-            proxy_.state = ContactState::edge;
-            proxy_.contact_count = 1;
-            proxy_.contacts[0].segment = groove_.segment;
-            proxy_.contacts[0].parameter = groove_.parameter;
-            proxy_.contacts[0].side = held.side;
-        }
-        if (report.transitions[0] != proxy_.state) {
-            report.transitions[1] = proxy_.state;
-            report.transition_count = 2;
-        }
+        hold(handle, settings, left, report);
     }
     report.boxes += spent;
     fill(report);
     return report;
 }
 
+/// Groove, ridge, stay: the proxy is the attachment.
+void ContactMachine::hold(Position handle, const ContactSettings& settings, const Budget& budget,
+                          ContactReport& report) {
+    const GrooveForce held =
+        groove_step(outlines_.scene(), outlines_.level(), handle, settings, budget, groove_);
+    proxy_ = {};
+    proxy_.centre = held.attachment;
+    report.force = held.force;
+    report.boxes = held.boxes;
+    report.clear = held.is_complete ? 1.0 : 0.0;
+    if (groove_.segment.piece >= 0) {
+        proxy_.state = ContactState::edge;
+        proxy_.contact_count = 1;
+        proxy_.contacts[0].segment = groove_.segment;
+        proxy_.contacts[0].parameter = groove_.parameter;
+        proxy_.contacts[0].side = held.side;
+    }
+    if (report.transitions[0] != proxy_.state) {
+        report.transitions[1] = proxy_.state;
+        report.transition_count = 2;
+    }
+}
+
 int ContactMachine::adopt_level(double level, const ContactSettings& settings,
                                 const Budget& budget) {
-    if (level == level_) return 0;
-    if (settings.mode != Mode::wall) {
-        level_ = level;
-        groove_ = {};
-        return 0;
+    const double now = outlines_.level();
+    if (level == now) return 0;
+    const bool is_wall = settings.mode == Mode::wall;
+    if (is_wall && proxy_.state != ContactState::free) return 0;
+    Clearance found{true, 0};
+    if (is_wall) {
+        const double radius = std::max(settings.radius_m, contact_skin_m);
+        found = outlines_.scene().tree.clearance(outlines_.scene().curves, proxy_.centre, radius,
+                                                 std::max(level, now), budget);
     }
-    if (proxy_.state != ContactState::free) return 0;
-    const double radius = std::max(settings.radius_m, contact_skin_m);
-    const Clearance found = scene_->tree.clearance(scene_->curves, proxy_.centre, radius,
-                                                   std::max(level, level_), budget);
-    if (found.is_clear) level_ = level;
+    if (found.is_clear) {
+        outlines_ = RenderedOutlines(outlines_.scene(), level);
+        proxy_.spare_m = 0.0;
+        groove_ = {};
+    }
     return found.boxes;
 }
 
 void ContactMachine::fill(ContactReport& report) const {
     report.p_WP = proxy_.centre;
     report.state = proxy_.state;
-    report.level = level_;
+    report.level = outlines_.level();
     if (proxy_.state == ContactState::free) return;
     const Contact& at = proxy_.contacts[0];
-    const Piece& piece = scene_->curves.pieces()[static_cast<std::size_t>(at.segment.piece)];
-    report.level = scene_->curves.rendered_level(at.segment.piece, level_);
-    report.outline = piece.outline;
-    report.parameter =
-        scene_->curves.outline_parameter(at.segment.piece, level_, at.segment.index, at.parameter);
+    const CurveSet& curves = outlines_.scene().curves;
+    report.level = curves.rendered_level(at.segment.piece, outlines_.level());
+    report.outline = curves.pieces()[static_cast<std::size_t>(at.segment.piece)].outline;
+    report.parameter = curves.outline_parameter(at.segment.piece, outlines_.level(),
+                                                at.segment.index, at.parameter);
     report.side = at.side;
 }
 

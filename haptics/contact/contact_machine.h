@@ -7,6 +7,7 @@
 #include "haptics/collision/scene.h"
 #include "haptics/contact/groove.h"
 #include "haptics/contact/proxy_state.h"
+#include "haptics/contact/rendered_outlines.h"
 
 #include <array>
 #include <cstdint>
@@ -53,7 +54,7 @@ class ContactMachine {
 
     [[nodiscard]] const ProxyState& proxy() const { return proxy_; }
 
-    [[nodiscard]] double rendered_level() const { return level_; }
+    [[nodiscard]] double rendered_level() const { return outlines_.level(); }
 
     /// Way points of the last step, the first where it started; for tests and drawings.
     [[nodiscard]] std::span<const Position> path() const { return {path_.data(), path_size_}; }
@@ -61,11 +62,13 @@ class ContactMachine {
   private:
     /// Returns the boxes opened.
     int adopt_level(double level, const ContactSettings& settings, const Budget& budget);
+    void hold(Position handle, const ContactSettings& settings, const Budget& budget,
+              ContactReport& report);
     void fill(ContactReport& report) const;
 
-    const Scene* scene_ = nullptr;
+    RenderedOutlines outlines_;
     ProxyState proxy_;
-    double level_ = 0.0;
+    double radius_m_ = 0.0;
     std::array<Position, max_way_points> path_;
     std::size_t path_size_ = 0;
     GrooveState groove_;

@@ -29,10 +29,9 @@ Position point_of(const Segment& segment, double parameter) {
 
 }  // namespace
 
-ContactStep::ContactStep(const Scene& scene, double level, const ContactSettings& settings,
-                         Budget budget, ProxyState& proxy, std::span<Position> path)
-    : scene_(scene),
-      outlines_(scene, level),
+ContactStep::ContactStep(RenderedOutlines& outlines, const ContactSettings& settings, Budget budget,
+                         ProxyState& proxy, std::span<Position> path)
+    : outlines_(outlines),
       settings_(settings),
       budget_(budget),
       proxy_(proxy),
@@ -64,14 +63,15 @@ std::size_t ContactStep::run(Position handle, ContactReport& report) {
 }
 
 ContactStep::Next ContactStep::move_free() {
-    const double way = norm(handle_ - proxy_.centre);
-    if (!(way > 0.0)) return Next::done;
-    const Sweep found = sweep(handle_, radius_m_, {}, false);
-    if (found.share >= 1.0 && !found.contact) {
+    const double way_m = norm(handle_ - proxy_.centre);
+    if (!(way_m > 0.0)) return Next::done;
+    if (way_m < proxy_.spare_m) {
+        proxy_.spare_m -= way_m;
         place(handle_);
         return Next::done;
     }
-    const Position from = proxy_.centre;
+    const Sweep found = sweep(handle_, radius_m_, {}, false);
+    proxy_.spare_m = found.spare_m;
     if (found.contact) {
         first() = *found.contact;
         proxy_.contact_count = 1;
@@ -80,44 +80,41 @@ ContactStep::Next ContactStep::move_free() {
         place_at_contact();
         return Next::again;
     }
-    place(from + found.share * (handle_ - from));
-    report_->carried_m = norm(handle_ - proxy_.centre);
+    if (found.share >= 1.0) {
+        place(handle_);
+    } else {
+        place(proxy_.centre + found.share * (handle_ - proxy_.centre));
+        report_->carried_m = norm(handle_ - proxy_.centre);
+    }
     return Next::done;
 }
 
 ContactStep::Next ContactStep::move_on_edge() {
-    Edge edge = outlines_.edge(first().segment);
-    while (walks_ < max_walks) {
-        ++walks_;
-        const Contact& at = first();
-        const Position pull = handle_ - proxy_.centre;
-        const double depth = -dot(pull, at.normal);
-        if (depth < 0.0) {
-            proxy_.contact_count = 0;
-            enter(ContactState::free);
-            return Next::again;
-        }
-        double way_m = dot(pull, edge.along);
-        const double held_m = settings_.friction * depth;
-        if (std::abs(way_m) <= held_m) return Next::done;
-        way_m -= std::copysign(held_m, way_m);
-        switch (is_simple(at) ? slide_simply(edge, way_m) : Hop::none) {
-            case Hop::over:
-                continue;
-            case Hop::rest:
-                return Next::done;
-            case Hop::corner:
-                return Next::again;
-            case Hop::none:
-                return slide(edge, way_m);
-        }
+    if (is_simple(first())) {
+        const Hop hop = slide_simply();
+        if (hop == Hop::rest) return Next::done;
+        if (hop == Hop::corner || walks_ >= max_walks) return Next::again;
     }
-    return Next::again;
+    ++walks_;
+    const Contact& at = first();
+    const Position pull = handle_ - proxy_.centre;
+    const double depth = -dot(pull, at.normal);
+    if (depth < 0.0) {
+        proxy_.contact_count = 0;
+        enter(ContactState::free);
+        return Next::again;
+    }
+    const Segment s = outlines_.segment(at.segment);
+    const double way_m = dot(pull, direction_of(s.b - s.a));
+    const double held_m = settings_.friction * depth;
+    if (std::abs(way_m) <= held_m) return Next::done;
+    return slide(way_m - std::copysign(held_m, way_m));
 }
 
 /// A slide in general: whatever is near, however thick the proxy.
-ContactStep::Next ContactStep::slide(const Edge& edge, double way_m) {
+ContactStep::Next ContactStep::slide(double way_m) {
     Contact& at = first();
+    const Edge edge = outlines_.edge(at.segment);
     const double goal = at.parameter + way_m / edge.length_m;
     const double end = std::clamp(goal, 0.0, 1.0);
     const double from = at.parameter;
@@ -141,67 +138,74 @@ bool ContactStep::is_simple(const Contact& at) {
            outlines_.is_alone(at.segment);
 }
 
-ContactStep::Hop ContactStep::slide_simply(Edge& edge, double way_m) {
-    const Contact& at = first();
-    const bool is_forward = way_m > 0.0;
-    const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
-    if (std::abs(way_m) > left_m) return hop(edge, is_forward, left_m);
-    if (std::abs(way_m) + 2.0 * at.offset_m > left_m) return Hop::none;
-    return stay_on_edge(edge, way_m) ? Hop::rest : Hop::none;
+/// Whether a slide that ends more than a skin before the end of the edge cannot meet the next one:
+/// it can where that runs back beside this one.
+bool ContactStep::ends_before(const Edge& edge, SegmentRef next) {
+    if (next.piece < 0) return true;
+    const Segment s = outlines_.segment(next);
+    return dot(edge.along, s.b - s.a) >= 0.0;
 }
 
-/// The slide ends on this edge, before the next one can matter unless that runs back beside this
-/// one (false).
-bool ContactStep::stay_on_edge(const Edge& edge, double way_m) {
+/// Slides along edges that are alone, over ends where the next one turns by less than a right
+/// angle. The centre passes a convex vertex on a chord of at most 1.5 skins, and a concave one
+/// where the two lines that it keeps its skin from cross; there it stays where the handle does not
+/// pull it on. Stops, for the general rules to go on, wherever that is not all there is to it.
+ContactStep::Hop ContactStep::slide_simply() {
     Contact& at = first();
-    const SegmentRef next = outlines_.next(at.segment, way_m > 0.0);
-    if (next.piece >= 0) {
-        const Segment s = outlines_.segment(next);
-        if (dot(edge.along, s.b - s.a) < 0.0) return false;
-    }
-    at.parameter += way_m * edge.per_length_m;
-    place_at_contact(edge.segment);
-    return true;
-}
-
-/// Slides to the end of the edge and over it, if the next one turns by less than a right angle. The
-/// centre passes a convex vertex on a chord of at most 1.5 skins, and a concave one where the two
-/// lines that it keeps its skin from cross; there it stays where the handle does not pull it on.
-ContactStep::Hop ContactStep::hop(Edge& edge, bool is_forward, double left_m) {
-    Contact& at = first();
-    const SegmentRef next = outlines_.next(at.segment, is_forward);
-    if (next.piece < 0) return Hop::none;
-    const Edge ahead = outlines_.edge(next);
-    const Direction normal = sign_of(at.side) * left_of(ahead.along);
-    const Direction away = (is_forward ? 1.0 : -1.0) * ahead.along;
-    const double cosine = dot(at.normal, normal);
-    if (!(cosine > 0.1)) return Hop::none;
-    const Position vertex = is_forward ? edge.segment.b : edge.segment.a;
-    const bool is_convex = dot(away, at.normal) < 0.0;
-    const Direction between = is_convex ? normal : 1.0 / (1.0 + cosine) * (at.normal + normal);
-    const auto offset = along<Position>(between, at.offset_m);
-    const double inset_m = is_convex ? 0.0 : dot(offset, away);
-    if (inset_m > left_m || 2.0 * inset_m > ahead.length_m) return Hop::none;
-    const Position corner = vertex + offset;
-    const Position pull = handle_ - corner;
-    const double depth = -dot(pull, normal);
-    const bool is_pulled_on = depth >= 0.0 && dot(pull, away) > settings_.friction * depth;
-    if (is_convex && !is_pulled_on) return Hop::none;
-    if (is_convex) place(vertex + along<Position>(at.normal, at.offset_m));
-    place(corner);
-    const double inset = inset_m * ahead.per_length_m;
-    const Contact beyond{next, is_forward ? inset : 1.0 - inset, at.side, normal, at.offset_m,
-                         false};
-    if (is_pulled_on) {
-        at = beyond;
+    Edge edge = outlines_.edge(at.segment);
+    const double skin_m = at.offset_m;
+    const double friction = settings_.friction;
+    for (; walks_ < max_walks; ++walks_) {
+        const Position pull = handle_ - proxy_.centre;
+        const double depth = -dot(pull, at.normal);
+        const double pulled_m = dot(pull, edge.along);
+        const double way_m = std::abs(pulled_m) - friction * depth;
+        if (!(depth >= 0.0 && way_m > 0.0) || !outlines_.is_alone(edge.ref)) return Hop::none;
+        const bool is_forward = pulled_m > 0.0;
+        const SegmentRef next = outlines_.next(edge.ref, is_forward);
+        const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
+        if (way_m <= left_m) {
+            if (way_m + 2.0 * skin_m > left_m || !ends_before(edge, next)) return Hop::none;
+            at.parameter += (is_forward ? way_m : -way_m) * edge.per_length_m;
+            place_at_contact(edge.segment);
+            return Hop::rest;
+        }
+        if (next.piece < 0) return Hop::none;
+        const Edge ahead = outlines_.edge(next);
+        const Direction normal = sign_of(at.side) * left_of(ahead.along);
+        const Direction away = (is_forward ? 1.0 : -1.0) * ahead.along;
+        const double cosine = dot(at.normal, normal);
+        if (!(cosine > 0.1)) return Hop::none;
+        const Position vertex = is_forward ? edge.segment.b : edge.segment.a;
+        const bool is_convex = dot(away, at.normal) < 0.0;
+        const Direction between = is_convex ? normal : 1.0 / (1.0 + cosine) * (at.normal + normal);
+        const auto offset = along<Position>(between, skin_m);
+        const double inset_m = is_convex ? 0.0 : dot(offset, away);
+        if (inset_m > left_m || 2.0 * inset_m > ahead.length_m) return Hop::none;
+        const Position corner = vertex + offset;
+        const Position pull_there = handle_ - corner;
+        const double depth_there = -dot(pull_there, normal);
+        const bool is_pulled_on =
+            depth_there >= 0.0 && dot(pull_there, away) > friction * depth_there;
+        if (is_convex && !is_pulled_on) return Hop::none;
+        if (is_convex) place(vertex + along<Position>(at.normal, skin_m));
+        place(corner);
+        const double inset = inset_m * ahead.per_length_m;
+        const double parameter = is_forward ? inset : 1.0 - inset;
+        if (!is_pulled_on) {
+            const double end = inset_m * edge.per_length_m;
+            at.parameter = is_forward ? 1.0 - end : end;
+            proxy_.contacts[1] = {next, parameter, at.side, normal, skin_m, false};
+            proxy_.contact_count = 2;
+            enter(ContactState::vertex);
+            return Hop::corner;
+        }
+        at.segment = next;
+        at.parameter = parameter;
+        at.normal = normal;
         edge = ahead;
-        return Hop::over;
     }
-    at.parameter = is_forward ? 1.0 - inset_m * edge.per_length_m : inset_m * edge.per_length_m;
-    proxy_.contacts[1] = beyond;
-    proxy_.contact_count = 2;
-    enter(ContactState::vertex);
-    return Hop::corner;
+    return Hop::none;
 }
 
 /// Stopped on the way by a second contact, or by the budget with `left_m` to go.
@@ -392,15 +396,15 @@ ContactStep::Sweep ContactStep::sweep(Position to, double radius_m, const Exclud
 ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m, const Excluded& excluded) {
     if (queries_ == max_tree_queries) {
         report_->clear = 0.0;
-        return {0.0, true, {}};
+        return {0.0, true, 0.0, {}};
     }
     ++queries_;
     const Motion motion{proxy_.centre, to, radius_m, outlines_.level(), excluded};
-    const Hit hit = scene_.tree.first_hit(scene_.curves, motion, budget_);
+    const Hit hit = outlines_.scene().tree.first_hit(outlines_.scene().curves, motion, budget_);
     budget_.boxes -= hit.boxes;
     report_->boxes += hit.boxes;
     if (!hit.is_hit) report_->clear = std::min(report_->clear, hit.clear);
-    Sweep result{hit.clear, !hit.is_hit && hit.clear < 1.0, {}};
+    Sweep result{hit.clear, !hit.is_hit && hit.clear < 1.0, hit.spare_m, {}};
     if (hit.is_hit) result.contact = contact_of(hit.segment, hit.touch);
     return result;
 }
@@ -419,7 +423,7 @@ ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
                 if (at.piece < 0 || at == excluded[0] || at == excluded[1]) continue;
                 const auto found = touch(proxy_.centre, to, radius_m, outlines_.segment(at));
                 if (!found || found->fraction >= result.share) continue;
-                result = {found->fraction, false, contact_of(at, *found)};
+                result = {found->fraction, false, 0.0, contact_of(at, *found)};
             }
         }
     }

@@ -15,36 +15,37 @@ namespace touchline {
 class ContactStep {
   public:
     /// `path` has room for max_way_points.
-    ContactStep(const Scene& scene, double level, const ContactSettings& settings, Budget budget,
+    ContactStep(RenderedOutlines& outlines, const ContactSettings& settings, Budget budget,
                 ProxyState& proxy, std::span<Position> path);
 
     /// Moves the proxy; fills transitions, carried motion, boxes and clear. Returns the way points
     /// used.
-    std::size_t run(Position handle, ContactReport& report);
+    [[nodiscard]] std::size_t run(Position handle, ContactReport& report);
 
   private:
     /// What a state's move came to.
     enum class Next { again, done };
 
-    /// What a simple slide came to: on the next edge, at rest, at a corner, or not simple at all.
-    enum class Hop { over, rest, corner, none };
+    /// What a simple slide came to: at rest, at a corner, or as far as it was simple.
+    enum class Hop { rest, corner, none };
 
     using Excluded = std::array<SegmentRef, 2>;
 
     /// Result of a sweep: the share of the way gone and, if something stopped it, what.
     struct Sweep {
         double share = 1.0;
-        bool is_cut = false;  // by the budget
+        bool is_cut = false;   // by the budget
+        double spare_m = 0.0;  // see Hit
         std::optional<Contact> contact;
     };
 
     Next move_free();
     Next move_on_edge();
-    Next slide(const Edge& edge, double way_m);
+    Next slide(double way_m);
     [[nodiscard]] bool is_simple(const Contact& at);
-    Hop slide_simply(Edge& edge, double way_m);
-    bool stay_on_edge(const Edge& edge, double way_m);
-    Hop hop(Edge& edge, bool is_forward, double left_m);
+    Hop slide_simply();
+    [[nodiscard]] bool ends_before(const Edge& edge, SegmentRef next);
+
     Next move_round();
     Next move_at_corner();
 
@@ -69,8 +70,7 @@ class ContactStep {
     void place_at_contact();
     void place_at_contact(const Segment& segment);
 
-    const Scene& scene_;
-    RenderedOutlines outlines_;
+    RenderedOutlines& outlines_;
     const ContactSettings& settings_;
     Budget budget_;
     ProxyState& proxy_;

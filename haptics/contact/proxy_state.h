@@ -40,6 +40,8 @@ struct ProxyState {
     Position centre;
     std::array<Contact, 2> contacts{};
     int contact_count = 0;
+    // While free: how far it may still go before anything can be met, as the last query found.
+    double spare_m = 0.0;
 };
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
-// The outlines as rendered during one step of the machine: a piece is looked up once for the many
-// edges that a step visits. Threads: a value on the stack of the step.
+// The outlines as rendered at one level: a piece is looked up once for the many edges that the
+// proxy visits there. Threads: one, the servo's.
 #pragma once
 
 #include "haptics/collision/scene.h"
@@ -19,7 +19,15 @@ struct Edge {
 
 class RenderedOutlines {
   public:
-    RenderedOutlines(const Scene& scene, double level) : scene_(scene), level_(level) {}
+    RenderedOutlines() = default;
+
+    /// `scene` must outlive it.
+    RenderedOutlines(const Scene& scene, double level) : scene_(&scene), level_(level) {}
+
+    /// Precondition: made with a scene.
+    [[nodiscard]] const Scene& scene() const { return *scene_; }
+
+    [[nodiscard]] bool has_scene() const { return scene_ != nullptr; }
 
     [[nodiscard]] double level() const { return level_; }
 
@@ -42,13 +50,13 @@ class RenderedOutlines {
         look_up(ref.piece);
         const int index = ref.index + (is_forward ? 1 : -1);
         if (index >= 0 && index < rendered_.segment_count()) return {ref.piece, index};
-        return is_forward ? scene_.curves.next(ref, level_) : scene_.curves.previous(ref, level_);
+        return is_forward ? scene_->curves.next(ref, level_) : scene_->curves.previous(ref, level_);
     }
 
     /// See CollisionTree::is_alone().
     [[nodiscard]] bool is_alone(SegmentRef ref) {
         look_up(ref.piece);
-        return scene_.tree.is_alone(first_node_ + static_cast<std::size_t>(ref.index >> halves_));
+        return scene_->tree.is_alone(first_node_ + static_cast<std::size_t>(ref.index >> halves_));
     }
 
     /// A node is one rendered segment, not two blended halves.
@@ -59,16 +67,21 @@ class RenderedOutlines {
 
   private:
     void look_up(int piece) {
-        if (piece == piece_) return;
+        if (piece != piece_) [[unlikely]] {
+            look_up_other(piece);
+        }
+    }
+
+    [[gnu::noinline]] void look_up_other(int piece) {
         piece_ = piece;
-        rendered_ = scene_.curves.rendered(piece, level_);
-        const NodeRange nodes = scene_.tree.nodes(scene_.curves, piece, level_);
+        rendered_ = scene_->curves.rendered(piece, level_);
+        const NodeRange nodes = CollisionTree::nodes(scene_->curves, piece, level_);
         first_node_ = nodes.first;
         halves_ = nodes.is_blend ? 1 : 0;
     }
 
-    const Scene& scene_;
-    double level_;
+    const Scene* scene_ = nullptr;
+    double level_ = 0.0;
     int piece_ = -1;  // whose these are:
     RenderedPiece rendered_;
     std::size_t first_node_ = 0;

@@ -17,11 +17,6 @@ Position RenderedPiece::blended_point(int i) const {
     return p + weight_ * (q - p);  // in this form a pin stays exactly where it is
 }
 
-std::span<const Position> CurveSet::points(int piece, int level) const {
-    const Level& at = level_of(piece, level);
-    return {points_.data() + at.first, at.count};
-}
-
 RenderedPiece CurveSet::rendered(int piece, double level) const {
     const double at = rendered_level(piece, level);
     const auto finer = static_cast<int>(at);
@@ -38,15 +33,6 @@ RenderedPiece CurveSet::rendered(int piece, double level) const {
         view.coarse_count_ = static_cast<int>(coarse.count);
     }
     return view;
-}
-
-int CurveSet::segment_count(int piece, int level) const {
-    const auto count = static_cast<int>(points(piece, level).size());
-    return pieces_[static_cast<std::size_t>(piece)].is_closed ? count : count - 1;
-}
-
-double CurveSet::rendered_level(int piece, double level) const {
-    return std::min(level, static_cast<double>(pieces_[static_cast<std::size_t>(piece)].coarsest));
 }
 
 int CurveSet::rendered_count(int piece, double level) const {

@@ -7,6 +7,7 @@
 #include "config/types/vec2.h"
 #include "haptics/curve/segment.h"
 
+#include <algorithm>
 #include <compare>
 #include <cstdint>
 #include <span>
@@ -106,9 +107,15 @@ class CurveSet {
 
     /// Points of one level of a piece, 0 <= level <= its coarsest. An open piece has one point more
     /// than segments; a closed one repeats no point.
-    [[nodiscard]] std::span<const Position> points(int piece, int level) const;
+    [[nodiscard]] std::span<const Position> points(int piece, int level) const {
+        const Level& at = level_of(piece, level);
+        return {points_.data() + at.first, at.count};
+    }
 
-    [[nodiscard]] int segment_count(int piece, int level) const;
+    [[nodiscard]] int segment_count(int piece, int level) const {
+        const auto count = static_cast<int>(level_of(piece, level).count);
+        return pieces_[static_cast<std::size_t>(piece)].is_closed ? count : count - 1;
+    }
 
     /// Where the points of a level lie among all points: those of level 0 of all pieces first. A
     /// tree over the curves keeps its nodes in the same order.
@@ -130,7 +137,10 @@ class CurveSet {
 
     /// The level at which a piece is rendered when `level` (fractional, >= 0) is wanted: min(level,
     /// L).
-    [[nodiscard]] double rendered_level(int piece, double level) const;
+    [[nodiscard]] double rendered_level(int piece, double level) const {
+        return std::min(level,
+                        static_cast<double>(pieces_[static_cast<std::size_t>(piece)].coarsest));
+    }
 
     /// Segments of the piece as rendered at `level`: those of the next finer whole level where it
     /// is fractional (architecture, "Levels blend").

@@ -35,23 +35,33 @@ double encoder_level(const LevelLimits& limits) {
     return std::ceil(std::log2(limits.encoder_step_m / limits.spacing_m) - 1e-9);
 }
 
-double SpeedMeasure::step(Position handle, double dt_s) {
-    const Position moved = has_last_ ? handle - last_ : Position{};
-    last_ = handle;
-    has_last_ = true;
-    const auto v = along<Velocity>(moved, 1.0 / dt_s);
-    const double share = 1.0 - std::exp(-2.0 * std::numbers::pi * f_low_pass_Hz * dt_s);
-    low_pass_ += share * (v - low_pass_);
-    slot_age_s_ += dt_s;
-    // A long tick may outlast several slots; each is emptied as it begins.
+void SpeedMeasure::set_period(double dt_s) {
+    dt_s_ = dt_s;
+    per_dt_Hz_ = 1.0 / dt_s;
+    share_ = 1.0 - std::exp(-2.0 * std::numbers::pi * f_low_pass_Hz * dt_s);
+}
+
+/// A long tick may outlast several slots; each is emptied as it begins.
+void SpeedMeasure::begin_slots() {
     for (std::size_t i = 0; slot_age_s_ >= slot_s && i <= slots; ++i) {
         slot_age_s_ -= slot_s;
         newest_ = (newest_ + 1) % peaks_.size();
         peaks_[newest_] = 0.0;
     }
     slot_age_s_ = std::min(slot_age_s_, slot_s);
+    older_ = *std::max_element(peaks_.begin(), peaks_.end());
+}
+
+double SpeedMeasure::step(Position handle, double dt_s) {
+    if (dt_s != dt_s_) set_period(dt_s);
+    const Position moved = has_last_ ? handle - last_ : Position{};
+    last_ = handle;
+    has_last_ = true;
+    low_pass_ += share_ * (along<Velocity>(moved, per_dt_Hz_) - low_pass_);
+    slot_age_s_ += dt_s;
+    if (slot_age_s_ >= slot_s) begin_slots();
     peaks_[newest_] = std::max(peaks_[newest_], norm(low_pass_));
-    return *std::max_element(peaks_.begin(), peaks_.end());
+    return std::max(older_, peaks_[newest_]);
 }
 
 LevelRule::LevelRule(const LevelLimits& limits) : limits_(limits), level_(bounded(0.0)) {}
@@ -61,17 +71,38 @@ double LevelRule::bounded(double speed_level) const {
                                                 limits_.finest, 0.0}));
 }
 
+/// ceil(z) stays the same between two speeds. They are taken a rounding error inwards: beyond them
+/// the level is worked out.
+void LevelRule::set_thresholds(double dt_s) {
+    constexpr double inwards = 1e-12;
+    dt_s_ = dt_s;
+    const double crossed_m_per_s = highest_detail_Hz(limits_, dt_s) * wavelength_m(limits_, level_);
+    coarsen_above_m_per_s_ = crossed_m_per_s * (1.0 - inwards);
+    refine_below_m_per_s_ =
+        crossed_m_per_s * std::exp2(-1.0 - hysteresis_octaves) * (1.0 + inwards);
+    constexpr double at_rest = -1e3;
+    if (level_ == limits_.coarsest) coarsen_above_m_per_s_ = INFINITY;
+    if (level_ > limits_.coarsest) coarsen_above_m_per_s_ = -1.0;  // new limits: find the level
+    if (level_ == bounded(at_rest)) refine_below_m_per_s_ = -1.0;
+}
+
 double LevelRule::step(Position handle, double dt_s) {
     if (!is_finite(handle) || !(dt_s > 0.0)) return level_;
     speed_m_per_s_ = measure_.step(handle, dt_s);
     since_change_s_ += dt_s;
+    const bool is_known = dt_s == dt_s_;
+    const bool stays = speed_m_per_s_ <= coarsen_above_m_per_s_ &&
+                       (speed_m_per_s_ > refine_below_m_per_s_ || since_change_s_ < dwell_s);
+    if (is_known && stays) return level_;
     const double z = speed_level(limits_, speed_m_per_s_, dt_s);
     const double coarser = bounded(z);
     const double finer = bounded(z + hysteresis_octaves);
     const bool may_refine = finer < level_ && since_change_s_ >= dwell_s;
-    if (coarser <= level_ && !may_refine) return level_;
-    level_ = coarser > level_ ? coarser : finer;
-    since_change_s_ = 0.0;
+    if (coarser > level_ || may_refine) {
+        level_ = coarser > level_ ? coarser : finer;
+        since_change_s_ = 0.0;
+    }
+    set_thresholds(dt_s);
     return level_;
 }
 

@@ -43,11 +43,18 @@ class SpeedMeasure {
     static constexpr std::size_t slots = 10;
     static constexpr double slot_s = 0.05;
 
+    void set_period(double dt_s);
+    void begin_slots();
+
+    double dt_s_ = 0.0;
+    double per_dt_Hz_ = 0.0;
+    double share_ = 0.0;  // of a new velocity in the low-pass
     Position last_;
     bool has_last_ = false;
     Velocity low_pass_;
     std::array<double, slots + 1> peaks_{};  // of the running slot and the ten before it
     std::size_t newest_ = 0;
+    double older_ = 0.0;  // largest of the ten
     double slot_age_s_ = 0.0;
 };
 
@@ -61,7 +68,10 @@ class LevelRule {
     double step(Position handle, double dt_s);
 
     /// New limits take effect at the next step.
-    void set_limits(const LevelLimits& limits) { limits_ = limits; }
+    void set_limits(const LevelLimits& limits) {
+        limits_ = limits;
+        dt_s_ = 0.0;
+    }
 
     [[nodiscard]] double level() const { return level_; }
 
@@ -69,8 +79,13 @@ class LevelRule {
 
   private:
     [[nodiscard]] double bounded(double speed_level) const;
+    void set_thresholds(double dt_s);
 
     LevelLimits limits_;
+    double dt_s_ = 0.0;  // the period that the thresholds are for; 0: none yet
+    // Between these speeds the level stays as it is.
+    double refine_below_m_per_s_ = 0.0;
+    double coarsen_above_m_per_s_ = 0.0;
     SpeedMeasure measure_;
     double level_ = 0.0;
     double speed_m_per_s_ = 0.0;

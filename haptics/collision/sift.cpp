@@ -1,0 +1,127 @@
+#include "haptics/collision/sift.h"
+
+#include <cstring>
+#include <limits>
+
+namespace touchline {
+namespace {
+
+using Floats = float __attribute__((vector_size(16)));
+using Masks = std::int32_t __attribute__((vector_size(16)));
+using Halves = std::uint16_t __attribute__((vector_size(16)));
+
+Floats larger(Floats a, Floats b) {
+    return a > b ? a : b;
+}
+
+Floats smaller(Floats a, Floats b) {
+    return a < b ? a : b;
+}
+
+Floats absolute(Floats a) {
+    return larger(a, -a);
+}
+
+struct Extents {
+    Floats along_low, along_high, across_low, across_high;
+};
+
+Floats upper_halves(Halves low_first) {
+    Floats out;
+    std::memcpy(&out, &low_first, sizeof out);
+    return out;
+}
+
+/// Four packed extents turned on their side: a half is the upper part of a float.
+Extents unpacked(const PackedExtents* four) {
+    Halves first;
+    Halves second;
+    std::memcpy(&first, four, sizeof first);
+    std::memcpy(&second, four + 2, sizeof second);
+    constexpr Halves zero{};
+    const Halves even = __builtin_shufflevector(first, second, 0, 8, 1, 9, 2, 10, 3, 11);
+    const Halves odd = __builtin_shufflevector(first, second, 4, 12, 5, 13, 6, 14, 7, 15);
+    const Halves along = __builtin_shufflevector(even, odd, 0, 8, 1, 9, 2, 10, 3, 11);
+    const Halves across = __builtin_shufflevector(even, odd, 4, 12, 5, 13, 6, 14, 7, 15);
+    const auto low = [&](Halves h) {
+        return upper_halves(__builtin_shufflevector(zero, h, 0, 8, 0, 9, 0, 10, 0, 11));
+    };
+    const auto high = [&](Halves h) {
+        return upper_halves(__builtin_shufflevector(zero, h, 0, 12, 0, 13, 0, 14, 0, 15));
+    };
+    return {low(along), high(along), low(across), high(across)};
+}
+
+/// Shares of the way at which slabs are entered; 0 where it starts inside or never gets there.
+Floats slab_entry(Floats start, Floats by, Floats low, Floats high) {
+    const Floats before = (low - start) / by;
+    const Floats after = (high - start) / by;
+    const Floats entry = start < low ? before : (start > high ? after : Floats{});
+    const Masks is_share = (entry > 0.0F) & (entry <= 1.0F);
+    return is_share ? entry : Floats{};
+}
+
+struct Points {
+    Floats x, y;
+};
+
+/// Differences in double precision, then rounded.
+template <class Difference>
+Points rounded(const Difference& difference) {
+    Points out{};
+    for (std::size_t k = 0; k < Fan::width; ++k) {
+        const Position d = difference(k);
+        out.x[k] = static_cast<float>(d.x);
+        out.y[k] = static_cast<float>(d.y);
+    }
+    return out;
+}
+
+}  // namespace
+
+Sifted sift(const Fan& fan, const Way& way) {
+    static_assert(sizeof(PackedExtents) == 8);
+    constexpr Extents segments{{0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}};
+    const Extents e = fan.extents != nullptr ? unpacked(fan.extents) : segments;
+    const Points axis = rounded([&](std::size_t k) { return fan.points[k + 1] - fan.points[k]; });
+    const Points w = rounded([&](std::size_t k) { return way.from - fan.points[k]; });
+    const auto by_x = static_cast<float>(way.by.x);
+    const auto by_y = static_cast<float>(way.by.y);
+    const auto reach = static_cast<float>(way.reach_m * (1.0 + 1e-6));
+    const Floats distance =
+        absolute(w.x) + absolute(w.y) + static_cast<float>(length_bound(way.by));
+    const Floats square = axis.x * axis.x + axis.y * axis.y;
+    const Floats grow = (reach + 4e-6F * distance) * (absolute(axis.x) + absolute(axis.y));
+    const Floats s = axis.x * w.x + axis.y * w.y;
+    const Floats n = axis.x * w.y - axis.y * w.x;
+    const Floats ds = axis.x * by_x + axis.y * by_y;
+    const Floats dn = axis.x * by_y - axis.y * by_x;
+    const Floats s_low = e.along_low * square - grow;
+    const Floats s_high = e.along_high * square + grow;
+    const Floats n_low = e.across_low * square - grow;
+    const Floats n_high = e.across_high * square + grow;
+    const Floats beside = larger(s_low - larger(s, s + ds), smaller(s, s + ds) - s_high);
+    const Floats off = larger(n_low - larger(n, n + dn), smaller(n, n + dn) - n_high);
+    const Floats gap = larger(beside, off);
+    const Floats turn = ds * (n_low + n_high - 2.0F * n) - dn * (s_low + s_high - 2.0F * s);
+    const Floats room = absolute(ds) * (n_high - n_low) + absolute(dn) * (s_high - s_low);
+    // An axis too short for its square says nothing: such a box counts as near.
+    const Masks is_known = square > 1e-30F;
+    const Masks is_beside = (gap > 0.0F) & is_known;
+    const Masks is_passed = (absolute(turn) > room) & is_known;
+    const Floats none = Floats{} + std::numeric_limits<float>::infinity();
+    const Floats gap2 = is_beside ? gap * gap / square : (is_passed ? Floats{} : none);
+    const Floats along = slab_entry(s, ds, s_low, s_high);
+    const Floats across = slab_entry(n, dn, n_low, n_high);
+    const Floats entry = is_known ? larger(along, across) : Floats{};
+    const Masks is_far = is_beside | is_passed;
+    Sifted out{0, {}, std::numeric_limits<float>::infinity()};
+    std::memcpy(out.key.data(), &entry, sizeof entry);
+    for (int k = 0; k < Fan::width; ++k) {
+        out.near |= is_far[k] == 0 ? 1U << k : 0U;
+        out.gap2_m2 = gap2[k] < out.gap2_m2 ? gap2[k] : out.gap2_m2;
+    }
+    return out;
+}
+
+}  // namespace touchline

@@ -1,0 +1,44 @@
+// Up to four neighbouring boxes against one way at once, in single precision: most boxes that a
+// walk looks at are far from the motion, and four at a time cost little more than one. What may be
+// near is left to the exact test. Threads: pure functions, no allocation.
+#pragma once
+
+#include "haptics/collision/box.h"
+#include "haptics/collision/packed_extents.h"
+
+#include <array>
+#include <cstdint>
+
+namespace touchline {
+
+/// Neighbouring nodes of one level: node k lies between points k and k + 1.
+struct Fan {
+    static constexpr int width = 4;
+
+    std::array<Position, width + 1> points;  // beyond the last node its end, repeated
+    const PackedExtents* extents = nullptr;  // of four nodes; null: the segments themselves
+
+    [[nodiscard]] Box box(std::size_t k) const {
+        const Segment s{points[k], points[k + 1]};
+        const Position axis = frame_axis(s);
+        if (extents == nullptr) {
+            return {s.a, axis, 0.0, axis == s.b - s.a ? 1.0 : 0.0, 0.0, 0.0};
+        }
+        const PackedExtents& e = extents[k];
+        return {s.a, axis, e.along_low(), e.along_high(), e.across_low(), e.across_high()};
+    }
+};
+
+/// What a sift leaves.
+struct Sifted {
+    unsigned near = 0;                    // bit k: node k may matter
+    std::array<float, Fan::width> key{};  // smaller is nearer: here the share of the way at which
+                                          // the box is entered, never later than what it holds
+    float gap2_m2 = 0.0F;  // the other boxes stay at least this far (squared) out of reach
+};
+
+/// Conservative: coordinates are taken relative to the way's start before they are rounded, and the
+/// reach is widened by 4e-6 of the distance, more than all rounding.
+[[nodiscard]] Sifted sift(const Fan& fan, const Way& way);
+
+}  // namespace touchline
