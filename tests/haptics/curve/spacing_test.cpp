@@ -1,113 +1,20 @@
-// No more points than a scene needs, judged by code of its own: how few uniform points would do.
 #include "haptics/curve/spacing.h"
 
 #include "app/decode/map_svg.h"
 #include "app/gallery/gallery.h"
-#include "haptics/curve/pins.h"
 #include "haptics/curve/sampling.h"
+#include "tests/haptics/curve/uniform_points.h"
 #include "tests/haptics/scenes.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
 namespace touchline {
 namespace {
 
-struct Line {
-    std::vector<Position> points;
-    bool is_closed = false;
-};
-
-std::vector<Line> lines_of(const TactileMap& map) {
-    std::vector<Line> lines;
-    const auto pins = find_pins(map.outlines, PinRule{});
-    for (std::size_t i = 0; i < pins.size(); ++i) {
-        const Outline& outline = map.outlines[i];
-        const std::size_t count = outline.points.size();
-        std::vector<std::size_t> ends = pins[i];
-        const bool is_closed = ends.empty();
-        if (is_closed) ends.push_back(0);
-        if (outline.is_closed) ends.push_back(ends.front() + count);
-        for (std::size_t k = 1; k < ends.size(); ++k) {
-            Line line{{}, is_closed};
-            for (std::size_t j = ends[k - 1]; j <= ends[k]; ++j) {
-                line.points.push_back(outline.points[j % count]);
-            }
-            lines.push_back(std::move(line));
-        }
-    }
-    return lines;
-}
-
-/// Farthest that a data point lies from the polyline, by looking at every segment.
-double farthest_m(std::span<const Position> data, std::span<const Position> kept) {
-    double farthest = 0.0;
-    for (const Position p : data) {
-        double nearest = 1.0;
-        for (std::size_t i = 1; i < kept.size(); ++i) {
-            nearest = std::min(nearest, scenes::distance_m(p, {kept[i - 1], kept[i]}));
-        }
-        farthest = std::max(farthest, nearest);
-    }
-    return farthest;
-}
-
-std::size_t uniform_count(const Line& line, double spacing_m) {
-    const double wanted = std::ceil(polyline_length_m(line.points) / spacing_m * (1.0 - 1e-9));
-    return static_cast<std::size_t>(std::max(wanted, 1.0));
-}
-
-std::size_t uniform_total(const std::vector<Line>& lines, double spacing_m) {
-    std::size_t total = 0;
-    for (const Line& line : lines) total += uniform_count(line, spacing_m);
-    return total;
-}
-
-bool is_near(const std::vector<Line>& lines, double spacing_m) {
-    return std::all_of(lines.begin(), lines.end(), [&](const Line& line) {
-        const auto kept = resample(line.points, uniform_count(line, spacing_m));
-        return farthest_m(line.points, kept) <= scene_tolerance_m;
-    });
-}
-
-/// Segments of the fewest uniform points, one spacing for all lines: each bisection over one octave
-/// of spacings may end on another side of a lucky fit, so the best of all octaves counts.
-std::size_t fewest_uniform(const std::vector<Line>& lines) {
-    std::size_t fewest = std::numeric_limits<std::size_t>::max();
-    for (double octave_m = 0.128; octave_m > 1e-4; octave_m *= 0.5) {
-        double fine = 0.5 * octave_m;
-        double coarse = octave_m;
-        if (!is_near(lines, fine)) continue;
-        while (coarse > 1.0001 * fine) {
-            const double middle = std::sqrt(fine * coarse);
-            (is_near(lines, middle) ? fine : coarse) = middle;
-        }
-        fewest = std::min(fewest, uniform_total(lines, fine));
-    }
-    return fewest;
-}
-
-std::size_t segments_of(const CurveSet& curves) {
-    int total = 0;
-    for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
-        total += curves.segment_count(piece, 0);
-    }
-    return static_cast<std::size_t>(total);
-}
-
-double farthest_m(const std::vector<Line>& lines, const CurveSet& curves) {
-    double farthest = 0.0;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const auto points = curves.points(static_cast<int>(i), 0);
-        std::vector<Position> kept(points.begin(), points.end());
-        if (lines[i].is_closed) kept.push_back(kept.front());
-        farthest = std::max(farthest, farthest_m(lines[i].points, kept));
-    }
-    return farthest;
-}
+using uniform::farthest_m;
+using uniform::segments_of;
 
 TactileMap one_line(std::vector<Position> points) {
     return scenes::map_of({scenes::outline(std::move(points), false)});
@@ -126,16 +33,17 @@ class Gallery : public testing::TestWithParam<GalleryEntry> {};
 
 TEST_P(Gallery, TakesNoMorePointsThanItNeedsAndQuarterFewerWouldNotDo) {
     const TactileMap map = read_map_svg(GetParam().path).value();
-    const auto lines = lines_of(map);
+    const auto lines = uniform::lines_of(map);
     const CurveSet curves = CurveSet::build(map, {.resample = true}).value();
     ASSERT_EQ(lines.size(), curves.pieces().size());
     const std::size_t kept = segments_of(curves);
     EXPECT_LE(farthest_m(lines, curves), scene_tolerance_m);
-    EXPECT_LE(static_cast<double>(kept), 1.1 * static_cast<double>(fewest_uniform(lines)));
+    EXPECT_LE(static_cast<double>(kept),
+              1.1 * static_cast<double>(uniform::fewest_segments(lines)));
     const CurveOptions wider{.resample = true, .spacing_m = curves.reports()[0].spacing_m / 0.75};
     if (kept > lines.size()) {  // else each line is one straight segment: no fewer exist
         EXPECT_GT(farthest_m(lines, CurveSet::build(map, wider).value()), scene_tolerance_m);
-        EXPECT_FALSE(is_near(lines, wider.spacing_m));
+        EXPECT_FALSE(uniform::is_near(lines, wider.spacing_m));
     }
 }
 
