@@ -12,9 +12,14 @@ namespace {
 
 using Points = std::vector<Position>;
 
-CoarseCurve filtered(Filter filter, Points points, int level) {
-    for (int i = 0; i < level; ++i) points = analyze_closed(filter, points).points;
-    CoarseCurve coarse{std::move(points), {}};
+CoarseCurve filtered(Filter filter, Points line, int level) {
+    const bool closed = is_closed(line);
+    if (closed) line.pop_back();
+    for (int i = 0; i < level; ++i) {
+        line = closed ? analyze_closed(filter, line).points : coarser_open(filter, line);
+    }
+    if (closed) line.push_back(line.front());
+    CoarseCurve coarse{std::move(line), {}};
     for (std::size_t i = 0; i < coarse.points.size(); ++i) {
         coarse.parameters.push_back(first_parameter(filter, level) +
                                     std::exp2(level) * static_cast<double>(i));
@@ -22,44 +27,35 @@ CoarseCurve filtered(Filter filter, Points points, int level) {
     return coarse;
 }
 
-CoarseCurve simplified(Method method, const Points& points, std::size_t count) {
-    Points line = points;
-    line.push_back(points.front());
-    std::vector<std::size_t> kept = method == Method::visvalingam
-                                        ? visvalingam(line, count + 1)
-                                        : douglas_peucker(line, count + 1);
-    kept.pop_back();
+CoarseCurve simplified(Method method, const Points& line, int level) {
+    const std::size_t count = ((line.size() - 1) >> static_cast<unsigned>(level)) + 1;
     CoarseCurve coarse;
-    for (const std::size_t i : kept) {
-        coarse.points.push_back(points[i]);
+    for (const std::size_t i :
+         method == Method::visvalingam ? visvalingam(line, count) : douglas_peucker(line, count)) {
+        coarse.points.push_back(line[i]);
         coarse.parameters.push_back(static_cast<double>(i));
     }
     return coarse;
 }
 
-Position at(const Points& closed, double parameter) {
+/// A closed line runs on past its end.
+Position at(const Points& line, double parameter) {
+    const std::size_t segments = line.size() - 1;
     const double whole = std::floor(parameter);
-    const auto i = static_cast<std::size_t>(whole) % closed.size();
-    return closed[i] + (parameter - whole) * (closed[(i + 1) % closed.size()] - closed[i]);
+    auto i = static_cast<std::size_t>(whole);
+    if (i >= segments) {
+        if (!is_closed(line)) return line.back();
+        i -= segments;
+    }
+    return line[i] + (parameter - whole) * (line[i + 1] - line[i]);
 }
 
-double distance_m(Position p, const Points& closed) {
+double distance_m(Position p, const Points& line) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < closed.size(); ++i) {
-        nearest =
-            std::min(nearest, distance_to_segment_m(p, closed[i], closed[(i + 1) % closed.size()]));
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        nearest = std::min(nearest, distance_to_segment_m(p, line[i - 1], line[i]));
     }
     return nearest;
-}
-
-double size_m(const Points& points) {
-    Position low = points[0];
-    Position high = points[0];
-    for (const Position p : points) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    return norm(high - low);
 }
 
 /// The fine curve from one parameter to another, cut exactly there.
@@ -101,13 +97,27 @@ std::string_view name_of(Method method) {
     return method == Method::visvalingam ? "Visvalingam" : "Douglas-Peucker";
 }
 
-CoarseCurve coarse_curve(Method method, const Points& points, int level) {
-    if (is_filter(method)) return filtered(filter_of(method), points, level);
-    return simplified(method, points, points.size() >> static_cast<unsigned>(level));
+bool is_closed(const Points& line) {
+    return line.front() == line.back();
+}
+
+CoarseCurve coarse_curve(Method method, const Points& line, int level) {
+    if (is_filter(method)) return filtered(filter_of(method), line, level);
+    return simplified(method, line, level);
+}
+
+double diagonal_m(const Points& points) {
+    Position low = points[0];
+    Position high = points[0];
+    for (const Position p : points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    return norm(high - low);
 }
 
 CurveError curve_error(const Points& fine, const CoarseCurve& coarse) {
-    const double size = size_m(fine);
+    const double size = diagonal_m(fine);
     double squares = 0.0;
     double worst = 0.0;
     for (const Position p : fine) {
@@ -117,12 +127,10 @@ CurveError curve_error(const Points& fine, const CoarseCurve& coarse) {
     }
     for (const Position p : coarse.points) worst = std::max(worst, distance_m(p, fine));
     Sums sums;
-    const std::size_t count = coarse.points.size();
+    const std::size_t count = coarse.points.size() - 1;
     for (std::size_t j = 0; j < count; ++j) {
-        const std::size_t next = (j + 1) % count;
-        const double turn = next == 0 ? static_cast<double>(fine.size()) : 0.0;
-        sums.add(stretch(fine, coarse.parameters[j], coarse.parameters[next] + turn),
-                 coarse.points[j], coarse.points[next]);
+        sums.add(stretch(fine, coarse.parameters[j], coarse.parameters[j + 1]), coarse.points[j],
+                 coarse.points[j + 1]);
     }
     return {std::sqrt(squares / static_cast<double>(fine.size())) / size, worst / size,
             std::sqrt(sums.slope_squares / sums.length_m),

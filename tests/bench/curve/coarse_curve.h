@@ -1,5 +1,6 @@
-// A closed curve with fewer points, by any of the methods, and how far it lies from the curve that
-// it stands for. Threads: pure functions.
+// A curve with fewer points, by any of the methods, and how far it lies from the curve that it
+// stands for. Curves are polylines; a closed one ends on the point it begins with. Threads: pure
+// functions.
 #pragma once
 
 #include "tests/bench/curve/filters.h"
@@ -29,15 +30,20 @@ inline constexpr std::array all_methods{Method::paper_13_7, Method::haar,
 }
 
 struct CoarseCurve {
-    std::vector<Position> points;    // closed
-    std::vector<double> parameters;  // where each lies on the fine curve, in its points; ascending
+    std::vector<Position> points;
+    std::vector<double> parameters;  // where each lies on the fine curve, in its edges; ascending
 };
 
-/// points.size() / 2^level points. The size must be a multiple of 2^level.
-[[nodiscard]] CoarseCurve coarse_curve(Method method, const std::vector<Position>& points,
-                                       int level);
+[[nodiscard]] bool is_closed(const std::vector<Position>& line);
 
-/// Shares of the curve's size (the diagonal of its bounds), but for the angle.
+/// As many segments as the line has, divided by 2^level, of which it must be a multiple. An open
+/// line keeps its ends; not for Haar.
+[[nodiscard]] CoarseCurve coarse_curve(Method method, const std::vector<Position>& line, int level);
+
+/// The diagonal of the points' bounds: the size of a curve.
+[[nodiscard]] double diagonal_m(const std::vector<Position>& points);
+
+/// Shares of the fine curve's diagonal, but for the angle.
 struct CurveError {
     double rms = 0.0;        // of the fine points from the coarse curve
     double hausdorff = 0.0;  // largest distance between the two, either way
@@ -46,8 +52,7 @@ struct CurveError {
                              // and holding it and the fine curve over the same stretch
 };
 
-/// How far `coarse` lies from the closed curve `fine`, whose points its parameters count. O(fine x
-/// coarse).
+/// How far `coarse` lies from `fine`, whose edges its parameters count. O(fine x coarse).
 [[nodiscard]] CurveError curve_error(const std::vector<Position>& fine, const CoarseCurve& coarse);
 
 }  // namespace touchline::bench

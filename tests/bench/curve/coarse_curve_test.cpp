@@ -10,9 +10,9 @@ namespace {
 
 std::vector<Position> circle(std::size_t count) {
     std::vector<Position> points;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i <= count; ++i) {
         const double angle =
-            2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+            2.0 * std::numbers::pi * static_cast<double>(i % count) / static_cast<double>(count);
         points.push_back({std::cos(angle), std::sin(angle)});
     }
     return points;
@@ -23,7 +23,7 @@ TEST(CoarseCurve, HasAsManyPointsAsAskedByEveryMethod) {
     for (const Method method : all_methods) {
         for (int level = 0; level <= 3; ++level) {
             const CoarseCurve coarse = coarse_curve(method, points, level);
-            EXPECT_EQ(coarse.points.size(), 64U >> static_cast<unsigned>(level));
+            EXPECT_EQ(coarse.points.size(), (64U >> static_cast<unsigned>(level)) + 1);
             EXPECT_EQ(coarse.parameters.size(), coarse.points.size());
         }
     }
@@ -37,6 +37,19 @@ TEST(CurveError, OfTheCurveItselfIsNothing) {
         EXPECT_LE(error.hausdorff, 1e-15);
         EXPECT_LE(error.slope_rad, 1e-7);
         EXPECT_LE(error.box, 1e-15);
+    }
+}
+
+TEST(CoarseCurve, OfAnOpenLineKeepsItsEnds) {
+    auto line = circle(64);
+    line.resize(33);
+    for (const Method method : all_methods) {
+        if (method == Method::haar) continue;
+        const CoarseCurve coarse = coarse_curve(method, line, 2);
+        ASSERT_EQ(coarse.points.size(), 9U) << name_of(method);
+        EXPECT_LE(norm(coarse.points.front() - line.front()), 1e-12) << name_of(method);
+        EXPECT_LE(norm(coarse.points.back() - line.back()), 1e-12) << name_of(method);
+        EXPECT_LE(curve_error(line, coarse).hausdorff, 0.02) << name_of(method);
     }
 }
 

@@ -1,5 +1,7 @@
 #include "tests/bench/curve/filters.h"
 
+#include "haptics/curve/shrink.h"
+
 #include <cmath>
 
 namespace touchline::bench {
@@ -136,7 +138,30 @@ Points synthesize_closed(Filter filter, const WaveletLevel& level) {
     return merged(evens, odds);
 }
 
+Points coarser_open(Filter filter, const Points& points) {
+    const std::size_t segments = points.size() - 1;
+    if (filter == Filter::paper_13_7) return analyze(points, {segments, 1, false}).points;
+    const auto chord = [&](std::size_t i) {
+        const double share = static_cast<double>(i) / static_cast<double>(segments);
+        return points.front() + share * (points.back() - points.front());
+    };
+    Points turned(2 * segments);
+    for (std::size_t i = 1; i < segments; ++i) {
+        turned[i] = points[i] - chord(i);
+        turned[2 * segments - i] = -turned[i];
+    }
+    Points coarse = analyze_closed(filter, turned).points;
+    coarse.resize(segments / 2 + 1);
+    for (std::size_t i = 0; i < coarse.size(); ++i) coarse[i] += chord(2 * i);
+    return coarse;
+}
+
 Points denoised(Filter filter, const Points& points, double sigma_m, int levels) {
+    if (filter == Filter::paper_13_7) {
+        Decomposition curve = decompose(points, shape_of(points.size()), levels);
+        touchline::denoise(curve, sigma_m);
+        return reconstruct(curve);
+    }
     const std::vector<double> gains = noise_gains(filter, points.size(), levels);
     const double universal =
         sigma_m * std::sqrt(2.0 * std::log(static_cast<double>(points.size())));

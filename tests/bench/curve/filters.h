@@ -1,4 +1,4 @@
-// The wavelets that the paper's is measured against, on closed curves. Only the bench has them.
+// The wavelets that the paper's is measured against. Only the bench has them.
 // Threads: pure functions.
 #pragma once
 
@@ -31,8 +31,14 @@ inline constexpr std::array all_filters{Filter::paper_13_7, Filter::haar, Filter
 /// The inverse, to rounding. O(n).
 [[nodiscard]] std::vector<Position> synthesize_closed(Filter filter, const WaveletLevel& level);
 
-/// The curve with its details shrunk by the universal threshold for white noise of `sigma_m` a
-/// coordinate, down to `levels` levels. Each filter's own noise gains are measured by impulses.
+/// The points of the next coarser level of an open curve of an even number of segments; its ends
+/// stay. 13/7 as in the product; the others see the curve, less its chord, turned over about both
+/// ends, which their symmetry wants. Not for Haar, whose points are not those of the curve. O(n).
+[[nodiscard]] std::vector<Position> coarser_open(Filter filter,
+                                                 const std::vector<Position>& points);
+
+/// The closed curve with its details shrunk by the universal threshold for white noise of `sigma_m`
+/// a coordinate, down to `levels` levels. Each filter's own noise gains are measured by impulses.
 /// O(n^2).
 [[nodiscard]] std::vector<Position> denoised(Filter filter, const std::vector<Position>& points,
                                              double sigma_m, int levels);

@@ -60,20 +60,11 @@ bool is_near(const std::vector<Line>& lines, double spacing_m) {
 }
 
 std::size_t fewest_segments(const std::vector<Line>& lines) {
-    std::size_t fewest = std::numeric_limits<std::size_t>::max();
-    for (double octave_m = 0.128; octave_m > 1e-4; octave_m *= 0.5) {
-        double fine = 0.5 * octave_m;
-        double coarse = octave_m;
-        if (!is_near(lines, fine)) continue;
-        while (coarse > 1.0001 * fine) {
-            const double middle = std::sqrt(fine * coarse);
-            (is_near(lines, middle) ? fine : coarse) = middle;
-        }
-        std::size_t total = 0;
-        for (const Line& line : lines) total += count_of(line, fine);
-        fewest = std::min(fewest, total);
-    }
-    return fewest;
+    double spacing_m = 0.2;
+    while (spacing_m > 1e-5 && !is_near(lines, spacing_m)) spacing_m *= 0.995;
+    std::size_t total = 0;
+    for (const Line& line : lines) total += count_of(line, spacing_m);
+    return total;
 }
 
 std::size_t segments_of(const CurveSet& curves) {

@@ -23,8 +23,9 @@ struct Line {
 /// within the scene's tolerance, looking at every segment.
 [[nodiscard]] bool is_near(const std::vector<Line>& lines, double spacing_m);
 
-/// Segments of the fewest such points, one spacing for all lines. A bisection in every octave of
-/// spacings: whether data are met does not change once and for all, so the best of all counts.
+/// Segments of the fewest such points: those of the widest spacing that is near enough, by trying
+/// every half per cent from wide to narrow. A bisection would end somewhere below, since whether
+/// data are met does not change once and for all.
 [[nodiscard]] std::size_t fewest_segments(const std::vector<Line>& lines);
 
 [[nodiscard]] std::size_t segments_of(const CurveSet& curves);
