@@ -39,7 +39,7 @@ TEST_P(Gallery, TakesNoMorePointsThanItNeedsAndQuarterFewerWouldNotDo) {
     const std::size_t kept = segments_of(curves);
     EXPECT_LE(farthest_m(lines, curves), scene_tolerance_m);
     EXPECT_LE(static_cast<double>(kept),
-              1.1 * static_cast<double>(uniform::fewest_segments(lines)));
+              1.1 * static_cast<double>(uniform::bisected_segments(lines)));
     const CurveOptions wider{.resample = true, .spacing_m = curves.reports()[0].spacing_m / 0.75};
     if (kept > lines.size()) {  // else each line is one straight segment: no fewer exist
         EXPECT_GT(farthest_m(lines, CurveSet::build(map, wider).value()), scene_tolerance_m);

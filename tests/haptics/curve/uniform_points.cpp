@@ -29,6 +29,20 @@ std::size_t count_of(const Line& line, double spacing_m) {
     return static_cast<std::size_t>(std::max(wanted, 1.0));
 }
 
+constexpr double finest_m = 1e-5;
+
+double longest_m(const std::vector<Line>& lines) {
+    double longest = 0.0;
+    for (const Line& line : lines) longest = std::max(longest, polyline_length_m(line.points));
+    return longest;
+}
+
+std::size_t total_of(const std::vector<Line>& lines, double spacing_m) {
+    std::size_t total = 0;
+    for (const Line& line : lines) total += count_of(line, spacing_m);
+    return total;
+}
+
 }  // namespace
 
 std::vector<Line> lines_of(const TactileMap& map) {
@@ -60,11 +74,20 @@ bool is_near(const std::vector<Line>& lines, double spacing_m) {
 }
 
 std::size_t fewest_segments(const std::vector<Line>& lines) {
-    double spacing_m = 0.2;
-    while (spacing_m > 1e-5 && !is_near(lines, spacing_m)) spacing_m *= 0.995;
-    std::size_t total = 0;
-    for (const Line& line : lines) total += count_of(line, spacing_m);
-    return total;
+    double spacing_m = longest_m(lines);
+    while (spacing_m > finest_m && !is_near(lines, spacing_m)) spacing_m *= 0.995;
+    return total_of(lines, spacing_m);
+}
+
+std::size_t bisected_segments(const std::vector<Line>& lines) {
+    double fine = finest_m;
+    double coarse = longest_m(lines);
+    if (is_near(lines, coarse)) return total_of(lines, coarse);
+    while (coarse > 1.0001 * fine) {
+        const double middle = std::sqrt(fine * coarse);
+        (is_near(lines, middle) ? fine : coarse) = middle;
+    }
+    return total_of(lines, fine);
 }
 
 std::size_t segments_of(const CurveSet& curves) {

@@ -24,9 +24,12 @@ struct Line {
 [[nodiscard]] bool is_near(const std::vector<Line>& lines, double spacing_m);
 
 /// Segments of the fewest such points: those of the widest spacing that is near enough, by trying
-/// every half per cent from wide to narrow. A bisection would end somewhere below, since whether
-/// data are met does not change once and for all.
+/// every half per cent from wide to narrow.
 [[nodiscard]] std::size_t fewest_segments(const std::vector<Line>& lines);
+
+/// The same by bisection, which ends at some narrower spacing where data are met by luck: whether
+/// they are does not change once and for all.
+[[nodiscard]] std::size_t bisected_segments(const std::vector<Line>& lines);
 
 [[nodiscard]] std::size_t segments_of(const CurveSet& curves);
 
