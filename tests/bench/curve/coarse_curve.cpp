@@ -1,6 +1,6 @@
 #include "tests/bench/curve/coarse_curve.h"
 
-#include "haptics/curve/sampling.h"
+#include "haptics/curve/segment.h"
 #include "tests/bench/curve/simplify.h"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ Position at(const Points& line, double parameter) {
 double distance_m(Position p, const Points& line) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < line.size(); ++i) {
-        nearest = std::min(nearest, distance_to_segment_m(p, line[i - 1], line[i]));
+        nearest = std::min(nearest, foot(p, {line[i - 1], line[i]}).distance_m);
     }
     return nearest;
 }

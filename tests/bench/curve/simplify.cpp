@@ -1,6 +1,6 @@
 #include "tests/bench/curve/simplify.h"
 
-#include "haptics/curve/sampling.h"
+#include "haptics/curve/segment.h"
 
 #include <algorithm>
 #include <queue>
@@ -23,7 +23,7 @@ struct Chord {
 Chord chord(const std::vector<Position>& points, std::size_t first, std::size_t last) {
     Chord made{-1.0, first, first, last};
     for (std::size_t i = first + 1; i < last; ++i) {
-        const double deviation = distance_to_segment_m(points[i], points[first], points[last]);
+        const double deviation = foot(points[i], {points[first], points[last]}).distance_m;
         if (deviation > made.deviation_m) {
             made.deviation_m = deviation;
             made.farthest = i;

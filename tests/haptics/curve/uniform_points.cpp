@@ -2,6 +2,7 @@
 
 #include "haptics/curve/pins.h"
 #include "haptics/curve/sampling.h"
+#include "haptics/curve/segment.h"
 #include "haptics/curve/spacing.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ double farthest_of(std::span<const Position> data, std::span<const Position> kep
     for (const Position p : data) {
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t i = 1; i < kept.size(); ++i) {
-            nearest = std::min(nearest, distance_to_segment_m(p, kept[i - 1], kept[i]));
+            nearest = std::min(nearest, foot(p, {kept[i - 1], kept[i]}).distance_m);
         }
         farthest = std::max(farthest, nearest);
     }
