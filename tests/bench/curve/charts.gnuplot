@@ -49,6 +49,7 @@ unset multiplot
 set terminal pngcairo size 1200,560 font "DejaVu Sans,10" background "white"
 set output results."/curve_times.png"
 set multiplot layout 1,2 title "The outline of a traced hand, 512 points; each line from 256 points (lowest) to 8"
+unset title
 set xtics auto
 set xrange [0.3:3000]
 set yrange [*:*]
