@@ -6,6 +6,7 @@
 #include "app/decode/map_svg.h"
 #include "haptics/collision/collision_tree.h"
 #include "haptics/curve/level_error.h"
+#include "haptics/pantograph/profile.h"
 
 #include <cmath>
 #include <iterator>
@@ -106,7 +107,9 @@ std::string report(const TactileMap& map, const CurveSet& curves, double level) 
 Result<void> run_curve(const CurveCommandOptions& options) {
     const Result<TactileMap> map = load_map(options.input, options.as_picture);
     if (!map) return tl::unexpected(map.error());
-    const Result<CurveSet> curves = CurveSet::build(*map, options.curves);
+    CurveOptions wanted = options.curves;
+    wanted.device_step_m = encoder_step_m(default_profile());  // as `feel` does unless told
+    const Result<CurveSet> curves = CurveSet::build(*map, wanted);
     if (!curves) return tl::unexpected(curves.error());
     Result<void> drawn = write_whole_file(options.output, svg(*map, *curves, options));
     if (!drawn || options.report.empty()) return drawn;

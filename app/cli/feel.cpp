@@ -132,7 +132,9 @@ Result<void> run_feel(const FeelOptions& options) {
     if (!hand) return tl::unexpected(hand.error());
     const auto scene =
         load_map(options.input, options.as_picture).and_then([&](const TactileMap& map) {
-            return build_scene(map, options.curves, options.contact.radius_m);
+            CurveOptions curves = options.curves;
+            curves.device_step_m = encoder_step_m(*profile);
+            return build_scene(map, curves, options.contact.radius_m);
         });
     if (!scene) return tl::unexpected(scene.error());
     return write_whole_file(options.output, Feeling(*scene, options, *profile).run(*hand));

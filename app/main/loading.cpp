@@ -2,6 +2,7 @@
 
 #include "app/cli/load.h"
 #include "haptics/collision/scene.h"
+#include "haptics/pantograph/profile.h"
 
 #include <filesystem>
 
@@ -23,7 +24,7 @@ std::string title_of(const TactileMap& map, const std::string& path) {
 Result<LoadedScene> load_scene(const std::string& path, int detail) {
     auto loaded = load_picture_or_map(path, detail, Area{});
     if (!loaded) return tl::unexpected(loaded.error());
-    const CurveOptions curves{.resample = true};
+    const CurveOptions curves{.resample = true, .device_step_m = encoder_step_m(default_profile())};
     auto scene = build_scene(loaded->map, curves, proxy_radius_m);
     if (!scene) return failure(fmt::format("{}: {}", path, scene.error().line));
     LoadedScene result;

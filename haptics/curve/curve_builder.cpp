@@ -3,6 +3,7 @@
 #include "haptics/curve/pins.h"
 #include "haptics/curve/sampling.h"
 #include "haptics/curve/shrink.h"
+#include "haptics/curve/spacing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +17,6 @@ namespace {
 constexpr double repeated_point_m =
     1e-9;  // nearer points are one point: far below any device's step
 constexpr double largest_coordinate_m = 1.0;
-constexpr double least_spacing_m = 1e-4;  // half a count of the finest 2diy
-constexpr double scene_tolerance_m =
-    5e-5;  // a fifth of what a finger finds on a 4 mm bump (0.039 mm
-           // amplitude at half that width), half the least spacing
-constexpr double coarsest_spacing_m = 4e-3;  // tried first when resampling
 constexpr double most_points = 4e6;  // of a map: more than any picture gives, and within 1 GB
 
 /// A stretch of outline that becomes a piece, both its ends included.
@@ -90,35 +86,6 @@ void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins
     }
 }
 
-std::vector<Position> level_0(const Stretch& stretch, bool resampled, double spacing_m) {
-    std::vector<Position> points =
-        resampled ? resample(stretch.line, resampled_count(polyline_length_m(stretch.line),
-                                                           spacing_m, stretch.is_closed))
-                  : split_edges(stretch.line, spacing_m);
-    if (stretch.is_closed) points.pop_back();
-    return points;
-}
-
-/// The widest spacing that keeps every data point within the scene's tolerance, by halving the
-/// interval; never below what the device can tell.
-double spacing_for(const std::vector<Stretch>& stretches) {
-    const auto is_true = [&](double spacing_m) {
-        return std::all_of(stretches.begin(), stretches.end(), [&](const Stretch& stretch) {
-            const std::size_t count =
-                resampled_count(polyline_length_m(stretch.line), spacing_m, stretch.is_closed);
-            return deviation_m(stretch.line, resample(stretch.line, count)) <= scene_tolerance_m;
-        });
-    };
-    if (is_true(coarsest_spacing_m)) return coarsest_spacing_m;
-    double fine = least_spacing_m;
-    double coarse = coarsest_spacing_m;
-    while (coarse > 1.05 * fine) {
-        const double middle = std::sqrt(fine * coarse);
-        (is_true(middle) ? fine : coarse) = middle;
-    }
-    return fine;
-}
-
 }  // namespace
 
 class CurveSetBuilder {
@@ -131,7 +98,11 @@ class CurveSetBuilder {
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             cut(outlines_[i], static_cast<int>(i), pins[i], stretches_);
         }
-        choose_spacings();
+        std::vector<SpacedLine> lines;
+        for (const Stretch& stretch : stretches_) {
+            lines.push_back({stretch.line, stretch.outline, stretch.is_closed});
+        }
+        spacing_ = choose_spacing(lines, outlines_, options_);
         if (const double points = expected_points(); !(points <= most_points)) {
             return failure(
                 fmt::format("the curves would have {:.3g} points, more than {:.0f}; choose a wider "
@@ -146,31 +117,32 @@ class CurveSetBuilder {
     }
 
   private:
-    void choose_spacings() {
-        const double common = options_.resample && !(options_.spacing_m > 0.0)
-                                  ? spacing_for(stretches_)
-                                  : options_.spacing_m;
-        for (const Outline& outline : outlines_) {
-            const double data = std::max(median_edge_m(outline.points), least_spacing_m);
-            spacings_m_.push_back(common > 0.0 ? common : data);
-        }
-    }
-
     /// At least as many as place_points() makes.
     [[nodiscard]] double expected_points() const {
         double points = 0.0;
-        for (const Stretch& stretch : stretches_) {
-            const double spacing = spacings_m_[static_cast<std::size_t>(stretch.outline)];
-            const double split = 2.0 * polyline_length_m(stretch.line) / spacing;
-            points += split + static_cast<double>(stretch.line.size());
+        for (std::size_t i = 0; i < stretches_.size(); ++i) {
+            points += options_.resample ? static_cast<double>(spacing_.segments[i]) + 1.0
+                                        : expected_split(stretches_[i]);
         }
         return points;
     }
 
+    [[nodiscard]] double expected_split(const Stretch& stretch) const {
+        return 2.0 * polyline_length_m(stretch.line) / spacing_m(stretch) +
+               static_cast<double>(stretch.line.size());
+    }
+
+    [[nodiscard]] double spacing_m(const Stretch& stretch) const {
+        return spacing_.outlines[static_cast<std::size_t>(stretch.outline)].spacing_m;
+    }
+
     void place_points() {
-        for (const Stretch& stretch : stretches_) {
-            const double spacing = spacings_m_[static_cast<std::size_t>(stretch.outline)];
-            std::vector<Position> points = level_0(stretch, options_.resample, spacing);
+        for (std::size_t i = 0; i < stretches_.size(); ++i) {
+            const Stretch& stretch = stretches_[i];
+            std::vector<Position> points = options_.resample
+                                               ? resample(stretch.line, spacing_.segments[i])
+                                               : split_edges(stretch.line, spacing_m(stretch));
+            if (stretch.is_closed) points.pop_back();
             const std::size_t segments = points.size() - (stretch.is_closed ? 0 : 1);
             const CurveShape shape{segments, 1, stretch.is_closed};
             firsts_.push_back(points);
@@ -293,12 +265,8 @@ class CurveSetBuilder {
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             OutlineReport line;
             line.points_in = outlines_[i].points.size();
-            line.spacing_m = spacings_m_[i];
-            line.reason = !options_.resample         ? "every vertex of the map is kept"
-                          : options_.spacing_m > 0.0 ? "spacing as asked"
-                          : line.spacing_m <= 1.06 * least_spacing_m
-                              ? "device: finer than its step cannot be felt"
-                              : "scene: the widest spacing within 0.05 mm of the data";
+            line.spacing_m = spacing_.outlines[i].spacing_m;
+            line.reason = spacing_.outlines[i].reason;
             set_.reports_.push_back(line);
         }
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
@@ -310,7 +278,7 @@ class CurveSetBuilder {
     std::vector<Outline> outlines_;
     CurveOptions options_;
     std::vector<Stretch> stretches_;
-    std::vector<double> spacings_m_;             // per outline
+    SpacingChoice spacing_;
     std::vector<Decomposition> curves_;          // per stretch
     std::vector<std::vector<Position>> firsts_;  // per stretch: level 0
     CurveSet set_;

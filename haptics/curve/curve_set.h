@@ -21,8 +21,10 @@ struct CurveOptions {
     /// split into equal collinear parts. true: each piece is resampled by arc length.
     bool resample = false;
     /// Spacing of level 0 (metres). 0: the outline's median edge, at least 0.1 mm (not resampled),
-    /// or the spacing that device and scene need (resampled).
+    /// or the spacing that data, device and scene need (resampled; spacing.h).
     double spacing_m = 0.0;
+    /// Smallest motion that the device can tell (metres, > 0): resampling goes no finer.
+    double device_step_m = 1e-4;
     /// Share of the wavelet details that is kept, largest first, 0 ... 1 (compression, paper
     /// section 5).
     double keep_details = 1.0;

@@ -6,6 +6,19 @@
 #include <cmath>
 
 namespace touchline {
+namespace {
+
+constexpr double rounding = 1e-9;  // of length / spacing
+constexpr double most = 1e15;      // exact as a double, more than any memory holds
+
+/// 2^L with count / 2^L in 4 ... 7, 1 below.
+std::size_t stride_of(std::size_t count) {
+    std::size_t stride = 1;
+    while (count >= 8 * stride) stride *= 2;
+    return stride;
+}
+
+}  // namespace
 
 double polyline_length_m(std::span<const Position> line) {
     double length = 0.0;
@@ -49,14 +62,27 @@ std::vector<Position> resample(std::span<const Position> line, std::size_t segme
     return out;
 }
 
-std::size_t resampled_count(double length_m, double spacing_m, bool is_closed) {
+std::size_t count_below(double wanted, bool is_closed) {
     const std::size_t least = is_closed ? 8 : 1;
-    const double wanted = std::max(std::ceil(length_m / spacing_m * (1.0 - 1e-9)), 1.0);
-    auto count = std::max(static_cast<std::size_t>(wanted), least);
-    if (count < 4) return count;
-    std::size_t stride = 1;
-    while (count > 7 * stride) stride *= 2;
+    const auto count = static_cast<std::size_t>(std::clamp(wanted * (1.0 + rounding), 1.0, most));
+    if (count <= least) return least;
+    const std::size_t stride = stride_of(count);
+    return count / stride * stride;
+}
+
+std::size_t count_above(double wanted, bool is_closed) {
+    const std::size_t least = is_closed ? 8 : 1;
+    const double whole = std::ceil(std::clamp(wanted * (1.0 - rounding), 1.0, most));
+    const std::size_t count = std::max(static_cast<std::size_t>(whole), least);
+    const std::size_t stride = stride_of(count);
     return (count + stride - 1) / stride * stride;
+}
+
+std::size_t nearest_count(double wanted, bool is_closed) {
+    const std::size_t below = count_below(wanted, is_closed);
+    const std::size_t above = count_above(wanted, is_closed);
+    const double middle = 0.5 * static_cast<double>(below + above);
+    return wanted <= middle ? below : above;
 }
 
 int halvings(std::size_t segments, bool is_closed) {
@@ -66,11 +92,12 @@ int halvings(std::size_t segments, bool is_closed) {
     return levels;
 }
 
-double deviation_m(std::span<const Position> line, std::span<const Position> kept) {
+double deviation_m(std::span<const Position> line, std::span<const Position> kept,
+                   double enough_m) {
     const double scale = static_cast<double>(kept.size() - 1) / polyline_length_m(line);
     double worst = 0.0;
     double arc = 0.0;
-    for (std::size_t i = 0; i < line.size(); ++i) {
+    for (std::size_t i = 0; i < line.size() && worst <= enough_m; ++i) {
         if (i > 0) arc += norm(line[i] - line[i - 1]);
         const auto at = static_cast<std::ptrdiff_t>(arc * scale);
         const auto last = static_cast<std::ptrdiff_t>(kept.size()) - 2;

@@ -5,6 +5,7 @@
 #include "config/types/vec2.h"
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,16 +21,22 @@ namespace touchline {
 /// `segments` + 1 points at equal arc length; the ends are those of the line.
 [[nodiscard]] std::vector<Position> resample(std::span<const Position> line, std::size_t segments);
 
-/// Segments of a resampled piece: the smallest m 2^L >= length / spacing with m in 4 ... 7, fewer
-/// than 4 as they are; a closed piece has at least 8.
-[[nodiscard]] std::size_t resampled_count(double length_m, double spacing_m, bool is_closed);
+/// Segments that a resampled piece can have: m 2^L with m in 4 ... 7, or fewer than 4; 8 or more
+/// where it is closed. The largest such count <= wanted (at least the least there is), the smallest
+/// >= wanted, and the nearer of the two. `wanted` is length / spacing; taken as 1e15 beyond. O(log
+/// n).
+[[nodiscard]] std::size_t count_below(double wanted, bool is_closed);
+[[nodiscard]] std::size_t count_above(double wanted, bool is_closed);
+[[nodiscard]] std::size_t nearest_count(double wanted, bool is_closed);
 
 /// Halvings down to 4 ... 7 segments (closed: 8 ... 15). O(log n).
 [[nodiscard]] int halvings(std::size_t segments, bool is_closed);
 
 /// Largest distance from a point of `line` to the polyline `kept`, both running the same way: each
-/// point is compared with the part of `kept` at its own share of the arc length, +-1 segment. O(N).
-[[nodiscard]] double deviation_m(std::span<const Position> line, std::span<const Position> kept);
+/// point is compared with the part of `kept` at its own share of the arc length, +-1 segment. Ends
+/// with the first distance above `enough_m`. O(N).
+[[nodiscard]] double deviation_m(std::span<const Position> line, std::span<const Position> kept,
+                                 double enough_m = std::numeric_limits<double>::infinity());
 
 /// Median edge length of the outlines given. 0 where there is no edge.
 [[nodiscard]] double median_edge_m(std::span<const Position> line);

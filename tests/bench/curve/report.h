@@ -1,0 +1,36 @@
+// Where the bench's results go: tables as CSV for charts, and as words for readers.
+// Threads: one.
+#pragma once
+
+#include "config/types/result.h"
+
+#include <string>
+#include <vector>
+
+namespace touchline::bench {
+
+struct Folders {
+    std::string results;  // CSV and pictures, kept
+    std::string work;     // NAME.md: what goes between the marks of the README; NAME.dat: to plot
+};
+
+/// Rows of cells under a header, all of the same number of cells.
+struct Table {
+    std::vector<std::string> header;
+    std::vector<std::vector<std::string>> rows;
+
+    [[nodiscard]] std::string csv() const;
+    [[nodiscard]] std::string markdown() const;
+};
+
+[[nodiscard]] Result<void> write_csv(const Folders& folders, const std::string& name,
+                                     const Table& table);
+
+/// The section `name` of the README, wrapped at 110 columns where it is no table.
+[[nodiscard]] Result<void> write_words(const Folders& folders, const std::string& name,
+                                       const std::string& text);
+
+/// "a", "a and b", "a, b and c".
+[[nodiscard]] std::string list_in_words(const std::vector<std::string>& items);
+
+}  // namespace touchline::bench

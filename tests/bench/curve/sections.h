@@ -1,0 +1,30 @@
+// The sections of the bench: each measures, writes its CSV or data to plot, and its words.
+// Threads: one.
+#pragma once
+
+#include "tests/bench/curve/report.h"
+
+namespace touchline::bench {
+
+/// How far coarse curves lie from real outlines, by method and level, and how wide their boxes are.
+[[nodiscard]] Result<void> measure_errors(const Folders& folders);
+
+/// The same on curves that are known without their noise.
+[[nodiscard]] Result<void> measure_noise(const Folders& folders);
+
+/// How long the methods take.
+[[nodiscard]] Result<void> measure_times(const Folders& folders);
+
+/// How many points resampling keeps of the gallery's pictures.
+[[nodiscard]] Result<void> measure_points(const Folders& folders);
+
+/// Data of the paper's Figs. 1 to 3: coefficients and approximations.
+[[nodiscard]] Result<void> plot_levels(const Folders& folders);
+
+/// Data of the paper's Fig. 4: boundary sections as a handle approaches.
+[[nodiscard]] Result<void> plot_sections(const Folders& folders);
+
+/// The paper's Fig. 7 as a picture: curve and error boxes over the picture.
+[[nodiscard]] Result<void> paint_boxes(const Folders& folders);
+
+}  // namespace touchline::bench
