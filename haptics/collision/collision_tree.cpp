@@ -1,7 +1,8 @@
 #include "haptics/collision/collision_tree.h"
 
-#include "config/types/steady_clock.h"
 #include "haptics/collision/crossing.h"
+#include "haptics/collision/first_touch.h"
+#include "haptics/collision/spender.h"
 #include "haptics/collision/tree_walk.h"
 
 #include <cmath>
@@ -18,99 +19,6 @@ Sifted distances(const Fan& fan, Position p) {
     }
     return out;
 }
-
-/// Counts boxes; looks at the clock only where a deadline is set.
-class Spender {
-  public:
-    explicit Spender(const Budget& budget) : budget_(budget) {}
-
-    bool spend(int boxes) {
-        if (opened_ + boxes > budget_.boxes) return false;
-        if (budget_.deadline_ns != 0 && steady_now_ns() >= budget_.deadline_ns) return false;
-        opened_ += boxes;
-        return true;
-    }
-
-    [[nodiscard]] int opened() const { return opened_; }
-
-  private:
-    Budget budget_;
-    int opened_ = 0;
-};
-
-/// Collects the first of several touches, ties to the lowest segment.
-class FirstTouch {
-  public:
-    explicit FirstTouch(const Motion& motion)
-        : motion_(motion), way_(way_of(motion)), tie_(tie_of(motion)) {}
-
-    [[nodiscard]] const Way& way() const { return way_; }
-
-    /// What is not looked at stays at least this far out of reach.
-    void spare(double margin_m) { least_gap2_m2_ = std::min(least_gap2_m2_, margin_m * margin_m); }
-
-    Sifted sift(const Fan& fan) {
-        const Sifted found = touchline::sift(fan, way_);
-        least_gap2_m2_ = std::min(least_gap2_m2_, static_cast<double>(found.gap2_m2));
-        return found;
-    }
-
-    /// The share of the way at which a box is entered; nothing where it cannot matter.
-    [[nodiscard]] std::optional<double> near(const Box& box) {
-        const Approach found = approach(box, way_);
-        if (found.is_met) return found.entry;
-        least_gap2_m2_ = std::min(least_gap2_m2_, found.gap2_m2);
-        return {};
-    }
-
-    [[nodiscard]] double cut() const { return hit_.is_hit ? hit_.clear + tie_ : 1.0; }
-
-    void test(SegmentRef ref, const Segment& segment) {
-        if (ref == motion_.excluded[0] || ref == motion_.excluded[1]) return;
-        least_gap2_m2_ = 0.0;
-        const auto found = touch(motion_.from, motion_.to, motion_.radius_m, segment);
-        if (!found) return;
-        if (hit_.is_hit && found->fraction > hit_.clear + tie_) return;
-        const bool is_tie = hit_.is_hit && found->fraction >= hit_.clear - tie_;
-        const bool is_kept = is_tie && hit_.segment < ref;
-        const double clear = is_tie ? std::min(hit_.clear, found->fraction) : found->fraction;
-        if (!is_kept) hit_ = {true, clear, ref, *found, 0};
-        hit_.clear = clear;
-    }
-
-    /// `unopened`: the earliest moment at which a box left unopened is met. A hit counts only
-    /// before it.
-    [[nodiscard]] Hit result(double unopened, int opened) {
-        if (unopened <= cut()) {
-            const double clear = std::min(unopened, hit_.is_hit ? hit_.clear : 1.0);
-            hit_ = {};
-            hit_.clear = clear;
-        } else if (!hit_.is_hit) {
-            hit_.spare_m = std::sqrt(least_gap2_m2_);
-        }
-        hit_.boxes = opened;
-        return hit_;
-    }
-
-  private:
-    /// The tolerance is more than all rounding: no box is entered after what it holds is touched.
-    static Way way_of(const Motion& motion) {
-        return {motion.from, motion.to - motion.from, motion.radius_m + approach_tolerance_m};
-    }
-
-    /// Share of the motion within which two contacts are one moment.
-    static double tie_of(const Motion& motion) {
-        constexpr double few_ulp = 8.9e-16;
-        if (motion.radius_m == 0.0) return few_ulp;
-        return approach_tolerance_m / std::max(norm(motion.to - motion.from), 1e-30);
-    }
-
-    const Motion& motion_;
-    Way way_;
-    double tie_;
-    double least_gap2_m2_ = INFINITY;
-    Hit hit_;
-};
 
 class FirstHit {
   public:

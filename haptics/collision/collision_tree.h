@@ -61,9 +61,9 @@ struct Hit {
 
 /// The paper's own stop (section 3): the answer at the finest level that all candidates reached.
 struct HitAtLevel {
-    Hit hit;
-    double level = 0.0;   // the answer's; the level asked for where the budget sufficed
-    bool is_any = false;  // false: the budget ended before the coarsest level, nothing is known
+    Hit hit;                // boxes: those opened
+    double level = 0.0;     // the answer's; the level asked for where the budget sufficed
+    bool is_known = false;  // false: the budget ended above the coarsest level; clear is 0
 };
 
 struct Closest {
