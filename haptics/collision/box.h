@@ -3,7 +3,7 @@
 #pragma once
 
 #include "config/types/vec2.h"
-#include "haptics/curve/curve_set.h"
+#include "haptics/curve/segment.h"
 
 #include <algorithm>
 #include <array>
@@ -25,6 +25,12 @@ struct Box {
     Position axis;
     double along_low = 0.0, along_high = 0.0, across_low = 0.0, across_high = 0.0;
 };
+
+/// A segment that holds nothing beside itself.
+[[nodiscard]] inline Box box_of(const Segment& s) {
+    const Position axis = frame_axis(s);
+    return {s.a, axis, 0.0, axis == s.b - s.a ? 1.0 : 0.0, 0.0, 0.0};
+}
 
 /// A straight way and how near to it something matters.
 struct Way {

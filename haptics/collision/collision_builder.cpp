@@ -101,7 +101,7 @@ class CollisionTreeBuilder {
     /// Holds the segment and the points of every finer level over its stretch: points down to
     /// `scanned` levels below, then the boxes of that level, which hold the rest. O(2^scanned).
     [[nodiscard]] PackedExtents extents(int piece, int level, int j) const {
-        constexpr int scanned = 4;
+        constexpr int scanned = 3;
         Growing box(segment(piece, level, j));
         const int finest = std::max(level - scanned, 0);
         for (int finer = level - 1; finer >= finest; --finer)

@@ -188,7 +188,12 @@ inline Fan CollisionTree::fan(const CurveSet& curves, int piece, int level, int 
 }
 
 inline Box CollisionTree::node_box(const CurveSet& curves, const Node& node) const {
-    return fan(curves, node.piece, node.level, node.index, 1).box(0);
+    const auto points = curves.points(node.piece, node.level);
+    const auto j = static_cast<std::size_t>(node.index);
+    const Segment s{points[j], points[j + 1 == points.size() ? 0 : j + 1]};
+    if (node.level == 0) return box_of(s);
+    const std::size_t first = curves.first_point(node.piece, node.level) - curves.finest_count();
+    return box_of(s, extents_[first + j]);
 }
 
 }  // namespace touchline

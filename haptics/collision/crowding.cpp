@@ -3,6 +3,7 @@
 #include "haptics/collision/box.h"
 
 #include <algorithm>
+#include <array>
 
 namespace touchline {
 
@@ -15,6 +16,12 @@ Crowding::Crowding(const CollisionTree& tree, const CurveSet& curves, double rea
 
 std::vector<bool> Crowding::find_alone() {
     if (!tree_.bounds_.empty()) within_hierarchy(0);
+    for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
+        for (int level = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest - 1; level >= 0;
+             --level) {
+            along_level(piece, level);
+        }
+    }
     if (left_ == 0) alone_.assign(alone_.size(), false);
     return std::move(alone_);
 }
@@ -57,10 +64,30 @@ void Crowding::between_bounds(std::size_t a, std::size_t b) {
 void Crowding::within_roots(std::size_t a) {
     const Stretch& roots = tree_.roots_[a];
     for (int i = 0; i < roots.count; ++i) {
-        const Part part{roots.piece, roots.first + i};
-        within(part, roots.level);
         for (int j = i + 1; j < roots.count; ++j) {
-            compare(part, {roots.piece, roots.first + j}, curves_.coarsest());
+            compare({roots.piece, roots.first + i}, {roots.piece, roots.first + j},
+                    curves_.coarsest());
+        }
+    }
+}
+
+/// Nodes whose parents are neighbours but they are not: the next but one, and from an even node the
+/// one after that. All others of the piece are met through parents that meet.
+void Crowding::along_level(int piece, int level) {
+    const int count = curves_.segment_count(piece, level);
+    const bool is_closed = curves_.pieces()[static_cast<std::size_t>(piece)].is_closed;
+    std::array<Box, 4> window;  // of nodes j ... j + 3, each at its number's last two bits
+    const auto box_at = [&](int j) -> Box& { return window[static_cast<std::size_t>(j) % 4]; };
+    const auto load = [&](int j) {
+        if (j < count || is_closed) box_at(j) = tree_.node_box(curves_, {piece, level, j % count});
+    };
+    for (int j = 0; j < 3; ++j) load(j);
+    for (int j = 0; j < count; ++j) {
+        load(j + 3);
+        for (const int ahead : {2, 3}) {
+            const bool is_one = (ahead == 2 || j % 2 == 0) && (j + ahead < count || is_closed);
+            if (!is_one || !overlap(box_at(j), box_at(j + ahead), reach_m_)) continue;
+            crowd({piece, j}, {piece, (j + ahead) % count}, level);
         }
     }
 }
@@ -76,21 +103,15 @@ void Crowding::between_roots(std::size_t a, std::size_t b) {
     }
 }
 
-void Crowding::within(Part a, int level) {
-    if (level == 0) return;
-    const Parts c = children(a, level);
-    for (int i = 0; i < c.count; ++i) within(c.at[i], level - 1);
-    if (c.count == 2) between_neighbours(c.at[0], c.at[1], level - 1);
-}
-
 void Crowding::compare(Part a, Part b, int level) {
     if (are_neighbours(a, b, level)) {
-        between_neighbours(a, b, level);
+        if (a.piece != b.piece) between_neighbours(a, b, level);
     } else {
         between_strangers(a, b, level);
     }
 }
 
+/// Of two pieces that share a pin: their ends at every level.
 void Crowding::between_neighbours(Part a, Part b, int level) {
     if (level == 0) return;
     const Parts of_a = children(a, level);
@@ -105,7 +126,11 @@ void Crowding::between_strangers(Part a, Part b, int level) {
     --left_;
     const Box box_a = tree_.node_box(curves_, {a.piece, level_of(a, level), a.index});
     const Box box_b = tree_.node_box(curves_, {b.piece, level_of(b, level), b.index});
-    if (!overlap(box_a, box_b, reach_m_)) return;
+    if (overlap(box_a, box_b, reach_m_)) crowd(a, b, level);
+}
+
+/// Two strangers whose boxes meet: neither is alone, and their children may meet.
+void Crowding::crowd(Part a, Part b, int level) {
     mark(a, level);
     mark(b, level);
     if (level == 0) return;

@@ -36,11 +36,12 @@ class Crowding {
     void within_hierarchy(std::size_t bound);
     void between_bounds(std::size_t a, std::size_t b);
     void within_roots(std::size_t a);
-    void within(Part a, int level);
     void between_roots(std::size_t a, std::size_t b);
     void between_neighbours(Part a, Part b, int level);
     void between_strangers(Part a, Part b, int level);
     void compare(Part a, Part b, int level);
+    void crowd(Part a, Part b, int level);
+    void along_level(int piece, int level);
 
     [[nodiscard]] int level_of(Part a, int level) const;
     [[nodiscard]] Parts children(Part a, int level) const;

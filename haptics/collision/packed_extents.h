@@ -2,6 +2,8 @@
 // rounded outward by less than 1 %. Threads: values.
 #pragma once
 
+#include "haptics/collision/box.h"
+
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -55,5 +57,10 @@ class PackedExtents {
 
     std::array<std::uint16_t, 4> halves_{};
 };
+
+/// The box of a node: its segment's frame, what it holds beside the segment.
+[[nodiscard]] inline Box box_of(const Segment& s, const PackedExtents& e) {
+    return {s.a, frame_axis(s), e.along_low(), e.along_high(), e.across_low(), e.across_high()};
+}
 
 }  // namespace touchline

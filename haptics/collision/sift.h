@@ -20,12 +20,7 @@ struct Fan {
 
     [[nodiscard]] Box box(std::size_t k) const {
         const Segment s{points[k], points[k + 1]};
-        const Position axis = frame_axis(s);
-        if (extents == nullptr) {
-            return {s.a, axis, 0.0, axis == s.b - s.a ? 1.0 : 0.0, 0.0, 0.0};
-        }
-        const PackedExtents& e = extents[k];
-        return {s.a, axis, e.along_low(), e.along_high(), e.across_low(), e.across_high()};
+        return extents == nullptr ? box_of(s) : box_of(s, extents[k]);
     }
 };
 
