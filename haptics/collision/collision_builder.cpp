@@ -174,11 +174,10 @@ class CollisionTreeBuilder {
     }
 
     [[nodiscard]] Extent extent_of(const Stretch& stretch) const {
-        const Fan fan =
-            tree_.fan(curves_, stretch.piece, stretch.level, stretch.first, stretch.count);
         Extent extent;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(stretch.count); ++k) {
-            for (const Position c : corners_of(fan.box(k))) extent.add({c, c});
+        for (int j = stretch.first; j < stretch.first + stretch.count; ++j) {
+            const Box box = tree_.node_box(curves_, {stretch.piece, stretch.level, j});
+            for (const Position c : corners_of(box)) extent.add({c, c});
         }
         return extent;
     }

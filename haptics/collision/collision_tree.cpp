@@ -13,7 +13,7 @@ namespace {
 /// Keys are distances, rounded down.
 Sifted distances(const Fan& fan, Position p) {
     Sifted out{(1U << Fan::width) - 1U, {}, 0.0F};
-    for (std::size_t k = 0; k < Fan::width; ++k) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(fan.count); ++k) {
         const auto distance = static_cast<float>(distance_m(fan.box(k), p));
         out.key[k] = distance > 0.0F ? std::nextafterf(distance, 0.0F) : 0.0F;
     }

@@ -155,7 +155,10 @@ class CollisionTree {
     };
 
     [[nodiscard]] Box node_box(const CurveSet& curves, const Node& node) const;
-    [[nodiscard]] Fan fan(const CurveSet& curves, int piece, int level, int first, int count) const;
+    /// Room for the points of a fan that do not lie in a row.
+    using FanBuffer = std::array<Position, Fan::width + 1>;
+
+    [[nodiscard]] Fan fan(const CurveSet& curves, const Stretch& nodes, FanBuffer& buffer) const;
 
     std::vector<PackedExtents> extents_;  // of levels 1 ... L, in the order of the curves' points,
                                           // and three more, so that four may be read at any
@@ -171,19 +174,22 @@ class CollisionTree {
     friend class TreeWalk;
 };
 
-inline Fan CollisionTree::fan(const CurveSet& curves, int piece, int level, int first,
-                              int count) const {
-    const auto points = curves.points(piece, level);
-    const auto at = static_cast<std::size_t>(first);
-    Fan fan;
-    for (std::size_t k = 0; k <= Fan::width; ++k) {
-        const std::size_t i = at + std::min(k, static_cast<std::size_t>(count));
-        fan.points[k] = points[i == points.size() ? 0 : i];
+inline Fan CollisionTree::fan(const CurveSet& curves, const Stretch& nodes,
+                              FanBuffer& buffer) const {
+    const auto level = curves.points(nodes.piece, nodes.level);
+    const std::size_t first_point = curves.first_point(nodes.piece, nodes.level);
+    const auto first = static_cast<std::size_t>(nodes.first);
+    const auto count = static_cast<std::size_t>(nodes.count);
+    Fan fan{level.data() + first, nullptr, nodes.count};
+    const bool wraps = first + count == level.size();
+    if (wraps || first_point + first + Fan::width >= curves.point_count()) [[unlikely]] {
+        for (std::size_t k = 0; k <= count; ++k) {
+            buffer[k] = level[first + k == level.size() ? 0 : first + k];
+        }
+        fan.points = buffer.data();
     }
-    if (level > 0) {
-        fan.extents =
-            extents_.data() + (curves.first_point(piece, level) - curves.finest_count()) + at;
-    }
+    if (nodes.level > 0)
+        fan.extents = extents_.data() + (first_point - curves.finest_count()) + first;
     return fan;
 }
 

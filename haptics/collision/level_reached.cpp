@@ -65,8 +65,7 @@ class LevelByLevel {
     }
 
     bool add_near(const Stretch& stretch, Nodes& to) {
-        const Fan fan =
-            tree_.fan(curves_, stretch.piece, stretch.level, stretch.first, stretch.count);
+        const Fan fan = tree_.fan(curves_, stretch, buffer_);
         const unsigned near = first_.sift(fan).near;
         for (int k = 0; k < stretch.count; ++k) {
             const bool is_near = (near & (1U << k)) != 0;
@@ -120,6 +119,7 @@ class LevelByLevel {
     const Motion& motion_;
     FirstTouch first_;
     Spender spender_;
+    CollisionTree::FanBuffer buffer_{};
     std::array<Nodes, 2> lists_;
     Nodes* nodes_ = &lists_[0];
     Nodes* finer_ = &lists_[1];

@@ -61,20 +61,36 @@ Floats slab_entry(Floats start, Floats by, Floats low, Floats high) {
     return is_share ? entry : Floats{};
 }
 
+using Pair = double __attribute__((vector_size(16)));
+using SmallPair = float __attribute__((vector_size(8)));
+
+Pair pair(Position p) {
+    return Pair{p.x, p.y};
+}
+
 struct Points {
     Floats x, y;
 };
 
-/// Differences in double precision, then rounded.
-template <class Difference>
-Points rounded(const Difference& difference) {
-    Points out{};
-    for (std::size_t k = 0; k < Fan::width; ++k) {
-        const Position d = difference(k);
-        out.x[k] = static_cast<float>(d.x);
-        out.y[k] = static_cast<float>(d.y);
-    }
-    return out;
+/// Rounds four differences of points and turns them on their side.
+Points rounded(Pair a, Pair b, Pair c, Pair d) {
+    const SmallPair fa = __builtin_convertvector(a, SmallPair);
+    const SmallPair fb = __builtin_convertvector(b, SmallPair);
+    const SmallPair fc = __builtin_convertvector(c, SmallPair);
+    const SmallPair fd = __builtin_convertvector(d, SmallPair);
+    return {Floats{fa[0], fb[0], fc[0], fd[0]}, Floats{fa[1], fb[1], fc[1], fd[1]}};
+}
+
+/// The bits set in any lane.
+unsigned gathered(Masks bits) {
+    const Masks halves = bits | __builtin_shufflevector(bits, bits, 2, 3, 0, 1);
+    const Masks whole = halves | __builtin_shufflevector(halves, halves, 1, 0, 3, 2);
+    return static_cast<unsigned>(whole[0]);
+}
+
+float least(Floats a) {
+    const Floats halves = smaller(a, __builtin_shufflevector(a, a, 2, 3, 0, 1));
+    return smaller(halves, __builtin_shufflevector(halves, halves, 1, 0, 3, 2))[0];
 }
 
 }  // namespace
@@ -83,8 +99,14 @@ Sifted sift(const Fan& fan, const Way& way) {
     static_assert(sizeof(PackedExtents) == 8);
     constexpr Extents segments{{0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}};
     const Extents e = fan.extents != nullptr ? unpacked(fan.extents) : segments;
-    const Points axis = rounded([&](std::size_t k) { return fan.points[k + 1] - fan.points[k]; });
-    const Points w = rounded([&](std::size_t k) { return way.from - fan.points[k]; });
+    const Pair from = pair(way.from);
+    const Pair p0 = pair(fan.points[0]);
+    const Pair p1 = pair(fan.points[1]);
+    const Pair p2 = pair(fan.points[2]);
+    const Pair p3 = pair(fan.points[3]);
+    const Pair p4 = pair(fan.points[4]);
+    const Points axis = rounded(p1 - p0, p2 - p1, p3 - p2, p4 - p3);
+    const Points w = rounded(from - p0, from - p1, from - p2, from - p3);
     const auto by_x = static_cast<float>(way.by.x);
     const auto by_y = static_cast<float>(way.by.y);
     const auto reach = static_cast<float>(way.reach_m * (1.0 + 1e-6));
@@ -114,13 +136,12 @@ Sifted sift(const Fan& fan, const Way& way) {
     const Floats along = slab_entry(s, ds, s_low, s_high);
     const Floats across = slab_entry(n, dn, n_low, n_high);
     const Floats entry = is_known ? larger(along, across) : Floats{};
-    const Masks is_far = is_beside | is_passed;
-    Sifted out{0, {}, std::numeric_limits<float>::infinity()};
+    const Masks counted = Masks{0, 1, 2, 3} < fan.count;
+    const Masks near = ~(is_beside | is_passed) & counted & Masks{1, 2, 4, 8};
+    Sifted out;
+    out.near = gathered(near);
+    out.gap2_m2 = least(counted ? gap2 : none);
     std::memcpy(out.key.data(), &entry, sizeof entry);
-    for (int k = 0; k < Fan::width; ++k) {
-        out.near |= is_far[k] == 0 ? 1U << k : 0U;
-        out.gap2_m2 = gap2[k] < out.gap2_m2 ? gap2[k] : out.gap2_m2;
-    }
     return out;
 }
 

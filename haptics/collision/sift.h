@@ -15,8 +15,9 @@ namespace touchline {
 struct Fan {
     static constexpr int width = 4;
 
-    std::array<Position, width + 1> points;  // beyond the last node its end, repeated
-    const PackedExtents* extents = nullptr;  // of four nodes; null: the segments themselves
+    const Position* points = nullptr;        // width + 1 may be read
+    const PackedExtents* extents = nullptr;  // of width nodes; null: the segments themselves
+    int count = 0;                           // nodes, 1 ... width: what is read beyond is ignored
 
     [[nodiscard]] Box box(std::size_t k) const {
         const Segment s{points[k], points[k + 1]};

@@ -173,7 +173,7 @@ class TreeWalk {
     /// Looks at `count` neighbouring nodes.
     void open_fan(int level, int first, int count, double parent_key) {
         const bool are_leaves = level == leaf_level_ && !is_blend_ && !Visitor::asks_leaf_boxes;
-        const auto fan = tree_.fan(curves_, piece_, level, first, count);
+        const Fan fan = tree_.fan(curves_, {piece_, level, first, count}, buffer_);
         const Sifted found = visitor_.sift(fan);
         for (int k = 0; k < count; ++k) {
             if ((found.near & (1U << k)) == 0) continue;
@@ -223,6 +223,7 @@ class TreeWalk {
     std::size_t first_of_fan_ = 0;
     std::array<std::int32_t, 8> met_{-1, -1, -1, -1, -1, -1, -1, -1};
     std::size_t next_met_ = 0;
+    CollisionTree::FanBuffer buffer_{};
     std::array<Entry, capacity> stack_;
 };
 
