@@ -89,30 +89,29 @@ class CurveRows {
     }
 
     void write_grid() {
-        const double cells_per_edge = best_cells_per_edge();
+        const double edges_per_cell = best_edges_per_cell();
         const auto [grid, cost] =
-            measured_build(edges_, [&] { return Grid(points_, cells_per_edge); });
+            measured_build(edges_, [&] { return Grid(points_, edges_per_cell); });
         write_proxy("uniform grid", *grid, cost);
         write_crossing("uniform grid", *grid, cost);
     }
 
     /// Of four cell sizes the fastest in a short run before the run.
-    [[nodiscard]] double best_cells_per_edge() const {
-        constexpr double most_cells = 3.2e7;
-        constexpr std::size_t trial_steps = 5000;
+    [[nodiscard]] double best_edges_per_cell() const {
+        constexpr std::size_t trial_steps = 20000;
         Hand trial = judged_hand_;
         trial.positions = trial.positions.first(std::min(trial_steps, positions_.size()));
+        RunLimits limits = limits_;
+        limits.passes = 2;
         double best = 1.0;
         auto least = std::numeric_limits<std::uint64_t>::max();
-        for (const double wanted : {1.0, 4.0, 16.0, 64.0}) {
-            const double cells_per_edge =
-                std::min(wanted, most_cells / static_cast<double>(edges_));
-            const Grid grid(points_, cells_per_edge);
+        for (const double edges_per_cell : {1.0, 2.0, 4.0, 8.0}) {
+            const Grid grid(points_, edges_per_cell);
             PlaneProxy proxy(grid, points_);
-            const HandRun tried = run(proxy, trial, limits_);
+            const HandRun tried = run(proxy, trial, limits);
             const auto spent = std::accumulate(tried.least_ticks.begin(), tried.least_ticks.end(),
                                                std::uint64_t{0});
-            if (spent < least) best = cells_per_edge;
+            if (spent < least) best = edges_per_cell;
             least = std::min(least, spent);
         }
         return best;

@@ -37,11 +37,14 @@ struct Nearest {
     const Position along = segment.b - segment.a;
     const Position offset = segment.a - from;
     const double area = cross(way, along);
-    if (area == 0.0) return std::nullopt;
-    const double on_segment = cross(offset, way) / area;
-    const double share = cross(offset, along) / area;
-    const bool is_met = on_segment >= 0.0 && on_segment <= 1.0 && share >= 0.0 && share <= 1.0;
-    return is_met ? std::optional(share) : std::nullopt;
+    const double sign = area < 0.0 ? -1.0 : 1.0;
+    const double whole = sign * area;
+    const double on_segment = sign * cross(offset, way);
+    const double on_motion = sign * cross(offset, along);
+    // No division where they do not meet, which is nearly always.
+    const bool is_met = on_segment >= 0.0 && on_segment <= whole && on_motion >= 0.0 &&
+                        on_motion <= whole && whole > 0.0;
+    return is_met ? std::optional(on_motion / whole) : std::nullopt;
 }
 
 /// Keeps the earlier of `first` and the motion's crossing with an edge.

@@ -9,7 +9,7 @@ namespace touchline::bench {
 namespace {
 
 constexpr std::int64_t deadline_ns = 10000;
-constexpr std::size_t flushed_steps = 300;
+constexpr std::size_t steps_per_flush = 333;  // flushing is slow
 constexpr std::size_t start_before = 20;  // steps of 1 ms between a cold start's hand and its step
 
 /// Writes to more memory than the caches hold, so that nothing else is left in them.
@@ -29,16 +29,13 @@ struct Kept {
     std::size_t cut = 0;  // steps that the budget ended
 };
 
-/// The hand of every start_before-th step in turn, each reached in one step from a proxy reset at
-/// the hand 20 ms earlier (outside the curve as a rule: it may press at once), caches flushed;
-/// least time of three.
+/// Steps spread over the hand, each from a proxy that was reset at the hand 20 ms earlier, with
+/// flushed caches; the least time of three.
 Kept cold_starts(const Scene& scene, std::span<const Position> hand, CacheFlush& flush) {
     FixedLevel renderer(scene, {0.0, std::numeric_limits<int>::max(), deadline_ns});
     Kept kept;
-    const std::size_t stride = (hand.size() - start_before) / flushed_steps;
-    for (std::size_t k = 0; k < flushed_steps; ++k) {
+    for (std::size_t i = start_before; i < hand.size(); i += steps_per_flush) {
         auto least = std::numeric_limits<std::uint64_t>::max();
-        const std::size_t i = k * stride + start_before;
         for (int repeat = 0; repeat < 3; ++repeat) {
             renderer.start(hand[i - start_before]);
             flush();

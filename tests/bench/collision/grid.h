@@ -1,4 +1,5 @@
 // A uniform grid over the edges of a closed curve: the plain structure that a better one must beat.
+// Only the blocks of cells that the curve passes are stored; a walk crosses an empty one at once.
 // Threads: immutable once built; any thread may query.
 #pragma once
 
@@ -11,12 +12,12 @@ namespace touchline::bench {
 
 class Grid {
   public:
-    /// Square cells, about `cells_per_edge` times as many as edges. O(N + cells). `curve` must
-    /// outlive it.
-    Grid(ClosedCurve curve, double cells_per_edge);
+    /// Square cells, `edges_per_cell` mean edges wide, or what 2048 by 2048 blocks of 16 by 16
+    /// cells allow. O(N + blocks). `curve` must outlive it.
+    Grid(ClosedCurve curve, double edges_per_cell);
 
-    /// Walks the cells that the motion passes, in order (Amanatides and Woo, 1987), and stops after
-    /// the first that holds a crossing.
+    /// Walks the cells that the motion passes, in order (after Amanatides and Woo, 1987), and stops
+    /// after the first that holds a crossing.
     [[nodiscard]] std::optional<Crossing> first_crossing(Position from, Position to) const;
 
     [[nodiscard]] double cell_m() const { return cell_m_; }
@@ -26,8 +27,13 @@ class Grid {
         int x, y;
     };
 
+    static constexpr int block = 16;  // cells, each way
+    static constexpr std::uint32_t empty = 0xFFFFFFFF;
+
     [[nodiscard]] Cell cell_of(Position p) const;
-    [[nodiscard]] std::size_t index_of(Cell cell) const;
+    [[nodiscard]] std::size_t block_index(Cell cell) const;
+    [[nodiscard]] std::uint32_t block_at(Cell cell) const;
+    [[nodiscard]] static std::size_t place_in_block(Cell cell);
     template <class Visitor>
     void for_cells_of(const Segment& edge, const Visitor& visit) const;
     void fill();
@@ -36,8 +42,9 @@ class Grid {
     double cell_m_ = 1.0;
     double cells_per_m_ = 1.0;
     Position low_;
-    int columns_ = 1, rows_ = 1;
-    std::vector<std::uint32_t> first_;  // per cell, in edges_; one more at the end
+    int columns_ = 1, rows_ = 1;         // of blocks
+    std::vector<std::uint32_t> blocks_;  // which of the stored ones; `empty` where there is none
+    std::vector<std::uint32_t> first_;   // per cell of a stored block, in edges_; one more at last
     std::vector<std::uint32_t> edges_;
 };
 

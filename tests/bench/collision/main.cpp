@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     part("scenes", "1 to 10 000 outlines", run_scenes);
     part("growth", "building against size", run_growth);
     part("deadline", "budgets of time and boxes", run_deadline);
-    part("speed-accuracy", "levels and budgets against force and place", run_speed_accuracy);
+    part("accuracy", "levels and budgets against force and place", run_speed_accuracy);
     app.require_subcommand(1);
     CLI11_PARSE(app, argc, argv);
     return 0;

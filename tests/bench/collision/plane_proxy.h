@@ -6,6 +6,8 @@
 
 #include "tests/bench/collision/crossing.h"
 
+#include <cmath>
+
 namespace touchline::bench {
 
 /// Structure: first_crossing(from, to) as in crossing.h.
@@ -25,7 +27,7 @@ class PlaneProxy {
         Position goal = hand;
         for (int cast = 0; cast < casts; ++cast) {
             const Position way = goal - proxy_;
-            const double length_m = norm(way);
+            const double length_m = std::sqrt(dot(way, way));
             if (length_m < least_motion_m) break;
             const auto crossing = structure_.first_crossing(proxy_, goal);
             if (!crossing) {

@@ -1,10 +1,11 @@
 #include "tests/bench/collision/rtree.h"
 
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <utility>
 #include <vector>
 
+#include <boost/function_output_iterator.hpp>
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
@@ -13,20 +14,21 @@ namespace {
 
 namespace bg = boost::geometry;
 using Point = bg::model::point<double, 2, bg::cs::cartesian>;
-using Box = bg::model::box<Point>;
 using Line = bg::model::segment<Point>;
-using Value = std::pair<Box, std::uint32_t>;
+using Value = std::pair<Line, std::uint32_t>;
 
-std::vector<Value> boxes_of(ClosedCurve curve) {
-    std::vector<Value> boxes;
-    boxes.reserve(curve.size());
+Line line_of(Position a, Position b) {
+    return {{a.x, a.y}, {b.x, b.y}};
+}
+
+std::vector<Value> lines_of(ClosedCurve curve) {
+    std::vector<Value> lines;
+    lines.reserve(curve.size());
     for (std::uint32_t i = 0; i < curve.size(); ++i) {
-        const Segment e = edge_of(curve, i);
-        boxes.emplace_back(Box{{std::min(e.a.x, e.b.x), std::min(e.a.y, e.b.y)},
-                               {std::max(e.a.x, e.b.x), std::max(e.a.y, e.b.y)}},
-                           i);
+        const Segment edge = edge_of(curve, i);
+        lines.emplace_back(line_of(edge.a, edge.b), i);
     }
-    return boxes;
+    return lines;
 }
 
 }  // namespace
@@ -36,32 +38,27 @@ struct RTree::Index {
 };
 
 RTree::RTree(ClosedCurve curve)
-    : curve_(curve),
-      index_(std::make_unique<Index>(Index{decltype(Index::tree)(boxes_of(curve))})) {}
+    : curve_(curve), index_(new Index{decltype(Index::tree)(lines_of(curve))}) {}
 
 RTree::RTree(RTree&&) noexcept = default;
 RTree::~RTree() = default;
 
 std::optional<Crossing> RTree::first_crossing(Position from, Position to) const {
     std::optional<Crossing> first;
-    const Line motion{{from.x, from.y}, {to.x, to.y}};
-    const auto query = bg::index::intersects(motion);
-    for (auto it = index_->tree.qbegin(query); it != index_->tree.qend(); ++it) {
-        keep_first(first, from, to - from, curve_, it->second);
-    }
+    const auto keep = [&](const Value& value) {
+        keep_first(first, from, to - from, curve_, value.second);
+    };
+    index_->tree.query(bg::index::intersects(line_of(from, to)),
+                       boost::make_function_output_iterator(keep));
     return first;
 }
 
 Nearest RTree::nearest(Position p) const {
-    SquaredFoot best{p, std::numeric_limits<double>::infinity()};
-    const Point at{p.x, p.y};
-    const auto query = bg::index::nearest(at, static_cast<unsigned>(curve_.size()));
-    for (auto it = index_->tree.qbegin(query); it != index_->tree.qend(); ++it) {
-        if (bg::comparable_distance(at, it->first) >= best.squared_m2) break;
-        const SquaredFoot found = squared_foot(p, edge_of(curve_, it->second));
-        if (found.squared_m2 < best.squared_m2) best = found;
-    }
-    return {best.point, std::sqrt(best.squared_m2)};
+    std::vector<Value> found;
+    found.reserve(1);
+    index_->tree.query(bg::index::nearest(Point(p.x, p.y), 1), std::back_inserter(found));
+    const SquaredFoot foot = squared_foot(p, edge_of(curve_, found.front().second));
+    return {foot.point, std::sqrt(foot.squared_m2)};
 }
 
 }  // namespace touchline::bench

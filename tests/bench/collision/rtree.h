@@ -1,4 +1,4 @@
-// Boost.Geometry's R-tree over the boxes of the edges.
+// Boost.Geometry's R-tree over the edges.
 // Threads: immutable once built; any thread may query.
 #pragma once
 
@@ -18,11 +18,9 @@ class RTree {
     RTree& operator=(const RTree&) = delete;
     ~RTree();
 
-    /// Looks at every edge whose box meets the motion: the library has no ordered walk along a
-    /// segment.
+    /// Looks at every edge that the library finds on the motion: it has no ordered walk along one.
     [[nodiscard]] std::optional<Crossing> first_crossing(Position from, Position to) const;
 
-    /// Boxes by rising distance, until one is further than the nearest edge found.
     [[nodiscard]] Nearest nearest(Position p) const;
 
   private:

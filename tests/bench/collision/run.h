@@ -27,7 +27,7 @@ struct Hand {
 
 struct RunLimits {
     int passes = 3;
-    double first_pass_s = 20.0;  // a first pass that takes longer stops early
+    double first_pass_s = 6.0;  // a first pass that takes longer stops early
 };
 
 struct HandRun {

@@ -44,16 +44,16 @@ TEST_P(GridOnCurves, FirstCrossingsAreThoseOfBruteForce) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(CellsPerEdge, GridOnCurves, testing::Values(0.01, 1.0, 4.0, 16.0, 64.0),
+INSTANTIATE_TEST_SUITE_P(EdgesPerCell, GridOnCurves, testing::Values(0.25, 1.0, 4.0, 16.0, 200.0),
                          [](const auto& test) {
                              return "Times100Is" +
                                     std::to_string(static_cast<int>(100.0 * test.param));
                          });
 
 TEST(Grid, FindsCrossingsAtCornersOfCellsAndMotionsAlongBorders) {
-    // The cells are 1 m wide, so that borders run through the corners of the square.
+    // Cells of 1 m, so that borders run through the corners of the square.
     const std::vector<Position> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-    const Grid grid(square, 1.0);
+    const Grid grid(square, 0.5);
     ASSERT_DOUBLE_EQ(grid.cell_m(), 1.0);
     const BruteForce brute(square);
     for (const double x : {-1.0, 0.0, 1.0, 2.0}) {
