@@ -15,7 +15,7 @@ set format x2 "%g"
 set xtics nomirror
 set x2tics
 set grid xtics ytics lc rgb "#dddddd"
-set key top right
+set key bottom left reverse Left
 rows(series, curve) = sprintf("< awk -F, '$1 == \"%s\" && $3 == \"%s\"' %s", series, curve, csv)
 set multiplot layout 2,2
 do for [kind in "RMS largest"] {

@@ -8,7 +8,7 @@ FNR > 2 && field("group") != "step" && field("curve") == curve {
     median[name, edges] = field("median_ns")
     cell[name, edges] = short(field("median_ns")) " / " short(field("p99_ns")) " / " short(field("max_ns")) \
         (field("stopped") == "yes" ? " [" field("steps") "]" : "")
-    build[name] = short(field("build_ms") * 1e6) ", " sprintf("%.0f", field("bytes_per_edge"))
+    build[name] = sprintf("%.1f ms, %.0f", field("build_ms"), field("bytes_per_edge"))
 }
 
 # All crossings, then all nearest points.
@@ -19,7 +19,7 @@ END {
             header = header " " n " edges |"
             listed[++columns] = n
         }
-    print header " build there (ns), bytes an edge |"
+    print header " build there, bytes an edge |"
     print rule(columns + 1)
     for (pass = 1; pass <= 2; pass++)
         for (i = 1; i <= count; i++) {

@@ -7,10 +7,11 @@ set datafile missing ""
 set logscale xy
 set xlabel "edges"
 set xtics ("512" 512, "4096" 4096, "65536" 65536, "1 048 576" 1048576)
-set xrange [400:1500000]
-set yrange [100:1e8]
+set xrange [400:2000000]
+set yrange [100:1e10]
 set format y "10^{%L}"
 set grid xtics ytics lc rgb "#dddddd"
+set linetype 5 lc rgb "#8c6d00"
 set key top left reverse Left samplen 2
 names = "Touchline level auto|Touchline level 0|plain proxy over uniform grid|plain proxy over AABB tree (CGAL)|plain proxy over R-tree (Boost.Geometry)|plain proxy over brute force|Box2D 2.4 whole step (0.5 mm disc)"
 name(i) = system(sprintf("echo '%s' | cut -d'|' -f%d", names, i))
