@@ -49,8 +49,9 @@ class CurveRows {
 
   private:
     void write_touchline() {
-        const auto [scene, cost] = measured_build(
-            edges_, [&] { return build_scene(workload::map_of(points_), {}, 0.0).value(); });
+        const TactileMap map = workload::map_of(points_);
+        const auto [scene, cost] =
+            measured_build(edges_, [&] { return build_scene(map, {}, 0.0).value(); });
         FixedLevel exact(*scene, {});
         const HandRun exact_run = run(exact, judged_hand_, limits_);
         write_own("Touchline level 0", *scene, cost, exact_run, exact_run,

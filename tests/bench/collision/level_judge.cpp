@@ -10,7 +10,7 @@ namespace touchline::bench {
 namespace {
 
 constexpr double edges_per_cell = 4.0;
-constexpr double smallest_cell_m = 2e-5;  // a tenth of a fast step
+constexpr double smallest_cell_m = 1e-5;  // a thirtieth of a fast step
 constexpr double largest_cell_m = 5e-4;
 
 struct Extent {

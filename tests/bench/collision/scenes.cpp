@@ -34,8 +34,9 @@ void run_scenes(const BenchOptions& options) {
                 "row,outlines,edges,steps,median_ns,p99_ns,max_ns,raw_p99_ns,build_ms,"
                 "bytes_per_edge,let_through,contact_share");
     for (const std::size_t outlines : {1U, 10U, 100U, 1000U, 10000U}) {
-        const auto [scene, cost] = measured_build(
-            edges, [&] { return build_scene(tiled_spiral(edges, outlines), {}, 0.0).value(); });
+        const TactileMap map = tiled_spiral(edges, outlines);
+        const auto [scene, cost] =
+            measured_build(edges, [&] { return build_scene(map, {}, 0.0).value(); });
         write_row("Touchline level auto", outlines, *scene, cost, AutoLevel(*scene), options, csv);
         write_row("Touchline level 0", outlines, *scene, cost, FixedLevel(*scene, {}), options,
                   csv);
