@@ -5,7 +5,7 @@ FNR > 2 {
     p99[key] = field("p99_ns")
     rms[key] = field("force_error_rms_N")
     place[key] = field("place_error_rms_mm")
-    spacing[key] = field("spacing_mm")
+    slips[key] = field("slip_offs")
     if (field("series") == "level" && field("value") + 0 > coarsest[field("curve")] + 0) coarsest[field("curve")] = field("value") + 0
     edges = field("edges")
 }
@@ -21,7 +21,8 @@ function sentences(curve,    level, last, fastest, k, exact) {
     if (k > 512) printf "No budget tried, up to 512 boxes, keeps the force within 0.01 N. "
     else printf "A budget of %d boxes keeps the force within 0.01 N and the step below %s ns (p99). ", k, short(p99["budget " k " " curve])
     k = 4
-    printf "One of %d boxes gives %s ns and is\noff by %.2f N: the proxy waits and slips off.\n", k, short(p99["budget " k " " curve]), rms["budget " k " " curve]
+    printf "One of %d boxes gives %s ns and is\noff by %.2f N; the hand slips off %d times, %d times without a budget.\n", k, short(p99["budget " k " " curve]), \
+        rms["budget " k " " curve], slips["budget " k " " curve], slips[exact]
 }
 
 END {
