@@ -5,10 +5,13 @@
 #include <chrono>
 
 #include <malloc.h>
+#ifdef __x86_64__
 #include <x86intrin.h>
+#endif
 
 namespace touchline::bench {
 
+#ifdef __x86_64__
 std::uint64_t ticks() {
     unsigned processor = 0;
     _mm_lfence();
@@ -16,6 +19,11 @@ std::uint64_t ticks() {
     _mm_lfence();
     return now;
 }
+#else
+std::uint64_t ticks() {
+    return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+}
+#endif
 
 double now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())

@@ -8,7 +8,7 @@
 namespace touchline::bench {
 
 /// The time-stamp counter, with every earlier load done and no later one begun (lfence, rdtscp,
-/// lfence).
+/// lfence); on other processors than x86-64 the steady clock.
 [[nodiscard]] std::uint64_t ticks();
 
 /// Nanoseconds of one tick, calibrated against the steady clock over 0.2 s at the first call.
