@@ -47,7 +47,7 @@ class FirstCrossing {
     void intersection(const Line& /*motion*/, const Primitive& primitive) {
         const auto edge = static_cast<std::uint32_t>(primitive.id() - first_line_);
         const auto before = first_;
-        keep_first(first_, from_, way_, curve_, edge);
+        keep_first(first_, from_, way_, edge_of(curve_, edge), edge);
         const bool is_earlier = first_ && (!before || first_->share < before->share);
         if (is_earlier) left_ = Line(left_.source(), in_space(from_ + first_->share * way_));
     }

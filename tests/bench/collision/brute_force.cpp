@@ -8,7 +8,7 @@ namespace touchline::bench {
 std::optional<Crossing> BruteForce::first_crossing(Position from, Position to) const {
     std::optional<Crossing> first;
     for (std::uint32_t edge = 0; edge < curve_.size(); ++edge) {
-        keep_first(first, from, to - from, curve_, edge);
+        keep_first(first, from, to - from, edge_of(curve_, edge), edge);
     }
     return first;
 }

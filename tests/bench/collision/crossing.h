@@ -49,8 +49,8 @@ struct Nearest {
 
 /// Keeps the earlier of `first` and the motion's crossing with an edge.
 inline void keep_first(std::optional<Crossing>& first, Position from, Position way,
-                       ClosedCurve curve, std::uint32_t edge) {
-    const auto share = crossing_share(from, way, edge_of(curve, edge));
+                       const Segment& segment, std::uint32_t edge) {
+    const auto share = crossing_share(from, way, segment);
     if (share && (!first || *share < first->share)) first = Crossing{*share, edge};
 }
 

@@ -124,9 +124,11 @@ void Grid::fill() {
     };
     for_all([&](Cell cell, std::uint32_t /*edge*/) { ++first_[index_of(cell) + 1]; });
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    edges_.resize(first_.back());
+    entries_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for_all([&](Cell cell, std::uint32_t edge) { edges_[next[index_of(cell)]++] = edge; });
+    for_all([&](Cell cell, std::uint32_t edge) {
+        entries_[next[index_of(cell)]++] = {edge_of(curve_, edge), edge};
+    });
 }
 
 std::optional<Crossing> Grid::first_crossing(Position from, Position to) const {
@@ -161,7 +163,7 @@ std::optional<Crossing> Grid::first_crossing(Position from, Position to) const {
         for (bool is_in_block = true; is_in_block;) {
             const std::uint32_t* const at = block_first + place_in_block(cell);
             for (std::uint32_t k = at[0]; k < at[1]; ++k) {
-                keep_first(first, from, way, curve_, edges_[k]);
+                keep_first(first, from, way, entries_[k].segment, entries_[k].edge);
             }
             const double leaves = std::min(leaves_x, leaves_y);
             if (!(leaves <= 1.0) || (first && first->share <= leaves)) return first;

@@ -27,6 +27,12 @@ class Grid {
         int x, y;
     };
 
+    /// An edge in a cell, with its place: one look at memory for one edge.
+    struct Entry {
+        Segment segment;
+        std::uint32_t edge;
+    };
+
     static constexpr int block = 16;  // cells, each way
     static constexpr std::uint32_t empty = 0xFFFFFFFF;
 
@@ -44,8 +50,8 @@ class Grid {
     Position low_;
     int columns_ = 1, rows_ = 1;         // of blocks
     std::vector<std::uint32_t> blocks_;  // which of the stored ones; `empty` where there is none
-    std::vector<std::uint32_t> first_;   // per cell of a stored block, in edges_; one more at last
-    std::vector<std::uint32_t> edges_;
+    std::vector<std::uint32_t> first_;  // per cell of a stored block, in entries_; one more at last
+    std::vector<Entry> entries_;
 };
 
 }  // namespace touchline::bench

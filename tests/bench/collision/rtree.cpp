@@ -46,7 +46,7 @@ RTree::~RTree() = default;
 std::optional<Crossing> RTree::first_crossing(Position from, Position to) const {
     std::optional<Crossing> first;
     const auto keep = [&](const Value& value) {
-        keep_first(first, from, to - from, curve_, value.second);
+        keep_first(first, from, to - from, edge_of(curve_, value.second), value.second);
     };
     index_->tree.query(bg::index::intersects(line_of(from, to)),
                        boost::make_function_output_iterator(keep));
