@@ -3,7 +3,6 @@
 #include "tests/bench/collision/touchline_rows.h"
 
 #include <limits>
-#include <numeric>
 
 namespace touchline::bench {
 namespace {

@@ -12,11 +12,6 @@ constexpr double border_m = 1e-12;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_blocks = 2048.0;  // each way
 
-int floor_of(double v) {
-    const int truncated = static_cast<int>(v);
-    return truncated - (v < truncated ? 1 : 0);
-}
-
 /// The walk of a motion along one axis.
 struct Axis {
     double from, low, cell_m;
@@ -59,25 +54,6 @@ Grid::Grid(ClosedCurve curve, double edges_per_cell) : curve_(curve) {
     columns_ = last.x / block + 1;
     rows_ = last.y / block + 1;
     fill();
-}
-
-Grid::Cell Grid::cell_of(Position p) const {
-    return {floor_of((p.x - low_.x) * cells_per_m_), floor_of((p.y - low_.y) * cells_per_m_)};
-}
-
-std::size_t Grid::block_index(Cell cell) const {
-    return static_cast<std::size_t>(cell.y / block) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(cell.x / block);
-}
-
-std::uint32_t Grid::block_at(Cell cell) const {
-    const bool is_inside =
-        cell.x >= 0 && cell.y >= 0 && cell.x < columns_ * block && cell.y < rows_ * block;
-    return is_inside ? blocks_[block_index(cell)] : empty;
-}
-
-std::size_t Grid::place_in_block(Cell cell) {
-    return static_cast<std::size_t>(cell.y % block * block + cell.x % block);
 }
 
 /// Calls visit(cell) for the cells that the edge passes: in each row of cells, those between the

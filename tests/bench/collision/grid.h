@@ -36,10 +36,33 @@ class Grid {
     static constexpr int block = 16;  // cells, each way
     static constexpr std::uint32_t empty = 0xFFFFFFFF;
 
-    [[nodiscard]] Cell cell_of(Position p) const;
-    [[nodiscard]] std::size_t block_index(Cell cell) const;
-    [[nodiscard]] std::uint32_t block_at(Cell cell) const;
-    [[nodiscard]] static std::size_t place_in_block(Cell cell);
+    // Here, so that the compiler may inline them in position-independent code.
+
+    [[nodiscard]] static int floor_of(double v) {
+        const int truncated = static_cast<int>(v);
+        return truncated - (v < truncated ? 1 : 0);
+    }
+
+    [[nodiscard]] Cell cell_of(Position p) const {
+        return {floor_of((p.x - low_.x) * cells_per_m_), floor_of((p.y - low_.y) * cells_per_m_)};
+    }
+
+    [[nodiscard]] std::size_t block_index(Cell cell) const {
+        return static_cast<std::size_t>(cell.y / block) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(cell.x / block);
+    }
+
+    /// Which of the stored blocks holds the cell; `empty` where none does.
+    [[nodiscard]] std::uint32_t block_at(Cell cell) const {
+        const bool is_inside =
+            cell.x >= 0 && cell.y >= 0 && cell.x < columns_ * block && cell.y < rows_ * block;
+        return is_inside ? blocks_[block_index(cell)] : empty;
+    }
+
+    [[nodiscard]] static std::size_t place_in_block(Cell cell) {
+        return static_cast<std::size_t>((cell.y & (block - 1)) * block + (cell.x & (block - 1)));
+    }
+
     template <class Visitor>
     void for_cells_of(const Segment& edge, const Visitor& visit) const;
     void fill();
