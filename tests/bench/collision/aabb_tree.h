@@ -1,0 +1,34 @@
+// CGAL's tree of axis-aligned boxes over the edges, as segments of space with z = 0: this version
+// has no plane one. Threads: immutable once built; any thread may query.
+#pragma once
+
+#include "tests/bench/collision/crossing.h"
+
+#include <memory>
+
+namespace touchline::bench {
+
+class AabbTree {
+  public:
+    /// Also builds the search structure that the library wants for nearest points. O(N log N).
+    /// `curve` must outlive it.
+    explicit AabbTree(ClosedCurve curve);
+    AabbTree(AabbTree&&) noexcept;
+    AabbTree(const AabbTree&) = delete;
+    AabbTree& operator=(AabbTree&&) = delete;
+    AabbTree& operator=(const AabbTree&) = delete;
+    ~AabbTree();
+
+    /// The library's traversal and box test; the motion is cut at every crossing found, so that
+    /// boxes behind it are left out.
+    [[nodiscard]] std::optional<Crossing> first_crossing(Position from, Position to) const;
+
+    [[nodiscard]] Nearest nearest(Position p) const;
+
+  private:
+    struct Index;
+    ClosedCurve curve_;
+    std::unique_ptr<Index> index_;
+};
+
+}  // namespace touchline::bench

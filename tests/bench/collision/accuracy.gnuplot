@@ -1,0 +1,34 @@
+# Time of a step against error: levels and budgets. Set csv and svg with gnuplot -e.
+set terminal svg size 1200,900 font "DejaVu Sans,13" background "white"
+set output svg
+set datafile separator ","
+set logscale xy
+set logscale x2
+least = 1e-3
+at_least(v) = v > least ? v : least
+set xrange [least * 0.6:100]
+set x2range [least * 1.2:200]
+set yrange [100:1e6]
+set format y "10^{%L}"
+set format x "%g"
+set format x2 "%g"
+set xtics nomirror
+set x2tics
+set grid xtics ytics lc rgb "#dddddd"
+set key bottom left reverse Left
+rows(series, curve) = sprintf("< awk -F, '$1 == \"%s\" && $3 == \"%s\"' %s", series, curve, csv)
+set multiplot layout 2,2
+do for [kind in "RMS largest"] {
+    force = kind eq "RMS" ? 11 : 12
+    do for [curve in "radial fractal"] {
+        set title curve." curve, ".kind." error" offset 0,0.5
+        set xlabel "force error against level 0, newtons (0.001: that or less)"
+        set x2label "place error of the proxy, millimetres"
+        set ylabel "99th percentile of a step, ns"
+        plot rows("level", curve) using (at_least(column(force))):8 with linespoints pt 7 ps 0.7 lw 2 title "fixed level 0, 1, 2 ...", \
+             rows("level", curve) using (at_least(column(force))):8:2 with labels offset 0.8,0.6 font ",10" notitle, \
+             rows("budget", curve) using (at_least(column(force))):8 with linespoints pt 5 ps 0.7 lw 2 title "level 0, budget of 1, 2, 4 ... boxes", \
+             rows("budget", curve) using (at_least(column(force))):8:2 with labels offset 0.8,-0.6 font ",10" notitle
+    }
+}
+unset multiplot

@@ -1,0 +1,21 @@
+# Building against size.
+
+FNR > 2 {
+    edges = field("edges")
+    remember(edges)
+    cell[field("curve"), edges] = sprintf("%.1f + %.1f | %.1f", field("curves_ms"), field("tree_ms"), field("scene_bytes_per_edge"))
+    if (field("curve") == "radial") {
+        per_million = field("scene_s_per_million_edges")
+        bytes = field("scene_bytes_per_edge")
+    }
+}
+
+END {
+    print "| edges | radial: curves + tree (ms) | bytes an edge | fractal: curves + tree (ms) | bytes an edge |"
+    print rule(4)
+    for (i = 1; i <= count; ++i)
+        if (i % 2 == 1 || i == count)
+            print "| " order[i] " | " cell["radial", order[i]] " | " cell["fractal", order[i]] " |"
+    printf "\nIn words: the largest radial curve is built at %.2f s a million edges (aim: 0.25) and holds %.0f bytes an edge (aim: 48).\n", \
+        per_million, bytes
+}

@@ -1,0 +1,26 @@
+// Whether a point lies inside a closed curve, by the even-odd rule: judges proxies that report no
+// way, only places. Threads: immutable once built; any thread may ask.
+#pragma once
+
+#include "tests/bench/collision/crossing.h"
+
+#include <vector>
+
+namespace touchline::bench {
+
+class Inside {
+  public:
+    /// Sorts the edges into horizontal bands. O(N + bands crossed). `curve` must outlive it.
+    explicit Inside(ClosedCurve curve);
+
+    [[nodiscard]] bool operator()(Position p) const;
+
+  private:
+    [[nodiscard]] std::size_t band_of(double y) const;
+
+    ClosedCurve curve_;
+    double low_ = 0.0, high_ = 0.0;
+    std::vector<std::vector<std::uint32_t>> bands_;
+};
+
+}  // namespace touchline::bench

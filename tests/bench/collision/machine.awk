@@ -1,0 +1,3 @@
+# Where and when.
+
+END { print "Measured " machine "." }
