@@ -43,7 +43,7 @@ struct NodeRange {
 
 struct Budget {
     int boxes = std::numeric_limits<int>::max();  // boxes that may be opened
-    std::int64_t deadline_ns = 0;                 // of the steady clock; 0: none
+    std::int64_t deadline_ns = 0;  // of the steady clock, by which to be back; 0: none
 };
 
 /// First contact of a motion. Boxes that the budget left unopened count as obstacles: `clear` is

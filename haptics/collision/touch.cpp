@@ -9,29 +9,69 @@ namespace touchline {
 namespace {
 
 /// A motion seen from one segment.
-struct Approach {
+struct Course {
     Position from;
     Position way;
     double radius_m;
 };
 
-std::optional<Touch> touch_line(const Approach& motion, const Segment& s, Position e,
-                                double length) {
+/// A motion towards the line of a segment, measured along and across it.
+struct Descent {
+    Direction along;
+    double length_m;
+    double side;        // of the start: +1 left, -1 right
+    double height_m;    // of the start above the line, >= 0
+    double approach_m;  // lost over the whole motion
+    double start;       // of the foot on the segment, 0 ... 1 within it
+    double advance;     // of the foot over the whole motion
+};
+
+Descent descent_of(const Course& motion, const Segment& s, Position e, double length) {
     const Position w = motion.from - s.a;
-    const double height = cross(e, w) / length;  // signed distance from the line, left positive
-    const double rise = cross(e, motion.way) / length;
+    const double height = cross(e, w) / length;  // left positive
     const double side = height >= 0.0 ? 1.0 : -1.0;
-    const double approach = -side * rise;
-    const double gap = side * height - motion.radius_m;
-    if (!(approach > approach_tolerance_m) || gap > approach - approach_tolerance_m) return {};
-    const double fraction = std::clamp(gap / approach, 0.0, 1.0);
-    const double t = dot(e, w + fraction * motion.way) / (length * length);
-    if (!(t >= 0.0 && t <= 1.0)) return {};
-    const Direction normal{-side * e.y / length, side * e.x / length};
-    return Touch{fraction, t, normal, std::min(motion.radius_m, side * height)};
+    const double square = length * length;
+    return {along<Direction>(e, 1.0 / length),
+            length,
+            side,
+            side * height,
+            -side * cross(e, motion.way) / length,
+            dot(e, w) / square,
+            dot(e, motion.way) / square};
 }
 
-std::optional<Touch> touch_end(const Approach& motion, Position end, double parameter) {
+Touch side_touch(const Course& motion, const Descent& d, double fraction, double parameter,
+                 double height_m) {
+    return {fraction, parameter, d.side * left_of(d.along), std::min(motion.radius_m, height_m)};
+}
+
+std::optional<Touch> touch_line(const Course& motion, const Descent& d) {
+    const double gap = d.height_m - motion.radius_m;
+    if (!(d.approach_m > approach_tolerance_m) || gap > d.approach_m - approach_tolerance_m) {
+        return {};
+    }
+    const double fraction = std::clamp(gap / d.approach_m, 0.0, 1.0);
+    const double t = d.start + fraction * d.advance;
+    if (!(t >= 0.0 && t <= 1.0)) return {};
+    return side_touch(motion, d, fraction, t, d.height_m);
+}
+
+/// The disc has passed an end so nearly at its radius that the end did not count as touched, and is
+/// still coming nearer as its foot enters the segment.
+std::optional<Touch> touch_on_entering(const Course& motion, const Descent& d) {
+    const bool is_before = d.start < 0.0 && d.advance > 0.0;
+    const bool is_after = d.start > 1.0 && d.advance < 0.0;
+    if (!is_before && !is_after) return {};
+    const double end = is_before ? 0.0 : 1.0;
+    const double fraction = (end - d.start) / d.advance;
+    const double height_m = d.height_m - fraction * d.approach_m;
+    const bool is_in_reach = height_m > 0.0 && height_m <= motion.radius_m;
+    if (!(fraction <= 1.0) || !is_in_reach) return {};
+    if (!((1.0 - fraction) * d.approach_m > approach_tolerance_m)) return {};
+    return side_touch(motion, d, fraction, end, height_m);
+}
+
+std::optional<Touch> touch_end(const Course& motion, Position end, double parameter) {
     const double length = norm(motion.way);
     if (!(length > 0.0)) return {};
     const auto u = along<Direction>(motion.way, 1.0 / length);
@@ -66,14 +106,19 @@ std::optional<Touch> touch(Position from, Position to, double radius_m, const Se
     const Position e = segment.b - segment.a;
     const double length = norm(e);
     const double start = foot(from, segment).distance_m;
-    const Approach motion{from, to - from, std::min(radius_m, start)};
-    // The disc comes as near to the line as it does to anything on it: a touched side is the first.
+    const Course motion{from, to - from, std::min(radius_m, start)};
+    std::optional<Touch> first;
+    const auto take = [&first](const std::optional<Touch>& next) {
+        if (next && (!first || next->fraction < first->fraction)) first = next;
+    };
     if (length > 0.0) {
-        if (const auto side = touch_line(motion, segment, e, length)) return side;
+        const Descent descent = descent_of(motion, segment, e, length);
+        // The disc comes as near to the line as to anything on it: a touched side is the first.
+        if (const auto side = touch_line(motion, descent)) return side;
+        take(touch_on_entering(motion, descent));
     }
-    std::optional<Touch> first = touch_end(motion, segment.a, 0.0);
-    const std::optional<Touch> second = touch_end(motion, segment.b, 1.0);
-    if (second && (!first || second->fraction < first->fraction)) first = second;
+    take(touch_end(motion, segment.a, 0.0));
+    take(touch_end(motion, segment.b, 1.0));
     return first;
 }
 

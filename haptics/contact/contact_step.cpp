@@ -1,5 +1,6 @@
 #include "haptics/contact/contact_step.h"
 
+#include "config/types/steady_clock.h"
 #include "haptics/contact/round_vertex.h"
 
 #include <algorithm>
@@ -8,8 +9,10 @@
 namespace touchline {
 namespace {
 
-constexpr double still_m = 1e-14;  // a motion this short is rounding
-constexpr double parallel = 1e-9;  // sine of an angle too small to tell
+constexpr double still_m = 1e-14;         // a motion this short is rounding
+constexpr double parallel = 1e-9;         // sine of an angle too small to tell
+constexpr std::int64_t return_ns = 1500;  // what a step may still need when it is found to be late
+constexpr int walks_per_look = 16;        // at the clock: together less than half of that
 constexpr int max_visits =
     6;  // tries to leave one corner in a step, one per line that may meet there
 
@@ -36,7 +39,9 @@ ContactStep::ContactStep(RenderedOutlines& outlines, const ContactSettings& sett
       budget_(budget),
       proxy_(proxy),
       path_(path),
-      radius_m_(std::max(settings.radius_m, contact_skin_m)) {}
+      radius_m_(std::max(settings.radius_m, contact_skin_m)) {
+    if (budget_.deadline_ns != 0) budget_.deadline_ns -= return_ns;
+}
 
 std::size_t ContactStep::run(Position handle, ContactReport& report) {
     handle_ = handle;
@@ -45,7 +50,8 @@ std::size_t ContactStep::run(Position handle, ContactReport& report) {
     report.transition_count = 1;
     path_[path_size_++] = proxy_.centre;
     Next next = Next::again;
-    for (int move = 0; move < max_moves && walks_ < max_walks && next == Next::again; ++move) {
+    for (int move = 0; move < max_moves && walks_ < max_walks && next == Next::again && !is_late();
+         ++move) {
         switch (proxy_.state) {
             case ContactState::free:
                 next = move_free();
@@ -93,7 +99,7 @@ ContactStep::Next ContactStep::move_on_edge() {
     if (is_simple(first())) {
         const Hop hop = slide_simply();
         if (hop == Hop::rest) return Next::done;
-        if (hop == Hop::corner || walks_ >= max_walks) return Next::again;
+        if (hop == Hop::again || walks_ >= max_walks) return Next::again;
     }
     ++walks_;
     const Contact& at = first();
@@ -130,6 +136,10 @@ ContactStep::Next ContactStep::slide(double way_m) {
     return reach_end(way_m > 0.0);
 }
 
+bool ContactStep::is_late() const {
+    return budget_.deadline_ns != 0 && steady_now_ns() >= budget_.deadline_ns;
+}
+
 /// Nothing but the neighbouring edges can be met from this one, and the proxy is a point but for
 /// its skin: then a slide needs no sweep.
 bool ContactStep::is_simple(const Contact& at) {
@@ -151,45 +161,58 @@ bool ContactStep::ends_before(const Edge& edge, SegmentRef next) {
 /// where the two lines that it keeps its skin from cross; there it stays where the handle does not
 /// pull it on. Stops, for the general rules to go on, wherever that is not all there is to it.
 ContactStep::Hop ContactStep::slide_simply() {
-    Contact& at = first();
+    Contact at = first();
+    Position centre = proxy_.centre;
     Edge edge = outlines_.edge(at.segment);
     const double skin_m = at.offset_m;
+    const double side = sign_of(at.side);
     const double friction = settings_.friction;
+    const auto stop = [&](Hop hop) {
+        first() = at;
+        proxy_.centre = centre;
+        return hop;
+    };
     for (; walks_ < max_walks; ++walks_) {
-        const Position pull = handle_ - proxy_.centre;
+        if (walks_ % walks_per_look == walks_per_look - 1 && is_late()) return stop(Hop::again);
+        const Position pull = handle_ - centre;
         const double depth = -dot(pull, at.normal);
         const double pulled_m = dot(pull, edge.along);
         const double way_m = std::abs(pulled_m) - friction * depth;
-        if (!(depth >= 0.0 && way_m > 0.0) || !outlines_.is_alone(edge.ref)) return Hop::none;
+        if (!(depth >= 0.0 && way_m > 0.0) || !outlines_.is_alone(edge.ref)) return stop(Hop::none);
         const bool is_forward = pulled_m > 0.0;
         const SegmentRef next = outlines_.next(edge.ref, is_forward);
         const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
         if (way_m <= left_m) {
-            if (way_m + 2.0 * skin_m > left_m || !ends_before(edge, next)) return Hop::none;
+            if (way_m + 2.0 * skin_m > left_m || !ends_before(edge, next)) return stop(Hop::none);
             at.parameter += (is_forward ? way_m : -way_m) * edge.per_length_m;
+            (void)stop(Hop::rest);
             place_at_contact(edge.segment);
             return Hop::rest;
         }
-        if (next.piece < 0) return Hop::none;
+        if (next.piece < 0) return stop(Hop::none);
         const Edge ahead = outlines_.edge(next);
-        const Direction normal = sign_of(at.side) * left_of(ahead.along);
+        const Direction normal = side * left_of(ahead.along);
         const Direction away = (is_forward ? 1.0 : -1.0) * ahead.along;
         const double cosine = dot(at.normal, normal);
-        if (!(cosine > 0.1)) return Hop::none;
+        if (!(cosine > 0.1)) return stop(Hop::none);
         const Position vertex = is_forward ? edge.segment.b : edge.segment.a;
         const bool is_convex = dot(away, at.normal) < 0.0;
-        const Direction between = is_convex ? normal : 1.0 / (1.0 + cosine) * (at.normal + normal);
+        const double share = 1.0 / (1.0 + cosine);
+        const Direction between = is_convex ? normal : share * (at.normal + normal);
         const auto offset = along<Position>(between, skin_m);
         const double inset_m = is_convex ? 0.0 : dot(offset, away);
-        if (inset_m > left_m || 2.0 * inset_m > ahead.length_m) return Hop::none;
+        if (inset_m > left_m || 2.0 * inset_m > ahead.length_m) return stop(Hop::none);
         const Position corner = vertex + offset;
         const Position pull_there = handle_ - corner;
         const double depth_there = -dot(pull_there, normal);
         const bool is_pulled_on =
             depth_there >= 0.0 && dot(pull_there, away) > friction * depth_there;
-        if (is_convex && !is_pulled_on) return Hop::none;
-        if (is_convex) place(vertex + along<Position>(at.normal, skin_m));
-        place(corner);
+        if (is_convex && !is_pulled_on) return stop(Hop::none);
+        // A convex vertex is passed on a chord, from this edge's end to the next one's.
+        path_[path_size_] = vertex + along<Position>(at.normal, skin_m);
+        path_size_ += is_convex ? 1 : 0;
+        path_[path_size_++] = corner;
+        centre = corner;
         const double inset = inset_m * ahead.per_length_m;
         const double parameter = is_forward ? inset : 1.0 - inset;
         if (!is_pulled_on) {
@@ -198,14 +221,14 @@ ContactStep::Hop ContactStep::slide_simply() {
             proxy_.contacts[1] = {next, parameter, at.side, normal, skin_m, false};
             proxy_.contact_count = 2;
             enter(ContactState::vertex);
-            return Hop::corner;
+            return stop(Hop::again);
         }
         at.segment = next;
         at.parameter = parameter;
         at.normal = normal;
         edge = ahead;
     }
-    return Hop::none;
+    return stop(Hop::none);
 }
 
 /// Stopped on the way by a second contact, or by the budget with `left_m` to go.

@@ -26,8 +26,9 @@ class ContactStep {
     /// What a state's move came to.
     enum class Next { again, done };
 
-    /// What a simple slide came to: at rest, at a corner, or as far as it was simple.
-    enum class Hop { rest, corner, none };
+    /// What a simple slide came to: at rest, to be looked at again (at a corner, or late), or as
+    /// far as it was simple.
+    enum class Hop { rest, again, none };
 
     using Excluded = std::array<SegmentRef, 2>;
 
@@ -43,6 +44,7 @@ class ContactStep {
     Next move_on_edge();
     Next slide(double way_m);
     [[nodiscard]] bool is_simple(const Contact& at);
+    [[nodiscard]] bool is_late() const;
     Hop slide_simply();
     [[nodiscard]] bool ends_before(const Edge& edge, SegmentRef next);
 
