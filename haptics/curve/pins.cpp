@@ -22,34 +22,41 @@ std::vector<double> arc_lengths(const Outline& outline) {
 class Walker {
   public:
     Walker(const Outline& outline, const std::vector<double>& s, double from)
-        : points_(outline.points),
-          s_(s),
-          segments_(outline.is_closed ? points_.size() : points_.size() - 1),
+        : points_(outline.points.data()),
+          s_(s.data()),
+          last_(s.size() - (outline.is_closed ? 2 : 3)),
+          wrap_(outline.is_closed ? 0 : last_ + 1),
+          length_(s.back()),
           is_closed_(outline.is_closed) {
         if (!is_closed_ || from >= 0.0) return;
-        passed_ = -s_.back();
-        const auto end = std::lower_bound(s_.begin() + 1, s_.end() - 1, from - passed_);
-        segment_ = static_cast<std::size_t>(end - s_.begin()) - 1;
+        passed_ = -length_;
+        const double* const end = std::lower_bound(s_ + 1, s_ + last_ + 1, from - passed_);
+        segment_ = static_cast<std::size_t>(end - s_) - 1;
     }
 
     Position at(double arc) {
-        if (!is_closed_) arc = std::clamp(arc, 0.0, s_.back());
-        if (is_closed_ && arc - passed_ >= s_.back()) {
-            passed_ += s_.back();
-            segment_ = 0;
+        if (is_closed_) {
+            if (arc - passed_ >= length_) {
+                passed_ += length_;
+                segment_ = 0;
+            }
+        } else {
+            arc = std::clamp(arc, 0.0, length_);
         }
         const double local = arc - passed_;
-        while (segment_ + 1 < segments_ && s_[segment_ + 1] < local) ++segment_;
+        while (segment_ < last_ && s_[segment_ + 1] < local) ++segment_;
         const Position a = points_[segment_];
-        const Position b = points_[segment_ + 1 == points_.size() ? 0 : segment_ + 1];
+        const Position b = points_[segment_ == last_ ? wrap_ : segment_ + 1];
         const double span = s_[segment_ + 1] - s_[segment_];
         return a + (span > 0.0 ? (local - s_[segment_]) / span : 0.0) * (b - a);
     }
 
   private:
-    const std::vector<Position>& points_;
-    const std::vector<double>& s_;
-    std::size_t segments_;
+    const Position* points_;
+    const double* s_;
+    std::size_t last_;  // segment
+    std::size_t wrap_;  // vertex at the end of the last segment
+    double length_;
     bool is_closed_;
     double passed_ = 0.0;  // arc length at the start of this turn round a closed outline
     std::size_t segment_ = 0;
