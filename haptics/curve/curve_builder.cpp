@@ -4,10 +4,11 @@
 #include "haptics/curve/sampling.h"
 #include "haptics/curve/shrink.h"
 #include "haptics/curve/spacing.h"
+#include "haptics/curve/wavelet.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <span>
 
 #include <fmt/core.h>
 
@@ -28,34 +29,49 @@ struct Stretch {
     std::size_t first_of_outline = 0;  // index of the outline's first stretch
 };
 
+bool is_repeated(Position p, Position q) {
+    return dot(p - q, p - q) <= repeated_point_m * repeated_point_m;
+}
+
+bool is_near_the_centre(Position p) {
+    return std::abs(p.x) <= largest_coordinate_m && std::abs(p.y) <= largest_coordinate_m;
+}
+
+Result<void> check(const std::vector<Outline>& outlines) {
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+        const auto& points = outlines[i].points;
+        if (std::all_of(points.begin(), points.end(), is_near_the_centre)) continue;
+        return failure(fmt::format(
+            "outline {} has a point that is not a number or lies more than 1 m from the "
+            "centre; check the map's viewBox and units (millimetres)",
+            i));
+    }
+    return {};
+}
+
+bool is_clean(const Outline& outline) {
+    const auto& points = outline.points;
+    if (points.size() < (outline.is_closed ? 3 : 2)) return false;
+    if (outline.is_closed && is_repeated(points.front(), points.back())) return false;
+    return std::adjacent_find(points.begin(), points.end(), is_repeated) == points.end();
+}
+
 std::vector<Position> without_repeats(const Outline& outline) {
     std::vector<Position> kept;
     for (const Position p : outline.points) {
-        if (kept.empty() || norm(p - kept.back()) > repeated_point_m) kept.push_back(p);
+        if (kept.empty() || !is_repeated(p, kept.back())) kept.push_back(p);
     }
-    while (outline.is_closed && kept.size() > 1 &&
-           norm(kept.front() - kept.back()) <= repeated_point_m) {
+    while (outline.is_closed && kept.size() > 1 && is_repeated(kept.front(), kept.back())) {
         kept.pop_back();
     }
     return kept;
 }
 
-Result<std::vector<Outline>> clean(const TactileMap& map) {
-    std::vector<Outline> outlines;
-    for (std::size_t i = 0; i < map.outlines.size(); ++i) {
-        for (const Position p : map.outlines[i].points) {
-            if (!(std::abs(p.x) <= largest_coordinate_m && std::abs(p.y) <= largest_coordinate_m)) {
-                return failure(fmt::format(
-                    "outline {} has a point that is not a number or lies more than 1 m from the "
-                    "centre; check the map's viewBox and units (millimetres)",
-                    i));
-            }
-        }
-        Outline outline = map.outlines[i];
+std::vector<Outline> cleaned(std::vector<Outline> outlines) {
+    for (Outline& outline : outlines) {
         outline.points = without_repeats(outline);
         if (outline.points.size() < 3) outline.is_closed = false;
         if (outline.points.size() < 2) outline.points.clear();  // keeps the outline's index
-        outlines.push_back(std::move(outline));
     }
     return outlines;
 }
@@ -63,8 +79,14 @@ Result<std::vector<Outline>> clean(const TactileMap& map) {
 /// The stretch from vertex a to vertex b > a, indices running on past the end of a closed outline.
 std::vector<Position> line_between(const std::vector<Position>& points, std::size_t a,
                                    std::size_t b) {
+    const auto from = points.begin() + static_cast<std::ptrdiff_t>(a);
+    const std::size_t before_end = std::min(b + 1, points.size()) - a;
+    const std::size_t count = b + 1 - a;
     std::vector<Position> line;
-    for (std::size_t i = a; i <= b; ++i) line.push_back(points[i % points.size()]);
+    line.reserve(count);
+    line.insert(line.end(), from, from + static_cast<std::ptrdiff_t>(before_end));
+    line.insert(line.end(), points.begin(),
+                points.begin() + static_cast<std::ptrdiff_t>(count - before_end));
     return line;
 }
 
@@ -90,8 +112,9 @@ void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins
 
 class CurveSetBuilder {
   public:
-    CurveSetBuilder(std::vector<Outline> outlines, const CurveOptions& options)
-        : outlines_(std::move(outlines)), options_(options) {}
+    /// The outlines outlive the builder.
+    CurveSetBuilder(const std::vector<Outline>& outlines, const CurveOptions& options)
+        : outlines_(outlines), options_(options) {}
 
     Result<CurveSet> build() {
         const auto pins = find_pins(outlines_, PinRule{});
@@ -136,30 +159,34 @@ class CurveSetBuilder {
         return spacing_.outlines[static_cast<std::size_t>(stretch.outline)].spacing_m;
     }
 
+    /// The stretches' lines become their level 0.
     void place_points() {
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
-            const Stretch& stretch = stretches_[i];
-            std::vector<Position> points = options_.resample
-                                               ? resample(stretch.line, spacing_.segments[i])
-                                               : split_edges(stretch.line, spacing_m(stretch));
-            if (stretch.is_closed) points.pop_back();
-            const std::size_t segments = points.size() - (stretch.is_closed ? 0 : 1);
-            const CurveShape shape{segments, 1, stretch.is_closed};
-            firsts_.push_back(points);
-            curves_.push_back(
-                decompose(std::move(points), shape, halvings(segments, stretch.is_closed)));
+            Stretch& stretch = stretches_[i];
+            std::vector<Position> line = std::move(stretch.line);
+            line = options_.resample ? resample(line, spacing_.segments[i])
+                                     : split_edges(std::move(line), spacing_m(stretch));
+            if (stretch.is_closed) line.pop_back();
+            const std::size_t segments = line.size() - (stretch.is_closed ? 0 : 1);
+            shapes_.push_back({segments, 1, stretch.is_closed});
+            halvings_.push_back(halvings(segments, stretch.is_closed));
+            firsts_.push_back(std::move(line));
         }
     }
 
     /// Level 0 is the stored points, not a reconstruction, unless details were taken away.
     void shrink() {
-        const double threshold = detail_threshold(curves_, options_.keep_details);
         const bool is_changed = options_.denoise_m > 0.0 || options_.keep_details < 1.0;
         if (!is_changed) return;
-        for (std::size_t i = 0; i < curves_.size(); ++i) {
-            if (options_.denoise_m > 0.0) denoise(curves_[i], options_.denoise_m);
-            if (options_.keep_details < 1.0) drop_details(curves_[i], threshold);
-            std::vector<Position> shrunk = reconstruct(curves_[i]);
+        std::vector<Decomposition> curves;
+        for (std::size_t i = 0; i < firsts_.size(); ++i) {
+            curves.push_back(decompose(firsts_[i], shapes_[i], halvings_[i]));
+        }
+        const double threshold = detail_threshold(curves, options_.keep_details);
+        for (std::size_t i = 0; i < curves.size(); ++i) {
+            if (options_.denoise_m > 0.0) denoise(curves[i], options_.denoise_m);
+            if (options_.keep_details < 1.0) drop_details(curves[i], threshold);
+            std::vector<Position> shrunk = reconstruct(curves[i]);
             add_error(static_cast<std::size_t>(stretches_[i].outline), firsts_[i], shrunk);
             firsts_[i] = std::move(shrunk);
         }
@@ -188,7 +215,7 @@ class CurveSetBuilder {
             Piece piece;
             piece.outline = stretch.outline;
             piece.is_closed = stretch.is_closed;
-            piece.coarsest = static_cast<int>(curves_[i].details.size());
+            piece.coarsest = halvings_[i];
             const bool is_last = i + 1 == stretches_.size() ||
                                  stretches_[i + 1].first_of_outline != stretch.first_of_outline;
             if (stretch.has_next) {
@@ -211,54 +238,68 @@ class CurveSetBuilder {
     }
 
     void measure_spacing() {
-        std::vector<double> edges_m;
+        std::vector<double> squares;
         for (std::size_t i = 0; i < set_.pieces_.size(); ++i) {
-            const auto piece = static_cast<int>(i);
-            const RenderedPiece level_0 = set_.rendered(piece, 0.0);
-            for (int j = 0; j < level_0.segment_count(); ++j) {
-                const Segment s = level_0.segment(j);
-                edges_m.push_back(norm(s.b - s.a));
+            const auto points = set_.points(static_cast<int>(i), 0);
+            for (std::size_t j = 1; j < points.size(); ++j) {
+                squares.push_back(dot(points[j] - points[j - 1], points[j] - points[j - 1]));
+            }
+            if (set_.pieces_[i].is_closed) {
+                const Position e = points.front() - points.back();
+                squares.push_back(dot(e, e));
             }
             const bool is_last_of_outline = i + 1 == set_.pieces_.size() ||
                                             set_.pieces_[i + 1].outline != set_.pieces_[i].outline;
             if (!is_last_of_outline) continue;
-            const auto middle = edges_m.begin() + static_cast<std::ptrdiff_t>(edges_m.size() / 2);
-            std::nth_element(edges_m.begin(), middle, edges_m.end());
-            set_.finest_spacing_m_ = std::min(set_.finest_spacing_m_, *middle);
-            edges_m.clear();
+            set_.finest_spacing_m_ =
+                std::min(set_.finest_spacing_m_, std::sqrt(median(std::move(squares))));
+            squares.clear();
         }
     }
 
     /// Level 0 of all pieces first, then each piece's coarser levels.
     void store_points() {
-        std::size_t finest = 0;
-        for (const auto& points : firsts_) finest += points.size();
-        set_.finest_count_ = finest;
-        set_.points_.reserve(2 * finest + 32 * firsts_.size());
-        for (const auto& points : firsts_) {
-            set_.points_.insert(set_.points_.end(), points.begin(), points.end());
-        }
-        std::uint32_t first = 0;
+        place_levels();
+        std::vector<Position> details(set_.finest_count_ / 2);
         for (std::size_t i = 0; i < firsts_.size(); ++i) {
-            set_.first_level_.push_back(static_cast<std::uint32_t>(set_.levels_.size()));
-            const auto count = static_cast<std::uint32_t>(firsts_[i].size());
-            set_.levels_.push_back({first, count});
-            first += count;
-            store_coarser_levels(i);
+            const auto piece = static_cast<int>(i);
+            std::copy(firsts_[i].begin(), firsts_[i].end(), points_of(piece, 0).begin());
+            CurveShape shape = shapes_[i];
+            for (int level = 0; level < halvings_[i]; ++level) {
+                analyze(points_of(piece, level), shape, points_of(piece, level + 1), details);
+                shape.stride *= 2;
+            }
         }
-        set_.points_.shrink_to_fit();
     }
 
-    void store_coarser_levels(std::size_t i) {
-        std::vector<Position> points = std::move(firsts_[i]);
-        CurveShape shape = curves_[i].shape;
-        for (std::size_t level = 0; level < curves_[i].details.size(); ++level) {
-            points = analyze(points, shape).points;
-            shape.stride *= 2;
-            set_.levels_.push_back({static_cast<std::uint32_t>(set_.points_.size()),
-                                    static_cast<std::uint32_t>(points.size())});
-            set_.points_.insert(set_.points_.end(), points.begin(), points.end());
+    void place_levels() {
+        std::size_t first = 0;  // of level 0 of the next piece
+        for (const auto& points : firsts_) first += points.size();
+        set_.finest_count_ = first;
+        std::size_t coarser = first;
+        first = 0;
+        for (std::size_t i = 0; i < firsts_.size(); ++i) {
+            set_.first_level_.push_back(static_cast<std::uint32_t>(set_.levels_.size()));
+            add_level(first, firsts_[i].size());
+            const std::size_t end = shapes_[i].is_closed ? 0 : 1;
+            std::size_t segments = shapes_[i].finest_segments;
+            for (int level = 0; level < halvings_[i]; ++level) {
+                segments = coarser_count(segments);
+                add_level(coarser, segments + end);
+            }
         }
+        set_.points_.resize(coarser);
+    }
+
+    void add_level(std::size_t& first, std::size_t count) {
+        set_.levels_.push_back(
+            {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)});
+        first += count;
+    }
+
+    [[nodiscard]] std::span<Position> points_of(int piece, int level) {
+        return {set_.points_.data() + set_.first_point(piece, level),
+                set_.points(piece, level).size()};
     }
 
     void report() {
@@ -275,19 +316,26 @@ class CurveSetBuilder {
         }
     }
 
-    std::vector<Outline> outlines_;
+    const std::vector<Outline>& outlines_;
     CurveOptions options_;
     std::vector<Stretch> stretches_;
     SpacingChoice spacing_;
-    std::vector<Decomposition> curves_;          // per stretch
+    std::vector<CurveShape> shapes_;             // per stretch
+    std::vector<int> halvings_;                  // per stretch
     std::vector<std::vector<Position>> firsts_;  // per stretch: level 0
     CurveSet set_;
 };
 
 Result<CurveSet> CurveSet::build(const TactileMap& map, const CurveOptions& options) {
-    auto outlines = clean(map);
-    if (!outlines) return tl::unexpected(outlines.error());
-    return CurveSetBuilder(std::move(*outlines), options).build();
+    if (const auto checked = check(map.outlines); !checked) {
+        return tl::unexpected(checked.error());
+    }
+    const auto& outlines = map.outlines;
+    if (std::all_of(outlines.begin(), outlines.end(), is_clean)) {
+        return CurveSetBuilder(outlines, options).build();
+    }
+    const std::vector<Outline> repaired = cleaned(outlines);
+    return CurveSetBuilder(repaired, options).build();
 }
 
 }  // namespace touchline

@@ -1,8 +1,7 @@
 #include "haptics/curve/pins.h"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -18,44 +17,89 @@ std::vector<double> arc_lengths(const Outline& outline) {
     return s;
 }
 
-/// Walks along an outline once, giving the point at a slowly growing arc length.
+/// Walks along an outline once, giving the point at an arc length that grows from call to call,
+/// from -length to 2 length. Where the outline is open, what lies beyond its ends is the end.
 class Walker {
   public:
-    Walker(const Outline& outline, const std::vector<double>& s) : outline_(outline), s_(s) {}
+    Walker(const Outline& outline, const std::vector<double>& s, double from)
+        : points_(outline.points.data()),
+          s_(s.data()),
+          last_(s.size() - (outline.is_closed ? 2 : 3)),
+          wrap_(outline.is_closed ? 0 : last_ + 1),
+          length_(s.back()),
+          is_closed_(outline.is_closed) {
+        if (!is_closed_ || from >= 0.0) return;
+        passed_ = -length_;
+        const double* const end = std::lower_bound(s_ + 1, s_ + last_ + 1, from - passed_);
+        segment_ = static_cast<std::size_t>(end - s_) - 1;
+    }
 
     Position at(double arc) {
-        const double length = s_.back();
-        if (!outline_.is_closed) arc = std::clamp(arc, 0.0, length);
-        double turns = std::floor(arc / length);
-        if (!outline_.is_closed) turns = 0.0;
-        const double local = arc - turns * length;
-        const std::size_t segments =
-            outline_.is_closed ? outline_.points.size() : outline_.points.size() - 1;
-        if (s_[segment_] > local) segment_ = 0;  // passed the seam
-        while (segment_ + 1 < segments && s_[segment_ + 1] < local) ++segment_;
-        const Position a = outline_.points[segment_];
-        const Position b = outline_.points[(segment_ + 1) % outline_.points.size()];
+        if (is_closed_) {
+            if (arc - passed_ >= length_) {
+                passed_ += length_;
+                segment_ = 0;
+            }
+        } else {
+            arc = std::clamp(arc, 0.0, length_);
+        }
+        const double local = arc - passed_;
+        while (segment_ < last_ && s_[segment_ + 1] < local) ++segment_;
+        const Position a = points_[segment_];
+        const Position b = points_[segment_ == last_ ? wrap_ : segment_ + 1];
         const double span = s_[segment_ + 1] - s_[segment_];
         return a + (span > 0.0 ? (local - s_[segment_]) / span : 0.0) * (b - a);
     }
 
   private:
-    const Outline& outline_;
-    const std::vector<double>& s_;
+    const Position* points_;
+    const double* s_;
+    std::size_t last_;  // segment
+    std::size_t wrap_;  // vertex at the end of the last segment
+    double length_;
+    bool is_closed_;
+    double passed_ = 0.0;  // arc length at the start of this turn round a closed outline
     std::size_t segment_ = 0;
 };
 
+struct Corner {
+    std::size_t vertex = 0;
+    double turn_rad = 0.0;
+};
+
+/// The vertices of an outline where it turns by more than the rule asks, measured over +-reach
+/// (less near the ends of an open outline; the ends themselves do not turn). O(N).
+std::vector<Corner> sharp_turns(const Outline& outline, const std::vector<double>& s,
+                                const PinRule& rule) {
+    const auto& p = outline.points;
+    // On a small closed outline the two chords must not reach round to each other.
+    const double reach = outline.is_closed ? std::min(rule.reach_m, s.back() / 16.0) : rule.reach_m;
+    const double least_rad = rule.turn_rad - 1e-9;  // the arc tangent decides at the border
+    const double sine = std::sin(least_rad);
+    const double cosine = std::cos(least_rad);
+    const std::size_t margin = outline.is_closed ? 0 : 1;
+    std::vector<Corner> sharp;
+    Walker before(outline, s, -reach);
+    Walker after(outline, s, reach);
+    for (std::size_t i = margin; i + margin < p.size(); ++i) {
+        const Position in = p[i] - before.at(s[i] - reach);
+        const Position out = after.at(s[i] + reach) - p[i];
+        const double along = dot(in, out);
+        const double across = std::abs(cross(in, out));
+        if (across * cosine < along * sine) continue;
+        const double turn_rad = std::atan2(across, along);
+        if (turn_rad > rule.turn_rad) sharp.push_back({i, turn_rad});
+    }
+    return sharp;
+}
+
 /// Corners of one outline, strongest first, none nearer than `apart` to another pin.
 std::vector<std::size_t> corners(const Outline& outline, const PinRule& rule) {
-    const std::vector<double> turn = turns(outline, rule.reach_m);
     const std::vector<double> s = arc_lengths(outline);
     const double length = s.back();
-    std::vector<std::size_t> candidates;
-    for (std::size_t i = 0; i < turn.size(); ++i) {
-        if (turn[i] > rule.turn_rad) candidates.push_back(i);
-    }
+    std::vector<Corner> candidates = sharp_turns(outline, s, rule);
     std::stable_sort(candidates.begin(), candidates.end(),
-                     [&](std::size_t a, std::size_t b) { return turn[a] > turn[b]; });
+                     [](const Corner& a, const Corner& b) { return a.turn_rad > b.turn_rad; });
     std::set<double> taken;
     if (!outline.is_closed) taken = {0.0, length};
     const auto is_near = [&](double arc) {
@@ -63,11 +107,12 @@ std::vector<std::size_t> corners(const Outline& outline, const PinRule& rule) {
         return after != taken.end() && *after < arc + rule.apart_m;
     };
     std::vector<std::size_t> kept;
-    for (const std::size_t i : candidates) {
-        const bool wraps = outline.is_closed && (is_near(s[i] - length) || is_near(s[i] + length));
-        if (is_near(s[i]) || wraps) continue;
-        taken.insert(s[i]);
-        kept.push_back(i);
+    for (const Corner& corner : candidates) {
+        const double arc = s[corner.vertex];
+        const bool wraps = outline.is_closed && (is_near(arc - length) || is_near(arc + length));
+        if (is_near(arc) || wraps) continue;
+        taken.insert(arc);
+        kept.push_back(corner.vertex);
     }
     return kept;
 }
@@ -92,23 +137,6 @@ std::vector<Place> line_ends(const std::vector<Outline>& outlines) {
 
 }  // namespace
 
-std::vector<double> turns(const Outline& outline, double reach_m) {
-    const auto& p = outline.points;
-    const std::vector<double> s = arc_lengths(outline);
-    // On a small closed outline the two chords must not reach round to each other.
-    const double reach = outline.is_closed ? std::min(reach_m, s.back() / 16.0) : reach_m;
-    std::vector<double> turn(p.size(), 0.0);
-    Walker before(outline, s);
-    Walker after(outline, s);
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (!outline.is_closed && (i == 0 || i + 1 == p.size())) continue;
-        const Position in = p[i] - before.at(s[i] - reach);
-        const Position out = after.at(s[i] + reach) - p[i];
-        turn[i] = std::abs(std::atan2(cross(in, out), dot(in, out)));
-    }
-    return turn;
-}
-
 std::vector<std::vector<std::size_t>> find_pins(const std::vector<Outline>& outlines,
                                                 const PinRule& rule) {
     const std::vector<Place> ends = line_ends(outlines);
@@ -119,7 +147,7 @@ std::vector<std::vector<std::size_t>> find_pins(const std::vector<Outline>& outl
             continue;
         }
         std::vector<std::size_t> own = corners(outline, rule);
-        for (std::size_t i = 0; i < outline.points.size(); ++i) {
+        for (std::size_t i = 0; i < outline.points.size() && !ends.empty(); ++i) {
             if (std::binary_search(ends.begin(), ends.end(), place(outline.points[i]))) {
                 own.push_back(i);
             }

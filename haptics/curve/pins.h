@@ -15,10 +15,6 @@ struct PinRule {
     double apart_m = 0.004;               // least distance along the outline between two corners
 };
 
-/// The turn at every vertex, measured over +-reach (less near the ends of an open outline, where it
-/// is 0 at the ends themselves). O(N).
-[[nodiscard]] std::vector<double> turns(const Outline& outline, double reach_m);
-
 /// Pins of every outline of a map, as ascending vertex indices: the ends of open outlines, vertices
 /// where the end of another outline lies (junctions), and corners, strongest first. A closed
 /// outline may have none. O(N log N).

@@ -26,10 +26,12 @@ double polyline_length_m(std::span<const Position> line) {
     return length;
 }
 
-std::vector<Position> split_edges(std::span<const Position> line, double spacing_m) {
-    std::vector<Position> out;
-    out.reserve(line.size());
-    out.push_back(line.front());
+std::vector<Position> split_edges(std::vector<Position> line, double spacing_m) {
+    const auto is_long = [&](Position a, Position b) {
+        return dot(b - a, b - a) > spacing_m * spacing_m;
+    };
+    if (std::adjacent_find(line.begin(), line.end(), is_long) == line.end()) return line;
+    std::vector<Position> out{line.front()};
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Position e = line[i] - line[i - 1];
         // The tolerance keeps an edge of exactly one spacing whole.
@@ -111,13 +113,37 @@ double deviation_m(std::span<const Position> line, std::span<const Position> kep
     return worst;
 }
 
+double median(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    auto rank = static_cast<std::ptrdiff_t>(values.size() / 2);
+    constexpr std::size_t samples = 2048;  // whose median has a rank within 5 % of the whole's
+    if (values.size() >= 8 * samples) {    // sort only what lies near that
+        std::vector<double> sample;
+        const std::size_t stride = values.size() / samples;
+        for (std::size_t i = 0; i < values.size(); i += stride) sample.push_back(values[i]);
+        std::sort(sample.begin(), sample.end());
+        const double low = sample[sample.size() * 45 / 100];
+        const double high = sample[sample.size() * 55 / 100];
+        const auto is_below = [low](double value) { return value < low; };
+        const auto is_far = [low, high](double value) { return value < low || value > high; };
+        const auto below = std::count_if(values.begin(), values.end(), is_below);
+        const auto far = std::count_if(values.begin(), values.end(), is_far);
+        if (rank >= below && rank < below + std::ssize(values) - far) {
+            std::erase_if(values, is_far);
+            rank -= below;
+        }
+    }
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return values[static_cast<std::size_t>(rank)];
+}
+
 double median_edge_m(std::span<const Position> line) {
-    if (line.size() < 2) return 0.0;
-    std::vector<double> edges;
-    for (std::size_t i = 1; i < line.size(); ++i) edges.push_back(norm(line[i] - line[i - 1]));
-    const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
-    std::nth_element(edges.begin(), middle, edges.end());
-    return *middle;
+    std::vector<double> squares;
+    squares.reserve(line.size());
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        squares.push_back(dot(line[i] - line[i - 1], line[i] - line[i - 1]));
+    }
+    return std::sqrt(median(std::move(squares)));
 }
 
 }  // namespace touchline

@@ -16,7 +16,7 @@ namespace touchline {
 
 /// The polyline with edges longer than `spacing_m` split into equal collinear parts: no shape
 /// changes.
-[[nodiscard]] std::vector<Position> split_edges(std::span<const Position> line, double spacing_m);
+[[nodiscard]] std::vector<Position> split_edges(std::vector<Position> line, double spacing_m);
 
 /// `segments` + 1 points at equal arc length; the ends are those of the line.
 [[nodiscard]] std::vector<Position> resample(std::span<const Position> line, std::size_t segments);
@@ -38,7 +38,10 @@ namespace touchline {
 [[nodiscard]] double deviation_m(std::span<const Position> line, std::span<const Position> kept,
                                  double enough_m = std::numeric_limits<double>::infinity());
 
-/// Median edge length of the outlines given. 0 where there is no edge.
+/// The middle one of the values by size, the upper of two. 0 where there is none. O(N).
+[[nodiscard]] double median(std::vector<double> values);
+
+/// Median edge length of a polyline. 0 where there is no edge.
 [[nodiscard]] double median_edge_m(std::span<const Position> line);
 
 }  // namespace touchline

@@ -185,12 +185,23 @@ SpacingChoice as_asked(std::span<const SpacedLine> lines, std::size_t outlines, 
     return choice;
 }
 
+/// The median edge, or the least spacing where that is longer: then counting is enough.
+double read_spacing_m(std::span<const Position> line) {
+    std::size_t shorter = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Position e = line[i] - line[i - 1];
+        shorter += dot(e, e) < least_read_spacing_m * least_read_spacing_m ? 1U : 0U;
+    }
+    if (shorter > line.size() / 2) return least_read_spacing_m;
+    return std::max(median_edge_m(line), least_read_spacing_m);
+}
+
 SpacingChoice as_read(std::span<const Outline> outlines, const CurveOptions& options) {
     SpacingChoice choice;
     for (const Outline& outline : outlines) {
-        const double edge_m = std::max(median_edge_m(outline.points), least_read_spacing_m);
-        choice.outlines.push_back({options.spacing_m > 0.0 ? options.spacing_m : edge_m,
-                                   "every vertex of the map is kept"});
+        choice.outlines.push_back(
+            {options.spacing_m > 0.0 ? options.spacing_m : read_spacing_m(outline.points),
+             "every vertex of the map is kept"});
     }
     return choice;
 }

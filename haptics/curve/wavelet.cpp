@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace touchline {
 namespace {
@@ -40,6 +41,11 @@ struct Step {
         return 2.0 * stride * static_cast<double>(i - turns * coarse) +
                static_cast<double>(turns) * length;
     }
+
+    /// Details from 1 to before this one have two regular coarse points on either side.
+    [[nodiscard]] Index regular_end() const {
+        return is_closed ? coarse - 2 : static_cast<Index>(length / (2.0 * stride)) - 1;
+    }
 };
 
 /// The stencil that predicts detail k (odd point 2k + 1): coarse points and their weights.
@@ -65,17 +71,10 @@ void lagrange(const Step& step, double u, Index first, int count, Stencil& stenc
     }
 }
 
+/// Near an end, a seam or an unpaired segment: the cubic (or what the points allow) through the
+/// nearest points, which equals regular_prediction() wherever the spacing is regular.
 Stencil prediction(const Step& step, Index k) {
     Stencil stencil;
-    const bool is_regular =
-        k >= 1 && (step.is_closed ? k + 2 < step.coarse
-                                  : step.stride * static_cast<double>(2 * (k + 2)) <= step.length);
-    if (is_regular) {
-        stencil = {{k - 1, k, k + 1, k + 2}, {-1.0 / 16, 9.0 / 16, 9.0 / 16, -1.0 / 16}, 4};
-        return stencil;
-    }
-    // Near an end, a seam or an unpaired segment: the cubic (or what the points allow) through the
-    // nearest points, which equals the rule above wherever the spacing is regular.
     const int count = static_cast<int>(std::min<Index>(4, step.evens));
     Index first = k - 1;
     if (!step.is_closed) first = std::clamp<Index>(first, 0, step.evens - count);
@@ -83,7 +82,7 @@ Stencil prediction(const Step& step, Index k) {
     return stencil;
 }
 
-Position predicted(const Stencil& stencil, const std::vector<Position>& evens) {
+Position predicted(const Stencil& stencil, std::span<const Position> evens) {
     Position sum;
     for (int a = 0; a < stencil.count; ++a) {
         const auto slot = static_cast<std::size_t>(a);
@@ -92,9 +91,24 @@ Position predicted(const Stencil& stencil, const std::vector<Position>& evens) {
     return sum;
 }
 
+Position regular_prediction(const Position* even) {
+    return (-1.0 / 16) * even[-1] + (9.0 / 16) * even[0] + (9.0 / 16) * even[1] +
+           (-1.0 / 16) * even[2];
+}
+
+/// Calls take(k, what the evens predict for odd point 2k + 1) for every k.
+template <class Take>
+void for_each_prediction(const Step& step, std::span<const Position> evens, Take take) {
+    const Index regular_end = std::max<Index>(1, step.regular_end());
+    const auto near_an_end = [&](Index k) { take(k, predicted(prediction(step, k), evens)); };
+    for (Index k = 0; k < std::min<Index>(1, step.odds); ++k) near_an_end(k);
+    for (Index k = 1; k < regular_end; ++k) take(k, regular_prediction(evens.data() + k));
+    for (Index k = regular_end; k < step.odds; ++k) near_an_end(k);
+}
+
 /// The detail at an odd index of the finer level, extended: odd about the ends of an open curve (so
 /// that their update is exactly 0), periodic on a closed one. Where parity breaks (unpaired): 0.
-Position detail_at(const Step& step, const std::vector<Position>& details, Index index) {
+Position detail_at(const Step& step, std::span<const Position> details, Index index) {
     double sign = 1.0;
     if (step.is_closed) {
         index = (index + step.fine) % step.fine;
@@ -113,50 +127,62 @@ Position detail_at(const Step& step, const std::vector<Position>& details, Index
 }
 
 /// What the lifting step adds to coarse point i.
-Position update(const Step& step, const std::vector<Position>& details, Index i) {
+Position update(const Step& step, std::span<const Position> details, Index i) {
     const Index at = step.fine_index(i);
     if (!step.is_closed && (at == 0 || at == step.fine)) return {};
     return (9.0 / 32) * (detail_at(step, details, at - 1) + detail_at(step, details, at + 1)) -
            (1.0 / 32) * (detail_at(step, details, at - 3) + detail_at(step, details, at + 3));
 }
 
+Position regular_update(const Position* detail) {
+    return (9.0 / 32) * (detail[-1] + detail[0]) - (1.0 / 32) * (detail[-2] + detail[1]);
+}
+
+/// Calls take(i, update of coarse point i) for every i.
+template <class Take>
+void for_each_update(const Step& step, std::span<const Position> details, Take take) {
+    const Index regular_begin = std::min<Index>(2, step.evens);
+    const Index regular_end = std::max(regular_begin, step.odds - 1);
+    for (Index i = 0; i < regular_begin; ++i) take(i, update(step, details, i));
+    for (Index i = regular_begin; i < regular_end; ++i) take(i, regular_update(details.data() + i));
+    for (Index i = regular_end; i < step.evens; ++i) take(i, update(step, details, i));
+}
+
 }  // namespace
+
+void analyze(std::span<const Position> points, const CurveShape& shape, std::span<Position> coarser,
+             std::span<Position> details) {
+    const Step step(shape);
+    const Position* const fine = points.data();
+    Position* const coarse = coarser.data();
+    Position* const detail = details.data();
+    for (Index i = 0; i < step.evens; ++i) coarse[i] = fine[step.fine_index(i)];
+    for_each_prediction(step, coarser,
+                        [=](Index k, Position p) { detail[k] = fine[2 * k + 1] - p; });
+    for_each_update(step, details, [=](Index i, Position u) { coarse[i] += u; });
+}
 
 WaveletLevel analyze(const std::vector<Position>& points, const CurveShape& shape) {
     const Step step(shape);
     WaveletLevel coarse;
     coarse.points.resize(static_cast<std::size_t>(step.evens));
     coarse.details.resize(static_cast<std::size_t>(step.odds));
-    for (Index i = 0; i < step.evens; ++i) {
-        coarse.points[static_cast<std::size_t>(i)] =
-            points[static_cast<std::size_t>(step.fine_index(i))];
-    }
-    for (Index k = 0; k < step.odds; ++k) {
-        coarse.details[static_cast<std::size_t>(k)] = points[static_cast<std::size_t>(2 * k + 1)] -
-                                                      predicted(prediction(step, k), coarse.points);
-    }
-    for (Index i = 0; i < step.evens; ++i) {
-        coarse.points[static_cast<std::size_t>(i)] += update(step, coarse.details, i);
-    }
+    analyze(points, shape, coarse.points, coarse.details);
     return coarse;
 }
 
 std::vector<Position> synthesize(const WaveletLevel& level, const CurveShape& shape) {
     const Step step(shape);
     std::vector<Position> evens = level.points;
-    for (Index i = 0; i < step.evens; ++i) {
-        evens[static_cast<std::size_t>(i)] += -update(step, level.details, i);
-    }
-    const auto count = static_cast<std::size_t>(step.is_closed ? step.fine : step.fine + 1);
-    std::vector<Position> fine(count);
-    for (Index i = 0; i < step.evens; ++i) {
-        fine[static_cast<std::size_t>(step.fine_index(i))] = evens[static_cast<std::size_t>(i)];
-    }
-    for (Index k = 0; k < step.odds; ++k) {
-        fine[static_cast<std::size_t>(2 * k + 1)] =
-            level.details[static_cast<std::size_t>(k)] + predicted(prediction(step, k), evens);
-    }
-    return fine;
+    Position* const even = evens.data();
+    for_each_update(step, level.details, [=](Index i, Position u) { even[i] += -u; });
+    std::vector<Position> points(
+        static_cast<std::size_t>(step.is_closed ? step.fine : step.fine + 1));
+    Position* const fine = points.data();
+    const Position* const detail = level.details.data();
+    for (Index i = 0; i < step.evens; ++i) fine[step.fine_index(i)] = even[i];
+    for_each_prediction(step, evens, [=](Index k, Position p) { fine[2 * k + 1] = detail[k] + p; });
+    return points;
 }
 
 }  // namespace touchline

@@ -8,6 +8,7 @@
 #include "config/types/vec2.h"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace touchline {
@@ -36,6 +37,12 @@ struct CurveShape {
 /// One analysis step from the level with `shape` to the next coarser. Cubics in the parameter are
 /// reproduced (details 0) everywhere; the ends of an open curve stay where they are. O(n).
 [[nodiscard]] WaveletLevel analyze(const std::vector<Position>& points, const CurveShape& shape);
+
+/// The same into the caller's arrays: `coarser` holds coarser_count(n) points (open: one more),
+/// `details` n / 2, where n is the number of segments of the level with `shape`. The three arrays
+/// do not overlap. O(n), allocates nothing.
+void analyze(std::span<const Position> points, const CurveShape& shape, std::span<Position> coarser,
+             std::span<Position> details);
 
 /// The inverse of analyze() to rounding: `shape` is that of the finer level. O(n).
 [[nodiscard]] std::vector<Position> synthesize(const WaveletLevel& level, const CurveShape& shape);
