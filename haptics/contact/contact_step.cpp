@@ -11,7 +11,7 @@ namespace {
 
 constexpr double still_m = 1e-14;         // a motion this short is rounding
 constexpr double parallel = 1e-9;         // sine of an angle too small to tell
-constexpr std::int64_t return_ns = 1500;  // what a step may still need when it is found to be late
+constexpr std::int64_t return_ns = 3000;  // what a step may still need, from cold caches, once late
 constexpr int walks_per_look = 16;        // at the clock: together less than half of that
 constexpr int max_visits =
     6;  // tries to leave one corner in a step, one per line that may meet there
