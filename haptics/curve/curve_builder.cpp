@@ -117,10 +117,14 @@ class CurveSetBuilder {
         : outlines_(outlines), options_(options) {}
 
     Result<CurveSet> build() {
-        const auto pins = find_pins(outlines_, PinRule{});
+        PinRule rule;
+        rule.noise_m = options_.denoise_m;
+        const auto pins = find_pins(outlines_, rule);
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             cut(outlines_[i], static_cast<int>(i), pins[i], stretches_);
         }
+        set_.reports_.resize(outlines_.size());
+        if (options_.denoise_m > 0.0) denoise_stretches();
         std::vector<SpacedLine> lines;
         for (const Stretch& stretch : stretches_) {
             lines.push_back({stretch.line, stretch.outline, stretch.is_closed});
@@ -134,7 +138,10 @@ class CurveSetBuilder {
         }
         place_points();
         report();
-        shrink();
+        if (options_.keep_details < 1.0) compress();
+        for (OutlineReport& report : set_.reports_) {
+            report.shrunk_rms_m = std::sqrt(report.shrunk_rms_m);
+        }
         link();
         return std::move(set_);
     }
@@ -174,35 +181,47 @@ class CurveSetBuilder {
         }
     }
 
-    /// Level 0 is the stored points, not a reconstruction, unless details were taken away.
-    void shrink() {
-        const bool is_changed = options_.denoise_m > 0.0 || options_.keep_details < 1.0;
-        if (!is_changed) return;
+    /// Noise is white on the data's own points: split or resampled, it would not be.
+    void denoise_stretches() {
+        for (Stretch& stretch : stretches_) {
+            std::vector<Position> points = stretch.line;
+            if (stretch.is_closed) points.pop_back();
+            const std::size_t segments = stretch.line.size() - 1;
+            Decomposition curve = decompose(points, {segments, 1, stretch.is_closed},
+                                            halvings(segments, stretch.is_closed));
+            denoise(curve, options_.denoise_m);
+            const std::vector<Position> smooth = reconstruct(curve);
+            const auto outline = static_cast<std::size_t>(stretch.outline);
+            add_moves(outline, points, smooth, outlines_[outline].points.size());
+            std::copy(smooth.begin(), smooth.end(), stretch.line.begin());
+            if (stretch.is_closed) stretch.line.back() = stretch.line.front();
+        }
+    }
+
+    /// Level 0 becomes what the details that are left make of it.
+    void compress() {
         std::vector<Decomposition> curves;
         for (std::size_t i = 0; i < firsts_.size(); ++i) {
             curves.push_back(decompose(firsts_[i], shapes_[i], halvings_[i]));
         }
         const double threshold = detail_threshold(curves, options_.keep_details);
         for (std::size_t i = 0; i < curves.size(); ++i) {
-            if (options_.denoise_m > 0.0) denoise(curves[i], options_.denoise_m);
-            if (options_.keep_details < 1.0) drop_details(curves[i], threshold);
-            std::vector<Position> shrunk = reconstruct(curves[i]);
-            add_error(static_cast<std::size_t>(stretches_[i].outline), firsts_[i], shrunk);
-            firsts_[i] = std::move(shrunk);
-        }
-        for (OutlineReport& report : set_.reports_) {
-            const auto count = static_cast<double>(std::max<std::size_t>(report.points_kept, 1));
-            report.shrunk_rms_m = std::sqrt(report.shrunk_rms_m / count);
+            drop_details(curves[i], threshold);
+            std::vector<Position> small = reconstruct(curves[i]);
+            const auto outline = static_cast<std::size_t>(stretches_[i].outline);
+            add_moves(outline, firsts_[i], small, set_.reports_[outline].points_kept);
+            firsts_[i] = std::move(small);
         }
     }
 
-    /// Sums squares in shrunk_rms_m until all pieces of the outline are in.
-    void add_error(std::size_t outline, const std::vector<Position>& from,
-                   const std::vector<Position>& to) {
+    /// Moves of some of an outline's `count` points; shrunk_rms_m holds the mean square until all
+    /// are in.
+    void add_moves(std::size_t outline, const std::vector<Position>& from,
+                   const std::vector<Position>& to, std::size_t count) {
         OutlineReport& report = set_.reports_[outline];
         for (std::size_t k = 0; k < from.size(); ++k) {
             const double moved = norm(to[k] - from[k]);
-            report.shrunk_rms_m += moved * moved;
+            report.shrunk_rms_m += moved * moved / static_cast<double>(count);
             report.shrunk_max_m = std::max(report.shrunk_max_m, moved);
         }
     }
@@ -304,11 +323,10 @@ class CurveSetBuilder {
 
     void report() {
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
-            OutlineReport line;
+            OutlineReport& line = set_.reports_[i];
             line.points_in = outlines_[i].points.size();
             line.spacing_m = spacing_.outlines[i].spacing_m;
             line.reason = spacing_.outlines[i].reason;
-            set_.reports_.push_back(line);
         }
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
             set_.reports_[static_cast<std::size_t>(stretches_[i].outline)].points_kept +=

@@ -28,8 +28,8 @@ struct CurveOptions {
     /// Share of the wavelet details that is kept, largest first, 0 ... 1 (compression, paper
     /// section 5).
     double keep_details = 1.0;
-    /// Standard deviation of the noise to remove (metres): details are shrunk by its universal
-    /// threshold (denoising, paper section 5). 0: none.
+    /// Standard deviation per coordinate of the noise on the map's points (metres): details are
+    /// shrunk on the levels that are mostly noise (denoising, paper section 5; shrink.h). 0: none.
     double denoise_m = 0.0;
 };
 
@@ -49,7 +49,8 @@ struct OutlineReport {
     std::size_t points_kept = 0;  // at level 0
     double spacing_m = 0.0;
     std::string reason;
-    // How far denoising and compression moved its level-0 points.
+    // How far denoising moved its data points and compression its level-0 points: the root of the
+    // sum of both mean squares, and the largest move of either.
     double shrunk_rms_m = 0.0;
     double shrunk_max_m = 0.0;
 };

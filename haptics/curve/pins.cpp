@@ -1,5 +1,8 @@
 #include "haptics/curve/pins.h"
 
+#include "haptics/curve/sampling.h"
+#include "haptics/curve/shrink.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -117,6 +120,16 @@ std::vector<std::size_t> corners(const Outline& outline, const PinRule& rule) {
     return kept;
 }
 
+/// The outline with its noise taken out, so that noise is not taken for corners.
+Outline without_noise(Outline outline, double noise_m) {
+    const std::size_t segments = outline.points.size() - (outline.is_closed ? 0 : 1);
+    Decomposition curve = decompose(std::move(outline.points), {segments, 1, outline.is_closed},
+                                    halvings(segments, outline.is_closed));
+    denoise(curve, noise_m);
+    outline.points = reconstruct(curve);
+    return outline;
+}
+
 using Place = std::pair<double, double>;
 
 Place place(Position p) {
@@ -146,7 +159,9 @@ std::vector<std::vector<std::size_t>> find_pins(const std::vector<Outline>& outl
             pins.emplace_back();
             continue;
         }
-        std::vector<std::size_t> own = corners(outline, rule);
+        std::vector<std::size_t> own = rule.noise_m > 0.0
+                                           ? corners(without_noise(outline, rule.noise_m), rule)
+                                           : corners(outline, rule);
         for (std::size_t i = 0; i < outline.points.size() && !ends.empty(); ++i) {
             if (std::binary_search(ends.begin(), ends.end(), place(outline.points[i]))) {
                 own.push_back(i);

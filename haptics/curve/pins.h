@@ -13,6 +13,7 @@ struct PinRule {
     double reach_m = 0.002;  // a turn is measured between chords of this length on both sides
     double turn_rad = 0.785398163397448;  // 45 degrees: weaker corners are not pinned
     double apart_m = 0.004;               // least distance along the outline between two corners
+    double noise_m = 0.0;  // standard deviation per coordinate, taken out before turns are measured
 };
 
 /// Pins of every outline of a map, as ascending vertex indices: the ends of open outlines, vertices

@@ -1,15 +1,36 @@
 #include "haptics/curve/shrink.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace touchline {
 namespace {
 
-// Gain of white noise through the prediction, sqrt(1 + (9^2 + 9^2 + 1 + 1) / 16^2), and through the
-// 13-tap low-pass, the root of the sum of its squared taps.
-constexpr double detail_gain = 1.2808688457449497;
-constexpr double low_pass_gain = 0.80926;
+// The analysis filters, by distance from their middle tap (wavelet.h).
+constexpr std::array low_pass{348.0 / 512, 144.0 / 512, -63.0 / 512, -16.0 / 512,
+                              18.0 / 512,  0.0,         -1.0 / 512};
+constexpr std::array high_pass{1.0, -9.0 / 16, 0.0, 1.0 / 16};
+constexpr int most_correlated = 12;  // twice the reach of the low-pass
+
+/// A symmetric sequence that is given from its middle on, 0 beyond.
+double at(std::span<const double> half, int i) {
+    const auto distance = static_cast<std::size_t>(std::abs(i));
+    return distance < half.size() ? half[distance] : 0.0;
+}
+
+/// The covariance at `lag` of noise of a covariance after a filter.
+double filtered(std::span<const double> covariance, std::span<const double> taps, int lag) {
+    const int reach = static_cast<int>(taps.size()) - 1;
+    double sum = 0.0;
+    for (int i = -reach; i <= reach; ++i) {
+        for (int j = -reach; j <= reach; ++j) {
+            sum += at(taps, i) * at(taps, j) * at(covariance, lag + i - j);
+        }
+    }
+    return sum;
+}
 
 CurveShape at_level(const CurveShape& shape, std::size_t level) {
     CurveShape finer = shape;
@@ -45,15 +66,36 @@ std::vector<Position> reconstruct(const Decomposition& curve) {
     return points;
 }
 
-void denoise(Decomposition& curve, double sigma_m) {
-    const double count = std::max(2.0, static_cast<double>(curve.shape.finest_segments));
-    double threshold = sigma_m * detail_gain * std::sqrt(2.0 * std::log(count));
-    for (auto& level : curve.details) {
-        for (Position& detail : level) {
-            const double size = norm(detail);
-            detail = size > threshold ? (1.0 - threshold / size) * detail : Position{};
+std::vector<double> noise_gains(std::size_t levels) {
+    std::vector<double> gains;
+    std::vector<double> covariance{1.0};
+    while (gains.size() < levels) {
+        gains.push_back(std::sqrt(filtered(covariance, high_pass, 0)));
+        std::vector<double> coarser;
+        for (int lag = 0; lag <= most_correlated; ++lag) {
+            coarser.push_back(filtered(covariance, low_pass, 2 * lag));
         }
-        threshold *= low_pass_gain;
+        covariance = std::move(coarser);
+    }
+    return gains;
+}
+
+void denoise_level(std::span<Position> details, double noise_m, std::size_t count) {
+    double energy = 0.0;
+    for (const Position d : details) energy += dot(d, d);
+    const double noise_energy = 2.0 * noise_m * noise_m * static_cast<double>(details.size());
+    if (energy > 2.0 * noise_energy) return;  // more signal than noise
+    const double square = 2.0 * std::log(static_cast<double>(count)) * noise_m * noise_m;
+    for (Position& d : details) {
+        d = dot(d, d) > square ? (1.0 - square / dot(d, d)) * d : Position{};
+    }
+}
+
+void denoise(Decomposition& curve, double sigma_m) {
+    const std::vector<double> gains = noise_gains(curve.details.size());
+    const std::size_t count = std::max<std::size_t>(2, curve.shape.finest_segments);
+    for (std::size_t level = 0; level < gains.size(); ++level) {
+        denoise_level(curve.details[level], sigma_m * gains[level], count);
     }
 }
 

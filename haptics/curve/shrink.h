@@ -24,8 +24,19 @@ struct Decomposition {
 
 [[nodiscard]] std::vector<Position> reconstruct(const Decomposition& curve);
 
-/// Shrinks every detail towards 0 by the universal threshold of white noise with standard deviation
-/// `sigma_m` per coordinate: sigma sqrt(2 ln N), times what the filters make of it on each level.
+/// Standard deviation of the details of each level, finest first, where the points of level 0 carry
+/// white noise of standard deviation 1: the noise's covariance taken through the filters, exact but
+/// for the few details next to an open end (up to an eighth more there). O(levels).
+[[nodiscard]] std::vector<double> noise_gains(std::size_t levels);
+
+/// Takes noise of standard deviation `noise_m` per coordinate out of the details of one level of a
+/// curve of `count` points, if noise is at least half of their energy; else leaves them. A detail d
+/// becomes (1 - t^2 / |d|^2) d, or 0 up to t: the garrote (Breiman 1995; Gao 1998) at the universal
+/// threshold t = noise sqrt(2 ln count), which noise alone passes about once in a level. O(n).
+void denoise_level(std::span<Position> details, double noise_m, std::size_t count);
+
+/// Takes white noise of standard deviation `sigma_m` per coordinate of level 0 out of every level.
+/// The ends of an open curve stay where they are. O(N).
 void denoise(Decomposition& curve, double sigma_m);
 
 /// The detail size (metres, scaled by its level so that sizes compare in energy) above which the

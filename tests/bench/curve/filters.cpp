@@ -163,18 +163,12 @@ Points denoised(Filter filter, const Points& points, double sigma_m, int levels)
         return reconstruct(curve);
     }
     const std::vector<double> gains = noise_gains(filter, points.size(), levels);
-    const double universal =
-        sigma_m * std::sqrt(2.0 * std::log(static_cast<double>(points.size())));
     std::vector<WaveletLevel> all;
     Points coarse = points;
     for (const double gain : gains) {
         all.push_back(analyze_closed(filter, coarse));
         coarse = all.back().points;
-        for (Position& detail : all.back().details) {
-            const double size = norm(detail);
-            const double threshold = universal * gain;
-            detail = size > threshold ? (1.0 - threshold / size) * detail : Position{};
-        }
+        denoise_level(all.back().details, sigma_m * gain, points.size());
     }
     for (std::size_t i = all.size(); i-- > 0;) {
         coarse = synthesize_closed(filter, {std::move(coarse), all[i].details});

@@ -37,8 +37,9 @@ inline constexpr std::array all_filters{Filter::paper_13_7, Filter::haar, Filter
 [[nodiscard]] std::vector<Position> coarser_open(Filter filter,
                                                  const std::vector<Position>& points);
 
-/// The closed curve with its details shrunk by the universal threshold for white noise of `sigma_m`
-/// a coordinate, down to `levels` levels. Each filter's own noise gains are measured by impulses.
+/// The closed curve with its details shrunk as the product does (shrink.h) for white noise of
+/// `sigma_m` a coordinate, down to `levels` levels. Each filter's own noise gains are measured by
+/// impulses.
 /// O(n^2).
 [[nodiscard]] std::vector<Position> denoised(Filter filter, const std::vector<Position>& points,
                                              double sigma_m, int levels);

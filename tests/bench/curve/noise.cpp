@@ -120,18 +120,20 @@ std::string verdict(double sigma_m, const Sums& sums) {
     }
     const Way ours = nearest_level(sums, Method::paper_13_7);
     const CurveError& raw = sums.mean.at({Method::paper_13_7, 0});
+    const CurveError& level_1 = sums.mean.at({Method::paper_13_7, 1});
     const CurveError& shrunk = sums.mean.at({Method::paper_13_7, -1});
     return fmt::format(
-        "Noise of {:.1f} mm: the noisy curve is {:.0f} um RMS and {:.0f} degrees of slope off; "
-        "13/7 is "
+        "Noise of {:.1f} mm: the noisy curve is {:.0f} um RMS and {:.1f} degrees of slope off, its "
+        "level 1 with "
+        "13/7 {:.0f} um and {:.1f} degrees; 13/7 is "
         "nearest with {} points ({:.0f} um, {:.1f} degrees); denoised it is {:.0f} um and {:.1f} "
         "degrees off. "
         "Of the levels of all methods {} is nearest ({:.0f} um), of the denoised curves {} ({:.0f} "
         "um).",
-        1e3 * sigma_m, 1e3 * raw.rms, degrees * raw.slope_rad, points_in_words(ours),
-        1e3 * sums.mean.at(ours).rms, degrees * sums.mean.at(ours).slope_rad, 1e3 * shrunk.rms,
-        degrees * shrunk.slope_rad, name_of(best),
-        1e3 * sums.mean.at(nearest_level(sums, best)).rms, name_of(best_denoised),
+        1e3 * sigma_m, 1e3 * raw.rms, degrees * raw.slope_rad, 1e3 * level_1.rms,
+        degrees * level_1.slope_rad, points_in_words(ours), 1e3 * sums.mean.at(ours).rms,
+        degrees * sums.mean.at(ours).slope_rad, 1e3 * shrunk.rms, degrees * shrunk.slope_rad,
+        name_of(best), 1e3 * sums.mean.at(nearest_level(sums, best)).rms, name_of(best_denoised),
         1e3 * sums.mean.at({best_denoised, -1}).rms);
 }
 
@@ -159,8 +161,8 @@ Result<void> measure_noise(const Folders& folders) {
         "coordinates of "
         "{} points. RMS distance in um of the outline without noise from the best level (its "
         "points in brackets) "
-        "and from the whole curve with its details shrunk over {} levels by the universal "
-        "threshold.\n\n{}\n{}",
+        "and from the whole curve with its details shrunk over {} levels as the product "
+        "does.\n\n{}\n{}",
         smooth_outlines().size(), seeds, outline_points, denoised_levels,
         summary(by_noise).markdown(), verdicts);
     return write_csv(folders, "curve_noise", all).and_then([&] {
