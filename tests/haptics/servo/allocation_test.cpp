@@ -2,77 +2,21 @@
 
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_loop.h"
+#include "tests/haptics/call_counts.h"
 #include "tests/haptics/servo/rigs.h"
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
-#include <new>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-namespace {
-
-thread_local bool is_counting = false;
-thread_local std::uint64_t allocations = 0;
-
-void count() {
-    if (is_counting) ++allocations;
-}
-
-}  // namespace
-
-// Not inlined: the compiler would pair malloc with operator delete and warn.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    count();
-    if (void* const p = std::malloc(size)) return p;
-    throw std::bad_alloc();
-}
-
-[[gnu::noinline]] void operator delete(void* p) noexcept {
-    count();
-    std::free(p);
-}
-
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept {
-    operator delete(p);
-}
-
-// The sanitizers bring allocators of their own, and are slow: there only operator new is counted,
-// over fewer ticks.
+// The sanitizers are slow.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int ticks = 20000;
 #else
 constexpr int ticks = 100000;
-
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* p, std::size_t size);
-void __libc_free(void* p);
-
-void* malloc(std::size_t size) {
-    count();
-    return __libc_malloc(size);
-}
-
-void* calloc(std::size_t number, std::size_t size) {
-    count();
-    return __libc_calloc(number, size);
-}
-
-void* realloc(void* p, std::size_t size) {
-    count();
-    return __libc_realloc(p, size);
-}
-
-void free(void* p) {
-    count();
-    __libc_free(p);
-}
-}
 #endif
 
 namespace touchline {
@@ -101,7 +45,6 @@ TEST(Tick, AllocatesNothingInAHundredThousandTicks) {
     ServoLoop loop(device, default_profile(), 1e-3, exchange, recorder);
     ServoCommands commands;
     std::uint64_t in_contact = 0;
-    allocations = 0;
     for (int k = 0; k < ticks; ++k) {
         if (k % 5000 == 0) {  // another scene, mode and level, from the kiosk's side
             exchange.feel(wave_scene(0.0001 * k));
@@ -110,22 +53,22 @@ TEST(Tick, AllocatesNothingInAHundredThousandTicks) {
             commands.level = 1.5;
             exchange.set(commands);
         }
-        is_counting = true;
-        loop.tick(k * 1e-3, 0);
-        is_counting = false;
+        {
+            const CallCounter counting;
+            loop.tick(k * 1e-3, 0);
+        }
         if (exchange.report().hand.state != ContactState::free) ++in_contact;
     }
-    EXPECT_EQ(allocations, 0U);
+    EXPECT_EQ(take_call_counts().allocations, 0U);
     EXPECT_GT(in_contact, static_cast<std::uint64_t>(ticks / 10));
 }
 
 TEST(Tick, CounterDoesCount) {
-    allocations = 0;
-    is_counting = true;
-    auto* const p = new std::vector<int>(10);
-    is_counting = false;
-    EXPECT_GE(allocations, 2U);
-    delete p;
+    {
+        const CallCounter counting;
+        const std::vector<int> made(10);
+    }
+    EXPECT_GE(take_call_counts().allocations, 2U);
 }
 
 }  // namespace

@@ -1,0 +1,93 @@
+// Nodes that are alone: a slide over them asks nothing of the tree, so nothing else may be near.
+#include "haptics/collision/scene.h"
+#include "haptics/collision/touch.h"
+#include "tests/bench/workload.h"
+#include "tests/exact/orientation.h"
+#include "tests/haptics/collision/level_segments.h"
+#include "tests/haptics/scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+double distance_between_m(const Segment& s, const Segment& t) {
+    if (exact::meet(s.a, s.b, t.a, t.b)) return 0.0;
+    return std::min({scenes::distance_m(s.a, t), scenes::distance_m(s.b, t),
+                     scenes::distance_m(t.a, s), scenes::distance_m(t.b, s)});
+}
+
+bool is_alone(const Scene& scene, SegmentRef ref, double level) {
+    const NodeRange nodes = CollisionTree::nodes(scene.curves, ref.piece, level);
+    const int node = nodes.is_blend ? ref.index / 2 : ref.index;
+    return scene.tree.is_alone(nodes.first + static_cast<std::size_t>(node));
+}
+
+/// The segment and those that a slide looks at anyway.
+std::vector<SegmentRef> neighbourhood(const CurveSet& curves, SegmentRef ref, double level) {
+    const int each_way = level == std::floor(level) ? 1 : 3;
+    std::vector<SegmentRef> near{ref};
+    SegmentRef forward = ref;
+    SegmentRef back = ref;
+    for (int i = 0; i < each_way; ++i) {
+        if (forward.piece >= 0) forward = curves.next(forward, level);
+        if (back.piece >= 0) back = curves.previous(back, level);
+        near.push_back(forward);
+        near.push_back(back);
+    }
+    return near;
+}
+
+TEST(Alone, NothingButNeighboursComesWithinReach) {
+    int alone = 0;
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        const double radius_m = seed % 2 == 0 ? 0.0 : 1e-4;
+        const Scene scene = build_scene(scenes::random_map(seed, 3), {}, radius_m).value();
+        for (const double level : {0.0, 0.4, 1.0, 1.7, 2.0}) {
+            const LevelSegments segments(scene.curves, level);
+            for (const auto& [ref, segment] : segments.all()) {
+                if (!is_alone(scene, ref, level)) continue;
+                ++alone;
+                const auto near = neighbourhood(scene.curves, ref, level);
+                for (const auto& [other, stranger] : segments.all()) {
+                    if (std::find(near.begin(), near.end(), other) != near.end()) continue;
+                    ASSERT_GT(distance_between_m(segment, stranger),
+                              2.0 * std::max(radius_m, contact_skin_m))
+                        << seed << " " << level << " " << ref.piece << "," << ref.index << " "
+                        << other.piece << "," << other.index;
+                }
+            }
+        }
+    }
+    EXPECT_GT(alone, 1000);
+}
+
+/// Share of the nodes of all levels that are alone.
+double alone_share(const Scene& scene) {
+    std::size_t nodes = 0;
+    std::size_t alone = 0;
+    for (int piece = 0; piece < static_cast<int>(scene.curves.pieces().size()); ++piece) {
+        const int coarsest = scene.curves.pieces()[static_cast<std::size_t>(piece)].coarsest;
+        for (int level = 0; level <= coarsest; ++level) {
+            for (int j = 0; j < scene.curves.segment_count(piece, level); ++j) {
+                ++nodes;
+                alone += is_alone(scene, {piece, j}, level) ? 1U : 0U;
+            }
+        }
+    }
+    return static_cast<double>(alone) / static_cast<double>(nodes);
+}
+
+TEST(Alone, NearlyAllOfASimpleSmoothCurveIs) {
+    const Scene round = build_scene(scenes::map_of({scenes::circle(0.04, 4096)}), {}, 0.0).value();
+    EXPECT_GE(alone_share(round), 0.95);
+    const TactileMap lobes = workload::map_of(workload::curve(workload::Kind::radial, 4096));
+    EXPECT_GE(alone_share(build_scene(lobes, {}, 0.0).value()), 0.95);
+}
+
+}  // namespace
+}  // namespace touchline
