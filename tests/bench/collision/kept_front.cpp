@@ -34,6 +34,7 @@ Vector absolute(Vector a) {
 KeptFront::KeptFront(const Scene& scene, const Options& options)
     : scene_(scene), options_(options) {
     copy_boxes();
+    build_hierarchy();
     place_.resize(boxes_.size());
     blocks_.reserve(capacity / lanes + 1);
     front_nodes_.reserve(capacity);
@@ -42,31 +43,64 @@ KeptFront::KeptFront(const Scene& scene, const Options& options)
     start_again();
 }
 
+KeptFront::CentredBox KeptFront::copied_box(const FrontNode& node) const {
+    const auto c = scene_.tree.box(scene_.curves, node.piece, node.level, node.index).corners;
+    const Position along = c[1] - c[0];
+    const Position across = c[3] - c[0];
+    const bool is_turned = norm(across) > norm(along);
+    const Direction axis = is_turned ? -left_of(direction_of(across)) : direction_of(along);
+    const double grown_m = options_.radius_m + approach_tolerance_m + copy_m;
+    return {0.5 * (c[0] + c[2]), axis, 0.5 * norm(along) + grown_m, 0.5 * norm(across) + grown_m};
+}
+
 void KeptFront::copy_boxes() {
     const CurveSet& curves = scene_.curves;
     boxes_.resize(curves.point_count());
-    const double grown_m = options_.radius_m + approach_tolerance_m + copy_m;
-    for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
+    for (std::int32_t piece = 0; piece < static_cast<std::int32_t>(curves.pieces().size());
+         ++piece) {
         const int coarsest = curves.pieces()[static_cast<std::size_t>(piece)].coarsest;
         for (int level = std::min(options_.level, coarsest); level <= coarsest; ++level) {
             for (int j = 0; j < curves.segment_count(piece, level); ++j) {
-                const auto c = scene_.tree.box(curves, piece, level, j).corners;
-                const Position along = c[1] - c[0];
-                const Position across = c[3] - c[0];
-                const bool is_turned = norm(across) > norm(along);
-                const Direction axis =
-                    is_turned ? -left_of(direction_of(across)) : direction_of(along);
-                boxes_[number({piece, level, j})] = {0.5 * (c[0] + c[2]), axis,
-                                                     0.5 * norm(along) + grown_m,
-                                                     0.5 * norm(across) + grown_m};
+                const FrontNode node{piece, level, j};
+                boxes_[number(node)] = copied_box(node);
+                if (level == coarsest) roots_.push_back(node);
             }
         }
     }
 }
 
+/// Boxes upright, each around its two parts.
+void KeptFront::build_hierarchy() {
+    std::size_t parts = roots_.size();
+    for (std::int32_t level = 1; parts > 1; ++level) {
+        const std::size_t count = (parts + 1) / 2;
+        first_bound_.push_back(boxes_.size());
+        bound_count_.push_back(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            int held = 0;
+            const auto below = children({-1, level, static_cast<std::int32_t>(i)}, held);
+            Position low{INFINITY, INFINITY};
+            Position high{-INFINITY, -INFINITY};
+            for (int k = 0; k < held; ++k) {
+                const CentredBox& box = boxes_[number(below[static_cast<std::size_t>(k)])];
+                const double x = std::abs(box.axis.x) * box.half_along +
+                                 std::abs(box.axis.y) * box.half_across + copy_m;
+                const double y = std::abs(box.axis.y) * box.half_along +
+                                 std::abs(box.axis.x) * box.half_across + copy_m;
+                low = {std::min(low.x, box.centre.x - x), std::min(low.y, box.centre.y - y)};
+                high = {std::max(high.x, box.centre.x + x), std::max(high.y, box.centre.y + y)};
+            }
+            const Position half = 0.5 * (high - low);
+            boxes_.push_back({low + half, {1.0, 0.0}, half.x, half.y});
+        }
+        parts = count;
+    }
+}
+
 std::size_t KeptFront::number(const FrontNode& node) const {
-    return scene_.curves.first_point(node.piece, node.level) +
-           static_cast<std::size_t>(node.index);
+    const auto index = static_cast<std::size_t>(node.index);
+    if (node.piece < 0) return first_bound_[static_cast<std::size_t>(node.level - 1)] + index;
+    return scene_.curves.first_point(node.piece, node.level) + index;
 }
 
 void KeptFront::start_again() {
@@ -77,12 +111,10 @@ void KeptFront::start_again() {
     odometer_m_ = 0.0;
     least_due_ = 0.0F;
     least_merge_due_ = never;
-    const auto pieces = scene_.curves.pieces();
-    for (std::int32_t piece = 0; piece < static_cast<std::int32_t>(pieces.size()); ++piece) {
-        const int level = pieces[static_cast<std::size_t>(piece)].coarsest;
-        for (int j = 0; j < scene_.curves.segment_count(piece, level); ++j) {
-            append({piece, level, j});
-        }
+    if (!first_bound_.empty()) {
+        append({-1, static_cast<std::int32_t>(first_bound_.size()), 0});
+    } else if (!roots_.empty()) {
+        append(roots_[0]);
     }
 }
 
@@ -146,8 +178,8 @@ void KeptFront::test_block(std::size_t b, Query& query) {
         const Floats beyond =
             larger(absolute(s + ds) - block.half_along, absolute(n + dn) - block.half_across);
         const auto is_apart =
-            (gap > 0.0F) | (absolute(ds * n - dn * s) > reach_s * block.half_across +
-                                                            reach_n * block.half_along);
+            (gap > 0.0F) |
+            (absolute(ds * n - dn * s) > reach_s * block.half_across + reach_n * block.half_along);
         const float soonest = now - static_cast<float>(reading_m);
         block.due = soonest + larger(beyond, Floats{});
         if (any(~is_apart)) {
@@ -173,10 +205,9 @@ KeptFront::Reach KeptFront::reach(const FrontNode& node, Query& query) const {
     const double dn = cross(box.axis, query.half);
     const double reach_s = std::abs(ds);
     const double reach_n = std::abs(dn);
-    const bool is_apart = (std::abs(s) > reach_s + box.half_along) |
-                          (std::abs(n) > reach_n + box.half_across) |
-                          (std::abs(ds * n - dn * s) >
-                           reach_s * box.half_across + reach_n * box.half_along);
+    const bool is_apart =
+        (std::abs(s) > reach_s + box.half_along) | (std::abs(n) > reach_n + box.half_across) |
+        (std::abs(ds * n - dn * s) > reach_s * box.half_across + reach_n * box.half_along);
     return {!is_apart,
             std::max(std::abs(s + ds) - box.half_along, std::abs(n + dn) - box.half_across)};
 }
@@ -191,8 +222,16 @@ double KeptFront::beyond_m(const FrontNode& node) const {
 std::array<FrontNode, 2> KeptFront::children(const FrontNode& node, int& count) const {
     const FrontNode first{node.piece, node.level - 1, 2 * node.index};
     const FrontNode second{node.piece, node.level - 1, 2 * node.index + 1};
-    count = second.index < scene_.curves.segment_count(node.piece, node.level - 1) ? 2 : 1;
-    return {first, second};
+    if (node.piece >= 0) {
+        count = second.index < scene_.curves.segment_count(node.piece, first.level) ? 2 : 1;
+        return {first, second};
+    }
+    const auto at = static_cast<std::size_t>(first.index);
+    const std::size_t below =
+        first.level == 0 ? roots_.size() : bound_count_[static_cast<std::size_t>(first.level - 1)];
+    count = at + 1 < below ? 2 : 1;
+    if (first.level > 0) return {first, second};
+    return {roots_[at], roots_[count == 2 ? at + 1 : at]};
 }
 
 /// A node that the way meets, or nearly: tested, split where the handle stays near it.
@@ -220,9 +259,8 @@ void KeptFront::refine(std::size_t slot, Query& query) {
 }
 
 void KeptFront::test_leaf(const FrontNode& node, Query& query) const {
-    query.first.test(
-        {node.piece, node.index},
-        scene_.curves.rendered_segment(node.piece, options_.level, node.index));
+    query.first.test({node.piece, node.index},
+                     scene_.curves.rendered_segment(node.piece, options_.level, node.index));
 }
 
 /// A node that the way only passes through is looked at and left as it is.
@@ -342,7 +380,20 @@ void KeptFront::set_merge_due(std::size_t slot, double beyond_m) {
 }
 
 std::vector<FrontNode> KeptFront::front() const {
-    return front_nodes_;
+    std::vector<FrontNode> open = front_nodes_;
+    std::vector<FrontNode> found;
+    while (!open.empty()) {
+        const FrontNode node = open.back();
+        open.pop_back();
+        if (node.piece >= 0) {
+            found.push_back(node);
+            continue;
+        }
+        int count = 0;
+        const auto parts = children(node, count);
+        open.insert(open.end(), parts.begin(), parts.begin() + count);
+    }
+    return found;
 }
 
 }  // namespace touchline::bench

@@ -14,7 +14,8 @@
 
 namespace touchline::bench {
 
-/// Node `index` of a level of a piece: a stretch of the curve.
+/// Node `index` of a level of a piece: a stretch of the curve. Piece -1: of the hierarchy over the
+/// coarsest nodes of all pieces, in their order; its level 1 holds two of them.
 struct FrontNode {
     std::int32_t piece, level, index;
 
@@ -33,7 +34,7 @@ class KeptFront {
     /// `scene` must outlive it. O(N).
     KeptFront(const Scene& scene, const Options& options);
 
-    /// Puts the handle somewhere, with the coarsest nodes as the front. O(what was split).
+    /// Puts the handle somewhere, with the hierarchy's top as the front. O(1) and a step.
     void place(Position handle);
 
     /// The first contact of the disc on its straight way to `to`, as CollisionTree::first_hit
@@ -41,10 +42,9 @@ class KeptFront {
     /// not.
     [[nodiscard]] Hit first_hit(Position to);
 
-    /// The front, in no order. With margin 0 and no schedule the boundary section of the handle.
+    /// The front, in no order, a node of the hierarchy as the coarsest nodes below it. With margin
+    /// 0 and no schedule the boundary section of the handle.
     [[nodiscard]] std::vector<FrontNode> front() const;
-
-    [[nodiscard]] std::size_t size() const { return front_nodes_.size(); }
 
   private:
     using Floats = float __attribute__((vector_size(16)));
@@ -75,10 +75,16 @@ class KeptFront {
     };
 
     [[nodiscard]] std::size_t number(const FrontNode& node) const;
-    [[nodiscard]] bool is_leaf(const FrontNode& node) const { return node.level <= options_.level; }
+
+    [[nodiscard]] bool is_leaf(const FrontNode& node) const {
+        return node.level <= options_.level && node.piece >= 0;
+    }
+
     [[nodiscard]] Reach reach(const FrontNode& node, Query& query) const;
     [[nodiscard]] std::array<FrontNode, 2> children(const FrontNode& node, int& count) const;
+    [[nodiscard]] CentredBox copied_box(const FrontNode& node) const;
     void copy_boxes();
+    void build_hierarchy();
     void start_again();
     void move_odometer(double way_m);
     void test_block(std::size_t block, Query& query);
@@ -97,7 +103,11 @@ class KeptFront {
 
     const Scene& scene_;
     Options options_;
-    std::vector<CentredBox> boxes_;    // of all nodes, in the order of the curves' points
+    std::vector<CentredBox> boxes_;  // of all nodes, in the order of the curves' points
+    std::vector<FrontNode> roots_;   // the coarsest nodes of all pieces
+    // Of each level of the hierarchy, from 1: where its boxes begin, behind those of the pieces.
+    std::vector<std::size_t> first_bound_;
+    std::vector<std::size_t> bound_count_;
     std::vector<std::int32_t> place_;  // of a live node: slot of the front, or ~slot of the split
     std::vector<Block> blocks_;        // the front
     std::vector<FrontNode> front_nodes_;

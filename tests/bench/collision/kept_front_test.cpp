@@ -1,9 +1,10 @@
 #include "tests/bench/collision/kept_front.h"
+
 #include "tests/bench/workload.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+
+#include <gtest/gtest.h>
 
 namespace touchline::bench {
 namespace {
@@ -29,8 +30,8 @@ TEST_P(KeptFrontOnTheHand, FindsTheHitsOfTheCollisionTree) {
     int hits = 0;
     for (std::size_t i = 1; i < way.size(); ++i) {
         const Hit found = front.first_hit(way[i]);
-        const Motion motion{way[i - 1], way[i], c.options.radius_m,
-                            static_cast<double>(c.options.level), {}};
+        const Motion motion{
+            way[i - 1], way[i], c.options.radius_m, static_cast<double>(c.options.level), {}};
         const Hit expected = scene.tree.first_hit(scene.curves, motion, {});
         ASSERT_EQ(found.is_hit, expected.is_hit) << i;
         ASSERT_EQ(found.clear, expected.clear) << i;
