@@ -124,14 +124,8 @@ void KeptFront::place(Position handle) {
     (void)first_hit(handle);
 }
 
-Hit KeptFront::first_hit(Position to) {
-    const Position from = handle_;
-    handle_ = to;
-    move_odometer(norm(to - from));
-    if (options_.is_scheduled && odometer_m_ < static_cast<double>(least_due_)) {
-        merge_passed();
-        return {};
-    }
+Hit KeptFront::test_due(Position from, Position to) {
+    if (odometer_m_ > odometer_end_m) set_odometer_back();
     const Motion motion{from, to, options_.radius_m, static_cast<double>(options_.level), {}};
     Query query{FirstTouch(motion), 0.5 * (from + to), 0.5 * (to - from)};
     least_due_ = never;
@@ -143,16 +137,12 @@ Hit KeptFront::first_hit(Position to) {
 }
 
 /// Readings are single: the odometer is set back before it grows too coarse for them.
-void KeptFront::move_odometer(double way_m) {
-    if (odometer_m_ > odometer_end_m) {
-        const auto back = static_cast<float>(odometer_m_);
-        for (Block& block : blocks_) block.due -= back;
-        for (float& due : merge_due_) due -= back;
-        least_due_ -= back;
-        least_merge_due_ -= back;
-        odometer_m_ = 0.0;
-    }
-    odometer_m_ += way_m;
+void KeptFront::set_odometer_back() {
+    const auto back = static_cast<float>(odometer_m_);
+    for (Block& block : blocks_) block.due -= back;
+    for (float& due : merge_due_) due -= back;
+    least_merge_due_ -= back;
+    odometer_m_ -= static_cast<double>(back);
 }
 
 void KeptFront::test_block(std::size_t b, Query& query) {

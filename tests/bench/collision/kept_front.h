@@ -40,7 +40,14 @@ class KeptFront {
     /// The first contact of the disc on its straight way to `to`, as CollisionTree::first_hit
     /// (spare_m is not set; boxes are those tested). The handle is at `to` afterwards, contact or
     /// not.
-    [[nodiscard]] Hit first_hit(Position to);
+    [[nodiscard]] Hit first_hit(Position to) {
+        const Position from = handle_;
+        handle_ = to;
+        odometer_m_ += norm(to - from);
+        // Merging waits, too: it changes no answer.
+        if (options_.is_scheduled && odometer_m_ < static_cast<double>(least_due_)) return {};
+        return test_due(from, to);
+    }
 
     /// The front, in no order, a node of the hierarchy as the coarsest nodes below it. With margin
     /// 0 and no schedule the boundary section of the handle.
@@ -86,7 +93,8 @@ class KeptFront {
     void copy_boxes();
     void build_hierarchy();
     void start_again();
-    void move_odometer(double way_m);
+    [[nodiscard]] Hit test_due(Position from, Position to);
+    void set_odometer_back();
     void test_block(std::size_t block, Query& query);
     void refine(std::size_t slot, Query& query);
     void test_leaf(const FrontNode& node, Query& query) const;
