@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
     part("growth", "building against size", run_growth);
     part("deadline", "budgets of time and boxes", run_deadline);
     part("accuracy", "levels and budgets against force and place", run_speed_accuracy);
+    part("front", "queries from the top, from the grid and of a kept front", run_front);
     app.require_subcommand(1);
     CLI11_PARSE(app, argc, argv);
     return 0;

@@ -70,5 +70,6 @@ void run_scenes(const BenchOptions& options);
 void run_growth(const BenchOptions& options);
 void run_deadline(const BenchOptions& options);
 void run_speed_accuracy(const BenchOptions& options);
+void run_front(const BenchOptions& options);
 
 }  // namespace touchline::bench
