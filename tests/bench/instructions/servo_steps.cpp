@@ -3,6 +3,7 @@
 #include "tests/bench/collision/touchline_rows.h"
 
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/core.h>
 

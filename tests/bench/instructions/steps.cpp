@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -22,7 +23,13 @@ void run(Servo& servo, const std::vector<Position>& hand, std::size_t first, std
     }
 }
 
-/// One dump for all counted steps of a row: "auto 512".
+/// Writes what was counted since the last dump. The request keeps the name's address only.
+void dump(LevelChoice choice, std::size_t edges, std::size_t number) {
+    const std::string name = fmt::format("{} {} {}", name_of(choice), edges, number);
+    CALLGRIND_DUMP_STATS_AT(name.c_str());
+}
+
+/// One dump for all counted steps of a row, with their number: "auto 512 20000".
 void count_row(const Scene& scene, LevelChoice choice, std::size_t edges,
                const std::vector<Position>& hand) {
     Servo servo = start(scene, choice, hand[0]);
@@ -30,7 +37,7 @@ void count_row(const Scene& scene, LevelChoice choice, std::size_t edges,
     CALLGRIND_START_INSTRUMENTATION;
     CALLGRIND_ZERO_STATS;
     run(servo, hand, warm_up_steps, hand.size());
-    CALLGRIND_DUMP_STATS_AT(fmt::format("{} {}", name_of(choice), edges).c_str());
+    dump(choice, edges, counted_steps);
     CALLGRIND_STOP_INSTRUMENTATION;
 }
 
@@ -43,7 +50,7 @@ void count_each(const Scene& scene, LevelChoice choice, std::size_t edges,
     CALLGRIND_ZERO_STATS;
     for (std::size_t i = warm_up_steps; i < hand.size(); ++i) {
         run(servo, hand, i, i + 1);
-        CALLGRIND_DUMP_STATS_AT(fmt::format("{} {} {}", name_of(choice), edges, i).c_str());
+        dump(choice, edges, i);
     }
     CALLGRIND_STOP_INSTRUMENTATION;
 }
@@ -59,7 +66,7 @@ void count_cold(const Scene& scene, LevelChoice choice, std::size_t edges,
         CALLGRIND_START_INSTRUMENTATION;
         CALLGRIND_ZERO_STATS;
         run(servo, hand, i, i + 1);
-        CALLGRIND_DUMP_STATS_AT(fmt::format("{} {} {}", name_of(choice), edges, i).c_str());
+        dump(choice, edges, i);
         CALLGRIND_STOP_INSTRUMENTATION;
         next = i + 1;
     }

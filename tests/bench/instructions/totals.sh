@@ -3,8 +3,7 @@
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/callgrind.sh"
 
-counted_steps=20000 # as servo_steps.h
 dumps=$(mktemp)
 trap 'rm -f "$dumps"' EXIT
 count_steps "$dumps" "${1:?usage: totals.sh PROGRAM}" total
-sums_of "$dumps" | awk -v steps="$counted_steps" '{ printf "%s %s %.1f\n", $1, $2, $3 / steps }'
+sums_of "$dumps" | awk '{ printf "%s %s %.1f\n", $1, $2, $4 / $3 }'
