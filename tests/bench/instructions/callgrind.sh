@@ -1,0 +1,28 @@
+# shellcheck shell=bash
+# Sourced. Counting with callgrind inside the servo step.
+
+# count_steps DUMPS PROGRAM [PART...] [-- OPTION...]: the program's dumps, all in one new file.
+count_steps() {
+    local dumps=$1 words=() log
+    shift
+    while (($# > 0)) && [[ $1 != -- ]]; do words+=("$1") && shift; done
+    [[ ${1-} != -- ]] || shift
+    log=$(mktemp)
+    rm -f "$dumps"
+    # A profile of the whole run would hold lines and calls; only the sums of each dump are read.
+    valgrind --tool=callgrind --instr-atstart=no --toggle-collect=touchline_servo_step \
+        --combine-dumps=yes --dump-line=no --dump-instr=no --callgrind-out-file="$dumps" "$@" \
+        "${words[@]}" >"$log" 2>&1 || {
+        cat "$log" >&2
+        rm -f "$log"
+        return 1
+    }
+    rm -f "$log"
+}
+
+# sums_of DUMPS: a line for each named dump, its name and its sums: "auto 512 2000 413".
+sums_of() {
+    awk '
+        /^desc: Trigger: / { name = sub(/^desc: Trigger: Client Request: /, "") ? $0 : "" }
+        /^totals: / && name != "" { sub(/^totals: /, ""); print name, $0; name = "" }' "$1"
+}

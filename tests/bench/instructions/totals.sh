@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# totals.sh PROGRAM: mean instructions of a servo step, "auto 512 898.8" a row, as recorded.txt holds them.
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/callgrind.sh"
+
+dumps=$(mktemp)
+trap 'rm -f "$dumps"' EXIT
+count_steps "$dumps" "${1:?usage: totals.sh PROGRAM}" total
+sums_of "$dumps" | awk '{ printf "%s %s %.1f\n", $1, $2, $4 / $3 }'
