@@ -260,6 +260,7 @@ class CurveSetBuilder {
         std::vector<double> squares;
         for (std::size_t i = 0; i < set_.pieces_.size(); ++i) {
             const auto points = set_.points(static_cast<int>(i), 0);
+            squares.reserve(squares.size() + points.size());
             for (std::size_t j = 1; j < points.size(); ++j) {
                 squares.push_back(dot(points[j] - points[j - 1], points[j] - points[j - 1]));
             }

@@ -84,12 +84,20 @@ std::vector<Corner> sharp_turns(const Outline& outline, const std::vector<double
     std::vector<Corner> sharp;
     Walker before(outline, s, -reach);
     Walker after(outline, s, reach);
+    double calm_until = 0.0;
     for (std::size_t i = margin; i + margin < p.size(); ++i) {
+        if (s[i] < calm_until) continue;
         const Position in = p[i] - before.at(s[i] - reach);
         const Position out = after.at(s[i] + reach) - p[i];
         const double along = dot(in, out);
         const double across = std::abs(cross(in, out));
-        if (across * cosine < along * sine) continue;
+        // Chords are no longer than the reach and change by no more than 2 d over an arc of d, so
+        // that this changes by less than 5 d reach: where it is large, no vertex near is sharp.
+        const double calm = along * sine - across * cosine;
+        if (calm > 0.0) {
+            calm_until = s[i] + calm / (5.0 * reach);
+            continue;
+        }
         const double turn_rad = std::atan2(across, along);
         if (turn_rad > rule.turn_rad) sharp.push_back({i, turn_rad});
     }

@@ -44,6 +44,68 @@ TEST(Pins, KeepTheirDistanceAndTheStrongestWins) {
     EXPECT_EQ(pins[0].size(), 3U);
 }
 
+/// The point of a closed outline at an arc length, and the arc length of every vertex: the slow
+/// way.
+struct Arcs {
+    std::vector<Position> points;
+    std::vector<double> s{0.0};
+
+    explicit Arcs(const Outline& outline) : points(outline.points) {
+        points.push_back(points.front());
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            s.push_back(s.back() + norm(points[i] - points[i - 1]));
+        }
+    }
+
+    [[nodiscard]] Position at(double arc) const {
+        arc = std::fmod(arc + s.back(), s.back());
+        std::size_t i = 1;
+        while (i + 1 < s.size() && s[i] < arc) ++i;
+        return points[i - 1] + ((arc - s[i - 1]) / (s[i] - s[i - 1])) * (points[i] - points[i - 1]);
+    }
+
+    [[nodiscard]] double turn_rad(std::size_t i, double reach) const {
+        const Position in = points[i] - at(s[i] - reach);
+        const Position out = at(s[i] + reach) - points[i];
+        return std::abs(std::atan2(cross(in, out), dot(in, out)));
+    }
+
+    [[nodiscard]] double between(std::size_t i, std::size_t j) const {
+        const double arc = std::abs(s[i] - s[j]);
+        return std::min(arc, s.back() - arc);
+    }
+};
+
+RC_GTEST_PROP(Pins, AreSharpAndNoSharpVertexIsFarFromOne, ()) {
+    const auto seed = *rc::gen::arbitrary<unsigned>();
+    const auto parts = *rc::gen::element(1, 2, 7, 40);
+    const PinRule rule;
+    for (const Outline& drawn : scenes::random_map(seed, 2).outlines) {
+        if (!drawn.is_closed) continue;
+        Outline dense = outline({}, true);
+        for (std::size_t i = 0; i < drawn.points.size(); ++i) {
+            const Position a = drawn.points[i];
+            const Position b = drawn.points[(i + 1) % drawn.points.size()];
+            for (int k = 0; k < parts; ++k) {
+                dense.points.push_back(a + (static_cast<double>(k) / parts) * (b - a));
+            }
+        }
+        const Arcs arcs(dense);
+        const double reach = std::min(rule.reach_m, arcs.s.back() / 16.0);
+        const auto pins = find_pins({dense}, rule)[0];
+        for (const std::size_t pin : pins) {
+            RC_ASSERT(arcs.turn_rad(pin, reach) > rule.turn_rad - 1e-9);
+        }
+        for (std::size_t i = 0; i < dense.points.size(); ++i) {
+            if (arcs.turn_rad(i, reach) <= rule.turn_rad + 1e-9) continue;
+            const bool has_near = std::any_of(pins.begin(), pins.end(), [&](std::size_t pin) {
+                return arcs.between(i, pin) <= rule.apart_m + 1e-12;
+            });
+            RC_ASSERT(has_near);
+        }
+    }
+}
+
 TEST(CurveSet, KeepsEveryVertexAndSplitsLongEdgesIntoCollinearParts) {
     const Outline line =
         outline({{0, 0}, {0.001, 0}, {0.002, 0.0005}, {0.012, 0.0005}, {0.013, 0}}, false);
