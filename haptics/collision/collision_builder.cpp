@@ -189,6 +189,9 @@ class CollisionTreeBuilder {
         std::vector<Position> high;
         for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
             const int level = start_level(piece);
+            if (level < curves_.pieces()[static_cast<std::size_t>(piece)].coarsest) {
+                tree_.start_level_ = std::min(tree_.start_level_, static_cast<double>(level));
+            }
             const int count = curves_.segment_count(piece, level);
             for (int first = 0; first < count; first += Fan::width) {
                 stretches.push_back({piece, level, first, std::min(Fan::width, count - first)});

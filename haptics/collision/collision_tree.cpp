@@ -149,7 +149,8 @@ Hit CollisionTree::first_hit(const CurveSet& curves, const Motion& motion,
                              const Budget& budget) const {
     FirstHit visitor(motion, budget);
     TreeWalk walk(*this, curves, motion.level, visitor);
-    const auto cells = start_grid_.cells_near(visitor.way());
+    std::optional<StartGrid::Cells> cells;
+    if (motion.level <= start_level_) cells = start_grid_.cells_near(visitor.way());
     if (!cells) return visitor.result(walk.run());
     visitor.spare(cells->margin_m);
     return visitor.result(walk.run_from(*cells));

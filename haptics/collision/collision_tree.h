@@ -166,6 +166,8 @@ class CollisionTree {
     std::vector<Bound> bounds_;
     std::vector<Stretch> roots_;  // the coarsest segments of all pieces
     StartGrid start_grid_;
+    // The coarsest level that the grid's boxes hold: a box holds no level coarser than its own.
+    double start_level_ = std::numeric_limits<double>::infinity();
 
     friend class CollisionTreeBuilder;
     friend class Crowding;

@@ -130,7 +130,7 @@ Sifted sift(const Fan& fan, const Way& way) {
     // An axis too short for its square says nothing: such a box counts as near.
     const Masks is_known = square > 1e-30F;
     const Masks is_beside = (gap > 0.0F) & is_known;
-    const Masks is_passed = (absolute(turn) > room) & is_known;
+    const Masks is_passed = (absolute(turn) > 1.000002F * room) & is_known;
     const Floats none = Floats{} + std::numeric_limits<float>::infinity();
     const Floats gap2 = is_beside ? gap * gap / square : (is_passed ? Floats{} : none);
     const Floats along = slab_entry(s, ds, s_low, s_high);

@@ -74,6 +74,7 @@ StartGrid::Interval StartGrid::interval(double from, double to, double reach_m, 
 }
 
 std::optional<StartGrid::Cells> StartGrid::cells_near(const Way& way) const {
+    if (stretches_.empty()) return Cells{0, -1, 0, -1, std::numeric_limits<double>::infinity()};
     // Grown by a quarter of a cell, so that a way beside a border leaves a margin.
     const double reach_m = way.reach_m + 0.25 * cell_m_;
     const Position to = way.from + way.by;

@@ -38,7 +38,8 @@ class TreeWalk {
         return finish();
     }
 
-    /// The same over the stretches that the start grid has in `cells`.
+    /// The same over the stretches that the start grid has in `cells`. The level is not coarser
+    /// than theirs.
     double run_from(const StartGrid::Cells& cells) {
         for (int y = cells.y_first; y <= cells.y_last; ++y) {
             for (int x = cells.x_first; x <= cells.x_last; ++x) {
@@ -65,14 +66,11 @@ class TreeWalk {
         return false;
     }
 
-    /// A stretch of the grid, or of its parents where a coarser level is rendered.
+    /// A stretch of the grid, and all that is below it.
     double start(const Stretch& stretch) {
         look_up(stretch.piece);
-        const int up = std::max(leaf_level_ - stretch.level, 0);
-        const int first = stretch.first >> up;
-        const int last = (stretch.first + stretch.count - 1) >> up;
         first_of_fan_ = size_;
-        open_fan(stretch.level + up, first, last - first + 1, 0.0);
+        open_fan(stretch.level, stretch.first, stretch.count, 0.0);
         return finish();
     }
 
