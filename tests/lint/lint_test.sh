@@ -71,7 +71,7 @@ bad_include vision/contour/edges.cpp '<png.h>' 'allowed in: app/decode'
 bad_include app/screen/window.cpp '<pugixml.hpp>' 'allowed in: app/decode'
 bad_include app/decode/svg.cpp '<GLFW/glfw3.h>' 'allowed in: app/screen'
 bad_include app/decode/svg.cpp '<gtest/gtest.h>' 'allowed in: tests'
-bad_include app/decode/svg.cpp '<boost/any.hpp>' 'no rule names this library'
+bad_include app/decode/svg.cpp '<nowhere/any.hpp>' 'no rule names this library'
 start_tree
 write haptics/curve/curve.cpp '#include "config/types/vec2.h"' '#include "haptics/curve/curve.h"'
 finds includes 'haptics/curve/curve.cpp:1: includes config/types/vec2.h: its own header comes first: haptics/curve/curve.h'
