@@ -17,12 +17,8 @@ std::int64_t steady_ns() {
 }  // namespace
 
 LevelLimits limits_of(const CurveSet& curves) {
-    double spacing_m = 1.0;
-    for (const OutlineReport& report : curves.reports()) {
-        spacing_m = std::min(spacing_m, report.spacing_m);
-    }
     const DeviceProfile& device = default_profile();
-    return {spacing_m, encoder_step_m(device), device.bandwidth_Hz, 0.0,
+    return {curves.finest_spacing_m(), encoder_step_m(device), device.bandwidth_Hz, 0.0,
             static_cast<double>(curves.coarsest())};
 }
 
