@@ -9,8 +9,7 @@ FNR > 2 {
     median[way, place] = field("median_ns")
     p99[way, place] = field("p99_ns")
     cell[way, place] = short(field("median_ns")) " / " short(field("p99_ns")) " / " short(field("max_ns")) "; " field("boxes_mean")
-    if (!(place in hits)) hits[place] = field("hits")
-    else if (hits[place] != field("hits")) differ++
+    hits[way, place] = field("hits")
 }
 
 # range(OF, A, B): the range of a ratio over all places, in words.
@@ -37,7 +36,11 @@ END {
     front = "kept front with schedule"
     printf "\nIn words: the kept front with schedule takes %s times the median of the start grid with allowance and %s times its\n", \
         range(median, front, grid), range(p99, front, grid)
-    printf "99th percentile; without either, the kept front takes %s times the median of the start grid and %s times its 99th\n", \
+    printf "99th percentile. Without schedule and allowance it takes %s times the median of the start grid and %s times its 99th\n", \
         range(median, "kept front", "start grid"), range(p99, "kept front", "start grid")
-    printf "percentile. Places where the five did not count the same hits: %d of %d.\n", differ, places
+    print "percentile."
+    for (i = 1; i <= places; i++)
+        if (hits["start grid", listed[i]] != hits["kept front", listed[i]])
+            printf "Hits differ on the %s: %d from the top, %d from the start grid, %d of the kept front.\n", listed[i], \
+                hits["from the top", listed[i]], hits["start grid", listed[i]], hits["kept front", listed[i]]
 }
