@@ -75,7 +75,8 @@ void Crowding::within_roots(std::size_t a) {
 /// one after that. All others of the piece are met through parents that meet.
 void Crowding::along_level(int piece, int level) {
     const int count = curves_.segment_count(piece, level);
-    const bool is_closed = curves_.pieces()[static_cast<std::size_t>(piece)].is_closed;
+    const Piece& own = curves_.pieces()[static_cast<std::size_t>(piece)];
+    const bool is_closed = own.is_closed || own.next == piece;  // or a loop with one pin
     std::array<Box, 4> window;  // of nodes j ... j + 3, each at its number's last two bits
     const auto box_at = [&](int j) -> Box& { return window[static_cast<std::size_t>(j) % 4]; };
     const auto load = [&](int j) {

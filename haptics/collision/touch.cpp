@@ -13,6 +13,7 @@ struct Course {
     Position from;
     Position way;
     double radius_m;
+    double tolerance_m;  // what does not count as coming nearer
 };
 
 /// A motion towards the line of a segment, measured along and across it.
@@ -47,9 +48,7 @@ Touch side_touch(const Course& motion, const Descent& d, double fraction, double
 
 std::optional<Touch> touch_line(const Course& motion, const Descent& d) {
     const double gap = d.height_m - motion.radius_m;
-    if (!(d.approach_m > approach_tolerance_m) || gap > d.approach_m - approach_tolerance_m) {
-        return {};
-    }
+    if (!(d.approach_m > motion.tolerance_m) || gap > d.approach_m - motion.tolerance_m) return {};
     const double fraction = std::clamp(gap / d.approach_m, 0.0, 1.0);
     const double t = d.start + fraction * d.advance;
     if (!(t >= 0.0 && t <= 1.0)) return {};
@@ -67,7 +66,7 @@ std::optional<Touch> touch_on_entering(const Course& motion, const Descent& d) {
     const double height_m = d.height_m - fraction * d.approach_m;
     const bool is_in_reach = height_m > 0.0 && height_m <= motion.radius_m;
     if (!(fraction <= 1.0) || !is_in_reach) return {};
-    if (!((1.0 - fraction) * d.approach_m > approach_tolerance_m)) return {};
+    if (!((1.0 - fraction) * d.approach_m > motion.tolerance_m)) return {};
     return side_touch(motion, d, fraction, end, height_m);
 }
 
@@ -79,7 +78,7 @@ std::optional<Touch> touch_end(const Course& motion, Position end, double parame
     const double ahead = -dot(u, w);  // to the point nearest to the end
     const double pass = cross(u, w);  // distance at which it is passed
     const double nearest = ahead <= length ? std::abs(pass) : norm(w + motion.way);
-    if (!(ahead > 0.0) || !(nearest < motion.radius_m - approach_tolerance_m)) return {};
+    if (!(ahead > 0.0) || !(nearest < motion.radius_m - motion.tolerance_m)) return {};
     // Written as a product of the two ways to the circle: no cancellation at long ways.
     const double half_chord =
         std::sqrt((motion.radius_m - std::abs(pass)) * (motion.radius_m + std::abs(pass)));
@@ -106,7 +105,10 @@ std::optional<Touch> touch(Position from, Position to, double radius_m, const Se
     const Position e = segment.b - segment.a;
     const double length = norm(e);
     const double start = foot(from, segment).distance_m;
-    const Course motion{from, to - from, std::min(radius_m, start)};
+    // A tolerance a motion would add up over many: there is none once the skin is half gone.
+    const bool is_kept = start > radius_m - 0.5 * contact_skin_m;
+    const Course motion{from, to - from, std::min(radius_m, start),
+                        is_kept ? approach_tolerance_m : 0.0};
     std::optional<Touch> first;
     const auto take = [&first](const std::optional<Touch>& next) {
         if (next && (!first || next->fraction < first->fraction)) first = next;

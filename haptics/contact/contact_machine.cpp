@@ -36,7 +36,8 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     report.level = outlines_.level();
     path_size_ = 0;
     const bool is_usable = outlines_.has_scene() && is_finite(handle) && std::isfinite(level) &&
-                           std::isfinite(settings.stiffness_N_per_m);
+                           std::isfinite(settings.stiffness_N_per_m) &&
+                           std::isfinite(settings.friction) && std::isfinite(settings.radius_m);
     if (!is_usable) return report;
     if (settings.mode != mode_ && settings.mode == Mode::wall) {
         reset(outlines_.scene(), handle, outlines_.level());

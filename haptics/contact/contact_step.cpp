@@ -144,8 +144,12 @@ bool ContactStep::is_late() const {
 /// its skin: then a slide needs no sweep.
 bool ContactStep::is_simple(const Contact& at) {
     return radius_m_ == contact_skin_m && at.offset_m <= 1.5 * contact_skin_m &&
-           at.offset_m >= 0.5 * contact_skin_m && outlines_.is_whole(at.segment) &&
-           outlines_.is_alone(at.segment);
+           at.offset_m >= 0.5 * contact_skin_m && is_open(at.segment);
+}
+
+/// A node is one segment here, and only its neighbours come near it.
+bool ContactStep::is_open(SegmentRef segment) {
+    return outlines_.is_whole(segment) && outlines_.is_alone(segment);
 }
 
 /// Whether a slide that ends more than a skin before the end of the edge cannot meet the next one:
@@ -178,9 +182,10 @@ ContactStep::Hop ContactStep::slide_simply() {
         const double depth = -dot(pull, at.normal);
         const double pulled_m = dot(pull, edge.along);
         const double way_m = std::abs(pulled_m) - friction * depth;
-        if (!(depth >= 0.0 && way_m > 0.0) || !outlines_.is_alone(edge.ref)) return stop(Hop::none);
+        if (!(depth >= 0.0 && way_m > 0.0) || !is_open(edge.ref)) return stop(Hop::none);
         const bool is_forward = pulled_m > 0.0;
         const SegmentRef next = outlines_.next(edge.ref, is_forward);
+        if (next.piece >= 0 && !outlines_.is_whole(next)) return stop(Hop::none);
         const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
         if (way_m <= left_m) {
             if (way_m + 2.0 * skin_m > left_m || !ends_before(edge, next)) return stop(Hop::none);
@@ -433,14 +438,14 @@ ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m, const E
 }
 
 /// Nothing but the neighbours along the outline is within reach: three each way cover the nodes
-/// beside this one at a fractional level, one at a whole level.
+/// beside this one at a fractional level; at a whole level one would do.
 ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
                                                  const Excluded& excluded) {
     Sweep result;
     for (const SegmentRef& start : excluded) {
         for (const bool is_forward : {true, false}) {
             SegmentRef at = start;
-            const int reached = at.piece < 0 ? 0 : (outlines_.is_whole(at) ? 1 : 3);
+            constexpr int reached = 3;
             for (int i = 0; i < reached && at.piece >= 0; ++i) {
                 at = outlines_.next(at, is_forward);
                 if (at.piece < 0 || at == excluded[0] || at == excluded[1]) continue;

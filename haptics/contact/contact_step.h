@@ -44,6 +44,7 @@ class ContactStep {
     Next move_on_edge();
     Next slide(double way_m);
     [[nodiscard]] bool is_simple(const Contact& at);
+    [[nodiscard]] bool is_open(SegmentRef segment);
     [[nodiscard]] bool is_late() const;
     Hop slide_simply();
     [[nodiscard]] bool ends_before(const Edge& edge, SegmentRef next);

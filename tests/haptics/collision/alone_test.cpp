@@ -42,28 +42,79 @@ std::vector<SegmentRef> neighbourhood(const CurveSet& curves, SegmentRef ref, do
     return near;
 }
 
+/// Segments that are alone; a failure where a stranger comes within reach of one.
+int count_alone(const Scene& scene, double radius_m, double level) {
+    int alone = 0;
+    const LevelSegments segments(scene.curves, level);
+    for (const auto& [ref, segment] : segments.all()) {
+        if (!is_alone(scene, ref, level)) continue;
+        ++alone;
+        const auto near = neighbourhood(scene.curves, ref, level);
+        for (const auto& [other, stranger] : segments.all()) {
+            if (std::find(near.begin(), near.end(), other) != near.end()) continue;
+            EXPECT_GT(distance_between_m(segment, stranger),
+                      2.0 * std::max(radius_m, contact_skin_m))
+                << level << " " << ref.piece << "," << ref.index << " " << other.piece << ","
+                << other.index;
+        }
+    }
+    return alone;
+}
+
 TEST(Alone, NothingButNeighboursComesWithinReach) {
     int alone = 0;
     for (unsigned seed = 0; seed < 30; ++seed) {
         const double radius_m = seed % 2 == 0 ? 0.0 : 1e-4;
         const Scene scene = build_scene(scenes::random_map(seed, 3), {}, radius_m).value();
         for (const double level : {0.0, 0.4, 1.0, 1.7, 2.0}) {
-            const LevelSegments segments(scene.curves, level);
-            for (const auto& [ref, segment] : segments.all()) {
-                if (!is_alone(scene, ref, level)) continue;
-                ++alone;
-                const auto near = neighbourhood(scene.curves, ref, level);
-                for (const auto& [other, stranger] : segments.all()) {
-                    if (std::find(near.begin(), near.end(), other) != near.end()) continue;
-                    ASSERT_GT(distance_between_m(segment, stranger),
-                              2.0 * std::max(radius_m, contact_skin_m))
-                        << seed << " " << level << " " << ref.piece << "," << ref.index << " "
-                        << other.piece << "," << other.index;
-                }
-            }
+            alone += count_alone(scene, radius_m, level);
         }
     }
     EXPECT_GT(alone, 1000);
+}
+
+/// A loop with one corner, of the half-angle given, and a round end of 30 mm away: one piece that
+/// is its own neighbour.
+Outline drop(double half_angle, int points) {
+    const double radius = 0.03 * std::sin(half_angle);
+    const double arm = 0.03 * std::cos(half_angle);
+    const double turn = 3.14159265358979 + 2.0 * half_angle;  // of the round end
+    const double length = 2.0 * arm + radius * turn;
+    std::vector<Position> line;
+    for (int i = 0; i < points; ++i) {
+        const double s = length * i / points;
+        const double back = length - s;
+        const Direction down{std::cos(half_angle), -std::sin(half_angle)};
+        const Direction up{down.x, -down.y};
+        if (s < arm) {
+            line.push_back(along<Position>(down, s));
+        } else if (back < arm) {
+            line.push_back(along<Position>(up, back));
+        } else {
+            const double angle = -0.5 * turn + (s - arm) / radius;
+            line.push_back(Position{0.03, 0.0} +
+                           radius * Position{std::cos(angle), std::sin(angle)});
+        }
+    }
+    return scenes::outline(std::move(line), true);
+}
+
+TEST(Alone, NorAcrossTheOnlyPinOfALoop) {
+    for (const double half_angle : {0.1, 0.14, 0.3}) {
+        for (const double radius_m : {0.0, 1.4e-3}) {
+            const TactileMap map = scenes::map_of({drop(half_angle, 256)});
+            const Scene scene = build_scene(map, {}, radius_m).value();
+            ASSERT_EQ(scene.curves.pieces().size(), 1U);
+            ASSERT_EQ(scene.curves.pieces()[0].next, 0);
+            int alone = 0;
+            for (double level = 0.0; level <= scene.curves.coarsest(); level += 0.5) {
+                alone += count_alone(scene, radius_m, level);
+            }
+            if (radius_m == 0.0) {
+                EXPECT_GT(alone, 100);
+            }
+        }
+    }
 }
 
 /// Share of the nodes of all levels that are alone.

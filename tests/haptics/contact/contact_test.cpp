@@ -348,5 +348,33 @@ TEST(Groove, NoClosedLoopOfTheHandGainsEnergy) {
     }
 }
 
+TEST(ContactMachine, AHandThatCreepsIsNotLetThrough) {
+    const Scene scene = scene_of(map_of({outline({{-0.01, 0.0}, {0.01, 0.0}}, false)}));
+    ContactMachine machine;
+    machine.reset(scene, {0.0, 2e-11}, 0.0);
+    Position handle{0.0, 2e-11};
+    for (int i = 0; i < 5000; ++i) {
+        handle.y -= 0.9e-13;
+        const ContactReport report = machine.step(handle, 0.0, {}, {});
+        ASSERT_GT(report.p_WP.y, 0.0) << i;
+    }
+}
+
+TEST(ContactMachine, SettingsThatAreNotNumbersMoveNothing) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const Scene scene = scene_of(map_of({outline({{-0.01, 0.0}, {0.01, 0.0}}, false)}));
+    for (double ContactSettings::*const setting :
+         {&ContactSettings::friction, &ContactSettings::radius_m,
+          &ContactSettings::stiffness_N_per_m}) {
+        ContactMachine machine;
+        machine.reset(scene, {0.0, 0.001}, 0.0);
+        ContactSettings settings;
+        settings.*setting = nan;
+        const ContactReport report = machine.step({0.0, -0.001}, 0.0, settings, {});
+        EXPECT_EQ(report.force, Force{});
+        EXPECT_GT(machine.step({0.001, -0.001}, 0.0, {}, {}).p_WP.y, 0.0);
+    }
+}
+
 }  // namespace
 }  // namespace touchline
