@@ -438,14 +438,14 @@ ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m, const E
 }
 
 /// Nothing but the neighbours along the outline is within reach: three each way cover the nodes
-/// beside this one at a fractional level; at a whole level one would do.
+/// beside this one at a fractional level, one at a whole level.
 ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
                                                  const Excluded& excluded) {
     Sweep result;
     for (const SegmentRef& start : excluded) {
         for (const bool is_forward : {true, false}) {
             SegmentRef at = start;
-            constexpr int reached = 3;
+            const int reached = outlines_.is_fractional() ? 3 : 1;
             for (int i = 0; i < reached && at.piece >= 0; ++i) {
                 at = outlines_.next(at, is_forward);
                 if (at.piece < 0 || at == excluded[0] || at == excluded[1]) continue;

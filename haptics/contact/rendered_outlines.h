@@ -31,6 +31,9 @@ class RenderedOutlines {
 
     [[nodiscard]] double level() const { return level_; }
 
+    /// Some pieces may be blends of two levels.
+    [[nodiscard]] bool is_fractional() const { return level_ != static_cast<int>(level_); }
+
     [[nodiscard]] Segment segment(SegmentRef ref) {
         look_up(ref.piece);
         return rendered_.segment(ref.index);
