@@ -13,20 +13,9 @@ FNR > 2 && field("group") == "step" && field("curve") == curve {
 }
 
 END {
-    header = "| " curve " curve |"
-    for (n = 512; n <= 1048576; n *= 2)
-        if (n in sizes) {
-            header = header " " n " edges |"
-            listed[++columns] = n
-        }
-    print header
+    print head_of_sizes()
     print rule(columns)
-    for (i = 1; i <= count; i++) {
-        line = "| " order[i] " |"
-        for (k = 1; k <= columns; k++)
-            line = line " " (((order[i], listed[k]) in cell) ? cell[order[i], listed[k]] : "-") " |"
-        print line
-    }
+    for (i = 1; i <= count; i++) print row_of_sizes(order[i])
     printf "\nIn words: in all of Touchline's runs on this curve %s the line; with the level by speed\n", \
         own_through == 0 ? "no step went through" : own_through " steps went through"
     printf "the hand slipped off %d times in all.\n", own_slips

@@ -26,3 +26,21 @@ function rule(cells,    i, line) {
     for (i = 0; i < cells; i++) line = line "---|"
     return line
 }
+
+# The head of a table with a column for each of `sizes`, which are then listed[1 ... columns].
+function head_of_sizes(    n, line) {
+    line = "| " curve " curve |"
+    for (n = 512; n <= 1048576; n *= 2)
+        if (n in sizes) {
+            line = line " " n " edges |"
+            listed[++columns] = n
+        }
+    return line
+}
+
+# The row of such a table: cell[key, size], a dash where there is none.
+function row_of_sizes(key,    k, line) {
+    line = "| " key " |"
+    for (k = 1; k <= columns; k++) line = line " " (((key, listed[k]) in cell) ? cell[key, listed[k]] : "-") " |"
+    return line
+}

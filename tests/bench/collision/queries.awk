@@ -13,21 +13,12 @@ FNR > 2 && field("group") != "step" && field("curve") == curve {
 
 # All crossings, then all nearest points.
 END {
-    header = "| " curve " curve |"
-    for (n = 512; n <= 1048576; n *= 2)
-        if (n in sizes) {
-            header = header " " n " edges |"
-            listed[++columns] = n
-        }
-    print header " build there, bytes an edge |"
+    print head_of_sizes() " build there, bytes an edge |"
     print rule(columns + 1)
     for (pass = 1; pass <= 2; pass++)
         for (i = 1; i <= count; i++) {
             if ((order[i] ~ /^crossing/) != (pass == 1)) continue
-            line = "| " order[i] " |"
-            for (k = 1; k <= columns; k++)
-                line = line " " (((order[i], listed[k]) in cell) ? cell[order[i], listed[k]] : "-") " |"
-            print line " " build[order[i]] " |"
+            print row_of_sizes(order[i]) " " build[order[i]] " |"
         }
     n = listed[columns]
     printf "\nIn words: for the first crossing at %d edges Touchline's tree takes %s ns (median), the grid %s, CGAL %s, Boost %s.\n", n, \

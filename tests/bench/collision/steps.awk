@@ -12,22 +12,9 @@ FNR > 2 && field("group") == "step" && field("curve") == curve {
 }
 
 END {
-    header = "| " curve " curve |"
-    for (n = 512; n <= 1048576; n *= 2)
-        if (n in sizes) {
-            header = header " " n " edges |"
-            listed[++columns] = n
-        }
-    print header
+    print head_of_sizes()
     print rule(columns)
-    for (i = 1; i <= count; i++) {
-        line = "| " order[i] " |"
-        for (k = 1; k <= columns; k++) {
-            n = listed[k]
-            line = line " " (((order[i], n) in cell) ? cell[order[i], n] : "-") " |"
-        }
-        print line
-    }
+    for (i = 1; i <= count; i++) print row_of_sizes(order[i])
     n = listed[columns]
     own = "Touchline level auto"
     exact = "Touchline level 0"
