@@ -92,9 +92,14 @@ class CollisionTreeBuilder {
                 tree_.extents_[first + static_cast<std::size_t>(j)] = extents(piece, level, j);
             }
         }
-        const int count = curves_.segment_count(piece, coarsest);
+        add_stretches(piece, coarsest, tree_.roots_);
+    }
+
+    /// A level of a piece, four neighbouring nodes at a time.
+    void add_stretches(int piece, int level, std::vector<Stretch>& stretches) const {
+        const int count = curves_.segment_count(piece, level);
         for (int first = 0; first < count; first += Fan::width) {
-            tree_.roots_.push_back({piece, coarsest, first, std::min(Fan::width, count - first)});
+            stretches.push_back({piece, level, first, std::min(Fan::width, count - first)});
         }
     }
 
@@ -192,13 +197,12 @@ class CollisionTreeBuilder {
             if (level < curves_.pieces()[static_cast<std::size_t>(piece)].coarsest) {
                 tree_.start_level_ = std::min(tree_.start_level_, static_cast<double>(level));
             }
-            const int count = curves_.segment_count(piece, level);
-            for (int first = 0; first < count; first += Fan::width) {
-                stretches.push_back({piece, level, first, std::min(Fan::width, count - first)});
-                const Extent extent = extent_of(stretches.back());
-                low.push_back(extent.low);
-                high.push_back(extent.high);
-            }
+            add_stretches(piece, level, stretches);
+        }
+        for (const Stretch& stretch : stretches) {
+            const Extent extent = extent_of(stretch);
+            low.push_back(extent.low);
+            high.push_back(extent.high);
         }
         tree_.start_grid_ = StartGrid(std::move(stretches), low, high);
     }
