@@ -51,9 +51,8 @@ void write_row(fmt::memory_buffer& out, const HandRow& hand, const ContactReport
         fmt::format_to(to, "{},{},{},", report.outline, report.parameter,
                        report.side == Side::left ? "left" : "right");
     }
-    for (int i = 0; i < report.transition_count; ++i) {
-        fmt::format_to(to, "{}{}", i == 0 ? "" : ">",
-                       static_cast<int>(report.transitions[static_cast<std::size_t>(i)]));
+    for (int i = 0; i < report.transitions.size(); ++i) {
+        fmt::format_to(to, "{}{}", i == 0 ? "" : ">", static_cast<int>(report.transitions[i]));
     }
     fmt::format_to(to, ",{},{},{}", report.carried_m, report.boxes, report.clear);
 }
@@ -97,7 +96,6 @@ class Feeling {
         report.p_WP = machine_.proxy().centre;
         report.force = along<Force>(report.p_WP - handle, options_.contact.stiffness_N_per_m);
         report.level = level;
-        report.transition_count = 1;
         return report;
     }
 

@@ -122,6 +122,8 @@ class AnyNear {
     AnyNear(Position p, double reach_m, const Budget& budget)
         : p_(p), reach_m_(reach_m), spender_(budget) {}
 
+    static void spare(double /*margin_m*/) {}
+
     [[nodiscard]] Sifted sift(const Fan& fan) const { return distances(fan, p_); }
 
     [[nodiscard]] std::optional<double> near(const Box& box) const { return distance_m(box, p_); }
@@ -148,12 +150,8 @@ class AnyNear {
 Hit CollisionTree::first_hit(const CurveSet& curves, const Motion& motion,
                              const Budget& budget) const {
     FirstHit visitor(motion, budget);
-    TreeWalk walk(*this, curves, motion.level, visitor);
-    std::optional<StartGrid::Cells> cells;
-    if (motion.level <= start_level_) cells = start_grid_.cells_near(visitor.way());
-    if (!cells) return visitor.result(walk.run());
-    visitor.spare(cells->margin_m);
-    return visitor.result(walk.run_from(*cells));
+    const double unopened = TreeWalk(*this, curves, motion.level, visitor).run_near(visitor.way());
+    return visitor.result(unopened);
 }
 
 int CollisionTree::crossings(const CurveSet& curves, Position p, Position q, double level) const {
@@ -172,7 +170,7 @@ Closest CollisionTree::closest_point(const CurveSet& curves, Position p, double 
 Clearance CollisionTree::clearance(const CurveSet& curves, Position p, double distance_m,
                                    double level, const Budget& budget) const {
     AnyNear visitor(p, distance_m, budget);
-    const double unopened = TreeWalk(*this, curves, level, visitor).run();
+    const double unopened = TreeWalk(*this, curves, level, visitor).run_near({p, {}, distance_m});
     return visitor.result(unopened);
 }
 

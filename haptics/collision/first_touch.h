@@ -14,8 +14,7 @@ namespace touchline {
 /// Collects the first of several touches, ties to the lowest segment.
 class FirstTouch {
   public:
-    explicit FirstTouch(const Motion& motion)
-        : motion_(motion), way_(way_of(motion)), tie_(tie_of(motion)) {}
+    explicit FirstTouch(const Motion& motion) : motion_(motion), way_(way_of(motion)) {}
 
     [[nodiscard]] const Way& way() const { return way_; }
 
@@ -41,6 +40,7 @@ class FirstTouch {
     void test(SegmentRef ref, const Segment& segment) {
         if (ref == motion_.excluded[0] || ref == motion_.excluded[1]) return;
         least_gap2_m2_ = 0.0;
+        tie_ = tie_of(motion_);
         const auto found = touch(motion_.from, motion_.to, motion_.radius_m, segment);
         if (!found) return;
         if (hit_.is_hit && found->fraction > hit_.clear + tie_) return;
@@ -80,7 +80,7 @@ class FirstTouch {
 
     const Motion& motion_;
     Way way_;
-    double tie_;
+    double tie_ = 0.0;  // worked out at the first segment
     double least_gap2_m2_ = INFINITY;
     Hit hit_;
 };

@@ -44,19 +44,18 @@ Extents unpacked(const PackedExtents* four) {
     const Halves along = __builtin_shufflevector(even, odd, 0, 8, 1, 9, 2, 10, 3, 11);
     const Halves across = __builtin_shufflevector(even, odd, 4, 12, 5, 13, 6, 14, 7, 15);
     const auto low = [&](Halves h) {
-        return upper_halves(__builtin_shufflevector(zero, h, 0, 8, 0, 9, 0, 10, 0, 11));
+        return upper_halves(__builtin_shufflevector(zero, h, 0, 8, 1, 9, 2, 10, 3, 11));
     };
     const auto high = [&](Halves h) {
-        return upper_halves(__builtin_shufflevector(zero, h, 0, 12, 0, 13, 0, 14, 0, 15));
+        return upper_halves(__builtin_shufflevector(zero, h, 4, 12, 5, 13, 6, 14, 7, 15));
     };
     return {low(along), high(along), low(across), high(across)};
 }
 
 /// Shares of the way at which slabs are entered; 0 where it starts inside or never gets there.
 Floats slab_entry(Floats start, Floats by, Floats low, Floats high) {
-    const Floats before = (low - start) / by;
-    const Floats after = (high - start) / by;
-    const Floats entry = start < low ? before : (start > high ? after : Floats{});
+    const Floats border = start < low ? low : (start > high ? high : start);
+    const Floats entry = (border - start) / by;
     const Masks is_share = (entry > 0.0F) & (entry <= 1.0F);
     return is_share ? entry : Floats{};
 }
@@ -133,14 +132,15 @@ Sifted sift(const Fan& fan, const Way& way) {
     const Masks is_passed = (absolute(turn) > 1.000002F * room) & is_known;
     const Floats none = Floats{} + std::numeric_limits<float>::infinity();
     const Floats gap2 = is_beside ? gap * gap / square : (is_passed ? Floats{} : none);
-    const Floats along = slab_entry(s, ds, s_low, s_high);
-    const Floats across = slab_entry(n, dn, n_low, n_high);
-    const Floats entry = is_known ? larger(along, across) : Floats{};
     const Masks counted = Masks{0, 1, 2, 3} < fan.count;
     const Masks near = ~(is_beside | is_passed) & counted & Masks{1, 2, 4, 8};
     Sifted out;
     out.near = gathered(near);
     out.gap2_m2 = least(counted ? gap2 : none);
+    if (out.near == 0) return out;
+    const Floats along = slab_entry(s, ds, s_low, s_high);
+    const Floats across = slab_entry(n, dn, n_low, n_high);
+    const Floats entry = is_known ? larger(along, across) : Floats{};
     std::memcpy(out.key.data(), &entry, sizeof entry);
     return out;
 }

@@ -7,7 +7,7 @@
 namespace touchline {
 namespace {
 
-constexpr double cells_per_stretch = 8.0;
+constexpr double cells_per_stretch = 32.0;
 constexpr double least_cells = 256.0;
 constexpr double most_cells = 262144.0;
 constexpr int most_cells_asked = 9;

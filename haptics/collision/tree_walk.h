@@ -21,6 +21,8 @@ namespace touchline {
 ///   void leaf(SegmentRef, const Segment&)   a rendered segment
 ///   bool asks_leaf_boxes                    false: where a node holds one rendered segment, the
 ///                                           segment is passed to leaf() without a look at its box
+///   void spare(double)                      what is not looked at stays at least this far out of
+///                                           reach of the way; only for run_near()
 ///   bool spend(int)                         so many boxes are opened; false: the budget does not
 ///                                           suffice
 /// A box is opened when its children are looked at, so n opened boxes lead to at most n + 1 leaves.
@@ -29,7 +31,12 @@ template <class Visitor>
 class TreeWalk {
   public:
     TreeWalk(const CollisionTree& tree, const CurveSet& curves, double level, Visitor& visitor)
-        : tree_(tree), curves_(curves), level_(level), visitor_(visitor) {}
+        : tree_(tree),
+          curves_(curves),
+          level_(level),
+          finest_whole_(static_cast<int>(std::min(level, 64.0))),
+          is_fraction_(level > finest_whole_),
+          visitor_(visitor) {}
 
     /// Returns the smallest key of the boxes left unopened, infinity when the walk was finished.
     double run() {
@@ -38,8 +45,17 @@ class TreeWalk {
         return finish();
     }
 
-    /// The same over the stretches that the start grid has in `cells`. The level is not coarser
-    /// than theirs.
+    /// The same for what matters only near a way. Starts at the grid where the way is short and the
+    /// level no coarser than the grid's.
+    double run_near(const Way& way) {
+        std::optional<StartGrid::Cells> cells;
+        if (level_ <= tree_.start_level_) cells = tree_.start_grid_.cells_near(way);
+        if (!cells) return run();
+        visitor_.spare(cells->margin_m);
+        return run_from(*cells);
+    }
+
+  private:
     double run_from(const StartGrid::Cells& cells) {
         for (int y = cells.y_first; y <= cells.y_last; ++y) {
             for (int x = cells.x_first; x <= cells.x_last; ++x) {
@@ -55,7 +71,6 @@ class TreeWalk {
         return INFINITY;
     }
 
-  private:
     /// One of several cells that share it has led to this stretch already, as far as remembered.
     bool has_met(std::int32_t stretch) {
         for (const std::int32_t met : met_) {
@@ -195,6 +210,10 @@ class TreeWalk {
     }
 
     void leaf(int index) {
+        if (piece_ != rendered_piece_) {
+            rendered_piece_ = piece_;
+            rendered_ = curves_.rendered(piece_, level_);
+        }
         if (index < rendered_.segment_count()) {
             visitor_.leaf({piece_, index}, rendered_.segment(index));
         }
@@ -203,25 +222,27 @@ class TreeWalk {
     void look_up(int piece) {
         if (piece == piece_) return;
         piece_ = piece;
-        const double at = curves_.rendered_level(piece, level_);
-        leaf_level_ = static_cast<int>(std::ceil(at));
-        is_blend_ = at < leaf_level_;
-        rendered_ = curves_.rendered(piece, level_);
+        const int coarsest = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
+        is_blend_ = is_fraction_ && finest_whole_ < coarsest;
+        leaf_level_ = std::min(finest_whole_ + (is_blend_ ? 1 : 0), coarsest);
     }
 
     const CollisionTree& tree_;
     const CurveSet& curves_;
     double level_;
+    int finest_whole_;
+    bool is_fraction_;
     Visitor& visitor_;
     int piece_ = -1;  // whose leaves these are:
     int leaf_level_ = 0;
     bool is_blend_ = false;
-    RenderedPiece rendered_;
+    int rendered_piece_ = -1;
+    RenderedPiece rendered_;  // of that piece
     std::size_t size_ = 0;
     std::size_t first_of_fan_ = 0;
     std::array<std::int32_t, 8> met_{-1, -1, -1, -1, -1, -1, -1, -1};
     std::size_t next_met_ = 0;
-    CollisionTree::FanBuffer buffer_{};
+    CollisionTree::FanBuffer buffer_;  // written before it is read
     std::array<Entry, capacity> stack_;
 };
 

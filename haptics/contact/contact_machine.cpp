@@ -12,7 +12,6 @@ void ContactMachine::reset(const Scene& scene, Position handle, double level) {
     proxy_ = {};
     proxy_.centre = handle;
     groove_ = {};
-    path_size_ = 0;
     // Nearer than the skin to a line: onto its left. A second line as near is met at the next
     // round.
     for (int i = 0; i < 8 && is_finite(handle); ++i) {
@@ -30,11 +29,10 @@ void ContactMachine::reset(const Scene& scene, Position handle, double level) {
 ContactReport ContactMachine::step(Position handle, double level, const ContactSettings& settings,
                                    const Budget& budget) {
     ContactReport report;
-    report.transitions[0] = proxy_.state;
-    report.transition_count = 1;
+    report.transitions = StateTrail(proxy_.state);
     report.p_WP = proxy_.centre;
     report.level = outlines_.level();
-    path_size_ = 0;
+    if (path_ != nullptr) path_->clear();
     const bool is_usable = outlines_.has_scene() && is_finite(handle) && std::isfinite(level) &&
                            std::isfinite(settings.stiffness_N_per_m) &&
                            std::isfinite(settings.friction) && std::isfinite(settings.radius_m);
@@ -45,10 +43,11 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     mode_ = settings.mode;
     if (settings.radius_m != radius_m_) proxy_.spare_m = 0.0;
     radius_m_ = settings.radius_m;
-    const int spent = adopt_level(std::max(level, 0.0), settings, budget);
+    const double wanted = std::max(level, 0.0);
+    const int spent = wanted == outlines_.level() ? 0 : adopt_level(wanted, settings, budget);
     const Budget left{budget.boxes - spent, budget.deadline_ns};
     if (settings.mode == Mode::wall) {
-        path_size_ = ContactStep(outlines_, settings, left, proxy_, path_).run(handle, report);
+        ContactStep(outlines_, settings, left, proxy_, path_).run(handle, report);
         report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
     } else {
         hold(handle, settings, left, report);
@@ -75,16 +74,12 @@ void ContactMachine::hold(Position handle, const ContactSettings& settings, cons
         proxy_.contacts[0].parameter = groove_.parameter;
         proxy_.contacts[0].side = held.side;
     }
-    if (report.transitions[0] != proxy_.state) {
-        report.transitions[1] = proxy_.state;
-        report.transition_count = 2;
-    }
+    report.transitions.add(proxy_.state);
 }
 
 int ContactMachine::adopt_level(double level, const ContactSettings& settings,
                                 const Budget& budget) {
     const double now = outlines_.level();
-    if (level == now) return 0;
     const bool is_wall = settings.mode == Mode::wall;
     if (is_wall && proxy_.state != ContactState::free) return 0;
     Clearance found{true, 0};

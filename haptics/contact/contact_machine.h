@@ -8,19 +8,16 @@
 #include "haptics/contact/groove.h"
 #include "haptics/contact/proxy_state.h"
 #include "haptics/contact/rendered_outlines.h"
+#include "haptics/contact/state_trail.h"
 
-#include <array>
 #include <cstdint>
-#include <span>
-#include <string>
+#include <vector>
 
 namespace touchline {
 
 inline constexpr int max_walks = 256;            // edges slid along in a step
-inline constexpr int max_tree_queries = 8;       // in a step
+inline constexpr int max_tree_queries = 4;       // in a step
 inline constexpr int max_moves = 4 * max_walks;  // walks, arcs and changes of state in a step
-inline constexpr std::size_t max_way_points =
-    2 * max_moves + 1;  // a move places the proxy at most twice
 
 /// What one step did.
 struct ContactReport {
@@ -31,9 +28,7 @@ struct ContactReport {
     int outline = -1;        // touched, -1 when free
     double parameter = 0.0;  // on the outline, in level-0 segments
     Side side = Side::left;
-    std::array<ContactState, 16>
-        transitions{};         // states passed through in order, first the one before
-    int transition_count = 0;  // 1: no change; stays 16 when there were more
+    StateTrail transitions;
     double carried_m = 0.0;  // left over: along the line where a slide was cut, else to the handle
     int boxes = 0;           // opened
     double clear = 1.0;      // smallest fraction of a motion proven free
@@ -45,7 +40,7 @@ class ContactMachine {
     /// outlive the machine's use of it.
     void reset(const Scene& scene, Position handle, double level);
 
-    /// Moves the proxy towards the handle. At most 256 walks and 8 tree queries; the rest is
+    /// Moves the proxy towards the handle. At most 256 walks and 4 tree queries; the rest is
     /// carried. |handle - proxy| never grows. A handle that is not finite gives zero force and
     /// moves nothing. While the proxy is free and outside all boxes of the coarser of both levels,
     /// `level` becomes the rendered one; else the rendered level stays until it is.
@@ -56,11 +51,12 @@ class ContactMachine {
 
     [[nodiscard]] double rendered_level() const { return outlines_.level(); }
 
-    /// Way points of the last step, the first where it started; for tests and drawings.
-    [[nodiscard]] std::span<const Position> path() const { return {path_.data(), path_size_}; }
+    /// From the next step on `path` holds the way points of the last step, the first where it
+    /// started; nullptr: none are kept. For tests: it may allocate.
+    void record_path(std::vector<Position>* path) { path_ = path; }
 
   private:
-    /// Returns the boxes opened.
+    /// `level` is another than the rendered one. Returns the boxes opened.
     int adopt_level(double level, const ContactSettings& settings, const Budget& budget);
     void hold(Position handle, const ContactSettings& settings, const Budget& budget,
               ContactReport& report);
@@ -69,8 +65,7 @@ class ContactMachine {
     RenderedOutlines outlines_;
     ProxyState proxy_;
     double radius_m_ = 0.0;
-    std::array<Position, max_way_points> path_;
-    std::size_t path_size_ = 0;
+    std::vector<Position>* path_ = nullptr;
     GrooveState groove_;
     Mode mode_ = Mode::wall;
 };

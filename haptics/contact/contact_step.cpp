@@ -9,10 +9,9 @@
 namespace touchline {
 namespace {
 
-constexpr double still_m = 1e-14;         // a motion this short is rounding
-constexpr double parallel = 1e-9;         // sine of an angle too small to tell
-constexpr std::int64_t return_ns = 3000;  // what a step may still need, from cold caches, once late
-constexpr int walks_per_look = 16;        // at the clock: together less than half of that
+constexpr double still_m = 1e-14;   // a motion this short is rounding
+constexpr double parallel = 1e-9;   // sine of an angle too small to tell
+constexpr int longest_stride = 64;  // between looks at the clock: a fifth of that
 constexpr int max_visits =
     6;  // tries to leave one corner in a step, one per line that may meet there
 
@@ -32,23 +31,10 @@ Position point_of(const Segment& segment, double parameter) {
 
 }  // namespace
 
-ContactStep::ContactStep(RenderedOutlines& outlines, const ContactSettings& settings, Budget budget,
-                         ProxyState& proxy, std::span<Position> path)
-    : outlines_(outlines),
-      settings_(settings),
-      budget_(budget),
-      proxy_(proxy),
-      path_(path),
-      radius_m_(std::max(settings.radius_m, contact_skin_m)) {
-    if (budget_.deadline_ns != 0) budget_.deadline_ns -= return_ns;
-}
-
-std::size_t ContactStep::run(Position handle, ContactReport& report) {
+void ContactStep::run(Position handle, ContactReport& report) {
     handle_ = handle;
     report_ = &report;
-    report.transitions[0] = proxy_.state;
-    report.transition_count = 1;
-    path_[path_size_++] = proxy_.centre;
+    mark(proxy_.centre);
     Next next = Next::again;
     for (int move = 0; move < max_moves && walks_ < max_walks && next == Next::again && !is_late();
          ++move) {
@@ -65,7 +51,6 @@ std::size_t ContactStep::run(Position handle, ContactReport& report) {
         }
     }
     if (next == Next::again) report.carried_m = norm(handle_ - proxy_.centre);
-    return path_size_;
 }
 
 ContactStep::Next ContactStep::move_free() {
@@ -96,10 +81,11 @@ ContactStep::Next ContactStep::move_free() {
 }
 
 ContactStep::Next ContactStep::move_on_edge() {
-    if (is_simple(first())) {
-        const Hop hop = slide_simply();
-        if (hop == Hop::rest) return Next::done;
-        if (hop == Hop::again || walks_ >= max_walks) return Next::again;
+    if (is_thin(first())) {
+        if (rest_on_edge()) return Next::done;
+        const bool is_on = stride();
+        if ((is_on && rest_on_edge()) || rest_in_corner()) return Next::done;
+        if (is_on) return Next::again;
     }
     ++walks_;
     const Contact& at = first();
@@ -120,7 +106,7 @@ ContactStep::Next ContactStep::move_on_edge() {
 /// A slide in general: whatever is near, however thick the proxy.
 ContactStep::Next ContactStep::slide(double way_m) {
     Contact& at = first();
-    const Edge edge = outlines_.edge(at.segment);
+    const Edge& edge = outlines_.edge(at.segment);
     const double goal = at.parameter + way_m / edge.length_m;
     const double end = std::clamp(goal, 0.0, 1.0);
     const double from = at.parameter;
@@ -140,100 +126,109 @@ bool ContactStep::is_late() const {
     return budget_.deadline_ns != 0 && steady_now_ns() >= budget_.deadline_ns;
 }
 
-/// Nothing but the neighbouring edges can be met from this one, and the proxy is a point but for
-/// its skin: then a slide needs no sweep.
-bool ContactStep::is_simple(const Contact& at) {
+/// The proxy is a point but for its skin.
+bool ContactStep::is_thin(const Contact& at) const {
     return radius_m_ == contact_skin_m && at.offset_m <= 1.5 * contact_skin_m &&
-           at.offset_m >= 0.5 * contact_skin_m && is_open(at.segment);
+           at.offset_m >= 0.5 * contact_skin_m;
 }
 
-/// A node is one segment here, and only its neighbours come near it.
-bool ContactStep::is_open(SegmentRef segment) {
-    return outlines_.is_whole(segment) && outlines_.is_alone(segment);
+/// A slide that stops short of the end of an open edge: it needs no sweep. False, and nothing done,
+/// where that is not all there is to it.
+bool ContactStep::rest_on_edge() {
+    Contact& at = first();
+    const Edge& edge = outlines_.edge(at.segment);
+    const Position pull = handle_ - proxy_.centre;
+    const double depth = -dot(pull, at.normal);
+    const double pulled_m = dot(pull, edge.along);
+    const double way_m = std::abs(pulled_m) - settings_.friction * depth;
+    const bool is_forward = pulled_m > 0.0;
+    const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
+    const bool is_short = way_m > 0.0 && way_m + 2.0 * at.offset_m <= left_m;
+    if (!(depth >= 0.0 && is_short)) return false;
+    if (!(is_forward ? edge.is_open_ahead : edge.is_open_behind)) return false;
+    at.parameter += std::copysign(way_m * edge.per_length_m, pulled_m);
+    place_at_contact(edge.segment);
+    return true;
 }
 
-/// Whether a slide that ends more than a skin before the end of the edge cannot meet the next one:
-/// it can where that runs back beside this one.
-bool ContactStep::ends_before(const Edge& edge, SegmentRef next) {
-    if (next.piece < 0) return true;
-    const Segment s = outlines_.segment(next);
-    return dot(edge.along, s.b - s.a) >= 0.0;
-}
-
-/// Slides along edges that are alone, over ends where the next one turns by less than a right
-/// angle. The centre passes a convex vertex on a chord of at most 1.5 skins, and a concave one
-/// where the two lines that it keeps its skin from cross; there it stays where the handle does not
-/// pull it on. Stops, for the general rules to go on, wherever that is not all there is to it.
-ContactStep::Hop ContactStep::slide_simply() {
-    Contact at = first();
-    Position centre = proxy_.centre;
-    Edge edge = outlines_.edge(at.segment);
-    const double skin_m = at.offset_m;
-    const double side = sign_of(at.side);
-    const double friction = settings_.friction;
-    const auto stop = [&](Hop hop) {
-        first() = at;
-        proxy_.centre = centre;
-        return hop;
-    };
-    for (; walks_ < max_walks; ++walks_) {
-        if (walks_ % walks_per_look == walks_per_look - 1 && is_late()) return stop(Hop::again);
-        const Position pull = handle_ - centre;
-        const double depth = -dot(pull, at.normal);
-        const double pulled_m = dot(pull, edge.along);
-        const double way_m = std::abs(pulled_m) - friction * depth;
-        if (!(depth >= 0.0 && way_m > 0.0) || !is_open(edge.ref)) return stop(Hop::none);
-        const bool is_forward = pulled_m > 0.0;
-        const SegmentRef next = outlines_.next(edge.ref, is_forward);
-        if (next.piece >= 0 && !outlines_.is_whole(next)) return stop(Hop::none);
-        const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
-        if (way_m <= left_m) {
-            if (way_m + 2.0 * skin_m > left_m || !ends_before(edge, next)) return stop(Hop::none);
-            at.parameter += (is_forward ? way_m : -way_m) * edge.per_length_m;
-            (void)stop(Hop::rest);
-            place_at_contact(edge.segment);
-            return Hop::rest;
+/// Over as many vertices as the handle clearly pulls a thin proxy. False, and nothing done, where
+/// there is none.
+bool ContactStep::stride() {
+    Contact& at = first();
+    const EdgeRow& row = outlines_.row(at.segment.piece);
+    if (row.points.empty() || !outlines_.is_alone(at.segment)) return false;
+    const Edge edge = outlines_.edge(at.segment);
+    const bool is_forward = dot(handle_ - proxy_.centre, edge.along) > 0.0;
+    const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
+    if (!(left_m > 3.0 * at.offset_m)) return false;
+    const int passed = vertices_passed(row, outlines_.scene().tree, at.segment.index, is_forward,
+                                       {handle_, at.side, settings_.friction},
+                                       std::min(longest_stride, max_walks - walks_));
+    if (passed == 0) return false;
+    walks_ += passed;
+    const int step = is_forward ? 1 : -1;
+    const int last = at.segment.index + step * (passed - 1);
+    if (path_ != nullptr) {
+        for (int index = at.segment.index; index != last; index += step) {
+            mark(passage_after(index, step));
         }
-        if (next.piece < 0) return stop(Hop::none);
-        const Edge ahead = outlines_.edge(next);
-        const Direction normal = side * left_of(ahead.along);
-        const Direction away = (is_forward ? 1.0 : -1.0) * ahead.along;
-        const double cosine = dot(at.normal, normal);
-        if (!(cosine > 0.1)) return stop(Hop::none);
-        const Position vertex = is_forward ? edge.segment.b : edge.segment.a;
-        const bool is_convex = dot(away, at.normal) < 0.0;
-        const double share = 1.0 / (1.0 + cosine);
-        const Direction between = is_convex ? normal : share * (at.normal + normal);
-        const auto offset = along<Position>(between, skin_m);
-        const double inset_m = is_convex ? 0.0 : dot(offset, away);
-        if (inset_m > left_m || 2.0 * inset_m > ahead.length_m) return stop(Hop::none);
-        const Position corner = vertex + offset;
-        const Position pull_there = handle_ - corner;
-        const double depth_there = -dot(pull_there, normal);
-        const bool is_pulled_on =
-            depth_there >= 0.0 && dot(pull_there, away) > friction * depth_there;
-        if (is_convex && !is_pulled_on) return stop(Hop::none);
-        // A convex vertex is passed on a chord, from this edge's end to the next one's.
-        path_[path_size_] = vertex + along<Position>(at.normal, skin_m);
-        path_size_ += is_convex ? 1 : 0;
-        path_[path_size_++] = corner;
-        centre = corner;
-        const double inset = inset_m * ahead.per_length_m;
-        const double parameter = is_forward ? inset : 1.0 - inset;
-        if (!is_pulled_on) {
-            const double end = inset_m * edge.per_length_m;
-            at.parameter = is_forward ? 1.0 - end : end;
-            proxy_.contacts[1] = {next, parameter, at.side, normal, skin_m, false};
-            proxy_.contact_count = 2;
-            enter(ContactState::vertex);
-            return stop(Hop::again);
-        }
-        at.segment = next;
-        at.parameter = parameter;
-        at.normal = normal;
-        edge = ahead;
     }
-    return stop(Hop::none);
+    const Passage end = passage_after(last, step);
+    mark(end);
+    at.segment.index = last + step;
+    at.normal = end.normal;
+    const double inset = end.inset_m * outlines_.edge(at.segment).per_length_m;
+    at.parameter = is_forward ? inset : 1.0 - inset;
+    proxy_.centre = end.enter;
+    return true;
+}
+
+/// Into a concave vertex at the end of an open edge, where the handle does not pull a thin proxy
+/// on: both edges hold it. False, and nothing done, where that is not all there is to it.
+bool ContactStep::rest_in_corner() {
+    Contact& at = first();
+    const Edge edge = outlines_.edge(at.segment);
+    const Position pull = handle_ - proxy_.centre;
+    const double pulled_m = dot(pull, edge.along);
+    const bool is_forward = pulled_m > 0.0;
+    if (!(is_forward ? edge.is_open_ahead : edge.is_open_behind)) return false;
+    const SegmentRef next = outlines_.next(at.segment, is_forward);
+    if (next.piece < 0) return false;
+    const double left_m = (is_forward ? 1.0 - at.parameter : at.parameter) * edge.length_m;
+    const double depth_here = -dot(pull, at.normal);
+    const double way_m = std::abs(pulled_m) - settings_.friction * depth_here;
+    if (!(depth_here >= 0.0 && way_m > left_m)) return false;
+    const double sign = is_forward ? 1.0 : -1.0;
+    const Edge& ahead = outlines_.edge(next);
+    const Direction before = sign * edge.along;
+    const Direction after = sign * ahead.along;
+    if (dot(after, at.normal) < 0.0 || !(dot(before, after) > 0.1)) return false;
+    const Passage corner = passage(is_forward ? edge.segment.b : edge.segment.a, before, after,
+                                   sign * sign_of(at.side), at.offset_m);
+    const Position pull_there = handle_ - corner.enter;
+    const double depth = -dot(pull_there, corner.normal);
+    const bool is_pulled_on = depth >= 0.0 && dot(pull_there, after) > settings_.friction * depth;
+    const double inset_m = corner.inset_m;
+    if (is_pulled_on || inset_m > left_m || 2.0 * inset_m > ahead.length_m) return false;
+    const double end = inset_m * edge.per_length_m;
+    const double start = inset_m * ahead.per_length_m;
+    at.parameter = is_forward ? 1.0 - end : end;
+    proxy_.contacts[1] = {
+        next, is_forward ? start : 1.0 - start, at.side, corner.normal, at.offset_m, false};
+    proxy_.contact_count = 2;
+    enter(ContactState::vertex);
+    place(corner.enter);
+    return true;
+}
+
+/// From one edge of the contact's piece to the next, up (step 1) or down the row (-1).
+Passage ContactStep::passage_after(int index, int step) {
+    const Contact& at = first();
+    const Segment before = outlines_.segment({at.segment.piece, index});
+    const Segment after = outlines_.segment({at.segment.piece, index + step});
+    const double sign = step;
+    return passage(step > 0 ? before.b : before.a, direction_of(sign * (before.b - before.a)),
+                   direction_of(sign * (after.b - after.a)), sign * sign_of(at.side), at.offset_m);
 }
 
 /// Stopped on the way by a second contact, or by the budget with `left_m` to go.
@@ -470,27 +465,24 @@ Contact ContactStep::contact_of(SegmentRef segment, const Touch& touch) {
     return {segment, touch.parameter, side, touch.normal, touch.distance_m, touch.is_end};
 }
 
-/// Records a state. An edge, a vertex and again an edge within one step is a walk along the outline
-/// and counts as one edge.
 void ContactStep::enter(ContactState state) {
     proxy_.state = state;
-    auto& seen = report_->transitions;
-    int& count = report_->transition_count;
-    const auto at = [&](int back) { return seen[static_cast<std::size_t>(count - back)]; };
-    if (at(1) == state) return;
-    const bool is_walk = count >= 2 && state == ContactState::edge &&
-                         at(1) == ContactState::vertex && at(2) == ContactState::edge;
-    if (is_walk) {
-        --count;
-    } else if (count < static_cast<int>(seen.size())) {
-        seen[static_cast<std::size_t>(count++)] = state;
-    }
+    report_->transitions.add(state);
+}
+
+void ContactStep::mark(Position way_point) {
+    if (path_ != nullptr) path_->push_back(way_point);
+}
+
+void ContactStep::mark(const Passage& passed) {
+    mark(passed.leave);
+    mark(passed.enter);
 }
 
 void ContactStep::place(Position centre) {
     if (centre == proxy_.centre) return;
     proxy_.centre = centre;
-    path_[path_size_++] = centre;
+    mark(centre);
 }
 
 void ContactStep::place_at_contact() {

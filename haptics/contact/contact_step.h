@@ -7,28 +7,37 @@
 #include "haptics/contact/contact_machine.h"
 #include "haptics/contact/proxy_state.h"
 #include "haptics/contact/rendered_outlines.h"
+#include "haptics/contact/stride.h"
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace touchline {
 
 class ContactStep {
   public:
-    /// `path` has room for max_way_points.
+    /// Way points are added to `path` where there is one.
     ContactStep(RenderedOutlines& outlines, const ContactSettings& settings, Budget budget,
-                ProxyState& proxy, std::span<Position> path);
+                ProxyState& proxy, std::vector<Position>* path)
+        : outlines_(outlines),
+          settings_(settings),
+          budget_(budget),
+          proxy_(proxy),
+          path_(path),
+          radius_m_(std::max(settings.radius_m, contact_skin_m)) {
+        if (budget_.deadline_ns != 0) budget_.deadline_ns -= return_ns;
+    }
 
-    /// Moves the proxy; fills transitions, carried motion, boxes and clear. Returns the way points
-    /// used.
-    [[nodiscard]] std::size_t run(Position handle, ContactReport& report);
+    /// Moves the proxy; fills transitions, carried motion, boxes and clear.
+    void run(Position handle, ContactReport& report);
 
   private:
+    // What a step may still need, from cold caches, once late.
+    static constexpr std::int64_t return_ns = 3000;
+
     /// What a state's move came to.
     enum class Next { again, done };
-
-    /// What a simple slide came to: at rest, to be looked at again (at a corner, or late), or as
-    /// far as it was simple.
-    enum class Hop { rest, again, none };
 
     using Excluded = std::array<SegmentRef, 2>;
 
@@ -43,11 +52,12 @@ class ContactStep {
     Next move_free();
     Next move_on_edge();
     Next slide(double way_m);
-    [[nodiscard]] bool is_simple(const Contact& at);
-    [[nodiscard]] bool is_open(SegmentRef segment);
+    [[nodiscard]] bool is_thin(const Contact& at) const;
     [[nodiscard]] bool is_late() const;
-    Hop slide_simply();
-    [[nodiscard]] bool ends_before(const Edge& edge, SegmentRef next);
+    bool rest_on_edge();
+    bool stride();
+    bool rest_in_corner();
+    [[nodiscard]] Passage passage_after(int index, int step);
 
     Next move_round();
     Next move_at_corner();
@@ -69,6 +79,8 @@ class ContactStep {
     Contact& first() { return proxy_.contacts[0]; }
 
     void enter(ContactState state);
+    void mark(Position way_point);
+    void mark(const Passage& passed);
     void place(Position centre);
     void place_at_contact();
     void place_at_contact(const Segment& segment);
@@ -77,8 +89,7 @@ class ContactStep {
     const ContactSettings& settings_;
     Budget budget_;
     ProxyState& proxy_;
-    std::span<Position> path_;
-    std::size_t path_size_ = 0;
+    std::vector<Position>* path_;
     double radius_m_;
     Position handle_;
     Position last_corner_;  // the corner last visited and how often without moving away

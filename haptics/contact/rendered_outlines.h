@@ -1,10 +1,13 @@
 // The outlines as rendered at one level: a piece is looked up once for the many edges that the
-// proxy visits there. Threads: one, the servo's.
+// proxy visits there, an edge once for the many steps that it stays on it. Threads: one, the
+// servo's.
 #pragma once
 
 #include "haptics/collision/scene.h"
 
+#include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace touchline {
 
@@ -15,6 +18,16 @@ struct Edge {
     Direction along;
     double length_m = 0.0;
     double per_length_m = 0.0;  // 1 / length; 0 where there is none
+    // A slide towards its end (start) that stops short of it can meet nothing: the edge is alone,
+    // and the next one does not run back beside it.
+    bool is_open_ahead = false;
+    bool is_open_behind = false;
+};
+
+/// The edges of one piece at a whole level: edge j lies between points j and j + 1.
+struct EdgeRow {
+    std::span<const Position> points;  // empty where two levels are blended
+    std::size_t first_node = 0;        // of the collision tree, of edge 0
 };
 
 class RenderedOutlines {
@@ -22,7 +35,8 @@ class RenderedOutlines {
     RenderedOutlines() = default;
 
     /// `scene` must outlive it.
-    RenderedOutlines(const Scene& scene, double level) : scene_(&scene), level_(level) {}
+    RenderedOutlines(const Scene& scene, double level)
+        : scene_(&scene), level_(level), is_fractional_(level != std::floor(level)) {}
 
     /// Precondition: made with a scene.
     [[nodiscard]] const Scene& scene() const { return *scene_; }
@@ -32,20 +46,22 @@ class RenderedOutlines {
     [[nodiscard]] double level() const { return level_; }
 
     /// Some pieces may be blends of two levels.
-    [[nodiscard]] bool is_fractional() const { return level_ != static_cast<int>(level_); }
+    [[nodiscard]] bool is_fractional() const { return is_fractional_; }
 
     [[nodiscard]] Segment segment(SegmentRef ref) {
         look_up(ref.piece);
         return rendered_.segment(ref.index);
     }
 
-    [[nodiscard]] Edge edge(SegmentRef ref) {
-        const Segment s = segment(ref);
-        const Position e = s.b - s.a;
-        const double length = norm(e);
-        if (!(length > 0.0)) return {ref, s, {1.0, 0.0}, 0.0, 0.0};
-        const double per_length = 1.0 / length;
-        return {ref, s, along<Direction>(e, per_length), length, per_length};
+    /// Valid until the next edge is asked for.
+    [[nodiscard]] const Edge& edge(SegmentRef ref) {
+        if (ref != edge_.ref) look_up_edge(ref);
+        return edge_;
+    }
+
+    [[nodiscard]] const EdgeRow& row(int piece) {
+        look_up(piece);
+        return row_;
     }
 
     /// The segment after (before) one along its outline, across pins; piece -1 at an open end.
@@ -62,33 +78,26 @@ class RenderedOutlines {
         return scene_->tree.is_alone(first_node_ + static_cast<std::size_t>(ref.index >> halves_));
     }
 
-    /// A node is one rendered segment, not two blended halves.
-    [[nodiscard]] bool is_whole(SegmentRef ref) {
-        look_up(ref.piece);
-        return halves_ == 0;
-    }
-
   private:
     void look_up(int piece) {
         if (piece != piece_) [[unlikely]] {
-            look_up_other(piece);
+            look_up_piece(piece);
         }
     }
 
-    [[gnu::noinline]] void look_up_other(int piece) {
-        piece_ = piece;
-        rendered_ = scene_->curves.rendered(piece, level_);
-        const NodeRange nodes = CollisionTree::nodes(scene_->curves, piece, level_);
-        first_node_ = nodes.first;
-        halves_ = nodes.is_blend ? 1 : 0;
-    }
+    void look_up_piece(int piece);
+    void look_up_edge(SegmentRef ref);
+    [[nodiscard]] bool is_open(const Edge& edge, bool is_forward);
 
     const Scene* scene_ = nullptr;
     double level_ = 0.0;
+    bool is_fractional_ = false;
     int piece_ = -1;  // whose these are:
     RenderedPiece rendered_;
     std::size_t first_node_ = 0;
     int halves_ = 0;  // 1: a node holds two rendered segments
+    EdgeRow row_;
+    Edge edge_;  // the last one asked for
 };
 
 }  // namespace touchline

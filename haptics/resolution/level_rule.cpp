@@ -60,7 +60,7 @@ double SpeedMeasure::step(Position handle, double dt_s) {
     low_pass_ += share_ * (along<Velocity>(moved, per_dt_Hz_) - low_pass_);
     slot_age_s_ += dt_s;
     if (slot_age_s_ >= slot_s) begin_slots();
-    peaks_[newest_] = std::max(peaks_[newest_], norm(low_pass_));
+    peaks_[newest_] = std::max(peaks_[newest_], dot(low_pass_, low_pass_));
     return std::max(older_, peaks_[newest_]);
 }
 
@@ -77,24 +77,24 @@ void LevelRule::set_thresholds(double dt_s) {
     constexpr double inwards = 1e-12;
     dt_s_ = dt_s;
     const double crossed_m_per_s = highest_detail_Hz(limits_, dt_s) * wavelength_m(limits_, level_);
-    coarsen_above_m_per_s_ = crossed_m_per_s * (1.0 - inwards);
-    refine_below_m_per_s_ =
-        crossed_m_per_s * std::exp2(-1.0 - hysteresis_octaves) * (1.0 + inwards);
+    const double refined_m_per_s = crossed_m_per_s * std::exp2(-1.0 - hysteresis_octaves);
+    coarsen_above_m2_per_s2_ = crossed_m_per_s * crossed_m_per_s * (1.0 - inwards);
+    refine_below_m2_per_s2_ = refined_m_per_s * refined_m_per_s * (1.0 + inwards);
     constexpr double at_rest = -1e3;
-    if (level_ == limits_.coarsest) coarsen_above_m_per_s_ = INFINITY;
-    if (level_ > limits_.coarsest) coarsen_above_m_per_s_ = -1.0;  // new limits: find the level
-    if (level_ == bounded(at_rest)) refine_below_m_per_s_ = -1.0;
+    if (level_ == limits_.coarsest) coarsen_above_m2_per_s2_ = INFINITY;
+    if (level_ > limits_.coarsest) coarsen_above_m2_per_s2_ = -1.0;  // new limits: find the level
+    if (level_ == bounded(at_rest)) refine_below_m2_per_s2_ = -1.0;
 }
 
 double LevelRule::step(Position handle, double dt_s) {
     if (!is_finite(handle) || !(dt_s > 0.0)) return level_;
-    speed_m_per_s_ = measure_.step(handle, dt_s);
+    speed2_m2_per_s2_ = measure_.step(handle, dt_s);
     since_change_s_ += dt_s;
     const bool is_known = dt_s == dt_s_;
-    const bool stays = speed_m_per_s_ <= coarsen_above_m_per_s_ &&
-                       (speed_m_per_s_ > refine_below_m_per_s_ || since_change_s_ < dwell_s);
+    const bool stays = speed2_m2_per_s2_ <= coarsen_above_m2_per_s2_ &&
+                       (speed2_m2_per_s2_ > refine_below_m2_per_s2_ || since_change_s_ < dwell_s);
     if (is_known && stays) return level_;
-    const double z = speed_level(limits_, speed_m_per_s_, dt_s);
+    const double z = speed_level(limits_, speed_m_per_s(), dt_s);
     const double coarser = bounded(z);
     const double finer = bounded(z + hysteresis_octaves);
     const bool may_refine = finer < level_ && since_change_s_ >= dwell_s;

@@ -7,6 +7,7 @@
 #include "config/types/vec2.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace touchline {
@@ -36,7 +37,8 @@ struct LevelLimits {
 /// that a tremor does not switch levels. Starts at rest.
 class SpeedMeasure {
   public:
-    /// The handle after dt_s > 0. Returns the held speed in m/s.
+    /// The handle after dt_s > 0. Returns the square of the held speed in m^2/s^2: a root at every
+    /// tick costs as much as all the rest.
     double step(Position handle, double dt_s);
 
   private:
@@ -52,7 +54,7 @@ class SpeedMeasure {
     Position last_;
     bool has_last_ = false;
     Velocity low_pass_;
-    std::array<double, slots + 1> peaks_{};  // of the running slot and the ten before it
+    std::array<double, slots + 1> peaks_{};  // squared, of the running slot and the ten before it
     std::size_t newest_ = 0;
     double older_ = 0.0;  // largest of the ten
     double slot_age_s_ = 0.0;
@@ -75,7 +77,7 @@ class LevelRule {
 
     [[nodiscard]] double level() const { return level_; }
 
-    [[nodiscard]] double speed_m_per_s() const { return speed_m_per_s_; }
+    [[nodiscard]] double speed_m_per_s() const { return std::sqrt(speed2_m2_per_s2_); }
 
   private:
     [[nodiscard]] double bounded(double speed_level) const;
@@ -83,12 +85,12 @@ class LevelRule {
 
     LevelLimits limits_;
     double dt_s_ = 0.0;  // the period that the thresholds are for; 0: none yet
-    // Between these speeds the level stays as it is.
-    double refine_below_m_per_s_ = 0.0;
-    double coarsen_above_m_per_s_ = 0.0;
+    // Between these speeds, squared, the level stays as it is.
+    double refine_below_m2_per_s2_ = 0.0;
+    double coarsen_above_m2_per_s2_ = 0.0;
     SpeedMeasure measure_;
     double level_ = 0.0;
-    double speed_m_per_s_ = 0.0;
+    double speed2_m2_per_s2_ = 0.0;
     double since_change_s_ = 1.0;
 };
 

@@ -57,16 +57,18 @@ template <class Renderer>
 Verdict judged(Renderer& renderer, const CurveSet& curves, const Hand& hand, const HandRun& run) {
     LevelJudge judge(curves);
     Verdict verdict;
+    std::vector<Position> path;
+    renderer.machine().record_path(&path);
     renderer.start(hand.positions[0]);
     for (std::size_t i = 0; i < run.proxies.size(); ++i) {
         if (run.is_reset[i]) renderer.reset(hand.positions[i]);
         renderer.step(hand.positions[i]);
-        const ContactMachine& machine = renderer.machine();
-        const double level = machine.rendered_level();
+        const double level = renderer.machine().rendered_level();
         verdict.levels.push_back(level);
         verdict.coarser += level > renderer.wanted_level() ? 1U : 0U;
-        verdict.let_through += judge.is_free(machine.path(), level) ? 0U : 1U;
+        verdict.let_through += judge.is_free(path, level) ? 0U : 1U;
     }
+    renderer.machine().record_path(nullptr);
     return verdict;
 }
 

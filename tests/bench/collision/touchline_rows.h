@@ -37,7 +37,7 @@ class FixedLevel {
 
     Position step(Position hand);
 
-    [[nodiscard]] const ContactMachine& machine() const { return machine_; }
+    [[nodiscard]] ContactMachine& machine() { return machine_; }
 
     [[nodiscard]] const ContactReport& report() const { return report_; }
 
@@ -63,7 +63,7 @@ class AutoLevel {
 
     Position step(Position hand);
 
-    [[nodiscard]] const ContactMachine& machine() const { return machine_; }
+    [[nodiscard]] ContactMachine& machine() { return machine_; }
 
     [[nodiscard]] double wanted_level() const { return rule_.level(); }
 

@@ -1,0 +1,37 @@
+#include "haptics/contact/rendered_outlines.h"
+
+namespace touchline {
+
+void RenderedOutlines::look_up_piece(int piece) {
+    piece_ = piece;
+    rendered_ = scene_->curves.rendered(piece, level_);
+    const NodeRange nodes = CollisionTree::nodes(scene_->curves, piece, level_);
+    first_node_ = nodes.first;
+    halves_ = nodes.is_blend ? 1 : 0;
+    row_ = {{}, nodes.first};
+    if (nodes.is_blend) return;
+    const double level = scene_->curves.rendered_level(piece, level_);
+    row_.points = scene_->curves.points(piece, static_cast<int>(level));
+}
+
+void RenderedOutlines::look_up_edge(SegmentRef ref) {
+    const Segment s = segment(ref);
+    const Position e = s.b - s.a;
+    const double length = norm(e);
+    const double per_length = length > 0.0 ? 1.0 / length : 0.0;
+    const Direction along_it = length > 0.0 ? along<Direction>(e, per_length) : Direction{1.0, 0.0};
+    edge_ = {ref, s, along_it, length, per_length};
+    edge_.is_open_ahead = is_open(edge_, true);
+    edge_.is_open_behind = is_open(edge_, false);
+}
+
+/// Only where both are whole segments of their levels: of what is blended, alone says less.
+bool RenderedOutlines::is_open(const Edge& edge, bool is_forward) {
+    if (is_fractional() || !is_alone(edge.ref)) return false;
+    const SegmentRef neighbour = next(edge.ref, is_forward);
+    if (neighbour.piece < 0) return true;
+    const Segment s = segment(neighbour);
+    return dot(edge.along, s.b - s.a) >= 0.0;
+}
+
+}  // namespace touchline
