@@ -32,6 +32,25 @@ struct Box {
     return {s.a, axis, 0.0, axis == s.b - s.a ? 1.0 : 0.0, 0.0, 0.0};
 }
 
+/// What something takes up along and across an axis, in axis lengths times metres.
+struct Shadow {
+    double along_low = 0.0, along_high = 0.0, across_low = 0.0, across_high = 0.0;
+};
+
+/// A box seen along an axis that starts at `origin`.
+[[nodiscard]] inline Shadow shadow(const Box& box, Position origin, Position axis) {
+    const Position w = box.origin - origin;
+    const double s = dot(axis, w);
+    const double n = cross(axis, w);
+    const double c = dot(axis, box.axis);
+    const double d = cross(axis, box.axis);
+    const auto [uc_low, uc_high] = std::minmax({box.along_low * c, box.along_high * c});
+    const auto [ud_low, ud_high] = std::minmax({box.along_low * d, box.along_high * d});
+    const auto [vc_low, vc_high] = std::minmax({box.across_low * c, box.across_high * c});
+    const auto [vd_low, vd_high] = std::minmax({box.across_low * d, box.across_high * d});
+    return {s + uc_low - vd_high, s + uc_high - vd_low, n + ud_low + vc_low, n + ud_high + vc_high};
+}
+
 /// A straight way and how near to it something matters.
 struct Way {
     Position from;

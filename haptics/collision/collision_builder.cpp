@@ -36,6 +36,14 @@ class Growing {
         n_high_ = std::max(n_high_, n);
     }
 
+    void add(const Box& box) {
+        const Shadow at = shadow(box, origin_, axis_);
+        s_low_ = std::min(s_low_, at.along_low);
+        s_high_ = std::max(s_high_, at.along_high);
+        n_low_ = std::min(n_low_, at.across_low);
+        n_high_ = std::max(n_high_, at.across_high);
+    }
+
     [[nodiscard]] PackedExtents packed() const {
         return {scale_ * s_low_, scale_ * s_high_, scale_ * n_low_, scale_ * n_high_};
     }
@@ -127,10 +135,7 @@ class CollisionTreeBuilder {
         const auto first = static_cast<std::size_t>(j) << (level - finer);
         const auto last = last_of(piece, level, j, finer);
         for (std::size_t i = first; i < last; ++i) {
-            for (const Position corner :
-                 corners_of(tree_.node_box(curves_, {piece, finer, static_cast<int>(i)}))) {
-                box.add(corner);
-            }
+            box.add(tree_.node_box(curves_, {piece, finer, static_cast<int>(i)}));
         }
     }
 
@@ -182,7 +187,8 @@ class CollisionTreeBuilder {
         Extent extent;
         for (int j = stretch.first; j < stretch.first + stretch.count; ++j) {
             const Box box = tree_.node_box(curves_, {stretch.piece, stretch.level, j});
-            for (const Position c : corners_of(box)) extent.add({c, c});
+            const Shadow at = shadow(box, {}, {1.0, 0.0});
+            extent.add({{at.along_low, at.across_low}, {at.along_high, at.across_high}});
         }
         return extent;
     }
