@@ -193,17 +193,19 @@ class CollisionTreeBuilder {
         return extent;
     }
 
-    /// Every piece in stretches of four nodes of about 1 mm.
+    /// Every piece in stretches of four nodes of the level at which they are 1 mm long, or of its
+    /// coarsest. One level for all: a level coarser than a stretch's cannot start there.
     void lay_grid() {
+        constexpr double node_m = 1e-3;
+        const double octaves = std::log2(node_m / curves_.finest_spacing_m());
+        const int start_level = std::clamp(static_cast<int>(std::ceil(octaves)), 0, 32);
+        if (start_level < curves_.coarsest()) tree_.start_level_ = start_level;
         std::vector<Stretch> stretches;
         std::vector<Position> low;
         std::vector<Position> high;
         for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
-            const int level = start_level(piece);
-            if (level < curves_.pieces()[static_cast<std::size_t>(piece)].coarsest) {
-                tree_.start_level_ = std::min(tree_.start_level_, static_cast<double>(level));
-            }
-            add_stretches(piece, level, stretches);
+            const int coarsest = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
+            add_stretches(piece, std::min(start_level, coarsest), stretches);
         }
         for (const Stretch& stretch : stretches) {
             const Extent extent = extent_of(stretch);
@@ -211,21 +213,6 @@ class CollisionTreeBuilder {
             high.push_back(extent.high);
         }
         tree_.start_grid_ = StartGrid(std::move(stretches), low, high);
-    }
-
-    /// The finest level of a piece whose nodes are at least 1 mm long on average.
-    [[nodiscard]] int start_level(int piece) const {
-        constexpr double node_m = 1e-3;
-        const int coarsest = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest;
-        const RenderedPiece coarse = curves_.rendered(piece, coarsest);
-        double length_m = 0.0;
-        for (int j = 0; j < coarse.segment_count(); ++j) {
-            const Segment s = coarse.segment(j);
-            length_m += norm(s.b - s.a);
-        }
-        int level = coarsest;
-        while (level > 0 && length_m / curves_.segment_count(piece, level - 1) >= node_m) --level;
-        return level;
     }
 
     const CurveSet& curves_;

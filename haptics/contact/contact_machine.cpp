@@ -6,12 +6,21 @@
 #include <cmath>
 
 namespace touchline {
+namespace {
+
+// What a step may still need to return once late, and the first one on a scene, which finds neither
+// data nor code in any cache.
+constexpr std::int64_t return_ns = 3000;
+constexpr std::int64_t cold_return_ns = 6500;
+
+}  // namespace
 
 void ContactMachine::reset(const Scene& scene, Position handle, double level) {
     outlines_ = RenderedOutlines(scene, std::max(level, 0.0));
     proxy_ = {};
     proxy_.centre = handle;
     groove_ = {};
+    is_fresh_ = true;
     // Nearer than the skin to a line: onto its left. A second line as near is met at the next
     // round.
     for (int i = 0; i < 8 && is_finite(handle); ++i) {
@@ -45,7 +54,9 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     radius_m_ = settings.radius_m;
     const double wanted = std::max(level, 0.0);
     const int spent = wanted == outlines_.level() ? 0 : adopt_level(wanted, settings, budget);
-    const Budget left{budget.boxes - spent, budget.deadline_ns};
+    Budget left{budget.boxes - spent, budget.deadline_ns};
+    if (left.deadline_ns != 0) left.deadline_ns -= is_fresh_ ? cold_return_ns : return_ns;
+    is_fresh_ = false;
     if (settings.mode == Mode::wall) {
         ContactStep(outlines_, settings, left, proxy_, path_).run(handle, report);
         report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);

@@ -68,6 +68,7 @@ class ContactMachine {
     std::vector<Position>* path_ = nullptr;
     GrooveState groove_;
     Mode mode_ = Mode::wall;
+    bool is_fresh_ = true;  // no step since reset()
 };
 
 }  // namespace touchline

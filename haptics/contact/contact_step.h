@@ -25,17 +25,12 @@ class ContactStep {
           budget_(budget),
           proxy_(proxy),
           path_(path),
-          radius_m_(std::max(settings.radius_m, contact_skin_m)) {
-        if (budget_.deadline_ns != 0) budget_.deadline_ns -= return_ns;
-    }
+          radius_m_(std::max(settings.radius_m, contact_skin_m)) {}
 
     /// Moves the proxy; fills transitions, carried motion, boxes and clear.
     void run(Position handle, ContactReport& report);
 
   private:
-    // What a step may still need, from cold caches, once late.
-    static constexpr std::int64_t return_ns = 3000;
-
     /// What a state's move came to.
     enum class Next { again, done };
 

@@ -42,6 +42,11 @@ struct Step {
                static_cast<double>(turns) * length;
     }
 
+    /// The last coarse segment, of an odd count, is less than half as long as the others.
+    [[nodiscard]] bool ends_short() const {
+        return length - 2.0 * stride * static_cast<double>(coarse - 1) < stride;
+    }
+
     /// Details from 1 to before this one have two regular coarse points on either side.
     [[nodiscard]] Index regular_end() const {
         return is_closed ? coarse - 2 : static_cast<Index>(length / (2.0 * stride)) - 1;
@@ -72,12 +77,16 @@ void lagrange(const Step& step, double u, Index first, int count, Stencil& stenc
 }
 
 /// Near an end, a seam or an unpaired segment: the cubic (or what the points allow) through the
-/// nearest points, which equals regular_prediction() wherever the spacing is regular.
+/// nearest points, which equals regular_prediction() wherever the spacing is regular. It never
+/// reaches over a segment shorter than half the others: the slope over so short a stretch, carried
+/// on over a long one, throws coarse levels metres away.
 Stencil prediction(const Step& step, Index k) {
     Stencil stencil;
-    const int count = static_cast<int>(std::min<Index>(4, step.evens));
+    const bool has_seam = step.is_closed && !step.ends_short();
+    const Index usable = step.evens - (!step.is_closed && step.ends_short() ? 1 : 0);
+    const int count = static_cast<int>(std::min<Index>(4, std::max<Index>(usable, 2)));
     Index first = k - 1;
-    if (!step.is_closed) first = std::clamp<Index>(first, 0, step.evens - count);
+    if (!has_seam) first = std::clamp<Index>(first, 0, std::max<Index>(usable, 2) - count);
     lagrange(step, step.stride * static_cast<double>(2 * k + 1), first, count, stencil);
     return stencil;
 }

@@ -8,14 +8,14 @@ least = 1e-3
 at_least(v) = v > least ? v : least
 set xrange [least * 0.6:100]
 set x2range [least * 1.2:200]
-set yrange [100:1e6]
+set yrange [100:2e4]
 set format y "10^{%L}"
 set format x "%g"
 set format x2 "%g"
 set xtics nomirror
 set x2tics
 set grid xtics ytics lc rgb "#dddddd"
-set key bottom left reverse Left
+set key top right
 rows(series, curve) = sprintf("< awk -F, '$1 == \"%s\" && $3 == \"%s\"' %s", series, curve, csv)
 set multiplot layout 2,2
 do for [kind in "RMS largest"] {

@@ -105,6 +105,29 @@ TEST(Wavelet, HasFourPrimalMomentsFromFourSamplesInsideAnOpenEnd) {
     EXPECT_GT(std::abs(moment(segments, 1, 0)), 1e-3);
 }
 
+/// Of a rough outline in any number of segments, so that some end in a very short one.
+TEST(Wavelet, CoarseLevelsStayBesideTheCurveWhereTheLastSegmentIsShort) {
+    for (const std::size_t segments : {513U, 514U, 520U, 1025U, 4097U, 4100U, 4609U}) {
+        for (const bool is_closed : {false, true}) {
+            std::vector<Position> points = random_points(segments + (is_closed ? 0 : 1), 5);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const double turn =
+                    2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(segments);
+                points[i] = 0.05 * Position{std::cos(turn), std::sin(turn)} + 0.02 * points[i];
+            }
+            CurveShape shape{segments, 1, is_closed};
+            for (std::size_t count = segments; count >= 8; count = coarser_count(count)) {
+                points = analyze(points, shape).points;
+                shape.stride *= 2;
+                for (const Position p : points) {
+                    ASSERT_LE(norm(p), 0.055)
+                        << segments << " " << shape.stride << " " << is_closed;
+                }
+            }
+        }
+    }
+}
+
 TEST(Wavelet, EndsOfAnOpenCurveStayWhereTheyAre) {
     const auto points = random_points(78, 3);
     const auto coarse = analyze(points, {77, 1, false}).points;
