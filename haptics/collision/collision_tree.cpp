@@ -145,6 +145,61 @@ class AnyNear {
     bool is_met_ = false;
 };
 
+/// Boxes of the coarser level hold every blend, so what may sweep over p has its box there.
+class FirstWall {
+  public:
+    static constexpr bool asks_leaf_boxes = false;
+
+    FirstWall(const CurveSet& curves, Position p, const LevelChange& change,
+              const std::array<SegmentRef, 2>& excluded, const Budget& budget)
+        : curves_(curves), p_(p), change_(change), excluded_(excluded), spender_(budget) {}
+
+    static void spare(double /*margin_m*/) {}
+
+    [[nodiscard]] Sifted sift(const Fan& fan) const { return distances(fan, p_); }
+
+    [[nodiscard]] std::optional<double> near(const Box& box) const { return distance_m(box, p_); }
+
+    [[nodiscard]] static double cut() { return contact_skin_m; }
+
+    bool spend(int boxes) { return spender_.spend(boxes); }
+
+    void leaf(SegmentRef ref, const Segment& /*between*/) {
+        const bool has_octave =
+            change_.finer < curves_.pieces()[static_cast<std::size_t>(ref.piece)].coarsest;
+        if (!has_octave || ref == excluded_[0] || ref == excluded_[1]) return;
+        look_up(ref.piece);
+        const auto found = meeting(p_, from_.segment(ref.index), to_.segment(ref.index));
+        if (!found) return;
+        const bool is_lower = found->share == hit_.share && hit_.is_hit && ref < hit_.segment;
+        if (!(found->share < hit_.share || is_lower || !hit_.is_hit)) return;
+        hit_ = {true, true, found->share, ref, found->parameter, found->was_left, 0};
+    }
+
+    WallHit result(double unopened) {
+        hit_.boxes = spender_.opened();
+        hit_.is_complete = unopened > contact_skin_m;
+        return hit_;
+    }
+
+  private:
+    void look_up(int piece) {
+        if (piece == piece_) return;
+        piece_ = piece;
+        from_ = curves_.blend(piece, change_.finer, change_.from);
+        to_ = curves_.blend(piece, change_.finer, change_.to);
+    }
+
+    const CurveSet& curves_;
+    Position p_;
+    const LevelChange& change_;
+    const std::array<SegmentRef, 2>& excluded_;
+    Spender spender_;
+    int piece_ = -1;  // whose these are:
+    RenderedPiece from_, to_;
+    WallHit hit_;
+};
+
 }  // namespace
 
 Hit CollisionTree::first_hit(const CurveSet& curves, const Motion& motion,
@@ -171,6 +226,15 @@ Clearance CollisionTree::clearance(const CurveSet& curves, Position p, double di
                                    double level, const Budget& budget) const {
     AnyNear visitor(p, distance_m, budget);
     const double unopened = TreeWalk(*this, curves, level, visitor).run_near({p, {}, distance_m});
+    return visitor.result(unopened);
+}
+
+WallHit CollisionTree::first_wall(const CurveSet& curves, Position p, const LevelChange& change,
+                                  const std::array<SegmentRef, 2>& excluded,
+                                  const Budget& budget) const {
+    FirstWall visitor(curves, p, change, excluded, budget);
+    const double unopened =
+        TreeWalk(*this, curves, change.finer + 0.5, visitor).run_near({p, {}, contact_skin_m});
     return visitor.result(unopened);
 }
 

@@ -6,6 +6,7 @@
 
 #include "config/types/vec2.h"
 #include "haptics/collision/box.h"
+#include "haptics/collision/moving_wall.h"
 #include "haptics/collision/packed_extents.h"
 #include "haptics/collision/sift.h"
 #include "haptics/collision/start_grid.h"
@@ -113,6 +114,11 @@ class CollisionTree {
     /// `distance_m` of p: then no finer level and no blend does either.
     [[nodiscard]] Clearance clearance(const CurveSet& curves, Position p, double distance_m,
                                       double level, const Budget& budget) const;
+
+    /// The first segment, other than those excluded, that passes over p while the level changes.
+    [[nodiscard]] WallHit first_wall(const CurveSet& curves, Position p, const LevelChange& change,
+                                     const std::array<SegmentRef, 2>& excluded,
+                                     const Budget& budget) const;
 
     /// The nodes that hold a piece as rendered at `level`. O(1).
     [[nodiscard]] static NodeRange nodes(const CurveSet& curves, int piece, double level);

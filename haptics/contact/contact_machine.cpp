@@ -1,6 +1,7 @@
 #include "haptics/contact/contact_machine.h"
 
 #include "haptics/contact/contact_step.h"
+#include "haptics/contact/wall_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,22 @@ namespace {
 constexpr std::int64_t return_ns = 3000;
 constexpr std::int64_t cold_return_ns = 6500;
 
+constexpr double octave_s = 0.05;         // a change of level that is hindered takes so long
+constexpr double largest_push_N = 0.015;  // of a moving wall in a tick
+
+/// Beyond the coarsest level nothing changes any more.
+double bounded(const Scene& scene, double level) {
+    return std::clamp(level, 0.0, static_cast<double>(scene.curves.coarsest()));
+}
+
 }  // namespace
 
 void ContactMachine::reset(const Scene& scene, Position handle, double level) {
-    outlines_ = RenderedOutlines(scene, std::max(level, 0.0));
+    outlines_ = RenderedOutlines(scene, bounded(scene, level));
     proxy_ = {};
     proxy_.centre = handle;
+    handle_ = handle;
+    account_ = {};
     groove_ = {};
     is_fresh_ = true;
     // Nearer than the skin to a line: onto its left. A second line as near is met at the next
@@ -36,7 +47,7 @@ void ContactMachine::reset(const Scene& scene, Position handle, double level) {
 }
 
 ContactReport ContactMachine::step(Position handle, double level, const ContactSettings& settings,
-                                   const Budget& budget) {
+                                   const Budget& budget, double dt_s) {
     ContactReport report;
     report.transitions = StateTrail(proxy_.state);
     report.p_WP = proxy_.centre;
@@ -44,7 +55,8 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     if (path_ != nullptr) path_->clear();
     const bool is_usable = outlines_.has_scene() && is_finite(handle) && std::isfinite(level) &&
                            std::isfinite(settings.stiffness_N_per_m) &&
-                           std::isfinite(settings.friction) && std::isfinite(settings.radius_m);
+                           std::isfinite(settings.friction) && std::isfinite(settings.radius_m) &&
+                           dt_s > 0.0;
     if (!is_usable) return report;
     if (settings.mode != mode_ && settings.mode == Mode::wall) {
         reset(outlines_.scene(), handle, outlines_.level());
@@ -52,13 +64,16 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     mode_ = settings.mode;
     if (settings.radius_m != radius_m_) proxy_.spare_m = 0.0;
     radius_m_ = settings.radius_m;
-    const double wanted = std::max(level, 0.0);
-    const int spent = wanted == outlines_.level() ? 0 : adopt_level(wanted, settings, budget);
+    const double wanted = bounded(outlines_.scene(), level);
+    const int spent =
+        wanted == outlines_.level() ? 0 : change_level(wanted, handle, settings, budget, dt_s);
     Budget left{budget.boxes - spent, budget.deadline_ns};
     if (left.deadline_ns != 0) left.deadline_ns -= is_fresh_ ? cold_return_ns : return_ns;
     is_fresh_ = false;
     if (settings.mode == Mode::wall) {
+        const Position start = handle - proxy_.centre;
         ContactStep(outlines_, settings, left, proxy_, path_).run(handle, report);
+        book(handle, start, settings.stiffness_N_per_m, dt_s);
         report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
     } else {
         hold(handle, settings, left, report);
@@ -66,6 +81,16 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     report.boxes += spent;
     fill(report);
     return report;
+}
+
+/// What the proxy's move took from the spring, less what a sampled spring may give back at the next
+/// move of the hand.
+void ContactMachine::book(Position handle, Position start, double stiffness_N_per_m, double dt_s) {
+    const Position rest = handle - proxy_.centre;
+    const Position moved = handle - handle_;
+    handle_ = handle;
+    const double square_m2 = dot(start, start) - dot(rest, rest) - dot(moved, moved);
+    account_.earn(0.5 * stiffness_N_per_m * square_m2, dt_s);
 }
 
 /// Groove, ridge, stay: the proxy is the attachment.
@@ -88,23 +113,65 @@ void ContactMachine::hold(Position handle, const ContactSettings& settings, cons
     report.transitions.add(proxy_.state);
 }
 
-int ContactMachine::adopt_level(double level, const ContactSettings& settings,
-                                const Budget& budget) {
-    const double now = outlines_.level();
-    const bool is_wall = settings.mode == Mode::wall;
-    if (is_wall && proxy_.state != ContactState::free) return 0;
-    Clearance found{true, 0};
-    if (is_wall) {
+int ContactMachine::change_level(double level, Position handle, const ContactSettings& settings,
+                                 const Budget& budget, double dt_s) {
+    int boxes = 0;
+    bool is_at_once = settings.mode != Mode::wall;
+    if (!is_at_once && proxy_.state == ContactState::free) {
         const double radius = std::max(settings.radius_m, contact_skin_m);
-        found = outlines_.scene().tree.clearance(outlines_.scene().curves, proxy_.centre, radius,
-                                                 std::max(level, now), budget);
+        const Scene& scene = outlines_.scene();
+        const Clearance found = scene.tree.clearance(scene.curves, proxy_.centre, radius,
+                                                     std::max(level, outlines_.level()), budget);
+        boxes = found.boxes;
+        is_at_once = found.is_clear;
     }
-    if (found.is_clear) {
-        outlines_ = RenderedOutlines(outlines_.scene(), level);
-        proxy_.spare_m = 0.0;
-        groove_ = {};
+    if (!is_at_once) {
+        const Budget left{budget.boxes - boxes, budget.deadline_ns};
+        return boxes + move_wall(level, handle, settings, left, dt_s);
     }
-    return found.boxes;
+    outlines_ = RenderedOutlines(outlines_.scene(), level);
+    proxy_.spare_m = 0.0;
+    groove_ = {};
+    return boxes;
+}
+
+/// Towards `level`, not over a whole level: all the way where the hand is pushed by no more than a
+/// touch of force, else as far as that goes; a little way where there is no place further on.
+int ContactMachine::move_wall(double level, Position handle, const ContactSettings& settings,
+                              const Budget& budget, double dt_s) {
+    const double from = outlines_.level();
+    const double stop = level > from ? std::floor(from) + 1.0 : std::ceil(from) - 1.0;
+    const double goal = level > from ? std::min(level, stop) : std::max(level, stop);
+    const double least = std::min(dt_s / octave_s, std::abs(goal - from));
+    double step = std::abs(goal - from);
+    int boxes = 0;
+    for (int tries = 0; tries < 3; ++tries) {
+        const bool is_whole_way = step >= std::abs(goal - from);
+        const double to = is_whole_way ? goal : from + std::copysign(step, goal - from);
+        WallMotion motion(outlines_, to, settings.radius_m,
+                          {budget.boxes - boxes, budget.deadline_ns});
+        const auto carried = motion.carry(proxy_, handle);
+        boxes += motion.boxes();
+        const double push_N = carried ? settings.stiffness_N_per_m * carried->moved_m : 0.0;
+        if (carried && push_N <= largest_push_N) {
+            adopt(*carried, motion.after(), handle, settings.stiffness_N_per_m);
+            return boxes;
+        }
+        if (!carried && step <= least) return boxes;
+        step = carried ? 0.95 * step * largest_push_N / push_N : least;
+    }
+    return boxes;
+}
+
+/// Unless the wall would do work on the hand that is not covered.
+void ContactMachine::adopt(const Carried& carried, const RenderedOutlines& outlines,
+                           Position handle, double stiffness_N_per_m) {
+    const Position before = handle - proxy_.centre;
+    const Position after = handle - carried.proxy.centre;
+    const double work_J = 0.5 * stiffness_N_per_m * (dot(after, after) - dot(before, before));
+    if (!account_.spend(work_J)) return;
+    proxy_ = carried.proxy;
+    outlines_ = outlines;
 }
 
 void ContactMachine::fill(ContactReport& report) const {

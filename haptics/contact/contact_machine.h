@@ -5,10 +5,12 @@
 #include "config/types/hand_state.h"
 #include "config/types/vec2.h"
 #include "haptics/collision/scene.h"
+#include "haptics/contact/energy_account.h"
 #include "haptics/contact/groove.h"
 #include "haptics/contact/proxy_state.h"
 #include "haptics/contact/rendered_outlines.h"
 #include "haptics/contact/state_trail.h"
+#include "haptics/contact/wall_motion.h"
 
 #include <cstdint>
 #include <vector>
@@ -40,12 +42,15 @@ class ContactMachine {
     /// outlive the machine's use of it.
     void reset(const Scene& scene, Position handle, double level);
 
-    /// Moves the proxy towards the handle. At most 256 walks and 4 tree queries; the rest is
-    /// carried. |handle - proxy| never grows. A handle that is not finite gives zero force and
-    /// moves nothing. While the proxy is free and outside all boxes of the coarser of both levels,
-    /// `level` becomes the rendered one; else the rendered level stays until it is.
+    /// One tick of `dt_s` > 0. First the rendered level comes nearer to `level`: at once where the
+    /// proxy is free and outside all boxes of the coarser of both, else by at most an octave and
+    /// 0.015 N a tick, as a motion of the wall that takes the proxy along (wall_motion.h); it waits
+    /// where there is no place for the proxy or the energy account does not cover it. Then
+    /// the proxy moves towards the handle. At most 256 walks and 4 tree queries; the rest is
+    /// carried. |handle - proxy| never grows by that. A handle that is not finite gives zero force
+    /// and moves nothing.
     [[nodiscard]] ContactReport step(Position handle, double level, const ContactSettings& settings,
-                                     const Budget& budget);
+                                     const Budget& budget, double dt_s = 1e-3);
 
     [[nodiscard]] const ProxyState& proxy() const { return proxy_; }
 
@@ -57,7 +62,13 @@ class ContactMachine {
 
   private:
     /// `level` is another than the rendered one. Returns the boxes opened.
-    int adopt_level(double level, const ContactSettings& settings, const Budget& budget);
+    int change_level(double level, Position handle, const ContactSettings& settings,
+                     const Budget& budget, double dt_s);
+    void adopt(const Carried& carried, const RenderedOutlines& outlines, Position handle,
+               double stiffness_N_per_m);
+    void book(Position handle, Position start, double stiffness_N_per_m, double dt_s);
+    int move_wall(double level, Position handle, const ContactSettings& settings,
+                  const Budget& budget, double dt_s);
     void hold(Position handle, const ContactSettings& settings, const Budget& budget,
               ContactReport& report);
     void fill(ContactReport& report) const;
@@ -65,8 +76,10 @@ class ContactMachine {
     RenderedOutlines outlines_;
     ProxyState proxy_;
     double radius_m_ = 0.0;
+    Position handle_;  // of the last step
     std::vector<Position>* path_ = nullptr;
     GrooveState groove_;
+    EnergyAccount account_;
     Mode mode_ = Mode::wall;
     bool is_fresh_ = true;  // no step since reset()
 };

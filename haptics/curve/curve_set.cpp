@@ -19,14 +19,19 @@ Position RenderedPiece::blended_point(int i) const {
 
 RenderedPiece CurveSet::rendered(int piece, double level) const {
     const double at = rendered_level(piece, level);
-    const auto finer = static_cast<int>(at);
+    return blend(piece, static_cast<int>(at), at - static_cast<int>(at));
+}
+
+RenderedPiece CurveSet::blend(int piece, int finer, double weight) const {
+    const int coarsest = pieces_[static_cast<std::size_t>(piece)].coarsest;
+    finer = std::min(finer, coarsest);
     const Level& fine = level_of(piece, finer);
     RenderedPiece view;
     view.fine_ = points_.data() + fine.first;
     view.fine_count_ = static_cast<int>(fine.count);
     view.segment_count_ =
         view.fine_count_ - (pieces_[static_cast<std::size_t>(piece)].is_closed ? 0 : 1);
-    view.weight_ = at - finer;
+    view.weight_ = finer < coarsest ? weight : 0.0;
     if (view.weight_ > 0.0) {
         const Level& coarse = level_of(piece, finer + 1);
         view.coarse_ = points_.data() + coarse.first;

@@ -138,6 +138,11 @@ class CurveSet {
     /// A piece as rendered at `level` (fractional, >= 0). O(1).
     [[nodiscard]] RenderedPiece rendered(int piece, double level) const;
 
+    /// A piece as rendered at `finer` + `weight`, 0 <= weight <= 1, in segments of level `finer`
+    /// even where the weight is 1: for a change of level within one octave. A piece without that
+    /// octave is what it is at its coarsest level. O(1).
+    [[nodiscard]] RenderedPiece blend(int piece, int finer, double weight) const;
+
     /// The level at which a piece is rendered when `level` (fractional, >= 0) is wanted: min(level,
     /// L).
     [[nodiscard]] double rendered_level(int piece, double level) const {

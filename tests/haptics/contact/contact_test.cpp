@@ -264,19 +264,6 @@ TEST(ContactMachine, WithoutBudgetTheMotionIsCarriedAndNothingIsCrossed) {
     EXPECT_NEAR(report.p_WP.x, 0.03, 1e-5);
 }
 
-TEST(ContactMachine, TheLevelChangesOnlyWhereNoLineCanSweepOverTheProxy) {
-    const Scene scene = scene_of(map_of({scenes::circle(0.03, 512)}));
-    ContactMachine machine;
-    machine.reset(scene, {0.0, 0.0}, 0.0);
-    static_cast<void>(machine.step({0.0, 0.032}, 4.0, {}, {}));
-    EXPECT_EQ(machine.rendered_level(), 4.0);  // far from any box: at once
-    static_cast<void>(machine.step({0.0, 0.032}, 0.0, {}, {}));
-    EXPECT_EQ(machine.rendered_level(), 4.0);  // pressed on the wall: held
-    static_cast<void>(machine.step({0.0, 0.0}, 0.0, {}, {}));
-    static_cast<void>(machine.step({0.0, 0.0}, 0.0, {}, {}));
-    EXPECT_EQ(machine.rendered_level(), 0.0);  // free again
-}
-
 TEST(ContactMachine, DoubledAndCrossingLinesNeverHoldTheProxyWhereItCouldGoOn) {
     // Every edge twice, once reversed, and a second polygon that shares its corners.
     const Outline ring = scenes::square(0.04, 1);

@@ -1,0 +1,273 @@
+#include "haptics/contact/wall_motion.h"
+
+#include "haptics/contact/stride.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchline {
+namespace {
+
+constexpr double least_sine = 1e-3;  // of two lines that meet in a point worth the name
+
+double sign_of(Side side) {
+    return static_cast<double>(side);
+}
+
+Position point_of(const Segment& s, double parameter) {
+    return parameter < 0.5 ? s.a + parameter * (s.b - s.a) : s.b + (parameter - 1.0) * (s.b - s.a);
+}
+
+Direction normal_of(const Segment& s, Side side) {
+    return sign_of(side) * left_of(direction_of(s.b - s.a));
+}
+
+LevelChange change_between(double from, double to) {
+    const double low = std::min(from, to);
+    const auto finer = static_cast<int>(low);
+    return {finer, from - finer, to - finer};
+}
+
+}  // namespace
+
+WallMotion::WallMotion(const RenderedOutlines& outlines, double to, double radius_m,
+                       const Budget& budget)
+    : before_(outlines),
+      after_(outlines.scene(), to),
+      change_(change_between(outlines.level(), to)),
+      radius_m_(std::max(radius_m, contact_skin_m)),
+      budget_(budget) {}
+
+/// How far the motion takes the proxy, now and by the slide that follows it: along an edge to the
+/// foot of the handle.
+double WallMotion::way_m(const ProxyState& from, const ProxyState& to, Position handle) const {
+    const double carried_m = norm(to.centre - from.centre);
+    const bool is_edge = from.state == ContactState::edge && to.state == ContactState::edge;
+    if (!is_edge) return carried_m;
+    const auto foot_of = [&](const ProxyState& at) {
+        const Direction n = at.contacts[0].normal;
+        return handle + along<Position>(n, dot(at.centre - handle, n));
+    };
+    return std::max(carried_m, norm(foot_of(to) - foot_of(from)));
+}
+
+std::optional<Carried> WallMotion::carry(const ProxyState& proxy, Position handle) {
+    std::optional<ProxyState> found;
+    if (proxy.contact_count == 0) {
+        found = carry_free(proxy);
+    } else if (proxy.contact_count == 2) {
+        found = carry_corner(proxy);
+    } else {
+        found = proxy.contacts[0].is_round ? carry_round(proxy) : carry_edge(proxy);
+    }
+    if (!found) return {};
+    found->spare_m = 0.0;
+    return Carried{*found, way_m(proxy, *found, handle)};
+}
+
+std::optional<ProxyState> WallMotion::carry_free(const ProxyState& proxy) {
+    const WallHit hit = first_wall(proxy.centre, {});
+    if (is_cut_) return {};
+    return hit.is_hit ? pushed(proxy, hit) : std::optional(proxy);
+}
+
+/// A wall that reaches a free proxy takes it along on the side where it lay.
+std::optional<ProxyState> WallMotion::pushed(const ProxyState& proxy, const WallHit& hit) {
+    Contact at;
+    at.segment = hit.segment;
+    at.parameter = hit.parameter;
+    at.side = hit.was_left ? Side::left : Side::right;
+    at.offset_m = contact_skin_m;
+    at = joined(at);
+    const Segment s = after_.segment(at.segment);
+    at.normal = normal_of(s, at.side);
+    ProxyState next = proxy;
+    next.state = ContactState::edge;
+    next.contacts[0] = at;
+    next.contact_count = 1;
+    next.centre = point_of(s, at.parameter) + along<Position>(at.normal, at.offset_m);
+    const Excluded halves{hit.segment};
+    // First the proxy goes ahead of the wall, which is not there yet, then the wall follows.
+    const bool is_ok =
+        is_free(before_, proxy.centre, next.centre, {}) && !is_swept(next.centre, halves);
+    return is_ok ? std::optional(next) : std::nullopt;
+}
+
+std::optional<ProxyState> WallMotion::carry_edge(const ProxyState& proxy) {
+    const Contact half = halved(proxy.contacts[0]);
+    Contact at = joined(half);
+    const Segment s = after_.segment(at.segment);
+    at.normal = normal_of(s, at.side);
+    ProxyState next = proxy;
+    next.contacts[0] = at;
+    next.centre = point_of(s, at.parameter) + along<Position>(at.normal, at.offset_m);
+    const bool is_ok = is_way_free(proxy.centre, next.centre, {proxy.contacts[0].segment},
+                                   {half.segment}, {at.segment});
+    return is_ok ? std::optional(next) : std::nullopt;
+}
+
+/// Round a vertex the normal stays as it is while the arc between the edges' normals holds it; else
+/// the proxy is carried by the edge that it lies on. An edge is left out of the tests only where
+/// the new place lies on its right side by construction.
+std::optional<ProxyState> WallMotion::carry_round(const ProxyState& proxy) {
+    const Contact& old = proxy.contacts[0];
+    const Contact half = halved(old);
+    const bool at_end = half.parameter > 0.5;
+    Contact at = joined(half);
+    const Joint joint = joint_of(at, at_end);
+    if (!joint.is_convex || !joint.holds(at.normal)) {
+        ProxyState on_edge = proxy;
+        on_edge.contacts[0].is_round = false;
+        on_edge.state = ContactState::edge;
+        return carry_edge(on_edge);
+    }
+    ProxyState next = proxy;
+    next.contacts[0] = at;
+    next.centre = point_of(after_.segment(at.segment), at.parameter) +
+                  along<Position>(at.normal, at.offset_m);
+    const SegmentRef beside = before_.next(old.segment, at_end);
+    SegmentRef half_beside = beside;
+    if (beside.piece >= 0) {
+        half_beside =
+            halved({beside, at_end ? 0.0 : 1.0, old.side, old.normal, old.offset_m, false}).segment;
+    }
+    const bool is_ok = is_way_free(proxy.centre, next.centre, {old.segment, beside},
+                                   {half.segment, half_beside}, {at.segment, joint.beside});
+    return is_ok ? std::optional(next) : std::nullopt;
+}
+
+/// The two edges at a contact's end after the motion.
+WallMotion::Joint WallMotion::joint_of(const Contact& at, bool at_end) {
+    Joint joint;
+    if (at.parameter != 0.0 && at.parameter != 1.0) return joint;  // not a vertex any more
+    const Segment s = after_.segment(at.segment);
+    joint.beside = after_.next(at.segment, at_end);
+    joint.own = normal_of(s, at.side);
+    joint.outward = (at_end ? 1.0 : -1.0) * direction_of(s.b - s.a);
+    joint.other =
+        joint.beside.piece < 0 ? -joint.own : normal_of(after_.segment(joint.beside), at.side);
+    joint.is_convex = joint.beside.piece < 0 || dot(joint.other, joint.outward) > 0.0;
+    return joint;
+}
+
+bool WallMotion::Joint::holds(Direction normal) const {
+    const bool is_outward = dot(normal, outward) >= 0.0;
+    return is_outward && (beside.piece < 0 || cross(own, other) * cross(normal, other) >= 0.0);
+}
+
+/// Held by two edges: where the lines kept from both cross after the motion, on the same sides. If
+/// that lies on neither any more, one of them carries the proxy on.
+std::optional<ProxyState> WallMotion::carry_corner(const ProxyState& proxy) {
+    const bool is_edges = !proxy.contacts[0].is_round && !proxy.contacts[1].is_round;
+    if (is_edges) {
+        const auto corner = carry_between(proxy);
+        if (corner) return corner;
+    }
+    ProxyState single = proxy;
+    single.contact_count = 1;
+    if (single.contacts[0].is_round && !single.contacts[1].is_round) {
+        single.contacts[0] = single.contacts[1];
+    }
+    if (single.contacts[0].is_round) return carry_round(single);
+    single.state = ContactState::edge;
+    return carry_edge(single);
+}
+
+std::optional<ProxyState> WallMotion::carry_between(const ProxyState& proxy) {
+    ProxyState next = proxy;
+    Excluded before;
+    Excluded halves;
+    Excluded after;
+    std::array<Segment, 2> s;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Contact half = halved(proxy.contacts[i]);
+        Contact& at = next.contacts[i];
+        at = joined(half);
+        s[i] = after_.segment(at.segment);
+        at.normal = normal_of(s[i], at.side);
+        before[i] = proxy.contacts[i].segment;
+        halves[i] = half.segment;
+        after[i] = at.segment;
+    }
+    Contact& a = next.contacts[0];
+    Contact& b = next.contacts[1];
+    const double sine = cross(a.normal, b.normal);
+    if (a.segment == b.segment || !(std::abs(sine) > least_sine)) return {};
+    const Position on_a = s[0].a + along<Position>(a.normal, a.offset_m);
+    const Position on_b = s[1].a + along<Position>(b.normal, b.offset_m);
+    const double way_m = dot(on_b - on_a, b.normal) / sine;
+    next.centre = on_a + along<Position>(left_of(a.normal), way_m);
+    for (std::size_t i = 0; i < 2; ++i) {
+        Contact& at = next.contacts[i];
+        const Position on_line = next.centre - along<Position>(at.normal, at.offset_m);
+        const Foot on_segment = foot(on_line, s[i]);
+        if (!(on_segment.distance_m <= contact_skin_m)) return {};
+        at.parameter = on_segment.parameter;
+    }
+    if (!is_way_free(proxy.centre, next.centre, before, halves, after)) return {};
+    return next;
+}
+
+/// Either the proxy goes first and the walls follow or the other way round: both bring it to the
+/// same side of everything. Its own edges stay beside it all the way.
+bool WallMotion::is_way_free(Position from, Position to, const Excluded& before,
+                             const Excluded& halves, const Excluded& after) {
+    if (is_free(before_, from, to, before) && !is_swept(to, halves)) return true;
+    return !is_swept(from, halves) && is_free(after_, from, to, after);
+}
+
+bool WallMotion::is_free(RenderedOutlines& at, Position from, Position to,
+                         const Excluded& excluded) {
+    const Motion motion{from, to, contact_skin_m, at.level(), excluded};
+    const Hit hit = at.scene().tree.first_hit(at.scene().curves, motion, budget_);
+    budget_.boxes -= hit.boxes;
+    boxes_ += hit.boxes;
+    return !hit.is_hit && hit.clear >= 1.0;
+}
+
+bool WallMotion::is_swept(Position p, const Excluded& halves) {
+    const WallHit hit = first_wall(p, halves);
+    return is_cut_ || hit.is_hit;
+}
+
+WallHit WallMotion::first_wall(Position p, const Excluded& halves) {
+    const Scene& scene = before_.scene();
+    const WallHit hit = scene.tree.first_wall(scene.curves, p, change_, halves, budget_);
+    budget_.boxes -= hit.boxes;
+    boxes_ += hit.boxes;
+    is_cut_ = is_cut_ || !hit.is_complete;
+    return hit;
+}
+
+/// True where a half is one of two that make a segment of the coarser level.
+bool WallMotion::is_pair(SegmentRef half) const {
+    const CurveSet& curves = before_.scene().curves;
+    return (half.index | 1) < curves.segment_count(half.piece, change_.finer);
+}
+
+/// A contact at the level before, in segments of the octave's finer level.
+Contact WallMotion::halved(Contact contact) const {
+    const CurveSet& curves = before_.scene().curves;
+    const int coarsest = curves.pieces()[static_cast<std::size_t>(contact.segment.piece)].coarsest;
+    if (change_.finer >= coarsest || change_.from < 1.0) return contact;
+    contact.segment.index *= 2;
+    if (!is_pair(contact.segment)) return contact;
+    const bool is_second = contact.parameter >= 0.5;
+    contact.segment.index += is_second ? 1 : 0;
+    contact.parameter = 2.0 * contact.parameter - (is_second ? 1.0 : 0.0);
+    return contact;
+}
+
+/// The other way, at the level after.
+Contact WallMotion::joined(Contact half) const {
+    const CurveSet& curves = before_.scene().curves;
+    const int coarsest = curves.pieces()[static_cast<std::size_t>(half.segment.piece)].coarsest;
+    if (change_.finer >= coarsest || change_.to < 1.0) return half;
+    if (is_pair(half.segment)) {
+        half.parameter = 0.5 * (half.parameter + (half.segment.index % 2));
+    }
+    half.segment.index /= 2;
+    return half;
+}
+
+}  // namespace touchline
