@@ -334,6 +334,11 @@ ContactStep::Next ContactStep::move_round() {
             return Next::done;
         case ArcGoal::End::edge:
             first() = edge;
+            // Touched beside the vertex, beyond the arc: it stays beside it.
+            if (step == 0.0) {
+                const Foot below = foot(proxy_.centre, outlines_.segment(edge.segment));
+                first().parameter = below.parameter;
+            }
             enter(ContactState::edge);
             place_at_contact();
             return Next::again;
