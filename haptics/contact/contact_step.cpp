@@ -135,25 +135,59 @@ ContactStep::Next ContactStep::move_on_edge() {
     return slide(way_m - std::copysign(held_m, way_m));
 }
 
-/// A slide in general: whatever is near, however thick the proxy.
+/// `way_m` along the contact's edge, or to the end of the last edge that lies in line with it. An
+/// edge that is alone is the only one: its sweeps look no further than its neighbours.
+ContactStep::InLine ContactStep::go_in_line(double way_m) {
+    InLine to{first(), way_m, 0};
+    const Edge start = outlines_.edge(to.at.segment);
+    const bool is_forward = way_m > 0.0;
+    const double sign = is_forward ? 1.0 : -1.0;
+    const double limit = is_forward ? 1.0 : 0.0;
+    const int most = outlines_.is_alone(to.at.segment) ? 0 : max_walks - walks_;
+    Edge edge = start;
+    double left_m = std::abs(way_m);
+    while (true) {
+        const double to_end_m = std::abs(limit - to.at.parameter) * edge.length_m;
+        if (left_m <= to_end_m) {
+            to.at.parameter += sign * left_m * edge.per_length_m;
+            return to;
+        }
+        left_m -= to_end_m;
+        to.at.parameter = limit;
+        const SegmentRef next =
+            to.edges < most ? outlines_.next(edge.ref, is_forward) : SegmentRef{};
+        if (next.piece < 0) break;
+        edge = outlines_.edge(next);
+        const Position end = is_forward ? edge.segment.b : edge.segment.a;
+        const bool is_in_line = std::abs(cross(start.along, end - start.segment.a)) <= still_m &&
+                                dot(start.along, edge.along) > 0.0;
+        if (!is_in_line) break;
+        ++to.edges;
+        to.at.segment = next;
+        to.at.parameter = 1.0 - limit;
+        to.at.normal = normal_of(edge.segment, to.at.side);
+    }
+    to.way_m = sign * (std::abs(way_m) - left_m);
+    return to;
+}
+
+/// A slide in general: whatever is near, however thick the proxy. Edges in line are one sweep.
 ContactStep::Next ContactStep::slide(double way_m) {
-    Contact& at = first();
-    const Edge& edge = outlines_.edge(at.segment);
-    const double goal = at.parameter + way_m / edge.length_m;
-    const double end = std::clamp(goal, 0.0, 1.0);
-    const double from = at.parameter;
-    const Position to = point_of(edge.segment, end) + along<Position>(at.normal, at.offset_m);
+    const Contact from = first();
+    const InLine goal = go_in_line(way_m);
+    walks_ += goal.edges;
+    const Position to = point_of(outlines_.segment(goal.at.segment), goal.at.parameter) +
+                        along<Position>(from.normal, from.offset_m);
     // What has come nearer to the line by rounding is no wider than that, or the line's next edge
     // would stop it.
-    const Sweep found =
-        sweep(to, std::min(radius_m_, at.offset_m), {at.segment}, outlines_.is_alone(at.segment));
-    at.parameter = from + found.share * (end - from);
-    if (found.share >= 1.0) at.parameter = end;
+    const Sweep found = sweep(to, std::min(radius_m_, from.offset_m),
+                              {from.segment, goal.at.segment}, outlines_.is_alone(from.segment));
+    first() = found.share >= 1.0 ? goal.at : go_in_line(found.share * goal.way_m).at;
     place_at_contact();
     if (found.contact || found.is_cut) {
-        return arrive(found, std::abs(way_m) * (1.0 - found.share));
+        return arrive(found, std::abs(way_m) - found.share * std::abs(goal.way_m));
     }
-    if (goal == end) return Next::done;
+    if (goal.way_m == way_m) return Next::done;
     return reach_end(way_m > 0.0);
 }
 
