@@ -11,9 +11,19 @@ namespace {
 
 constexpr double still_m = 1e-14;   // a motion this short is rounding
 constexpr double parallel = 1e-9;   // sine of an angle too small to tell
+constexpr double same_end = 1e-14;  // the same where two ends touch a disc: rounding
 constexpr int longest_stride = 64;  // between looks at the clock: a fifth of that
 constexpr int max_visits =
     6;  // tries to leave one corner in a step, one per line that may meet there
+
+constexpr int touch_halvings = 40;  // 15 degrees to 1e-13
+
+/// The way of a disc's centre round a vertex.
+struct Arc {
+    Position vertex;
+    double offset_m = 0.0;  // of the centre from it
+    double radius_m = 0.0;  // of the disc
+};
 
 double sign_of(Side side) {
     return static_cast<double>(side);
@@ -27,6 +37,28 @@ Position point_of(const Segment& segment, double parameter) {
     // Exactly the end where the end is meant.
     return parameter < 0.5 ? segment.a + parameter * (segment.b - segment.a)
                            : segment.b + (parameter - 1.0) * (segment.b - segment.a);
+}
+
+/// On an arc about `vertex` a disc is swept along a chord and smaller by the chord's sagitta, so
+/// that what stops it is met late, at normal `met`: the last normal from `from` on at which the
+/// whole disc keeps its radius from it, or what it kept at the start.
+Direction back_to_touch(const Arc& arc, Direction from, Direction met, const Segment& obstacle) {
+    const auto distance_m = [&](Direction normal) {
+        return foot(arc.vertex + along<Position>(normal, arc.offset_m), obstacle).distance_m;
+    };
+    const double kept_m = std::min(arc.radius_m, distance_m(from));
+    if (distance_m(met) >= kept_m) return met;
+    Direction last = from;
+    double before = 0.0;  // shares of the way between the two normals
+    double after = 1.0;
+    for (int i = 0; i < touch_halvings; ++i) {
+        const double share = 0.5 * (before + after);
+        const Direction normal = direction_of((1.0 - share) * from + share * met);
+        const bool is_clear = distance_m(normal) >= kept_m;
+        if (is_clear) last = normal;
+        (is_clear ? before : after) = share;
+    }
+    return last;
 }
 
 }  // namespace
@@ -103,22 +135,59 @@ ContactStep::Next ContactStep::move_on_edge() {
     return slide(way_m - std::copysign(held_m, way_m));
 }
 
-/// A slide in general: whatever is near, however thick the proxy.
+/// `way_m` along the contact's edge, or to the end of the last edge that lies in line with it. An
+/// edge that is alone is the only one: its sweeps look no further than its neighbours.
+ContactStep::InLine ContactStep::go_in_line(double way_m) {
+    InLine to{first(), way_m, 0};
+    const Edge start = outlines_.edge(to.at.segment);
+    const bool is_forward = way_m > 0.0;
+    const double sign = is_forward ? 1.0 : -1.0;
+    const double limit = is_forward ? 1.0 : 0.0;
+    const int most = outlines_.is_alone(to.at.segment) ? 0 : max_walks - walks_;
+    Edge edge = start;
+    double left_m = std::abs(way_m);
+    while (true) {
+        const double to_end_m = std::abs(limit - to.at.parameter) * edge.length_m;
+        if (left_m <= to_end_m) {
+            to.at.parameter += sign * left_m * edge.per_length_m;
+            return to;
+        }
+        left_m -= to_end_m;
+        to.at.parameter = limit;
+        const SegmentRef next =
+            to.edges < most ? outlines_.next(edge.ref, is_forward) : SegmentRef{};
+        if (next.piece < 0) break;
+        edge = outlines_.edge(next);
+        const Position end = is_forward ? edge.segment.b : edge.segment.a;
+        const bool is_in_line = std::abs(cross(start.along, end - start.segment.a)) <= still_m &&
+                                dot(start.along, edge.along) > 0.0;
+        if (!is_in_line) break;
+        ++to.edges;
+        to.at.segment = next;
+        to.at.parameter = 1.0 - limit;
+        to.at.normal = normal_of(edge.segment, to.at.side);
+    }
+    to.way_m = sign * (std::abs(way_m) - left_m);
+    return to;
+}
+
+/// A slide in general: whatever is near, however thick the proxy. Edges in line are one sweep.
 ContactStep::Next ContactStep::slide(double way_m) {
-    Contact& at = first();
-    const Edge& edge = outlines_.edge(at.segment);
-    const double goal = at.parameter + way_m / edge.length_m;
-    const double end = std::clamp(goal, 0.0, 1.0);
-    const double from = at.parameter;
-    const Position to = point_of(edge.segment, end) + along<Position>(at.normal, at.offset_m);
-    const Sweep found = sweep(to, radius_m_, {at.segment}, outlines_.is_alone(at.segment));
-    at.parameter = from + found.share * (end - from);
-    if (found.share >= 1.0) at.parameter = end;
+    const Contact from = first();
+    const InLine goal = go_in_line(way_m);
+    walks_ += goal.edges;
+    const Position to = point_of(outlines_.segment(goal.at.segment), goal.at.parameter) +
+                        along<Position>(from.normal, from.offset_m);
+    // What has come nearer to the line by rounding is no wider than that, or the line's next edge
+    // would stop it.
+    const Sweep found = sweep(to, std::min(radius_m_, from.offset_m),
+                              {from.segment, goal.at.segment}, outlines_.is_alone(from.segment));
+    first() = found.share >= 1.0 ? goal.at : go_in_line(found.share * goal.way_m).at;
     place_at_contact();
     if (found.contact || found.is_cut) {
-        return arrive(found, std::abs(way_m) * (1.0 - found.share));
+        return arrive(found, std::abs(way_m) - found.share * std::abs(goal.way_m));
     }
-    if (goal == end) return Next::done;
+    if (goal.way_m == way_m) return Next::done;
     return reach_end(way_m > 0.0);
 }
 
@@ -239,13 +308,18 @@ ContactStep::Next ContactStep::arrive(const Sweep& sweep, double left_m) {
     }
     // Seen from where the centre came to lie, which on an arc is not quite where the sweep stopped.
     Contact second = *sweep.contact;
-    const Foot at = foot(proxy_.centre, outlines_.segment(second.segment));
+    const Segment segment = outlines_.segment(second.segment);
+    const Foot at = foot(proxy_.centre, segment);
+    const double aside_m = dot(proxy_.centre - at.point, direction_of(segment.b - segment.a));
+    const bool is_end = at.parameter == 0.0 || at.parameter == 1.0;
+    second.is_round = is_end && (second.is_round || std::abs(aside_m) > still_m);
+    second.parameter = at.parameter;
     if (second.is_round && at.distance_m > 0.0) {
         second.offset_m = at.distance_m;
         second.normal = along<Direction>(proxy_.centre - at.point, 1.0 / at.distance_m);
     } else {
+        second.normal = normal_of(segment, second.side);
         second.offset_m = dot(proxy_.centre - at.point, second.normal);
-        second.parameter = at.parameter;
     }
     proxy_.contacts[1] = second;
     proxy_.contact_count = 2;
@@ -324,6 +398,10 @@ ContactStep::Next ContactStep::move_round() {
                               {edge.segment, other.segment}, is_alone);
     at.normal =
         found.share >= 1.0 ? to : direction_of((1.0 - found.share) * from + found.share * to);
+    if (found.contact) {
+        const Arc arc{vertex, at.offset_m, std::min(radius_m_, at.offset_m)};
+        at.normal = back_to_touch(arc, from, at.normal, outlines_.segment(found.contact->segment));
+    }
     place_at_contact();
     if (found.contact || found.is_cut) {
         return arrive(found, at.offset_m * (goal.angle_rad - found.share * step));
@@ -334,6 +412,11 @@ ContactStep::Next ContactStep::move_round() {
             return Next::done;
         case ArcGoal::End::edge:
             first() = edge;
+            // Touched beside the vertex, beyond the arc: it stays beside it.
+            if (step == 0.0) {
+                const Foot below = foot(proxy_.centre, outlines_.segment(edge.segment));
+                first().parameter = below.parameter;
+            }
             enter(ContactState::edge);
             place_at_contact();
             return Next::again;
@@ -401,7 +484,10 @@ bool ContactStep::can_slide(const Contact& along_this, const Contact& other, dou
     const double sideways = cross(along_this.normal, pull);
     pull_m = std::abs(sideways) - settings_.friction * std::max(depth, 0.0);
     const Direction way = std::copysign(1.0, sideways) * left_of(along_this.normal);
-    return depth >= 0.0 && pull_m > still_m && dot(way, other.normal) >= -parallel;
+    // Round an end the way bends down at once: never into a line that it starts along.
+    double least = -parallel;
+    if (along_this.is_round) least = other.is_round ? -same_end : parallel;
+    return depth >= 0.0 && pull_m > still_m && dot(way, other.normal) >= least;
 }
 
 void ContactStep::leave_corner(std::size_t kept) {

@@ -44,9 +44,17 @@ class ContactStep {
         std::optional<Contact> contact;
     };
 
+    /// Where a slide along a contact's edge comes to, see go_in_line().
+    struct InLine {
+        Contact at;
+        double way_m = 0.0;  // of it that is gone, with its sign
+        int edges = 0;       // passed on the way
+    };
+
     Next move_free();
     Next move_on_edge();
     Next slide(double way_m);
+    [[nodiscard]] InLine go_in_line(double way_m);
     [[nodiscard]] bool is_thin(const Contact& at) const;
     [[nodiscard]] bool is_late() const;
     bool rest_on_edge();

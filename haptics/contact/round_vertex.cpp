@@ -25,7 +25,7 @@ double angle_between(Direction n, Direction m, double turn) {
     constexpr double full = 2.0 * std::numbers::pi;
     double angle = std::atan2(turn * cross(n, m), dot(n, m));
     if (angle < 0.0) angle += full;
-    return angle > full - 1e-6 ? 0.0 : angle;
+    return angle > 0.875 * full ? 0.0 : angle;
 }
 
 ArcGoal arc_goal(Direction n, Position pull, double offset_m, double to_left_rad,

@@ -18,8 +18,9 @@ namespace touchline {
 /// n turned left by an angle.
 [[nodiscard]] Direction turned(Direction n, double angle_rad);
 
-/// Angle in [0, 2 pi) from n to m, turning left (turn > 0) or right (turn < 0); angles that are a
-/// turn less a rounding error count as 0.
+/// Angle in [0, 7/4 pi] from n to m, turning left (turn > 0) or right (turn < 0). More counts as 0:
+/// no arc is longer than half a turn, so n lies beyond its end m, where a touch of the vertex and
+/// one of the edge are the same moment.
 [[nodiscard]] double angle_between(Direction n, Direction m, double turn);
 
 /// Where a proxy that slides round a vertex under the pull of the handle is going.
