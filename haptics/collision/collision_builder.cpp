@@ -193,12 +193,25 @@ class CollisionTreeBuilder {
         return extent;
     }
 
+    /// Of level 0.
+    [[nodiscard]] double mean_edge_m() const {
+        double length_m = 0.0;
+        double edges = 0.0;
+        for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
+            const auto points = curves_.points(piece, 0);
+            for (std::size_t i = 1; i < points.size(); ++i)
+                length_m += norm(points[i] - points[i - 1]);
+            edges += static_cast<double>(points.size() - 1);
+        }
+        return edges > 0.0 ? length_m / edges : 1.0;
+    }
+
     /// Every piece in stretches of four nodes of the level at which they are 1 mm long, or of its
     /// coarsest. One level for all: a level coarser than a stretch's cannot start there.
     void lay_grid() {
         constexpr double node_m = 1e-3;
-        const double octaves = std::log2(node_m / curves_.finest_spacing_m());
-        const int start_level = std::clamp(static_cast<int>(std::ceil(octaves)), 0, 32);
+        const double octaves = std::ceil(std::log2(node_m / std::max(mean_edge_m(), 1e-12)));
+        const auto start_level = static_cast<int>(std::clamp(octaves, 0.0, 32.0));
         if (start_level < curves_.coarsest()) tree_.start_level_ = start_level;
         std::vector<Stretch> stretches;
         std::vector<Position> low;

@@ -42,6 +42,8 @@ struct NodeRange {
     bool is_blend = false;  // each holds two rendered segments, 2j and 2j + 1, not one
 };
 
+/// With less than about 64 boxes, or a deadline of under 7 us, a motion that starts among many
+/// lines may get nowhere: what is not looked at counts as an obstacle from the start.
 struct Budget {
     int boxes = std::numeric_limits<int>::max();  // boxes that may be opened
     std::int64_t deadline_ns = 0;  // of the steady clock, by which to be back; 0: none

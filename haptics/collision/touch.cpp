@@ -105,8 +105,9 @@ std::optional<Touch> touch(Position from, Position to, double radius_m, const Se
     const Position e = segment.b - segment.a;
     const double length = norm(e);
     const double start = foot(from, segment).distance_m;
-    // A tolerance a motion would add up over many: there is none once the skin is half gone.
-    const bool is_kept = start > radius_m - 0.5 * contact_skin_m;
+    // A tolerance a motion would add up over many: there is none once the skin is half gone, also
+    // of a disc that keeps less than its radius by now.
+    const bool is_kept = start > std::max(radius_m - 0.5 * contact_skin_m, 0.5 * contact_skin_m);
     const Course motion{from, to - from, std::min(radius_m, start),
                         is_kept ? approach_tolerance_m : 0.0};
     std::optional<Touch> first;

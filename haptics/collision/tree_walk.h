@@ -242,7 +242,7 @@ class TreeWalk {
     std::size_t first_of_fan_ = 0;
     std::array<std::int32_t, 8> met_{-1, -1, -1, -1, -1, -1, -1, -1};
     std::size_t next_met_ = 0;
-    CollisionTree::FanBuffer buffer_;  // written before it is read
+    CollisionTree::FanBuffer buffer_{};
     std::array<Entry, capacity> stack_;
 };
 

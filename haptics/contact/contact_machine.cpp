@@ -15,6 +15,7 @@ constexpr std::int64_t return_ns = 3000;
 constexpr std::int64_t cold_return_ns = 6500;
 
 constexpr double octave_s = 0.05;         // a change of level that is hindered takes so long
+constexpr double largest_octaves = 0.5;   // of a change in a tick
 constexpr double largest_push_N = 0.015;  // of a moving wall in a tick
 
 /// Beyond the coarsest level nothing changes any more.
@@ -58,18 +59,20 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
                            std::isfinite(settings.friction) && std::isfinite(settings.radius_m) &&
                            dt_s > 0.0;
     if (!is_usable) return report;
+    if (!is_finite(proxy_.centre)) reset(outlines_.scene(), handle, level);
     if (settings.mode != mode_ && settings.mode == Mode::wall) {
         reset(outlines_.scene(), handle, outlines_.level());
     }
     mode_ = settings.mode;
     if (settings.radius_m != radius_m_) proxy_.spare_m = 0.0;
     radius_m_ = settings.radius_m;
-    const double wanted = bounded(outlines_.scene(), level);
-    const int spent =
-        wanted == outlines_.level() ? 0 : change_level(wanted, handle, settings, budget, dt_s);
-    Budget left{budget.boxes - spent, budget.deadline_ns};
+    Budget left = budget;
     if (left.deadline_ns != 0) left.deadline_ns -= is_fresh_ ? cold_return_ns : return_ns;
     is_fresh_ = false;
+    const double wanted = bounded(outlines_.scene(), level);
+    int spent = 0;
+    if (wanted != outlines_.level()) spent = change_level(wanted, handle, settings, left, dt_s);
+    left.boxes -= spent;
     if (settings.mode == Mode::wall) {
         const Position start = handle - proxy_.centre;
         ContactStep(outlines_, settings, left, proxy_, path_).run(handle, report);
@@ -143,7 +146,7 @@ int ContactMachine::move_wall(double level, Position handle, const ContactSettin
     const double stop = level > from ? std::floor(from) + 1.0 : std::ceil(from) - 1.0;
     const double goal = level > from ? std::min(level, stop) : std::max(level, stop);
     const double least = std::min(dt_s / octave_s, std::abs(goal - from));
-    double step = std::abs(goal - from);
+    double step = std::min(largest_octaves, std::abs(goal - from));
     int boxes = 0;
     for (int tries = 0; tries < 3; ++tries) {
         const bool is_whole_way = step >= std::abs(goal - from);

@@ -43,9 +43,9 @@ class ContactMachine {
     void reset(const Scene& scene, Position handle, double level);
 
     /// One tick of `dt_s` > 0. First the rendered level comes nearer to `level`: at once where the
-    /// proxy is free and outside all boxes of the coarser of both, else by at most an octave and
-    /// 0.015 N a tick, as a motion of the wall that takes the proxy along (wall_motion.h); it waits
-    /// where there is no place for the proxy or the energy account does not cover it. Then
+    /// proxy is free and outside all boxes of the coarser of both, else by at most half an octave
+    /// and 0.015 N a tick, as a motion of the wall that takes the proxy along (wall_motion.h); it
+    /// waits where there is no place for the proxy or the energy account does not cover it. Then
     /// the proxy moves towards the handle. At most 256 walks and 4 tree queries; the rest is
     /// carried. |handle - proxy| never grows by that. A handle that is not finite gives zero force
     /// and moves nothing.

@@ -12,7 +12,7 @@ namespace {
 constexpr double still_m = 1e-14;   // a motion this short is rounding
 constexpr double parallel = 1e-9;   // sine of an angle too small to tell
 constexpr double same_end = 1e-14;  // the same where two ends touch a disc: rounding
-constexpr int longest_stride = 64;  // between looks at the clock: a fifth of that
+constexpr int longest_stride = 64;  // vertices between two looks at the clock: under 1 us
 constexpr int max_visits =
     6;  // tries to leave one corner in a step, one per line that may meet there
 

@@ -10,8 +10,8 @@ namespace touchline {
 /// pay for a wall that rings now.
 class EnergyAccount {
   public:
-    /// What the proxy's sliding has dissipated in a tick, and a trickle of 0.1 mW, far below what
-    /// can be felt, so that a hand at rest sees a change through as well.
+    /// What the proxy's sliding has dissipated in a tick, and a trickle of 0.1 mW, so that
+    /// a hand at rest sees a change through as well, in seconds.
     void earn(double dissipated_J, double dt_s) {
         const double kept_J = balance_J_ * std::max(0.0, 1.0 - leak_per_s * dt_s);
         const double earned_J = std::max(0.0, dissipated_J) + trickle_W * dt_s;

@@ -9,7 +9,7 @@ void RenderedOutlines::look_up_piece(int piece) {
     first_node_ = nodes.first;
     halves_ = nodes.is_blend ? 1 : 0;
     row_ = {{}, nodes.first};
-    if (nodes.is_blend) return;
+    if (is_fractional_) return;  // a neighbour may be a blend, which alone says less of
     const double level = scene_->curves.rendered_level(piece, level_);
     row_.points = scene_->curves.points(piece, static_cast<int>(level));
 }

@@ -26,7 +26,7 @@ struct Edge {
 
 /// The edges of one piece at a whole level: edge j lies between points j and j + 1.
 struct EdgeRow {
-    std::span<const Position> points;  // empty where two levels are blended
+    std::span<const Position> points;  // empty at a fractional level
     std::size_t first_node = 0;        // of the collision tree, of edge 0
 };
 

@@ -42,9 +42,8 @@ WallMotion::WallMotion(const RenderedOutlines& outlines, double to, double radiu
 /// foot of the handle.
 double WallMotion::way_m(const ProxyState& from, const ProxyState& to, Position handle) const {
     const double carried_m = norm(to.centre - from.centre);
-    const bool is_edge = from.state == ContactState::edge && to.state == ContactState::edge;
-    if (!is_edge) return carried_m;
     const auto foot_of = [&](const ProxyState& at) {
+        if (at.state != ContactState::edge) return at.centre;
         const Direction n = at.contacts[0].normal;
         return handle + along<Position>(n, dot(at.centre - handle, n));
     };

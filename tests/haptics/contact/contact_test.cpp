@@ -249,6 +249,9 @@ TEST(ContactMachine, AHandleThatIsNoPlaceGivesNoForceAndChangesNothing) {
         EXPECT_EQ(machine.proxy().centre, before);
     }
     EXPECT_GT(machine.step({0.0, -0.002}, 0.0, {}, {}).force.y, 0.9);
+    machine.reset(scene, {std::nan(""), 0.0}, std::nan(""));
+    EXPECT_EQ(machine.step({0.0, 0.01}, 0.0, {}, {}).force, Force{});
+    EXPECT_GT(machine.step({0.0, -0.002}, 0.0, {}, {}).force.y, 0.9);
 }
 
 TEST(ContactMachine, WithoutBudgetTheMotionIsCarriedAndNothingIsCrossed) {

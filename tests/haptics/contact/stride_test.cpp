@@ -53,7 +53,7 @@ TEST(Stride, EndsWhereSlidesLookedAtOneByOneEnd) {
         const auto map = workload::map_of(workload::curve(workload::Kind::radial, edges));
         const Scene scene = build_scene(map, {}, 2.0 * contact_skin_m).value();
         for (const double friction : {0.0, 0.15}) {
-            for (const double level : {0.0, 1.0, 3.0}) {
+            for (const double level : {0.0, 0.4, 1.0, 1.5, 3.0}) {
                 const Agreement found = agreement(scene, hand, level, friction);
                 EXPECT_GT(found.steps, 19000) << edges << " " << friction << " " << level;
                 EXPECT_GT(found.on_edges, 500) << edges << " " << friction << " " << level;
@@ -61,6 +61,25 @@ TEST(Stride, EndsWhereSlidesLookedAtOneByOneEnd) {
             }
         }
     }
+}
+
+/// Half-way through the blend of a piece's end, which folds back beside a short piece that is not
+/// blended, the farther half crosses that piece though neither end shape does.
+TEST(Stride, DoesNotRunThroughABlendedNeighbour) {
+    const std::vector<Position> points{{-.00590648, -.0100101},   {-.00512735, -.00845439},
+                                       {-.00449416, -.00677188},  {-.0036376, -.00485739},
+                                       {-.00296756, -.00315535},  {-.00209118, -.00137104},
+                                       {-.000498, -.000786576},   {-.000591539, -1.45114e-06},
+                                       {.000388943, 6.01165e-05}, {0, 0},
+                                       {.00168, -1e-06},          {.00336, -4e-06},
+                                       {.00504, -9e-06}};
+    const Scene scene =
+        build_scene(scenes::map_of({scenes::outline(points, false)}), {}, 0.0).value();
+    ContactMachine machine;
+    machine.reset(scene, {3.48329e-05, 9.793e-07}, 0.4);
+    static_cast<void>(machine.step({3.477e-05, -9.902e-05}, 0.4, {}, {}));
+    const ContactReport report = machine.step({.0025926, -.00020154}, 0.4, {}, {});
+    EXPECT_LT(report.p_WP.x, 0.0005);  // held where the neighbour crosses
 }
 
 /// A row of 1 mm edges to the right, whose heights are given.
