@@ -5,6 +5,7 @@
 #include "app/decode/files.h"
 #include "config/types/steady_clock.h"
 #include "haptics/pantograph/profile.h"
+#include "haptics/resolution/cost_term.h"
 #include "haptics/resolution/level_rule.h"
 
 #include <algorithm>
@@ -57,16 +58,28 @@ void write_row(fmt::memory_buffer& out, const HandRow& hand, const ContactReport
     fmt::format_to(to, ",{},{},{}", report.carried_m, report.boxes, report.clear);
 }
 
+LevelLimits limits_of(const Scene& scene, const DeviceProfile& profile, double radius_m) {
+    LevelLimits limits;
+    limits.spacing_m = scene.curves.finest_spacing_m();
+    limits.encoder_step_m = encoder_step_m(profile);
+    limits.f_device_Hz = profile.bandwidth_Hz;
+    limits.radius_m = radius_m;
+    limits.percept = scene.percept_level;
+    limits.safe = scene.curves.coarsest();
+    return limits;
+}
+
 /// The rows of a run, stepped through the production code.
 class Feeling {
   public:
     Feeling(const Scene& scene, const FeelOptions& options, const DeviceProfile& profile)
         : scene_(scene),
           options_(options),
-          rule_({scene.curves.finest_spacing_m(), encoder_step_m(profile), profile.bandwidth_Hz,
-                 0.0, static_cast<double>(scene.curves.coarsest())}) {}
+          limits_(limits_of(scene, profile, options.contact.radius_m)),
+          rule_(limits_) {}
 
     std::string run(const std::vector<HandRow>& hand) {
+        if (hand.size() > 1) cost_ = CostTerm(hand[1].t_s - hand[0].t_s);
         fmt::memory_buffer out;
         fmt::format_to(
             std::back_inserter(out),
@@ -79,7 +92,9 @@ class Feeling {
             const double level = wanted_level(hand[i].p_WH, dt_s);
             const ContactReport report =
                 i == 0 ? start(hand[0].p_WH, level)
-                       : machine_.step(hand[i].p_WH, level, options_.contact, budget());
+                       : machine_.step(hand[i].p_WH, level, options_.contact, budget(), dt_s);
+            limits_.cost = cost_.step(work_of(report), machine_.rendered_level());
+            rule_.set_limits(limits_);
             const std::int64_t step_ns = options_.with_timing ? steady_now_ns() - begin_ns : 0;
             write_row(out, hand[i], report);
             if (options_.with_timing) fmt::format_to(std::back_inserter(out), ",{}", step_ns);
@@ -117,7 +132,9 @@ class Feeling {
 
     const Scene& scene_;
     const FeelOptions& options_;
+    LevelLimits limits_;
     LevelRule rule_;
+    CostTerm cost_{first_period_s};  // of the first two rows
     ContactMachine machine_;
 };
 

@@ -1,6 +1,8 @@
 #include "app/session/status.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -21,8 +23,47 @@ std::string detail_text(const Session& session) {
     return fmt::format("{} of 5, {}", detail, detail_words[static_cast<std::size_t>(detail - 1)]);
 }
 
-std::string level_words(const HandState& hand) {
-    return fmt::format("{:.1f}, {}", hand.level, hand.is_level_auto ? "by speed" : "fixed");
+std::string reason_words(LevelTerm term) {
+    switch (term) {
+        case LevelTerm::speed:
+            return "by speed";
+        case LevelTerm::percept:
+            return "finer feels the same";
+        case LevelTerm::finest:
+            return "the finest set";
+        case LevelTerm::coarsest:
+            return "the coarsest set";
+        case LevelTerm::encoder:
+            return "the device tells no finer";
+        case LevelTerm::radius:
+            return "finer than the proxy";
+        case LevelTerm::cost:
+            return "finer takes too long";
+        case LevelTerm::safe:
+            return "the coarsest safe";
+    }
+    return {};
+}
+
+double tenths(double level) {
+    return std::round(level * 10.0) / 10.0;
+}
+
+/// The level felt, and why that one is wanted. A fixed level is not said to be by anything else,
+/// nor to be fixed where it is not reached.
+std::string level_words(const Session& session, const HandState& hand) {
+    const LevelChoice wanted = choose_level(hand.level_terms);
+    const bool is_fixed = !hand.is_level_auto && wanted.level == hand.level_terms.coarsest;
+    return fmt::format("{} of {}, {}", tenths(hand.level), session.shown.coarsest_level,
+                       is_fixed ? "fixed" : reason_words(wanted.by));
+}
+
+/// All terms of the level, for the operator.
+std::string terms_words(const LevelTerms& terms) {
+    return fmt::format("speed {}, touch {}, set {} to {}, device {}, proxy {}, time {}, safe {}",
+                       terms.speed, terms.percept, tenths(terms.finest),
+                       tenths(std::min(terms.coarsest, terms.safe)), terms.encoder, terms.radius,
+                       terms.cost, terms.safe);
 }
 
 /// The step that was chosen and what is felt: a rise is slow, so that it cannot push the hand.
@@ -70,7 +111,8 @@ Status describe(const Session& session, const HandState& hand, const std::string
     status.title = session.shown.number > 0 ? session.shown.title : "No picture yet";
     status.lines = {
         {"Contact", words_of(hand.state)},
-        {"Level", level_words(hand)},
+        {"Level", level_words(session, hand)},
+        {"Terms", terms_words(hand.level_terms)},
         {"Force", fmt::format("{:.1f} N", norm(hand.force))},
         {"Mode", words_of(session.mode)},
         {"Stiffness", stiffness_words(session, hand)},

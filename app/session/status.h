@@ -9,7 +9,7 @@
 
 namespace touchline {
 
-/// "Level" and "2.5, by speed".
+/// "Level" and "2.5 of 6, by speed".
 struct StatusLine {
     std::string name;
     std::string value;

@@ -2,6 +2,7 @@
 // Threads: a plain value; handed over by haptics/servo/exchange.h.
 #pragma once
 
+#include "config/types/level_terms.h"
 #include "config/types/vec2.h"
 
 #include <cstdint>
@@ -22,6 +23,7 @@ struct HandState {
     double speed_m_per_s = 0.0;
     double level = 0.0;  // rendered level, with its fraction
     bool is_level_auto = true;
+    LevelTerms level_terms;  // of the level wanted; that rendered may be on its way there
     double stiffness_N_per_m = 0.0;
     Mode mode = Mode::wall;
     ContactState state = ContactState::free;

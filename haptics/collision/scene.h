@@ -16,6 +16,7 @@ struct Scene {
     CollisionTree tree;
     Area area;
     std::uint64_t map_version = 0;
+    int percept_level = 0;  // of the curves (level_error.h): none finer is told from it
 };
 
 /// O(N log N). `radius_m` >= 0 is the largest proxy radius that will be used on this scene: it

@@ -9,11 +9,22 @@ namespace {
 
 constexpr double points_per_wavelength = 4.0;    // two samples per half wave
 constexpr double samples_per_wavelength = 10.0;  // servo samples, at least
+constexpr double spacings_per_radius = 8.0;      // of the proxy, at most
 constexpr double f_hand_Hz = 100.0;              // above, a detail is vibration, not shape
 constexpr double f_low_pass_Hz = 10.0;           // voluntary motion is slower
 constexpr double hysteresis_octaves = 0.25;
 constexpr double dwell_s = 0.15;
 constexpr double least_speed_m_per_s = 1e-9;  // keeps the logarithm finite
+
+/// The finest level with this spacing or a wider one.
+double level_of_spacing(const LevelLimits& limits, double least_m) {
+    if (!(least_m > limits.spacing_m)) return 0.0;
+    return std::ceil(std::log2(least_m / limits.spacing_m) - 1e-9);
+}
+
+double whole_level(double level) {
+    return std::max(0.0, std::ceil(level));
+}
 
 }  // namespace
 
@@ -31,8 +42,11 @@ double speed_level(const LevelLimits& limits, double speed_m_per_s, double dt_s)
 }
 
 double encoder_level(const LevelLimits& limits) {
-    if (!(limits.encoder_step_m > limits.spacing_m)) return 0.0;
-    return std::ceil(std::log2(limits.encoder_step_m / limits.spacing_m) - 1e-9);
+    return level_of_spacing(limits, limits.encoder_step_m);
+}
+
+double radius_level(const LevelLimits& limits) {
+    return level_of_spacing(limits, limits.radius_m / spacings_per_radius);
 }
 
 void SpeedMeasure::set_period(double dt_s) {
@@ -41,49 +55,53 @@ void SpeedMeasure::set_period(double dt_s) {
     share_ = 1.0 - std::exp(-2.0 * std::numbers::pi * f_low_pass_Hz * dt_s);
 }
 
-/// A long tick may outlast several slots; each is emptied as it begins.
-void SpeedMeasure::begin_slots() {
-    for (std::size_t i = 0; slot_age_s_ >= slot_s && i <= slots; ++i) {
-        slot_age_s_ -= slot_s;
-        newest_ = (newest_ + 1) % peaks_.size();
-        peaks_[newest_] = 0.0;
-    }
-    slot_age_s_ = std::min(slot_age_s_, slot_s);
-    older_ = *std::max_element(peaks_.begin(), peaks_.end());
-}
-
 double SpeedMeasure::step(Position handle, double dt_s) {
     if (dt_s != dt_s_) set_period(dt_s);
     const Position moved = has_last_ ? handle - last_ : Position{};
     last_ = handle;
     has_last_ = true;
     low_pass_ += share_ * (along<Velocity>(moved, per_dt_Hz_) - low_pass_);
-    slot_age_s_ += dt_s;
-    if (slot_age_s_ >= slot_s) begin_slots();
-    peaks_[newest_] = std::max(peaks_[newest_], dot(low_pass_, low_pass_));
-    return std::max(older_, peaks_[newest_]);
+    return peak_.step(dot(low_pass_, low_pass_), dt_s);
 }
 
-LevelRule::LevelRule(const LevelLimits& limits) : limits_(limits), level_(bounded(0.0)) {}
+LevelRule::LevelRule(const LevelLimits& limits) : limits_(limits) {
+    adopt_limits();
+}
 
-double LevelRule::bounded(double speed_level) const {
-    return std::min(limits_.coarsest, std::max({std::ceil(speed_level), encoder_level(limits_),
-                                                limits_.finest, 0.0}));
+void LevelRule::set_limits(const LevelLimits& limits) {
+    if (limits == limits_) return;
+    const bool is_other_scale =
+        limits.spacing_m != limits_.spacing_m || limits.f_device_Hz != limits_.f_device_Hz;
+    limits_ = limits;
+    if (is_other_scale && dt_s_ > 0.0) {  // the same speed is another level
+        terms_.speed = whole_level(speed_level(limits_, speed_m_per_s(), dt_s_));
+        set_thresholds(dt_s_);
+    }
+    adopt_limits();
+}
+
+void LevelRule::adopt_limits() {
+    terms_.percept = limits_.percept;
+    terms_.finest = limits_.finest;
+    terms_.coarsest = limits_.coarsest;
+    terms_.encoder = encoder_level(limits_);
+    terms_.radius = radius_level(limits_);
+    terms_.cost = limits_.cost;
+    terms_.safe = limits_.safe;
+    level_ = choose_level(terms_).level;
 }
 
 /// ceil(z) stays the same between two speeds. They are taken a rounding error inwards: beyond them
-/// the level is worked out.
+/// the term is worked out.
 void LevelRule::set_thresholds(double dt_s) {
     constexpr double inwards = 1e-12;
     dt_s_ = dt_s;
-    const double crossed_m_per_s = highest_detail_Hz(limits_, dt_s) * wavelength_m(limits_, level_);
+    const double crossed_m_per_s =
+        highest_detail_Hz(limits_, dt_s) * wavelength_m(limits_, terms_.speed);
     const double refined_m_per_s = crossed_m_per_s * std::exp2(-1.0 - hysteresis_octaves);
     coarsen_above_m2_per_s2_ = crossed_m_per_s * crossed_m_per_s * (1.0 - inwards);
     refine_below_m2_per_s2_ = refined_m_per_s * refined_m_per_s * (1.0 + inwards);
-    constexpr double at_rest = -1e3;
-    if (level_ == limits_.coarsest) coarsen_above_m2_per_s2_ = INFINITY;
-    if (level_ > limits_.coarsest) coarsen_above_m2_per_s2_ = -1.0;  // new limits: find the level
-    if (level_ == bounded(at_rest)) refine_below_m2_per_s2_ = -1.0;
+    if (terms_.speed == 0.0) refine_below_m2_per_s2_ = -1.0;  // nothing is finer
 }
 
 double LevelRule::step(Position handle, double dt_s) {
@@ -93,17 +111,21 @@ double LevelRule::step(Position handle, double dt_s) {
     const bool is_known = dt_s == dt_s_;
     const bool stays = speed2_m2_per_s2_ <= coarsen_above_m2_per_s2_ &&
                        (speed2_m2_per_s2_ > refine_below_m2_per_s2_ || since_change_s_ < dwell_s);
-    if (is_known && stays) return level_;
+    if (!is_known || !stays) update_speed_term(dt_s);
+    return level_;
+}
+
+void LevelRule::update_speed_term(double dt_s) {
     const double z = speed_level(limits_, speed_m_per_s(), dt_s);
-    const double coarser = bounded(z);
-    const double finer = bounded(z + hysteresis_octaves);
-    const bool may_refine = finer < level_ && since_change_s_ >= dwell_s;
-    if (coarser > level_ || may_refine) {
-        level_ = coarser > level_ ? coarser : finer;
+    const double coarser = whole_level(z);
+    const double finer = whole_level(z + hysteresis_octaves);
+    const bool may_refine = finer < terms_.speed && since_change_s_ >= dwell_s;
+    if (coarser > terms_.speed || may_refine) {
+        terms_.speed = coarser > terms_.speed ? coarser : finer;
         since_change_s_ = 0.0;
+        level_ = choose_level(terms_).level;
     }
     set_thresholds(dt_s);
-    return level_;
 }
 
 }  // namespace touchline

@@ -61,7 +61,7 @@ struct ServoCommands {
     double radius_m = 0.0;             // of the proxy, 0 ... 0.02, at most the scene's
     double capture_m = 0.003;          // half width of groove and ridge, > 0
     bool is_level_auto = true;         // by the speed of the hand
-    double level = 0.0;                // wanted where not automatic, >= 0, may be fractional
+    double level = 0.0;                // fixed where not automatic, >= 0, may be fractional
     double finest_level = 0.0;         // the operator's bounds of the automatic level
     double coarsest_level = 16.0;
 };

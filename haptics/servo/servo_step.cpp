@@ -5,9 +5,8 @@
 namespace touchline {
 namespace {
 
-// Enough for a hand that sweeps across a dense picture, and about a quarter of a 1 ms tick at
-// worst.
-constexpr int boxes_per_tick = 4096;
+// Enough for a hand that sweeps across a dense picture.
+constexpr int most_boxes_per_tick = 4096;
 constexpr double longest_silence_s = 0.02;
 
 LevelLimits limits_of_device(const DeviceProfile& profile) {
@@ -25,6 +24,8 @@ ServoStep::ServoStep(const DeviceProfile& profile, double period_s)
       chain_(limits_of(profile)),
       level_limits_(limits_of_device(profile)),
       level_rule_(level_limits_),
+      cost_(period_s),
+      boxes_per_tick_(std::min(most_boxes_per_tick, affordable_boxes(period_s))),
       stiffness_(ServoCommands{}.stiffness_N_per_m) {
     chain_.arm();
 }
@@ -36,9 +37,10 @@ JointTorques ServoStep::step(const StepInput& input) {
     Force wanted_W;
     if (pose) {
         p_WH_ = picture_from_device(profile_, pose->p_DH);
-        const double level = wanted_level(input.commands, dt_s);
-        follow_shape(input, level);
-        wanted_W = feel(input.commands, level, dt_s);
+        (void)level_rule_.step(p_WH_, dt_s);
+        follow_shape(input);
+        bound_level(input.commands);
+        wanted_W = feel(input.commands, dt_s);
     }
     if (is_stopping_) chain_.fade();
     // Ramps and slew advance by one period however late the tick is.
@@ -54,15 +56,15 @@ std::optional<Pose> ServoStep::find_pose(const StepInput& input) {
     return input.angles ? forward(profile_.geometry, *input.angles) : std::nullopt;
 }
 
-double ServoStep::wanted_level(const ServoCommands& commands, double dt_s) {
-    level_limits_.finest = commands.finest_level;
-    level_limits_.coarsest = commands.coarsest_level;
+void ServoStep::bound_level(const ServoCommands& commands) {
+    const bool is_fixed = !commands.is_level_auto;
+    level_limits_.finest = is_fixed ? commands.level : commands.finest_level;
+    level_limits_.coarsest = is_fixed ? commands.level : commands.coarsest_level;
+    level_limits_.cost = cost_.level();
     level_rule_.set_limits(level_limits_);
-    const double by_speed = level_rule_.step(p_WH_, dt_s);
-    return commands.is_level_auto ? by_speed : commands.level;
 }
 
-void ServoStep::follow_shape(const StepInput& input, double level) {
+void ServoStep::follow_shape(const StepInput& input) {
     const ServoCommands& commands = input.commands;
     const Shape wanted{input.scene, commands.mode, commands.radius_m, commands.capture_m};
     if (wanted == felt_) {
@@ -76,11 +78,17 @@ void ServoStep::follow_shape(const StepInput& input, double level) {
     felt_ = wanted;
     contact_report_ = {};
     if (felt_.scene == nullptr) return;
-    contact_.reset(*felt_.scene, p_WH_, level);
     level_limits_.spacing_m = felt_.scene->curves.finest_spacing_m();
+    level_limits_.radius_m = felt_.radius_m;
+    level_limits_.percept = felt_.scene->percept_level;
+    level_limits_.safe = felt_.scene->curves.coarsest();
+    cost_ = CostTerm(period_s_);
+    bound_level(commands);
+    contact_.reset(*felt_.scene, p_WH_, level_rule_.level());
 }
 
-Force ServoStep::feel(const ServoCommands& commands, double level, double dt_s) {
+Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
+    const double level = level_rule_.level();
     // Without force a change of stiffness does no work, so it need not be ramped.
     if (chain_.is_faded()) stiffness_ = StiffnessRamp(commands.stiffness_N_per_m);
     const double depth_m = norm(contact_report_.p_WP - p_WH_);
@@ -92,7 +100,8 @@ Force ServoStep::feel(const ServoCommands& commands, double level, double dt_s) 
     }
     const ContactSettings settings{felt_.mode, stiffness_.stiffness_N_per_m(), commands.friction,
                                    felt_.radius_m, felt_.capture_m};
-    contact_report_ = contact_.step(p_WH_, level, settings, Budget{boxes_per_tick, 0});
+    contact_report_ = contact_.step(p_WH_, level, settings, Budget{boxes_per_tick_, 0}, period_s_);
+    (void)cost_.step(work_of(contact_report_), contact_.rendered_level());
     return contact_report_.force;
 }
 
@@ -104,6 +113,7 @@ void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
     hand.force = turned(safe.force_D);
     hand.speed_m_per_s = level_rule_.speed_m_per_s();
     hand.level = contact_report_.level;
+    hand.level_terms = level_rule_.terms();
     hand.is_level_auto = input.commands.is_level_auto;
     hand.stiffness_N_per_m = stiffness_.stiffness_N_per_m();
     hand.mode = felt_.mode;

@@ -7,6 +7,7 @@
 #include "haptics/collision/scene.h"
 #include "haptics/contact/contact_machine.h"
 #include "haptics/pantograph/profile.h"
+#include "haptics/resolution/cost_term.h"
 #include "haptics/resolution/level_rule.h"
 #include "haptics/safety/force_chain.h"
 #include "haptics/safety/stiffness_ramp.h"
@@ -61,9 +62,9 @@ class ServoStep {
     };
 
     [[nodiscard]] std::optional<Pose> find_pose(const StepInput& input);
-    void follow_shape(const StepInput& input, double level);
-    [[nodiscard]] double wanted_level(const ServoCommands& commands, double dt_s);
-    [[nodiscard]] Force feel(const ServoCommands& commands, double level, double dt_s);
+    void follow_shape(const StepInput& input);
+    void bound_level(const ServoCommands& commands);
+    [[nodiscard]] Force feel(const ServoCommands& commands, double dt_s);
     void fill(const StepInput& input, const SafeForce& safe);
 
     DeviceProfile profile_;
@@ -71,6 +72,8 @@ class ServoStep {
     ForceChain chain_;
     LevelLimits level_limits_;
     LevelRule level_rule_;
+    CostTerm cost_;
+    int boxes_per_tick_;
     StiffnessRamp stiffness_;
     ContactMachine contact_;
     ContactReport contact_report_;

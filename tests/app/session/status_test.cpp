@@ -28,13 +28,49 @@ TEST(Status, SaysContactLevelForceAndMode) {
     const Status status = describe(shown_session(), hand, "mouse");
     EXPECT_EQ(status.title, "Fish");
     EXPECT_EQ(value_of(status, "Contact"), "in a vertex");
-    EXPECT_EQ(value_of(status, "Level"), "2.5, by speed");
+    EXPECT_EQ(value_of(status, "Level"), "2.5 of 6, by speed");
     EXPECT_EQ(value_of(status, "Force"), "1.0 N");
     EXPECT_EQ(value_of(status, "Mode"), "wall");
     EXPECT_EQ(value_of(status, "Stiffness"), "medium, 500 N/m");
     EXPECT_EQ(value_of(status, "Detail"), "3 of 5, parts");
     EXPECT_EQ(value_of(status, "Picture"), "1 of 3");
     EXPECT_EQ(value_of(status, "Hand"), "mouse");
+}
+
+std::string level_words(const LevelTerms& terms, bool is_automatic) {
+    HandState hand;
+    hand.level_terms = terms;
+    hand.level = choose_level(terms).level;
+    hand.is_level_auto = is_automatic;
+    return value_of(describe(shown_session(), hand, "mouse"), "Level");
+}
+
+TEST(Status, SaysWhichTermDecidesTheLevel) {
+    EXPECT_EQ(level_words({.speed = 3.0}, true), "3 of 6, by speed");
+    EXPECT_EQ(level_words({.percept = 2.0}, true), "2 of 6, finer feels the same");
+    EXPECT_EQ(level_words({.finest = 2.0}, true), "2 of 6, the finest set");
+    EXPECT_EQ(level_words({.speed = 3.0, .coarsest = 1.0}, true), "1 of 6, the coarsest set");
+    EXPECT_EQ(level_words({.encoder = 1.0}, true), "1 of 6, the device tells no finer");
+    EXPECT_EQ(level_words({.radius = 1.0}, true), "1 of 6, finer than the proxy");
+    EXPECT_EQ(level_words({.cost = 4.0}, true), "4 of 6, finer takes too long");
+    EXPECT_EQ(level_words({.speed = 9.0, .safe = 5.0}, true), "5 of 6, the coarsest safe");
+}
+
+TEST(Status, AFixedLevelIsSaidToBeFixedOrWhyItIsNotReached) {
+    LevelTerms terms{.speed = 0.0, .finest = 2.0, .coarsest = 2.0};
+    for (const double speed : {0.0, 2.0, 5.0}) {
+        terms.speed = speed;
+        EXPECT_EQ(level_words(terms, false), "2 of 6, fixed");
+    }
+    terms.cost = 3.0;
+    EXPECT_EQ(level_words(terms, false), "3 of 6, finer takes too long");
+}
+
+TEST(Status, SaysAllTermsOfTheLevel) {
+    HandState hand;
+    hand.level_terms = {3.0, 1.0, 0.5, 16.0, 2.0, 0.0, 4.0, 6.0};
+    EXPECT_EQ(value_of(describe(shown_session(), hand, "mouse"), "Terms"),
+              "speed 3, touch 1, set 0.5 to 6, device 2, proxy 0, time 4, safe 6");
 }
 
 TEST(Status, NumbersThatLookTheSameGiveTheSameStatus) {

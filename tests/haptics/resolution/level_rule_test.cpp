@@ -1,10 +1,11 @@
 #include "haptics/resolution/level_rule.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 namespace touchline {
 namespace {
@@ -14,7 +15,8 @@ LevelLimits fine_device() {
 }
 
 /// Moves a hand at constant speed for a while; the level at the end.
-double level_at(LevelRule& rule, double speed_m_per_s, double seconds, double dt_s = 1e-3) {
+double level_at(LevelRule& rule, double speed_m_per_s, double seconds) {
+    constexpr double dt_s = 1e-3;
     static double x_m = 0.0;
     double level = 0.0;
     for (int i = 0; i < static_cast<int>(seconds / dt_s); ++i) {
@@ -24,21 +26,7 @@ double level_at(LevelRule& rule, double speed_m_per_s, double seconds, double dt
     return level;
 }
 
-TEST(LevelRule, ShortestWavelengthAtASpeedIsTheTables) {
-    // lambda_min(v): 20 mm/s 0.4 mm, 100 mm/s 2 mm, 250 mm/s 5 mm at 500 Hz; half of it from 1 kHz.
-    const LevelLimits limits = fine_device();
-    for (const auto& [dt_s, speed, wavelength] : {std::tuple{2e-3, 0.02, 4e-4},
-                                                  {2e-3, 0.1, 2e-3},
-                                                  {2e-3, 0.25, 5e-3},
-                                                  {1e-3, 0.02, 2e-4},
-                                                  {1e-3, 0.1, 1e-3},
-                                                  {1e-3, 0.25, 2.5e-3},
-                                                  {2.5e-4, 0.1, 1e-3}}) {
-        EXPECT_NEAR(wavelength_m(limits, speed_level(limits, speed, dt_s)), wavelength, 1e-9);
-    }
-}
-
-TEST(LevelRule, EncoderTermKeepsWavelengthsThatTheDeviceCanTell) {
+TEST(EncoderLevel, KeepsWavelengthsThatTheDeviceCanTell) {
     LevelLimits limits = fine_device();
     EXPECT_EQ(encoder_level(limits), 0.0);
     limits.encoder_step_m = 1.5e-4;
@@ -46,6 +34,33 @@ TEST(LevelRule, EncoderTermKeepsWavelengthsThatTheDeviceCanTell) {
     limits.encoder_step_m = 8e-4;
     EXPECT_EQ(encoder_level(limits), 3.0);
     EXPECT_GE(wavelength_m(limits, encoder_level(limits)), 4.0 * limits.encoder_step_m);
+}
+
+TEST(RadiusLevel, KeepsTheSpacingAtAnEighthOfTheRadius) {
+    LevelLimits limits = fine_device();
+    EXPECT_EQ(radius_level(limits), 0.0);
+    limits.radius_m = 8e-4;
+    EXPECT_EQ(radius_level(limits), 0.0);
+    limits.radius_m = 8.1e-4;
+    EXPECT_EQ(radius_level(limits), 1.0);
+    limits.radius_m = 64e-4;
+    EXPECT_EQ(radius_level(limits), 3.0);
+    limits.radius_m = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(radius_level(limits), 0.0);
+}
+
+RC_GTEST_PROP(RadiusAndEncoderLevel, AreTheFinestWithAnEnoughWideSpacing, ()) {
+    LevelLimits limits;
+    limits.spacing_m = 1e-7 * *rc::gen::inRange(1, 30000);
+    limits.encoder_step_m = 1e-7 * *rc::gen::inRange(0, 10000);
+    limits.radius_m = 1e-6 * *rc::gen::inRange(0, 20000);
+    const auto spacing_m = [&](double level) { return limits.spacing_m * std::exp2(level); };
+    const auto is_finest = [&](double level, double least_m) {
+        return spacing_m(level) >= least_m * (1.0 - 1e-8) &&
+               (level == 0.0 || spacing_m(level - 1.0) < least_m);
+    };
+    RC_ASSERT(is_finest(encoder_level(limits), limits.encoder_step_m));
+    RC_ASSERT(is_finest(radius_level(limits), limits.radius_m / 8.0));
 }
 
 TEST(LevelRule, CoarsensAtOnceAndRefinesLater) {
@@ -65,24 +80,21 @@ TEST(LevelRule, HysteresisOfAQuarterOctaveStopsFlicker) {
     EXPECT_EQ(level_at(rule, 0.8 * threshold, 1.5), 1.0);
 }
 
-TEST(LevelRule, TremorDoesNotSwitchLevels) {
-    // 60 mm/s modulated by half at 0.4 Hz, and 10 mm of tremor at 5 Hz: few changes in 20 s.
-    LevelLimits limits = fine_device();
-    limits.spacing_m = 1.25e-4;
-    LevelRule rule(limits);
-    int changes = 0;
-    double before = -1.0;
-    for (int i = 0; i < 20000; ++i) {
-        const double t = i * 1e-3;
-        const double s =
-            0.06 * t + 0.03 / (0.8 * std::numbers::pi) * std::sin(0.8 * std::numbers::pi * t);
-        const Position handle{s + 0.01 * std::sin(10.0 * std::numbers::pi * t),
-                              0.007 * std::sin(10.0 * std::numbers::pi * t + 1.0)};
-        const double level = rule.step(handle, 1e-3);
-        changes += i > 600 && level != before ? 1 : 0;
+TEST(LevelRule, RefinesNoSoonerThan150MillisecondsAfterItsLastChange) {
+    LevelRule rule(fine_device());
+    level_at(rule, 0.2, 0.5);
+    double since_change_s = 1.0;
+    double before = rule.level();
+    for (int i = 0; i < 3000; ++i) {  // slows down within 2 s
+        const double level = level_at(rule, 0.2 * std::exp2(-i / 300.0), 0.001);
+        since_change_s += 0.001;
+        if (level == before) continue;
+        EXPECT_LT(level, before);
+        EXPECT_GE(since_change_s, 0.15 - 1e-9);
+        since_change_s = 0.0;
         before = level;
     }
-    EXPECT_LE(changes, 3);
+    EXPECT_EQ(before, 0.0);
 }
 
 TEST(LevelRule, StaysWithinTheOperatorSBoundsAndAboveTheEncoder) {
@@ -96,6 +108,33 @@ TEST(LevelRule, StaysWithinTheOperatorSBoundsAndAboveTheEncoder) {
     limits.coarsest = 0.0;  // the operator's coarsest wins
     rule.set_limits(limits);
     EXPECT_EQ(level_at(rule, 0.5, 0.5), 0.0);
+    limits.encoder_step_m = 7e-4;  // but not over the device
+    rule.set_limits(limits);
+    EXPECT_EQ(rule.level(), 3.0);
+}
+
+TEST(LevelRule, LimitsThatAreSetAgainAtEveryTickChangeNothing) {
+    LevelRule once(fine_device());
+    LevelRule again(fine_device());
+    double x_m = 0.0;
+    for (int i = 0; i < 8000; ++i) {
+        x_m += 1e-3 * 0.3 * std::abs(std::sin(0.002 * i));
+        again.set_limits(fine_device());
+        ASSERT_EQ(once.step({x_m, 0.0}, 1e-3), again.step({x_m, 0.0}, 1e-3));
+    }
+}
+
+TEST(LevelRule, AnotherSpacingIsTheLevelOfTheSameSpeedAtOnce) {
+    LevelLimits limits = fine_device();
+    LevelRule rule(limits);
+    const double level = level_at(rule, 0.2, 0.6);
+    limits.spacing_m /= 8.0;
+    rule.set_limits(limits);
+    EXPECT_EQ(rule.level(), level + 3.0);
+    limits.spacing_m *= 16.0;
+    rule.set_limits(limits);
+    EXPECT_EQ(rule.level(), level - 1.0);
+    EXPECT_EQ(level_at(rule, 0.2, 0.1), level - 1.0);
 }
 
 TEST(LevelRule, AHandleThatIsNoPlaceChangesNothing) {
@@ -103,6 +142,49 @@ TEST(LevelRule, AHandleThatIsNoPlaceChangesNothing) {
     const double level = level_at(rule, 0.2, 0.3);
     EXPECT_EQ(rule.step({std::numeric_limits<double>::quiet_NaN(), 0.0}, 1e-3), level);
     EXPECT_EQ(rule.step({0.0, 0.0}, 0.0), level);
+}
+
+LevelLimits any_limits() {
+    const auto whole = [] { return static_cast<double>(*rc::gen::inRange(0, 12)); };
+    LevelLimits limits;
+    limits.spacing_m = 1e-6 * *rc::gen::inRange(1, 1000);
+    limits.encoder_step_m = 1e-6 * *rc::gen::inRange(0, 1000);
+    limits.finest = whole();
+    limits.coarsest = whole();
+    limits.radius_m = 1e-5 * *rc::gen::inRange(0, 500);
+    limits.percept = whole();
+    limits.safe = whole();
+    limits.cost = whole();
+    return limits;
+}
+
+/// Whatever the hand does and the limits change to.
+RC_GTEST_PROP(LevelRule, NeverFinerThanDeviceProxyAndTimeAllowAndNeverCoarserThanSafe, ()) {
+    LevelLimits limits = any_limits();
+    LevelRule rule(limits);
+    const double dt_s = *rc::gen::element(5e-4, 1e-3, 2e-3);
+    Position handle;
+    for (int phase = 0; phase < 6; ++phase) {
+        const double speed = 1e-3 * *rc::gen::inRange(0, 2000);
+        const double direction_rad = 0.1 * *rc::gen::inRange(0, 63);
+        const Position way{speed * dt_s * std::cos(direction_rad),
+                           speed * dt_s * std::sin(direction_rad)};
+        for (int i = 0; i < 300; ++i) {
+            handle += way;
+            const double level = rule.step(handle, dt_s);
+            const double allowed =
+                std::max({encoder_level(limits), radius_level(limits), limits.cost});
+            RC_ASSERT(level <= limits.safe);
+            RC_ASSERT(level >= std::min(limits.safe, allowed));
+            RC_ASSERT(level <= std::max(limits.coarsest, allowed));
+            const double by_speed = std::ceil(speed_level(limits, rule.speed_m_per_s(), dt_s));
+            RC_ASSERT(level >=
+                      std::min({limits.safe, limits.coarsest, std::max(by_speed, limits.percept)}));
+            RC_ASSERT(level == choose_level(rule.terms()).level);
+        }
+        limits = any_limits();
+        rule.set_limits(limits);
+    }
 }
 
 }  // namespace

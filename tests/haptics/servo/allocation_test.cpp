@@ -22,7 +22,7 @@ constexpr int ticks = 100000;
 namespace touchline {
 namespace {
 
-std::shared_ptr<const Scene> wave_scene(double phase) {
+std::shared_ptr<const Scene> turned_wave_scene(double phase) {
     TactileMap map;
     Outline wave;
     for (int i = 0; i <= 1000; ++i) {
@@ -47,7 +47,7 @@ TEST(Tick, AllocatesNothingInAHundredThousandTicks) {
     std::uint64_t in_contact = 0;
     for (int k = 0; k < ticks; ++k) {
         if (k % 5000 == 0) {  // another scene, mode and level, from the kiosk's side
-            exchange.feel(wave_scene(0.0001 * k));
+            exchange.feel(turned_wave_scene(0.0001 * k));
             commands.mode = k % 20000 == 0 ? Mode::groove : Mode::wall;
             commands.is_level_auto = k % 10000 == 0;
             commands.level = 1.5;

@@ -6,6 +6,7 @@
 #include "haptics/pantograph/profile.h"
 #include "haptics/servo/tick_clock.h"
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -57,6 +58,18 @@ inline std::shared_ptr<const Scene> line_scene(double y_m, std::uint64_t version
     line.points = {{-0.05, y_m}, {0.0, y_m}, {0.05, y_m}};
     map.outlines.push_back(line);
     map.version = version;
+    return std::make_shared<const Scene>(build_scene(map, {}, 0.005).value());
+}
+
+/// A wave of 20 mm wavelength about y = y_m across the drawing area, 512 edges of 0.2 mm.
+inline std::shared_ptr<const Scene> wave_scene(double y_m) {
+    TactileMap map;
+    Outline wave;
+    for (int i = 0; i <= 512; ++i) {
+        const double x_m = -0.05 + 0.1 * i / 512.0;
+        wave.points.push_back({x_m, y_m + 0.001 * std::sin(314.0 * x_m)});
+    }
+    map.outlines.push_back(wave);
     return std::make_shared<const Scene>(build_scene(map, {}, 0.005).value());
 }
 

@@ -1,7 +1,9 @@
 #include "haptics/servo/servo_step.h"
 
+#include "tests/haptics/scenes.h"
 #include "tests/haptics/servo/rigs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -15,12 +17,14 @@ constexpr double tick_s = 1e-3;
 
 /// A servo step whose handle and commands the test sets, one virtual millisecond a tick.
 struct Bench {
-    const DeviceProfile profile = default_profile();
+    const DeviceProfile profile;
     std::unique_ptr<ServoStep> step = std::make_unique<ServoStep>(profile, tick_s);
     StepInput input;
     JointTorques torques;
 
-    Bench() { place({0.0, 0.01}); }
+    explicit Bench(const DeviceProfile& of = default_profile()) : profile(of) {
+        place({0.0, 0.01});
+    }
 
     void place(Position p_W) { input.angles = angles_at(profile, p_W); }
 
@@ -116,14 +120,7 @@ TEST(ServoStep, ForceComesOnOnlyAfterArmingAndRamp) {
 }
 
 TEST(ServoStep, FasterHandFeelsACoarserLevel) {
-    TactileMap map;
-    Outline wave;
-    for (int i = 0; i <= 512; ++i) {
-        const double x = -0.05 + 0.1 * i / 512.0;
-        wave.points.push_back({x, 0.02 + 0.001 * std::sin(200.0 * x)});
-    }
-    map.outlines.push_back(wave);
-    const auto scene = std::make_shared<const Scene>(build_scene(map, {}, 0.0).value());
+    const auto scene = wave_scene(0.02);
     Bench bench;
     bench.input.scene = scene.get();
     bench.run(10);
@@ -133,16 +130,33 @@ TEST(ServoStep, FasterHandFeelsACoarserLevel) {
         bench.run(1);
     }
     EXPECT_GT(bench.hand().level, still);
+    EXPECT_EQ(bench.hand().level,
+              std::min(bench.hand().level_terms.speed, bench.hand().level_terms.safe));
     EXPECT_GT(bench.hand().speed_m_per_s, 0.3);
-    bench.input.commands.is_level_auto = false;
-    bench.input.commands.level = 1.5;
-    bench.run(1);
-    EXPECT_EQ(bench.hand().level, 1.5);
+}
+
+TEST(ServoStep, LevelTermsAreThoseOfSceneDeviceAndProxy) {
+    const auto scene = wave_scene(0.02);
+    Bench bench;
+    bench.input.scene = scene.get();
+    bench.input.commands.radius_m = 0.004;
+    bench.run(300);
+    const LevelTerms& terms = bench.hand().level_terms;
+    const double spacing_m = scene->curves.finest_spacing_m();
+    EXPECT_GE(spacing_m * std::exp2(terms.encoder), encoder_step_m(bench.profile));
+    EXPECT_LT(spacing_m * std::exp2(terms.encoder - 1.0), encoder_step_m(bench.profile));
+    EXPECT_GE(spacing_m * std::exp2(terms.radius), 0.0005);
+    EXPECT_LT(spacing_m * std::exp2(terms.radius - 1.0), 0.0005);
+    EXPECT_EQ(terms.percept, scene->percept_level);
+    EXPECT_EQ(terms.safe, scene->curves.coarsest());
+    EXPECT_EQ(terms.cost, 0.0);
+    EXPECT_EQ(bench.hand().level, choose_level(terms).level);
 }
 
 TEST(ServoStep, OperatorsBoundsHoldTheAutomaticLevel) {
-    const auto scene = line_scene(0.0);
+    const auto scene = wave_scene(0.02);
     Bench bench;
+    bench.place({0.0, -0.02});
     bench.input.scene = scene.get();
     bench.input.commands.finest_level = 3.0;
     bench.run(300);
@@ -150,7 +164,94 @@ TEST(ServoStep, OperatorsBoundsHoldTheAutomaticLevel) {
     bench.input.commands.finest_level = 0.0;
     bench.input.commands.coarsest_level = 0.0;
     bench.run(300);
+    EXPECT_EQ(bench.hand().level, bench.hand().level_terms.encoder);
+    EXPECT_GT(bench.hand().level, 0.0);  // the device tells no finer
+}
+
+TEST(ServoStep, AFixedLevelIsFeltWhateverTheSpeedUnlessTheDeviceTellsNoneSoFine) {
+    const auto scene = wave_scene(0.02);
+    Bench bench;
+    bench.input.scene = scene.get();
+    bench.input.commands.is_level_auto = false;
+    bench.input.commands.level = 2.5;
+    for (int i = 0; i < 60; ++i) {
+        bench.place({-0.03 + i * 1e-3, -0.02});
+        bench.run(1);
+    }
+    EXPECT_EQ(bench.hand().level, 2.5);
+    EXPECT_EQ(choose_level(bench.hand().level_terms).by, LevelTerm::coarsest);
+    bench.input.commands.level = 0.5;
+    bench.run(1);
+    EXPECT_EQ(bench.hand().level, bench.hand().level_terms.encoder);
+    EXPECT_EQ(choose_level(bench.hand().level_terms).by, LevelTerm::encoder);
+    bench.input.commands.level = 99.0;
+    bench.run(1);
+    EXPECT_EQ(bench.hand().level, scene->curves.coarsest());
+}
+
+/// Level, range and stiffness change while the hand presses on the line: the line holds, the force
+/// never jumps, and off the line the level is the one that was set.
+TEST(ServoStep, TheOperatorSetsLevelRangeAndStiffnessUnderAPressingHand) {
+    const auto scene = wave_scene(0.0);
+    Bench bench = bench_above_a_line(scene);
+    bench.drag({0.0, 0.01}, {0.0, -0.001});
+    bench.run(20);
+    ServoCommands& commands = bench.input.commands;
+    Force last = bench.hand().force;
+    for (int i = 0; i < 3000; ++i) {
+        commands.is_level_auto = i / 300 % 2 == 0;
+        commands.level = i / 250 % 4;
+        commands.finest_level = i / 200 % 3;
+        commands.coarsest_level = commands.finest_level + i / 350 % 3;
+        commands.stiffness_N_per_m = i / 400 % 2 == 0 ? 350.0 : 500.0;
+        bench.place({0.003 * std::sin(0.004 * i), -0.001});
+        bench.run(1);
+        ASSERT_NE(bench.hand().state, ContactState::free) << i;
+        ASSERT_GT(bench.hand().p_WP.y, bench.hand().p_WH.y) << i;
+        ASSERT_LE(norm(bench.hand().force - last), 1500.0 * tick_s + 1e-12) << i;
+        last = bench.hand().force;
+    }
+    commands.is_level_auto = false;
+    commands.level = 3.0;
+    bench.drag({0.0, -0.001}, {0.0, 0.01});
+    EXPECT_EQ(bench.hand().level, 3.0);
+}
+
+/// A device that tells 1 um, so that level 0 of a circle of 1 um edges is not too fine for it.
+DeviceProfile fine_device() {
+    DeviceProfile profile = default_profile();
+    profile.counts_per_turn = 1000.0 * profile.counts_per_turn;
+    return profile;
+}
+
+/// At 0.5 m/s the hand passes more edges in a tick than a step walks along.
+TEST(ServoStep, AFinestLevelThatTheTickCannotAffordIsNotReached) {
+    constexpr double radius_m = 0.03;
+    TactileMap map;
+    map.outlines.push_back(scenes::circle(radius_m, 188000));
+    const Scene scene = build_scene(map, {}, 0.0).value();
+    Bench bench(fine_device());
+    bench.input.scene = &scene;
+    bench.input.commands.is_level_auto = false;
+    double turn_rad = 0.0;
+    const auto slide = [&](double depth_m, double speed_m_per_s) -> const LevelTerms& {
+        turn_rad += speed_m_per_s * tick_s / radius_m;
+        const double r = radius_m - depth_m;
+        bench.place({r * std::sin(turn_rad), r * std::cos(turn_rad)});
+        bench.run(1);
+        return bench.hand().level_terms;
+    };
+    for (int i = 0; i < 800; ++i) (void)slide(-0.002, 0.0);
+    for (int i = 0; i < 300; ++i) (void)slide(-0.002 + 1e-5 * i, 0.0);
+    EXPECT_EQ(slide(0.001, 0.01).cost, 0.0);
     EXPECT_EQ(bench.hand().level, 0.0);
+    for (int i = 0; i < 100; ++i) (void)slide(0.001, 0.5);
+    EXPECT_GT(slide(0.001, 0.5).cost, 0.0);
+    EXPECT_EQ(choose_level(slide(0.001, 0.5)).by, LevelTerm::cost);
+    for (int i = 0; i < 100; ++i) (void)slide(-0.002, 0.0);  // off the line the level follows
+    EXPECT_EQ(bench.hand().level, bench.hand().level_terms.cost);
+    for (int i = 0; i < 2000; ++i) (void)slide(-0.002, 0.01);
+    EXPECT_EQ(bench.hand().level, 0.0);  // affordable again
 }
 
 TEST(ServoStep, NewSceneIsSwappedAtZeroForceWithinFadeTime) {

@@ -134,7 +134,8 @@ TEST(Servo, TakesCommandsAndScenesWhileItRuns) {
         servo.set(commands);
         wait_until([&] { return servo.latest().map_version == version; });
     }
-    EXPECT_EQ(servo.latest().level, 2.0);
+    EXPECT_FALSE(servo.latest().is_level_auto);
+    EXPECT_EQ(servo.latest().level_terms.finest, 2.0);
     wait_until([&] { return servo.latest().ticks >= 100; });
     servo.stop();
     EXPECT_EQ(servo.recording().ticks().size(), 100U);

@@ -1,0 +1,47 @@
+// The largest of the values that came lately. Threads: plain values. No allocation.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace touchline {
+
+/// Holds the peak of each of ten slots and of the one that runs: the window is ten to eleven slots
+/// long, whatever the distance between values.
+class PeakHold {
+  public:
+    static constexpr std::size_t slots = 10;
+
+    /// slot > 0, in the unit of `advance` below.
+    explicit PeakHold(double slot) : slot_(slot) {}
+
+    /// A value >= 0 that came `advance` > 0 after the one before. Returns the largest of the
+    /// window; a value that is not a number is none.
+    double step(double value, double advance) {
+        age_ += advance;
+        if (age_ >= slot_) begin_slots();
+        peaks_[newest_] = std::max(peaks_[newest_], value);
+        return std::max(older_, peaks_[newest_]);
+    }
+
+  private:
+    /// A long advance may outlast several slots; each is emptied as it begins.
+    void begin_slots() {
+        for (std::size_t i = 0; age_ >= slot_ && i <= slots; ++i) {
+            age_ -= slot_;
+            newest_ = (newest_ + 1) % peaks_.size();
+            peaks_[newest_] = 0.0;
+        }
+        age_ = std::min(age_, slot_);
+        older_ = *std::max_element(peaks_.begin(), peaks_.end());
+    }
+
+    double slot_;
+    double age_ = 0.0;                       // of the running slot
+    std::array<double, slots + 1> peaks_{};  // of the running slot and the ten before it
+    std::size_t newest_ = 0;
+    double older_ = 0.0;  // largest of the ten
+};
+
+}  // namespace touchline
