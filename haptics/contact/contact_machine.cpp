@@ -20,7 +20,8 @@ constexpr double largest_push_N = 0.015;  // of a moving wall in a tick
 
 /// Beyond the coarsest level nothing changes any more.
 double bounded(const Scene& scene, double level) {
-    return std::clamp(level, 0.0, static_cast<double>(scene.curves.coarsest()));
+    if (!(level > 0.0)) return 0.0;
+    return std::min(level, static_cast<double>(scene.curves.coarsest()));
 }
 
 }  // namespace

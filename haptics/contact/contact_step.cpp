@@ -25,20 +25,6 @@ struct Arc {
     double radius_m = 0.0;  // of the disc
 };
 
-double sign_of(Side side) {
-    return static_cast<double>(side);
-}
-
-Direction normal_of(const Segment& segment, Side side) {
-    return sign_of(side) * left_of(direction_of(segment.b - segment.a));
-}
-
-Position point_of(const Segment& segment, double parameter) {
-    // Exactly the end where the end is meant.
-    return parameter < 0.5 ? segment.a + parameter * (segment.b - segment.a)
-                           : segment.b + (parameter - 1.0) * (segment.b - segment.a);
-}
-
 /// On an arc about `vertex` a disc is swept along a chord and smaller by the chord's sagitta, so
 /// that what stops it is met late, at normal `met`: the last normal from `from` on at which the
 /// whole disc keeps its radius from it, or what it kept at the start.

@@ -21,6 +21,21 @@ struct ContactSettings {
 
 enum class Side : std::int8_t { right = -1, left = 1 };
 
+[[nodiscard]] inline double sign_of(Side side) {
+    return static_cast<double>(side);
+}
+
+/// Of a segment, towards one side.
+[[nodiscard]] inline Direction normal_of(const Segment& segment, Side side) {
+    return sign_of(side) * left_of(direction_of(segment.b - segment.a));
+}
+
+/// Exactly the end where the end is meant.
+[[nodiscard]] inline Position point_of(const Segment& segment, double parameter) {
+    return parameter < 0.5 ? segment.a + parameter * (segment.b - segment.a)
+                           : segment.b + (parameter - 1.0) * (segment.b - segment.a);
+}
+
 /// Where the proxy touches the curve as rendered: centre = point(segment, parameter) + offset *
 /// normal.
 struct Contact {

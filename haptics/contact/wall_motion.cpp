@@ -10,18 +10,6 @@ namespace {
 
 constexpr double least_sine = 1e-3;  // of two lines that meet in a point worth the name
 
-double sign_of(Side side) {
-    return static_cast<double>(side);
-}
-
-Position point_of(const Segment& s, double parameter) {
-    return parameter < 0.5 ? s.a + parameter * (s.b - s.a) : s.b + (parameter - 1.0) * (s.b - s.a);
-}
-
-Direction normal_of(const Segment& s, Side side) {
-    return sign_of(side) * left_of(direction_of(s.b - s.a));
-}
-
 LevelChange change_between(double from, double to) {
     const double low = std::min(from, to);
     const auto finer = static_cast<int>(low);
