@@ -4,7 +4,7 @@
 #include "app/cli/load.h"
 #include "app/decode/files.h"
 #include "app/decode/map_svg.h"
-#include "haptics/collision/collision_tree.h"
+#include "haptics/collision/scene.h"
 #include "haptics/curve/level_error.h"
 #include "haptics/pantograph/profile.h"
 
@@ -26,15 +26,15 @@ std::vector<Position> rendered_points(const CurveSet& curves, int piece, double 
 }
 
 /// The boxes of the nodes that hold the curve as rendered.
-void write_boxes(std::back_insert_iterator<fmt::memory_buffer> to, const CurveSet& curves,
-                 double level, const ViewBox& box) {
-    const CollisionTree tree = CollisionTree::build(curves, 0.0);
+void write_boxes(std::back_insert_iterator<fmt::memory_buffer> to, const Scene& scene, double level,
+                 const ViewBox& box) {
+    const CurveSet& curves = scene.curves;
     fmt::format_to(to,
                    "<g class=\"boxes\" fill=\"none\" stroke=\"#d07000\" stroke-width=\"0.1\">\n");
     for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
         const auto node_level = static_cast<int>(std::ceil(curves.rendered_level(piece, level)));
         for (int j = 0; j < curves.segment_count(piece, node_level); ++j) {
-            const ErrorBox node = tree.box(curves, piece, node_level, j);
+            const ErrorBox node = scene.tree.box(curves, piece, node_level, j);
             fmt::format_to(to,
                            "<path class=\"box\" data-piece=\"{}\" data-level=\"{}\" d=\"{}\"/>\n",
                            piece, node_level, path_data(node.corners, true, box));
@@ -43,7 +43,8 @@ void write_boxes(std::back_insert_iterator<fmt::memory_buffer> to, const CurveSe
     fmt::format_to(to, "</g>\n");
 }
 
-std::string svg(const TactileMap& map, const CurveSet& curves, const CurveCommandOptions& options) {
+std::string svg(const TactileMap& map, const Scene& scene, const CurveCommandOptions& options) {
+    const CurveSet& curves = scene.curves;
     const ViewBox box = view_box_of(map.area);
     fmt::memory_buffer out;
     auto to = std::back_inserter(out);
@@ -60,7 +61,7 @@ std::string svg(const TactileMap& map, const CurveSet& curves, const CurveComman
                        path_data(rendered_points(curves, piece, options.level), of.is_closed, box));
     }
     fmt::format_to(to, "</g>\n");
-    if (options.with_boxes) write_boxes(to, curves, options.level, box);
+    if (options.with_boxes) write_boxes(to, scene, options.level, box);
     fmt::format_to(to, "</svg>\n");
     return fmt::to_string(out);
 }
@@ -109,11 +110,11 @@ Result<void> run_curve(const CurveCommandOptions& options) {
     if (!map) return tl::unexpected(map.error());
     CurveOptions wanted = options.curves;
     wanted.device_step_m = encoder_step_m(default_profile());  // as `feel` does unless told
-    const Result<CurveSet> curves = CurveSet::build(*map, wanted);
-    if (!curves) return tl::unexpected(curves.error());
-    Result<void> drawn = write_whole_file(options.output, svg(*map, *curves, options));
+    const Result<Scene> scene = build_scene(*map, wanted, 0.0);
+    if (!scene) return tl::unexpected(scene.error());
+    Result<void> drawn = write_whole_file(options.output, svg(*map, *scene, options));
     if (!drawn || options.report.empty()) return drawn;
-    return write_whole_file(options.report, report(*map, *curves, options.level));
+    return write_whole_file(options.report, report(*map, scene->curves, options.level));
 }
 
 }  // namespace touchline

@@ -15,6 +15,17 @@ Crowding::Crowding(const CollisionTree& tree, const CurveSet& curves, double rea
       left_(64 * curves.point_count() + 4096) {}
 
 std::vector<bool> Crowding::find_alone() {
+    walk();
+    if (left_ == 0) alone_.assign(alone_.size(), false);
+    return std::move(alone_);
+}
+
+Meetings Crowding::find_meetings() {
+    walk();
+    return {std::move(meetings_), left_ > 0};
+}
+
+void Crowding::walk() {
     if (!tree_.bounds_.empty()) within_hierarchy(0);
     for (int piece = 0; piece < static_cast<int>(curves_.pieces().size()); ++piece) {
         for (int level = curves_.pieces()[static_cast<std::size_t>(piece)].coarsest - 1; level >= 0;
@@ -22,8 +33,6 @@ std::vector<bool> Crowding::find_alone() {
             along_level(piece, level);
         }
     }
-    if (left_ == 0) alone_.assign(alone_.size(), false);
-    return std::move(alone_);
 }
 
 void Crowding::within_hierarchy(std::size_t bound) {
@@ -135,6 +144,7 @@ void Crowding::crowd(Part a, Part b, int level) {
     mark(a, level);
     mark(b, level);
     if (level == 0) return;
+    meetings_.push_back({level, {{{a.piece, a.index}, {b.piece, b.index}}}});
     const Parts of_a = children(a, level);
     const Parts of_b = children(b, level);
     for (int i = 0; i < of_a.count; ++i) {

@@ -1,9 +1,10 @@
-// Which nodes of a collision tree are alone: no box but their neighbours' along the outline comes
-// near. Found by walking pairs of boxes that meet down from the hierarchy, so that what is far
-// apart is never compared. Threads: off the tick.
+// Which nodes of a collision tree come near others than their neighbours along the outline, and
+// which are alone. Found by walking pairs of boxes that meet down from the hierarchy, so that what
+// is far apart is never compared. Threads: off the tick.
 #pragma once
 
 #include "haptics/collision/collision_tree.h"
+#include "haptics/collision/safe_levels.h"
 
 #include <cstddef>
 #include <vector>
@@ -20,6 +21,9 @@ class Crowding {
     /// no node that is alone: then every slide asks the tree, which is slower and as right.
     [[nodiscard]] std::vector<bool> find_alone();
 
+    /// The pairs of levels > 0 whose boxes crowd each other, at the same cost.
+    [[nodiscard]] Meetings find_meetings();
+
   private:
     /// A node as it takes part at a level: pieces with fewer levels take part with their coarsest.
     struct Part {
@@ -33,6 +37,7 @@ class Crowding {
         int count;
     };
 
+    void walk();
     void within_hierarchy(std::size_t bound);
     void between_bounds(std::size_t a, std::size_t b);
     void within_roots(std::size_t a);
@@ -53,6 +58,7 @@ class Crowding {
     const CurveSet& curves_;
     double reach_m_;
     std::vector<bool> alone_;
+    std::vector<MeetingNodes> meetings_;
     std::size_t left_;  // comparisons that may still be made
 };
 

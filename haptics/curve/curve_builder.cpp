@@ -108,6 +108,19 @@ void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins
     }
 }
 
+/// The vertex nearest to `place` becomes a pin; `pins` ascend.
+void add_pin(const Outline& outline, Position place, std::vector<std::size_t>& pins) {
+    const auto& points = outline.points;
+    const auto nearest =
+        std::min_element(points.begin(), points.end(), [&](Position p, Position q) {
+            return dot(p - place, p - place) < dot(q - place, q - place);
+        });
+    if (nearest == points.end()) return;
+    const auto vertex = static_cast<std::size_t>(nearest - points.begin());
+    const auto at = std::lower_bound(pins.begin(), pins.end(), vertex);
+    if (at == pins.end() || *at != vertex) pins.insert(at, vertex);
+}
+
 }  // namespace
 
 class CurveSetBuilder {
@@ -119,7 +132,11 @@ class CurveSetBuilder {
     Result<CurveSet> build() {
         PinRule rule;
         rule.noise_m = options_.denoise_m;
-        const auto pins = find_pins(outlines_, rule);
+        auto pins = find_pins(outlines_, rule);
+        for (const PinPlace& pin : options_.pins) {
+            add_pin(outlines_[static_cast<std::size_t>(pin.outline)], pin.place,
+                    pins[static_cast<std::size_t>(pin.outline)]);
+        }
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             cut(outlines_[i], static_cast<int>(i), pins[i], stretches_);
         }

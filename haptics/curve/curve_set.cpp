@@ -40,6 +40,14 @@ RenderedPiece CurveSet::blend(int piece, int finer, double weight) const {
     return view;
 }
 
+void CurveSet::limit_levels(std::span<const int> coarsest) {
+    coarsest_ = 0;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        pieces_[i].coarsest = std::min(pieces_[i].coarsest, coarsest[i]);
+        coarsest_ = std::max(coarsest_, pieces_[i].coarsest);
+    }
+}
+
 int CurveSet::rendered_count(int piece, double level) const {
     return segment_count(piece, static_cast<int>(rendered_level(piece, level)));
 }

@@ -16,6 +16,12 @@
 
 namespace touchline {
 
+/// A wanted pin: the vertex of an outline that is nearest to a place.
+struct PinPlace {
+    int outline = 0;  // index in the map
+    Position place;
+};
+
 struct CurveOptions {
     /// false: every vertex of the map is kept at level 0 and edges longer than the spacing are
     /// split into equal collinear parts. true: each piece is resampled by arc length.
@@ -31,6 +37,8 @@ struct CurveOptions {
     /// Standard deviation per coordinate of the noise on the map's points (metres): details are
     /// shrunk on the levels that are mostly noise (denoising, paper section 5; shrink.h). 0: none.
     double denoise_m = 0.0;
+    /// More pins than the map's corners, junctions and ends.
+    std::vector<PinPlace> pins{};
 };
 
 /// A stretch of an outline between pins; the unit that has levels.
@@ -100,6 +108,10 @@ class CurveSet {
     /// points is left out. Fails when a point is not finite or lies further than 1 m from the
     /// origin.
     [[nodiscard]] static Result<CurveSet> build(const TactileMap& map, const CurveOptions& options);
+
+    /// No piece has a level coarser than its number here from now on; those at or above the
+    /// piece's coarsest change nothing. Before the curves are shared.
+    void limit_levels(std::span<const int> coarsest);
 
     [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
 

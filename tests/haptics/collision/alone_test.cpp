@@ -4,6 +4,7 @@
 #include "tests/bench/workload.h"
 #include "tests/exact/orientation.h"
 #include "tests/haptics/collision/level_segments.h"
+#include "tests/haptics/collision/trials.h"
 #include "tests/haptics/scenes.h"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ TEST(Alone, NothingButNeighboursComesWithinReach) {
     int alone = 0;
     for (unsigned seed = 0; seed < 30; ++seed) {
         const double radius_m = seed % 2 == 0 ? 0.0 : 1e-4;
-        const Scene scene = build_scene(scenes::random_map(seed, 3), {}, radius_m).value();
+        const Scene scene = trials::every_level(scenes::random_map(seed, 3), radius_m);
         for (const double level : {0.0, 0.4, 1.0, 1.7, 2.0}) {
             alone += count_alone(scene, radius_m, level);
         }
@@ -103,7 +104,7 @@ TEST(Alone, NorAcrossTheOnlyPinOfALoop) {
     for (const double half_angle : {0.1, 0.14, 0.3}) {
         for (const double radius_m : {0.0, 1.4e-3}) {
             const TactileMap map = scenes::map_of({drop(half_angle, 256)});
-            const Scene scene = build_scene(map, {}, radius_m).value();
+            const Scene scene = trials::every_level(map, radius_m);
             ASSERT_EQ(scene.curves.pieces().size(), 1U);
             ASSERT_EQ(scene.curves.pieces()[0].next, 0);
             int alone = 0;
@@ -134,10 +135,10 @@ double alone_share(const Scene& scene) {
 }
 
 TEST(Alone, NearlyAllOfASimpleSmoothCurveIs) {
-    const Scene round = build_scene(scenes::map_of({scenes::circle(0.04, 4096)}), {}, 0.0).value();
+    const Scene round = trials::every_level(scenes::map_of({scenes::circle(0.04, 4096)}));
     EXPECT_GE(alone_share(round), 0.95);
     const TactileMap lobes = workload::map_of(workload::curve(workload::Kind::radial, 4096));
-    EXPECT_GE(alone_share(build_scene(lobes, {}, 0.0).value()), 0.95);
+    EXPECT_GE(alone_share(trials::every_level(lobes)), 0.95);
 }
 
 }  // namespace

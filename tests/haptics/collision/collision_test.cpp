@@ -1,4 +1,5 @@
 #include "haptics/collision/scene.h"
+#include "tests/haptics/collision/trials.h"
 #include "tests/haptics/scenes.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 constexpr std::array levels{0.0, 0.1, 0.5, 1.0, 1.9, 2.0, 3.0, 4.6, 9.0};
 
 Scene scene_of(unsigned seed, int outlines) {
-    return build_scene(scenes::random_map(seed, outlines), {}, 0.0).value();
+    return trials::every_level(scenes::random_map(seed, outlines));
 }
 
 std::vector<SegmentRef> all_segments(const CurveSet& curves, double level) {
@@ -86,7 +87,7 @@ TEST(CollisionTree, FirstHitEqualsBruteForceAtEveryLevelBlendAndRadius) {
 }
 
 TEST(CollisionTree, MotionsAimedAtVerticesNeverSlipBetweenTwoSegments) {
-    const Scene scene = build_scene(scenes::map_of({scenes::circle(0.03, 97)}), {}, 0.0).value();
+    const Scene scene = trials::every_level(scenes::map_of({scenes::circle(0.03, 97)}));
     for (const double level : levels) {
         for (int j = 0; j < scene.curves.rendered_count(0, level); ++j) {
             const Position vertex = scene.curves.rendered_point(0, level, j);
@@ -102,7 +103,7 @@ TEST(CollisionTree, MotionsAimedAtVerticesNeverSlipBetweenTwoSegments) {
 
 TEST(CollisionTree, AMotionThatOnlyMovesAwayOrAlongATouchedLineIsClear) {
     const auto map = scenes::map_of({scenes::outline({{-0.01, 0}, {0, 0}, {0.01, 0}}, false)});
-    const Scene scene = build_scene(map, {}, 0.0).value();
+    const Scene scene = trials::every_level(map);
     const Position on{0.001, contact_skin_m};
     for (const Position to : {Position{0.005, contact_skin_m}, Position{0.001, 0.02},
                               Position{-0.009, contact_skin_m}, on}) {
@@ -172,7 +173,7 @@ TEST(CollisionTree, AThousandOutlinesHangUnderOneHierarchy) {
         many.push_back(
             scenes::outline({at, at + Position{0.001, 0.0}, at + Position{0.001, 0.001}}, true));
     }
-    const Scene scene = build_scene(scenes::map_of(std::move(many)), {}, 0.0).value();
+    const Scene scene = trials::every_level(scenes::map_of(std::move(many)));
     const Hit hit = scene.tree.first_hit(
         scene.curves, {{-0.0475, -0.0485}, {-0.0475, 0.05}, contact_skin_m, 0.0, {}}, {});
     EXPECT_TRUE(hit.is_hit);

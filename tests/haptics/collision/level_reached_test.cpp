@@ -1,6 +1,7 @@
 // The paper's query: the answer at the finest level that the budget allows to reach.
 #include "haptics/collision/scene.h"
 #include "haptics/collision/touch.h"
+#include "tests/haptics/collision/trials.h"
 #include "tests/haptics/scenes.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ TEST(LevelReached, AnswersExactlyForTheLevelItNamesWhichNeverCoarsensWithTheBudg
     constexpr std::array levels{0.0, 0.5, 1.0, 1.9, 3.0};
     int cut_short = 0;
     for (unsigned seed = 0; seed < 30; ++seed) {
-        const Scene scene = build_scene(scenes::random_map(seed, 6), {}, 0.0).value();
+        const Scene scene = trials::every_level(scenes::random_map(seed, 6));
         std::mt19937 engine(seed);
         for (const double level : levels) {
             const Motion motion = random_motion(engine, level);
@@ -70,7 +71,7 @@ TEST(LevelReached, AnswersExactlyForTheLevelItNamesWhichNeverCoarsensWithTheBudg
 }
 
 TEST(LevelReached, WithoutABudgetItIsTheFirstHit) {
-    const Scene scene = build_scene(scenes::random_map(7, 8), {}, 0.0).value();
+    const Scene scene = trials::every_level(scenes::random_map(7, 8));
     std::mt19937 engine(7);
     for (int i = 0; i < 500; ++i) {
         const Motion motion = random_motion(engine, i % 2 == 0 ? 0.0 : 1.5);
@@ -84,7 +85,7 @@ TEST(LevelReached, WithoutABudgetItIsTheFirstHit) {
 }
 
 TEST(LevelReached, AnEmptyPictureIsKnownToBeClear) {
-    const Scene scene = build_scene(scenes::map_of({}), {}, 0.0).value();
+    const Scene scene = trials::every_level(scenes::map_of({}));
     const HitAtLevel found = scene.tree.first_hit_at_level_reached(
         scene.curves, {{0.0, 0.0}, {0.01, 0.0}, contact_skin_m, 0.0, {}}, {});
     EXPECT_TRUE(found.is_known);

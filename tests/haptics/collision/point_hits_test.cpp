@@ -131,7 +131,7 @@ TEST(PointHits, EqualTheExactReferenceOnFourThousandSegments) {
     for (const auto kind : {workload::Kind::radial, workload::Kind::fractal}) {
         trials::Random random(1);
         const TactileMap map = workload::map_of(workload::curve(kind, 4096));
-        ask_scene(build_scene(map, {}, 0.0).value(), wanted / 2, random, tally);
+        ask_scene(trials::every_level(map), wanted / 2, random, tally);
     }
     report(tally);
 }
@@ -141,7 +141,7 @@ TEST(PointHits, EqualTheExactReferenceOnSixtyFiveThousandSegments) {
     trials::Random random(2);
     const TactileMap map = workload::map_of(workload::curve(workload::Kind::radial, 65536));
     Tally tally;
-    ask_scene(build_scene(map, {}, 0.0).value(), wanted, random, tally);
+    ask_scene(trials::every_level(map), wanted, random, tally);
     report(tally);
 }
 
@@ -149,12 +149,12 @@ TEST(PointHits, EqualTheExactReferenceAmongManyTinyOutlines) {
     trials::Random random(3);
     const TactileMap map = trials::tiny_outlines(random, trials::count(10000, 100000));
     Tally tally;
-    ask_scene(build_scene(map, {}, 0.0).value(), trials::count(200, 1000), random, tally);
+    ask_scene(trials::every_level(map), trials::count(200, 1000), random, tally);
     report(tally);
 }
 
 TEST(PointHits, NothingIsHitWhereThereIsNoOutline) {
-    const Scene scene = build_scene({}, {}, 0.0).value();
+    const Scene scene = trials::every_level({});
     const Hit hit = scene.tree.first_hit(scene.curves, {{-1, 0}, {1, 0}, 0.0, 0.0, {}}, {});
     EXPECT_FALSE(hit.is_hit);
     EXPECT_EQ(hit.clear, 1.0);

@@ -102,7 +102,7 @@ TEST(StartOfAWalk, TheSameOnLongCurvesAtEveryLevel) {
     for (const auto kind : {workload::Kind::radial, workload::Kind::fractal}) {
         trials::Random random(5);
         const TactileMap map = workload::map_of(workload::curve(kind, 4096));
-        ask_scene(build_scene(map, {}, 0.0).value(), trials::count(100, 5000), random, tally);
+        ask_scene(trials::every_level(map), trials::count(100, 5000), random, tally);
     }
     report(tally);
 }
@@ -110,7 +110,7 @@ TEST(StartOfAWalk, TheSameOnLongCurvesAtEveryLevel) {
 /// What is spared may be moved in any direction, by the tree's own answer too.
 TEST(StartOfAWalk, AfterAFreeMotionOneAsLongAsIsSparedIsFreeToo) {
     trials::Random random(6);
-    const Scene scene = build_scene(scenes::random_map(6, 6), {}, 0.0).value();
+    const Scene scene = trials::every_level(scenes::random_map(6, 6));
     std::size_t spared = 0;
     for (const double level : trials::levels_of(scene.curves)) {
         const LevelSegments segments(scene.curves, level);

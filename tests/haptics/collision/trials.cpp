@@ -200,11 +200,17 @@ TactileMap tiny_outlines(Random& random, std::size_t count) {
     return scenes::map_of(std::move(made));
 }
 
+Scene every_level(const TactileMap& map, double radius_m, const CurveOptions& options) {
+    CurveSet curves = CurveSet::build(map, options).value();
+    CollisionTree tree = CollisionTree::build(curves, radius_m);
+    return {std::move(curves), std::move(tree), map.area};
+}
+
 Scene scene_of(const TactileMap& map, std::uint64_t seed) {
     constexpr double never_split_m = 10.0;
     CurveOptions options;
     if (seed % 4 != 0) options.spacing_m = never_split_m;
-    return build_scene(map, options, 0.0).value();
+    return every_level(map, 0.0, options);
 }
 
 std::vector<double> levels_of(const CurveSet& curves) {

@@ -55,7 +55,11 @@ class Random {
 /// `count` triangles, crosses and single strokes of 0.05 to 2 mm all over the area.
 [[nodiscard]] TactileMap tiny_outlines(Random& random, std::size_t count);
 
-/// The scene with its vertices as they are, or for every fourth seed split at the usual spacing.
+/// With every level that the curves have, the unsafe ones too.
+[[nodiscard]] Scene every_level(const TactileMap& map, double radius_m = 0.0,
+                                const CurveOptions& options = {});
+
+/// The same with its vertices as they are, or for every fourth seed split at the usual spacing.
 [[nodiscard]] Scene scene_of(const TactileMap& map, std::uint64_t seed);
 
 /// k and k + 0.1, 0.5, 0.9 for k = 0 ... coarsest; one beyond the coarsest.

@@ -25,7 +25,8 @@ std::vector<Segment> rendered(const CurveSet& curves, int piece, double level) {
     return segments;
 }
 
-// S07: two strands 0.4 mm apart. They are never let cross, whatever level is wanted.
+// S07: two strands 0.4 mm apart, bent apart or alike. They are never let cross, whatever level is
+// wanted; of those bent alike the coarsest levels would.
 
 /// The height of a strand that runs from left to right.
 double height_at(const std::vector<Segment>& strand, double x) {
@@ -70,17 +71,24 @@ Strands mirrored() {
     return {strand(1.0, 0.0, -20.0), strand(-1.0, 0.0, -20.0), 0.0, false};
 }
 
+/// Alike, the vertices of one beside the middles of the other's edges.
+Strands nested() {
+    return {strand(1.0, 0.0, -15.0), strand(1.0, -0.4, -20.0), 0.02, true};
+}
+
 class ScenarioS07 : public testing::TestWithParam<Strands> {};
 
 TEST_P(ScenarioS07, BetweenTwoStrandsTheProxyStaysInItsCellWhateverLevelIsWanted) {
     const Strands& strands = GetParam();
     CurveOptions options;
     options.spacing_m = 1 * mm;  // no edge is split
-    const Scene scene =
-        scene_of({strands.upper, strands.lower}, CommonSetUp{}.contact.radius_m, options);
-    const double coarsest = scene.curves.coarsest();
+    const TactileMap map = map_of({strands.upper, strands.lower});
+    const Scene scene = build_scene(map, options, CommonSetUp{}.contact.radius_m).value();
+    const CurveSet every_level = CurveSet::build(map, options).value();
+    const double coarsest = every_level.coarsest();
     ASSERT_FALSE(do_cross(scene.curves, 0.0));
-    ASSERT_EQ(do_cross(scene.curves, coarsest), strands.does_coarsest_cross);
+    ASSERT_EQ(do_cross(every_level, coarsest), strands.does_coarsest_cross);
+    ASSERT_EQ(scene.curves.coarsest() < coarsest, strands.does_coarsest_cross);
     // 50 mm/s along the middle, 3 mm to both sides at 3 Hz.
     const Trajectory trace = [&](double t) -> Intention {
         constexpr double omega = 2.0 * pi * 3.0;
@@ -106,7 +114,7 @@ TEST_P(ScenarioS07, BetweenTwoStrandsTheProxyStaysInItsCellWhateverLevelIsWanted
     expect_sound(felt.watch);
 }
 
-INSTANTIATE_TEST_SUITE_P(Strands, ScenarioS07, testing::Values(mirrored()));
+INSTANTIATE_TEST_SUITE_P(Strands, ScenarioS07, testing::Values(mirrored(), nested()));
 
 // S09: a circle of 256 points and its level of 16, changed every 50 ms for a second while the
 // hand presses on it at mid-chord.

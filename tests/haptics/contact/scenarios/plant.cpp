@@ -50,8 +50,7 @@ Polyline polygon(double radius_mm, int vertices) {
     return made;
 }
 
-Scene scene_of(const std::vector<Polyline>& polylines, double radius_m,
-               const CurveOptions& options) {
+TactileMap map_of(const std::vector<Polyline>& polylines) {
     TactileMap map;
     for (const Polyline& polyline : polylines) {
         Outline outline;
@@ -59,7 +58,12 @@ Scene scene_of(const std::vector<Polyline>& polylines, double radius_m,
         for (const Position p : polyline.points_mm) outline.points.push_back(mm * p);
         map.outlines.push_back(outline);
     }
-    return build_scene(map, options, radius_m).value();
+    return map;
+}
+
+Scene scene_of(const std::vector<Polyline>& polylines, double radius_m,
+               const CurveOptions& options) {
+    return build_scene(map_of(polylines), options, radius_m).value();
 }
 
 }  // namespace touchline::scenarios

@@ -68,6 +68,8 @@ struct Polyline {
 /// Counter-clockwise, about the origin, the first vertex at angle 0.
 [[nodiscard]] Polyline polygon(double radius_mm, int vertices);
 
+[[nodiscard]] TactileMap map_of(const std::vector<Polyline>& polylines);
+
 /// Production curves through these points: every vertex is kept, and edges longer than the median
 /// one are split into collinear parts.
 [[nodiscard]] Scene scene_of(const std::vector<Polyline>& polylines,

@@ -1,0 +1,44 @@
+// Which levels of a piece are safe: on the way from one level to the next no line passes over a
+// line that is not its neighbour. Found once, when a map is built (architecture section 4, "Safe
+// levels"; facts G5). Threads: pure functions, off the tick.
+#pragma once
+
+#include "haptics/curve/curve_set.h"
+
+#include <array>
+#include <vector>
+
+namespace touchline {
+
+/// Two nodes, not neighbours along an outline, whose boxes meet: each of `level`, or of its piece's
+/// coarsest where that is finer.
+struct MeetingNodes {
+    int level = 0;  // > 0
+    std::array<SegmentRef, 2> nodes;
+};
+
+struct Meetings {
+    std::vector<MeetingNodes> pairs;
+    bool is_complete = true;  // false: too many to be looked for
+};
+
+/// A node over which something passes while its piece goes from `level` - 1 to `level`.
+struct UnsafeNode {
+    SegmentRef node;
+    int level = 0;
+};
+
+struct SafeLevels {
+    std::vector<int> coarsest;  // per piece: no change of level up to this one is unsafe
+    std::vector<UnsafeNode> unsafe;
+};
+
+/// `meetings`: all of the curves' nodes. Lines that cross at level 0 already may go on doing so; no
+/// vertex passes over a line. O(pairs), each a few times.
+[[nodiscard]] SafeLevels find_safe_levels(const CurveSet& curves, Meetings meetings);
+
+/// Pins that part what is unsafe from the rest of its outline, so that the rest keeps its levels.
+/// None where what is lost is coarser than a hand at 0.5 m/s asks for (facts 5.3).
+[[nodiscard]] std::vector<PinPlace> pins_for(const CurveSet& curves, const SafeLevels& safe);
+
+}  // namespace touchline
