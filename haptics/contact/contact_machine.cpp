@@ -15,7 +15,6 @@ constexpr std::int64_t return_ns = 3000;
 constexpr std::int64_t cold_return_ns = 6500;
 
 constexpr double octave_s = 0.05;         // a change of level that is hindered takes so long
-constexpr double largest_octaves = 0.5;   // of a change in a tick
 constexpr double largest_push_N = 0.015;  // of a moving wall in a tick
 
 /// Beyond the coarsest level nothing changes any more.
@@ -32,6 +31,7 @@ void ContactMachine::reset(const Scene& scene, Position handle, double level) {
     proxy_.centre = handle;
     handle_ = handle;
     account_ = {};
+    pace_octaves_ = largest_octaves;
     groove_ = {};
     is_fresh_ = true;
     // Nearer than the skin to a line: onto its left. A second line as near is met at the next
@@ -139,32 +139,29 @@ int ContactMachine::change_level(double level, Position handle, const ContactSet
     return boxes;
 }
 
-/// Towards `level`, not over a whole level: all the way where the hand is pushed by no more than a
-/// touch of force, else as far as that goes; a little way where there is no place further on.
+/// Towards `level`, not over a whole level, by one try a tick: as far as pushes the hand by no more
+/// than a touch of force, as the tick before has found; a little way after one that found no place.
 int ContactMachine::move_wall(double level, Position handle, const ContactSettings& settings,
                               const Budget& budget, double dt_s) {
     const double from = outlines_.level();
     const double stop = level > from ? std::floor(from) + 1.0 : std::ceil(from) - 1.0;
     const double goal = level > from ? std::min(level, stop) : std::max(level, stop);
-    const double least = std::min(dt_s / octave_s, std::abs(goal - from));
-    double step = std::min(largest_octaves, std::abs(goal - from));
-    int boxes = 0;
-    for (int tries = 0; tries < 3; ++tries) {
-        const bool is_whole_way = step >= std::abs(goal - from);
-        const double to = is_whole_way ? goal : from + std::copysign(step, goal - from);
-        WallMotion motion(outlines_, to, settings.radius_m,
-                          {budget.boxes - boxes, budget.deadline_ns});
-        const auto carried = motion.carry(proxy_, handle);
-        boxes += motion.boxes();
-        const double push_N = carried ? settings.stiffness_N_per_m * carried->moved_m : 0.0;
-        if (carried && push_N <= largest_push_N) {
-            adopt(*carried, motion.after(), handle, settings.stiffness_N_per_m);
-            return boxes;
-        }
-        if (!carried && step <= least) return boxes;
-        step = carried ? 0.95 * step * largest_push_N / push_N : least;
+    const bool is_whole_way = pace_octaves_ >= std::abs(goal - from);
+    const double to = is_whole_way ? goal : from + std::copysign(pace_octaves_, goal - from);
+    WallMotion motion(outlines_, to, settings.radius_m, budget);
+    const auto carried = motion.carry(proxy_, handle);
+    if (!carried) {
+        pace_octaves_ = std::min(dt_s / octave_s, largest_octaves);
+        return motion.boxes();
     }
-    return boxes;
+    const double push_N = settings.stiffness_N_per_m * carried->moved_m;
+    if (push_N <= largest_push_N) {
+        adopt(*carried, motion.after(), handle, settings.stiffness_N_per_m);
+        pace_octaves_ = std::min(2.0 * pace_octaves_, largest_octaves);
+    } else {
+        pace_octaves_ = 0.95 * std::abs(to - from) * largest_push_N / push_N;
+    }
+    return motion.boxes();
 }
 
 /// Unless the wall would do work on the hand that is not covered.

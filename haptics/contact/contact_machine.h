@@ -36,6 +36,8 @@ struct ContactReport {
     double clear = 1.0;      // smallest fraction of a motion proven free
 };
 
+inline constexpr double largest_octaves = 0.5;  // of a change of level in a tick
+
 class ContactMachine {
   public:
     /// Starts free at the handle; exactly on a line it starts on the line's left. `scene` must
@@ -80,6 +82,7 @@ class ContactMachine {
     std::vector<Position>* path_ = nullptr;
     GrooveState groove_;
     EnergyAccount account_;
+    double pace_octaves_ = largest_octaves;  // of a change of level, in the next tick
     Mode mode_ = Mode::wall;
     bool is_fresh_ = true;  // no step since reset()
 };
