@@ -15,6 +15,8 @@
 
 namespace touchline {
 
+inline constexpr double still_m = 1e-14;  // a motion this short is rounding
+
 class ContactStep {
   public:
     /// Way points are added to `path` where there is one.
