@@ -5,8 +5,8 @@
 namespace touchline {
 
 /// A stiffer wall under a hand that presses does work on it, so stiffness rises by at most 5 % of
-/// itself a second; it falls at once, which only takes energy away (the force chain's slew makes it
-/// soft).
+/// itself a second. It falls as fast as takes 15 N a second off the hand: at once where nothing
+/// presses.
 class StiffnessRamp {
   public:
     explicit StiffnessRamp(double stiffness_N_per_m) : stiffness_N_per_m_(stiffness_N_per_m) {}

@@ -14,7 +14,13 @@ TEST(StiffnessRamp, RisesByFivePerCentASecond) {
     EXPECT_NEAR(ramp.stiffness_N_per_m(), 500.0 * std::exp(0.05), 0.01);
 }
 
-TEST(StiffnessRamp, FallsAtOnceAndStopsAtTheWantedValue) {
+TEST(StiffnessRamp, FallsUnderAHandByFifteenNewtonsASecond) {
+    StiffnessRamp ramp(500.0);
+    EXPECT_NEAR(ramp.step(200.0, 0.003, 1e-3), 500.0 - 5.0, 1e-9);
+    EXPECT_NEAR(ramp.step(200.0, -0.001, 1e-3), 495.0 - 15.0, 1e-9);
+}
+
+TEST(StiffnessRamp, FallsAtOnceWhereNothingPressesAndStopsAtTheWantedValue) {
     StiffnessRamp ramp(500.0);
     EXPECT_EQ(ramp.step(200.0, 0.0, 1e-3), 200.0);
     for (int i = 0; i < 2000; ++i) (void)ramp.step(210.0, 0.0, 1e-3);
@@ -25,7 +31,7 @@ TEST(StiffnessRamp, BooksTheEnergyPutIntoTheSpring) {
     StiffnessRamp ramp(400.0);
     (void)ramp.step(1e6, 0.003, 0.5);
     EXPECT_NEAR(ramp.booked_J(), 0.5 * 10.0 * 9e-6, 1e-15);
-    (void)ramp.step(400.0, 0.003, 0.5);
+    (void)ramp.step(400.0, 0.003, 2e-3);
     EXPECT_NEAR(ramp.booked_J(), 0.0, 1e-15);
 }
 
