@@ -73,6 +73,12 @@ std::string stiffness_words(const Session& session, const HandState& hand) {
     return fmt::format("{}, {:.0f} N/m", step.name, felt > 0.0 ? felt : step.stiffness_N_per_m);
 }
 
+std::string force_words(const HandState& hand) {
+    const std::string force = fmt::format("{:.1f} N", norm(hand.force));
+    if (hand.spring_gain >= 1.0) return force;
+    return fmt::format("{}, softened to {:.0f} %: it rang", force, 100.0 * hand.spring_gain);
+}
+
 std::string message_words(const Session& session) {
     if (session.is_loading) return fmt::format("Opening picture {} ...", session.picture + 1);
     return session.message;
@@ -113,7 +119,7 @@ Status describe(const Session& session, const HandState& hand, const std::string
         {"Contact", words_of(hand.state)},
         {"Level", level_words(session, hand)},
         {"Terms", terms_words(hand.level_terms)},
-        {"Force", fmt::format("{:.1f} N", norm(hand.force))},
+        {"Force", force_words(hand)},
         {"Mode", words_of(session.mode)},
         {"Stiffness", stiffness_words(session, hand)},
         {"Detail", detail_text(session)},

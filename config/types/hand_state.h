@@ -23,8 +23,9 @@ struct HandState {
     double speed_m_per_s = 0.0;
     double level = 0.0;  // rendered level, with its fraction
     bool is_level_auto = true;
-    LevelTerms level_terms;  // of the level wanted; that rendered may be on its way there
-    double stiffness_N_per_m = 0.0;
+    LevelTerms level_terms;          // of the level wanted; that rendered may be on its way there
+    double stiffness_N_per_m = 0.0;  // before spring_gain
+    double spring_gain = 1.0;        // below 1 where the loop rang and was softened
     Mode mode = Mode::wall;
     ContactState state = ContactState::free;
     int outline = -1;  // index in the map of the outline touched, -1 when free

@@ -3,8 +3,12 @@
 namespace touchline {
 
 void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
-    const StepInput input{now_s, missed_ticks, device_.read_angles(now_s), exchange_.commands(),
-                          exchange_.wanted_scene()};
+    const StepInput input{now_s,
+                          missed_ticks,
+                          device_.read_angles(now_s),
+                          exchange_.commands(),
+                          exchange_.wanted_scene(),
+                          delay_s_};
     const JointTorques torques = step_.step(input);
     if (!device_.write_torques(torques)) step_.lose_device();
     if (step_.scene() == input.scene) exchange_.release_older_scenes();
@@ -20,7 +24,9 @@ void ServoLoop::run(Clock& clock, std::int64_t period_ns, const std::atomic<bool
         is_stopping = is_stop_wanted.load(std::memory_order_relaxed);
         if (is_stopping) step_.fade_out();
         tick(schedule.due_s(), schedule.missed());
-        schedule.finish(clock.now_ns());
+        const std::int64_t now_ns = clock.now_ns();
+        delay_s_ = 1e-9 * static_cast<double>(now_ns - schedule.due_ns());
+        schedule.finish(now_ns);
     }
     (void)device_.write_torques({});
 }

@@ -33,6 +33,7 @@ class ServoLoop {
     ServoExchange& exchange_;
     Recorder& recorder_;
     ServoStep step_;
+    double delay_s_ = 0.0;  // of the last tick, from when it was due to its torques written
 };
 
 }  // namespace touchline

@@ -1,5 +1,7 @@
 #include "haptics/servo/servo_step.h"
 
+#include "haptics/servo/virtual_damping.h"
+
 #include <algorithm>
 
 namespace touchline {
@@ -8,6 +10,8 @@ namespace {
 // Enough for a hand that sweeps across a dense picture.
 constexpr int most_boxes_per_tick = 4096;
 constexpr double longest_silence_s = 0.02;
+constexpr double measuring_s = 1.0;
+constexpr double longest_period_s = 0.02;  // a longer one is a pause, not the loop's
 
 LevelLimits limits_of_device(const DeviceProfile& profile) {
     LevelLimits limits;
@@ -26,17 +30,25 @@ ServoStep::ServoStep(const DeviceProfile& profile, double period_s)
       level_rule_(level_limits_),
       cost_(period_s),
       boxes_per_tick_(std::min(most_boxes_per_tick, affordable_boxes(period_s))),
-      stiffness_(ServoCommands{}.stiffness_N_per_m) {
+      stiffness_(ServoCommands{}.stiffness_N_per_m),
+      loop_(loop_settings(profile, period_s, 0.0)),
+      measured_period_s_(period_s),
+      velocity_(encoder_step_m(profile)) {
     chain_.arm();
 }
 
 JointTorques ServoStep::step(const StepInput& input) {
     const double dt_s = std::max(period_s_, input.now_s - last_s_);
     last_s_ = input.now_s;
+    measure_loop(input, dt_s);
     const std::optional<Pose> pose = find_pose(input);
     Force wanted_W;
+    if (!pose) velocity_.reset();
     if (pose) {
+        const Position before = p_WH_;
         p_WH_ = picture_from_device(profile_, pose->p_DH);
+        moved_ = p_WH_ - before;
+        (void)velocity_.step(p_WH_, dt_s);
         (void)level_rule_.step(p_WH_, dt_s);
         follow_shape(input);
         bound_level(input.commands);
@@ -46,8 +58,23 @@ JointTorques ServoStep::step(const StepInput& input) {
     // Ramps and slew advance by one period however late the tick is.
     const auto jacobian = pose ? std::optional(pose->jacobian) : std::nullopt;
     const SafeForce safe = chain_.step(turned(wanted_W), jacobian, period_s_);
+    if (pose) watch(turned(safe.force_D), dt_s);
     fill(input, safe);
     return safe.torques;
+}
+
+/// What the loop may render follows from how it runs, not from what was asked: slow averages over a
+/// second, worked out again once in as many ticks.
+void ServoStep::measure_loop(const StepInput& input, double dt_s) {
+    const double weight = std::min(1.0, dt_s / measuring_s);
+    measured_period_s_ += weight * (std::min(dt_s, longest_period_s) - measured_period_s_);
+    if (input.delay_s >= 0.0) {
+        measured_delay_s_ +=
+            weight * (std::min(input.delay_s, longest_period_s) - measured_delay_s_);
+    }
+    if (--ticks_to_measure_ > 0) return;
+    ticks_to_measure_ = static_cast<int>(measuring_s / period_s_);
+    loop_ = loop_settings(profile_, measured_period_s_, measured_delay_s_);
 }
 
 std::optional<Pose> ServoStep::find_pose(const StepInput& input) {
@@ -89,10 +116,12 @@ void ServoStep::follow_shape(const StepInput& input) {
 
 Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
     const double level = level_rule_.level();
+    const double wanted_N_per_m =
+        std::min(commands.stiffness_N_per_m, loop_.largest_stiffness_N_per_m);
     // Without force a change of stiffness does no work, so it need not be ramped.
-    if (chain_.is_faded()) stiffness_ = StiffnessRamp(commands.stiffness_N_per_m);
+    if (chain_.is_faded()) stiffness_ = StiffnessRamp(wanted_N_per_m);
     const double depth_m = norm(contact_report_.p_WP - p_WH_);
-    (void)stiffness_.step(commands.stiffness_N_per_m, depth_m, dt_s);
+    (void)stiffness_.step(wanted_N_per_m, depth_m, dt_s);
     if (felt_.scene == nullptr) {
         contact_report_.p_WP = p_WH_;
         contact_report_.level = level;
@@ -102,7 +131,17 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
                                    felt_.radius_m, felt_.capture_m};
     contact_report_ = contact_.step(p_WH_, level, settings, Budget{boxes_per_tick_, 0}, period_s_);
     (void)cost_.step(work_of(contact_report_), contact_.rendered_level());
-    return contact_report_.force;
+    // Softened where it rang, with the damping that keeps it from ringing.
+    return damped(monitor_.gain() * contact_report_.force, velocity_.velocity(),
+                  loop_.damping_Ns_per_m);
+}
+
+/// Of what the motors were told, not of what was asked: that is what rings.
+void ServoStep::watch(Force told, double dt_s) {
+    const Position stretch = contact_report_.p_WP - p_WH_;
+    const double stiffness_N_per_m = monitor_.gain() * stiffness_.stiffness_N_per_m();
+    const double stored_J = 0.5 * stiffness_N_per_m * dot(stretch, stretch);
+    monitor_.step({told, moved_, stored_J, !is_swapping_}, dt_s);
 }
 
 void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
@@ -116,6 +155,7 @@ void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
     hand.level_terms = level_rule_.terms();
     hand.is_level_auto = input.commands.is_level_auto;
     hand.stiffness_N_per_m = stiffness_.stiffness_N_per_m();
+    hand.spring_gain = monitor_.gain();
     hand.mode = felt_.mode;
     hand.state = contact_report_.state;
     hand.outline = contact_report_.outline;

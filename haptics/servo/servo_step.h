@@ -10,8 +10,11 @@
 #include "haptics/resolution/cost_term.h"
 #include "haptics/resolution/level_rule.h"
 #include "haptics/safety/force_chain.h"
+#include "haptics/safety/stability_monitor.h"
 #include "haptics/safety/stiffness_ramp.h"
 #include "haptics/servo/exchange.h"
+#include "haptics/servo/loop_settings.h"
+#include "haptics/servo/velocity_estimate.h"
 
 #include <cstdint>
 #include <optional>
@@ -24,6 +27,7 @@ struct StepInput {
     std::optional<JointAngles> angles;  // nothing when the device did not answer
     ServoCommands commands;
     const Scene* scene = nullptr;  // wanted; must live until scene() is another one
+    double delay_s = 0.0;          // from reading the angles to the torques' effect, as measured
 };
 
 class ServoStep {
@@ -31,9 +35,10 @@ class ServoStep {
     /// period_s > 0: of the loop. Force is armed at once.
     ServoStep(const DeviceProfile& profile, double period_s);
 
-    /// kinematics -> handle in W -> level -> contact -> force chain. A new scene, mode, proxy
-    /// radius or capture width fades force to zero first, drops the contact and fades in again. A
-    /// device that has not answered for 20 ms is a fault.
+    /// kinematics -> handle in W -> level -> contact -> damping -> force chain. Stiffness is kept
+    /// below what the period and delay measured so far allow (loop_settings.h). A new scene, mode,
+    /// proxy radius or capture width fades force to zero first, drops the contact and fades in
+    /// again. A device that has not answered for 20 ms is a fault.
     [[nodiscard]] JointTorques step(const StepInput& input);
 
     /// Fades force out for good; is_silent() tells when.
@@ -64,7 +69,9 @@ class ServoStep {
     [[nodiscard]] std::optional<Pose> find_pose(const StepInput& input);
     void follow_shape(const StepInput& input);
     void bound_level(const ServoCommands& commands);
+    void measure_loop(const StepInput& input, double dt_s);
     [[nodiscard]] Force feel(const ServoCommands& commands, double dt_s);
+    void watch(Force told, double dt_s);
     void fill(const StepInput& input, const SafeForce& safe);
 
     DeviceProfile profile_;
@@ -75,10 +82,17 @@ class ServoStep {
     CostTerm cost_;
     int boxes_per_tick_;
     StiffnessRamp stiffness_;
+    LoopSettings loop_;
+    double measured_period_s_;
+    double measured_delay_s_ = 0.0;
+    int ticks_to_measure_ = 0;
+    VelocityEstimate velocity_;
+    StabilityMonitor monitor_;
     ContactMachine contact_;
     ContactReport contact_report_;
     Shape felt_;
-    Position p_WH_;  // the last that was known
+    Position p_WH_;   // the last that was known
+    Position moved_;  // by the handle since the tick before
     double last_s_ = 0.0;
     double silent_s_ = 0.0;  // since the device last answered
     bool is_swapping_ = false;

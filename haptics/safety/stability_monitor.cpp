@@ -1,0 +1,90 @@
+#include "haptics/safety/stability_monitor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace touchline {
+namespace {
+
+constexpr double low_Hz = 20.0;
+constexpr double high_Hz = 300.0;
+constexpr double ringing_s = 0.1;  // looked at
+constexpr double most_swings = 3.0;
+constexpr double forget_s = 1.0;  // of the energy
+constexpr double cut_s = 0.02;
+constexpr double apart_s = 0.1;
+constexpr double least_gain = 0.125;
+constexpr double restore_per_s = 0.05;
+
+/// Share of the way that a first-order low pass goes in a tick.
+double share(double cutoff_Hz, double dt_s) {
+    return 1.0 - std::exp(-2.0 * std::numbers::pi * cutoff_Hz * dt_s);
+}
+
+}  // namespace
+
+void StabilityMonitor::begin_anew() {
+    has_before_ = false;
+    slow_ = fast_ = rest_ = {};
+    swing_ = {};
+    swings_ = recent_J_ = generated_J_ = 0.0;
+}
+
+double StabilityMonitor::step(const Tick& tick, double dt_s) {
+    const bool is_sound = is_finite(tick.force) && is_finite(tick.moved) &&
+                          std::isfinite(tick.stored_J) && std::isfinite(dt_s) && dt_s > 0.0;
+    if (!is_sound || !tick.is_continued) {
+        begin_anew();
+        return gain_;
+    }
+    if (!has_before_) {
+        slow_ = fast_ = tick.force;
+        has_before_ = true;
+    } else {
+        const double work_J = dot(force_, tick.moved) + tick.stored_J - stored_J_;
+        generated_J_ = std::max(0.0, generated_J_ * std::exp(-dt_s / forget_s) + work_J);
+        recent_J_ = recent_J_ * std::exp(-dt_s / ringing_s) + work_J;
+    }
+    force_ = tick.force;
+    stored_J_ = tick.stored_J;
+    slow_ += share(low_Hz, dt_s) * (tick.force - slow_);
+    fast_ += share(high_Hz, dt_s) * (tick.force - fast_);
+    // Twice through the high pass, or pressing and letting go would look like ringing.
+    const Force band = fast_ - slow_;
+    rest_ += share(low_Hz, dt_s) * (band - rest_);
+    count_swings(band - rest_, dt_s);
+    since_cut_s_ += dt_s;
+    const Ringing cause = found();
+    if (cause != Ringing::none && since_cut_s_ >= apart_s) cut(cause);
+    if (gain_ > goal_) {
+        gain_ = std::max(goal_, gain_ - goal_ * dt_s / cut_s);
+    } else {
+        goal_ = gain_ = std::min(1.0, gain_ + restore_per_s * dt_s);
+    }
+    return gain_;
+}
+
+void StabilityMonitor::count_swings(Force ripple, double dt_s) {
+    swings_ *= std::exp(-dt_s / ringing_s);
+    const bool is_large = norm(ripple) > std::numbers::sqrt2 * limits_.ripple_N;
+    if (!is_large) return;
+    if (dot(ripple, swing_) < 0.0) swings_ += 1.0;
+    swing_ = ripple;
+}
+
+Ringing StabilityMonitor::found() const {
+    if (generated_J_ > limits_.energy_J) return Ringing::energy;
+    const bool is_ringing = swings_ > most_swings && recent_J_ > limits_.ripple_W * ringing_s;
+    return is_ringing ? Ringing::ripple : Ringing::none;
+}
+
+void StabilityMonitor::cut(Ringing cause) {
+    goal_ = std::max(least_gain, 0.5 * gain_);
+    cause_ = cause;
+    ++cuts_;
+    since_cut_s_ = 0.0;
+    swings_ = generated_J_ = 0.0;
+}
+
+}  // namespace touchline

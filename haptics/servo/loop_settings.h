@@ -1,0 +1,25 @@
+// What a loop of a given rate and delay may render with a given device (facts 7.5).
+// Threads: a pure function.
+#pragma once
+
+#include "haptics/pantograph/profile.h"
+
+namespace touchline {
+
+struct LoopSettings {
+    double stiffness_N_per_m = 0.0;          // to start with
+    double largest_stiffness_N_per_m = 0.0;  // stable for every hand, also none
+    double damping_Ns_per_m = 0.0;           // virtual, see virtual_damping.h
+    double radius_m = 0.0;                   // of the proxy: continuous round corners at 0.7 N
+};
+
+/// `period_s` > 0 between ticks and `delay_s` >= 0 from reading the angles to the torque's effect,
+/// both as measured; a delay below one period counts as one, since transport is not seen.
+///   K     = min(0.95 (b + 1 N s/m) / (T/2 + t_d), 2 f_c / Delta, 1500): a light hand's limit, the
+///           encoder's, and where finer walls are no longer told apart
+///   K_max = min(0.9 (b + B) / (T/2 + t_d), 2 f_c / Delta), at least K
+///   B     = 1.5 N s/m, 2 from 2 kHz on
+[[nodiscard]] LoopSettings loop_settings(const DeviceProfile& profile, double period_s,
+                                         double delay_s);
+
+}  // namespace touchline

@@ -1,0 +1,21 @@
+// Damping of a sampled spring that never pulls where the spring pushes (facts 1.3, 1.4).
+// Threads: a pure function.
+#pragma once
+
+#include "config/types/vec2.h"
+
+#include <algorithm>
+
+namespace touchline {
+
+/// The spring's force with B v taken off along its own direction, at least 0: leaving the wall the
+/// hand is never held back by it, and along the wall nothing is damped. O(1).
+[[nodiscard]] inline Force damped(Force spring, Velocity velocity, double damping_Ns_per_m) {
+    const double spring_N = norm(spring);
+    if (!(spring_N > 0.0)) return spring;
+    const double outward_m_per_s = dot(spring, velocity) / spring_N;
+    const double total_N = std::max(0.0, spring_N - damping_Ns_per_m * outward_m_per_s);
+    return total_N / spring_N * spring;
+}
+
+}  // namespace touchline

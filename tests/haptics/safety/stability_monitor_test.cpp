@@ -1,0 +1,114 @@
+#include "haptics/safety/stability_monitor.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr double tick_s = 1e-3;
+
+/// A wall of 500 N/m that a hand presses by 0.2 N and swings in by `amplitude_N`, the force late by
+/// one tick: the loop gives energy.
+void ring(StabilityMonitor& monitor, double amplitude_N, double frequency_Hz, int ticks) {
+    constexpr double stiffness_N_per_m = 500.0;
+    double before_N = 0.2;
+    for (int i = 0; i < ticks; ++i) {
+        const double phase = 2.0 * std::numbers::pi * frequency_Hz * tick_s * i;
+        const double force_N = 0.2 + amplitude_N * std::sin(phase);
+        const double stored_J = 0.5 * force_N * force_N / stiffness_N_per_m;
+        const double moved_m = (before_N - force_N) / stiffness_N_per_m;
+        monitor.step({{0.0, force_N}, {0.0, moved_m}, stored_J}, tick_s);
+        before_N = force_N;
+    }
+}
+
+/// A force that changes as much while the hand slides along, so that nothing is given.
+void scan(StabilityMonitor& monitor, double amplitude_N, double frequency_Hz, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+        const double phase = 2.0 * std::numbers::pi * frequency_Hz * tick_s * i;
+        monitor.step({{0.0, 0.5 + amplitude_N * std::sin(phase)}, {1e-4, 0.0}, 0.0}, tick_s);
+    }
+}
+
+StabilityMonitor rung(double amplitude_N, double frequency_Hz, int ticks) {
+    StabilityMonitor monitor;
+    ring(monitor, amplitude_N, frequency_Hz, ticks);
+    return monitor;
+}
+
+TEST(StabilityMonitor, CutsWhereTheForceRings) {
+    for (const double frequency_Hz : {30.0, 80.0, 150.0}) {
+        const StabilityMonitor monitor = rung(0.5, frequency_Hz, 300);
+        EXPECT_EQ(monitor.cause(), Ringing::ripple) << frequency_Hz;
+        EXPECT_LE(monitor.gain(), 0.51) << frequency_Hz;
+    }
+    EXPECT_NEAR(rung(0.5, 80.0, 10000).gain(), 0.125, 0.02);  // and no further
+}
+
+TEST(StabilityMonitor, LeavesAloneWhatAHandFeelsOnPurpose) {
+    EXPECT_EQ(rung(0.1, 80.0, 5000).cuts(), 0U);  // too little to matter
+    EXPECT_EQ(rung(1.0, 4.0, 5000).cuts(), 0U);   // pressing and letting go
+    StabilityMonitor monitor;
+    scan(monitor, 0.4, 50.0, 5000);
+    EXPECT_EQ(monitor.cuts(), 0U);  // texture
+    for (int i = 0; i < 20; ++i) {  // contact made and lost
+        const double force_N = i % 2 == 0 ? 1.0 : 0.0;
+        for (int k = 0; k < 60; ++k) monitor.step({{0.0, force_N}, {}, 0.0}, tick_s);
+    }
+    EXPECT_EQ(monitor.cuts(), 0U);
+}
+
+TEST(StabilityMonitor, CutsWhereTheLoopGivesEnergy) {
+    // 1 N along with a hand at 0.2 m/s, and no spring that it came from: 0.2 W.
+    StabilityMonitor monitor;
+    int ticks = 0;
+    while (monitor.cuts() == 0 && ticks < 2000) {
+        monitor.step({{1.0, 0.0}, {2e-4, 0.0}, 0.0}, tick_s);
+        ++ticks;
+    }
+    EXPECT_EQ(monitor.cause(), Ringing::energy);
+    EXPECT_GT(ticks, 200);
+    EXPECT_LT(ticks, 400);
+}
+
+TEST(StabilityMonitor, TakesNoSpringThatGivesBackForALeak) {
+    StabilityMonitor monitor;
+    constexpr double stiffness_N_per_m = 500.0;
+    double before_m = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+        const double depth_m = 0.003 * (1.0 - std::cos(2.0 * std::numbers::pi * 3.0 * tick_s * i));
+        const double stored_J = 0.5 * stiffness_N_per_m * depth_m * depth_m;
+        const Force force{0.0, stiffness_N_per_m * depth_m};
+        monitor.step({force, {0.0, before_m - depth_m}, stored_J}, tick_s);
+        before_m = depth_m;
+    }
+    EXPECT_EQ(monitor.cuts(), 0U);
+    EXPECT_EQ(monitor.gain(), 1.0);
+}
+
+TEST(StabilityMonitor, RestoresByFivePerCentOfTheWholeASecond) {
+    StabilityMonitor monitor = rung(0.5, 80.0, 170);
+    for (int i = 0; i < 300; ++i) monitor.step({{0.0, 0.2}, {}, 0.0}, tick_s);
+    const double cut = monitor.gain();
+    for (int i = 0; i < 2000; ++i) monitor.step({{0.0, 0.2}, {}, 0.0}, tick_s);
+    EXPECT_NEAR(monitor.gain(), cut + 0.1, 0.005);
+    for (int i = 0; i < 20000; ++i) monitor.step({{0.0, 0.2}, {}, 0.0}, tick_s);
+    EXPECT_EQ(monitor.gain(), 1.0);
+}
+
+TEST(StabilityMonitor, NonsenseBeginsAnewAndKeepsTheGain) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    StabilityMonitor monitor = rung(0.5, 80.0, 170);
+    const double cut = monitor.gain();
+    EXPECT_EQ(monitor.step({{nan, 0.0}, {}, 0.0}, tick_s), cut);
+    EXPECT_EQ(monitor.step({{0.0, 0.0}, {nan, 0.0}, 0.0}, tick_s), cut);
+    EXPECT_EQ(monitor.step({{0.0, 0.0}, {}, nan}, tick_s), cut);
+    EXPECT_EQ(monitor.step({{0.0, 0.0}, {}, 0.0}, nan), cut);
+}
+
+}  // namespace
+}  // namespace touchline
