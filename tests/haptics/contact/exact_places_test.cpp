@@ -1,0 +1,55 @@
+// Handles that are exactly on a line, at its end or behind a vertex, where one rounding more or
+// less decides.
+#include "haptics/contact/contact_machine.h"
+#include "tests/haptics/scenes.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr double pitch_m = 0x1p-8;
+
+/// A machine led through handle positions in units of the pitch. Edges longer than `spacing_m` are
+/// split.
+ContactReport after(const std::vector<Outline>& lines, double radius_m, double friction,
+                    const std::vector<Position>& handles, double spacing_m = 1.0) {
+    CurveOptions options;
+    options.spacing_m = spacing_m;
+    const Scene scene = build_scene(scenes::map_of(lines), options, radius_m).value();
+    const ContactSettings settings{Mode::wall, 500.0, friction, radius_m, 0.003};
+    ContactMachine machine;
+    machine.reset(scene, pitch_m * handles[0], 0.0);
+    ContactReport report;
+    for (std::size_t i = 1; i < handles.size(); ++i) {
+        report = machine.step(pitch_m * handles[i], 0.0, settings, {});
+    }
+    return report;
+}
+
+Outline line(Position from, Position to) {
+    return scenes::outline({pitch_m * from, pitch_m * to}, false);
+}
+
+TEST(ExactPlace, BeyondAnEndOnTheLineItselfIsReached) {
+    const Position beyond{1.0, 0.0};
+    const ContactReport report =
+        after({line({-1, 0}, {0, 0})}, 0.0, 0.0, {{-1, 0}, {0, 0}, beyond});
+    EXPECT_EQ(report.state, ContactState::free);
+    EXPECT_EQ(report.carried_m, 0.0);
+    EXPECT_EQ(report.p_WP, pitch_m * beyond);
+}
+
+TEST(ExactPlace, PastAnEndIsReachedByADiscThatKeepsLessThanItsRadius) {
+    const std::vector<Outline> crossing{line({-1, -1}, {0, -1}), line({0, -1}, {0, 0})};
+    const Position past{0.21, 1.13};
+    const ContactReport report =
+        after(crossing, 1e-3, 0.3, {{0.5, -0.5}, {0.21, -1.37}, past, past, past, past});
+    EXPECT_EQ(report.carried_m, 0.0);
+    EXPECT_EQ(report.p_WP, pitch_m * past);
+}
+
+}  // namespace
+}  // namespace touchline
