@@ -42,6 +42,22 @@ TEST(ExactPlace, BeyondAnEndOnTheLineItselfIsReached) {
     EXPECT_EQ(report.p_WP, pitch_m * beyond);
 }
 
+TEST(ExactPlace, BehindAVertexIsHeldAtRest) {
+    const Outline bend = scenes::outline({{-pitch_m, -pitch_m}, {0, -pitch_m}, {pitch_m, 0}}, true);
+    const ContactReport report =
+        after({bend}, 1e-3, 0.0, {{0.5, -1}, {-1, 0.5}, {-1, 0}, {-1, 0}}, 0.5 * pitch_m);
+    EXPECT_EQ(report.carried_m, 0.0);
+    EXPECT_EQ(report.state, ContactState::edge);
+}
+
+TEST(ExactPlace, AtTheFootOfAnEndKeepsTheParameterOnTheLine) {
+    const Outline ring =
+        scenes::outline({{-pitch_m, -pitch_m}, {0, -pitch_m}, {-pitch_m, pitch_m}}, true);
+    const ContactReport report = after({ring}, 1e-3, 0.0, {{0.5, 0}, {-1.37, -1.37}, {0, -1}});
+    EXPECT_EQ(report.state, ContactState::edge);
+    EXPECT_GE(report.parameter, 0.0);
+}
+
 TEST(ExactPlace, PastAnEndIsReachedByADiscThatKeepsLessThanItsRadius) {
     const std::vector<Outline> crossing{line({-1, -1}, {0, -1}), line({0, -1}, {0, 0})};
     const Position past{0.21, 1.13};
