@@ -9,10 +9,11 @@
 namespace touchline {
 namespace {
 
-constexpr double still_m = 1e-14;   // a motion this short is rounding
-constexpr double parallel = 1e-9;   // sine of an angle too small to tell
-constexpr double same_end = 1e-14;  // the same where two ends touch a disc: rounding
-constexpr int longest_stride = 64;  // vertices between two looks at the clock: under 1 us
+constexpr double still_m = 1e-14;    // a motion this short is rounding
+constexpr double parallel = 1e-9;    // sine of an angle too small to tell
+constexpr double passing_m = 1e-17;  // nearer to an end on a way past it: rounding
+constexpr double same_end = 1e-14;   // the same where two ends touch a disc: rounding
+constexpr int longest_stride = 64;   // vertices between two looks at the clock: under 1 us
 constexpr int max_visits =
     6;  // tries to leave one corner in a step, one per line that may meet there
 
@@ -460,7 +461,9 @@ ContactStep::Next ContactStep::move_at_corner() {
     const bool can_a = can_slide(a, b, pull_a);
     const bool can_b = can_slide(b, a, pull_b);
     if (!can_a && !can_b) return Next::done;
-    leave_corner(can_a && (!can_b || pull_a >= pull_b) ? 0 : 1);
+    // The greater pull; where that has led back here, the other one.
+    const bool wants_a = (pull_a >= pull_b) == (visits_ % 2 == 1);
+    leave_corner(can_a && (!can_b || wants_a) ? 0 : 1);
     return Next::again;
 }
 
@@ -474,6 +477,10 @@ bool ContactStep::can_slide(const Contact& along_this, const Contact& other, dou
     // Round an end the way bends down at once: never into a line that it starts along.
     double least = -parallel;
     if (along_this.is_round) least = other.is_round ? -same_end : parallel;
+    // Past an end almost at right angles to it, which comes nearer to it by rounding only.
+    if (!along_this.is_round && other.is_round) {
+        least = std::min(least, -std::sqrt(2.0 * passing_m / other.offset_m));
+    }
     return depth >= 0.0 && pull_m > still_m && dot(way, other.normal) >= least;
 }
 

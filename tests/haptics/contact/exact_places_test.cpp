@@ -67,5 +67,23 @@ TEST(ExactPlace, PastAnEndIsReachedByADiscThatKeepsLessThanItsRadius) {
     EXPECT_EQ(report.p_WP, pitch_m * past);
 }
 
+TEST(ExactPlace, OnALineIsReachedRoundItsEndThatItShares) {
+    const std::vector<Outline> wedge{line({0, -1}, {-1, 0}), line({-1, -1}, {0, -1})};
+    const Position under{-0.5, -1};
+    const ContactReport report =
+        after(wedge, 1e-3, 0.0, {{-0.5, 0}, {1.13, -1.37}, under, under, under, under, under});
+    EXPECT_EQ(report.carried_m, 0.0);
+    EXPECT_NEAR(report.p_WP.x, pitch_m * under.x, 1e-12);
+}
+
+TEST(ExactPlace, RoundTheEndThatTwoOutlinesShareIsReachedByAPoint) {
+    const std::vector<Outline> corner{line({0, 0}, {0, -1}), line({0, -1}, {-1, -1})};
+    const Position inside{-0.5, 0};
+    const ContactReport report =
+        after(corner, 0.0, 0.0, {{0.5, 0.5}, {-1.37, -1.37}, inside, inside, inside});
+    EXPECT_EQ(report.carried_m, 0.0);
+    EXPECT_NEAR(report.p_WP.x, pitch_m * inside.x, 1e-12);
+}
+
 }  // namespace
 }  // namespace touchline
