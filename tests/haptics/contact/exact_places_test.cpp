@@ -1,6 +1,7 @@
 // Handles that are exactly on a line, at its end or behind a vertex, where one rounding more or
 // less decides.
 #include "haptics/contact/contact_machine.h"
+#include "tests/haptics/contact/judge.h"
 #include "tests/haptics/scenes.h"
 
 #include <vector>
@@ -83,6 +84,37 @@ TEST(ExactPlace, RoundTheEndThatTwoOutlinesShareIsReachedByAPoint) {
         after(corner, 0.0, 0.0, {{0.5, 0.5}, {-1.37, -1.37}, inside, inside, inside});
     EXPECT_EQ(report.carried_m, 0.0);
     EXPECT_NEAR(report.p_WP.x, pitch_m * inside.x, 1e-12);
+}
+
+/// Wherever it starts: on a vertex, on an edge, between two with less room than its radius.
+TEST(DiscWithoutRoom, CrossesNoLine) {
+    const Outline ring = scenes::outline({{-pitch_m, -pitch_m}, {0, -pitch_m}, {0, 0}}, true);
+    const Scene scene = build_scene(scenes::map_of({ring}), {}, 1e-3).value();
+    const Judge judge(scene.curves, 0.0, pitch_m);
+    const ContactSettings settings{Mode::wall, 500.0, 0.0, 1e-3, 0.003};
+    for (int start = 0; start < 81; ++start) {
+        for (const Position away : {Position{0.5, 1}, {-1, -0.5}, {1, -1.37}}) {
+            std::vector<Position> path;
+            ContactMachine machine;
+            machine.record_path(&path);
+            const Position from{0.25 * (start % 9) - 1.5, 0.25 * (start / 9) - 1.5};
+            machine.reset(scene, pitch_m * from, 0.0);
+            for (const Position handle : {away, Position{-1, -0.5}, {-0.5, -0.5}, -away}) {
+                static_cast<void>(machine.step(pitch_m * handle, 0.0, settings, {}));
+                ASSERT_TRUE(judge.is_free(path)) << start;
+            }
+        }
+    }
+}
+
+TEST(DiscWithoutRoom, HasItsRadiusAgainOnceItIsFree) {
+    const Scene scene = build_scene(scenes::map_of({line({-1, 0}, {1, 0})}), {}, 1e-3).value();
+    const ContactSettings settings{Mode::wall, 500.0, 0.0, 1e-3, 0.003};
+    ContactMachine machine;
+    machine.reset(scene, {0.0, 3e-4}, 0.0);
+    EXPECT_NEAR(machine.step({0.0, -0.001}, 0.0, settings, {}).p_WP.y, 3e-4, 1e-12);
+    static_cast<void>(machine.step({0.0, 0.002}, 0.0, settings, {}));
+    EXPECT_NEAR(machine.step({0.0, -0.001}, 0.0, settings, {}).p_WP.y, 1e-3, 1e-12);
 }
 
 }  // namespace
