@@ -404,6 +404,10 @@ ContactStep::Next ContactStep::move_round() {
             if (step == 0.0) {
                 const Foot below = foot(proxy_.centre, outlines_.segment(edge.segment));
                 first().parameter = below.parameter;
+                // No further off than it is, or it would move away from the handle.
+                if (below.distance_m < at.offset_m - approach_tolerance_m) {
+                    first().offset_m = below.distance_m;
+                }
             }
             enter(ContactState::edge);
             place_at_contact();
