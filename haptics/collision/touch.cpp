@@ -123,7 +123,7 @@ std::optional<Touch> touch(Position from, Position to, double radius_m, const Se
     const auto take = [&first](const std::optional<Touch>& next) {
         if (next && (!first || next->fraction < first->fraction)) first = next;
     };
-    if (length > 0.0) {
+    if (!is_point(segment)) {
         const Descent descent = descent_of(motion, segment, e, length);
         // The disc comes as near to the line as to anything on it: a touched side is the first.
         if (const auto side = touch_line(motion, descent)) return side;
