@@ -60,6 +60,8 @@ class Trial {
             if (++k % strides.first != 0) continue;
             machine.reset(scene_, first, 0.0);
             start_m_ = width_at(machine.proxy().centre);
+            // Between two lines closer than a skin there is no place to start at.
+            if (start_m_ < 0.5 * contact_skin_m) continue;
             for (const Position second : handles) {
                 if (++k % strides.second != 0) continue;
                 ContactMachine once = machine;
@@ -100,7 +102,7 @@ class Trial {
         return judge_.distance_m(centre, std::max(2.0 * settings_.radius_m, contact_skin_m));
     }
 
-    /// Half a skin is always kept (touch.h), if there was as much at the start. Rounding a vertex
+    /// Half a skin is always kept (touch.h). Rounding a vertex
     /// in chords of 15 degrees costs a disc that had room up to 1 % at another line, twice in these
     /// sequences.
     void judge_width(Position centre) {

@@ -49,11 +49,18 @@ Segment segment_of(const StepSeen& step, SegmentRef ref) {
     return step.curves.rendered_segment(ref.piece, step.level, ref.index);
 }
 
-const char* broken_by_contact(const StepSeen& step, const Contact& at) {
+/// Of a bend so slight that a sweep cannot tell it: how far off it puts a contact beyond it.
+double bend_m(const Contact& at) {
+    return std::sqrt(2.0 * approach_tolerance_m * at.offset_m);
+}
+
+const char* broken_by_contact(const StepSeen& step, std::size_t i) {
+    const Contact& at = step.after.contacts[i];
     if (!(at.parameter >= 0.0 && at.parameter <= 1.0)) return "the parameter lies on the segment";
     const Segment s = segment_of(step, at.segment);
     const Position centre = point_of(s, at.parameter) + along<Position>(at.normal, at.offset_m);
-    if (!(norm(centre - step.after.centre) <= rounding_m))
+    const double off_m = i == 0 ? 0.0 : bend_m(at);
+    if (!(norm(centre - step.after.centre) <= rounding_m + off_m))
         return "the centre follows from the contact";
     if (at.is_round) {
         const bool is_end = at.parameter == 0.0 || at.parameter == 1.0;
@@ -70,7 +77,8 @@ const char* broken_by_contact(const StepSeen& step, const Contact& at) {
 bool is_held_along(const StepSeen& step, const Contact& at) {
     const Position pull = step.handle - step.after.centre;
     const double depth_m = std::max(0.0, -dot(pull, at.normal));
-    return std::abs(cross(at.normal, pull)) <= step.settings.friction * depth_m + unfelt_m;
+    const double held_m = step.settings.friction * depth_m + unfelt_m + bend_m(at);
+    return std::abs(cross(at.normal, pull)) <= held_m;
 }
 
 const char* broken_on_edge(const StepSeen& step) {
@@ -150,19 +158,22 @@ const char* broken_by_state(const StepSeen& step) {
         const bool is_there = step.after.centre == step.handle;
         return is_there || step.report.carried_m > 0.0 ? nullptr : "free is without a force";
     }
-    for (int i = 0; i < step.after.contact_count; ++i) {
-        const char* broken =
-            broken_by_contact(step, step.after.contacts[static_cast<std::size_t>(i)]);
-        if (broken != nullptr) return broken;
+    const auto count = static_cast<std::size_t>(step.after.contact_count);
+    for (std::size_t i = 0; i < std::min(count, step.after.contacts.size()); ++i) {
+        if (const char* broken = broken_by_contact(step, i)) return broken;
     }
     return step.report.state == ContactState::edge ? broken_on_edge(step) : broken_at_vertex(step);
 }
 
 }  // namespace
 
-const char* broken_rule(const StepSeen& step) {
+const char* broken_rule_of_motion(const StepSeen& step) {
     if (const char* broken = broken_by_motion(step)) return broken;
-    if (const char* broken = broken_by_trail(step)) return broken;
+    return broken_by_trail(step);
+}
+
+const char* broken_rule(const StepSeen& step) {
+    if (const char* broken = broken_rule_of_motion(step)) return broken;
     return broken_by_state(step);
 }
 

@@ -23,8 +23,12 @@ struct StepSeen {
     std::span<const Position> path;  // way points of the step
 };
 
-/// The first rule that the step breaks; nullptr: none. A carried step may leave the proxy anywhere
-/// on its way, so it is not asked what holds it there.
+/// The first of the rules of motion that the step breaks: no line is crossed, |handle - proxy| does
+/// not grow, only allowed transitions; nullptr: none.
+[[nodiscard]] const char* broken_rule_of_motion(const StepSeen& step);
+
+/// The first of all rules that the step breaks; nullptr: none. A carried step may leave the proxy
+/// anywhere on its way, so it is not asked what holds it there.
 [[nodiscard]] const char* broken_rule(const StepSeen& step);
 
 }  // namespace touchline
