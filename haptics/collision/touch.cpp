@@ -8,6 +8,10 @@
 namespace touchline {
 namespace {
 
+// A way whose point nearest to an end lies no further ahead passes it by: rounding makes this much
+// of a tangent, and it brings a disc that keeps half a skin or more nearer by 1e-21 m at most.
+constexpr double tangential_m = 1e-16;
+
 /// A motion seen from one segment.
 struct Course {
     Position from;
@@ -52,6 +56,11 @@ std::optional<Touch> touch_line(const Course& motion, const Descent& d) {
     const double fraction = std::clamp(gap / d.approach_m, 0.0, 1.0);
     const double t = d.start + fraction * d.advance;
     if (!(t >= 0.0 && t <= 1.0)) return {};
+    // Over the segment it comes no nearer any more: its end decides, or a proxy that leaves an end
+    // along the line is stopped by what it leaves.
+    const double ahead = d.advance > 0.0 ? 1.0 - t : t;
+    const bool is_leaving = ahead * d.approach_m <= motion.tolerance_m * std::abs(d.advance);
+    if (d.advance != 0.0 && is_leaving) return {};
     return side_touch(motion, d, fraction, t, d.height_m);
 }
 
@@ -78,7 +87,7 @@ std::optional<Touch> touch_end(const Course& motion, Position end, double parame
     const double ahead = -dot(u, w);  // to the point nearest to the end
     const double pass = cross(u, w);  // distance at which it is passed
     const double nearest = ahead <= length ? std::abs(pass) : norm(w + motion.way);
-    if (!(ahead > 0.0) || !(nearest < motion.radius_m - motion.tolerance_m)) return {};
+    if (!(ahead > tangential_m) || !(nearest < motion.radius_m - motion.tolerance_m)) return {};
     // Written as a product of the two ways to the circle: no cancellation at long ways.
     const double half_chord =
         std::sqrt((motion.radius_m - std::abs(pass)) * (motion.radius_m + std::abs(pass)));
@@ -114,7 +123,7 @@ std::optional<Touch> touch(Position from, Position to, double radius_m, const Se
     const auto take = [&first](const std::optional<Touch>& next) {
         if (next && (!first || next->fraction < first->fraction)) first = next;
     };
-    if (length > 0.0) {
+    if (!is_point(segment)) {
         const Descent descent = descent_of(motion, segment, e, length);
         // The disc comes as near to the line as to anything on it: a touched side is the first.
         if (const auto side = touch_line(motion, descent)) return side;

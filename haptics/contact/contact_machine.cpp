@@ -30,6 +30,7 @@ void ContactMachine::reset(const Scene& scene, Position handle, double level) {
     proxy_ = {};
     proxy_.centre = handle;
     handle_ = handle;
+    radius_m_ = 0.0;
     account_ = {};
     pace_octaves_ = largest_octaves;
     groove_ = {};
@@ -65,8 +66,6 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
         reset(outlines_.scene(), handle, outlines_.level());
     }
     mode_ = settings.mode;
-    if (settings.radius_m != radius_m_) proxy_.spare_m = 0.0;
-    radius_m_ = settings.radius_m;
     Budget left = budget;
     if (left.deadline_ns != 0) left.deadline_ns -= is_fresh_ ? cold_return_ns : return_ns;
     is_fresh_ = false;
@@ -75,8 +74,15 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     if (wanted != outlines_.level()) spent = change_level(wanted, handle, settings, left, dt_s);
     left.boxes -= spent;
     if (settings.mode == Mode::wall) {
+        if (settings.radius_m != radius_m_) {
+            const int opened = widen(settings.radius_m, left);
+            left.boxes -= opened;
+            spent += opened;
+        }
+        ContactSettings narrowed = settings;
+        narrowed.radius_m = radius_m_;
         const Position start = handle - proxy_.centre;
-        ContactStep(outlines_, settings, left, proxy_, path_).run(handle, report);
+        ContactStep(outlines_, narrowed, left, proxy_, path_).run(handle, report);
         book(handle, start, settings.stiffness_N_per_m, dt_s);
         report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
     } else {
@@ -85,6 +91,17 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     report.boxes += spent;
     fill(report);
     return report;
+}
+
+/// A disc that overlapped a line would not be stopped by it in a corner.
+int ContactMachine::widen(double wanted_m, const Budget& budget) {
+    proxy_.spare_m = 0.0;
+    if (wanted_m > radius_m_ && proxy_.state != ContactState::free) return 0;
+    const Closest at = outlines_.scene().tree.closest_point(outlines_.scene().curves, proxy_.centre,
+                                                            outlines_.level(), wanted_m, budget);
+    if (wanted_m > radius_m_ && !at.is_complete) return at.boxes;
+    radius_m_ = at.segment.piece < 0 ? wanted_m : std::min(wanted_m, at.distance_m);
+    return at.boxes;
 }
 
 /// What the proxy's move took from the spring, less what a sampled spring may give back at the next

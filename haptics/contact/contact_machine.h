@@ -40,8 +40,9 @@ inline constexpr double largest_octaves = 0.5;  // of a change of level in a tic
 
 class ContactMachine {
   public:
-    /// Starts free at the handle; exactly on a line it starts on the line's left. `scene` must
-    /// outlive the machine's use of it.
+    /// Starts free at the handle; exactly on a line it starts on the line's left. A disc that has
+    /// no room there stays narrower until it is free with more. `scene` must outlive the machine's
+    /// use of it.
     void reset(const Scene& scene, Position handle, double level);
 
     /// One tick of `dt_s` > 0. First the rendered level comes nearer to `level`: at once where the
@@ -63,6 +64,9 @@ class ContactMachine {
     void record_path(std::vector<Position>* path) { path_ = path; }
 
   private:
+    /// Makes the disc as wide as `wanted_m`, or as there is room where it is free. Returns the
+    /// boxes opened.
+    int widen(double wanted_m, const Budget& budget);
     /// `level` is another than the rendered one. Returns the boxes opened.
     int change_level(double level, Position handle, const ContactSettings& settings,
                      const Budget& budget, double dt_s);
@@ -77,8 +81,8 @@ class ContactMachine {
 
     RenderedOutlines outlines_;
     ProxyState proxy_;
-    double radius_m_ = 0.0;
-    Position handle_;  // of the last step
+    double radius_m_ = 0.0;  // as wide as the disc is; less than set where it had no room
+    Position handle_;        // of the last step
     std::vector<Position>* path_ = nullptr;
     GrooveState groove_;
     EnergyAccount account_;

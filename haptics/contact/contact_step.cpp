@@ -80,7 +80,7 @@ ContactStep::Next ContactStep::move_on_edge() {
     const Segment s = outlines_.segment(at.segment);
     const double way_m = dot(pull, direction_of(s.b - s.a));
     const double held_m = settings_.friction * depth;
-    if (std::abs(way_m) <= held_m) return Next::done;
+    if (std::abs(way_m) <= std::max(held_m, still_m)) return Next::done;
     return slide(way_m - std::copysign(held_m, way_m));
 }
 
@@ -98,7 +98,8 @@ ContactStep::InLine ContactStep::go_in_line(double way_m) {
     while (true) {
         const double to_end_m = std::abs(limit - to.at.parameter) * edge.length_m;
         if (left_m <= to_end_m) {
-            to.at.parameter += sign * left_m * edge.per_length_m;
+            const double share = sign * left_m * edge.per_length_m;
+            to.at.parameter = std::clamp(to.at.parameter + share, 0.0, 1.0);
             return to;
         }
         left_m -= to_end_m;

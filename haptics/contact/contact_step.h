@@ -78,7 +78,7 @@ class ContactStep {
                               bool is_alone);
     [[nodiscard]] Sweep sweep_tree(Position to, double radius_m, const Excluded& excluded);
     [[nodiscard]] Sweep sweep_neighbours(Position to, double radius_m, const Excluded& excluded);
-    [[nodiscard]] Contact contact_of(SegmentRef segment, const Touch& touch);
+    [[nodiscard]] Contact contact_of(SegmentRef segment, Touch touch);
     [[nodiscard]] double arc_to(const Contact& at, double turn, Contact& edge);
 
     Contact& first() { return proxy_.contacts[0]; }

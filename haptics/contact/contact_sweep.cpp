@@ -48,7 +48,13 @@ ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
     return result;
 }
 
-Contact ContactStep::contact_of(SegmentRef segment, const Touch& touch) {
+Contact ContactStep::contact_of(SegmentRef segment, Touch touch) {
+    // A segment that is a point is the end of an edge beside it.
+    if (is_point(outlines_.segment(segment))) [[unlikely]] {
+        const SegmentRef before = outlines_.next(segment, false);
+        segment = before.piece >= 0 ? before : outlines_.next(segment, true);
+        touch.parameter = before.piece >= 0 ? 1.0 : 0.0;
+    }
     // At a joint an edge alone cannot tell: seen from a sharp tip the normal may point to the other
     // side of either edge. It always lies on the outer side of the two together.
     Direction left = normal_of(outlines_.segment(segment), Side::left);

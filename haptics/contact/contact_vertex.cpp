@@ -8,8 +8,9 @@
 namespace touchline {
 namespace {
 
-constexpr double parallel = 1e-9;   // sine of an angle too small to tell
-constexpr double same_end = 1e-14;  // the same where two ends touch a disc: rounding
+constexpr double parallel = 1e-9;    // sine of an angle too small to tell
+constexpr double same_end = 1e-14;   // the same where two ends touch a disc: rounding
+constexpr double passing_m = 1e-17;  // nearer to an end on a way past it: rounding
 constexpr int max_visits =
     6;  // tries to leave one corner in a step, one per line that may meet there
 constexpr int touch_halvings = 40;  // 15 degrees to 1e-13
@@ -161,6 +162,10 @@ ContactStep::Next ContactStep::move_round() {
             if (step == 0.0) {
                 const Foot below = foot(proxy_.centre, outlines_.segment(edge.segment));
                 first().parameter = below.parameter;
+                // No further off than it is, or it would move away from the handle.
+                if (below.distance_m < at.offset_m - approach_tolerance_m) {
+                    first().offset_m = below.distance_m;
+                }
             }
             enter(ContactState::edge);
             place_at_contact();
@@ -218,7 +223,9 @@ ContactStep::Next ContactStep::move_at_corner() {
     const bool can_a = can_slide(a, b, pull_a);
     const bool can_b = can_slide(b, a, pull_b);
     if (!can_a && !can_b) return Next::done;
-    leave_corner(can_a && (!can_b || pull_a >= pull_b) ? 0 : 1);
+    // The greater pull; where that has led back here, the other one.
+    const bool wants_a = (pull_a >= pull_b) == (visits_ % 2 == 1);
+    leave_corner(can_a && (!can_b || wants_a) ? 0 : 1);
     return Next::again;
 }
 
@@ -232,6 +239,10 @@ bool ContactStep::can_slide(const Contact& along_this, const Contact& other, dou
     // Round an end the way bends down at once: never into a line that it starts along.
     double least = -parallel;
     if (along_this.is_round) least = other.is_round ? -same_end : parallel;
+    // Past an end almost at right angles to it, which comes nearer to it by rounding only.
+    if (!along_this.is_round && other.is_round) {
+        least = std::min(least, -std::sqrt(2.0 * passing_m / other.offset_m));
+    }
     return depth >= 0.0 && pull_m > still_m && dot(way, other.normal) >= least;
 }
 

@@ -64,12 +64,15 @@ class RenderedOutlines {
         return row_;
     }
 
-    /// The segment after (before) one along its outline, across pins; piece -1 at an open end.
+    /// The segment after (before) one along its outline, across pins and over segments that are
+    /// points: an outline that runs back on itself has such at coarse levels. Piece -1 at an open
+    /// end.
     [[nodiscard]] SegmentRef next(SegmentRef ref, bool is_forward) {
-        look_up(ref.piece);
-        const int index = ref.index + (is_forward ? 1 : -1);
-        if (index >= 0 && index < rendered_.segment_count()) return {ref.piece, index};
-        return is_forward ? scene_->curves.next(ref, level_) : scene_->curves.previous(ref, level_);
+        SegmentRef found = neighbour(ref, is_forward);
+        while (found.piece >= 0 && found != ref && is_point(segment(found))) [[unlikely]] {
+                found = neighbour(found, is_forward);
+            }
+        return found;
     }
 
     /// See CollisionTree::is_alone().
@@ -79,6 +82,13 @@ class RenderedOutlines {
     }
 
   private:
+    [[nodiscard]] SegmentRef neighbour(SegmentRef ref, bool is_forward) {
+        look_up(ref.piece);
+        const int index = ref.index + (is_forward ? 1 : -1);
+        if (index >= 0 && index < rendered_.segment_count()) return {ref.piece, index};
+        return is_forward ? scene_->curves.next(ref, level_) : scene_->curves.previous(ref, level_);
+    }
+
     void look_up(int piece) {
         if (piece != piece_) [[unlikely]] {
             look_up_piece(piece);

@@ -11,6 +11,12 @@ struct Segment {
     Position a, b;
 };
 
+/// Shorter than 1e-13 m: it has ends, but rounding decides its direction.
+[[nodiscard]] inline bool is_point(const Segment& segment) {
+    const Position e = segment.b - segment.a;
+    return dot(e, e) <= 1e-26;
+}
+
 /// The nearest point of a segment.
 struct Foot {
     double parameter = 0.0;  // 0 ... 1; 0 where the segment is one point
