@@ -28,12 +28,22 @@ double bounded(const Scene& scene, double level) {
 
 void ContactMachine::reset(const Scene& scene, Position handle, double level) {
     outlines_ = RenderedOutlines(scene, bounded(scene, level));
+    gap_ = {};
+    force_ = {};
+    is_gap_ = false;
+    most_radius_m_ = std::numeric_limits<double>::infinity();
+    start_free(handle);
+}
+
+void ContactMachine::start_free(Position handle) {
     proxy_ = {};
     proxy_.centre = handle;
     handle_ = handle;
     account_ = {};
     groove_ = {};
+    pop_through_ = {};
     is_fresh_ = true;
+    const Scene& scene = outlines_.scene();
     // Nearer than the skin to a line: onto its left. A second line as near is met at the next
     // round.
     for (int i = 0; i < 8 && is_finite(handle); ++i) {
@@ -48,8 +58,10 @@ void ContactMachine::reset(const Scene& scene, Position handle, double level) {
     }
 }
 
-ContactReport ContactMachine::step(Position handle, double level, const ContactSettings& settings,
-                                   const Budget& budget, double dt_s) {
+ContactReport ContactMachine::step(Position handle, double level,
+                                   const ContactSettings& wanted_settings, const Budget& budget,
+                                   double dt_s) {
+    ContactSettings settings = wanted_settings;
     ContactReport report;
     report.transitions = StateTrail(proxy_.state);
     report.p_WP = proxy_.centre;
@@ -61,30 +73,65 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
                            dt_s > 0.0;
     if (!is_usable) return report;
     if (!is_finite(proxy_.centre)) reset(outlines_.scene(), handle, level);
-    if (settings.mode != mode_ && settings.mode == Mode::wall) {
-        reset(outlines_.scene(), handle, outlines_.level());
-    }
-    mode_ = settings.mode;
+    if (settings.mode != mode_) take_mode(handle, settings.mode);
+    int spent = grow(settings.radius_m, budget);
+    settings.radius_m = std::min(settings.radius_m, most_radius_m_);
     if (settings.radius_m != radius_m_) proxy_.spare_m = 0.0;
     radius_m_ = settings.radius_m;
     Budget left = budget;
     if (left.deadline_ns != 0) left.deadline_ns -= is_fresh_ ? cold_return_ns : return_ns;
     is_fresh_ = false;
-    const double wanted = bounded(outlines_.scene(), level);
-    int spent = 0;
-    if (wanted != outlines_.level()) spent = change_level(wanted, handle, settings, left, dt_s);
     left.boxes -= spent;
+    const double wanted = bounded(outlines_.scene(), level);
     if (settings.mode == Mode::wall) {
+        if (pop_through_.step(outlines_, handle, settings, left, dt_s, proxy_, spent)) {
+            report.has_popped = is_gap_ = true;
+            settings.radius_m = most_radius_m_ = 0.0;
+        }
+        left.boxes = budget.boxes - spent;
+        if (wanted != outlines_.level())
+            spent += change_level(wanted, handle, settings, left, dt_s);
+        left.boxes = budget.boxes - spent;
         const Position start = handle - proxy_.centre;
         ContactStep(outlines_, settings, left, proxy_, path_).run(handle, report);
         book(handle, start, settings.stiffness_N_per_m, dt_s);
         report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
     } else {
-        hold(handle, settings, left, report);
+        hold(handle, wanted, settings, left, dt_s, report);
     }
     report.boxes += spent;
+    join(report, dt_s);
     fill(report);
     return report;
+}
+
+/// A machine that has not felt anything yet has nothing to fade from.
+void ContactMachine::take_mode(Position handle, Mode mode) {
+    is_gap_ = !is_fresh_;
+    if (mode == Mode::wall) most_radius_m_ = 0.0;
+    start_free(handle);
+    mode_ = mode;
+}
+
+/// A proxy that began as a point grows while it is free and as far as it touches nothing.
+int ContactMachine::grow(double radius_m, const Budget& budget) {
+    if (!(most_radius_m_ < radius_m) || mode_ != Mode::wall) return 0;
+    if (proxy_.state != ContactState::free) return 0;
+    const Closest near = outlines_.scene().tree.closest_point(
+        outlines_.scene().curves, proxy_.centre, outlines_.level(), radius_m, budget);
+    if (!near.is_complete) return near.boxes;
+    most_radius_m_ = near.segment.piece < 0
+                         ? std::numeric_limits<double>::infinity()
+                         : std::max(most_radius_m_, near.distance_m - contact_skin_m);
+    return near.boxes;
+}
+
+/// The force goes on from what it was where the machine itself has changed it.
+void ContactMachine::join(ContactReport& report, double dt_s) {
+    if (is_gap_) gap_.start(force_, report.force);
+    is_gap_ = false;
+    report.force += gap_.step(dt_s);
+    force_ = report.force;
 }
 
 /// What the proxy's move took from the spring, less what a sampled spring may give back at the next
@@ -98,20 +145,19 @@ void ContactMachine::book(Position handle, Position start, double stiffness_N_pe
 }
 
 /// Groove, ridge, stay: the proxy is the attachment.
-void ContactMachine::hold(Position handle, const ContactSettings& settings, const Budget& budget,
-                          ContactReport& report) {
-    const GrooveForce held =
-        groove_step(outlines_.scene(), outlines_.level(), handle, settings, budget, groove_);
+void ContactMachine::hold(Position handle, double level, const ContactSettings& settings,
+                          const Budget& budget, double dt_s, ContactReport& report) {
+    const GrooveForce held = groove_.step(outlines_, level, handle, settings, budget, dt_s);
     proxy_ = {};
-    proxy_.centre = held.attachment;
+    proxy_.centre = held.p_WA;
     report.force = held.force;
     report.boxes = held.boxes;
     report.clear = held.is_complete ? 1.0 : 0.0;
-    if (groove_.segment.piece >= 0) {
+    if (held.at.exists()) {
         proxy_.state = ContactState::edge;
         proxy_.contact_count = 1;
-        proxy_.contacts[0].segment = groove_.segment;
-        proxy_.contacts[0].parameter = groove_.parameter;
+        proxy_.contacts[0].segment = held.at.segment;
+        proxy_.contacts[0].parameter = held.at.parameter;
         proxy_.contacts[0].side = held.side;
     }
     report.transitions.add(proxy_.state);
@@ -120,8 +166,8 @@ void ContactMachine::hold(Position handle, const ContactSettings& settings, cons
 int ContactMachine::change_level(double level, Position handle, const ContactSettings& settings,
                                  const Budget& budget, double dt_s) {
     int boxes = 0;
-    bool is_at_once = settings.mode != Mode::wall;
-    if (!is_at_once && proxy_.state == ContactState::free) {
+    bool is_at_once = false;
+    if (proxy_.state == ContactState::free) {
         const double radius = std::max(settings.radius_m, contact_skin_m);
         const Scene& scene = outlines_.scene();
         const Clearance found = scene.tree.clearance(scene.curves, proxy_.centre, radius,
@@ -135,7 +181,6 @@ int ContactMachine::change_level(double level, Position handle, const ContactSet
     }
     outlines_ = RenderedOutlines(outlines_.scene(), level);
     proxy_.spare_m = 0.0;
-    groove_ = {};
     return boxes;
 }
 
@@ -187,6 +232,10 @@ void ContactMachine::fill(ContactReport& report) const {
     const CurveSet& curves = outlines_.scene().curves;
     report.level = curves.rendered_level(at.segment.piece, outlines_.level());
     report.outline = curves.pieces()[static_cast<std::size_t>(at.segment.piece)].outline;
+    report.piece = at.segment.piece;
+    report.is_at_end =
+        (at.parameter == 1.0 && curves.next(at.segment, outlines_.level()).piece < 0) ||
+        (at.parameter == 0.0 && curves.previous(at.segment, outlines_.level()).piece < 0);
     report.parameter = curves.outline_parameter(at.segment.piece, outlines_.level(),
                                                 at.segment.index, at.parameter);
     report.side = at.side;
