@@ -17,6 +17,7 @@ constexpr std::int64_t cold_return_ns = 6500;
 constexpr double octave_s = 0.05;         // a change of level that is hindered takes so long
 constexpr double largest_octaves = 0.5;   // of a change in a tick
 constexpr double largest_push_N = 0.015;  // of a moving wall in a tick
+constexpr double end_zone_m = 3e-3;       // where a proxy is that just slid off a line's end
 
 /// Beyond the coarsest level nothing changes any more.
 double bounded(const Scene& scene, double level) {
@@ -40,6 +41,7 @@ void ContactMachine::start_free(Position handle) {
     proxy_.centre = handle;
     handle_ = handle;
     account_ = {};
+    touched_piece_ = -1;
     groove_ = {};
     pop_through_ = {};
     is_fresh_ = true;
@@ -58,10 +60,8 @@ void ContactMachine::start_free(Position handle) {
     }
 }
 
-ContactReport ContactMachine::step(Position handle, double level,
-                                   const ContactSettings& wanted_settings, const Budget& budget,
-                                   double dt_s) {
-    ContactSettings settings = wanted_settings;
+ContactReport ContactMachine::step(Position handle, double level, const ContactSettings& settings,
+                                   const Budget& budget, double dt_s) {
     ContactReport report;
     report.transitions = StateTrail(proxy_.state);
     report.p_WP = proxy_.centre;
@@ -74,35 +74,54 @@ ContactReport ContactMachine::step(Position handle, double level,
     if (!is_usable) return report;
     if (!is_finite(proxy_.centre)) reset(outlines_.scene(), handle, level);
     if (settings.mode != mode_) take_mode(handle, settings.mode);
-    int spent = grow(settings.radius_m, budget);
-    settings.radius_m = std::min(settings.radius_m, most_radius_m_);
-    if (settings.radius_m != radius_m_) proxy_.spare_m = 0.0;
-    radius_m_ = settings.radius_m;
     Budget left = budget;
     if (left.deadline_ns != 0) left.deadline_ns -= is_fresh_ ? cold_return_ns : return_ns;
     is_fresh_ = false;
-    left.boxes -= spent;
     const double wanted = bounded(outlines_.scene(), level);
-    if (settings.mode == Mode::wall) {
-        if (pop_through_.step(outlines_, handle, settings, left, dt_s, proxy_, spent)) {
-            report.has_popped = is_gap_ = true;
-            settings.radius_m = most_radius_m_ = 0.0;
-        }
-        left.boxes = budget.boxes - spent;
-        if (wanted != outlines_.level())
-            spent += change_level(wanted, handle, settings, left, dt_s);
-        left.boxes = budget.boxes - spent;
-        const Position start = handle - proxy_.centre;
-        ContactStep(outlines_, settings, left, proxy_, path_).run(handle, report);
-        book(handle, start, settings.stiffness_N_per_m, dt_s);
-        report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
-    } else {
+    if (settings.mode != Mode::wall) {
         hold(handle, wanted, settings, left, dt_s, report);
+    } else {
+        const ContactSettings* given = &settings;
+        if (settings.pop_through_N > 0.0 || most_radius_m_ < settings.radius_m) {
+            yielding_ = yield(handle, settings, left, dt_s, report);
+            given = &yielding_;
+        }
+        press(handle, wanted, *given, left, dt_s, report);
     }
-    report.boxes += spent;
-    join(report, dt_s);
+    if (is_gap_ || gap_.is_open()) join(report, dt_s);
+    force_ = report.force;
     fill(report);
     return report;
+}
+
+void ContactMachine::press(Position handle, double level, const ContactSettings& settings,
+                           Budget budget, double dt_s, ContactReport& report) {
+    if (settings.radius_m != radius_m_) proxy_.spare_m = 0.0;
+    radius_m_ = settings.radius_m;
+    budget.boxes -= report.boxes;
+    if (level != outlines_.level()) {
+        const int opened = change_level(level, handle, settings, budget, dt_s);
+        budget.boxes -= opened;
+        report.boxes += opened;
+    }
+    const Position start = handle - proxy_.centre;
+    ContactStep(outlines_, settings, budget, proxy_, path_).run(handle, report);
+    book(handle, start, settings.stiffness_N_per_m, dt_s);
+    report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
+}
+
+/// A wall that may give way, and a proxy that is still small after one did or began: the settings
+/// with the radius that it has.
+ContactSettings ContactMachine::yield(Position handle, ContactSettings settings,
+                                      const Budget& budget, double dt_s, ContactReport& report) {
+    if (pop_through_.step(outlines_, handle, settings, budget, dt_s, proxy_, report.boxes)) {
+        report.has_popped = is_gap_ = true;
+        most_radius_m_ = 0.0;
+    } else if (most_radius_m_ < settings.radius_m && proxy_.state == ContactState::free) {
+        report.boxes += grow(settings.radius_m, budget);
+    }
+    settings.radius_m = std::min(settings.radius_m, most_radius_m_);
+    return settings;
 }
 
 /// A machine that has not felt anything yet has nothing to fade from.
@@ -115,8 +134,6 @@ void ContactMachine::take_mode(Position handle, Mode mode) {
 
 /// A proxy that began as a point grows while it is free and as far as it touches nothing.
 int ContactMachine::grow(double radius_m, const Budget& budget) {
-    if (!(most_radius_m_ < radius_m) || mode_ != Mode::wall) return 0;
-    if (proxy_.state != ContactState::free) return 0;
     const Closest near = outlines_.scene().tree.closest_point(
         outlines_.scene().curves, proxy_.centre, outlines_.level(), radius_m, budget);
     if (!near.is_complete) return near.boxes;
@@ -131,7 +148,6 @@ void ContactMachine::join(ContactReport& report, double dt_s) {
     if (is_gap_) gap_.start(force_, report.force);
     is_gap_ = false;
     report.force += gap_.step(dt_s);
-    force_ = report.force;
 }
 
 /// What the proxy's move took from the spring, less what a sampled spring may give back at the next
@@ -223,22 +239,42 @@ void ContactMachine::adopt(const Carried& carried, const RenderedOutlines& outli
     outlines_ = outlines;
 }
 
-void ContactMachine::fill(ContactReport& report) const {
+void ContactMachine::fill(ContactReport& report) {
     report.p_WP = proxy_.centre;
     report.state = proxy_.state;
     report.level = outlines_.level();
-    if (proxy_.state == ContactState::free) return;
+    if (proxy_.state == ContactState::free) {
+        if (touched_piece_ >= 0) report.is_at_end = is_beyond_end(touched_piece_);
+        touched_piece_ = -1;
+        return;
+    }
     const Contact& at = proxy_.contacts[0];
     const CurveSet& curves = outlines_.scene().curves;
+    const Piece& piece = curves.pieces()[static_cast<std::size_t>(at.segment.piece)];
     report.level = curves.rendered_level(at.segment.piece, outlines_.level());
-    report.outline = curves.pieces()[static_cast<std::size_t>(at.segment.piece)].outline;
-    report.piece = at.segment.piece;
-    report.is_at_end =
-        (at.parameter == 1.0 && curves.next(at.segment, outlines_.level()).piece < 0) ||
-        (at.parameter == 0.0 && curves.previous(at.segment, outlines_.level()).piece < 0);
+    report.outline = piece.outline;
+    report.piece = touched_piece_ = at.segment.piece;
     report.parameter = curves.outline_parameter(at.segment.piece, outlines_.level(),
                                                 at.segment.index, at.parameter);
     report.side = at.side;
+    const bool is_at_vertex = at.parameter == 0.0 || at.parameter == 1.0;
+    report.is_at_end = is_at_vertex && outlines_.next(at.segment, at.parameter > 0.5).piece < 0;
+}
+
+/// True where a proxy that is free again slid off the end of an open line: it is beside the end,
+/// further on.
+bool ContactMachine::is_beyond_end(int piece) {
+    const CurveSet& curves = outlines_.scene().curves;
+    const Piece& line = curves.pieces()[static_cast<std::size_t>(piece)];
+    const int last = curves.rendered_count(piece, outlines_.level()) - 1;
+    const auto is_beyond = [&](Position end, Position inward) {
+        const Position off = proxy_.centre - end;
+        return norm(off) < end_zone_m && dot(off, inward) <= 0.0;
+    };
+    const Segment first = outlines_.segment({piece, 0});
+    if (line.previous < 0 && !line.is_closed && is_beyond(first.a, first.b - first.a)) return true;
+    const Segment s = outlines_.segment({piece, last});
+    return line.next < 0 && !line.is_closed && is_beyond(s.b, s.a - s.b);
 }
 
 }  // namespace touchline

@@ -33,7 +33,7 @@ struct ContactReport {
     double level = 0.0;       // rendered level of the contact's piece, else the wanted one
     int outline = -1;         // touched, -1 when free
     int piece = -1;           // of it
-    bool is_at_end = false;   // of an open outline
+    bool is_at_end = false;   // of an open outline, or slid off it in this step
     bool has_popped = false;  // through a wall
     double parameter = 0.0;   // on the outline, in level-0 segments
     Side side = Side::left;
@@ -78,13 +78,18 @@ class ContactMachine {
     void book(Position handle, Position start, double stiffness_N_per_m, double dt_s);
     int move_wall(double level, Position handle, const ContactSettings& settings,
                   const Budget& budget, double dt_s);
+    void press(Position handle, double level, const ContactSettings& settings, Budget budget,
+               double dt_s, ContactReport& report);
+    ContactSettings yield(Position handle, ContactSettings settings, const Budget& budget,
+                          double dt_s, ContactReport& report);
     void start_free(Position handle);
     void take_mode(Position handle, Mode mode);
     int grow(double radius_m, const Budget& budget);
     void hold(Position handle, double level, const ContactSettings& settings, const Budget& budget,
               double dt_s, ContactReport& report);
     void join(ContactReport& report, double dt_s);
-    void fill(ContactReport& report) const;
+    void fill(ContactReport& report);
+    [[nodiscard]] bool is_beyond_end(int piece);
 
     RenderedOutlines outlines_;
     ProxyState proxy_;
@@ -94,10 +99,12 @@ class ContactMachine {
     Groove groove_;
     PopThrough pop_through_;
     GapFade gap_;
-    Force force_;          // of the last step
-    bool is_gap_ = false;  // between that and the one to come
+    Force force_;               // of the last step
+    bool is_gap_ = false;       // between that and the one to come
+    ContactSettings yielding_;  // with the radius that the proxy has while it grows
     double most_radius_m_ = std::numeric_limits<double>::infinity();  // the proxy's, while it grows
     EnergyAccount account_;
+    int touched_piece_ = -1;  // in the last step
     Mode mode_ = Mode::wall;
     bool is_fresh_ = true;  // no step since reset()
 };

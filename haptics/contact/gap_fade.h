@@ -24,6 +24,8 @@ class GapFade {
         return now;
     }
 
+    [[nodiscard]] bool is_open() const { return gap_ != Force{}; }
+
   private:
     static constexpr double rate_N_per_s = 20.0;
 

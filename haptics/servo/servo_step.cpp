@@ -35,12 +35,14 @@ JointTorques ServoStep::step(const StepInput& input) {
     last_s_ = input.now_s;
     const std::optional<Pose> pose = find_pose(input);
     Force wanted_W;
+    events_ = {};
     if (pose) {
         p_WH_ = picture_from_device(profile_, pose->p_DH);
         (void)level_rule_.step(p_WH_, dt_s);
         follow_shape(input);
         bound_level(input.commands);
         wanted_W = feel(input.commands, dt_s);
+        detect(input);
     }
     if (is_stopping_) chain_.fade();
     // Ramps and slew advance by one period however late the tick is.
@@ -66,7 +68,7 @@ void ServoStep::bound_level(const ServoCommands& commands) {
 
 void ServoStep::follow_shape(const StepInput& input) {
     const ServoCommands& commands = input.commands;
-    const Shape wanted{input.scene, commands.mode, commands.radius_m, commands.capture_m};
+    const Shape wanted{input.scene, commands.radius_m, commands.capture_m};
     if (wanted == felt_) {
         if (is_swapping_) chain_.resume();
         is_swapping_ = false;
@@ -77,6 +79,7 @@ void ServoStep::follow_shape(const StepInput& input) {
     if (!chain_.is_faded()) return;
     felt_ = wanted;
     contact_report_ = {};
+    detector_.reset();
     if (felt_.scene == nullptr) return;
     level_limits_.spacing_m = felt_.scene->curves.finest_spacing_m();
     level_limits_.radius_m = felt_.radius_m;
@@ -98,11 +101,18 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
         contact_report_.level = level;
         return {};
     }
-    const ContactSettings settings{felt_.mode, stiffness_.stiffness_N_per_m(), commands.friction,
-                                   felt_.radius_m, felt_.capture_m};
+    const ContactSettings settings{
+        commands.mode,   stiffness_.stiffness_N_per_m(), commands.friction,     felt_.radius_m,
+        felt_.capture_m, commands.pop_through_N,         commands.pop_through_s};
     contact_report_ = contact_.step(p_WH_, level, settings, Budget{boxes_per_tick_, 0}, period_s_);
     (void)cost_.step(work_of(contact_report_), contact_.rendered_level());
     return contact_report_.force;
+}
+
+void ServoStep::detect(const StepInput& input) {
+    if (felt_.scene == nullptr) return;
+    events_ = detector_.step({input.now_s, p_WH_, input.commands.mode, contact_report_,
+                              contact_.rendered_level(), felt_.scene->area});
 }
 
 void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
@@ -116,7 +126,7 @@ void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
     hand.level_terms = level_rule_.terms();
     hand.is_level_auto = input.commands.is_level_auto;
     hand.stiffness_N_per_m = stiffness_.stiffness_N_per_m();
-    hand.mode = felt_.mode;
+    hand.mode = input.commands.mode;
     hand.state = contact_report_.state;
     hand.outline = contact_report_.outline;
     ++hand.ticks;

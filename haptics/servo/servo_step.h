@@ -6,6 +6,7 @@
 #include "config/types/vec2.h"
 #include "haptics/collision/scene.h"
 #include "haptics/contact/contact_machine.h"
+#include "haptics/contact/event_detector.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/resolution/cost_term.h"
 #include "haptics/resolution/level_rule.h"
@@ -15,6 +16,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace touchline {
 
@@ -31,9 +33,10 @@ class ServoStep {
     /// period_s > 0: of the loop. Force is armed at once.
     ServoStep(const DeviceProfile& profile, double period_s);
 
-    /// kinematics -> handle in W -> level -> contact -> force chain. A new scene, mode, proxy
-    /// radius or capture width fades force to zero first, drops the contact and fades in again. A
-    /// device that has not answered for 20 ms is a fault.
+    /// kinematics -> handle in W -> level -> contact -> force chain. A new scene, proxy radius or
+    /// capture width fades force to zero first, drops the contact and fades in again; a new mode
+    /// takes over under the hand, its force fading from the one before. A device that has not
+    /// answered for 20 ms is a fault.
     [[nodiscard]] JointTorques step(const StepInput& input);
 
     /// Fades force out for good; is_silent() tells when.
@@ -47,6 +50,9 @@ class ServoStep {
     /// Of the last step.
     [[nodiscard]] const ServoReport& report() const { return report_; }
 
+    /// Of the last step.
+    [[nodiscard]] std::span<const ContactEvent> events() const { return events_.all(); }
+
     /// The scene felt now.
     [[nodiscard]] const Scene* scene() const { return felt_.scene; }
 
@@ -54,7 +60,6 @@ class ServoStep {
     /// What cannot change under a hand that is in contact.
     struct Shape {
         const Scene* scene = nullptr;
-        Mode mode = Mode::wall;
         double radius_m = 0.0;
         double capture_m = 0.0;
 
@@ -65,6 +70,7 @@ class ServoStep {
     void follow_shape(const StepInput& input);
     void bound_level(const ServoCommands& commands);
     [[nodiscard]] Force feel(const ServoCommands& commands, double dt_s);
+    void detect(const StepInput& input);
     void fill(const StepInput& input, const SafeForce& safe);
 
     DeviceProfile profile_;
@@ -77,6 +83,8 @@ class ServoStep {
     StiffnessRamp stiffness_;
     ContactMachine contact_;
     ContactReport contact_report_;
+    EventDetector detector_;
+    TickEvents events_;
     Shape felt_;
     Position p_WH_;  // the last that was known
     double last_s_ = 0.0;
