@@ -81,12 +81,20 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     if (settings.mode != Mode::wall) {
         hold(handle, wanted, settings, left, dt_s, report);
     } else {
-        const ContactSettings* given = &settings;
-        if (settings.pop_through_N > 0.0 || most_radius_m_ < settings.radius_m) {
-            yielding_ = yield(handle, settings, left, dt_s, report);
-            given = &yielding_;
+        const bool is_yielding = settings.pop_through_N > 0.0 || most_radius_m_ < settings.radius_m;
+        if (is_yielding) yield(handle, settings, left, dt_s, report);
+        const ContactSettings& given = is_yielding ? yielding_ : settings;
+        if (given.radius_m != radius_m_) proxy_.spare_m = 0.0;
+        radius_m_ = given.radius_m;
+        if (wanted != outlines_.level()) {
+            const int opened = change_level(wanted, handle, given, left, dt_s);
+            report.boxes += opened;
+            left.boxes -= opened;
         }
-        press(handle, wanted, *given, left, dt_s, report);
+        const Position start = handle - proxy_.centre;
+        ContactStep(outlines_, given, left, proxy_, path_).run(handle, report);
+        book(handle, start, settings.stiffness_N_per_m, dt_s);
+        report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
     }
     if (is_gap_ || gap_.is_open()) join(report, dt_s);
     force_ = report.force;
@@ -94,34 +102,19 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     return report;
 }
 
-void ContactMachine::press(Position handle, double level, const ContactSettings& settings,
-                           Budget budget, double dt_s, ContactReport& report) {
-    if (settings.radius_m != radius_m_) proxy_.spare_m = 0.0;
-    radius_m_ = settings.radius_m;
-    budget.boxes -= report.boxes;
-    if (level != outlines_.level()) {
-        const int opened = change_level(level, handle, settings, budget, dt_s);
-        budget.boxes -= opened;
-        report.boxes += opened;
-    }
-    const Position start = handle - proxy_.centre;
-    ContactStep(outlines_, settings, budget, proxy_, path_).run(handle, report);
-    book(handle, start, settings.stiffness_N_per_m, dt_s);
-    report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
-}
-
 /// A wall that may give way, and a proxy that is still small after one did or began: the settings
 /// with the radius that it has.
-ContactSettings ContactMachine::yield(Position handle, ContactSettings settings,
-                                      const Budget& budget, double dt_s, ContactReport& report) {
+void ContactMachine::yield(Position handle, const ContactSettings& settings, Budget& budget,
+                           double dt_s, ContactReport& report) {
     if (pop_through_.step(outlines_, handle, settings, budget, dt_s, proxy_, report.boxes)) {
         report.has_popped = is_gap_ = true;
         most_radius_m_ = 0.0;
     } else if (most_radius_m_ < settings.radius_m && proxy_.state == ContactState::free) {
         report.boxes += grow(settings.radius_m, budget);
     }
-    settings.radius_m = std::min(settings.radius_m, most_radius_m_);
-    return settings;
+    budget.boxes -= report.boxes;
+    yielding_ = settings;
+    yielding_.radius_m = std::min(settings.radius_m, most_radius_m_);
 }
 
 /// A machine that has not felt anything yet has nothing to fade from.

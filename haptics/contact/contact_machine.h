@@ -78,10 +78,8 @@ class ContactMachine {
     void book(Position handle, Position start, double stiffness_N_per_m, double dt_s);
     int move_wall(double level, Position handle, const ContactSettings& settings,
                   const Budget& budget, double dt_s);
-    void press(Position handle, double level, const ContactSettings& settings, Budget budget,
-               double dt_s, ContactReport& report);
-    ContactSettings yield(Position handle, ContactSettings settings, const Budget& budget,
-                          double dt_s, ContactReport& report);
+    void yield(Position handle, const ContactSettings& settings, Budget& budget, double dt_s,
+               ContactReport& report);
     void start_free(Position handle);
     void take_mode(Position handle, Mode mode);
     int grow(double radius_m, const Budget& budget);
