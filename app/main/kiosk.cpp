@@ -16,6 +16,7 @@
 #include <csignal>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -109,6 +110,7 @@ class Kiosk {
         commands.mode = session_.mode;
         commands.stiffness_N_per_m = stiffness_steps[session_.stiffness].stiffness_N_per_m;
         commands.radius_m = proxy_radius_m;
+        commands.pop_through_N = session_.is_pop_through ? pop_through_N : 0.0;
         commands.is_level_auto = session_.is_level_automatic;
         commands.level = session_.fixed_level;
         servo_.set(commands);
@@ -141,10 +143,15 @@ class Kiosk {
         if (!job_.valid() && session_.is_loading) start_job();
     }
 
+    void read_events() {
+        while (const auto event = servo_.next_event()) last_event_ = event;
+    }
+
     void draw(std::int64_t time_ns) {
+        read_events();
         const HandState& hand = servo_.latest();
-        const FrameContent content{describe(session_, hand, hand_words), session_.shows_keys,
-                                   session_.shows_boxes, hand, shown_};
+        const FrameContent content{describe(session_, hand, hand_words, last_event_),
+                                   session_.shows_keys, session_.shows_boxes, hand, shown_};
         screen_->draw(content, window_->width_px(), window_->height_px(), time_ns);
         window_->show_frame();
     }
@@ -202,6 +209,7 @@ class Kiosk {
     std::unique_ptr<Window> window_;
     std::unique_ptr<KioskScreen> screen_;  // dies before the window that has its OpenGL context
     Session session_;
+    std::optional<ContactEvent> last_event_;
     ShownScene shown_;
     std::future<Result<LoadedScene>> job_;
     std::uint64_t job_request_ = 0;

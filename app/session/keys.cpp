@@ -25,6 +25,8 @@ constexpr std::array table{
     row(Key::down, Action::softer, "Down", "softer outlines"),
     row(Key{'M'}, Action::next_mode, "M",
         "how an outline feels: wall, groove, ridge, stay on line"),
+    row(Key{'P'}, Action::toggle_pop_through, "P",
+        "a wall gives way to a long firm push, or holds"),
     row(Key{'B'}, Action::toggle_boxes, "B", "error boxes of the curve on or off"),
     row(Key{'H'}, Action::toggle_keys, "H", "this list of keys on or off"),
     row(Key{'Q'}, Action::quit, "Q", "quit"),

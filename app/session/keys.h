@@ -34,6 +34,7 @@ enum class Action : std::uint8_t {
     firmer,
     softer,
     next_mode,
+    toggle_pop_through,
     toggle_boxes,
     toggle_keys,
     quit,

@@ -51,6 +51,11 @@ Step next_mode(Session session) {
     return {std::move(session), {.feel = true}};
 }
 
+Step toggle_pop_through(Session session) {
+    session.is_pop_through = !session.is_pop_through;
+    return {std::move(session), {.feel = true}};
+}
+
 Step toggle(Session session, bool Session::*flag) {
     session.*flag = !(session.*flag);
     return {std::move(session), {}};
@@ -88,6 +93,8 @@ Step press_key(const Session& session, Key key, double felt_level) {
             return change_stiffness(session, -1);
         case Action::next_mode:
             return next_mode(session);
+        case Action::toggle_pop_through:
+            return toggle_pop_through(session);
         case Action::toggle_boxes:
             return toggle(session, &Session::shows_boxes);
         case Action::toggle_keys:

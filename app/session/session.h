@@ -27,6 +27,10 @@ inline constexpr std::array stiffness_steps{
 /// corners at every step of stiffness in ordinary exploration.
 inline constexpr double proxy_radius_m = 0.0014;
 
+/// The push that a wall gives way to once it lasts for 0.3 s (ServoCommands): twice what one needs
+/// to feel a line, so that nobody falls through by chance.
+inline constexpr double pop_through_N = 1.5;
+
 inline constexpr int coarsest_detail = 1;
 inline constexpr int finest_detail = 5;
 
@@ -51,7 +55,8 @@ struct Session {
     bool is_level_automatic = true;
     int fixed_level = 0;        // 0 ... shown.coarsest_level
     std::size_t stiffness = 2;  // in stiffness_steps
-    Mode mode = Mode::wall;
+    Mode mode = Mode::groove;
+    bool is_pop_through = false;  // a wall gives way to a push that is meant
     bool shows_boxes = false;
     bool shows_keys = false;
 };
@@ -59,7 +64,7 @@ struct Session {
 /// What has to be done after a step.
 struct Commands {
     bool load = false;  // session.picture at session.detail, as job session.request
-    bool feel = false;  // hand level, stiffness and mode to the servo
+    bool feel = false;  // hand level, stiffness, mode and pop-through to the servo
     bool quit = false;
 };
 

@@ -79,6 +79,11 @@ std::string force_words(const HandState& hand) {
     return fmt::format("{}, softened to {:.0f} %: it rang", force, 100.0 * hand.spring_gain);
 }
 
+std::string mode_words(const Session& session) {
+    const bool gives_way = session.mode == Mode::wall && session.is_pop_through;
+    return words_of(session.mode) + (gives_way ? ", gives way to a push" : "");
+}
+
 std::string message_words(const Session& session) {
     if (session.is_loading) return fmt::format("Opening picture {} ...", session.picture + 1);
     return session.message;
@@ -112,15 +117,43 @@ std::string words_of(ContactState state) {
     return {};
 }
 
-Status describe(const Session& session, const HandState& hand, const std::string& hand_words) {
+std::string words_of(ContactEventKind kind) {
+    switch (kind) {
+        case ContactEventKind::contact_made:
+            return "touched a line";
+        case ContactEventKind::contact_lost:
+            return "left the line";
+        case ContactEventKind::vertex_passed:
+            return "passed a corner";
+        case ContactEventKind::line_crossed:
+            return "crossed a line";
+        case ContactEventKind::end_reached:
+            return "end of the line";
+        case ContactEventKind::level_changed:
+            return "another level";
+        case ContactEventKind::outline_changed:
+            return "another line";
+        case ContactEventKind::area_entered:
+            return "back in the picture";
+        case ContactEventKind::area_left:
+            return "edge of the picture";
+        case ContactEventKind::popped_through:
+            return "popped through";
+    }
+    return {};
+}
+
+Status describe(const Session& session, const HandState& hand, const std::string& hand_words,
+                const std::optional<ContactEvent>& last) {
     Status status;
     status.title = session.shown.number > 0 ? session.shown.title : "No picture yet";
     status.lines = {
         {"Contact", words_of(hand.state)},
+        {"Last", last ? words_of(last->kind) : "nothing yet"},
         {"Level", level_words(session, hand)},
         {"Terms", terms_words(hand.level_terms)},
         {"Force", force_words(hand)},
-        {"Mode", words_of(session.mode)},
+        {"Mode", mode_words(session)},
         {"Stiffness", stiffness_words(session, hand)},
         {"Detail", detail_text(session)},
         {"Picture", picture_words(session)},

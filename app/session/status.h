@@ -3,7 +3,9 @@
 #pragma once
 
 #include "app/session/session.h"
+#include "config/types/contact_event.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,11 +27,14 @@ struct Status {
     friend bool operator==(const Status&, const Status&) = default;
 };
 
-/// `hand_words` say what the hand is. Numbers are rounded to what can be read at a glance.
+/// `hand_words` say what the hand is; `last` is the last thing that happened to it. Numbers are
+/// rounded to what can be read at a glance.
 [[nodiscard]] Status describe(const Session& session, const HandState& hand,
-                              const std::string& hand_words);
+                              const std::string& hand_words,
+                              const std::optional<ContactEvent>& last);
 
 [[nodiscard]] std::string words_of(Mode mode);
 [[nodiscard]] std::string words_of(ContactState state);
+[[nodiscard]] std::string words_of(ContactEventKind kind);
 
 }  // namespace touchline

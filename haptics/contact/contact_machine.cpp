@@ -16,6 +16,7 @@ constexpr std::int64_t cold_return_ns = 6500;
 
 constexpr double octave_s = 0.05;         // a change of level that is hindered takes so long
 constexpr double largest_push_N = 0.015;  // of a moving wall in a tick
+constexpr double end_zone_m = 3e-3;       // where a proxy is that just slid off a line's end
 
 /// Beyond the coarsest level nothing changes any more.
 double bounded(const Scene& scene, double level) {
@@ -27,14 +28,24 @@ double bounded(const Scene& scene, double level) {
 
 void ContactMachine::reset(const Scene& scene, Position handle, double level) {
     outlines_ = RenderedOutlines(scene, bounded(scene, level));
+    gap_ = {};
+    force_ = {};
+    is_gap_ = false;
+    start_free(handle);
+}
+
+void ContactMachine::start_free(Position handle) {
     proxy_ = {};
     proxy_.centre = handle;
     handle_ = handle;
     radius_m_ = 0.0;
     account_ = {};
     pace_octaves_ = largest_octaves;
+    touched_piece_ = -1;
     groove_ = {};
+    pop_through_ = {};
     is_fresh_ = true;
+    const Scene& scene = outlines_.scene();
     // Nearer than the skin to a line: onto its left. A second line as near is met at the next
     // round.
     for (int i = 0; i < 8 && is_finite(handle); ++i) {
@@ -62,35 +73,40 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
                            dt_s > 0.0;
     if (!is_usable) return report;
     if (!is_finite(proxy_.centre)) reset(outlines_.scene(), handle, level);
-    if (settings.mode != mode_ && settings.mode == Mode::wall) {
-        reset(outlines_.scene(), handle, outlines_.level());
-    }
-    mode_ = settings.mode;
+    if (settings.mode != mode_) take_mode(handle, settings.mode);
     Budget left = budget;
     if (left.deadline_ns != 0) left.deadline_ns -= is_fresh_ ? cold_return_ns : return_ns;
     is_fresh_ = false;
     const double wanted = bounded(outlines_.scene(), level);
-    int spent = 0;
-    if (wanted != outlines_.level()) spent = change_level(wanted, handle, settings, left, dt_s);
-    left.boxes -= spent;
-    if (settings.mode == Mode::wall) {
-        if (settings.radius_m != radius_m_) {
-            const int opened = widen(settings.radius_m, left);
-            left.boxes -= opened;
-            spent += opened;
-        }
-        ContactSettings narrowed = settings;
-        narrowed.radius_m = radius_m_;
-        const Position start = handle - proxy_.centre;
-        ContactStep(outlines_, narrowed, left, proxy_, path_).run(handle, report);
-        book(handle, start, settings.stiffness_N_per_m, dt_s);
-        report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
+    if (mode_ == Mode::wall) {
+        press(handle, wanted, settings, left, dt_s, report);
     } else {
-        hold(handle, settings, left, report);
+        hold(handle, wanted, settings, left, dt_s, report);
     }
-    report.boxes += spent;
+    if (is_gap_ || gap_.is_open()) join(report, dt_s);
+    force_ = report.force;
     fill(report);
     return report;
+}
+
+/// A wall: it may give way, move to another level, and then the proxy follows the handle.
+void ContactMachine::press(Position handle, double level, const ContactSettings& settings,
+                           const Budget& budget, double dt_s, ContactReport& report) {
+    if (pop_through_.step(outlines_, handle, settings, budget, dt_s, proxy_, report.boxes)) {
+        report.has_popped = is_gap_ = true;
+        radius_m_ = 0.0;
+    }
+    const auto left = [&] { return Budget{budget.boxes - report.boxes, budget.deadline_ns}; };
+    if (settings.radius_m != radius_m_) report.boxes += widen(settings.radius_m, left());
+    ContactSettings narrowed = settings;
+    narrowed.radius_m = radius_m_;
+    if (level != outlines_.level()) {
+        report.boxes += change_level(level, handle, narrowed, left(), dt_s);
+    }
+    const Position start = handle - proxy_.centre;
+    ContactStep(outlines_, narrowed, left(), proxy_, path_).run(handle, report);
+    book(handle, start, settings.stiffness_N_per_m, dt_s);
+    report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
 }
 
 /// A disc that overlapped a line would not be stopped by it in a corner.
@@ -104,6 +120,20 @@ int ContactMachine::widen(double wanted_m, const Budget& budget) {
     return at.boxes;
 }
 
+/// A machine that has not felt anything yet has nothing to fade from.
+void ContactMachine::take_mode(Position handle, Mode mode) {
+    is_gap_ = !is_fresh_;
+    start_free(handle);
+    mode_ = mode;
+}
+
+/// The force goes on from what it was where the machine itself has changed it.
+void ContactMachine::join(ContactReport& report, double dt_s) {
+    if (is_gap_) gap_.start(force_, report.force);
+    is_gap_ = false;
+    report.force += gap_.step(dt_s);
+}
+
 /// What the proxy's move took from the spring, less what a sampled spring may give back at the next
 /// move of the hand.
 void ContactMachine::book(Position handle, Position start, double stiffness_N_per_m, double dt_s) {
@@ -115,20 +145,19 @@ void ContactMachine::book(Position handle, Position start, double stiffness_N_pe
 }
 
 /// Groove, ridge, stay: the proxy is the attachment.
-void ContactMachine::hold(Position handle, const ContactSettings& settings, const Budget& budget,
-                          ContactReport& report) {
-    const GrooveForce held =
-        groove_step(outlines_.scene(), outlines_.level(), handle, settings, budget, groove_);
+void ContactMachine::hold(Position handle, double level, const ContactSettings& settings,
+                          const Budget& budget, double dt_s, ContactReport& report) {
+    const GrooveForce held = groove_.step(outlines_, level, handle, settings, budget, dt_s);
     proxy_ = {};
-    proxy_.centre = held.attachment;
+    proxy_.centre = held.p_WA;
     report.force = held.force;
     report.boxes = held.boxes;
     report.clear = held.is_complete ? 1.0 : 0.0;
-    if (groove_.segment.piece >= 0) {
+    if (held.at.exists()) {
         proxy_.state = ContactState::edge;
         proxy_.contact_count = 1;
-        proxy_.contacts[0].segment = groove_.segment;
-        proxy_.contacts[0].parameter = groove_.parameter;
+        proxy_.contacts[0].segment = held.at.segment;
+        proxy_.contacts[0].parameter = held.at.parameter;
         proxy_.contacts[0].side = held.side;
     }
     report.transitions.add(proxy_.state);
@@ -137,8 +166,8 @@ void ContactMachine::hold(Position handle, const ContactSettings& settings, cons
 int ContactMachine::change_level(double level, Position handle, const ContactSettings& settings,
                                  const Budget& budget, double dt_s) {
     int boxes = 0;
-    bool is_at_once = settings.mode != Mode::wall;
-    if (!is_at_once && proxy_.state == ContactState::free) {
+    bool is_at_once = false;
+    if (proxy_.state == ContactState::free) {
         const double radius = std::max(settings.radius_m, contact_skin_m);
         const Scene& scene = outlines_.scene();
         const Clearance found = scene.tree.clearance(scene.curves, proxy_.centre, radius,
@@ -152,7 +181,6 @@ int ContactMachine::change_level(double level, Position handle, const ContactSet
     }
     outlines_ = RenderedOutlines(outlines_.scene(), level);
     proxy_.spare_m = 0.0;
-    groove_ = {};
     return boxes;
 }
 
@@ -192,18 +220,42 @@ void ContactMachine::adopt(const Carried& carried, const RenderedOutlines& outli
     outlines_ = outlines;
 }
 
-void ContactMachine::fill(ContactReport& report) const {
+void ContactMachine::fill(ContactReport& report) {
     report.p_WP = proxy_.centre;
     report.state = proxy_.state;
     report.level = outlines_.level();
-    if (proxy_.state == ContactState::free) return;
+    if (proxy_.state == ContactState::free) {
+        if (touched_piece_ >= 0) report.is_at_end = is_beyond_end(touched_piece_);
+        touched_piece_ = -1;
+        return;
+    }
     const Contact& at = proxy_.contacts[0];
     const CurveSet& curves = outlines_.scene().curves;
+    const Piece& piece = curves.pieces()[static_cast<std::size_t>(at.segment.piece)];
     report.level = curves.rendered_level(at.segment.piece, outlines_.level());
-    report.outline = curves.pieces()[static_cast<std::size_t>(at.segment.piece)].outline;
+    report.outline = piece.outline;
+    report.piece = touched_piece_ = at.segment.piece;
     report.parameter = curves.outline_parameter(at.segment.piece, outlines_.level(),
                                                 at.segment.index, at.parameter);
     report.side = at.side;
+    const bool is_at_vertex = at.parameter == 0.0 || at.parameter == 1.0;
+    report.is_at_end = is_at_vertex && outlines_.next(at.segment, at.parameter > 0.5).piece < 0;
+}
+
+/// True where a proxy that is free again slid off the end of an open line: it is beside the end,
+/// further on.
+bool ContactMachine::is_beyond_end(int piece) {
+    const CurveSet& curves = outlines_.scene().curves;
+    const Piece& line = curves.pieces()[static_cast<std::size_t>(piece)];
+    const int last = curves.rendered_count(piece, outlines_.level()) - 1;
+    const auto is_beyond = [&](Position end, Position inward) {
+        const Position off = proxy_.centre - end;
+        return norm(off) < end_zone_m && dot(off, inward) <= 0.0;
+    };
+    const Segment first = outlines_.segment({piece, 0});
+    if (line.previous < 0 && !line.is_closed && is_beyond(first.a, first.b - first.a)) return true;
+    const Segment s = outlines_.segment({piece, last});
+    return line.next < 0 && !line.is_closed && is_beyond(s.b, s.a - s.b);
 }
 
 }  // namespace touchline

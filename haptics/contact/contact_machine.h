@@ -6,13 +6,16 @@
 #include "config/types/vec2.h"
 #include "haptics/collision/scene.h"
 #include "haptics/contact/energy_account.h"
+#include "haptics/contact/gap_fade.h"
 #include "haptics/contact/groove.h"
+#include "haptics/contact/pop_through.h"
 #include "haptics/contact/proxy_state.h"
 #include "haptics/contact/rendered_outlines.h"
 #include "haptics/contact/state_trail.h"
 #include "haptics/contact/wall_motion.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace touchline {
@@ -23,12 +26,16 @@ inline constexpr int max_moves = 4 * max_walks;  // walks, arcs and changes of s
 
 /// What one step did.
 struct ContactReport {
-    Force force;    // K (proxy - handle) in wall mode: the contact force itself, no limits
+    Force force;    // K (proxy - handle) in wall mode: the contact force itself, no limits; fading
+                    // from the one before for a while after a switch of mode or a pop through
     Position p_WP;  // proxy
     ContactState state = ContactState::free;
-    double level = 0.0;      // rendered level of the contact's piece, else the wanted one
-    int outline = -1;        // touched, -1 when free
-    double parameter = 0.0;  // on the outline, in level-0 segments
+    double level = 0.0;       // rendered level of the contact's piece, else the wanted one
+    int outline = -1;         // touched, -1 when free
+    int piece = -1;           // of it
+    bool is_at_end = false;   // of an open outline, or slid off it in this step
+    bool has_popped = false;  // through a wall
+    double parameter = 0.0;   // on the outline, in level-0 segments
     Side side = Side::left;
     StateTrail transitions;
     double carried_m = 0.0;  // left over: along the line where a slide was cut, else to the handle
@@ -51,7 +58,9 @@ class ContactMachine {
     /// waits where there is no place for the proxy or the energy account does not cover it. Then
     /// the proxy moves towards the handle. At most 256 walks and 4 tree queries; the rest is
     /// carried. |handle - proxy| never grows by that. A handle that is not finite gives zero force
-    /// and moves nothing.
+    /// and moves nothing. In the other modes see Groove::step(). A mode other than that of the step
+    /// before takes over at once, a wall with the proxy at the handle, and the force fades over
+    /// (gap_fade.h). After that, and after a pop through, the proxy is as small as the place is.
     [[nodiscard]] ContactReport step(Position handle, double level, const ContactSettings& settings,
                                      const Budget& budget, double dt_s = 1e-3);
 
@@ -75,18 +84,29 @@ class ContactMachine {
     void book(Position handle, Position start, double stiffness_N_per_m, double dt_s);
     int move_wall(double level, Position handle, const ContactSettings& settings,
                   const Budget& budget, double dt_s);
-    void hold(Position handle, const ContactSettings& settings, const Budget& budget,
-              ContactReport& report);
-    void fill(ContactReport& report) const;
+    void press(Position handle, double level, const ContactSettings& settings, const Budget& budget,
+               double dt_s, ContactReport& report);
+    void start_free(Position handle);
+    void take_mode(Position handle, Mode mode);
+    void hold(Position handle, double level, const ContactSettings& settings, const Budget& budget,
+              double dt_s, ContactReport& report);
+    void join(ContactReport& report, double dt_s);
+    void fill(ContactReport& report);
+    [[nodiscard]] bool is_beyond_end(int piece);
 
     RenderedOutlines outlines_;
     ProxyState proxy_;
     double radius_m_ = 0.0;  // as wide as the disc is; less than set where it had no room
     Position handle_;        // of the last step
     std::vector<Position>* path_ = nullptr;
-    GrooveState groove_;
+    Groove groove_;
+    PopThrough pop_through_;
+    GapFade gap_;
+    Force force_;          // of the last step
+    bool is_gap_ = false;  // between that and the one to come
     EnergyAccount account_;
     double pace_octaves_ = largest_octaves;  // of a change of level, in the next tick
+    int touched_piece_ = -1;                 // in the last step
     Mode mode_ = Mode::wall;
     bool is_fresh_ = true;  // no step since reset()
 };

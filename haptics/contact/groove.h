@@ -1,38 +1,78 @@
-// Forces that hold the hand at a line (groove, stay) or push it away (ridge), on the same rendered
-// curve as the wall. Threads: one, the servo's. No allocation.
+// Groove, ridge and stay: the hand is tied to a line, or pushed off it, on the same rendered curve
+// as the wall. Threads: one, the servo's. No allocation.
 #pragma once
 
 #include "config/types/vec2.h"
-#include "haptics/collision/scene.h"
+#include "haptics/contact/attachment.h"
+#include "haptics/contact/capture_law.h"
+#include "haptics/contact/energy_account.h"
 #include "haptics/contact/proxy_state.h"
+#include "haptics/contact/rendered_outlines.h"
 
 namespace touchline {
 
-/// The attachment: the point of the curve that the hand is tied to. piece -1: none.
-struct GrooveState {
-    SegmentRef segment;
-    double parameter = 0.0;
-};
-
+/// What a tick came to.
 struct GrooveForce {
     Force force;
-    Position attachment;  // the handle itself where there is none
-    double distance_m = 0.0;
-    Side side = Side::left;   // of the outline, where the handle is
+    Attachment at;  // the line that has the greater share of the force; none: no line is near
+    Position p_WA;  // of the attachment; the handle where there is none
+    Side side = Side::left;   // of that line, where the handle is
     int boxes = 0;            // opened
     bool is_complete = true;  // false: the budget ended before all nearer lines were looked at
 };
 
-/// Moves the attachment along the curve to the point nearest to the handle (at most 256 walks), or
-/// to another line that is nearer by a margin of 0.2 mm (so the energy never rises at the change),
-/// and gives the force. d: distance, w: capture width:
-///   groove  K d (1 - (d/w)^2)^2 towards the attachment (architecture section 5)
-///   ridge   the same, away from it
-///   stay    K d (1 - (d/w)^8) towards it: stiff nearly to the edge, so that leaving takes a push
-/// 0 beyond w, where the attachment is given up. All are gradients: no loop gains energy while
-/// attached.
-[[nodiscard]] GrooveForce groove_step(const Scene& scene, double level, Position handle,
-                                      const ContactSettings& settings, const Budget& budget,
-                                      GrooveState& state);
+/// The hand is tied to one attachment, which slides along its line towards the hand. A line that
+/// is nearer by 0.2 mm takes over: for 30 ms both have a share of the force, longer where it would
+/// change by more than 0.015 N a tick. Of a ridge both keep their share by their distances as long
+/// as both are near, so that a hand between two lines rests.
+///
+/// Work on the hand: with the stored energy U of the laws (capture_law.h) and the force F of the
+/// tick before, no tick leaves more than U - F dh + 1/2 K |dh|^2 plus what the account covers
+/// (energy_account.h: what lines have dissipated, and 0.1 mW). Where sliding, handing over, a
+/// change of level or of stiffness would, the strength of all is less, and comes back as it is
+/// covered. So no closed loop of the hand gains more than the sum of 1/2 K |dh|^2 and 0.1 mW.
+class Groove {
+  public:
+    /// One tick of `dt_s` > 0. The level of `outlines` comes nearer to `level`: at once while no
+    /// line is near, else at most half an octave and as far as the force changes by 0.0075 N; the
+    /// attachments keep their parameter and slide as much. One query at most, none while the
+    /// attachment is nearer than 0.2 mm.
+    [[nodiscard]] GrooveForce step(RenderedOutlines& outlines, double level, Position handle,
+                                   const ContactSettings& settings, const Budget& budget,
+                                   double dt_s);
+
+  private:
+    /// A line's part in the force before shares and strength. Of no line: as at the capture width.
+    struct Part {
+        Force force;
+        double energy_J = 0.0;
+        double distance_m = 0.0;
+    };
+
+    [[nodiscard]] bool is_tied() const { return now_.exists() || before_.exists(); }
+
+    void change_level(RenderedOutlines& outlines, double level, const CaptureLaw& law);
+    void slide(RenderedOutlines& outlines, Position handle, const CaptureLaw& law, double longest_m,
+               double longest_hop_m);
+    void look_for_nearer(RenderedOutlines& outlines, Position handle, const CaptureLaw& law,
+                         const Budget& budget, double most_N, GrooveForce& result);
+    void take_over(const Attachment& found);
+    [[nodiscard]] Part part_of(RenderedOutlines& outlines, const Attachment& at, Position handle,
+                               const CaptureLaw& law) const;
+    void shift(const Part& now, const Part& before, double dt_s);
+    [[nodiscard]] double wanted_share(const Part& now, const Part& before) const;
+    void store(double energy_J, Position moved, double stiffness_N_per_m, double dt_s);
+
+    Attachment now_, before_;  // either may be none
+    double share_ = 1.0;       // of now_ in the force; before_ has the rest
+    bool is_crowded_ = false;  // a third line is nearer than both
+    Mode mode_ = Mode::groove;
+    double strength_ = 1.0;  // of both, 0 ... 1
+    EnergyAccount account_;
+    double energy_J_ = 0.0;  // stored after the last tick
+    Force force_;            // of the last tick
+    Position handle_;        // of the last tick
+    bool is_fresh_ = true;   // no tick yet
+};
 
 }  // namespace touchline

@@ -17,6 +17,8 @@ struct ContactSettings {
     double friction = 0.0;             // mu of the Coulomb cone, 0 ... 1
     double radius_m = 0.0;             // of the proxy, 0 ... 0.02
     double capture_m = 0.003;          // w, half width of groove and ridge, > 0
+    double pop_through_N = 0.0;        // push that a wall gives way to; 0: none does
+    double pop_through_s = 0.3;        // how long it must last
 };
 
 enum class Side : std::int8_t { right = -1, left = 1 };

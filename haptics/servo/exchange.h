@@ -1,16 +1,19 @@
 // What crosses between the servo and the rest of the kiosk: the latest commands and the scene in,
-// the latest hand state out. Nobody ever waits.
+// the latest hand state and every event out. Nobody ever waits.
 #pragma once
 
+#include "config/types/contact_event.h"
 #include "config/types/hand_state.h"
 #include "haptics/collision/scene.h"
 #include "haptics/safety/force_chain.h"
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <type_traits>
 
 namespace touchline {
@@ -53,6 +56,44 @@ class TripleBuffer {
     std::uint8_t read_slot_ = 2;   // the reader's
 };
 
+/// Values in order, from one writer thread to one reader thread, lock-free and wait-free. Where
+/// `capacity` (a power of two) wait to be read, the newest are dropped and counted.
+template <class T, std::size_t capacity>
+class EventRing {
+    static_assert(std::is_trivially_copyable_v<T>, "values are copied while nobody can wait");
+    static_assert((capacity & (capacity - 1)) == 0, "indices run on past the end");
+
+  public:
+    /// Writer.
+    void push(const T& value) {
+        const std::uint32_t end = end_.load(std::memory_order_relaxed);
+        if (end - begin_.load(std::memory_order_acquire) == capacity) {
+            dropped_.fetch_add(1, std::memory_order_relaxed);
+            return;
+        }
+        slots_[end % capacity] = value;
+        end_.store(end + 1, std::memory_order_release);
+    }
+
+    /// Reader: the oldest not yet read.
+    std::optional<T> pop() {
+        const std::uint32_t begin = begin_.load(std::memory_order_relaxed);
+        if (begin == end_.load(std::memory_order_acquire)) return std::nullopt;
+        const T value = slots_[begin % capacity];
+        begin_.store(begin + 1, std::memory_order_release);
+        return value;
+    }
+
+    /// Either: so far.
+    [[nodiscard]] std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
+
+  private:
+    std::array<T, capacity> slots_{};
+    std::atomic<std::uint32_t> begin_{0};  // the reader's
+    std::atomic<std::uint32_t> end_{0};    // the writer's
+    std::atomic<std::uint64_t> dropped_{0};
+};
+
 /// What the operator and the session set.
 struct ServoCommands {
     Mode mode = Mode::wall;
@@ -60,6 +101,8 @@ struct ServoCommands {
     double friction = 0.0;             // 0 ... 1
     double radius_m = 0.0;             // of the proxy, 0 ... 0.02, at most the scene's
     double capture_m = 0.003;          // half width of groove and ridge, > 0
+    double pop_through_N = 0.0;        // push that a wall gives way to; 0: none does
+    double pop_through_s = 0.3;        // how long it must last
     bool is_level_auto = true;         // by the speed of the hand
     double level = 0.0;                // fixed where not automatic, >= 0, may be fractional
     double finest_level = 0.0;         // the operator's bounds of the automatic level
@@ -79,8 +122,9 @@ struct ServoReport {
     ForceStatus force;
 };
 
-/// Threads: set(), feel(), report() from one thread, the kiosk's; the rest from the servo's. Scenes
-/// are only ever freed by the kiosk's thread, once the servo has moved on to a later one.
+/// Threads: set(), feel(), report(), next_event() from one thread, the kiosk's; the rest from the
+/// servo's. Scenes are only ever freed by the kiosk's thread, once the servo has moved on to a
+/// later one.
 class ServoExchange {
   public:
     // The kiosk's side.
@@ -90,6 +134,12 @@ class ServoExchange {
     /// The newest report.
     [[nodiscard]] const ServoReport& report();
 
+    /// The oldest event not yet read. Up to 1024 wait, 10 s of the busiest hand.
+    [[nodiscard]] std::optional<ContactEvent> next_event() { return events_.pop(); }
+
+    /// So far, because nobody read them.
+    [[nodiscard]] std::uint64_t dropped_events() const { return events_.dropped(); }
+
     // The servo's side.
     [[nodiscard]] const ServoCommands& commands();
     /// The newest scene offered, null before the first.
@@ -98,6 +148,8 @@ class ServoExchange {
     void release_older_scenes();
 
     void publish(const ServoReport& report) { reports_.write(report); }
+
+    void tell(const ContactEvent& event) { events_.push(event); }
 
   private:
     struct Offer {
@@ -115,6 +167,7 @@ class ServoExchange {
     TripleBuffer<ServoCommands> commands_;
     TripleBuffer<Offer> offers_;
     TripleBuffer<ServoReport> reports_;
+    EventRing<ContactEvent, 1024> events_;
     std::atomic<std::uint64_t> oldest_used_{0};  // serial
     std::deque<Kept> kept_;                      // the kiosk's
     std::uint64_t last_serial_ = 0;              // the kiosk's

@@ -80,6 +80,14 @@ ForceStatus Servo::force_status() {
     return exchange_.report().force;
 }
 
+std::optional<ContactEvent> Servo::next_event() {
+    return exchange_.next_event();
+}
+
+std::uint64_t Servo::dropped_events() const {
+    return exchange_.dropped_events();
+}
+
 RealTimeTier Servo::tier() const {
     return running_ ? running_->tier : RealTimeTier::best_effort;
 }

@@ -2,6 +2,7 @@
 // app/ knows that it is a thread of the kiosk; the calls would be the same if it were a process.
 #pragma once
 
+#include "config/types/contact_event.h"
 #include "config/types/hand_state.h"
 #include "config/types/result.h"
 #include "haptics/collision/scene.h"
@@ -12,7 +13,9 @@
 #include "haptics/servo/recorder.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace touchline {
 
@@ -39,8 +42,8 @@ class Servo {
     [[nodiscard]] Result<void> start(std::unique_ptr<ForceDevice> device,
                                      const DeviceProfile& profile, const ServoOptions& options);
 
-    /// From the next tick on. A change of mode, radius or capture width goes through zero force
-    /// like a new scene.
+    /// From the next tick on. A change of radius or capture width goes through zero force like a
+    /// new scene; one of mode fades under the hand (haptics/contact/gap_fade.h).
     void set(const ServoCommands& commands);
 
     /// A new picture: force fades to zero (<= 50 ms), the old contact is dropped, force fades in.
@@ -52,6 +55,12 @@ class Servo {
 
     /// Of the newest tick.
     [[nodiscard]] ForceStatus force_status();
+
+    /// The oldest event not yet read; to be called until there is none, at least every few seconds:
+    /// of more than 1024 that wait, the newest are dropped and counted. O(1).
+    [[nodiscard]] std::optional<ContactEvent> next_event();
+
+    [[nodiscard]] std::uint64_t dropped_events() const;
 
     /// How far the system let the loop be real-time; best_effort while nothing runs.
     [[nodiscard]] RealTimeTier tier() const;

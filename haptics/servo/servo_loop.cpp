@@ -13,6 +13,7 @@ void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
     if (!device_.write_torques(torques)) step_.lose_device();
     if (step_.scene() == input.scene) exchange_.release_older_scenes();
     exchange_.publish(step_.report());
+    for (const ContactEvent& event : step_.events()) exchange_.tell(event);
     recorder_.push(step_.report().hand);
 }
 

@@ -44,6 +44,7 @@ JointTorques ServoStep::step(const StepInput& input) {
     const std::optional<Pose> pose = find_pose(input);
     Force wanted_W;
     if (!pose) velocity_.reset();
+    events_ = {};
     if (pose) {
         const Position before = p_WH_;
         p_WH_ = picture_from_device(profile_, pose->p_DH);
@@ -53,6 +54,7 @@ JointTorques ServoStep::step(const StepInput& input) {
         follow_shape(input);
         bound_level(input.commands);
         wanted_W = feel(input.commands, dt_s);
+        detect(input);
     }
     if (is_stopping_) chain_.fade();
     // Ramps and slew advance by one period however late the tick is.
@@ -93,7 +95,7 @@ void ServoStep::bound_level(const ServoCommands& commands) {
 
 void ServoStep::follow_shape(const StepInput& input) {
     const ServoCommands& commands = input.commands;
-    const Shape wanted{input.scene, commands.mode, commands.radius_m, commands.capture_m};
+    const Shape wanted{input.scene, commands.radius_m, commands.capture_m};
     if (wanted == felt_) {
         if (is_swapping_) chain_.resume();
         is_swapping_ = false;
@@ -104,6 +106,7 @@ void ServoStep::follow_shape(const StepInput& input) {
     if (!chain_.is_faded()) return;
     felt_ = wanted;
     contact_report_ = {};
+    detector_.reset();
     if (felt_.scene == nullptr) return;
     level_limits_.spacing_m = felt_.scene->curves.finest_spacing_m();
     level_limits_.radius_m = felt_.radius_m;
@@ -127,8 +130,9 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
         contact_report_.level = level;
         return {};
     }
-    const ContactSettings settings{felt_.mode, stiffness_.stiffness_N_per_m(), commands.friction,
-                                   felt_.radius_m, felt_.capture_m};
+    const ContactSettings settings{
+        commands.mode,   stiffness_.stiffness_N_per_m(), commands.friction,     felt_.radius_m,
+        felt_.capture_m, commands.pop_through_N,         commands.pop_through_s};
     contact_report_ = contact_.step(p_WH_, level, settings, Budget{boxes_per_tick_, 0}, period_s_);
     (void)cost_.step(work_of(contact_report_), contact_.rendered_level());
     // Softened where it rang, with the damping that keeps it from ringing.
@@ -144,6 +148,12 @@ void ServoStep::watch(Force told, double dt_s) {
     monitor_.step({told, moved_, stored_J, !is_swapping_}, dt_s);
 }
 
+void ServoStep::detect(const StepInput& input) {
+    if (felt_.scene == nullptr) return;
+    events_ = detector_.step({input.now_s, p_WH_, input.commands.mode, contact_report_,
+                              contact_.rendered_level(), felt_.scene->area});
+}
+
 void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
     HandState& hand = report_.hand;
     hand.time_s = input.now_s;
@@ -156,7 +166,7 @@ void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
     hand.is_level_auto = input.commands.is_level_auto;
     hand.stiffness_N_per_m = stiffness_.stiffness_N_per_m();
     hand.spring_gain = monitor_.gain();
-    hand.mode = felt_.mode;
+    hand.mode = input.commands.mode;
     hand.state = contact_report_.state;
     hand.outline = contact_report_.outline;
     ++hand.ticks;

@@ -6,6 +6,7 @@
 #include "config/types/vec2.h"
 #include "haptics/collision/scene.h"
 #include "haptics/contact/contact_machine.h"
+#include "haptics/contact/event_detector.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/resolution/cost_term.h"
 #include "haptics/resolution/level_rule.h"
@@ -18,6 +19,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace touchline {
 
@@ -36,9 +38,10 @@ class ServoStep {
     ServoStep(const DeviceProfile& profile, double period_s);
 
     /// kinematics -> handle in W -> level -> contact -> damping -> force chain. Stiffness is kept
-    /// below what the period and delay measured so far allow (loop_settings.h). A new scene, mode,
-    /// proxy radius or capture width fades force to zero first, drops the contact and fades in
-    /// again. A device that has not answered for 20 ms is a fault.
+    /// below what the period and delay measured so far allow (loop_settings.h). A new scene, proxy
+    /// radius or capture width fades force to zero first, drops the contact and fades in again; a
+    /// new mode takes over under the hand, its force fading from the one before. A device that has
+    /// not answered for 20 ms is a fault.
     [[nodiscard]] JointTorques step(const StepInput& input);
 
     /// Fades force out for good; is_silent() tells when.
@@ -52,6 +55,9 @@ class ServoStep {
     /// Of the last step.
     [[nodiscard]] const ServoReport& report() const { return report_; }
 
+    /// Of the last step.
+    [[nodiscard]] std::span<const ContactEvent> events() const { return events_.all(); }
+
     /// The scene felt now.
     [[nodiscard]] const Scene* scene() const { return felt_.scene; }
 
@@ -59,7 +65,6 @@ class ServoStep {
     /// What cannot change under a hand that is in contact.
     struct Shape {
         const Scene* scene = nullptr;
-        Mode mode = Mode::wall;
         double radius_m = 0.0;
         double capture_m = 0.0;
 
@@ -72,6 +77,7 @@ class ServoStep {
     void measure_loop(const StepInput& input, double dt_s);
     [[nodiscard]] Force feel(const ServoCommands& commands, double dt_s);
     void watch(Force told, double dt_s);
+    void detect(const StepInput& input);
     void fill(const StepInput& input, const SafeForce& safe);
 
     DeviceProfile profile_;
@@ -90,6 +96,8 @@ class ServoStep {
     StabilityMonitor monitor_;
     ContactMachine contact_;
     ContactReport contact_report_;
+    EventDetector detector_;
+    TickEvents events_;
     Shape felt_;
     Position p_WH_;   // the last that was known
     Position moved_;  // by the handle since the tick before

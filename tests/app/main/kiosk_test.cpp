@@ -68,7 +68,7 @@ TEST_F(Kiosk, RunsInAWindowToo) {
 }
 
 TEST_F(Kiosk, EveryKeyLeavesItRunning) {
-    EXPECT_EQ(run_script("kiosk; keys Right b h h 5 1 l Prior Next l Up Down m m m m Left;"
+    EXPECT_EQ(run_script("kiosk; keys Right b h h 5 1 l Prior Next l Up Down m m m m p p Left;"
                          "kill -0 $pid || exit 9; keys q; finish"),
               0);
     EXPECT_EQ(text_of("err.txt"), "");

@@ -84,7 +84,7 @@ TEST(Session, StartsByLoadingTheFirstPicture) {
     EXPECT_TRUE(step.commands.feel);
     EXPECT_TRUE(step.session.is_loading);
     EXPECT_EQ(step.session.picture, 0);
-    EXPECT_EQ(step.session.mode, Mode::wall);
+    EXPECT_EQ(step.session.mode, Mode::groove);
 }
 
 TEST(Session, AnEmptyListLoadsNothing) {
@@ -112,7 +112,8 @@ TEST(Session, EveryKeyDoesTheSameInEveryState) {
                 (pressed->action == Action::toggle_level_automatic ||
                  pressed->action == Action::coarser_level ||
                  pressed->action == Action::finer_level || pressed->action == Action::firmer ||
-                 pressed->action == Action::softer || pressed->action == Action::next_mode);
+                 pressed->action == Action::softer || pressed->action == Action::next_mode ||
+                 pressed->action == Action::toggle_pop_through);
             EXPECT_EQ(commands.load, loads && state.picture_count > 0);
             EXPECT_EQ(commands.feel, feels);
             EXPECT_EQ(commands.quit, pressed && pressed->action == Action::quit);
@@ -185,7 +186,16 @@ TEST(Session, ModesFollowEachOtherInACircle) {
         session = press_key(session, Key{'M'}, felt).session;
     }
     EXPECT_EQ(modes.size(), 4u);
-    EXPECT_EQ(session.mode, Mode::wall);
+    EXPECT_EQ(session.mode, Mode::groove);
+}
+
+TEST(Session, AWallGivesWayOnlyWhenAsked) {
+    const Session shown = shown_session();
+    EXPECT_FALSE(shown.is_pop_through);
+    const Step asked = press_key(shown, Key{'P'}, felt);
+    EXPECT_TRUE(asked.session.is_pop_through);
+    EXPECT_TRUE(asked.commands.feel);
+    EXPECT_FALSE(press_key(asked.session, Key{'P'}, felt).session.is_pop_through);
 }
 
 TEST(Session, BoxesAndKeysAreSwitches) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
+#include <set>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -25,16 +27,41 @@ TEST(Status, SaysContactLevelForceAndMode) {
     hand.state = ContactState::vertex;
     hand.level = 2.46;
     hand.force = {0.6, -0.8};
-    const Status status = describe(shown_session(), hand, "mouse");
+    const Status status = describe(shown_session(), hand, "mouse", {});
     EXPECT_EQ(status.title, "Fish");
     EXPECT_EQ(value_of(status, "Contact"), "in a vertex");
     EXPECT_EQ(value_of(status, "Level"), "2.5 of 6, by speed");
     EXPECT_EQ(value_of(status, "Force"), "1.0 N");
-    EXPECT_EQ(value_of(status, "Mode"), "wall");
+    EXPECT_EQ(value_of(status, "Mode"), "groove");
     EXPECT_EQ(value_of(status, "Stiffness"), "medium, 500 N/m");
     EXPECT_EQ(value_of(status, "Detail"), "3 of 5, parts");
     EXPECT_EQ(value_of(status, "Picture"), "1 of 3");
     EXPECT_EQ(value_of(status, "Hand"), "mouse");
+}
+
+TEST(Status, SaysTheLastEventInWords) {
+    const auto last_words = [](const std::optional<ContactEvent>& last) {
+        return value_of(describe(shown_session(), {}, "mouse", last), "Last");
+    };
+    EXPECT_EQ(last_words({}), "nothing yet");
+    ContactEvent event;
+    event.kind = ContactEventKind::line_crossed;
+    EXPECT_EQ(last_words(event), "crossed a line");
+    std::set<std::string> words;
+    for (int kind = 0; kind <= static_cast<int>(ContactEventKind::popped_through); ++kind) {
+        event.kind = static_cast<ContactEventKind>(kind);
+        words.insert(last_words(event));
+    }
+    EXPECT_EQ(words.size(), 10U);
+    EXPECT_FALSE(words.contains(""));
+}
+
+TEST(Status, SaysThatAWallGivesWay) {
+    Session session = shown_session();
+    session.is_pop_through = true;
+    EXPECT_EQ(value_of(describe(session, {}, "mouse", {}), "Mode"), "groove");
+    session.mode = Mode::wall;
+    EXPECT_EQ(value_of(describe(session, {}, "mouse", {}), "Mode"), "wall, gives way to a push");
 }
 
 std::string level_words(const LevelTerms& terms, bool is_automatic) {
@@ -42,7 +69,7 @@ std::string level_words(const LevelTerms& terms, bool is_automatic) {
     hand.level_terms = terms;
     hand.level = choose_level(terms).level;
     hand.is_level_auto = is_automatic;
-    return value_of(describe(shown_session(), hand, "mouse"), "Level");
+    return value_of(describe(shown_session(), hand, "mouse", {}), "Level");
 }
 
 TEST(Status, SaysWhichTermDecidesTheLevel) {
@@ -69,7 +96,7 @@ TEST(Status, AFixedLevelIsSaidToBeFixedOrWhyItIsNotReached) {
 TEST(Status, SaysAllTermsOfTheLevel) {
     HandState hand;
     hand.level_terms = {3.0, 1.0, 0.5, 16.0, 2.0, 0.0, 4.0, 6.0};
-    EXPECT_EQ(value_of(describe(shown_session(), hand, "mouse"), "Terms"),
+    EXPECT_EQ(value_of(describe(shown_session(), hand, "mouse", {}), "Terms"),
               "speed 3, touch 1, set 0.5 to 6, device 2, proxy 0, time 4, safe 6");
 }
 
@@ -77,17 +104,18 @@ TEST(Status, NumbersThatLookTheSameGiveTheSameStatus) {
     HandState a, b;
     a.level = 1.01;
     b.level = 1.02;
-    EXPECT_EQ(describe(shown_session(), a, "mouse"), describe(shown_session(), b, "mouse"));
+    EXPECT_EQ(describe(shown_session(), a, "mouse", {}), describe(shown_session(), b, "mouse", {}));
 }
 
 TEST(Status, AStiffnessOnItsWayIsSaidAsItIsFelt) {
     HandState hand;
     hand.stiffness_N_per_m = 420.0;
-    EXPECT_EQ(value_of(describe(shown_session(), hand, "mouse"), "Stiffness"), "medium, 420 N/m");
+    EXPECT_EQ(value_of(describe(shown_session(), hand, "mouse", {}), "Stiffness"),
+              "medium, 420 N/m");
 }
 
 TEST(Status, NothingIsLeftUnnamedBeforeTheFirstPicture) {
-    const Status status = describe(start_session(0).session, {}, "mouse");
+    const Status status = describe(start_session(0).session, {}, "mouse", {});
     EXPECT_EQ(status.title, "No picture yet");
     EXPECT_EQ(value_of(status, "Picture"), "none in the list");
     for (const StatusLine& line : status.lines) EXPECT_FALSE(line.value.empty()) << line.name;
@@ -95,9 +123,9 @@ TEST(Status, NothingIsLeftUnnamedBeforeTheFirstPicture) {
 
 TEST(Status, SaysThatAPictureIsBeingOpenedAndWhyOneWasNot) {
     const Session loading = start_session(3).session;
-    EXPECT_EQ(describe(loading, {}, "mouse").message, "Opening picture 1 ...");
+    EXPECT_EQ(describe(loading, {}, "mouse", {}).message, "Opening picture 1 ...");
     const Session failed = picture_failed(loading, loading.request, "why").session;
-    EXPECT_EQ(describe(failed, {}, "mouse").message, "why");
+    EXPECT_EQ(describe(failed, {}, "mouse", {}).message, "why");
 }
 
 TEST(Status, TheReadmeHoldsTheKeyTableAsItIs) {

@@ -289,58 +289,6 @@ TEST(ContactMachine, DoubledAndCrossingLinesNeverHoldTheProxyWhereItCouldGoOn) {
     }
 }
 
-TEST(Groove, PullsToTheLineByItsProfileAndNotBeyondItsCapture) {
-    const Scene scene = scene_of(map_of({outline({{-0.05, 0}, {0.05, 0}}, false)}));
-    for (const Mode mode : {Mode::groove, Mode::ridge, Mode::stay}) {
-        ContactSettings settings;
-        settings.mode = mode;
-        ContactMachine machine;
-        machine.reset(scene, {0.0, 0.01}, 0.0);
-        EXPECT_EQ(machine.step({0.0, 0.004}, 0.0, settings, {}).force, Force{});
-        const double d = 0.001;
-        const double share = d / settings.capture_m;
-        const double expected = mode == Mode::stay ? 500.0 * d * (1.0 - std::pow(share, 8))
-                                                   : 500.0 * d * std::pow(1.0 - share * share, 2);
-        const ContactReport report = machine.step({0.0, d}, 0.0, settings, {});
-        EXPECT_NEAR(report.force.y, mode == Mode::ridge ? expected : -expected, 1e-12);
-        EXPECT_EQ(report.state, ContactState::edge);
-        EXPECT_EQ(report.side, Side::left);
-        EXPECT_EQ(machine.step({0.0, -d}, 0.0, settings, {}).side, Side::right);
-        EXPECT_NEAR(report.p_WP.y, 0.0, 1e-15);
-        ContactMachine unable;
-        unable.reset(scene, {0.0, 0.01}, 0.0);
-        const ContactReport cut = unable.step({0.0, d}, 0.0, settings, {0, 0});
-        EXPECT_EQ(cut.boxes, 0);
-        EXPECT_EQ(cut.clear, 0.0);
-        EXPECT_EQ(cut.force, Force{});
-    }
-}
-
-TEST(Groove, NoClosedLoopOfTheHandGainsEnergy) {
-    const Scene scene = scene_of(map_of({scenes::circle(0.02, 200)}));
-    for (const Mode mode : {Mode::groove, Mode::ridge, Mode::stay}) {
-        ContactSettings settings;
-        settings.mode = mode;
-        ContactMachine machine;
-        machine.reset(scene, {0.022, 0.0}, 0.0);
-        double work_J = 0.0;
-        Position before{0.022, 0.0};
-        Force force = machine.step(before, 0.0, settings, {}).force;
-        constexpr int steps = 20000;
-        for (int i = 1; i <= steps; ++i) {
-            const double angle = 2.0 * std::numbers::pi * i / steps;
-            const double r = 0.0205 + 0.0015 * std::cos(7.0 * angle);
-            const Position handle = r * Position{std::cos(angle), std::sin(angle)};
-            const Force next = machine.step(handle, 0.0, settings, {}).force;
-            work_J += 0.5 * dot(force + next, handle - before);
-            force = next;
-            before = handle;
-        }
-        // The energy of the deepest point is 1e-3 J; the rest is the trapezoid rule's.
-        EXPECT_NEAR(work_J, 0.0, 1e-7) << static_cast<int>(mode);
-    }
-}
-
 TEST(ContactMachine, AHandThatCreepsIsNotLetThrough) {
     const Scene scene = scene_of(map_of({outline({{-0.01, 0.0}, {0.01, 0.0}}, false)}));
     ContactMachine machine;

@@ -62,6 +62,47 @@ TEST(TripleBuffer, NoValueIsTornOrOlderThanTheOneBefore) {
     writer.join();
 }
 
+TEST(EventRing, GivesBackInOrderWhatWasPut) {
+    EventRing<int, 8> ring;
+    EXPECT_FALSE(ring.pop().has_value());
+    for (int round = 0; round < 5; ++round) {
+        for (int i = 0; i < 6; ++i) ring.push(10 * round + i);
+        for (int i = 0; i < 6; ++i) EXPECT_EQ(ring.pop(), 10 * round + i);
+        EXPECT_FALSE(ring.pop().has_value());
+    }
+    EXPECT_EQ(ring.dropped(), 0U);
+}
+
+TEST(EventRing, DropsTheNewestWhenFullAndCounts) {
+    EventRing<int, 8> ring;
+    for (int i = 0; i < 11; ++i) ring.push(i);
+    EXPECT_EQ(ring.dropped(), 3U);
+    for (int i = 0; i < 8; ++i) EXPECT_EQ(ring.pop(), i);
+    ring.push(42);
+    EXPECT_EQ(ring.pop(), 42);
+    EXPECT_FALSE(ring.pop().has_value());
+}
+
+TEST(EventRing, NoValueIsTornLostOrOutOfOrderBetweenThreads) {
+    EventRing<Pair, 64> ring;
+    constexpr std::uint64_t last = 200000;
+    std::thread writer([&ring] {
+        for (std::uint64_t i = 1; i <= last;) {
+            const std::uint64_t dropped = ring.dropped();
+            ring.push({i, ~i});
+            if (ring.dropped() == dropped) ++i;
+        }
+    });
+    for (std::uint64_t i = 1; i <= last;) {
+        const auto pair = ring.pop();
+        if (!pair) continue;
+        ASSERT_EQ(pair->a, i);
+        ASSERT_EQ(pair->b, ~i);
+        ++i;
+    }
+    writer.join();
+}
+
 TEST(ServoExchange, CommandsAndReportsAreTheNewest) {
     ServoExchange exchange;
     EXPECT_EQ(exchange.commands().stiffness_N_per_m, 500.0);

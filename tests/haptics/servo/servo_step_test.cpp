@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -310,23 +311,79 @@ TEST(ServoStep, SceneCanBeTakenAway) {
     EXPECT_EQ(bench.hand().map_version, 0U);
 }
 
-TEST(ServoStep, ChangeOfModeOrRadiusGoesThroughZeroForce) {
-    for (const bool is_mode : {true, false}) {
-        const auto scene = line_scene(0.0);
-        Bench bench = bench_above_a_line(scene);
-        bench.drag({0.0, 0.01}, {0.0, -0.002});
-        bench.run(20);
-        if (is_mode) {
-            bench.input.commands.mode = Mode::groove;
-        } else {
-            bench.input.commands.radius_m = 0.002;
+TEST(ServoStep, ChangeOfRadiusGoesThroughZeroForce) {
+    const auto scene = line_scene(0.0);
+    Bench bench = bench_above_a_line(scene);
+    bench.drag({0.0, 0.01}, {0.0, -0.002});
+    bench.run(20);
+    EXPECT_NEAR(bench.hand().force.y, 1.0, 1e-2);
+    bench.input.commands.radius_m = 0.002;
+    bench.run(52);
+    EXPECT_NEAR(norm(bench.hand().force), 0.0, 0.05);
+    EXPECT_EQ(bench.hand().state, ContactState::free);
+}
+
+TEST(ServoStep, SwitchingTheModeFadesUnderTheHand) {
+    const auto scene = line_scene(0.0);
+    Bench bench(find_profile("mk2").value());
+    bench.input.scene = scene.get();
+    bench.run(800);
+    bench.drag({0.0, 0.01}, {0.0, -0.002});
+    bench.run(20);
+    double largest_N = 0.0;
+    for (const Mode mode : {Mode::groove, Mode::wall, Mode::stay, Mode::ridge, Mode::groove}) {
+        bench.input.commands.mode = mode;
+        for (int i = 0; i < 150; ++i) {
+            const Force before = bench.hand().force;
+            bench.run(1);
+            ASSERT_LE(norm(bench.hand().force - before), 0.03) << i;
+            largest_N = std::max(largest_N, norm(bench.hand().force));
         }
-        bench.run(1);
-        EXPECT_EQ(bench.hand().mode, Mode::wall);
-        bench.run(51);
-        EXPECT_EQ(bench.hand().mode, is_mode ? Mode::groove : Mode::wall);
-        EXPECT_NEAR(norm(bench.hand().force), 0.0, 0.05);
+        EXPECT_EQ(bench.hand().mode, mode);
     }
+    EXPECT_GT(largest_N, 0.9);
+    EXPECT_NEAR(bench.hand().force.y, 1.0 * std::pow(1.0 - 4.0 / 9.0, 2), 1e-3);
+}
+
+std::vector<ContactEventKind> kinds_of(Bench& bench, Position from, Position to) {
+    std::vector<ContactEventKind> kinds;
+    for (int i = 1; i <= 300; ++i) {
+        bench.place(from + i / 300.0 * (to - from));
+        bench.run(1);
+        for (const ContactEvent& event : bench.step->events()) {
+            EXPECT_EQ(event.time_s, bench.hand().time_s);
+            kinds.push_back(event.kind);
+        }
+    }
+    return kinds;
+}
+
+TEST(ServoStep, TellsWhatHappens) {
+    using enum ContactEventKind;
+    const auto scene = line_scene(0.0);
+    Bench bench = bench_above_a_line(scene);
+    EXPECT_EQ(kinds_of(bench, {0.0, 0.01}, {0.0, -0.002}), std::vector{contact_made});
+    EXPECT_EQ(kinds_of(bench, {0.0, -0.002}, {0.0, 0.01}), std::vector{contact_lost});
+    bench.input.commands.mode = Mode::groove;
+    EXPECT_EQ(kinds_of(bench, {0.0, 0.01}, {0.0, -0.01}),
+              (std::vector{contact_made, line_crossed, contact_lost}));
+}
+
+TEST(ServoStep, AWallLetsAPushThroughThatIsMeant) {
+    const auto scene = line_scene(0.0);
+    Bench bench = bench_above_a_line(scene);
+    bench.input.commands.pop_through_N = 1.5;
+    bench.drag({0.0, 0.01}, {0.0, -0.004});
+    int pops = 0;
+    for (int i = 0; i < 600; ++i) {
+        bench.run(1);
+        for (const ContactEvent& event : bench.step->events()) {
+            pops += event.kind == ContactEventKind::popped_through ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(pops, 1);
+    EXPECT_EQ(bench.hand().state, ContactState::free);
+    EXPECT_EQ(bench.hand().force, Force{});
 }
 
 /// A light hand presses on a line through a device that is late; the gain of the spring at the end.

@@ -1,0 +1,33 @@
+// What happens to the hand that is worth a word or a sound.
+// Threads: a plain value; handed over by haptics/servo/exchange.h.
+#pragma once
+
+#include "config/types/vec2.h"
+
+#include <cstdint>
+
+namespace touchline {
+
+enum class ContactEventKind : std::uint8_t {
+    contact_made,
+    contact_lost,
+    vertex_passed,    // a pin of the outline: a corner or a junction
+    line_crossed,     // not in wall mode: the hand changed sides, or another line took over
+    end_reached,      // of an open outline
+    level_changed,    // a whole level is rendered now
+    outline_changed,  // from one outline to another
+    area_entered,     // the drawing area
+    area_left,
+    popped_through,  // through a wall that gave way
+};
+
+struct ContactEvent {
+    ContactEventKind kind = ContactEventKind::contact_made;
+    double time_s = 0.0;     // since the servo started
+    Position place_W;        // of the proxy; of the handle for the area
+    int outline = -1;        // index in the map, -1: none
+    double parameter = 0.0;  // on the outline, in level-0 segments; 0 where there is none
+    double level = 0.0;      // rendered
+};
+
+}  // namespace touchline
