@@ -2,6 +2,7 @@
 
 #include "config/types/steady_clock.h"
 #include "haptics/contact/round_vertex.h"
+#include "haptics/contact/sharp_tip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,7 @@ constexpr double parallel = 1e-9;    // sine of an angle too small to tell
 constexpr double passing_m = 1e-17;  // nearer to an end on a way past it: rounding
 constexpr double same_end = 1e-14;   // the same where two ends touch a disc: rounding
 constexpr int longest_stride = 64;   // vertices between two looks at the clock: under 1 us
-constexpr int max_visits =
-    6;  // tries to leave one corner in a step, one per line that may meet there
+constexpr int max_visits = 6;        // tries to leave one corner in a step, one per line there
 
 constexpr int touch_halvings = 40;  // 15 degrees to 1e-13
 
@@ -544,6 +544,7 @@ Contact ContactStep::contact_of(SegmentRef segment, Touch touch) {
         segment = before.piece >= 0 ? before : outlines_.next(segment, true);
         touch.parameter = before.piece >= 0 ? 1.0 : 0.0;
     }
+    if (const auto front = contact_in_front(outlines_, segment, touch)) return *front;
     // At a joint an edge alone cannot tell: seen from a sharp tip the normal may point to the other
     // side of either edge. It always lies on the outer side of the two together.
     Direction left = normal_of(outlines_.segment(segment), Side::left);
