@@ -1,5 +1,6 @@
 // What stops a servo step's motions: by a query, or among the neighbours of an edge that is alone.
 #include "haptics/contact/contact_step.h"
+#include "haptics/contact/sharp_tip.h"
 
 #include <algorithm>
 
@@ -55,6 +56,7 @@ Contact ContactStep::contact_of(SegmentRef segment, Touch touch) {
         segment = before.piece >= 0 ? before : outlines_.next(segment, true);
         touch.parameter = before.piece >= 0 ? 1.0 : 0.0;
     }
+    if (const auto front = contact_in_front(outlines_, segment, touch)) return *front;
     // At a joint an edge alone cannot tell: seen from a sharp tip the normal may point to the other
     // side of either edge. It always lies on the outer side of the two together.
     Direction left = normal_of(outlines_.segment(segment), Side::left);

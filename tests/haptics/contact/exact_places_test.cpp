@@ -86,6 +86,17 @@ TEST(ExactPlace, RoundTheEndThatTwoOutlinesShareIsReachedByAPoint) {
     EXPECT_NEAR(report.p_WP.x, pitch_m * inside.x, 1e-12);
 }
 
+TEST(ExactPlace, OnASharpTipIsTouchedOnItsOuterSide) {
+    for (const double width : {1e-3, 1e-2, 0.1}) {
+        const Outline tip =
+            scenes::outline({{pitch_m, 0}, {0, 0}, {pitch_m, pitch_m * width}}, false);
+        const Position under{0.5, -0.2};
+        const ContactReport report = after({tip}, 0.0, 0.0, {{0, 2}, {0, 0}, under});
+        EXPECT_EQ(report.state, ContactState::edge) << width;
+        EXPECT_GT(report.p_WP.y, 0.4 * pitch_m * width);
+    }
+}
+
 /// Wherever it starts: on a vertex, on an edge, between two with less room than its radius.
 TEST(DiscWithoutRoom, CrossesNoLine) {
     const Outline ring = scenes::outline({{-pitch_m, -pitch_m}, {0, -pitch_m}, {0, 0}}, true);
