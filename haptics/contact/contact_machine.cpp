@@ -92,19 +92,23 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
 /// A wall: it may give way, move to another level, and then the proxy follows the handle.
 void ContactMachine::press(Position handle, double level, const ContactSettings& settings,
                            const Budget& budget, double dt_s, ContactReport& report) {
-    if (pop_through_.step(outlines_, handle, settings, budget, dt_s, proxy_, report.boxes)) {
-        report.has_popped = is_gap_ = true;
-        radius_m_ = 0.0;
+    Budget left = budget;
+    const auto spend = [&](int boxes) {
+        report.boxes += boxes;
+        left.boxes -= boxes;
+    };
+    if (settings.pop_through_N > 0.0) {
+        int boxes = 0;
+        report.has_popped =
+            pop_through_.step(outlines_, handle, settings, left, dt_s, proxy_, boxes);
+        spend(boxes);
+        is_gap_ = is_gap_ || report.has_popped;
+        if (report.has_popped) radius_m_ = 0.0;
     }
-    const auto left = [&] { return Budget{budget.boxes - report.boxes, budget.deadline_ns}; };
-    if (settings.radius_m != radius_m_) report.boxes += widen(settings.radius_m, left());
-    ContactSettings narrowed = settings;
-    narrowed.radius_m = radius_m_;
-    if (level != outlines_.level()) {
-        report.boxes += change_level(level, handle, narrowed, left(), dt_s);
-    }
+    if (settings.radius_m != radius_m_) spend(widen(settings.radius_m, left));
+    if (level != outlines_.level()) spend(change_level(level, handle, settings, left, dt_s));
     const Position start = handle - proxy_.centre;
-    ContactStep(outlines_, narrowed, left(), proxy_, path_).run(handle, report);
+    ContactStep(outlines_, settings, radius_m_, left, proxy_, path_).run(handle, report);
     book(handle, start, settings.stiffness_N_per_m, dt_s);
     report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
 }
@@ -168,7 +172,7 @@ int ContactMachine::change_level(double level, Position handle, const ContactSet
     int boxes = 0;
     bool is_at_once = false;
     if (proxy_.state == ContactState::free) {
-        const double radius = std::max(settings.radius_m, contact_skin_m);
+        const double radius = std::max(radius_m_, contact_skin_m);
         const Scene& scene = outlines_.scene();
         const Clearance found = scene.tree.clearance(scene.curves, proxy_.centre, radius,
                                                      std::max(level, outlines_.level()), budget);
@@ -193,7 +197,7 @@ int ContactMachine::move_wall(double level, Position handle, const ContactSettin
     const double goal = level > from ? std::min(level, stop) : std::max(level, stop);
     const bool is_whole_way = pace_octaves_ >= std::abs(goal - from);
     const double to = is_whole_way ? goal : from + std::copysign(pace_octaves_, goal - from);
-    WallMotion motion(outlines_, to, settings.radius_m, budget);
+    WallMotion motion(outlines_, to, radius_m_, budget);
     const auto carried = motion.carry(proxy_, handle);
     if (!carried) {
         pace_octaves_ = std::min(dt_s / octave_s, largest_octaves);

@@ -19,15 +19,16 @@ inline constexpr double still_m = 1e-14;  // a motion this short is rounding
 
 class ContactStep {
   public:
-    /// Way points are added to `path` where there is one.
-    ContactStep(RenderedOutlines& outlines, const ContactSettings& settings, Budget budget,
-                ProxyState& proxy, std::vector<Position>* path)
+    /// `radius_m`: of the proxy now, at most that of the settings. Way points are added to `path`
+    /// where there is one.
+    ContactStep(RenderedOutlines& outlines, const ContactSettings& settings, double radius_m,
+                Budget budget, ProxyState& proxy, std::vector<Position>* path)
         : outlines_(outlines),
           settings_(settings),
           budget_(budget),
           proxy_(proxy),
           path_(path),
-          radius_m_(std::max(settings.radius_m, contact_skin_m)) {}
+          radius_m_(std::max(radius_m, contact_skin_m)) {}
 
     /// Moves the proxy; fills transitions, carried motion, boxes and clear.
     void run(Position handle, ContactReport& report);
