@@ -21,7 +21,8 @@
 namespace touchline {
 
 inline constexpr int max_walks = 256;            // edges slid along in a step
-inline constexpr int max_tree_queries = 4;       // in a step
+inline constexpr int max_tree_queries = 4;       // in a step; as many again where a disc rounds
+                                                 // vertices among other lines
 inline constexpr int max_moves = 4 * max_walks;  // walks, arcs and changes of state in a step
 
 /// What one step did.

@@ -79,6 +79,7 @@ class ContactStep {
                               bool is_alone);
     [[nodiscard]] Sweep sweep_tree(Position to, double radius_m, const Excluded& excluded);
     [[nodiscard]] Sweep sweep_neighbours(Position to, double radius_m, const Excluded& excluded);
+    [[nodiscard]] std::optional<Contact> too_near(Position centre, double radius_m);
     [[nodiscard]] Contact contact_of(SegmentRef segment, Touch touch);
     [[nodiscard]] double arc_to(const Contact& at, double turn, Contact& edge);
 
@@ -101,7 +102,8 @@ class ContactStep {
     Position last_corner_;  // the corner last visited and how often without moving away
     int visits_ = 0;
     int walks_ = 0;
-    int queries_ = 0;
+    int queries_ = 0;          // by sweeps
+    int overlap_queries_ = 0;  // by arcs of a disc
     ContactReport* report_ = nullptr;
 };
 

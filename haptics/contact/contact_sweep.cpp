@@ -49,6 +49,23 @@ ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
     return result;
 }
 
+/// What a smaller disc met nowhere on its way, the whole one may overlap at the end: left there it
+/// would sink a little at every pass.
+std::optional<Contact> ContactStep::too_near(Position centre, double radius_m) {
+    if (radius_m <= contact_skin_m || overlap_queries_ == max_tree_queries) return {};
+    ++overlap_queries_;
+    const Closest near =
+        outlines_.scene().tree.closest_point(outlines_.scene().curves, centre, outlines_.level(),
+                                             radius_m - approach_tolerance_m, budget_);
+    budget_.boxes -= near.boxes;
+    report_->boxes += near.boxes;
+    if (near.segment.piece < 0) return {};
+    const Segment s = outlines_.segment(near.segment);
+    const Side side = cross(s.b - s.a, centre - near.point) < 0.0 ? Side::right : Side::left;
+    const bool is_end = near.parameter == 0.0 || near.parameter == 1.0;
+    return Contact{near.segment, near.parameter, side, normal_of(s, side), near.distance_m, is_end};
+}
+
 Contact ContactStep::contact_of(SegmentRef segment, Touch touch) {
     // A segment that is a point is the end of an edge beside it.
     if (is_point(outlines_.segment(segment))) [[unlikely]] {

@@ -13,6 +13,7 @@ constexpr double same_end = 1e-14;   // the same where two ends touch a disc: ro
 constexpr double passing_m = 1e-17;  // nearer to an end on a way past it: rounding
 constexpr int max_visits =
     6;  // tries to leave one corner in a step, one per line that may meet there
+constexpr double sunk_m = 1e-10;    // less is not worth a query
 constexpr int touch_halvings = 40;  // 15 degrees to 1e-13
 
 /// The way of a disc's centre round a vertex.
@@ -139,13 +140,15 @@ ContactStep::Next ContactStep::move_round() {
         outlines_.is_alone(left_edge.segment) && outlines_.is_alone(right_edge.segment);
     // The chord passes nearer to the vertex than the arc; the disc is taken that much smaller, so
     // that other lines through the same vertex do not stop it.
-    const double chord_radius = std::min(radius_m_, at.offset_m) * std::cos(0.5 * step);
-    const Sweep found = sweep(vertex + along<Position>(to, at.offset_m), chord_radius,
-                              {edge.segment, other.segment}, is_alone);
+    const Arc arc{vertex, at.offset_m, std::min(radius_m_, at.offset_m)};
+    const Position end = vertex + along<Position>(to, at.offset_m);
+    const double chord_radius = arc.radius_m * std::cos(0.5 * step);
+    Sweep found = sweep(end, chord_radius, {edge.segment, other.segment}, is_alone);
+    const bool may_overlap = !is_alone && !found.is_cut && arc.radius_m - chord_radius > sunk_m;
+    if (may_overlap && !found.contact) found.contact = too_near(end, arc.radius_m);
     at.normal =
         found.share >= 1.0 ? to : direction_of((1.0 - found.share) * from + found.share * to);
     if (found.contact) {
-        const Arc arc{vertex, at.offset_m, std::min(radius_m_, at.offset_m)};
         at.normal = back_to_touch(arc, from, at.normal, outlines_.segment(found.contact->segment));
     }
     place_at_contact();

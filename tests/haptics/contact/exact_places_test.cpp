@@ -4,6 +4,7 @@
 #include "tests/haptics/contact/judge.h"
 #include "tests/haptics/scenes.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -126,6 +127,25 @@ TEST(DiscWithoutRoom, HasItsRadiusAgainOnceItIsFree) {
     EXPECT_NEAR(machine.step({0.0, -0.001}, 0.0, settings, {}).p_WP.y, 3e-4, 1e-12);
     static_cast<void>(machine.step({0.0, 0.002}, 0.0, settings, {}));
     EXPECT_NEAR(machine.step({0.0, -0.001}, 0.0, settings, {}).p_WP.y, 1e-3, 1e-12);
+}
+
+TEST(DiscAtAJoint, DoesNotSinkHoweverOftenItPasses) {
+    const Outline down = line({0, -1}, {-1, 0});
+    const Outline flat =
+        scenes::outline({{-3.89625e-3, -3.90025e-3}, {3.91625e-3, -3.90025e-3}}, false);
+    CurveOptions options;
+    options.spacing_m = 1.0;
+    const Scene scene = build_scene(scenes::map_of({down, flat}), options, 1e-3).value();
+    const ContactSettings settings{Mode::wall, 500.0, 0.0, 1e-3, 0.003};
+    ContactMachine machine;
+    machine.reset(scene, pitch_m * Position{-1.37, -1.37}, 0.0);
+    double least_m = 1.0;
+    for (int i = 0; i < 240; ++i) {
+        const Position handle = i % 2 == 0 ? Position{0.5, -1} : Position{-1, -1};
+        const Position p = machine.step(pitch_m * handle, 0.0, settings, {}).p_WP;
+        least_m = std::min(least_m, scene.tree.closest_point(scene.curves, p, 0.0, 1.0).distance_m);
+    }
+    EXPECT_GE(least_m, 1e-3 - 1e-9);
 }
 
 }  // namespace
