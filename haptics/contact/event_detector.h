@@ -30,7 +30,9 @@ class TickEvents {
         if (count_ < events_.size()) events_[count_++] = event;
     }
 
-    [[nodiscard]] std::span<const ContactEvent> all() const { return {events_.data(), count_}; }
+    [[nodiscard]] std::span<const ContactEvent> all() const& { return {events_.data(), count_}; }
+
+    std::span<const ContactEvent> all() const&& = delete;  // they would be gone
 
   private:
     std::array<ContactEvent, 10> events_;

@@ -41,7 +41,8 @@ class Told {
         const ContactReport report = machine_.step(p, level, settings_, {});
         const EventInput input{time_s_,    p, settings_.mode, report, machine_.rendered_level(),
                                scene_.area};
-        for (const ContactEvent& event : detector_.step(input).all()) events_.push_back(event);
+        const TickEvents found = detector_.step(input);
+        events_.insert(events_.end(), found.all().begin(), found.all().end());
         time_s_ += tick_s;
     }
 

@@ -5,6 +5,7 @@
 #include "tests/haptics/call_counts.h"
 #include "tests/haptics/servo/rigs.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -48,7 +49,10 @@ TEST(Tick, AllocatesNothingInAHundredThousandTicks) {
     for (int k = 0; k < ticks; ++k) {
         if (k % 5000 == 0) {  // another scene, mode and level, from the kiosk's side
             exchange.feel(turned_wave_scene(0.0001 * k));
-            commands.mode = k % 20000 == 0 ? Mode::groove : Mode::wall;
+            constexpr std::array modes{Mode::groove, Mode::wall, Mode::ridge, Mode::wall,
+                                       Mode::stay};
+            commands.mode = modes[static_cast<std::size_t>(k / 5000) % modes.size()];
+            commands.pop_through_N = 0.5;
             commands.is_level_auto = k % 10000 == 0;
             commands.level = 1.5;
             exchange.set(commands);

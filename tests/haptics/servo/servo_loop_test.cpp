@@ -80,6 +80,33 @@ TEST(ServoLoop, SameRunGivesTheSameBits) {
     }
 }
 
+TEST(ServoLoop, EventsReachTheOtherSideInOrder) {
+    PlacedDevice device({0.0, 0.01});
+    ServoExchange exchange;
+    exchange.feel(line_scene(0.0));
+    ServoCommands commands;
+    commands.mode = Mode::groove;
+    exchange.set(commands);
+    Recorder recorder;
+    ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
+    for (int k = 0; k < 1000; ++k) {
+        device.angles = angles_at(default_profile(), {0.0, 0.01 - 2e-5 * k});
+        loop.tick(k * tick_s, 0);
+    }
+    double last_s = 0.0;
+    for (const ContactEventKind kind :
+         {ContactEventKind::contact_made, ContactEventKind::line_crossed,
+          ContactEventKind::contact_lost}) {
+        const auto event = exchange.next_event();
+        ASSERT_TRUE(event.has_value());
+        EXPECT_EQ(event->kind, kind);
+        EXPECT_GE(event->time_s, last_s);
+        last_s = event->time_s;
+    }
+    EXPECT_FALSE(exchange.next_event().has_value());
+    EXPECT_EQ(exchange.dropped_events(), 0U);
+}
+
 TEST(ServoLoop, LateTicksAreSkippedCountedAndPublished) {
     PlacedDevice device({0.0, 0.0});
     ServoExchange exchange;
