@@ -32,7 +32,7 @@ GrooveForce Groove::step(RenderedOutlines& outlines, double level, Position hand
     const double slide_m = 2.0 * norm(moved) + largest_slide_N / law.steepest_N_per_m();
     slide(outlines, handle, law, slide_m, slide_m + largest_hop_N / law.steepest_N_per_m());
     GrooveForce result;
-    const double most_N = 2.0 * law.steepest_N_per_m() * norm(moved) + largest_fade_N;
+    const double most_N = law.steepest_N_per_m() * norm(moved) + largest_fade_N;
     look_for_nearer(outlines, handle, law, budget, most_N, result);
 
     const Part now = part_of(outlines, now_, handle, law);

@@ -76,6 +76,20 @@ Outline square(double side_m, int per_side) {
     return outline(std::move(made), true);
 }
 
+TactileMap rough_ring(unsigned seed, double roughness_m) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    std::vector<Position> points;
+    double wobble_m = 0.0;
+    for (int i = 0; i < 512; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / 512.0;
+        wobble_m = 0.9 * wobble_m + roughness_m * unit(random);
+        const double radius_m = 0.03 + 0.004 * std::sin(5.0 * angle) + wobble_m;
+        points.push_back(radius_m * Position{std::cos(angle), std::sin(angle)});
+    }
+    return map_of({outline(points, true)});
+}
+
 TactileMap random_map(unsigned seed, int outlines) {
     std::mt19937 random(seed);
     std::vector<Outline> made;

@@ -18,6 +18,10 @@ namespace touchline::scenes {
 /// Counter-clockwise, about the origin, `per_side` edges a side, the first vertex a corner.
 [[nodiscard]] Outline square(double side_m, int per_side);
 
+/// One closed outline of 512 points about the origin, 26 to 34 mm from it, that wanders by up to
+/// `roughness_m` a point: detail at every scale.
+[[nodiscard]] TactileMap rough_ring(unsigned seed, double roughness_m);
+
 /// Wobbly closed curves and open walks of 8 to 80 points within +-50 mm, which may cross themselves
 /// and each other; every third open one ends on a vertex of the outline before it.
 [[nodiscard]] TactileMap random_map(unsigned seed, int outlines);

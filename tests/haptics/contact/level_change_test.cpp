@@ -20,21 +20,6 @@ Scene scene_of(const TactileMap& map, double radius_m = 0.0) {
     return build_scene(map, {}, radius_m).value();
 }
 
-/// A closed outline with detail at every scale.
-TactileMap rough_ring(unsigned seed, double roughness_m) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    std::vector<Position> points;
-    double wobble_m = 0.0;
-    for (int i = 0; i < 512; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / 512.0;
-        wobble_m = 0.9 * wobble_m + roughness_m * unit(random);
-        const double radius_m = 0.03 + 0.004 * std::sin(5.0 * angle) + wobble_m;
-        points.push_back(radius_m * Position{std::cos(angle), std::sin(angle)});
-    }
-    return scenes::map_of({scenes::outline(points, true)});
-}
-
 bool is_inside(const Scene& scene, Position p, double level) {
     return scene.tree.crossings(scene.curves, p, far_off, level) % 2 != 0;
 }
@@ -85,7 +70,7 @@ TEST(LevelChange, NeverFlipsASideOnRoughRings) {
     int steps = 0;
     for (unsigned seed = 0; seed < 20; ++seed) {
         const double radius_m = seed % 4 == 3 ? 1e-3 : 0.0;
-        const Scene scene = scene_of(rough_ring(seed, 2e-4 * (seed % 3)), radius_m);
+        const Scene scene = scene_of(scenes::rough_ring(seed, 2e-4 * (seed % 3)), radius_m);
         ContactSettings settings;
         settings.radius_m = radius_m;
         settings.friction = seed % 5 == 4 ? 0.15 : 0.0;
