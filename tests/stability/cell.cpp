@@ -51,17 +51,13 @@ WallTrace render(const Cell& cell, double stiffness_N_per_m, const Excitation& e
                span_s(cell, stiffness_N_per_m));
 }
 
-/// A ring of constant size wavers, so that of a loop with friction or encoder has to shrink
-/// clearly, and twice. A linear one grows or decays for ever.
+/// A ring of constant size wavers, so what has not come to rest yet has to shrink clearly, and twice.
 bool is_calm(const Cell& cell, const WallTrace& trace) {
-    const WallLoop& loop = cell.loop;
     const double early_m = peak_to_peak_m(trace, 0.1, 0.3);
     const double middle_m = peak_to_peak_m(trace, 0.4, 0.6);
     const double end_m = peak_to_peak_m(trace, 0.8, 1.0);
-    if (end_m < std::max(still_m, 2.0 * loop.encoder_step_m)) return true;
-    const bool is_linear = loop.tip.coulomb_N == 0.0 && loop.encoder_step_m == 0.0;
-    if (is_linear) return end_m < 0.995 * middle_m;
-    return end_m < 0.93 * middle_m && middle_m < 0.97 * early_m;
+    if (end_m < std::max(still_m, 2.0 * cell.loop.encoder_step_m)) return true;
+    return end_m < 0.97 * middle_m && middle_m < 0.985 * early_m;
 }
 
 double ripple_N(const WallTrace& trace) {

@@ -101,7 +101,7 @@ Slice hands() {
 }
 
 Slice knock_speed() {
-    Slice slice{"speed", "stiffness limit against speed of a knock, by friction and delay", {}};
+    Slice slice{"knock", "stiffness limit against speed of a knock, by friction and delay", {}};
     for (const double delay : {0.0, 1.0}) {
         for (const double coulomb_N : {0.02, 0.05, 0.15}) {
             for (const double speed : {0.05, 0.07, 0.1, 0.14, 0.2, 0.28, 0.4, 0.56, 0.8}) {

@@ -22,7 +22,7 @@ struct Slice {
 
 /// Of CSV lines.
 inline constexpr std::string_view cell_columns =
-    "method,hand,motors_N,period_ms,delay_periods,damping_Ns_per_m,encoder_um,coulomb_N,speed_m_"
+    "method,hand,motors_N,period_ms,delay_periods,damping_Ns_per_m,encoder_um,coulomb_N,knock_m_"
     "per_s,"
     "limit_N_per_m,step_N,ripple_N,linear_N_per_m,passive_N_per_m,quantiser_N_per_m,exact_N_per_m,"
     "calmed_N_per_m,unstable_below";
