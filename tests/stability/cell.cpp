@@ -51,7 +51,8 @@ WallTrace render(const Cell& cell, double stiffness_N_per_m, const Excitation& e
                span_s(cell, stiffness_N_per_m));
 }
 
-/// A ring of constant size wavers, so what has not come to rest yet has to shrink clearly, and twice.
+/// A ring of constant size wavers, so what has not come to rest yet has to shrink clearly, and
+/// twice.
 bool is_calm(const Cell& cell, const WallTrace& trace) {
     const double early_m = peak_to_peak_m(trace, 0.1, 0.3);
     const double middle_m = peak_to_peak_m(trace, 0.4, 0.6);
