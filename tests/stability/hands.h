@@ -7,6 +7,9 @@
 
 namespace touchline::stability {
 
+/// Nobody holds the device and nothing damps it, but it is pressed.
+inline constexpr HandModel soft_press{0.0, 0.0, 20.0, {}};
+
 inline constexpr HandModel light_skin{0.02, 1.0, 50.0, HandModel::Skin{400.0, 1.0}};
 inline constexpr HandModel light_bad_skin{0.02, 1.0, 50.0, HandModel::Skin{400.0, 0.2}};
 inline constexpr HandModel normal_skin{0.10, 3.0, 300.0, HandModel::Skin{1000.0, 3.0}};

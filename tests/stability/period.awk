@@ -26,8 +26,8 @@ END {
     o = "energy observer"; f = "spring + FOAW16"; l = "local model"
     printf "\nIn words: a period of delay leaves the bare spring %.0f %% of its stiffness, the damped one %.0f %% and the energy\n",
         100 * at(limit, "spring", "none", 1) / at(limit, "spring", "none", 0), 100 * at(limit, f, "none", 1) / at(limit, f, "none", 0)
-    printf "observer %.1f %%: the best without delay, it is no better than 1.5 bare springs with it, and pays with force steps of\n",
-        100 * at(limit, o, "none", 1) / at(limit, o, "none", 0)
+    printf "observer %.1f %%: the best without delay, with it no better than %.1f bare springs, and it pays with force steps of\n",
+        100 * at(limit, o, "none", 1) / at(limit, o, "none", 0), at(limit, o, "none", 1) / at(limit, "spring", "none", 1)
     printf "%.0f N. The damped spring is the stiffest with delay on the device alone. With a hand the local model is, whose\n", at(step, o, "none", 0)
     printf "spring runs at four times the rate and is late by a period of its own: %.0f N/m", at(limit, l, "light", 1)
     printf ". Motors of 5 N change the limit of\nthe spring alone by %+.0f %%, the damped spring's by %+.0f %% and the\n",

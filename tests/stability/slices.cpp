@@ -1,10 +1,10 @@
 #include "tests/stability/slices.h"
 
+#include "tests/stability/for_each_index.h"
+
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 #include <fmt/core.h>
 
@@ -149,14 +149,7 @@ std::string csv_line(const Cell& cell, const CellResult& result) {
 
 std::vector<CellResult> measure_all(const std::vector<Cell>& cells) {
     std::vector<CellResult> results(cells.size());
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-        for (std::size_t i = next++; i < cells.size(); i = next++) results[i] = measure(cells[i]);
-    };
-    std::vector<std::jthread> workers;
-    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) workers.emplace_back(work);
-    work();
-    workers.clear();
+    for_each_index(cells.size(), [&](std::size_t i) { results[i] = measure(cells[i]); });
     return results;
 }
 

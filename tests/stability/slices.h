@@ -1,6 +1,6 @@
 // The maps: two-dimensional slices through the space of period, delay, damping, encoder step,
 // friction, hand and speed, one stiffness limit a cell.
-// Threads: pure functions; run() uses as many threads as the machine has, with the same result.
+// Threads: pure functions; measure_all() uses all processors, with the same result.
 #pragma once
 
 #include "tests/stability/cell.h"
