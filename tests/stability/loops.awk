@@ -7,6 +7,7 @@ FNR > 2 {
     through += field("through")
     over += field("generated_J") > field("bound_J") + 1e-9
     if (late) next
+    if (field("shakes")) which = which (which ? "; " : "") field("profile") ", " field("period_ms") " ms, delay " field("delay_periods") " T, hand " field("hand") ", fault " field("fault") ", " field("asked")
     p = field("profile"); T = field("period_ms"); a = field("asked")
     remember(p)
     key = p SUBSEP T SUBSEP a
@@ -41,4 +42,5 @@ END {
     printf "%d do. The proxy came through the wall in %d. More energy than the bound was given in %d. The monitor cuts in %.1f %% of\n", shaking[1], through, over, 100 * cuts["usual"] / all["usual"]
     printf "the runs at 1 and 2 ms, in %.0f %% at 0.25 ms with the default stiffness and in %.0f %% there with the largest allowed: at\n", 100 * cuts["quick"] / all["quick"], 100 * cuts["fast"] / all["fast"]
     print "4 kHz that is more than the loop can hold, and the monitor brings it down."
+    if (which) print "With up to a period of delay shakes: " which "."
 }

@@ -83,7 +83,8 @@ Torture polygon(int vertices) {
 Torture tremor(double frequency_Hz, double amplitude_mm) {
     const auto path = [=](double t) -> Intention {
         const double omega = 2.0 * pi * frequency_Hz;
-        const double down_mm = 3.0 - 4.0 * std::min(1.0, t / 0.2);
+        // 2 mm deep: friction holds a light hand that means to be 1 mm deep outside.
+        const double down_mm = 3.0 - 5.0 * std::min(1.0, t / 0.2);
         const double shake = t < 2.5 ? amplitude_mm : 0.0;
         return {
             {mm * shake * std::sin(0.83 * omega * t), mm * (down_mm + shake * std::sin(omega * t))},
@@ -144,10 +145,9 @@ ScenarioResult measure(const ScenarioCase& each) {
     ScenarioResult result;
     for (std::size_t k = 0; k < trace.proxy.size(); ++k) {
         result.largest_N = std::max(result.largest_N, norm(trace.force[k]));
-        const bool is_felt = k > 0 && trace.time_s[k] > armed_s;
-        if (is_felt && scenario.is_through(trace.proxy[k - 1], trace.proxy[k])) {
-            ++result.let_through;
-        }
+        if (k == 0 || trace.time_s[k] <= armed_s) continue;
+        if (scenario.is_through(trace.tip[k - 1], trace.tip[k])) ++result.handle_through;
+        if (scenario.is_through(trace.proxy[k - 1], trace.proxy[k])) ++result.let_through;
     }
     result.extent_steps = extent_m(trace, span_s - tail_s) / encoder_step_m(loop.profile);
     result.ripple_N = ripple_N(trace, span_s - tail_s);
@@ -166,10 +166,11 @@ std::vector<ScenarioResult> measure_all(const std::vector<ScenarioCase>& cases) 
 
 std::string csv_line(const ScenarioCase& each, const ScenarioResult& result) {
     const Torture& scenario = loop_scenarios()[each.scenario];
-    return fmt::format("{},{},{},{:g},{},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g}", scenario.group,
-                       scenario.name, each.hand, each.delay_periods, result.let_through,
-                       result.extent_steps, result.ripple_N, result.largest_N, result.least_gain,
-                       result.generated_J, result.bound_J);
+    return fmt::format("{},{},{},{:g},{},{},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g}",
+                       scenario.group, scenario.name, each.hand, each.delay_periods,
+                       result.handle_through, result.let_through, result.extent_steps,
+                       result.ripple_N, result.largest_N, result.least_gain, result.generated_J,
+                       result.bound_J);
 }
 
 }  // namespace touchline::stability

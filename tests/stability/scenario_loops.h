@@ -22,7 +22,8 @@ struct ScenarioCase {
 };
 
 struct ScenarioResult {
-    int let_through = 0;        // times
+    int handle_through = 0;     // times that the handle itself went through: nothing holds it
+    int let_through = 0;        // times that the proxy did
     double extent_steps = 0.0;  // of the tip in the last 0.5 s, at rest, in encoder steps
     double ripple_N = 0.0;      // of the force then
     double largest_N = 0.0;
@@ -40,7 +41,8 @@ struct ScenarioResult {
 [[nodiscard]] std::vector<ScenarioResult> measure_all(const std::vector<ScenarioCase>& cases);
 
 inline constexpr std::string_view scenario_columns =
-    "group,scenario,hand,delay_periods,let_through,extent_steps,ripple_N,largest_N,least_gain,"
+    "group,scenario,hand,delay_periods,handle_through,let_through,extent_steps,ripple_N,largest_N,"
+    "least_gain,"
     "generated_J,bound_J";
 
 [[nodiscard]] std::string csv_line(const ScenarioCase& each, const ScenarioResult& result);

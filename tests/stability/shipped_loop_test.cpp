@@ -38,6 +38,7 @@ TEST(ShippedLoop, LetsNothingThroughAndRingsNowhereOnTortureGeometry) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const std::string line = csv_line(cases[i], results[i]);
         EXPECT_EQ(results[i].let_through, 0) << line;
+        EXPECT_GT(results[i].handle_through, 0) << line;
         EXPECT_LE(results[i].extent_steps, 2.0) << line;
         EXPECT_LE(results[i].generated_J, results[i].bound_J + 1e-9) << line;
         EXPECT_GT(results[i].largest_N, 0.1) << line;
