@@ -116,7 +116,8 @@ std::optional<Crossing> crossing(Position from, Position to, const Segment& segm
 }
 
 bool passes(Position from, Position to, const Segment& segment) {
-    const auto [a, b] = segment;
+    const Position a = segment.a;
+    const Position b = segment.b;
     const bool is_a_left = orientation(from, to, a) >= 0;
     const bool is_b_left = orientation(from, to, b) >= 0;
     if (is_a_left == is_b_left) return false;
