@@ -22,14 +22,18 @@ Result<Scene> build_scene(const TactileMap& map, const CurveOptions& options, do
         Result<CurveSet> curves = CurveSet::build(map, wanted);
         if (!curves) return tl::unexpected(std::move(curves.error()));
         CollisionTree tree = CollisionTree::build(*curves, radius_m);
-        const SafeLevels safe =
-            find_safe_levels(*curves, Crowding(tree, *curves, contact_skin_m).find_meetings());
+        Meetings meetings = Crowding(tree, *curves, contact_skin_m).find_meetings();
+        const bool is_complete = meetings.is_complete;
+        const SafeLevels safe = find_safe_levels(*curves, std::move(meetings));
         const auto pins = build < most_builds ? pins_for(*curves, safe) : std::vector<PinPlace>{};
         if (!pins.empty()) {
             wanted.pins.insert(wanted.pins.end(), pins.begin(), pins.end());
             continue;
         }
+        // Who is alone depends on the levels that there are.
+        const bool is_limited = !safe.unsafe.empty() || !is_complete;
         curves->limit_levels(safe.coarsest);
+        if (is_limited) tree = CollisionTree::build(*curves, radius_m);
         return scene_of(std::move(*curves), std::move(tree), map);
     }
 }

@@ -110,7 +110,9 @@ void ContactMachine::press(Position handle, double level, const ContactSettings&
     const Position start = handle - proxy_.centre;
     ContactStep(outlines_, settings, radius_m_, left, proxy_, path_).run(handle, report);
     book(handle, start, settings.stiffness_N_per_m, dt_s);
-    report.force = along<Force>(proxy_.centre - handle, settings.stiffness_N_per_m);
+    const Position stretch = proxy_.centre - handle;
+    report.force = along<Force>(stretch, settings.stiffness_N_per_m);
+    report.stored_J = 0.5 * settings.stiffness_N_per_m * dot(stretch, stretch);
 }
 
 /// A disc that overlapped a line would not be stopped by it in a corner.
@@ -155,6 +157,7 @@ void ContactMachine::hold(Position handle, double level, const ContactSettings& 
     proxy_ = {};
     proxy_.centre = held.p_WA;
     report.force = held.force;
+    report.stored_J = held.stored_J;
     report.boxes = held.boxes;
     report.clear = held.is_complete ? 1.0 : 0.0;
     if (held.at.exists()) {

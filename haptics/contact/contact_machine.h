@@ -27,9 +27,10 @@ inline constexpr int max_moves = 4 * max_walks;  // walks, arcs and changes of s
 
 /// What one step did.
 struct ContactReport {
-    Force force;    // K (proxy - handle) in wall mode: the contact force itself, no limits; fading
-                    // from the one before for a while after a switch of mode or a pop through
-    Position p_WP;  // proxy
+    Force force;  // K (proxy - handle) in wall mode: the contact force itself, no limits; fading
+                  // from the one before for a while after a switch of mode or a pop through
+    double stored_J = 0.0;  // what the spring, or the groove's law, could give back
+    Position p_WP;          // proxy
     ContactState state = ContactState::free;
     double level = 0.0;       // rendered level of the contact's piece, else the wanted one
     int outline = -1;         // touched, -1 when free

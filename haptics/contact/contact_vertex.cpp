@@ -101,7 +101,13 @@ ContactStep::Next ContactStep::reach_end(bool is_forward) {
 ContactStep::Next ContactStep::walk_or_hold(SegmentRef next, bool at_start, Direction away,
                                             Direction normal) {
     const Contact& at = first();
-    const Contact ahead{next, at_start ? 0.0 : 1.0, at.side, normal, at.offset_m, false};
+    // No further off than it is: a level may have moved the edges nearer than the disc is wide.
+    const Position vertex = point_of(outlines_.segment(next), at_start ? 0.0 : 1.0);
+    const double apart_m = dot(proxy_.centre - vertex, normal);
+    const double offset_m = apart_m < at.offset_m - approach_tolerance_m
+                                ? std::max(apart_m, contact_skin_m)
+                                : at.offset_m;
+    const Contact ahead{next, at_start ? 0.0 : 1.0, at.side, normal, offset_m, false};
     const double depth = -dot(handle_ - proxy_.centre, at.normal);
     if (dot(handle_ - proxy_.centre, away) > settings_.friction * depth) {
         first() = ahead;

@@ -44,6 +44,7 @@ GrooveForce Groove::step(RenderedOutlines& outlines, double level, Position hand
     is_fresh_ = false;
 
     result.force = force_;
+    result.stored_J = energy_J_;
     result.p_WA = handle;
     result.at = now_.exists() && (share_ >= 0.5 || !before_.exists()) ? now_ : before_;
     if (!result.at.exists()) return result;

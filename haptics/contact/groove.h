@@ -16,6 +16,7 @@ struct GrooveForce {
     Force force;
     Attachment at;  // the line that has the greater share of the force; none: no line is near
     Position p_WA;  // of the attachment; the handle where there is none
+    double stored_J = 0.0;    // in the laws
     Side side = Side::left;   // of that line, where the handle is
     int boxes = 0;            // opened
     bool is_complete = true;  // false: the budget ended before all nearer lines were looked at

@@ -8,8 +8,8 @@ namespace {
 constexpr double light_hand_Ns_per_m = 1.0;
 constexpr double finest_wall_N_per_m = 1500.0;
 constexpr double typical_force_N = 0.7;
-constexpr double rounding = 1.4;  // radius over depth (facts G2)
-constexpr double fast_loop_s = 5e-4;
+constexpr double rounding = 1.4;        // radius over depth (facts G2)
+constexpr double fast_loop_s = 5.5e-4;  // 2 kHz with what it may be late
 
 }  // namespace
 
@@ -18,7 +18,7 @@ LoopSettings loop_settings(const DeviceProfile& profile, double period_s, double
     const double lag_s = 0.5 * period_s + std::max(delay_s, period_s);
     const double encoder_N_per_m = 2.0 * tip.coulomb_N / encoder_step_m(profile);
     LoopSettings settings;
-    settings.damping_Ns_per_m = period_s <= fast_loop_s ? 2.0 : 1.5;
+    settings.damping_Ns_per_m = period_s < fast_loop_s ? 2.0 : 1.5;
     settings.stiffness_N_per_m =
         std::min({0.95 * (tip.viscous_Ns_per_m + light_hand_Ns_per_m) / lag_s, encoder_N_per_m,
                   finest_wall_N_per_m});

@@ -130,9 +130,10 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
         contact_report_.level = level;
         return {};
     }
-    const ContactSettings settings{
-        commands.mode,   stiffness_.stiffness_N_per_m(), commands.friction,     felt_.radius_m,
-        felt_.capture_m, commands.pop_through_N,         commands.pop_through_s};
+    const ContactSettings settings{commands.mode,         stiffness_.stiffness_N_per_m(),
+                                   commands.friction,     felt_.radius_m,
+                                   felt_.capture_m,       commands.pop_through_N / monitor_.gain(),
+                                   commands.pop_through_s};
     contact_report_ = contact_.step(p_WH_, level, settings, Budget{boxes_per_tick_, 0}, period_s_);
     (void)cost_.step(work_of(contact_report_), contact_.rendered_level());
     // Softened where it rang, with the damping that keeps it from ringing.
@@ -142,9 +143,7 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
 
 /// Of what the motors were told, not of what was asked: that is what rings.
 void ServoStep::watch(Force told, double dt_s) {
-    const Position stretch = contact_report_.p_WP - p_WH_;
-    const double stiffness_N_per_m = monitor_.gain() * stiffness_.stiffness_N_per_m();
-    const double stored_J = 0.5 * stiffness_N_per_m * dot(stretch, stretch);
+    const double stored_J = monitor_.gain() * contact_report_.stored_J;
     monitor_.step({told, moved_, stored_J, !is_swapping_}, dt_s);
 }
 

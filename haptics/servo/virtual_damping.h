@@ -8,13 +8,17 @@
 
 namespace touchline {
 
+inline constexpr double damped_in_full_N = 0.2;
+
 /// The spring's force with B v taken off along its own direction, at least 0: leaving the wall the
-/// hand is never held back by it, and along the wall nothing is damped. O(1).
+/// hand is never held back by it, and along the wall nothing is damped. A spring of less than 0.2 N
+/// is damped in proportion, so that nothing jumps where it begins or ends. O(1).
 [[nodiscard]] inline Force damped(Force spring, Velocity velocity, double damping_Ns_per_m) {
     const double spring_N = norm(spring);
     if (!(spring_N > 0.0)) return spring;
     const double outward_m_per_s = dot(spring, velocity) / spring_N;
-    const double total_N = std::max(0.0, spring_N - damping_Ns_per_m * outward_m_per_s);
+    const double damping = damping_Ns_per_m * std::min(1.0, spring_N / damped_in_full_N);
+    const double total_N = std::max(0.0, spring_N - damping * outward_m_per_s);
     return total_N / spring_N * spring;
 }
 
