@@ -196,8 +196,7 @@ int ContactMachine::change_level(double level, Position handle, const ContactSet
 int ContactMachine::move_wall(double level, Position handle, const ContactSettings& settings,
                               const Budget& budget, double dt_s) {
     const double from = outlines_.level();
-    const double stop = level > from ? std::floor(from) + 1.0 : std::ceil(from) - 1.0;
-    const double goal = level > from ? std::min(level, stop) : std::max(level, stop);
+    const double goal = within_octave(from, level);
     const bool is_whole_way = pace_octaves_ >= std::abs(goal - from);
     const double to = is_whole_way ? goal : from + std::copysign(pace_octaves_, goal - from);
     WallMotion motion(outlines_, to, radius_m_, budget);

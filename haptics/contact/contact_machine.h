@@ -45,8 +45,6 @@ struct ContactReport {
     double clear = 1.0;      // smallest fraction of a motion proven free
 };
 
-inline constexpr double largest_octaves = 0.5;  // of a change of level in a tick
-
 class ContactMachine {
   public:
     /// Starts free at the handle; exactly on a line it starts on the line's left. A disc that has

@@ -11,7 +11,6 @@ constexpr double fade_s = 0.03;             // of a handover
 constexpr double largest_fade_N = 0.015;    // in a tick
 constexpr double recovery_s = 0.05;         // of the strength, 0 to 1
 constexpr double valley_m = 1.5e-3;         // between two ridges, where both have a share
-constexpr double largest_octaves = 0.5;     // of a change of level in a tick
 constexpr double largest_push_N = 0.0075;   // by a change of level in a tick
 constexpr double largest_slide_N = 0.0075;  // by a slide that is late, in a tick
 constexpr double largest_hop_N = 0.015;     // across the inside of a bend
@@ -64,8 +63,7 @@ void Groove::change_level(RenderedOutlines& outlines, double level, const Captur
         return;
     }
     const CurveSet& curves = outlines.scene().curves;
-    const double stop = level > from ? std::floor(from) + 1.0 : std::ceil(from) - 1.0;
-    const double goal = level > from ? std::min(level, stop) : std::max(level, stop);
+    const double goal = within_octave(from, level);
     double step = std::min(largest_octaves, std::abs(goal - from));
     for (int tries = 0; tries < 3; ++tries) {
         const bool is_whole_way = step >= std::abs(goal - from);

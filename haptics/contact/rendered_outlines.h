@@ -30,6 +30,15 @@ struct EdgeRow {
     std::size_t first_node = 0;        // of the collision tree, of edge 0
 };
 
+inline constexpr double largest_octaves = 0.5;  // of a change of level under the hand, in a tick
+
+/// `level`, or the whole level next to `from` on the way there: up to it every point of the curves
+/// runs straight.
+[[nodiscard]] inline double within_octave(double from, double level) {
+    return level > from ? std::min(level, std::floor(from) + 1.0)
+                        : std::max(level, std::ceil(from) - 1.0);
+}
+
 class RenderedOutlines {
   public:
     RenderedOutlines() = default;

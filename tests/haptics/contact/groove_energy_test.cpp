@@ -1,5 +1,6 @@
 // Groove, ridge and stay: no closed loop of the hand gains more energy than its bound.
 #include "haptics/contact/contact_machine.h"
+#include "tests/haptics/contact/hold_rig.h"
 #include "tests/haptics/scenes.h"
 
 #include <algorithm>
@@ -17,19 +18,6 @@ namespace {
 
 using scenes::map_of;
 using scenes::outline;
-
-constexpr double tick_s = 1e-3;
-constexpr std::array hold_modes{Mode::groove, Mode::ridge, Mode::stay};
-
-Scene scene_of(const TactileMap& map) {
-    return build_scene(map, {}, 0.0).value();
-}
-
-ContactSettings settings_of(Mode mode) {
-    ContactSettings settings;
-    settings.mode = mode;
-    return settings;
-}
 
 TEST(Groove, NoClosedLoopOfTheHandGainsEnergy) {
     const Scene scene = scene_of(map_of({scenes::circle(0.02, 200)}));

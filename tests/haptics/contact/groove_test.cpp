@@ -1,5 +1,6 @@
 // Groove, ridge and stay: their laws, and how they change lines and levels.
 #include "haptics/contact/contact_machine.h"
+#include "tests/haptics/contact/hold_rig.h"
 #include "tests/haptics/scenes.h"
 
 #include <algorithm>
@@ -17,19 +18,6 @@ namespace {
 
 using scenes::map_of;
 using scenes::outline;
-
-constexpr double tick_s = 1e-3;
-constexpr std::array hold_modes{Mode::groove, Mode::ridge, Mode::stay};
-
-Scene scene_of(const TactileMap& map) {
-    return build_scene(map, {}, 0.0).value();
-}
-
-ContactSettings settings_of(Mode mode) {
-    ContactSettings settings;
-    settings.mode = mode;
-    return settings;
-}
 
 TEST(Groove, PullsToTheLineByItsProfileAndNotBeyondItsCapture) {
     const Scene scene = scene_of(map_of({outline({{-0.05, 0}, {0.05, 0}}, false)}));
