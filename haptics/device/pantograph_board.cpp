@@ -14,6 +14,7 @@ constexpr double sampling_s = 0.001;  // how much later a board may have looked 
 constexpr int jumps_that_count = 3;
 constexpr int most_packets_a_tick = 16;
 constexpr double rest_s = 0.001;
+constexpr double longest_send_s = 0.02;
 
 }  // namespace
 
@@ -44,6 +45,8 @@ bool PantographBoard::stop() {
     if (!link_) return false;
     if (report_.last_failure != LinkStatus::gone) {
         report_.state = BoardState::closed;
+        if (sending_bytes_ != 0) link_->wait(longest_send_s);
+        judge_send();
         send(write_command({}));
         note(link_->set_lines(true));
         start_resync(Rung::settle);
@@ -57,7 +60,7 @@ bool PantographBoard::stop() {
 }
 
 std::optional<JointAngles> PantographBoard::read_angles(double now_s) {
-    const double elapsed_s = now_s > last_s_ ? now_s - last_s_ : 0.0;
+    const double elapsed_s = last_s_ && now_s > *last_s_ ? now_s - *last_s_ : 0.0;
     if (std::isfinite(now_s)) last_s_ = now_s;
     if (report_.state == BoardState::closed || report_.state == BoardState::lost)
         return std::nullopt;
@@ -240,11 +243,14 @@ void PantographBoard::step_resync(const Arrivals& arrivals, double elapsed_s) {
     if (heard_) judge_position(*heard_);
 }
 
+// On a clock of its own; the next caller's may begin anywhere.
 void PantographBoard::run_resync() {
+    last_s_ = 0.0;
     while (report_.state == BoardState::resyncing) {
         link_->rest(rest_s);
-        (void)read_angles(last_s_ + rest_s);
+        (void)read_angles(*last_s_ + rest_s);
     }
+    last_s_.reset();
 }
 
 bool PantographBoard::send(const Command& command) {

@@ -102,7 +102,7 @@ class PantographBoard final : public ForceDevice {
     BoardReport report_;
     std::optional<PortAngles> raw_;    // last accepted
     std::optional<PortAngles> heard_;  // last that came while resyncing
-    double last_s_ = 0.0;
+    std::optional<double> last_s_;  // on the caller's clock
     double raw_age_s_ = 0.0;   // since raw_ came
     double owed_age_s_ = 0.0;  // since every reply was last in
     double send_age_s_ = 0.0;  // of a send that has not ended
