@@ -6,7 +6,7 @@
 namespace touchline {
 namespace {
 
-constexpr double oldest_angles_s = 0.0055;  // five ticks that went without a reply
+constexpr double oldest_angles_s = 0.0045;  // four ticks that went without a reply
 constexpr double lost_reply_s = 0.02;
 constexpr double slow_send_s = 0.005;
 constexpr double tip_speed_m_per_s = 1.5;  // faster than any hand at the handle

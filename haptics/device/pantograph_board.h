@@ -54,7 +54,8 @@ class PantographBoard final : public ForceDevice {
     /// set-up, zero write, exact checks. Takes 30 ms; up to 4 s before it fails.
     [[nodiscard]] Result<void> open();
 
-    /// Those of the newest reply. Nothing while resyncing, jumped or lost; at most 5 ms old.
+    /// Those of the newest reply. Nothing while resyncing, jumped or lost; at most 4 ms
+    /// after the tick that it came in.
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
 
     /// Scaled to the limit. False when the board is lost or a torque other than zero could not be
@@ -102,11 +103,11 @@ class PantographBoard final : public ForceDevice {
     BoardReport report_;
     std::optional<PortAngles> raw_;    // last accepted
     std::optional<PortAngles> heard_;  // last that came while resyncing
-    std::optional<double> last_s_;  // on the caller's clock
-    double raw_age_s_ = 0.0;   // since raw_ came
-    double owed_age_s_ = 0.0;  // since every reply was last in
-    double send_age_s_ = 0.0;  // of a send that has not ended
-    int owed_ = 0;             // replies
+    std::optional<double> last_s_;     // on the caller's clock
+    double raw_age_s_ = 0.0;           // since raw_ came
+    double owed_age_s_ = 0.0;          // since every reply was last in
+    double send_age_s_ = 0.0;          // of a send that has not ended
+    int owed_ = 0;                     // replies
     int jumps_in_a_row_ = 0;
     double jump_age_s_ = 0.0;        // raw_age_s_ at the first of them
     std::size_t sending_bytes_ = 0;  // of the send whose end was not seen yet; 0: none

@@ -30,7 +30,7 @@ struct FoundBoard {
 [[nodiscard]] std::string describe(const FoundBoard& board);
 
 struct UsbLinkOptions {
-    unsigned send_time_out_ms = 20;
+    unsigned send_time_out_ms = 10;
 };
 
 /// Threads: one at a time; links opened here must go before it does. All calls allocate and wait:

@@ -7,7 +7,7 @@ namespace touchline {
 namespace {
 
 constexpr double way_s = 1e-4;  // one way over the bus
-constexpr double send_time_out_s = 0.02;
+constexpr double send_time_out_s = 0.01;
 constexpr double control_s = 1e-3;
 constexpr std::int64_t leap_counts = 40;
 
