@@ -34,6 +34,11 @@ JointAngles resting_band(const HomingPlan& plan) {
 
 }  // namespace
 
+HomingPlan homing_plan(const DeviceProfile& profile) {
+    return {profile.home, profile.check.angles, profile.geometry.proximal_m,
+            encoder_quantum(profile)};
+}
+
 Homing::Homing(const HomingPlan& plan, const std::optional<Calibration>& stored)
     : plan_(plan),
       is_scale_known_(stored && is_scale(stored->scale)),

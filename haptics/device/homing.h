@@ -10,6 +10,7 @@
 #include "config/types/calibration.h"
 #include "config/types/vec2.h"
 #include "haptics/device/stillness.h"
+#include "haptics/pantograph/profile.h"
 
 #include <cstdint>
 #include <optional>
@@ -23,6 +24,8 @@ struct HomingPlan {
     double arm_m = 0.0;   // motor axis to elbow, > 0: misfits are told as motion of the elbow
     JointAngles quantum;  // rad, of one encoder count
 };
+
+[[nodiscard]] HomingPlan homing_plan(const DeviceProfile& profile);
 
 enum class HomingStep : std::uint8_t {
     to_home,         // "go to the home stop and hold still"

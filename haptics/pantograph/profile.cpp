@@ -40,26 +40,34 @@ constexpr BoardWiring gen2_wiring{port_2_ccw, port_1_cw, m0_told_per_count};
 constexpr BoardWiring haplet_wiring{port_1_cw, port_2_cw, 1.0};
 constexpr BoardWiring mk2_wiring{port_1_ccw, port_2_ccw, 1.0};  // a board of one's own
 
+// The two ends of a gen 3's reach are the home poses of its two generations. No other stop is
+// published: the others are checked with both arms stretched towards the person.
+constexpr JointAngles gen3_retracted = degrees(168.0, 12.0);
+constexpr JointAngles gen3_extended = degrees(97.23, 82.77);
+constexpr CheckStop gen2_stretched{degrees(90.0, 90.0), StopPlace::towards};
+constexpr CheckStop haplet_stretched{degrees(85.2198, 94.7802), StopPlace::towards};
+constexpr CheckStop mk2_stretched{degrees(84.8024, 95.1976), StopPlace::towards};
+
 // Areas: the largest 4:3 box in which the Jacobian's condition stays below 3. Force: up to 3 N,
 // which the motors give in their best direction (2.8 N: mk2).
 constexpr std::array profiles{
-    DeviceProfile{"2diy-gen3.1", gen3_links, m0_counts(4880.0, 4880.0), 0.123, degrees(168.0, 12.0),
-                  Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0, plastic_arms,
-                  gen3_wiring},
-    DeviceProfile{"2diy-gen3", gen3_links,
-                  m0_counts(2048.0 * 2.5 * 1.0194 * 1.0154, 2048.0 * 2.5 * 1.0194), 0.123,
-                  degrees(97.23, 82.77), Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0,
-                  plastic_arms, gen3_wiring},
+    DeviceProfile{"2diy-gen3.1", gen3_links, m0_counts(4880.0, 4880.0), 0.123, gen3_retracted,
+                  Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0, plastic_arms, gen3_wiring,
+                  StopPlace::away, CheckStop{gen3_extended, StopPlace::towards}},
+    DeviceProfile{
+        "2diy-gen3", gen3_links, m0_counts(2048.0 * 2.5 * 1.0194 * 1.0154, 2048.0 * 2.5 * 1.0194),
+        0.123, gen3_extended, Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0, plastic_arms,
+        gen3_wiring, StopPlace::towards, CheckStop{gen3_retracted, StopPlace::away}},
     DeviceProfile{"2diy-gen2", gen2_links, m0_counts(10752.0, 10752.0), 0.123,
                   degrees(241.0, -61.0), Area{0.144, 0.108}, Position{0.0, 0.076}, 3.0, 100.0,
-                  metal_arms, gen2_wiring},
+                  metal_arms, gen2_wiring, StopPlace::away, gen2_stretched},
     DeviceProfile{"haplet", haplet_links, JointAngles{13824.0, 13824.0}, 0.123, degrees(180.0, 0.0),
-                  Area{0.104, 0.076}, Position{0.010, 0.060}, 3.0, 100.0, small_arms,
-                  haplet_wiring},
+                  Area{0.104, 0.076}, Position{0.010, 0.060}, 3.0, 100.0, small_arms, haplet_wiring,
+                  StopPlace::sideways, haplet_stretched},
     // No home pose is published: the symmetric one near the centre of the area.
     DeviceProfile{"mk2", mk2_links, JointAngles{65536.0, 65536.0}, 0.1, degrees(150.0, 30.0),
-                  Area{0.096, 0.072}, Position{0.0125, 0.084}, 2.8, 400.0, direct_drive,
-                  mk2_wiring},
+                  Area{0.096, 0.072}, Position{0.0125, 0.084}, 2.8, 400.0, direct_drive, mk2_wiring,
+                  StopPlace::sideways, mk2_stretched},
 };
 
 }  // namespace

@@ -35,6 +35,16 @@ struct BoardWiring {
     double told_per_count = 1.0;   // counts a turn that the board is told, over those it resolves
 };
 
+/// Where the arms are stopped, as a person finds it. away: the handle pushed towards the motors.
+/// towards: pulled towards the person. sideways: the arms straight out to both sides.
+enum class StopPlace : std::uint8_t { away, towards, sideways };
+
+/// The second stop, at which homing is checked.
+struct CheckStop {
+    JointAngles angles;  // rad
+    StopPlace place = StopPlace::towards;
+};
+
 struct DeviceProfile {
     std::string_view name;
     Geometry geometry;
@@ -47,6 +57,8 @@ struct DeviceProfile {
     double bandwidth_Hz = 100.0;     // faster forces are not felt as commanded
     MechanicsProfile mechanics;
     BoardWiring wiring;
+    StopPlace home_place = StopPlace::away;
+    CheckStop check;
 };
 
 /// 2diy-gen3.1 (the default), 2diy-gen3, 2diy-gen2, haplet, mk2.

@@ -19,7 +19,7 @@ constexpr double tick_s = 1e-3;
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr JointAngles retracted{168.0 * degree, 12.0 * degree};
 constexpr JointAngles extended{97.23 * degree, 82.77 * degree};
-constexpr HomingPlan gen31{retracted, extended, 0.070, {0.1475 * degree, 0.1475 * degree}};
+const HomingPlan gen31 = homing_plan(default_profile());
 constexpr JointAngles unity{1.0, 1.0};
 
 /// Where a hand goes and how long it stays.
@@ -192,6 +192,25 @@ TEST(Homing, TellsHowFarHomeHasCrept) {
     const Unit crept{unity, retracted + JointAngles{2.0 * degree, 0.0}, false};
     lead(second, crept, {{retracted, 4.5}});
     EXPECT_NEAR(second.drift_m(first.calibration()), 2.0 * degree * 0.070, 4e-4);
+}
+
+TEST(HomingPlan, StretchesBothArmsOfEveryProfileOrRetractsThem) {
+    for (const DeviceProfile& profile : device_profiles()) {
+        const HomingPlan plan = homing_plan(profile);
+        const auto home = forward(profile.geometry, plan.home);
+        ASSERT_TRUE(home.has_value()) << profile.name;
+        EXPECT_GT(plan.arm_m * norm(plan.check - plan.home), 0.05) << profile.name;
+        if (profile.check.place != StopPlace::towards) continue;
+        // Both links of each arm in one line, or nearly so: the tip as far out as it goes.
+        const Geometry& arms = profile.geometry;
+        const double reach_m = arms.proximal_m + arms.distal_m;
+        const Position elbow{arms.proximal_m * std::cos(plan.check.x),
+                             arms.proximal_m * std::sin(plan.check.x)};
+        const double distal_x_m = 0.5 * arms.base_m - elbow.x;
+        const double tip_y_m =
+            elbow.y + std::sqrt(arms.distal_m * arms.distal_m - distal_x_m * distal_x_m);
+        EXPECT_GT(std::hypot(0.5 * arms.base_m, tip_y_m), 0.97 * reach_m) << profile.name;
+    }
 }
 
 TEST(DriftWatch, NeedsATimeBeyondAStop) {
