@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 
 #include "app/cli/curve.h"
+#include "app/cli/device.h"
 #include "app/cli/feel.h"
 #include "app/cli/trace_command.h"
 #include "haptics/pantograph/profile.h"
@@ -113,6 +114,7 @@ class CommandLine {
         add_curve();
         add_feel();
         add_tour();
+        add_device();
     }
 
     int run(const std::vector<std::string>& arguments, const Programs& programs, std::ostream& out,
@@ -127,7 +129,7 @@ class CommandLine {
             err << "touchline: " << error.what() << "; --help shows what can be said\n";
             return wrong_usage;
         }
-        return start(programs, err);
+        return start(programs, out, err);
     }
 
   private:
@@ -204,7 +206,25 @@ class CommandLine {
         tour_command_->add_option("-o", tour_.output, "RUN.png")->required();
     }
 
-    int start(const Programs& programs, std::ostream& err) {
+    void add_device() {
+        device_command_ = app_.add_subcommand("device", "The pantograph's board and its motors");
+        device_command_->require_subcommand(1);
+        const auto add = [this](const char* name, DeviceAction action, const char* what) {
+            auto* command = device_command_->add_subcommand(name, what);
+            command->callback([this, action] { device_.action = action; });
+            if (action == DeviceAction::list) return;
+            command->add_option("--serial", device_.serial, "Of the unit, where there are several");
+            command->add_option("--profile", device_.profile,
+                                "Its kind, where none is kept for it");
+        };
+        add("list", DeviceAction::list, "Boards that are plugged in");
+        add("probe", DeviceAction::probe, "Whether a board answers, and how fast");
+        add("home", DeviceAction::home, "Find where the handle is, step by step");
+        add("nudge", DeviceAction::nudge, "Whether the motors have power");
+        add("stop", DeviceAction::stop, "Turn the motors off");
+    }
+
+    int start(const Programs& programs, std::ostream& out, std::ostream& err) {
         if (trace_command_->parsed()) {
             return finish(run_trace(trace_).map([&err](const std::string& warning) {
                 if (!warning.empty()) err << "touchline: " << warning << '\n';
@@ -217,6 +237,7 @@ class CommandLine {
         }
         if (feel_command_->parsed()) return start_feel(err);
         if (tour_command_->parsed()) return finish(programs.tour(tour_), err);
+        if (device_command_->parsed()) return start_device(out, err);
         return programs.kiosk(kiosk_);
     }
 
@@ -227,6 +248,14 @@ class CommandLine {
             return wrong_usage;
         }
         return finish(run_feel(feel_), err);
+    }
+
+    int start_device(std::ostream& out, std::ostream& err) {
+        if (!device_.profile.empty() && !find_profile(device_.profile)) {
+            err << "touchline: " << find_profile(device_.profile).error().line << '\n';
+            return wrong_usage;
+        }
+        return finish(run_device(device_, out), err);
     }
 
     static int finish(const Result<void>& result, std::ostream& err) {
@@ -240,11 +269,13 @@ class CommandLine {
     CLI::App* curve_command_ = nullptr;
     CLI::App* feel_command_ = nullptr;
     CLI::App* tour_command_ = nullptr;
+    CLI::App* device_command_ = nullptr;
     KioskArguments kiosk_;
     TourArguments tour_;
     TraceCommandOptions trace_;
     CurveCommandOptions curve_;
     FeelOptions feel_;
+    DeviceCommandOptions device_;
     std::string area_;
     std::string level_;
     std::string mode_;

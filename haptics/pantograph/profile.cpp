@@ -46,7 +46,7 @@ constexpr JointAngles gen3_retracted = degrees(168.0, 12.0);
 constexpr JointAngles gen3_extended = degrees(97.23, 82.77);
 constexpr CheckStop gen2_stretched{degrees(90.0, 90.0), StopPlace::towards};
 constexpr CheckStop haplet_stretched{degrees(85.2198, 94.7802), StopPlace::towards};
-constexpr CheckStop mk2_stretched{degrees(84.8024, 95.1976), StopPlace::towards};
+constexpr CheckStop mk2_stretched{degrees(84.8030, 95.1970), StopPlace::towards};
 
 // Areas: the largest 4:3 box in which the Jacobian's condition stays below 3. Force: up to 3 N,
 // which the motors give in their best direction (2.8 N: mk2).

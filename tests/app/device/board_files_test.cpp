@@ -1,0 +1,83 @@
+// The files of boards and units: what is kept is read again, what is wrong is said.
+#include "app/device/board_files.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Files : public testing::Test {
+  protected:
+    Files() {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+
+    ~Files() override { fs::remove_all(folder_); }
+
+    BoardFiles files_with(const std::string& units) {
+        std::ofstream(folder_ / "units.toml") << units;
+        return files();
+    }
+
+    [[nodiscard]] BoardFiles files() const {
+        return {fs::path(TOUCHLINE_SOURCE_DIR) / "config/defaults/boards.toml",
+                folder_ / "units.toml"};
+    }
+
+    fs::path folder_ =
+        fs::temp_directory_path() /
+        ("touchline-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+TEST_F(Files, WithoutAFileOfUnitsTheTableIsEnough) {
+    const auto settings = read_board_files(files());
+    ASSERT_TRUE(settings.has_value());
+    EXPECT_GT(settings->boards.size(), 5U);
+    EXPECT_TRUE(settings->units.empty());
+}
+
+TEST_F(Files, AUnitIsKeptAndReplaced) {
+    BoardFiles deep = files();
+    deep.units = folder_ / "new" / "folder" / "units.toml";
+    UnitSettings unit{"AB12", "2diy-gen3", {}};
+    ASSERT_TRUE(keep_unit(deep, unit).has_value());
+    ASSERT_TRUE(keep_unit(deep, {"CD34", "2diy-gen2", {}}).has_value());
+    unit.calibration.scale = {1.02, 0.97};
+    unit.calibration.are_motors_swapped = true;
+    ASSERT_TRUE(keep_unit(deep, unit).has_value());
+    const auto settings = read_board_files(deep);
+    ASSERT_TRUE(settings.has_value());
+    ASSERT_EQ(settings->units.size(), 2U);
+    const UnitSettings* read = find_unit(*settings, "AB12");
+    ASSERT_NE(read, nullptr);
+    EXPECT_EQ(read->profile, "2diy-gen3");
+    EXPECT_EQ(read->calibration.scale, (JointAngles{1.02, 0.97}));
+    EXPECT_TRUE(read->calibration.are_motors_swapped);
+}
+
+TEST_F(Files, ABrokenFileOfUnitsIsNotOverwritten) {
+    const BoardFiles broken = files_with("[[unit]]\nserial = \"AB12\"\nprofile = 3\n");
+    const auto settings = read_board_files(broken);
+    ASSERT_FALSE(settings.has_value());
+    EXPECT_NE(settings.error().line.find("units.toml:"), std::string::npos);
+    EXPECT_FALSE(keep_unit(broken, {"CD34", "2diy-gen2", {}}).has_value());
+    EXPECT_FALSE(read_board_files(broken).has_value());
+}
+
+TEST_F(Files, AMissingTableIsSaid) {
+    BoardFiles missing = files();
+    missing.boards = folder_ / "none.toml";
+    const auto settings = read_board_files(missing);
+    ASSERT_FALSE(settings.has_value());
+    EXPECT_NE(settings.error().line.find("none.toml"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace touchline

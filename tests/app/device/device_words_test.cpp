@@ -1,0 +1,57 @@
+// What is said during homing: every step has something to do, every remark a reason.
+#include "app/device/device_words.h"
+
+#include <array>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr std::array steps{HomingStep::to_home, HomingStep::to_check, HomingStep::to_home_again,
+                           HomingStep::to_check_again, HomingStep::done};
+constexpr std::array remarks{HomingRemark::none,          HomingRemark::silent,
+                             HomingRemark::not_moved,     HomingRemark::misfit,
+                             HomingRemark::starting_over, HomingRemark::swapped,
+                             HomingRemark::measured};
+
+TEST(DeviceWords, EveryStepAndRemarkSaysSomethingOfItsOwn) {
+    for (const DeviceProfile& profile : device_profiles()) {
+        std::set<std::string> all;
+        for (const HomingStep step : steps)
+            for (const HomingRemark remark : remarks)
+                all.insert(words_of({step, remark, 0.0, 0.012}, profile));
+        EXPECT_EQ(all.size(), steps.size() * remarks.size()) << profile.name;
+        for (const std::string& words : all) {
+            EXPECT_EQ(words.back(), '.');
+            EXPECT_EQ(words.find('\n'), std::string::npos);
+        }
+    }
+}
+
+TEST(DeviceWords, LeadTheHandAwayFirstOnAGen31AndTowardsFirstOnAGen3) {
+    const auto first = [](const char* name) {
+        return words_of(HomingView{}, find_profile(name).value());
+    };
+    EXPECT_NE(first("2diy-gen3.1").find("away from you"), std::string::npos);
+    EXPECT_NE(first("2diy-gen3").find("towards you"), std::string::npos);
+}
+
+TEST(DeviceWords, AMisfitIsToldInMillimetres) {
+    const HomingView view{HomingStep::to_check, HomingRemark::misfit, 1.0, 0.0123};
+    EXPECT_EQ(words_of(view, default_profile()),
+              "Not there yet: 12 millimetres off. Second, pull the handle towards you until it "
+              "stops, then hold it still.");
+}
+
+TEST(DeviceWords, EveryVerdictSaysWhatToDo) {
+    std::set<std::string> all;
+    for (int verdict = 0; verdict <= static_cast<int>(NudgeVerdict::silent); ++verdict)
+        all.insert(words_of(static_cast<NudgeVerdict>(verdict)));
+    EXPECT_EQ(all.size(), static_cast<std::size_t>(NudgeVerdict::silent) + 1U);
+}
+
+}  // namespace
+}  // namespace touchline
