@@ -21,13 +21,13 @@ std::string words_of(StopPlace place) {
 std::string words_of(HomingStep step, const DeviceProfile& profile) {
     switch (step) {
         case HomingStep::to_home:
-            return "The force is off. Now " + words_of(profile.home_place);
+            return "The force is off. First, " + words_of(profile.home_place);
         case HomingStep::to_check:
-            return "Good. Now " + words_of(profile.check.place);
+            return "Second, " + words_of(profile.check.place);
         case HomingStep::to_home_again:
-            return "Good. Once more, " + words_of(profile.home_place);
+            return "Third, " + words_of(profile.home_place);
         case HomingStep::to_check_again:
-            return "Good. And once more, " + words_of(profile.check.place);
+            return "Last, " + words_of(profile.check.place);
         case HomingStep::done:
             return "Done. The handle is ready.";
     }

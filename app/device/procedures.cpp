@@ -58,6 +58,8 @@ Result<Calibration> home(const Procedure& procedure, const std::optional<Calibra
     procedure.say(words_of(said, profile));
     bool is_reopened = true;
     const Ending ending = run_ticks(procedure, [&](const auto& angles, double dt_s) {
+        // Before the arms are known to be where they read, a leap of the tip means nothing.
+        if (procedure.board.report().state == BoardState::jumped) procedure.board.accept_position();
         const HomingView view = homing.step(angles, dt_s);
         const bool is_new = view.step != said.step || view.remark != said.remark;
         said = view;
