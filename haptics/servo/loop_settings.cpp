@@ -24,7 +24,8 @@ LoopSettings loop_settings(const DeviceProfile& profile, double period_s, double
                   finest_wall_N_per_m});
     const double damped_N_per_m = 0.9 * (tip.viscous_Ns_per_m + settings.damping_Ns_per_m) / lag_s;
     settings.largest_stiffness_N_per_m =
-        std::max(settings.stiffness_N_per_m, std::min(damped_N_per_m, encoder_N_per_m));
+        std::max(settings.stiffness_N_per_m,
+                 std::min({damped_N_per_m, encoder_N_per_m, finest_wall_N_per_m}));
     settings.radius_m = rounding * typical_force_N / settings.stiffness_N_per_m;
     return settings;
 }

@@ -17,8 +17,11 @@ struct LoopSettings {
 /// both as measured; a delay below one period counts as one, since transport is not seen.
 ///   K     = min(0.95 (b + 1 N s/m) / (T/2 + t_d), 2 f_c / Delta, 1500): a light hand's limit, the
 ///           encoder's, and where finer walls are no longer told apart
-///   K_max = min(0.9 (b + B) / (T/2 + t_d), 2 f_c / Delta), at least K
+///   K_max = min(0.9 (b + B) / (T/2 + t_d), 2 f_c / Delta, 1500), at least K
 ///   B     = 1.5 N s/m, 2 from 2 kHz on
+/// From 2000 N/m on the shipped loop rings at 4 kHz when a light tip is hit, whatever the period
+/// allows: the velocity's window is as long as it takes to count encoder steps, not as short as the
+/// ticks (tests/stability/README.md).
 [[nodiscard]] LoopSettings loop_settings(const DeviceProfile& profile, double period_s,
                                          double delay_s);
 

@@ -141,9 +141,14 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
                   loop_.damping_Ns_per_m);
 }
 
-/// Of what the motors were told, not of what was asked: that is what rings.
+/// Of what the motors were told, not of what was asked: that is what rings. A spring whose force is
+/// cut short gives back no more than what is told; pressed beyond that it would seem to give
+/// energy.
 void ServoStep::watch(Force told, double dt_s) {
-    const double stored_J = monitor_.gain() * contact_report_.stored_J;
+    const double gain = monitor_.gain();
+    const double lost_N = std::max(0.0, gain * norm(contact_report_.force) - norm(told));
+    const double lost_J = 0.5 * lost_N * lost_N / (gain * stiffness_.stiffness_N_per_m());
+    const double stored_J = gain * contact_report_.stored_J - lost_J;
     monitor_.step({told, moved_, stored_J, !is_swapping_}, dt_s);
 }
 
