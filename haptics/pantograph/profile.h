@@ -13,12 +13,17 @@
 
 namespace touchline {
 
-/// What a simulation of the device starts from. Estimates: no maker publishes them.
+/// What a simulation of the device and the guards of its force start from. Estimates: no maker
+/// publishes them.
 struct MechanicsProfile {
     double tip_mass_kg = 0.05;      // effective, at the tip
     double viscous_Ns_per_m = 0.1;  // at the tip
     double coulomb_N = 0.05;        // at the tip
     double delay_s = 0.0;           // from writing a torque to its effect
+    // What a motor bears for ever, as a share of its limit: about 1 N on the hand where 1.7 N are
+    // the most, as users of the devices report; and how slowly it warms.
+    double continuous_torque = 0.6;
+    double warming_s = 60.0;
 };
 
 /// Which way a motor or an encoder is told to count as positive, as the board numbers it.

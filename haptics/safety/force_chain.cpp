@@ -6,6 +6,11 @@
 namespace touchline {
 namespace {
 
+constexpr double cuts_forgotten_s = 1.0;
+constexpr double one_cut = 0.5;
+// The spring is at its softest after three; two more within half a second say that it was no use.
+constexpr double hopeless_cuts = 3.5;
+
 // Every clamp is written so that NaN fails it.
 Force clamped(Force force, double limit_N) {
     const double magnitude = norm(force);
@@ -14,6 +19,12 @@ Force clamped(Force force, double limit_N) {
 
 bool is_finite(const Jacobian& j) {
     return touchline::is_finite(j.joint_1) && touchline::is_finite(j.joint_2);
+}
+
+bool is_sound(const ChainInput& input, double dt_s) {
+    return touchline::is_finite(input.wanted_D) && touchline::is_finite(input.p_D) &&
+           touchline::is_finite(input.velocity_D) && std::isfinite(input.sample_age_s) &&
+           std::isfinite(dt_s) && dt_s > 0.0 && (!input.jacobian || is_finite(*input.jacobian));
 }
 
 // 1 where the pose is good, 0 where it is (nearly) singular.
@@ -26,48 +37,119 @@ double pose_gain(const Jacobian& jacobian, const ForceLimits& limits) {
 }  // namespace
 
 ForceLimits limits_of(const DeviceProfile& profile) {
+    const MechanicsProfile& mechanics = profile.mechanics;
     ForceLimits limits;
     limits.force_N = std::min(3.0, profile.force_limit_N);
     limits.torque_Nm = 0.9 * profile.torque_limit_Nm;
+    limits.continuous_torque_Nm = mechanics.continuous_torque * profile.torque_limit_Nm;
+    limits.warming_s = mechanics.warming_s;
+    limits.tip = {mechanics.tip_mass_kg, mechanics.viscous_Ns_per_m, mechanics.coulomb_N,
+                  encoder_step_m(profile)};
     return limits;
 }
 
-void ForceChain::arm() {
-    if (state_ != ForceState::off) return;
-    state_ = ForceState::armed;
-    quiet_s_ = 0.0;
-}
+ForceChain::ForceChain(const ForceLimits& limits)
+    : limits_(limits), heat_(limits.continuous_torque_Nm, limits.warming_s), hand_(limits.tip) {}
 
-void ForceChain::fade() {
-    gain_per_s_ = -1.0 / limits_.fade_s;
-}
-
-void ForceChain::resume() {
-    if (state_ == ForceState::ramp || state_ == ForceState::live) {
-        gain_per_s_ = 1.0 / limits_.resume_s;
+SafeForce ForceChain::step(const ChainInput& input, double dt_s) {
+    status_.limit = Limit::none;
+    const std::uint16_t found = faults(input, dt_s);
+    const bool is_quiet = norm(input.wanted_D) < limits_.arm_force_N;
+    const SafetyFlags flags{
+        input.is_wanted,        is_quiet, input.is_fading, hand_.is_off(), input.is_cleared,
+        input.is_reinitialised, found};
+    safety_ = next(safety_, flags, limits_.times, dt_s);
+    SafeForce told = limited(input, dt_s);
+    if (!touchline::is_finite(told.force_D) || !touchline::is_finite(told.torques)) {
+        safety_ = {ForceState::fault, Fault::not_finite, 0.0, 0.0, 0.0};
+        told = none(Limit::fault);
     }
+    const bool is_sound_input = (found & bit_of(Fault::not_finite)) == 0;
+    if (is_sound_input) book(input, told, dt_s);
+    if (safety_.state == ForceState::fault) forget_motion();
+    status_.state = safety_.state;
+    status_.fault = safety_.fault;
+    told.limit = status_.limit;
+    return told;
 }
 
-void ForceChain::stop() {
-    *this = ForceChain(limits_);
-}
-
-void ForceChain::fail(Fault cause) {
-    stop();
-    state_ = ForceState::fault;
-    cause_ = cause;
-}
-
-void ForceChain::step_gain(Force wanted_D, double dt_s) {
-    if (state_ == ForceState::armed) {
-        quiet_s_ = norm(wanted_D) < limits_.arm_force_N ? quiet_s_ + dt_s : 0.0;
-        if (quiet_s_ < limits_.arm_s) return;
-        state_ = ForceState::ramp;
-        gain_per_s_ = 1.0 / limits_.start_s;
+std::uint16_t ForceChain::faults(const ChainInput& input, double dt_s) {
+    std::uint16_t found = 0;
+    const auto note = [&found](bool holds, Fault fault) {
+        if (holds) found = static_cast<std::uint16_t>(found | bit_of(fault));
+    };
+    note(input.is_stopped, Fault::emergency_stop);
+    note(input.is_lost, Fault::device_lost);
+    note(input.has_jumped, Fault::position_jump);
+    if (input.is_unreadable || !is_sound(input, dt_s)) {
+        note(true, Fault::not_finite);
+        return found;
     }
-    if (state_ == ForceState::off) return;
-    gain_ = std::clamp(gain_ + gain_per_s_ * dt_s, 0.0, 1.0);
-    state_ = gain_ == 1.0 ? ForceState::live : ForceState::ramp;
+    note(input.sample_age_s >= limits_.lost_s, Fault::samples_late);
+    note(speed_.step(norm(input.velocity_D), dt_s), Fault::too_fast);
+    const Position moved = has_position_ ? input.p_D - p_D_ : Position{};
+    energy_.step(last_D_, moved, dt_s);
+    note(energy_.is_too_much(), Fault::energy);
+    note(is_ringing(input.cuts, dt_s), Fault::ringing);
+    (void)hand_.step(last_D_, input.velocity_D, input.p_D, dt_s);
+    const bool rang = recent_cuts_ > one_cut;
+    note(hand_.is_alone() && rang, Fault::knob_lost);
+    return found;
+}
+
+bool ForceChain::is_ringing(std::uint64_t cuts, double dt_s) {
+    recent_cuts_ = recent_cuts_ * std::max(0.0, 1.0 - dt_s / cuts_forgotten_s) +
+                   static_cast<double>(cuts - cuts_);
+    cuts_ = cuts;
+    return recent_cuts_ > hopeless_cuts;
+}
+
+SafeForce ForceChain::limited(const ChainInput& input, double dt_s) {
+    if (safety_.state == ForceState::fault) return none(Limit::fault);
+    if (!input.jacobian) return none(Limit::unreachable);
+    const Force target = bounded(input);
+    // What drives a fast hand on goes at once, not by the slew.
+    const bool braked = is_braked(input.velocity_D);
+    if (braked) last_D_ = without_drive(last_D_, input.velocity_D);
+    Force force = slewed(target, dt_s);
+    if (force != target) limit_by(Limit::slew);
+    if (braked) force = without_drive(force, input.velocity_D);
+
+    JointTorques torques = joint_torques(*input.jacobian, force);
+    const double peak = std::max(std::abs(torques.x), std::abs(torques.y));
+    if (!(peak <= limits_.torque_Nm)) {
+        const double scale = limits_.torque_Nm / peak;
+        force = scale * force;
+        torques = scale * torques;
+        limit_by(Limit::torque);
+    }
+    return {force, torques, Limit::none};
+}
+
+/// Everything but the slew and the motors' limits.
+Force ForceChain::bounded(const ChainInput& input) {
+    if (input.sample_age_s >= limits_.late_s) {
+        limit_by(Limit::late);
+        return {};
+    }
+    if (safety_.gain != 1.0) limit_by(Limit::gain);
+    if (hand_.is_off()) limit_by(Limit::hand);
+    const double pose = pose_gain(*input.jacobian, limits_);
+    if (pose != 1.0) limit_by(Limit::pose);
+    Force force = safety_.gain * pose * input.wanted_D;
+    const double cool = heat_.allowed();
+    if (cool != 1.0) limit_by(Limit::heat);
+    force = cool * force;
+    const double damping = safety_.gain * energy_.damping_Ns_per_m();
+    if (damping > 0.0) {
+        limit_by(Limit::damped);
+        force += along<Force>(input.velocity_D, -damping);
+    }
+    const Force within = clamped(force, limits_.force_N);
+    if (within != force) limit_by(Limit::force);
+    if (!is_braked(input.velocity_D)) return within;
+    limit_by(Limit::speed);
+    return without_drive(within, input.velocity_D);
 }
 
 Force ForceChain::slewed(Force target_D, double dt_s) const {
@@ -75,44 +157,30 @@ Force ForceChain::slewed(Force target_D, double dt_s) const {
     return clamped(last_D_ + change, norm(last_D_) + limits_.rise_N_per_s * dt_s);
 }
 
-SafeForce ForceChain::none(Limit limit) {
-    last_D_ = {};
-    return {{}, {}, limit};
+void ForceChain::book(const ChainInput& input, const SafeForce& told, double dt_s) {
+    last_D_ = told.force_D;
+    p_D_ = input.p_D;
+    has_position_ = true;
+    heat_.step(told.torques, dt_s);
 }
 
-SafeForce ForceChain::step(Force wanted_D, const std::optional<Jacobian>& jacobian, double dt_s) {
-    const bool is_sound = touchline::is_finite(wanted_D) && std::isfinite(dt_s) && dt_s > 0.0 &&
-                          (!jacobian || is_finite(*jacobian));
-    if (!is_sound && state_ != ForceState::fault) fail(Fault::not_finite);
-    if (state_ == ForceState::fault) return none(Limit::fault);
+/// Without force there is nothing to judge by; a fault must not hold itself up.
+void ForceChain::forget_motion() {
+    energy_ = {};
+    hand_ = HandPresence(limits_.tip);
+    recent_cuts_ = 0.0;
+    has_position_ = false;
+}
 
-    step_gain(wanted_D, dt_s);
-    if (!jacobian) return none(Limit::unreachable);
-    Limit limit = gain_ == 1.0 ? Limit::none : Limit::gain;
-    const auto limited_by = [&limit](Limit stage) { limit = std::max(limit, stage); };
+void ForceChain::limit_by(Limit limit) {
+    status_.limit = std::max(status_.limit, limit);
+    ++status_.limited[static_cast<std::size_t>(limit)];
+}
 
-    const double pose = pose_gain(*jacobian, limits_);
-    if (pose != 1.0) limited_by(Limit::pose);
-    const Force faded = gain_ * pose * wanted_D;
-    const Force bounded = clamped(faded, limits_.force_N);
-    if (bounded != faded) limited_by(Limit::force);
-    Force force = slewed(bounded, dt_s);
-    if (force != bounded) limited_by(Limit::slew);
-
-    JointTorques torques = joint_torques(*jacobian, force);
-    const double peak = std::max(std::abs(torques.x), std::abs(torques.y));
-    if (!(peak <= limits_.torque_Nm)) {
-        const double scale = limits_.torque_Nm / peak;
-        force = scale * force;
-        torques = scale * torques;
-        limited_by(Limit::torque);
-    }
-    if (!touchline::is_finite(force) || !touchline::is_finite(torques)) {
-        fail(Fault::not_finite);
-        return none(Limit::fault);
-    }
-    last_D_ = force;
-    return {force, torques, limit};
+SafeForce ForceChain::none(Limit limit) {
+    limit_by(limit);
+    last_D_ = {};
+    return {};
 }
 
 }  // namespace touchline

@@ -1,28 +1,26 @@
-// The only place that limits force. One chain per device, stepped once a servo tick: finite check
-// -> gain (arming, ramp, fade) -> pose (0 near singularities) -> vector clamp -> slew -> joint
-// torques, both scaled together when one motor saturates.
+// The only place that limits force. One chain per device, stepped once a servo tick: finite check,
+// state and gain -> pose (0 near singularities) -> one-sided speed limit -> heat of the motors ->
+// damping where energy was given -> vector clamp -> slew -> joint torques, both scaled together
+// when one motor saturates -> what that gave the hand is booked.
 // Every limit holds for any doubles; where anything is in doubt the force is zero.
 // Threads: one, the servo's. A plain value; no allocation, lock, clock or log.
 #pragma once
 
+#include "config/types/force_status.h"
 #include "config/types/vec2.h"
 #include "haptics/pantograph/kinematics.h"
 #include "haptics/pantograph/profile.h"
+#include "haptics/safety/energy_guard.h"
+#include "haptics/safety/hand_presence.h"
+#include "haptics/safety/motor_heat.h"
+#include "haptics/safety/safety_state.h"
+#include "haptics/safety/speed_limit.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
 namespace touchline {
-
-/// off: zero. armed: zero until the wanted force was small for a while, so that nobody is pushed
-/// when force comes on. ramp: gain on its way up or down. live: full gain. fault: zero until
-/// stopped and armed again.
-enum class ForceState : std::uint8_t { off, armed, ramp, live, fault };
-
-enum class Fault : std::uint8_t { none, not_finite, device_lost };
-
-/// What reduced the force of this tick; the gravest of several.
-enum class Limit : std::uint8_t { none, gain, slew, torque, force, pose, unreachable, fault };
 
 struct ForceLimits {
     double force_N = 3.0;            // vector, on the hand
@@ -31,65 +29,85 @@ struct ForceLimits {
     double change_N_per_s = 1500.0;  // change of the vector: a soft stop from 3 N takes 2 ms
     double condition_full = 5.0;     // full force up to this condition of the Jacobian ...
     double condition_zero = 6.0;     // ... none from here on
-    double arm_force_N = 0.1;        // armed -> ramp after the wanted force ...
-    double arm_s = 0.2;              // ... was below this for so long
-    double start_s = 0.5;            // gain 0 -> 1 after arming
-    double resume_s = 0.15;          // gain 0 -> 1 after a fade
-    double fade_s = 0.05;            // gain 1 -> 0
+    double arm_force_N = 0.1;        // armed: the wanted force is small below this
+    double late_s = 0.003;           // samples this old: a soft stop, over at 5 ms ...
+    double lost_s = 0.02;            // ... and a fault
+    double continuous_torque_Nm = 0.6 * 0.123;  // each motor
+    double warming_s = 60.0;                    // its time constant
+    SafetyTimes times;
+    TipMechanics tip;
 };
 
-/// Limits of a device: min(3 N, the device's), 0.9 of its torque.
+/// Limits of a device: min(3 N, the device's), 0.9 of its torque, what its motors bear for ever.
 [[nodiscard]] ForceLimits limits_of(const DeviceProfile& profile);
+
+/// What a tick knows, in the device's frame.
+struct ChainInput {
+    Force wanted_D;                    // on the hand
+    std::optional<Jacobian> jacobian;  // of the pose; nothing: unknown or out of reach
+    Position p_D;                      // handle, the last known
+    Velocity velocity_D;
+    double sample_age_s = 0.0;      // of the pose
+    bool is_wanted = true;          // force is switched on
+    bool is_fading = false;         // force to 0 within fade_s, for as long as this is said
+    bool is_cleared = false;        // the operator clears a fault
+    bool is_reinitialised = false;  // the device was set up anew
+    bool is_stopped = false;        // emergency stop
+    bool is_unreadable = false;     // the device's angles are no numbers
+    bool is_lost = false;           // the device is
+    bool has_jumped = false;        // the handle, to where it cannot have moved
+    std::uint64_t cuts = 0;         // of the stability monitor, so far
+};
 
 /// The force that the motors are told to make, in D, and how it came about.
 struct SafeForce {
     Force force_D;
     JointTorques torques;
-    Limit limit = Limit::none;
+    Limit limit = Limit::none;  // the gravest
 };
 
 class ForceChain {
   public:
-    explicit ForceChain(const ForceLimits& limits) : limits_(limits) {}
+    /// Off.
+    explicit ForceChain(const ForceLimits& limits);
 
-    /// off -> armed. Without effect in any other state.
-    void arm();
-    /// Gain to 0 within fade_s; is_faded() tells when. Then resume() or stop().
-    void fade();
-    /// Gain back to 1 within resume_s. Without effect unless live or ramping.
-    void resume();
-    /// Zero at once, off; clears a fault.
-    void stop();
-    /// Zero at once, and it stays so until stop().
-    void fail(Fault cause);
+    /// One tick of dt_s > 0. |force| <= force_N, |torque| <= torque_Nm; |force| grows by at most
+    /// rise_N_per_s dt_s, changes by at most change_N_per_s dt_s unless it must go to zero, would
+    /// drive on a hand that is too fast, or a motor saturates, which keeps its direction. Anything
+    /// that is not finite is a fault. O(1).
+    [[nodiscard]] SafeForce step(const ChainInput& input, double dt_s);
 
-    /// One tick. `jacobian`: of the pose now, nothing when the pose is unknown or out of reach.
-    /// |force|
-    /// <= force_N, |torque| <= torque_Nm; |force| grows by at most rise_N_per_s dt_s, changes by at
-    /// most change_N_per_s dt_s unless it must go to zero or a motor saturates, which keeps its
-    /// direction. A wanted force, Jacobian or dt_s that is not finite is a fault.
-    [[nodiscard]] SafeForce step(Force wanted_D, const std::optional<Jacobian>& jacobian,
-                                 double dt_s);
-
-    [[nodiscard]] ForceState state() const { return state_; }
-
-    [[nodiscard]] Fault cause() const { return cause_; }
+    [[nodiscard]] ForceState state() const { return safety_.state; }
 
     /// No force can act: gain 0.
-    [[nodiscard]] bool is_faded() const { return gain_ == 0.0; }
+    [[nodiscard]] bool is_faded() const { return safety_.gain == 0.0; }
+
+    /// Of the last tick.
+    [[nodiscard]] const ForceStatus& status() const { return status_; }
 
   private:
-    void step_gain(Force wanted_D, double dt_s);
+    [[nodiscard]] std::uint16_t faults(const ChainInput& input, double dt_s);
+    [[nodiscard]] bool is_ringing(std::uint64_t cuts, double dt_s);
+    [[nodiscard]] SafeForce limited(const ChainInput& input, double dt_s);
+    [[nodiscard]] Force bounded(const ChainInput& input);
     [[nodiscard]] Force slewed(Force target_D, double dt_s) const;
+    void book(const ChainInput& input, const SafeForce& told, double dt_s);
+    void forget_motion();
     SafeForce none(Limit limit);
+    void limit_by(Limit limit);
 
     ForceLimits limits_;
-    ForceState state_ = ForceState::off;
-    Fault cause_ = Fault::none;
-    double gain_ = 0.0;
-    double gain_per_s_ = 0.0;  // > 0 rising, < 0 fading
-    double quiet_s_ = 0.0;     // armed: how long the wanted force has been small
-    Force last_D_;             // commanded in the last tick
+    SafetyState safety_;
+    SpeedWatch speed_;
+    MotorHeat heat_;
+    EnergyGuard energy_;
+    HandPresence hand_;
+    ForceStatus status_;
+    Force last_D_;  // told in the last tick
+    Position p_D_;  // in the last tick
+    bool has_position_ = false;
+    std::uint64_t cuts_ = 0;    // known of
+    double recent_cuts_ = 0.0;  // forgotten in 1 s
 };
 
 }  // namespace touchline

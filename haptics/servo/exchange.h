@@ -3,9 +3,9 @@
 #pragma once
 
 #include "config/types/contact_event.h"
+#include "config/types/force_status.h"
 #include "config/types/hand_state.h"
 #include "haptics/collision/scene.h"
-#include "haptics/safety/force_chain.h"
 
 #include <array>
 #include <atomic>
@@ -107,13 +107,11 @@ struct ServoCommands {
     double level = 0.0;                // fixed where not automatic, >= 0, may be fractional
     double finest_level = 0.0;         // the operator's bounds of the automatic level
     double coarsest_level = 16.0;
-};
+    bool is_force_wanted = true;       // false: off, at once
+    bool is_emergency_stop = false;    // as long as it is pressed
+    std::uint32_t faults_cleared = 0;  // another number: the operator clears what went wrong
 
-/// Why the hand feels what it feels, for the operator.
-struct ForceStatus {
-    ForceState state = ForceState::off;
-    Fault fault = Fault::none;
-    Limit limit = Limit::none;
+    friend bool operator==(const ServoCommands&, const ServoCommands&) = default;
 };
 
 /// What the servo publishes every tick.

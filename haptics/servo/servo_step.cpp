@@ -3,6 +3,7 @@
 #include "haptics/servo/virtual_damping.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace touchline {
 namespace {
@@ -26,6 +27,7 @@ ServoStep::ServoStep(const DeviceProfile& profile, double period_s)
     : profile_(profile),
       period_s_(period_s),
       chain_(limits_of(profile)),
+      position_guard_(encoder_step_m(profile)),
       level_limits_(limits_of_device(profile)),
       level_rule_(level_limits_),
       cost_(period_s),
@@ -33,15 +35,13 @@ ServoStep::ServoStep(const DeviceProfile& profile, double period_s)
       stiffness_(ServoCommands{}.stiffness_N_per_m),
       loop_(loop_settings(profile, period_s, 0.0)),
       measured_period_s_(period_s),
-      velocity_(encoder_step_m(profile)) {
-    chain_.arm();
-}
+      velocity_(encoder_step_m(profile)) {}
 
 JointTorques ServoStep::step(const StepInput& input) {
     const double dt_s = std::max(period_s_, input.now_s - last_s_);
     last_s_ = input.now_s;
     measure_loop(input, dt_s);
-    const std::optional<Pose> pose = find_pose(input);
+    const std::optional<Pose> pose = find_pose(input, dt_s);
     Force wanted_W;
     if (!pose) velocity_.reset();
     events_ = {};
@@ -56,10 +56,7 @@ JointTorques ServoStep::step(const StepInput& input) {
         wanted_W = feel(input.commands, dt_s);
         detect(input);
     }
-    if (is_stopping_) chain_.fade();
-    // Ramps and slew advance by one period however late the tick is.
-    const auto jacobian = pose ? std::optional(pose->jacobian) : std::nullopt;
-    const SafeForce safe = chain_.step(turned(wanted_W), jacobian, period_s_);
+    const SafeForce safe = make_safe(wanted_W, pose, input);
     if (pose) watch(turned(safe.force_D), dt_s);
     fill(input, safe);
     return safe.torques;
@@ -79,10 +76,41 @@ void ServoStep::measure_loop(const StepInput& input, double dt_s) {
     loop_ = loop_settings(profile_, measured_period_s_, measured_delay_s_);
 }
 
-std::optional<Pose> ServoStep::find_pose(const StepInput& input) {
+/// Where the handle is, or for a few ticks was: one that jumps is not believed at once.
+std::optional<Pose> ServoStep::find_pose(const StepInput& input, double dt_s) {
     silent_s_ = input.angles ? 0.0 : silent_s_ + period_s_;
-    if (silent_s_ > longest_silence_s) chain_.fail(Fault::device_lost);
-    return input.angles ? forward(profile_.geometry, *input.angles) : std::nullopt;
+    const auto pose = input.angles ? forward(profile_.geometry, *input.angles) : std::nullopt;
+    sample_ = Sample::good;
+    if (!pose) {
+        position_guard_.miss(dt_s);
+        return pose;
+    }
+    sample_ = position_guard_.step(pose->p_DH, dt_s);
+    if (sample_ != Sample::held) good_pose_ = pose;
+    return good_pose_;
+}
+
+SafeForce ServoStep::make_safe(Force wanted_W, const std::optional<Pose>& pose,
+                               const StepInput& input) {
+    ChainInput chain;
+    chain.wanted_D = turned(wanted_W);
+    if (pose) chain.jacobian = pose->jacobian;
+    chain.p_D = device_from_picture(profile_, p_WH_);
+    chain.velocity_D = turned(velocity_.velocity());
+    chain.sample_age_s = input.sample_age_s;
+    chain.is_unreadable = input.angles && !is_finite(*input.angles);
+    chain.is_wanted = input.commands.is_force_wanted;
+    chain.is_fading = is_swapping_ || is_stopping_;
+    chain.is_cleared = std::exchange(faults_cleared_, input.commands.faults_cleared) !=
+                       input.commands.faults_cleared;
+    chain.is_reinitialised =
+        std::exchange(device_setups_, input.device_setups) != input.device_setups;
+    chain.is_stopped = input.commands.is_emergency_stop;
+    chain.is_lost = std::exchange(is_refused_, false) || silent_s_ > longest_silence_s;
+    chain.has_jumped = sample_ == Sample::jumped;
+    chain.cuts = monitor_.cuts();
+    // Ramps and slew advance by one period however late the tick is.
+    return chain_.step(chain, period_s_);
 }
 
 void ServoStep::bound_level(const ServoCommands& commands) {
@@ -96,14 +124,8 @@ void ServoStep::bound_level(const ServoCommands& commands) {
 void ServoStep::follow_shape(const StepInput& input) {
     const ServoCommands& commands = input.commands;
     const Shape wanted{input.scene, commands.radius_m, commands.capture_m};
-    if (wanted == felt_) {
-        if (is_swapping_) chain_.resume();
-        is_swapping_ = false;
-        return;
-    }
-    is_swapping_ = true;
-    chain_.fade();
-    if (!chain_.is_faded()) return;
+    is_swapping_ = wanted != felt_;
+    if (!is_swapping_ || !chain_.is_faded()) return;
     felt_ = wanted;
     contact_report_ = {};
     detector_.reset();
@@ -176,7 +198,7 @@ void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
     ++hand.ticks;
     hand.missed_ticks = input.missed_ticks;
     hand.map_version = felt_.scene == nullptr ? 0 : felt_.scene->map_version;
-    report_.force = {chain_.state(), chain_.cause(), safe.limit};
+    report_.force = chain_.status();
 }
 
 }  // namespace touchline

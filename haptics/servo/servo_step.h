@@ -11,6 +11,7 @@
 #include "haptics/resolution/cost_term.h"
 #include "haptics/resolution/level_rule.h"
 #include "haptics/safety/force_chain.h"
+#include "haptics/safety/position_guard.h"
 #include "haptics/safety/stability_monitor.h"
 #include "haptics/safety/stiffness_ramp.h"
 #include "haptics/servo/exchange.h"
@@ -28,8 +29,10 @@ struct StepInput {
     std::uint64_t missed_ticks = 0;     // so far
     std::optional<JointAngles> angles;  // nothing when the device did not answer
     ServoCommands commands;
-    const Scene* scene = nullptr;  // wanted; must live until scene() is another one
-    double delay_s = 0.0;          // from reading the angles to the torques' effect, as measured
+    const Scene* scene = nullptr;     // wanted; must live until scene() is another one
+    double delay_s = 0.0;             // from reading the angles to the torques' effect, as measured
+    double sample_age_s = 0.0;        // of the angles, when they were read
+    std::uint32_t device_setups = 0;  // how often the device was set up so far
 };
 
 class ServoStep {
@@ -40,8 +43,9 @@ class ServoStep {
     /// kinematics -> handle in W -> level -> contact -> damping -> force chain. Stiffness is kept
     /// below what the period and delay measured so far allow (loop_settings.h). A new scene, proxy
     /// radius or capture width fades force to zero first, drops the contact and fades in again; a
-    /// new mode takes over under the hand, its force fading from the one before. A device that has
-    /// not answered for 20 ms is a fault.
+    /// new mode takes over under the hand, its force fading from the one before. A device that does
+    /// not answer has no force, and after 20 ms it is a fault; so is one that refuses torques. In a
+    /// fault everything goes on but the force (haptics/safety/safety_state.h).
     [[nodiscard]] JointTorques step(const StepInput& input);
 
     /// Fades force out for good; is_silent() tells when.
@@ -50,7 +54,7 @@ class ServoStep {
     [[nodiscard]] bool is_silent() const { return chain_.is_faded(); }
 
     /// The device took no torques.
-    void lose_device() { chain_.fail(Fault::device_lost); }
+    void lose_device() { is_refused_ = true; }
 
     /// Of the last step.
     [[nodiscard]] const ServoReport& report() const { return report_; }
@@ -71,7 +75,9 @@ class ServoStep {
         friend bool operator==(const Shape&, const Shape&) = default;
     };
 
-    [[nodiscard]] std::optional<Pose> find_pose(const StepInput& input);
+    [[nodiscard]] std::optional<Pose> find_pose(const StepInput& input, double dt_s);
+    [[nodiscard]] SafeForce make_safe(Force wanted_W, const std::optional<Pose>& pose,
+                                      const StepInput& input);
     void follow_shape(const StepInput& input);
     void bound_level(const ServoCommands& commands);
     void measure_loop(const StepInput& input, double dt_s);
@@ -83,6 +89,9 @@ class ServoStep {
     DeviceProfile profile_;
     double period_s_;
     ForceChain chain_;
+    PositionGuard position_guard_;
+    Sample sample_ = Sample::good;
+    std::optional<Pose> good_pose_;  // the last one to be used
     LevelLimits level_limits_;
     LevelRule level_rule_;
     CostTerm cost_;
@@ -104,6 +113,9 @@ class ServoStep {
     double last_s_ = 0.0;
     double silent_s_ = 0.0;  // since the device last answered
     bool is_swapping_ = false;
+    bool is_refused_ = false;  // the last torques
+    std::uint32_t faults_cleared_ = 0;
+    std::uint32_t device_setups_ = 0;
     bool is_stopping_ = false;
     ServoReport report_;
 };

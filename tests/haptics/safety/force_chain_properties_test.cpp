@@ -50,11 +50,35 @@ Jacobian any_jacobian() {
     return {{entry(), entry()}, {entry(), entry()}};
 }
 
+ChainInput wanting(Force wanted, const Jacobian& pose = good_pose) {
+    ChainInput input;
+    input.wanted_D = wanted;
+    input.jacobian = pose;
+    return input;
+}
+
 ForceChain live_chain() {
     ForceChain chain{ForceLimits{}};
-    chain.arm();
-    for (int i = 0; i < 1000; ++i) (void)chain.step({}, good_pose, tick_s);
+    for (int i = 0; i < 1000; ++i) (void)chain.step(wanting({}), tick_s);
     return chain;
+}
+
+/// Each input now and then anything, else what a device and a hand give.
+ChainInput any_input() {
+    const auto is_odd = [] { return *rc::gen::inRange(0, 15) == 0; };
+    const auto ordinary = [](double most) { return most * *rc::gen::inRange(-1000, 1001) / 1000; };
+    ChainInput input;
+    input.wanted_D = is_odd() ? Force{any_double(), any_double()} : Force{ordinary(5), ordinary(5)};
+    if (!is_odd()) input.jacobian = any_jacobian();
+    if (is_odd()) input.p_D = {any_double(), any_double()};
+    input.velocity_D =
+        is_odd() ? Velocity{any_double(), any_double()} : Velocity{ordinary(1.2), ordinary(1.2)};
+    if (is_odd()) input.sample_age_s = any_double();
+    input.is_wanted = !is_odd();
+    input.is_fading = is_odd();
+    input.is_stopped = is_odd() && is_odd();
+    input.is_lost = is_odd() && is_odd();
+    return input;
 }
 
 bool is_zero(const SafeForce& out) {
@@ -66,11 +90,9 @@ RC_GTEST_PROP(ForceChainProperties, AnyDoublesGiveFiniteForcesWithinEveryLimit, 
     ForceChain chain = live_chain();
     Force last;
     for (int tick = 0; tick < 20; ++tick) {
-        const bool is_known = *rc::gen::inRange(0, 10) != 0;
-        const Force wanted{any_double(), any_double()};
-        const auto pose = is_known ? std::optional(any_jacobian()) : std::nullopt;
         const double dt_s = *rc::gen::inRange(0, 10) == 0 ? any_double() : tick_s;
-        const SafeForce out = chain.step(wanted, pose, dt_s);
+        const ChainInput input = any_input();
+        const SafeForce out = chain.step(input, dt_s);
 
         RC_ASSERT(is_finite(out.force_D) && is_finite(out.torques));
         RC_ASSERT(norm(out.force_D) <= limits.force_N * (1.0 + 1e-12));
@@ -78,9 +100,17 @@ RC_GTEST_PROP(ForceChainProperties, AnyDoublesGiveFiniteForcesWithinEveryLimit, 
         RC_ASSERT(std::abs(out.torques.y) <= limits.torque_Nm * (1.0 + 1e-12));
         const double growth = norm(out.force_D) - norm(last);
         RC_ASSERT(growth <= 0.0 || growth <= limits.rise_N_per_s * dt_s + 1e-12);
-        if (!is_known || !is_finite(wanted) || !std::isfinite(dt_s)) RC_ASSERT(is_zero(out));
+        const bool is_fast = is_finite(input.velocity_D) && norm(input.velocity_D) > 1.0;
+        RC_ASSERT(!is_fast || dot(out.force_D, input.velocity_D) <= 0.0);
+        if (!input.jacobian || !is_finite(input.wanted_D) || !std::isfinite(dt_s))
+            RC_ASSERT(is_zero(out));
         if (chain.state() == ForceState::fault) RC_ASSERT(is_zero(out));
         last = out.force_D;
+        // Faults end, so that there is force to be limited.
+        if (chain.state() == ForceState::fault && *rc::gen::inRange(0, 2) == 0) {
+            chain = live_chain();
+            last = {};
+        }
     }
 }
 
@@ -91,7 +121,7 @@ RC_GTEST_PROP(ForceChainProperties, ScalingKeepsTheDirectionAndTorquesAreThoseOf
     const auto entry = [] { return *rc::gen::inRange(200, 800) / 10000.0; };
     const Jacobian pose{{-entry(), -entry()}, {-entry(), entry()}};
     SafeForce out;
-    for (int i = 0; i < 50; ++i) out = chain.step(wanted, pose, tick_s);
+    for (int i = 0; i < 50; ++i) out = chain.step(wanting(wanted, pose), tick_s);
     RC_ASSERT(std::abs(cross(out.force_D, wanted)) <= 1e-12 * (1.0 + norm(wanted)));
     RC_ASSERT(dot(out.force_D, wanted) >= 0.0);
     const JointTorques torques = joint_torques(pose, out.force_D);
@@ -105,7 +135,7 @@ RC_GTEST_PROP(ForceChainProperties, ForceChangesByAtMostTheSlew, ()) {
     for (int tick = 0; tick < 30; ++tick) {
         const Force wanted{*rc::gen::inRange(-3000, 3001) / 1000.0,
                            *rc::gen::inRange(-3000, 3001) / 1000.0};
-        const SafeForce out = chain.step(wanted, good_pose, tick_s);
+        const SafeForce out = chain.step(wanting(wanted), tick_s);
         if (out.limit != Limit::torque) {
             RC_ASSERT(norm(out.force_D - last) <= limits.change_N_per_s * tick_s + 1e-12);
         }

@@ -3,6 +3,7 @@
 #include "haptics/device/simulated_pantograph.h"
 #include "tests/haptics/servo/rigs.h"
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <vector>
@@ -132,8 +133,11 @@ TEST(ServoLoop, StopFadesOutThenWritesZero) {
     Recorder recorder(1000);
     ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
     for (int k = 0; k < 800; ++k) loop.tick(k * tick_s, 0);
-    device.angles = angles_at(default_profile(), {0.0, -0.002});
-    for (int k = 800; k < 900; ++k) loop.tick(k * tick_s, 0);
+    for (int k = 800; k < 900; ++k) {
+        const double y_m = std::max(-0.002, 0.01 - 2e-4 * (k - 800));
+        device.angles = angles_at(default_profile(), {0.0, y_m});
+        loop.tick(k * tick_s, 0);
+    }
     ASSERT_NEAR(norm(exchange.report().hand.force), 1.0, 0.02);
     ASSERT_NE(device.written, JointTorques{});
     std::atomic<bool> is_stop_wanted{true};

@@ -27,6 +27,7 @@ struct Changes {
     int modes = 0;
     int maps = 0;
     int sides_flipped = 0;
+    int refused = 0;       // by a fault, or because no hand was seen
     double worst_N = 0.0;  // step of the commanded force
 };
 
@@ -53,8 +54,9 @@ class Upheaval {
             change();
             angle += speed_m_per_s_ * tick_s / ring_m;
             // Free and far off for the first half second, so that force comes on.
+            const double far_m = 0.008 * std::clamp(0.01 * (900.0 - i), 0.0, 1.0);
             const double depth_m =
-                i < 800 ? 0.008 : 0.0045 * std::sin(2.0 * std::numbers::pi * 0.7 * tick_s * i);
+                far_m + 0.0045 * std::sin(2.0 * std::numbers::pi * 0.7 * tick_s * i);
             const Position handle = (ring_m + depth_m) * Position{std::cos(angle), std::sin(angle)};
             const StepInput input{tick_s * i, 0, angles_at(profile, handle), commands_, wanted_};
             (void)step.step(input);
@@ -75,6 +77,9 @@ class Upheaval {
             changes.worst_N = std::max(changes.worst_N, norm(hand.force - last.force));
             last = hand;
             ++changes.ticks;
+            const ForceStatus& force = step.report().force;
+            changes.refused +=
+                force.state == ForceState::fault || force.limit == Limit::hand ? 1 : 0;
         }
         return changes;
     }
@@ -125,6 +130,7 @@ TEST(Upheaval, NeverLetsTheHandThroughWhateverChanges) {
         const Changes changes = Upheaval(scenes, radius_m, seed).run(50000);
         EXPECT_EQ(changes.sides_flipped, 0) << seed;
         all.ticks += changes.ticks;
+        all.refused += changes.refused;
         all.in_wall_contact += changes.in_wall_contact;
         all.levels += changes.levels;
         all.modes += changes.modes;
@@ -136,6 +142,7 @@ TEST(Upheaval, NeverLetsTheHandThroughWhateverChanges) {
               << " of mode, " << all.maps << " of the picture; largest step of the force "
               << all.worst_N << " N\n";
     EXPECT_LE(all.worst_N, 1500.0 * tick_s + 1e-12);  // rough lines jolt; no more than the slew
+    EXPECT_EQ(all.refused, 0);
     EXPECT_GT(all.in_wall_contact, 50000);
     EXPECT_GT(all.levels, 50000);
     EXPECT_GT(all.modes, 500);

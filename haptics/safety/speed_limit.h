@@ -1,0 +1,44 @@
+// No force drives on a hand that is fast already, and one faster than hands are is a fault.
+// Threads: a pure function and a plain value.
+#pragma once
+
+#include "config/types/vec2.h"
+
+namespace touchline {
+
+inline constexpr double braked_m_per_s = 1.0;      // from here on force only brakes
+inline constexpr double too_fast_m_per_s = 1.5;    // a fault ...
+inline constexpr double slow_again_m_per_s = 0.2;  // ... until it was slower than this ...
+inline constexpr double slow_again_s = 1.0;        // ... for so long
+
+/// True where force must not drive the hand on. A velocity that is no number is fast.
+[[nodiscard]] inline bool is_braked(Velocity velocity) {
+    return !(norm(velocity) <= braked_m_per_s);
+}
+
+/// The force without the part that drives the motion on; across the motion and against it, it
+/// stays.
+[[nodiscard]] inline Force without_drive(Force force, Velocity velocity) {
+    const double drive = dot(force, velocity);
+    if (!(drive > 0.0)) return force;
+    const Force rest = force - along<Force>(velocity, drive / dot(velocity, velocity));
+    // Rounding may leave a trace of it.
+    return dot(rest, velocity) > 0.0 ? Force{} : rest;
+}
+
+class SpeedWatch {
+  public:
+    /// One tick of dt_s > 0. True while the hand is, or lately was, too fast.
+    bool step(double speed_m_per_s, double dt_s) {
+        slow_s_ = speed_m_per_s < slow_again_m_per_s ? slow_s_ + dt_s : 0.0;
+        if (!(speed_m_per_s <= too_fast_m_per_s)) is_too_fast_ = true;
+        if (slow_s_ >= slow_again_s) is_too_fast_ = false;
+        return is_too_fast_;
+    }
+
+  private:
+    bool is_too_fast_ = false;
+    double slow_s_ = 0.0;
+};
+
+}  // namespace touchline
