@@ -22,9 +22,10 @@ LevelLimits limits_of_device(const DeviceProfile& profile) {
 
 }  // namespace
 
-ServoStep::ServoStep(const DeviceProfile& profile, double period_s)
+ServoStep::ServoStep(const DeviceProfile& profile, double period_s, double extra_damping_Ns_per_m)
     : profile_(profile),
       period_s_(period_s),
+      extra_damping_Ns_per_m_(extra_damping_Ns_per_m),
       chain_(limits_of(profile)),
       level_limits_(limits_of_device(profile)),
       level_rule_(level_limits_),
@@ -59,7 +60,8 @@ JointTorques ServoStep::step(const StepInput& input) {
     if (is_stopping_) chain_.fade();
     // Ramps and slew advance by one period however late the tick is.
     const auto jacobian = pose ? std::optional(pose->jacobian) : std::nullopt;
-    const SafeForce safe = chain_.step(turned(wanted_W), jacobian, period_s_);
+    const SafeForce safe =
+        let_through(chain_.step(turned(wanted_W), jacobian, period_s_), input.force_share);
     if (pose) watch(turned(safe.force_D), dt_s);
     fill(input, safe);
     return safe.torques;
@@ -138,7 +140,18 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
     (void)cost_.step(work_of(contact_report_), contact_.rendered_level());
     // Softened where it rang, with the damping that keeps it from ringing.
     return damped(monitor_.gain() * contact_report_.force, velocity_.velocity(),
-                  loop_.damping_Ns_per_m);
+                  loop_.damping_Ns_per_m + extra_damping_Ns_per_m_);
+}
+
+/// A share that is no number lets nothing through.
+SafeForce ServoStep::let_through(const SafeForce& safe, double share) {
+    if (share >= 1.0) return safe;
+    if (share > 0.0) return {share * safe.force_D, share * safe.torques, safe.limit};
+    if (chain_.state() != ForceState::fault) {
+        chain_.stop();
+        chain_.arm();
+    }
+    return {{}, {}, std::max(safe.limit, Limit::gain)};
 }
 
 /// Of what the motors were told, not of what was asked: that is what rings.

@@ -30,12 +30,14 @@ struct StepInput {
     ServoCommands commands;
     const Scene* scene = nullptr;  // wanted; must live until scene() is another one
     double delay_s = 0.0;          // from reading the angles to the torques' effect, as measured
+    // Of the force that is let through, 0 ... 1. At 0 it is off and comes on again by the arm rule.
+    double force_share = 1.0;
 };
 
 class ServoStep {
   public:
     /// period_s > 0: of the loop. Force is armed at once.
-    ServoStep(const DeviceProfile& profile, double period_s);
+    ServoStep(const DeviceProfile& profile, double period_s, double extra_damping_Ns_per_m = 0.0);
 
     /// kinematics -> handle in W -> level -> contact -> damping -> force chain. Stiffness is kept
     /// below what the period and delay measured so far allow (loop_settings.h). A new scene, proxy
@@ -76,12 +78,14 @@ class ServoStep {
     void bound_level(const ServoCommands& commands);
     void measure_loop(const StepInput& input, double dt_s);
     [[nodiscard]] Force feel(const ServoCommands& commands, double dt_s);
+    [[nodiscard]] SafeForce let_through(const SafeForce& safe, double share);
     void watch(Force told, double dt_s);
     void detect(const StepInput& input);
     void fill(const StepInput& input, const SafeForce& safe);
 
     DeviceProfile profile_;
     double period_s_;
+    double extra_damping_Ns_per_m_;
     ForceChain chain_;
     LevelLimits level_limits_;
     LevelRule level_rule_;
