@@ -34,6 +34,11 @@ double pose_gain(const Jacobian& jacobian, const ForceLimits& limits) {
     return std::min(1.0, margin / (limits.condition_zero - limits.condition_full));
 }
 
+/// A share that is no number lets nothing through.
+double share_of(const ChainInput& input) {
+    return input.share > 0.0 ? std::min(input.share, 1.0) : 0.0;
+}
+
 }  // namespace
 
 ForceLimits limits_of(const DeviceProfile& profile) {
@@ -55,9 +60,13 @@ SafeForce ForceChain::step(const ChainInput& input, double dt_s) {
     status_.limit = Limit::none;
     const std::uint16_t found = faults(input, dt_s);
     const bool is_quiet = norm(input.wanted_D) < limits_.arm_force_N;
-    const SafetyFlags flags{
-        input.is_wanted,        is_quiet, input.is_fading, hand_.is_off(), input.is_cleared,
-        input.is_reinitialised, found};
+    const SafetyFlags flags{input.is_wanted && share_of(input) > 0.0,
+                            is_quiet,
+                            input.is_fading,
+                            hand_.is_off(),
+                            input.is_cleared,
+                            input.is_reinitialised,
+                            found};
     safety_ = next(safety_, flags, limits_.times, dt_s);
     SafeForce told = limited(input, dt_s);
     if (!touchline::is_finite(told.force_D) || !touchline::is_finite(told.torques)) {
@@ -132,11 +141,12 @@ Force ForceChain::bounded(const ChainInput& input) {
         limit_by(Limit::late);
         return {};
     }
-    if (safety_.gain != 1.0) limit_by(Limit::gain);
+    const double share = share_of(input);
+    if (safety_.gain != 1.0 || share != 1.0) limit_by(Limit::gain);
     if (hand_.is_off()) limit_by(Limit::hand);
     const double pose = pose_gain(*input.jacobian, limits_);
     if (pose != 1.0) limit_by(Limit::pose);
-    Force force = safety_.gain * pose * input.wanted_D;
+    Force force = share * safety_.gain * pose * input.wanted_D;
     const double cool = heat_.allowed();
     if (cool != 1.0) limit_by(Limit::heat);
     force = cool * force;
@@ -145,7 +155,7 @@ Force ForceChain::bounded(const ChainInput& input) {
         limit_by(Limit::damped);
         force += along<Force>(input.velocity_D, -damping);
     }
-    const Force within = clamped(force, limits_.force_N);
+    const Force within = clamped(force, share * limits_.force_N);
     if (within != force) limit_by(Limit::force);
     if (!is_braked(input.velocity_D)) return within;
     limit_by(Limit::speed);

@@ -48,6 +48,7 @@ struct ChainInput {
     Position p_D;                      // handle, the last known
     Velocity velocity_D;
     double sample_age_s = 0.0;      // of the pose
+    double share = 1.0;             // of force and limit that may act, 0 ... 1; 0: off
     bool is_wanted = true;          // force is switched on
     bool is_fading = false;         // force to 0 within fade_s, for as long as this is said
     bool is_cleared = false;        // the operator clears a fault

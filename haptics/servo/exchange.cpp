@@ -1,8 +1,53 @@
 #include "haptics/servo/exchange.h"
 
+#include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace touchline {
+namespace {
+
+// Every comparison is written so that a number that is none fails it.
+bool is_within(double value, double least, double most) {
+    return value >= least && value <= most;
+}
+
+// A bool from elsewhere may hold any byte.
+bool is_bool(const bool& value) {
+    unsigned char byte = 0;
+    std::memcpy(&byte, &value, 1);
+    return byte <= 1;
+}
+
+}  // namespace
+
+bool is_sound(const ServoCommands& commands) {
+    constexpr double most_level = 64.0;
+    return commands.mode <= Mode::stay && is_bool(commands.is_level_auto) &&
+           is_within(commands.stiffness_N_per_m, 1e-9, 20'000.0) &&
+           is_within(commands.friction, 0.0, 1.0) && is_within(commands.radius_m, 0.0, 0.02) &&
+           is_within(commands.capture_m, 1e-9, 0.1) &&
+           is_within(commands.pop_through_N, 0.0, 100.0) &&
+           is_within(commands.pop_through_s, 0.0, 100.0) &&
+           is_within(commands.level, 0.0, most_level) &&
+           is_within(commands.finest_level, 0.0, most_level) &&
+           is_within(commands.coarsest_level, 0.0, most_level);
+}
+
+bool is_sound(const ServoReport& report) {
+    const HandState& hand = report.hand;
+    return is_finite(hand.p_WH) && is_finite(hand.p_WP) && is_finite(hand.force) &&
+           std::isfinite(hand.level) && hand.mode <= Mode::stay &&
+           hand.state <= ContactState::vertex && hand.outline >= -1 && is_bool(hand.is_level_auto);
+}
+
+RealTimeTier tier_of(const ServoChannel& channel) {
+    const std::uint8_t told = channel.tier.load(std::memory_order_relaxed);
+    const auto last = static_cast<std::uint8_t>(RealTimeTier::too_late);
+    return told <= last ? static_cast<RealTimeTier>(told) : RealTimeTier::too_late;
+}
+
+ServoExchange::ServoExchange() : own_(std::make_unique<ServoChannel>()), channel_(*own_) {}
 
 void ServoExchange::feel(std::shared_ptr<const Scene> scene) {
     const Offer offer{scene.get(), ++last_serial_};
@@ -13,13 +58,18 @@ void ServoExchange::feel(std::shared_ptr<const Scene> scene) {
 
 const ServoReport& ServoExchange::report() {
     drop_unused_scenes();
-    reports_.update();
-    return reports_.value();
+    channel_.reports.update();
+    return channel_.reports.value();
 }
 
 const ServoCommands& ServoExchange::commands() {
-    commands_.update();
-    return commands_.value();
+    if (channel_.commands.update()) {
+        const ServoCommands told = channel_.commands.value();
+        // Copied before it is judged, whatever the other side does to it meanwhile.
+        std::atomic_signal_fence(std::memory_order_acq_rel);
+        if (is_sound(told)) commands_ = told;
+    }
+    return commands_;
 }
 
 const Scene* ServoExchange::wanted_scene() {

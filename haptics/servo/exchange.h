@@ -1,11 +1,13 @@
 // What crosses between the servo and the rest of the kiosk: the latest commands and the scene in,
-// the latest hand state and every event out. Nobody ever waits.
+// the latest hand state and every event out. Nobody ever waits, and nobody trusts the other side.
 #pragma once
 
 #include "config/types/contact_event.h"
 #include "config/types/force_status.h"
 #include "config/types/hand_state.h"
 #include "haptics/collision/scene.h"
+#include "haptics/servo/lateness.h"
+#include "haptics/servo/real_time.h"
 
 #include <array>
 #include <atomic>
@@ -18,8 +20,9 @@
 
 namespace touchline {
 
-/// The latest value, from one writer thread to one reader thread, lock-free and wait-free: three
-/// slots, one with each side and one between them that both swap.
+/// The latest value, from one writer to one reader, lock-free and wait-free: three slots, one with
+/// each side and one between them that both swap. In memory that two processes share a peer gone
+/// mad can spoil the values, but no index: there are as many slots as an index has values.
 template <class T>
 class TripleBuffer {
     static_assert(std::is_trivially_copyable_v<T>, "values are copied while nobody can wait");
@@ -29,7 +32,7 @@ class TripleBuffer {
 
     /// Writer.
     void write(const T& value) {
-        slots_[write_slot_] = value;
+        slots_[write_slot_ & slot_mask] = value;
         const std::uint8_t free = middle_.exchange(
             static_cast<std::uint8_t>(write_slot_ | is_new_bit), std::memory_order_acq_rel);
         write_slot_ = free & slot_mask;
@@ -44,20 +47,22 @@ class TripleBuffer {
     }
 
     /// Reader: the value last taken.
-    [[nodiscard]] const T& value() const { return slots_[read_slot_]; }
+    [[nodiscard]] const T& value() const { return slots_[read_slot_ & slot_mask]; }
 
   private:
     static constexpr std::uint8_t slot_mask = 3;
     static constexpr std::uint8_t is_new_bit = 4;
 
-    std::array<T, 3> slots_;
+    static_assert(std::atomic<std::uint8_t>::is_always_lock_free);
+
+    std::array<T, slot_mask + 1> slots_;  // three in use
     std::atomic<std::uint8_t> middle_{1};
     std::uint8_t write_slot_ = 0;  // the writer's
     std::uint8_t read_slot_ = 2;   // the reader's
 };
 
-/// Values in order, from one writer thread to one reader thread, lock-free and wait-free. Where
-/// `capacity` (a power of two) wait to be read, the newest are dropped and counted.
+/// Values in order, from one writer to one reader, lock-free and wait-free. Where `capacity` (a
+/// power of two) wait to be read, the newest are dropped and counted.
 template <class T, std::size_t capacity>
 class EventRing {
     static_assert(std::is_trivially_copyable_v<T>, "values are copied while nobody can wait");
@@ -67,7 +72,7 @@ class EventRing {
     /// Writer.
     void push(const T& value) {
         const std::uint32_t end = end_.load(std::memory_order_relaxed);
-        if (end - begin_.load(std::memory_order_acquire) == capacity) {
+        if (end - begin_.load(std::memory_order_acquire) >= capacity) {
             dropped_.fetch_add(1, std::memory_order_relaxed);
             return;
         }
@@ -75,10 +80,12 @@ class EventRing {
         end_.store(end + 1, std::memory_order_release);
     }
 
-    /// Reader: the oldest not yet read.
+    /// Reader: the oldest not yet read. More than `capacity` cannot be: a peer gone mad, and
+    /// nothing is read.
     std::optional<T> pop() {
         const std::uint32_t begin = begin_.load(std::memory_order_relaxed);
-        if (begin == end_.load(std::memory_order_acquire)) return std::nullopt;
+        const std::uint32_t waiting = end_.load(std::memory_order_acquire) - begin;
+        if (waiting == 0 || waiting > capacity) return std::nullopt;
         const T value = slots_[begin % capacity];
         begin_.store(begin + 1, std::memory_order_release);
         return value;
@@ -88,6 +95,9 @@ class EventRing {
     [[nodiscard]] std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
 
   private:
+    static_assert(std::atomic<std::uint32_t>::is_always_lock_free &&
+                  std::atomic<std::uint64_t>::is_always_lock_free);
+
     std::array<T, capacity> slots_{};
     std::atomic<std::uint32_t> begin_{0};  // the reader's
     std::atomic<std::uint32_t> end_{0};    // the writer's
@@ -120,34 +130,68 @@ struct ServoReport {
     ForceStatus force;
 };
 
+/// Every number finite and in its range. Any bytes may be asked about.
+[[nodiscard]] bool is_sound(const ServoCommands& commands);
+
+/// Positions and force finite, states that exist. Any bytes may be asked about.
+[[nodiscard]] bool is_sound(const ServoReport& report);
+
+/// All that crosses, without a pointer: it may lie in memory that two processes share. The kiosk
+/// writes commands, kiosk_beats and is_stop_wanted, the servo the rest.
+struct ServoChannel {
+    TripleBuffer<ServoCommands> commands;
+    TripleBuffer<ServoReport> reports;
+    EventRing<ContactEvent, 1024> events;
+    LatenessHistogram lateness;
+    std::atomic<std::uint64_t> kiosk_beats{0};  // goes up while the kiosk lives
+    std::atomic<std::uint64_t> servo_beats{0};  // ticks
+    std::atomic<std::uint8_t> tier{static_cast<std::uint8_t>(RealTimeTier::best_effort)};
+    std::atomic<std::uint8_t> is_stop_wanted{0};
+};
+
+/// The tier that the channel tells; too_late where it tells none that there is.
+[[nodiscard]] RealTimeTier tier_of(const ServoChannel& channel);
+
 /// Threads: set(), feel(), report(), next_event() from one thread, the kiosk's; the rest from the
 /// servo's. Scenes are only ever freed by the kiosk's thread, once the servo has moved on to a
 /// later one.
 class ServoExchange {
   public:
+    /// Over a channel of its own.
+    ServoExchange();
+
+    /// The channel must outlive the exchange. Of the other side only the scenes are used then.
+    explicit ServoExchange(ServoChannel& channel) : channel_(channel) {}
+
     // The kiosk's side.
-    void set(const ServoCommands& commands) { commands_.write(commands); }
+    void set(const ServoCommands& commands) { channel_.commands.write(commands); }
 
     void feel(std::shared_ptr<const Scene> scene);
     /// The newest report.
     [[nodiscard]] const ServoReport& report();
 
     /// The oldest event not yet read. Up to 1024 wait, 10 s of the busiest hand.
-    [[nodiscard]] std::optional<ContactEvent> next_event() { return events_.pop(); }
+    [[nodiscard]] std::optional<ContactEvent> next_event() { return channel_.events.pop(); }
 
     /// So far, because nobody read them.
-    [[nodiscard]] std::uint64_t dropped_events() const { return events_.dropped(); }
+    [[nodiscard]] std::uint64_t dropped_events() const { return channel_.events.dropped(); }
 
     // The servo's side.
+    /// The newest that are sound; others change nothing.
     [[nodiscard]] const ServoCommands& commands();
     /// The newest scene offered, null before the first.
     [[nodiscard]] const Scene* wanted_scene();
     /// The scene named by wanted_scene() is the only one in use from here on.
     void release_older_scenes();
 
-    void publish(const ServoReport& report) { reports_.write(report); }
+    void publish(const ServoReport& report) { channel_.reports.write(report); }
 
-    void tell(const ContactEvent& event) { events_.push(event); }
+    void tell(const ContactEvent& event) { channel_.events.push(event); }
+
+    /// Heartbeats, tier and lateness.
+    [[nodiscard]] ServoChannel& channel() { return channel_; }
+
+    [[nodiscard]] const ServoChannel& channel() const { return channel_; }
 
   private:
     struct Offer {
@@ -162,10 +206,10 @@ class ServoExchange {
 
     void drop_unused_scenes();
 
-    TripleBuffer<ServoCommands> commands_;
+    std::unique_ptr<ServoChannel> own_;
+    ServoChannel& channel_;
+    ServoCommands commands_;  // the last sound ones
     TripleBuffer<Offer> offers_;
-    TripleBuffer<ServoReport> reports_;
-    EventRing<ContactEvent, 1024> events_;
     std::atomic<std::uint64_t> oldest_used_{0};  // serial
     std::deque<Kept> kept_;                      // the kiosk's
     std::uint64_t last_serial_ = 0;              // the kiosk's

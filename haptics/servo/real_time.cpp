@@ -13,21 +13,37 @@
 namespace touchline {
 namespace {
 
-constexpr int servo_priority = 70;  // below the kernel's own threads and a device guard
+constexpr int servo_priority = 70;  // below the kernel's own threads
+constexpr int guard_priority = 80;
+constexpr int enough_processors = 4;  // to give one away
+constexpr double late_share = 1e-3;   // of a minute's ticks
 constexpr int best_effort_nice = -10;
 
-bool schedule_fifo() {
+bool schedule_fifo(int priority) {
     sched_param parameters{};
-    parameters.sched_priority = servo_priority;
+    parameters.sched_priority = priority;
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
 }
 
 // Only with no limit on locked memory: with one, locking future pages makes later allocations fail.
-// Pages are locked as they are touched, so nothing is paged in that nobody uses.
-bool lock_memory() {
+bool lock_memory(MemoryLock lock) {
     rlimit limit{RLIM_INFINITY, RLIM_INFINITY};
     if (setrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;
-    return mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
+    const int on_fault = lock == MemoryLock::as_touched ? MCL_ONFAULT : 0;
+    return mlockall(MCL_CURRENT | MCL_FUTURE | on_fault) == 0;
+}
+
+// The last processor that this process may use: interrupts and windows live on the first.
+void take_a_processor() {
+    cpu_set_t allowed;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
+    if (CPU_COUNT(&allowed) < enough_processors) return;
+    std::size_t last = CPU_SETSIZE - 1;
+    while (!CPU_ISSET(last, &allowed)) --last;
+    cpu_set_t own;
+    CPU_ZERO(&own);
+    CPU_SET(last, &own);
+    (void)pthread_setaffinity_np(pthread_self(), sizeof own, &own);
 }
 
 // So that the tick never meets an untouched page of its stack.
@@ -45,11 +61,12 @@ bool is_real_time_kernel() {
 
 }  // namespace
 
-RealTimeTier become_real_time() {
-    const bool is_fifo = schedule_fifo();
-    const bool is_locked = lock_memory();
+RealTimeTier become_real_time(MemoryLock lock) {
+    const bool is_fifo = schedule_fifo(servo_priority);
+    const bool is_locked = lock_memory(lock);
     touch_stack();
     if (is_fifo) {
+        take_a_processor();
         return is_locked && is_real_time_kernel() ? RealTimeTier::real_time : RealTimeTier::fifo;
     }
     // A refusal costs jitter, not the session; both calls may be refused as well.
@@ -58,14 +75,42 @@ RealTimeTier become_real_time() {
     return RealTimeTier::best_effort;
 }
 
+void become_guard() {
+    if (schedule_fifo(guard_priority)) return;
+    (void)prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
+}
+
+RealTimeTier judge(RealTimeTier granted, const LastMinute& last_minute, double period_s) {
+    const double most_late = late_share * 60.0 / period_s;
+    const bool is_in_time =
+        static_cast<double>(last_minute.late) <= most_late && last_minute.long_gaps == 0;
+    return is_in_time ? granted : RealTimeTier::too_late;
+}
+
+TierLimits limits_of(RealTimeTier tier) {
+    switch (tier) {
+        case RealTimeTier::real_time:
+        case RealTimeTier::fifo:
+            return {};
+        case RealTimeTier::best_effort:
+            return {0.5, 0.5, 0.5};
+        case RealTimeTier::too_late:
+            break;
+    }
+    return {0.5, 0.0, 0.5};
+}
+
 std::string_view describe(RealTimeTier tier) {
     switch (tier) {
         case RealTimeTier::real_time:
-            return "real-time";
+            return "A, real-time";
         case RealTimeTier::fifo:
-            return "real-time priority on a plain kernel";
+            return "B, real-time priority on a plain kernel";
         case RealTimeTier::best_effort:
-            return "best effort, no real-time priority";
+            return "C, no real-time priority: a device is held to half its force";
+        case RealTimeTier::too_late:
+            return "D, this computer is too busy to be safe: a device makes no force, sound goes "
+                   "on";
     }
     return "";
 }

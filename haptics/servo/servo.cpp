@@ -15,32 +15,32 @@ namespace touchline {
 
 struct Servo::Running {
     std::unique_ptr<ForceDevice> device;
-    ServoLoop loop;
-    std::int64_t period_ns;
     MonotonicClock clock;
-    std::atomic<bool> is_stop_wanted{false};
-    RealTimeTier tier = RealTimeTier::best_effort;
+    LoopEnd end;
     std::thread thread;
 
-    Running(std::unique_ptr<ForceDevice> owned, const DeviceProfile& profile, double period_s,
-            ServoExchange& exchange, Recorder& recorder)
-        : device(std::move(owned)),
-          loop(*device, profile, period_s, exchange, recorder),
-          period_ns(std::llround(period_s * 1e9)) {}
-
-    /// Returns once the thread has its priority.
-    void start(bool is_real_time) {
-        std::promise<RealTimeTier> promise;
-        auto granted = promise.get_future();
-        thread = std::thread([this, is_real_time, started = std::move(promise)]() mutable {
-            started.set_value(is_real_time ? become_real_time() : RealTimeTier::best_effort);
-            loop.run(clock, period_ns, is_stop_wanted);
+    /// Returns once the thread has its priority and the loop knows its tier.
+    void start(const DeviceProfile& profile, const ServoOptions& options, ServoExchange& exchange,
+               Recorder& recorder) {
+        std::promise<void> promise;
+        auto ready = promise.get_future();
+        thread = std::thread([&, this, started = std::move(promise)]() mutable {
+            const auto period_ns = static_cast<std::int64_t>(std::llround(options.period_s * 1e9));
+            LoopRules rules;
+            rules.has_motors = options.has_motors;
+            rules.watches_kiosk = options.watches_kiosk;
+            if (options.is_real_time) rules.granted = become_real_time(options.lock);
+            ServoLoop loop(*device, profile, options.period_s, exchange, recorder, rules);
+            started.set_value();
+            loop.run(clock, period_ns, end);
         });
-        tier = granted.get();
+        ready.wait();
     }
 };
 
 Servo::Servo() = default;
+
+Servo::Servo(ServoChannel& channel) : exchange_(channel) {}
 
 Servo::~Servo() {
     stop();
@@ -54,9 +54,9 @@ Result<void> Servo::start(std::unique_ptr<ForceDevice> device, const DeviceProfi
     }
     try {
         recorder_ = Recorder(options.recorded_ticks);
-        auto running = std::make_unique<Running>(std::move(device), profile, options.period_s,
-                                                 exchange_, recorder_);
-        running->start(options.is_real_time);
+        auto running = std::make_unique<Running>();
+        running->device = std::move(device);
+        running->start(profile, options, exchange_, recorder_);
         running_ = std::move(running);
     } catch (const std::exception& e) {
         return failure(std::string("the servo thread cannot be started: ") + e.what());
@@ -89,14 +89,18 @@ std::uint64_t Servo::dropped_events() const {
 }
 
 RealTimeTier Servo::tier() const {
-    return running_ ? running_->tier : RealTimeTier::best_effort;
+    return running_ ? tier_of(exchange_.channel()) : RealTimeTier::best_effort;
 }
 
 void Servo::stop() {
     if (!running_) return;
-    running_->is_stop_wanted.store(true, std::memory_order_relaxed);
+    running_->end.is_wanted.store(true, std::memory_order_relaxed);
     running_->thread.join();
     running_.reset();
+}
+
+void Servo::cut() noexcept {
+    if (running_) running_->end.is_cut.store(true, std::memory_order_relaxed);
 }
 
 const Recorder& Servo::recording() const {

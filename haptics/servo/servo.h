@@ -1,5 +1,5 @@
 // The servo: the loop that owns the device and turns motion into force, 1000 times a second. Only
-// app/ knows that it is a thread of the kiosk; the calls would be the same if it were a process.
+// app/ knows whether it is a thread of the kiosk or a process (app/servo).
 #pragma once
 
 #include "config/types/contact_event.h"
@@ -23,12 +23,18 @@ struct ServoOptions {
     double period_s = 1e-3;
     bool is_real_time = true;        // try for real-time scheduling and locked memory
     std::size_t recorded_ticks = 0;  // newest ticks kept for recording(); 0: none
+    MemoryLock lock = MemoryLock::as_touched;
+    bool has_motors = false;     // force follows the real-time tier
+    bool watches_kiosk = false;  // force needs the heartbeat in the channel
 };
 
 /// Threads: all calls from one thread. None of them waits for the servo but start() and stop().
 class Servo {
   public:
     Servo();
+    /// Commands, reports and events cross in a channel of somebody else's, which must outlive this;
+    /// of the calls below only start(), feel(), tier(), cut() and stop() are for such a servo.
+    explicit Servo(ServoChannel& channel);
     /// Stops.
     ~Servo();
     Servo(const Servo&) = delete;
@@ -62,12 +68,19 @@ class Servo {
 
     [[nodiscard]] std::uint64_t dropped_events() const;
 
-    /// How far the system let the loop be real-time; best_effort while nothing runs.
+    /// How far the loop can be trusted to be in time; best_effort while nothing runs.
     [[nodiscard]] RealTimeTier tier() const;
+
+    /// How late its ticks began.
+    [[nodiscard]] const LatenessHistogram& lateness() const { return exchange_.channel().lateness; }
 
     /// Fades force out, writes zero torque, gives the device up and ends the loop. Does nothing
     /// when nothing runs.
     void stop();
+
+    /// Zero torque with the next tick, which is the last. From any thread and from a handler of
+    /// signals, while start() or stop() do not run.
+    void cut() noexcept;
 
     /// The ticks recorded; to be read while nothing runs.
     [[nodiscard]] const Recorder& recording() const;

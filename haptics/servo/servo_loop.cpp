@@ -1,14 +1,49 @@
 #include "haptics/servo/servo_loop.h"
 
+#include <algorithm>
+
 namespace touchline {
+namespace {
+
+// A step of silence counts for so many periods at most: what stops this loop stops the kiosk too.
+constexpr double most_periods_of_silence = 2.0;
+
+DeviceProfile limited(DeviceProfile profile, const TierLimits& limits) {
+    profile.force_limit_N = limits.force_share * std::min(profile.force_limit_N, 3.0);
+    return profile;
+}
+
+}  // namespace
+
+ServoLoop::ServoLoop(ForceDevice& device, const DeviceProfile& profile, double period_s,
+                     ServoExchange& exchange, Recorder& recorder, const LoopRules& rules)
+    : device_(device),
+      exchange_(exchange),
+      recorder_(recorder),
+      rules_(rules),
+      limits_(rules.has_motors ? limits_of(rules.granted) : TierLimits{}),
+      period_s_(period_s),
+      step_(limited(profile, limits_), period_s, limits_.extra_damping_Ns_per_m),
+      kiosk_(longest_kiosk_silence_s, most_periods_of_silence * period_s),
+      tier_(rules.granted) {
+    exchange_.channel().tier.store(static_cast<std::uint8_t>(tier_), std::memory_order_relaxed);
+}
+
+ServoCommands ServoLoop::commands() {
+    ServoCommands commands = exchange_.commands();
+    commands.stiffness_N_per_m *= limits_.stiffness_share;
+    return commands;
+}
 
 void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
-    const StepInput input{now_s,
-                          missed_ticks,
-                          device_.read_angles(now_s),
-                          exchange_.commands(),
-                          exchange_.wanted_scene(),
-                          delay_s_};
+    StepInput input;
+    input.now_s = now_s;
+    input.missed_ticks = missed_ticks;
+    input.angles = device_.read_angles(now_s);
+    input.commands = commands();
+    input.scene = exchange_.wanted_scene();
+    input.delay_s = delay_s_;
+    input.force_share = force_share_;
     const JointTorques torques = step_.step(input);
     if (!device_.write_torques(torques)) step_.lose_device();
     if (step_.scene() == input.scene) exchange_.release_older_scenes();
@@ -17,13 +52,42 @@ void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
     recorder_.push(step_.report().hand);
 }
 
-void ServoLoop::run(Clock& clock, std::int64_t period_ns, const std::atomic<bool>& is_stop_wanted) {
+void ServoLoop::judge_timing(double now_s, const Moment& moment, std::uint64_t missed_ticks) {
+    const std::int64_t late_ns = moment.begun_ns - moment.due_ns;
+    exchange_.channel().lateness.add(late_ns);
+    minute_.add(now_s, 1e-9 * static_cast<double>(late_ns),
+                1e-9 * static_cast<double>(moment.begun_ns - last_begun_ns_),
+                missed_ticks - last_missed_);
+    last_missed_ = missed_ticks;
+    tier_ = judge(rules_.granted, minute_.last_minute(), period_s_);
+    exchange_.channel().tier.store(static_cast<std::uint8_t>(tier_), std::memory_order_relaxed);
+}
+
+/// What share of the force the kiosk's life and the tier allow.
+void ServoLoop::watch(const Moment& moment) {
+    ServoChannel& channel = exchange_.channel();
+    const double dt_s = 1e-9 * static_cast<double>(moment.begun_ns - last_begun_ns_);
+    const bool is_kiosk_lost =
+        kiosk_.step(channel.kiosk_beats.load(std::memory_order_relaxed), dt_s) &&
+        rules_.watches_kiosk;
+    const bool is_too_late = rules_.has_motors && tier_ == RealTimeTier::too_late;
+    force_share_ = share_.step(is_kiosk_lost || is_too_late, std::max(dt_s, period_s_));
+    channel.servo_beats.fetch_add(1, std::memory_order_relaxed);
+}
+
+void ServoLoop::run(Clock& clock, std::int64_t period_ns, const LoopEnd& end) {
     TickSchedule schedule(clock.now_ns(), period_ns);
+    last_begun_ns_ = schedule.due_ns();
     bool is_stopping = false;
-    while (!is_stopping || !step_.is_silent()) {
+    while (!end.is_cut.load(std::memory_order_relaxed) && (!is_stopping || !step_.is_silent())) {
         clock.sleep_until(schedule.due_ns());
-        is_stopping = is_stop_wanted.load(std::memory_order_relaxed);
+        const Moment moment{schedule.due_ns(), clock.now_ns()};
+        is_stopping = end.is_wanted.load(std::memory_order_relaxed) ||
+                      exchange_.channel().is_stop_wanted.load(std::memory_order_relaxed) != 0;
         if (is_stopping) step_.fade_out();
+        judge_timing(schedule.due_s(), moment, schedule.missed());
+        watch(moment);
+        last_begun_ns_ = moment.begun_ns;
         tick(schedule.due_s(), schedule.missed());
         const std::int64_t now_ns = clock.now_ns();
         delay_s_ = 1e-9 * static_cast<double>(now_ns - schedule.due_ns());

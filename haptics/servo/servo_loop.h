@@ -5,6 +5,9 @@
 #include "haptics/device/force_device.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/servo/exchange.h"
+#include "haptics/servo/lateness.h"
+#include "haptics/servo/peer_watch.h"
+#include "haptics/servo/real_time.h"
 #include "haptics/servo/recorder.h"
 #include "haptics/servo/servo_step.h"
 #include "haptics/servo/tick_clock.h"
@@ -14,25 +17,61 @@
 
 namespace touchline {
 
+/// What the loop holds its force against, besides the hand.
+struct LoopRules {
+    RealTimeTier granted = RealTimeTier::best_effort;
+    bool has_motors = false;     // force follows the tier; a simulation has none to protect
+    bool watches_kiosk = false;  // without the kiosk's heartbeat there is no force
+};
+
+/// Zero <= 20 ms after the last heartbeat: 10 ms of silence, then a fade of 8 ms.
+inline constexpr double longest_kiosk_silence_s = 0.010;
+
+/// Asked of a loop from any thread, or from a handler of signals.
+struct LoopEnd {
+    std::atomic<bool> is_wanted{false};  // fade out, then end
+    std::atomic<bool> is_cut{false};     // zero torque at once, then end
+};
+
 /// Threads: one at a time; the exchange's other side may be another one.
 class ServoLoop {
   public:
     /// All references must outlive the loop.
     ServoLoop(ForceDevice& device, const DeviceProfile& profile, double period_s,
-              ServoExchange& exchange, Recorder& recorder)
-        : device_(device), exchange_(exchange), recorder_(recorder), step_(profile, period_s) {}
+              ServoExchange& exchange, Recorder& recorder, const LoopRules& rules = {});
 
     /// read -> step -> write -> publish. now_s: since the loop started, never going back.
     void tick(double now_s, std::uint64_t missed_ticks);
 
-    /// Ticks until `is_stop_wanted`, then until force has faded out, then writes zero torque.
-    void run(Clock& clock, std::int64_t period_ns, const std::atomic<bool>& is_stop_wanted);
+    /// Ticks until an end is wanted, here or in the channel, and force has faded out, or until it
+    /// is cut; then writes zero torque.
+    void run(Clock& clock, std::int64_t period_ns, const LoopEnd& end);
 
   private:
+    /// When a tick was due and when it began.
+    struct Moment {
+        std::int64_t due_ns = 0;
+        std::int64_t begun_ns = 0;
+    };
+
+    [[nodiscard]] ServoCommands commands();
+    void judge_timing(double now_s, const Moment& moment, std::uint64_t missed_ticks);
+    void watch(const Moment& moment);
+
     ForceDevice& device_;
     ServoExchange& exchange_;
     Recorder& recorder_;
+    LoopRules rules_;
+    TierLimits limits_;
+    double period_s_;
     ServoStep step_;
+    MinuteOfTicks minute_;
+    PeerWatch kiosk_;
+    ForceShare share_;
+    double force_share_ = 1.0;
+    RealTimeTier tier_;
+    std::int64_t last_begun_ns_ = 0;
+    std::uint64_t last_missed_ = 0;
     double delay_s_ = 0.0;  // of the last tick, from when it was due to its torques written
 };
 

@@ -23,9 +23,10 @@ LevelLimits limits_of_device(const DeviceProfile& profile) {
 
 }  // namespace
 
-ServoStep::ServoStep(const DeviceProfile& profile, double period_s)
+ServoStep::ServoStep(const DeviceProfile& profile, double period_s, double extra_damping_Ns_per_m)
     : profile_(profile),
       period_s_(period_s),
+      extra_damping_Ns_per_m_(extra_damping_Ns_per_m),
       chain_(limits_of(profile)),
       position_guard_(encoder_step_m(profile)),
       level_limits_(limits_of_device(profile)),
@@ -99,6 +100,7 @@ SafeForce ServoStep::make_safe(Force wanted_W, const std::optional<Pose>& pose,
     chain.velocity_D = turned(velocity_.velocity());
     chain.sample_age_s = input.sample_age_s;
     chain.is_unreadable = input.angles && !is_finite(*input.angles);
+    chain.share = input.force_share;
     chain.is_wanted = input.commands.is_force_wanted;
     chain.is_fading = is_swapping_ || is_stopping_;
     chain.is_cleared = std::exchange(faults_cleared_, input.commands.faults_cleared) !=
@@ -160,7 +162,7 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
     (void)cost_.step(work_of(contact_report_), contact_.rendered_level());
     // Softened where it rang, with the damping that keeps it from ringing.
     return damped(monitor_.gain() * contact_report_.force, velocity_.velocity(),
-                  loop_.damping_Ns_per_m);
+                  loop_.damping_Ns_per_m + extra_damping_Ns_per_m_);
 }
 
 /// Of what the motors were told, not of what was asked: that is what rings. A spring whose force is

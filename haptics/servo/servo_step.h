@@ -33,12 +33,14 @@ struct StepInput {
     double delay_s = 0.0;             // from reading the angles to the torques' effect, as measured
     double sample_age_s = 0.0;        // of the angles, when they were read
     std::uint32_t device_setups = 0;  // how often the device was set up so far
+    // Of the force that is let through, 0 ... 1. At 0 it is off and comes on again by the arm rule.
+    double force_share = 1.0;
 };
 
 class ServoStep {
   public:
     /// period_s > 0: of the loop. Force is armed at once.
-    ServoStep(const DeviceProfile& profile, double period_s);
+    ServoStep(const DeviceProfile& profile, double period_s, double extra_damping_Ns_per_m = 0.0);
 
     /// kinematics -> handle in W -> level -> contact -> damping -> force chain. Stiffness is kept
     /// below what the period and delay measured so far allow (loop_settings.h). A new scene, proxy
@@ -88,6 +90,7 @@ class ServoStep {
 
     DeviceProfile profile_;
     double period_s_;
+    double extra_damping_Ns_per_m_;
     ForceChain chain_;
     PositionGuard position_guard_;
     Sample sample_ = Sample::good;

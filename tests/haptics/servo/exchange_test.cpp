@@ -2,9 +2,13 @@
 
 #include "tests/haptics/servo/rigs.h"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <memory>
+#include <random>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -101,6 +105,89 @@ TEST(EventRing, NoValueIsTornLostOrOutOfOrderBetweenThreads) {
         ++i;
     }
     writer.join();
+}
+
+/// Every byte of what two sides share, as a peer gone mad may leave it.
+template <class Shared>
+void fill_with(Shared& shared, unsigned char byte) {
+    std::memset(static_cast<void*>(&shared), byte, sizeof shared);
+}
+
+TEST(TripleBuffer, NoIndexThatAPeerLeavesLeadsOutside) {
+    struct Guarded {
+        std::array<char, 4096> before{};
+        TripleBuffer<Pair> buffer;
+        std::array<char, 4096> after{};
+    };
+
+    for (int byte = 0; byte < 256; ++byte) {
+        auto guarded = std::make_unique<Guarded>();
+        fill_with(guarded->buffer, static_cast<unsigned char>(byte));
+        for (int i = 0; i < 8; ++i) {
+            guarded->buffer.write({1, 2});
+            (void)guarded->buffer.update();
+            (void)guarded->buffer.value();
+        }
+        const std::array<char, 4096> untouched{};
+        ASSERT_EQ(guarded->before, untouched);
+        ASSERT_EQ(guarded->after, untouched);
+    }
+}
+
+TEST(EventRing, APeerGoneMadCanNeitherLeadOutsideNorKeepTheReaderForEver) {
+    using Ring = EventRing<int, 8>;
+    std::mt19937 random(20261122);
+    for (int round = 0; round < 1000; ++round) {
+        Ring ring;
+        for (std::size_t i = 0; i < sizeof ring; ++i) {
+            reinterpret_cast<unsigned char*>(&ring)[i] = static_cast<unsigned char>(random());
+        }
+        for (int i = 0; i < 20; ++i) ring.push(i);
+        int read = 0;
+        while (ring.pop()) ++read;
+        ASSERT_LE(read, 8);
+    }
+}
+
+TEST(ServoExchange, UnsoundCommandsChangeNothing) {
+    ServoExchange exchange;
+    ServoCommands sound;
+    sound.stiffness_N_per_m = 300.0;
+    exchange.set(sound);
+    EXPECT_EQ(exchange.commands().stiffness_N_per_m, 300.0);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {nan, std::numeric_limits<double>::infinity(), -1.0, 1e6}) {
+        for (double ServoCommands::*const field :
+             {&ServoCommands::stiffness_N_per_m, &ServoCommands::friction, &ServoCommands::radius_m,
+              &ServoCommands::capture_m, &ServoCommands::pop_through_N,
+              &ServoCommands::pop_through_s, &ServoCommands::level, &ServoCommands::finest_level,
+              &ServoCommands::coarsest_level}) {
+            ServoCommands damaged;
+            damaged.*field = bad;
+            exchange.set(damaged);
+            EXPECT_EQ(exchange.commands().stiffness_N_per_m, 300.0);
+        }
+    }
+    ServoCommands damaged;
+    std::memset(&damaged.is_level_auto, 7, 1);
+    EXPECT_FALSE(is_sound(damaged));
+    damaged = {};
+    damaged.mode = static_cast<Mode>(9);
+    EXPECT_FALSE(is_sound(damaged));
+    EXPECT_TRUE(is_sound(ServoCommands{}));
+}
+
+TEST(ServoExchange, UnsoundReportsAreTold) {
+    EXPECT_TRUE(is_sound(ServoReport{}));
+    ServoReport report;
+    report.hand.p_WH.x = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(is_sound(report));
+    report = {};
+    report.hand.state = static_cast<ContactState>(200);
+    EXPECT_FALSE(is_sound(report));
+    report = {};
+    report.hand.outline = -2;
+    EXPECT_FALSE(is_sound(report));
 }
 
 TEST(ServoExchange, CommandsAndReportsAreTheNewest) {

@@ -19,14 +19,13 @@ constexpr std::int64_t period_ns = 1'000'000;
 /// A clock that asks for the end of the loop at a moment.
 class EndingClock final : public Clock {
   public:
-    EndingClock(std::int64_t end_ns, std::atomic<bool>& is_stop_wanted)
-        : end_ns_(end_ns), is_stop_wanted_(is_stop_wanted) {}
+    EndingClock(std::int64_t end_ns, LoopEnd& end) : end_ns_(end_ns), end_(end) {}
 
     [[nodiscard]] std::int64_t now_ns() override { return time_.now_ns(); }
 
     void sleep_until(std::int64_t t_ns) override {
         time_.sleep_until(t_ns);
-        if (t_ns >= end_ns_) is_stop_wanted_ = true;
+        if (t_ns >= end_ns_) end_.is_wanted = true;
     }
 
     VirtualClock& time() { return time_; }
@@ -34,7 +33,7 @@ class EndingClock final : public Clock {
   private:
     VirtualClock time_;
     std::int64_t end_ns_;
-    std::atomic<bool>& is_stop_wanted_;
+    LoopEnd& end_;
 };
 
 std::vector<TickRecord> explore_in_simulation() {
@@ -45,9 +44,9 @@ std::vector<TickRecord> explore_in_simulation() {
     exchange.feel(line_scene(0.0));
     Recorder recorder(3000);
     ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
-    std::atomic<bool> is_stop_wanted{false};
-    EndingClock clock(2'300 * period_ns, is_stop_wanted);
-    loop.run(clock, period_ns, is_stop_wanted);
+    LoopEnd end;
+    EndingClock clock(2'300 * period_ns, end);
+    loop.run(clock, period_ns, end);
     (void)device.read_angles(3.0);  // the last write has arrived
     EXPECT_EQ(device.acting_torques(), JointTorques{});
     return recorder.ticks();
@@ -113,10 +112,10 @@ TEST(ServoLoop, LateTicksAreSkippedCountedAndPublished) {
     ServoExchange exchange;
     Recorder recorder(1000);
     ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
-    std::atomic<bool> is_stop_wanted{false};
-    EndingClock clock(100 * period_ns, is_stop_wanted);
+    LoopEnd end;
+    EndingClock clock(100 * period_ns, end);
     clock.time().work_ns = 2'500'000;  // every tick takes two and a half periods
-    loop.run(clock, period_ns, is_stop_wanted);
+    loop.run(clock, period_ns, end);
     const HandState& hand = exchange.report().hand;
     EXPECT_GT(hand.missed_ticks, 40U);
     const auto ticks = recorder.ticks();
@@ -140,9 +139,10 @@ TEST(ServoLoop, StopFadesOutThenWritesZero) {
     }
     ASSERT_NEAR(norm(exchange.report().hand.force), 1.0, 0.02);
     ASSERT_NE(device.written, JointTorques{});
-    std::atomic<bool> is_stop_wanted{true};
+    LoopEnd end;
+    end.is_wanted = true;
     VirtualClock clock;
-    loop.run(clock, period_ns, is_stop_wanted);
+    loop.run(clock, period_ns, end);
     EXPECT_EQ(device.written, JointTorques{});
     EXPECT_LE(clock.now_ns(), 52 * period_ns);
 }

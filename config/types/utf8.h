@@ -1,0 +1,21 @@
+// UTF-8 by the letter of RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF. What
+// draws or speaks text need not cope with anything else.
+// Threads: pure functions.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace touchline {
+
+/// Bytes of the character that the text begins with; 0 where it begins with none. O(1).
+[[nodiscard]] std::size_t utf8_character_bytes(std::string_view text);
+
+/// O(n).
+[[nodiscard]] bool is_utf8(std::string_view text);
+
+/// The text with '?' for every byte that belongs to no character. O(n).
+[[nodiscard]] std::string utf8_of(std::string_view text);
+
+}  // namespace touchline

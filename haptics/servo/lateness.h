@@ -1,0 +1,57 @@
+// How late the ticks begin: all of them as a histogram, the last minute as what the tier is judged
+// by.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+namespace touchline {
+
+/// Bins of 1 us up to 10 ms; whatever is later is in the last one. Threads: add() from one, the
+/// rest from any; lock-free, also between processes.
+class LatenessHistogram {
+  public:
+    static constexpr std::size_t bins = 10'001;
+
+    void add(std::int64_t late_ns);
+
+    [[nodiscard]] std::uint64_t count() const;
+
+    /// The smallest lateness, in us, that no more than 1 - share of the ticks exceed; 0 <= share <=
+    /// 1; 0 without ticks; 10000 stands for that and more. O(bins).
+    [[nodiscard]] int quantile_us(double share) const;
+
+  private:
+    static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
+
+    std::array<std::atomic<std::uint32_t>, bins> counts_{};
+};
+
+/// What the last minute was like.
+struct LastMinute {
+    std::uint64_t late = 0;       // ticks that began more than 1 ms late or not at all
+    std::uint64_t long_gaps = 0;  // of more than 10 ms between two ticks
+};
+
+/// The last minute, second by second. A plain value; O(1) a tick.
+class MinuteOfTicks {
+  public:
+    /// A tick began at now_s (never going back), `late_s` after it was due, `gap_s` after the one
+    /// before, of which `skipped` ticks in between were not run.
+    void add(double now_s, double late_s, double gap_s, std::uint64_t skipped);
+
+    [[nodiscard]] const LastMinute& last_minute() const { return total_; }
+
+  private:
+    static constexpr std::size_t seconds = 60;
+
+    void move_to(std::int64_t second);
+
+    std::array<LastMinute, seconds> each_{};
+    LastMinute total_;
+    std::int64_t second_ = 0;
+};
+
+}  // namespace touchline
