@@ -24,6 +24,7 @@ struct FoundBoard {
     std::string bus_path;  // "1-2.3": bus and ports, the same as long as the plug stays
     int device_number = 0;
     BoardAccess access = BoardAccess::unknown;
+    std::string holder;  // who has it, when busy; empty when that cannot be seen
 };
 
 /// One line for a person: what it is, where, and what to do if it cannot be used.
