@@ -3,6 +3,7 @@
 #include "haptics/device/usb_boards.h"
 
 #include "haptics/device/pantograph_board.h"
+#include "haptics/device/usb_pantograph.h"
 #include "haptics/servo/tick_clock.h"
 #include "tests/sim/umockdev/mocked_board.h"
 
@@ -87,14 +88,20 @@ class Drive {
 
 class UsbBoardsTest : public testing::Test {
   protected:
+    Result<std::unique_ptr<BoardLink>> try_to_open(std::string_view serial) {
+        const auto found = usb_.find(known_, serial);
+        if (!found) return tl::unexpected(found.error());
+        return usb_.open(*found);
+    }
+
     std::unique_ptr<BoardLink> open(std::string_view serial = "") {
-        auto link = usb_.open(known_, serial);
+        auto link = try_to_open(serial);
         EXPECT_TRUE(link.has_value()) << link.error().line;
         return link ? std::move(*link) : nullptr;
     }
 
     std::string error_of_open(std::string_view serial = "") {
-        const auto link = usb_.open(known_, serial);
+        const auto link = try_to_open(serial);
         return link ? "it opened" : link.error().line;
     }
 
@@ -174,6 +181,35 @@ TEST_F(UsbBoardsTest, OfTwoBoardsTheSerialNumberChooses) {
     first.with([](BoardEmulator& board, UsbFaults&) { EXPECT_EQ(board.firmware().set_ups(), 0U); });
     second.with(
         [](BoardEmulator& board, UsbFaults&) { EXPECT_GT(board.firmware().set_ups(), 0U); });
+}
+
+TEST_F(UsbBoardsTest, AUnitsSettingsComeWithItsSerialNumber) {
+    BoardTruth truth;
+    truth.serial = "AAAA";
+    truth.profile = find_profile("2diy-gen2").value();
+    MockedBoard board(mocked_, truth);
+    BoardSettings settings{known_, {{"AAAA", "2diy-gen2", {}}}};
+    settings.units[0].calibration.torque_limit_Nm = 0.05;
+    auto taken = take_pantograph(usb_, settings, "", "2diy-gen3.1");
+    ASSERT_TRUE(taken.has_value()) << taken.error().line;
+    EXPECT_EQ(taken->profile.name, "2diy-gen2");
+    EXPECT_EQ(taken->profile.torque_limit_Nm, 0.05);
+    EXPECT_EQ(taken->found.serial, "AAAA");
+    EXPECT_TRUE(taken->driver->open().has_value());
+    taken->driver.reset();
+    settings.units.clear();
+    EXPECT_EQ(take_pantograph(usb_, settings, "", "2diy-gen3")->profile.name, "2diy-gen3");
+    EXPECT_EQ(
+        take_pantograph(usb_, settings, "", "none").error().line.rfind("no device profile", 0), 0U);
+}
+
+TEST_F(UsbBoardsTest, ABoardThatWentSinceItWasFoundSaysSo) {
+    MockedBoard board(mocked_, {});
+    const FoundBoard found = usb_.find(known_, "").value();
+    board.unplug();
+    EXPECT_EQ(usb_.open(found).error().line,
+              "Haply M0 board (Arduino Zero) (2341:804d, serial number "
+              "0123456789ABCDEF0123456789ABCDEF, at 1-1) is no longer plugged in");
 }
 
 TEST_F(UsbBoardsTest, ABoardInItsBootLoaderIsRecognisedAndNotOpened) {
