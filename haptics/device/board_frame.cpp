@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace touchline {
 namespace {
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+constexpr double most_counts = 1e6;  // many turns of any encoder; no arm turns one
 
 // The board takes the whole part: half a count more makes it the same count again, however the
 // float was rounded.
@@ -21,10 +24,12 @@ double whole_counts(float offset_deg, double counts_per_turn) {
            counts_per_turn;
 }
 
+// To a thousandth, or as well as a float of degrees can tell.
 bool is_whole(double raw_deg, double quantum_deg) {
     const double counts = raw_deg / quantum_deg;
-    // A float of degrees has 24 bits: a thousandth of a count within 8000 counts.
-    return std::abs(counts - std::round(counts)) < 1e-3 + 1e-6 * std::abs(counts);
+    const double tolerance =
+        1e-3 + 2.0 * static_cast<double>(std::numeric_limits<float>::epsilon()) * std::abs(counts);
+    return std::abs(counts) <= most_counts && std::abs(counts - std::round(counts)) <= tolerance;
 }
 
 // Values of the two ports in the order of the joints, or the other way round: it is its own

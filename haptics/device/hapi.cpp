@@ -73,7 +73,7 @@ Command flush_command() {
 
 Command completing_command(std::size_t sent) {
     Command command;
-    for (std::size_t i = sent; i < write_bytes; ++i) command.put(std::uint8_t{0});
+    for (std::size_t i = sent; i > 1 && i < write_bytes; ++i) command.put(std::uint8_t{0});
     put_write(command, {});
     return command;
 }

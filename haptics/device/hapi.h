@@ -57,7 +57,8 @@ struct BoardSetUp {
 [[nodiscard]] Command flush_command();
 
 /// For a write of which only the first sent < write_bytes bytes got through: zeros in place of the
-/// rest, then a write of zero torque.
+/// rest, then a write of zero torque. Only the latter after one byte: a board that finds no address
+/// takes ff for it and waits for nothing.
 [[nodiscard]] Command completing_command(std::size_t sent);
 
 /// angles: good. unconfigured: the board was reset and took the torques for commands. empty: no

@@ -1,5 +1,6 @@
 #include "haptics/device/pantograph_board.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -9,7 +10,8 @@ namespace {
 constexpr double oldest_angles_s = 0.0045;  // four ticks that went without a reply
 constexpr double lost_reply_s = 0.02;
 constexpr double slow_send_s = 0.005;
-constexpr double tip_speed_m_per_s = 1.5;  // faster than any hand at the handle
+constexpr double tip_speed_m_per_s = 1.5;   // faster than any hand at the handle
+constexpr double joint_speed_per_s = 60.0;  // where the tip moves little for a turn
 constexpr double sampling_s = 0.001;  // how much later a board may have looked than it was asked
 constexpr int jumps_that_count = 3;
 constexpr int most_packets_a_tick = 16;
@@ -150,15 +152,17 @@ void PantographBoard::judge_send() {
     if (sent.status == LinkStatus::done && sent.bytes == wanted) return;
     ++report_.failed_sends;
     has_send_failed_ = true;
+    if (wanted == write_bytes) --owed_;
     note(sent.status);
     // The board waits for the rest, with the old torque on.
     if (wanted == write_bytes && sent.bytes > 0 && sent.bytes < write_bytes)
         send(completing_command(sent.bytes));
-    if (report_.state != BoardState::resyncing) start_resync(Rung::settle);
+    const bool is_from_before = std::exchange(is_old_send_open_, false);
+    if (report_.state != BoardState::resyncing || is_from_before) start_resync(Rung::settle);
 }
 
 void PantographBoard::follow(const Arrivals& arrivals) {
-    owed_ -= arrivals.good;
+    owed_ -= arrivals.good + arrivals.bad;
     if (owed_ < 0) ++report_.wrong_packets;
     if (arrivals.unconfigured > 0) {
         start_resync(Rung::set_up_again);
@@ -199,15 +203,17 @@ void PantographBoard::judge_position(PortAngles raw) {
 
 bool PantographBoard::is_jump(PortAngles raw) const {
     if (!raw_) return false;
-    const Geometry& geometry = frame_.profile().geometry;
-    const auto before = forward(geometry, frame_.joint_angles(*raw_));
-    const auto now = forward(geometry, frame_.joint_angles(raw));
-    if (!before || !now) return before.has_value() != now.has_value();
-    const double age_s = jumps_in_a_row_ == 0 ? raw_age_s_ : jump_age_s_;
-    const double count_m =
-        singular_values(before->jacobian, encoder_quantum(frame_.profile())).largest;
-    const double reach_m = tip_speed_m_per_s * (age_s + sampling_s) + 2.0 * count_m;
-    return !(norm(now->p_DH - before->p_DH) <= reach_m);
+    const double age_s = (jumps_in_a_row_ == 0 ? raw_age_s_ : jump_age_s_) + sampling_s;
+    const JointAngles quantum = encoder_quantum(frame_.profile());
+    const JointAngles then = frame_.joint_angles(*raw_);
+    const JointAngles now = frame_.joint_angles(raw);
+    const double turned = std::max(std::abs(now.x - then.x), std::abs(now.y - then.y));
+    if (!(turned <= joint_speed_per_s * age_s + 2.0 * std::max(quantum.x, quantum.y))) return true;
+    const auto from = forward(frame_.profile().geometry, then);
+    const auto to = forward(frame_.profile().geometry, now);
+    if (!from || !to) return false;
+    const double count_m = singular_values(from->jacobian, quantum).largest;
+    return !(norm(to->p_DH - from->p_DH) <= tip_speed_m_per_s * age_s + 2.0 * count_m);
 }
 
 void PantographBoard::start_resync(Rung first) {
@@ -215,12 +221,13 @@ void PantographBoard::start_resync(Rung first) {
     ++report_.resyncs;
     report_.state = BoardState::resyncing;
     has_send_failed_ = false;
-    owed_ = 0;
     owed_age_s_ = 0.0;
     jumps_in_a_row_ = 0;
     heard_.reset();
-    if (first == Rung::settle && sending_bytes_ == 0) send(write_command({}));
-    resync_ = Resync(first);
+    if (first == Rung::settle && sending_bytes_ == 0 && send(write_command({}))) ++owed_;
+    is_old_send_open_ = sending_bytes_ != 0 && send_age_s_ > 0.0;
+    resync_ = Resync(first, std::max(owed_, 0));
+    owed_ = 0;
     step_resync({}, 0.0);
 }
 

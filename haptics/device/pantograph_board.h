@@ -17,9 +17,9 @@
 
 namespace touchline {
 
-/// ready: one reply a write. resyncing: the driver finds its way back by itself, force is zero.
-/// jumped: the angles leapt, until accept_position(). lost: unplugged or given up, for good.
-enum class BoardState : std::uint8_t { closed, resyncing, ready, jumped, lost };
+/// From good to bad. ready: one reply a write. resyncing: the driver finds its way back by itself,
+/// force is zero. jumped: the angles leapt, until accept_position(). lost: unplugged or given up.
+enum class BoardState : std::uint8_t { closed, ready, resyncing, jumped, lost };
 
 /// What the driver saw, for the operator and the log. Counts since it was made.
 struct BoardReport {
@@ -111,6 +111,7 @@ class PantographBoard final : public ForceDevice {
     int jumps_in_a_row_ = 0;
     double jump_age_s_ = 0.0;        // raw_age_s_ at the first of them
     std::size_t sending_bytes_ = 0;  // of the send whose end was not seen yet; 0: none
+    bool is_old_send_open_ = false;  // that send began before the resync
     bool has_send_failed_ = false;   // since the last step of the resync
 };
 

@@ -17,7 +17,7 @@ struct Attempt {
 // quiet: 20 ms let the board work off 32 zeros, 1.1 s outlast its wait for the rest of a float.
 // Setting up takes it 4 ms.
 constexpr std::array<Attempt, 7> attempts{{
-    {false, 0.005, false, 0.02, Rung::set_up_again},
+    {false, 0.005, false, 0.05, Rung::set_up_again},
     {false, 0.0, true, 0.02, Rung::flush},
     {false, 0.02, true, 0.1, Rung::flush},
     {true, 0.02, true, 0.1, Rung::wait_out},
@@ -27,6 +27,7 @@ constexpr std::array<Attempt, 7> attempts{{
 }};
 
 constexpr double set_up_s = 0.005;      // the board is busy; what comes still belongs to before
+constexpr double late_s = 0.05;         // a reply that takes longer is taken for lost
 constexpr double proof_s = 0.003;       // no second reply may follow the first within it
 constexpr double longest_send_s = 0.1;  // for the send before to end
 
@@ -56,7 +57,8 @@ ResyncAction Resync::step(const ResyncEvents& events) {
     in_stage_s_ += events.elapsed_s;
     if (events.has_send_failed && stage_ > Stage::quiet) climb();
     if (state_ != ResyncState::under_way) return ResyncAction::none;
-    if (stage_ == Stage::quiet && in_stage_s_ >= attempt_of(rung_).quiet_s)
+    if (stage_ == Stage::quiet) owed_ -= events.good_replies + events.bad_packets;
+    if (stage_ == Stage::quiet && is_quiet())
         go(attempt_of(rung_).sets_up ? Stage::set_up : Stage::prime);
     const bool is_setting_up = stage_ == Stage::prime && attempt_of(rung_).sets_up;
     if (stage_ == Stage::quiet || (is_setting_up && in_stage_s_ < set_up_s))
@@ -72,12 +74,17 @@ ResyncAction Resync::step(const ResyncEvents& events) {
             return ResyncAction::flush;
         case Stage::set_up:
             go(Stage::prime);
-            was_set_up_ = true;
             return ResyncAction::set_up;
         default:
             go(Stage::reply);
             return ResyncAction::write_zero;
     }
+}
+
+// A reply that is only late must not pass for that to the zero write.
+bool Resync::is_quiet() const {
+    const bool is_settling = rung_ == Rung::settle && owed_ > 0;
+    return in_stage_s_ >= (is_settling ? late_s : attempt_of(rung_).quiet_s);
 }
 
 ResyncAction Resync::listen(const ResyncEvents& events) {

@@ -39,7 +39,8 @@ class Resync {
     /// In step; nothing to do.
     Resync() = default;
 
-    explicit Resync(Rung first) { enter(first); }
+    /// owed >= 0: replies to earlier writes that may still come.
+    Resync(Rung first, int owed) : owed_(owed) { enter(first); }
 
     /// To be called until state() is no longer under_way, at least every few ms. The action has to
     /// be sent at once; is_send_free says that it can.
@@ -47,22 +48,20 @@ class Resync {
 
     [[nodiscard]] ResyncState state() const { return state_; }
 
-    /// A set-up was sent since the ladder was entered: counts between were lost.
-    [[nodiscard]] bool was_set_up() const { return was_set_up_; }
-
   private:
     enum class Stage : std::uint8_t { flush, quiet, set_up, prime, reply, proof };
 
     void enter(Rung rung);
     void go(Stage stage);
     void climb();
+    [[nodiscard]] bool is_quiet() const;
     [[nodiscard]] ResyncAction listen(const ResyncEvents& events);
 
     ResyncState state_ = ResyncState::in_step;
     Rung rung_ = Rung::settle;
     Stage stage_ = Stage::quiet;
     double in_stage_s_ = 0.0;
-    bool was_set_up_ = false;
+    int owed_ = 0;
 };
 
 }  // namespace touchline

@@ -24,6 +24,7 @@ struct FoundBoard {
     std::string bus_path;  // "1-2.3": bus and ports, the same as long as the plug stays
     int device_number = 0;
     BoardAccess access = BoardAccess::unknown;
+    std::string holder;  // who has it, when busy; empty when that cannot be seen
 };
 
 /// One line for a person: what it is, where, and what to do if it cannot be used.
@@ -51,10 +52,13 @@ class UsbBoards {
     [[nodiscard]] std::vector<FoundBoard> list(std::span<const BoardId> known) const;
 
     /// The running board with that serial number. Without one: the only running board that may be
-    /// probed. The error says what was looked for and what was found instead. Takes the interface
-    /// from the kernel's serial driver and gives it back when the link goes.
-    [[nodiscard]] Result<std::unique_ptr<BoardLink>> open(std::span<const BoardId> known,
-                                                          std::string_view serial,
+    /// probed. The error says what was looked for and what was found instead.
+    [[nodiscard]] Result<FoundBoard> find(std::span<const BoardId> known,
+                                          std::string_view serial) const;
+
+    /// Opens what find() or list() found. Takes the interface from the kernel's serial driver and
+    /// gives it back when the link goes. Busy, denied or gone: an error in words.
+    [[nodiscard]] Result<std::unique_ptr<BoardLink>> open(const FoundBoard& board,
                                                           const UsbLinkOptions& options = {}) const;
 
   private:

@@ -120,7 +120,7 @@ TEST(Hapi, ReplyWithAnAnalogInputHasItFirst) {
 
 TEST(Hapi, WhatCompletesAWriteIsZerosForTheRestThenAZeroWrite) {
     for (std::size_t sent = 1; sent < write_bytes; ++sent) {
-        Bytes expected(write_bytes - sent, 0);
+        Bytes expected(sent > 1 ? write_bytes - sent : 0, 0);
         const Bytes zero_write = bytes_of("02 05 00 00 00 00 00 00 00 00");
         expected.insert(expected.end(), zero_write.begin(), zero_write.end());
         EXPECT_EQ(bytes_of(completing_command(sent)), expected);

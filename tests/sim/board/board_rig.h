@@ -42,7 +42,7 @@ class BoardRig {
     /// One servo tick: time passes, read, write. `torques` only where there are angles, else zero.
     std::optional<JointAngles> tick(JointTorques torques) {
         time.now_s += rig_tick_s;
-        const auto angles = driver->read_angles(time.now_s);
+        const auto angles = driver->read_angles(time.now_s + clock_step_s);
         is_written = driver->write_torques(angles ? torques : JointTorques{});
         return angles;
     }
@@ -63,6 +63,7 @@ class BoardRig {
     EmulatedLink* link = nullptr;
     std::unique_ptr<PantographBoard> driver;
     bool is_written = false;
+    double clock_step_s = 0.0;  // of the clock that the driver is shown
 };
 
 }  // namespace touchline

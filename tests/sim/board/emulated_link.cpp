@@ -9,7 +9,7 @@ namespace {
 constexpr double way_s = 1e-4;  // one way over the bus
 constexpr double send_time_out_s = 0.01;
 constexpr double control_s = 1e-3;
-constexpr std::int64_t leap_counts = 40;
+constexpr double leap_rad = 0.15;
 
 bool spoils_reply(LinkFault fault) {
     return fault >= LinkFault::late_reply && fault <= LinkFault::failed_reply;
@@ -86,7 +86,9 @@ void EmulatedLink::hand_over(std::span<const std::uint8_t> command) {
             board_.host_sends(std::array<std::uint8_t, 2>{});
             break;
         case LinkFault::lost_counts:
-            board_.lose_counts(1 + static_cast<int>(random() % 2), leap_counts);
+            board_.lose_counts(
+                1 + static_cast<int>(random() % 2),
+                static_cast<std::int64_t>(leap_rad / encoder_quantum(board_.truth().profile).x));
             break;
         default:
             break;

@@ -130,14 +130,14 @@ TEST(Firmware, TheDueWaitsASecondForEachByte) {
 }
 
 TEST(Firmware, ZerosCompleteWhatItWaitsFor) {
-    for (std::size_t sent = 2; sent < write_bytes; ++sent) {
+    for (std::size_t sent = 1; sent < write_bytes; ++sent) {
         Bench bench;
         bench.set_up();
         (void)bench.tell(write_command({0.1, 0.1}));
         const Command whole = write_command({0.05, -0.05});
         const auto bytes = whole.bytes().first(sent);
         (void)bench.tell(PacketBytes(bytes.begin(), bytes.end()));
-        EXPECT_EQ(bench.tell(completing_command(sent)).size(), 2U);
+        EXPECT_EQ(bench.tell(completing_command(sent)).size(), sent == 1 ? 1U : 2U);
         EXPECT_EQ(bench.firmware.duty(), (std::array<double, 2>{}));
         EXPECT_TRUE(bench.firmware.is_set_up());
     }
