@@ -5,7 +5,7 @@
 
 #include "haptics/device/force_device.h"
 #include "haptics/device/hand.h"
-#include "haptics/device/tip_dynamics.h"
+#include "haptics/device/pantograph_plant.h"
 #include "haptics/pantograph/profile.h"
 
 #include <array>
@@ -38,28 +38,23 @@ class SimulatedPantograph final : public ForceDevice {
     [[nodiscard]] bool write_torques(JointTorques torques) override;
 
     /// The true state of the tip in W, for tests and drawings.
-    [[nodiscard]] const MassState& tip() const { return dynamics_.tip(); }
+    [[nodiscard]] const MassState& tip() const { return plant_.tip(); }
 
     /// Torques that act now.
-    [[nodiscard]] JointTorques acting_torques() const { return acting_; }
+    [[nodiscard]] JointTorques acting_torques() const { return plant_.torques(); }
 
   private:
-    struct Command {
+    struct TimedTorques {
         double from_s = 0.0;
         JointTorques torques;
     };
 
     void advance_to(double t_s);
-    void integrate(double span_s);
-    [[nodiscard]] Force force_W() const;
 
     DeviceProfile profile_;
-    SimulationOptions options_;
-    std::shared_ptr<const IntendedPath> path_;
-    TipDynamics dynamics_;
-    double time_s_ = 0.0;
-    JointTorques acting_;
-    std::array<Command, 64> pending_{};  // in order of time; first_pending_ is the oldest
+    double arm_1_scale_error_;
+    PantographPlant plant_;
+    std::array<TimedTorques, 64> pending_{};  // in order of time; first_pending_ is the oldest
     std::size_t first_pending_ = 0;
     std::size_t pending_count_ = 0;
 };

@@ -15,8 +15,10 @@ constexpr JointAngles degrees(double joint_1, double joint_2) {
 }
 
 // The M0 board of every 2diy resolves half of the counts that its set-up command is told.
+constexpr double m0_told_per_count = 2.0;
+
 constexpr JointAngles m0_counts(double joint_1, double joint_2) {
-    return {joint_1 / 2.0, joint_2 / 2.0};
+    return {joint_1 / m0_told_per_count, joint_2 / m0_told_per_count};
 }
 
 constexpr Geometry gen3_links{0.070, 0.090, 0.038};
@@ -30,23 +32,34 @@ constexpr MechanicsProfile metal_arms{0.08, 0.3, 0.15, 6e-4};
 constexpr MechanicsProfile small_arms{0.05, 0.2, 0.10, 6e-4};
 constexpr MechanicsProfile direct_drive{0.035, 0.05, 0.03, 1e-4};
 
+// As the makers' own programs plug them in. The M0 is told twice the counts that it resolves.
+constexpr JointWiring port_1_cw{1, Turn::clockwise}, port_1_ccw{1, Turn::counter_clockwise};
+constexpr JointWiring port_2_cw{2, Turn::clockwise}, port_2_ccw{2, Turn::counter_clockwise};
+constexpr BoardWiring gen3_wiring{port_2_ccw, port_1_ccw, m0_told_per_count};
+constexpr BoardWiring gen2_wiring{port_2_ccw, port_1_cw, m0_told_per_count};
+constexpr BoardWiring haplet_wiring{port_1_cw, port_2_cw, 1.0};
+constexpr BoardWiring mk2_wiring{port_1_ccw, port_2_ccw, 1.0};  // a board of one's own
+
 // Areas: the largest 4:3 box in which the Jacobian's condition stays below 3. Force: up to 3 N,
 // which the motors give in their best direction (2.8 N: mk2).
 constexpr std::array profiles{
     DeviceProfile{"2diy-gen3.1", gen3_links, m0_counts(4880.0, 4880.0), 0.123, degrees(168.0, 12.0),
-                  Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0, plastic_arms},
+                  Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0, plastic_arms,
+                  gen3_wiring},
     DeviceProfile{"2diy-gen3", gen3_links,
                   m0_counts(2048.0 * 2.5 * 1.0194 * 1.0154, 2048.0 * 2.5 * 1.0194), 0.123,
                   degrees(97.23, 82.77), Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0,
-                  plastic_arms},
+                  plastic_arms, gen3_wiring},
     DeviceProfile{"2diy-gen2", gen2_links, m0_counts(10752.0, 10752.0), 0.123,
                   degrees(241.0, -61.0), Area{0.144, 0.108}, Position{0.0, 0.076}, 3.0, 100.0,
-                  metal_arms},
+                  metal_arms, gen2_wiring},
     DeviceProfile{"haplet", haplet_links, JointAngles{13824.0, 13824.0}, 0.123, degrees(180.0, 0.0),
-                  Area{0.104, 0.076}, Position{0.010, 0.060}, 3.0, 100.0, small_arms},
+                  Area{0.104, 0.076}, Position{0.010, 0.060}, 3.0, 100.0, small_arms,
+                  haplet_wiring},
     // No home pose is published: the symmetric one near the centre of the area.
     DeviceProfile{"mk2", mk2_links, JointAngles{65536.0, 65536.0}, 0.1, degrees(150.0, 30.0),
-                  Area{0.096, 0.072}, Position{0.0125, 0.084}, 2.8, 400.0, direct_drive},
+                  Area{0.096, 0.072}, Position{0.0125, 0.084}, 2.8, 400.0, direct_drive,
+                  mk2_wiring},
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "config/types/vec2.h"
 #include "haptics/pantograph/kinematics.h"
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -20,6 +21,20 @@ struct MechanicsProfile {
     double delay_s = 0.0;           // from writing a torque to its effect
 };
 
+/// Which way a motor or an encoder is told to count as positive, as the board numbers it.
+enum class Turn : std::uint8_t { clockwise = 0, counter_clockwise = 1 };
+
+/// Where a joint's motor and encoder are plugged in.
+struct JointWiring {
+    int port = 1;  // 1 or 2
+    Turn turn = Turn::counter_clockwise;
+};
+
+struct BoardWiring {
+    JointWiring joint_1, joint_2;  // on different ports
+    double told_per_count = 1.0;   // counts a turn that the board is told, over those it resolves
+};
+
 struct DeviceProfile {
     std::string_view name;
     Geometry geometry;
@@ -31,6 +46,7 @@ struct DeviceProfile {
     double force_limit_N = 3.0;      // on the hand
     double bandwidth_Hz = 100.0;     // faster forces are not felt as commanded
     MechanicsProfile mechanics;
+    BoardWiring wiring;
 };
 
 /// 2diy-gen3.1 (the default), 2diy-gen3, 2diy-gen2, haplet, mk2.

@@ -1,0 +1,209 @@
+#include "config/settings/boards.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+
+#include <toml++/toml.h>
+
+namespace touchline {
+namespace {
+
+constexpr std::uintmax_t largest_bytes = 1 << 20;
+constexpr double least_scale = 0.8, greatest_scale = 1.25;
+constexpr double greatest_offset_rad = 6.3;
+constexpr double greatest_torque_Nm = 1.0;
+
+/// Reads one table key by key; the first thing that is wrong stays in `wrong`.
+class TableReader {
+  public:
+    TableReader(const toml::table& table, std::string_view file) : table_(table), file_(file) {}
+
+    /// Stops at a key that is not in `keys`.
+    void allow(std::initializer_list<std::string_view> keys) {
+        for (const auto& [key, value] : table_)
+            if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
+                blame(value, "'" + std::string(key.str()) + "' is not a setting here");
+    }
+
+    template <class T>
+    std::optional<T> read(std::string_view key, std::string_view what, bool is_needed) {
+        const toml::node* node = table_.get(key);
+        if (node == nullptr) {
+            if (is_needed) blame(table_, "'" + std::string(key) + "' is missing");
+            return std::nullopt;
+        }
+        const auto value = node->value<T>();
+        if (!value) blame(*node, "'" + std::string(key) + "' must be " + std::string(what));
+        return value;
+    }
+
+    std::uint16_t read_id(std::string_view key) {
+        const auto id = read<std::int64_t>(key, "a number from 1 to 0xffff", true);
+        if (id && (*id < 1 || *id > 0xffff))
+            blame(*table_.get(key), "'" + std::string(key) + "' must be a number from 1 to 0xffff");
+        return static_cast<std::uint16_t>(id.value_or(0));
+    }
+
+    /// [joint 1, joint 2].
+    std::optional<JointAngles> read_pair(std::string_view key, double least, double greatest) {
+        const toml::node* node = table_.get(key);
+        if (node == nullptr) return std::nullopt;
+        const toml::array* pair = node->as_array();
+        const auto at = [&](std::size_t i) {
+            const auto value = pair->get(i)->value<double>();
+            return value && *value >= least && *value <= greatest ? value : std::nullopt;
+        };
+        if (pair != nullptr && pair->size() == 2 && at(0) && at(1))
+            return JointAngles{*at(0), *at(1)};
+        blame(*node, "'" + std::string(key) + "' must be two numbers, one a joint, from " +
+                         number(least) + " to " + number(greatest));
+        return std::nullopt;
+    }
+
+    void blame(const toml::node& node, const std::string& why) {
+        if (!wrong.empty()) return;
+        wrong = file_ + ":" + std::to_string(node.source().begin.line) + ": " + why;
+    }
+
+    static std::string number(double value) {
+        std::ostringstream text;
+        text << value;
+        return text.str();
+    }
+
+    std::string wrong;
+
+  private:
+    const toml::table& table_;
+    std::string file_;
+};
+
+BoardId read_board(TableReader& reader, const toml::table& table) {
+    reader.allow({"vendor", "product", "state", "probe", "name"});
+    BoardId id;
+    id.vendor = reader.read_id("vendor");
+    id.product = reader.read_id("product");
+    const auto state = reader.read<std::string>("state", "a text", true).value_or("running");
+    if (state == "needs-firmware") {
+        id.condition = BoardCondition::needs_firmware;
+    } else if (state == "wrong-socket") {
+        id.condition = BoardCondition::wrong_socket;
+    } else if (state != "running") {
+        reader.blame(*table.get("state"),
+                     "'state' must be running, needs-firmware or wrong-socket");
+    }
+    id.may_probe = reader.read<bool>("probe", "true or false", false).value_or(false);
+    id.name = reader.read<std::string>("name", "a text", true).value_or("");
+    return id;
+}
+
+UnitSettings read_unit(TableReader& reader, const toml::table& table) {
+    reader.allow({"serial", "profile", "swapped_motors", "scale", "offset_rad", "torque_limit_Nm"});
+    UnitSettings unit;
+    unit.serial = reader.read<std::string>("serial", "a text", true).value_or("");
+    unit.profile = reader.read<std::string>("profile", "a text", true).value_or("");
+    Calibration& calibration = unit.calibration;
+    calibration.are_motors_swapped =
+        reader.read<bool>("swapped_motors", "true or false", false).value_or(false);
+    calibration.scale =
+        reader.read_pair("scale", least_scale, greatest_scale).value_or(calibration.scale);
+    calibration.offset = reader.read_pair("offset_rad", -greatest_offset_rad, greatest_offset_rad)
+                             .value_or(calibration.offset);
+    calibration.torque_limit_Nm = reader.read<double>("torque_limit_Nm", "a number", false);
+    const double limit = calibration.torque_limit_Nm.value_or(greatest_torque_Nm);
+    if (!(limit > 0.0 && limit <= greatest_torque_Nm))
+        reader.blame(*table.get("torque_limit_Nm"),
+                     "'torque_limit_Nm' must be above 0 and at most 1");
+    return unit;
+}
+
+/// Every table of the array `key`, by `read`; nothing where there is none.
+template <class T, class Read>
+Result<std::vector<T>> read_all(const toml::table& file, std::string_view name,
+                                std::string_view key, Read read) {
+    std::vector<T> all;
+    const toml::node* node = file.get(key);
+    if (node == nullptr) return all;
+    TableReader outer(file, name);
+    const toml::array* tables = node->as_array();
+    if (tables == nullptr || !tables->is_homogeneous(toml::node_type::table)) {
+        outer.blame(*node,
+                    "'" + std::string(key) + "' must be written as [[" + std::string(key) + "]]");
+        return failure(outer.wrong);
+    }
+    for (const toml::node& element : *tables) {
+        TableReader reader(*element.as_table(), name);
+        all.push_back(read(reader, *element.as_table()));
+        if (!reader.wrong.empty()) return failure(reader.wrong);
+    }
+    return all;
+}
+
+Result<BoardSettings> read_tables(const toml::table& file, std::string_view name) {
+    TableReader outer(file, name);
+    outer.allow({"board", "unit"});
+    if (!outer.wrong.empty()) return failure(outer.wrong);
+    auto boards = read_all<BoardId>(file, name, "board", read_board);
+    if (!boards) return tl::unexpected(boards.error());
+    auto units = read_all<UnitSettings>(file, name, "unit", read_unit);
+    if (!units) return tl::unexpected(units.error());
+    return BoardSettings{std::move(*boards), std::move(*units)};
+}
+
+toml::array pair_of(JointAngles pair) {
+    return toml::array{pair.x, pair.y};
+}
+
+}  // namespace
+
+Result<BoardSettings> parse_boards(std::string_view text, std::string_view name) {
+    try {
+        return read_tables(toml::parse(text), name);
+    } catch (const toml::parse_error& error) {
+        std::string why(error.description());
+        std::replace(why.begin(), why.end(), '\n', ' ');
+        return failure(std::string(name) + ":" + std::to_string(error.source().begin.line) + ": " +
+                       why);
+    }
+}
+
+Result<BoardSettings> read_boards(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return failure("cannot read " + file.string());
+    std::string text(largest_bytes + 1, '\0');
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    if (in.bad()) return failure("cannot read " + file.string());
+    if (text.size() > largest_bytes) return failure(file.string() + " is larger than 1 MB");
+    return parse_boards(text, file.string());
+}
+
+std::string units_text(const std::vector<UnitSettings>& units) {
+    std::ostringstream text;
+    for (const UnitSettings& unit : units) {
+        const Calibration& calibration = unit.calibration;
+        toml::table table{{"serial", unit.serial},
+                          {"profile", unit.profile},
+                          {"swapped_motors", calibration.are_motors_swapped},
+                          {"scale", pair_of(calibration.scale)},
+                          {"offset_rad", pair_of(calibration.offset)}};
+        if (calibration.torque_limit_Nm)
+            table.insert("torque_limit_Nm", *calibration.torque_limit_Nm);
+        text << "[[unit]]\n" << table << "\n\n";
+    }
+    return text.str();
+}
+
+const UnitSettings* find_unit(const BoardSettings& settings, std::string_view serial) {
+    const auto found =
+        std::find_if(settings.units.begin(), settings.units.end(),
+                     [&](const UnitSettings& unit) { return unit.serial == serial; });
+    return found == settings.units.end() ? nullptr : &*found;
+}
+
+}  // namespace touchline

@@ -1,0 +1,106 @@
+#include "haptics/device/board_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace touchline {
+namespace {
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+constexpr double most_counts = 1e6;  // many turns of any encoder; no arm turns one
+
+// The board takes the whole part: half a count more makes it the same count again, however the
+// float was rounded.
+double within_count(double raw_deg, double quantum_deg) {
+    return raw_deg + std::copysign(0.5 * quantum_deg, raw_deg);
+}
+
+// As the board computes it.
+double whole_counts(float offset_deg, double counts_per_turn) {
+    return 360.0 * std::trunc(static_cast<double>(offset_deg) * counts_per_turn / 360.0) /
+           counts_per_turn;
+}
+
+// To a thousandth, or as well as a float of degrees can tell.
+bool is_whole(double raw_deg, double quantum_deg) {
+    const double counts = raw_deg / quantum_deg;
+    const double tolerance =
+        1e-3 + 2.0 * static_cast<double>(std::numeric_limits<float>::epsilon()) * std::abs(counts);
+    return std::abs(counts) <= most_counts && std::abs(counts - std::round(counts)) <= tolerance;
+}
+
+// Values of the two ports in the order of the joints, or the other way round: it is its own
+// inverse.
+template <class Out, class In>
+Vec2<Out> reordered(Vec2<In> v, bool is_crossed, double scale) {
+    return is_crossed ? Vec2<Out>{scale * v.y, scale * v.x} : Vec2<Out>{scale * v.x, scale * v.y};
+}
+
+}  // namespace
+
+DeviceProfile calibrated(const DeviceProfile& profile, const Calibration& calibration) {
+    DeviceProfile unit = profile;
+    if (calibration.torque_limit_Nm) unit.torque_limit_Nm = *calibration.torque_limit_Nm;
+    return unit;
+}
+
+BoardFrame::BoardFrame(const DeviceProfile& profile, const Calibration& calibration)
+    : profile_(calibrated(profile, calibration)),
+      calibration_(calibration),
+      is_joint_1_on_port_2_((profile.wiring.joint_1.port == 2) != calibration.are_motors_swapped),
+      quantum_(reordered<PortDegree>(encoder_quantum(profile), is_joint_1_on_port_2_,
+                                     degrees_per_radian)) {}
+
+BoardSetUp BoardFrame::set_up_at_home() const {
+    const auto home =
+        reordered<PortDegree>(profile_.home, is_joint_1_on_port_2_, degrees_per_radian);
+    const auto told = reordered<PortDegree>(profile_.counts_per_turn, is_joint_1_on_port_2_,
+                                            profile_.wiring.told_per_count);
+    const Turn turn_1 = profile_.wiring.joint_1.turn;
+    const Turn turn_2 = profile_.wiring.joint_2.turn;
+    BoardSetUp set_up;
+    set_up.turns = {is_joint_1_on_port_2_ ? turn_2 : turn_1,
+                    is_joint_1_on_port_2_ ? turn_1 : turn_2};
+    set_up.offsets_deg = {static_cast<float>(home.x), static_cast<float>(home.y)};
+    set_up.counts_told = {static_cast<float>(told.x), static_cast<float>(told.y)};
+    return set_up;
+}
+
+BoardSetUp BoardFrame::set_up_at(PortAngles raw) const {
+    BoardSetUp set_up = set_up_at_home();
+    set_up.offsets_deg = {static_cast<float>(within_count(raw.x, quantum_.x)),
+                          static_cast<float>(within_count(raw.y, quantum_.y))};
+    return set_up;
+}
+
+PortAngles BoardFrame::home_reading() const {
+    const BoardSetUp set_up = set_up_at_home();
+    const double told = profile_.wiring.told_per_count;
+    return {whole_counts(set_up.offsets_deg[0], static_cast<double>(set_up.counts_told[0]) / told),
+            whole_counts(set_up.offsets_deg[1], static_cast<double>(set_up.counts_told[1]) / told)};
+}
+
+JointAngles BoardFrame::joint_angles(PortAngles raw) const {
+    const auto turned =
+        reordered<Radian>(raw - home_reading(), is_joint_1_on_port_2_, 1.0 / degrees_per_radian);
+    const JointAngles scale = calibration_.scale;
+    return profile_.home + calibration_.offset +
+           JointAngles{scale.x * turned.x, scale.y * turned.y};
+}
+
+bool BoardFrame::is_whole_counts(PortAngles raw) const {
+    return is_whole(raw.x, quantum_.x) && is_whole(raw.y, quantum_.y);
+}
+
+PortTorques BoardFrame::port_torques(JointTorques torques) const {
+    if (!is_finite(torques)) return {};
+    const double largest = std::max(std::abs(torques.x), std::abs(torques.y));
+    const double limit = profile_.torque_limit_Nm;
+    const double scale = largest <= limit ? 1.0 : limit / largest;
+    return reordered<PortNewtonMetre>(torques, is_joint_1_on_port_2_, scale);
+}
+
+}  // namespace touchline

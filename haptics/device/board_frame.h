@@ -1,0 +1,59 @@
+// Between what the board counts by port and the angles and torques of the joints.
+// Threads: immutable values and pure functions. No allocation. O(1).
+#pragma once
+
+#include "config/types/calibration.h"
+#include "config/types/vec2.h"
+#include "haptics/device/hapi.h"
+#include "haptics/pantograph/profile.h"
+
+#include <optional>
+
+namespace touchline {
+
+/// The profile with the unit's own limit of torque.
+[[nodiscard]] DeviceProfile calibrated(const DeviceProfile& profile,
+                                       const Calibration& calibration);
+
+class BoardFrame {
+  public:
+    BoardFrame(const DeviceProfile& profile, const Calibration& calibration);
+
+    /// The handle is at home: the board is to say the angles of the profile's home pose.
+    [[nodiscard]] BoardSetUp set_up_at_home() const;
+
+    /// Sets the board up again where it was: it says `raw` again to the count.
+    [[nodiscard]] BoardSetUp set_up_at(PortAngles raw) const;
+
+    /// What the board says at home: whole counts, rounded toward zero.
+    [[nodiscard]] PortAngles home_reading() const;
+
+    /// By home + offset + scale (raw - home reading).
+    [[nodiscard]] JointAngles joint_angles(PortAngles raw) const;
+
+    /// Each angle is a whole number of counts, as all are that a board sends.
+    [[nodiscard]] bool is_whole_counts(PortAngles raw) const;
+
+    /// Turn of one count, degrees.
+    [[nodiscard]] PortAngles quantum() const { return quantum_; }
+
+    /// Both scaled together to the unit's limit, so that the direction stays; not finite: zero.
+    [[nodiscard]] PortTorques port_torques(JointTorques torques) const;
+
+    /// With another calibration: of offset and scale, or of plugs before the next set-up.
+    [[nodiscard]] BoardFrame with(const Calibration& calibration) const {
+        return {profile_, calibration};
+    }
+
+    [[nodiscard]] const Calibration& calibration() const { return calibration_; }
+
+    [[nodiscard]] const DeviceProfile& profile() const { return profile_; }
+
+  private:
+    DeviceProfile profile_;
+    Calibration calibration_;
+    bool is_joint_1_on_port_2_;
+    PortAngles quantum_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,93 @@
+#include "haptics/device/hapi.h"
+
+#include <bit>
+#include <cmath>
+
+namespace touchline {
+namespace {
+
+constexpr std::uint8_t reset_code = 0, set_up_code = 1, write_code = 2;
+constexpr std::uint8_t both_ports = 0b11;
+constexpr std::size_t flush_bytes = 32;
+
+float float_at(std::span<const std::uint8_t> bytes, std::size_t at) {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 4; i-- > 0;) bits = bits << 8 | bytes[at + i];
+    return std::bit_cast<float>(bits);
+}
+
+void put_turns(Command& command, const BoardSetUp& set_up) {
+    command.put(both_ports);
+    for (const Turn turn : set_up.turns) command.put(static_cast<std::uint8_t>(turn));
+}
+
+void put_write(Command& command, PortTorques torques) {
+    const PortTorques safe = is_finite(torques) ? torques : PortTorques{};
+    command.put(write_code);
+    command.put(board_address);
+    command.put(static_cast<float>(safe.x));
+    command.put(static_cast<float>(safe.y));
+}
+
+}  // namespace
+
+void Command::put(float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    for (unsigned shift = 0; shift < 32; shift += 8) put(static_cast<std::uint8_t>(bits >> shift));
+}
+
+Command reset_command() {
+    Command command;
+    command.put(reset_code);
+    command.put(std::uint8_t{0});
+    return command;
+}
+
+Command set_up_command(const BoardSetUp& set_up) {
+    Command command;
+    command.put(set_up_code);
+    command.put(board_address);
+    put_turns(command, set_up);  // motors
+    put_turns(command, set_up);  // encoders
+    command.put(std::uint8_t{set_up.analog_pin ? std::uint8_t{1} : std::uint8_t{0}});
+    if (set_up.analog_pin) command.put(*set_up.analog_pin);
+    command.put(std::uint8_t{0});  // no PWM outputs
+    for (std::size_t port = 0; port < 2; ++port) {
+        command.put(set_up.offsets_deg[port]);
+        command.put(set_up.counts_told[port]);
+    }
+    return command;
+}
+
+Command write_command(PortTorques torques) {
+    Command command;
+    put_write(command, torques);
+    return command;
+}
+
+Command flush_command() {
+    Command command;
+    for (std::size_t i = 0; i < flush_bytes; ++i) command.put(std::uint8_t{0});
+    return command;
+}
+
+Command completing_command(std::size_t sent) {
+    Command command;
+    for (std::size_t i = sent; i > 1 && i < write_bytes; ++i) command.put(std::uint8_t{0});
+    put_write(command, {});
+    return command;
+}
+
+Reply decode_reply(std::span<const std::uint8_t> packet, int analog_inputs) {
+    if (packet.empty()) return {ReplyKind::empty, {}, 0.0F};
+    if (packet[0] != board_address) return {};
+    if (packet.size() == 1) return {ReplyKind::unconfigured, {}, 0.0F};
+    const std::size_t first_angle = 1 + 4 * static_cast<std::size_t>(analog_inputs);
+    if (packet.size() != first_angle + 8) return {};
+    const PortAngles angles{float_at(packet, first_angle), float_at(packet, first_angle + 4)};
+    if (!is_finite(angles)) return {};
+    const float analog = analog_inputs > 0 ? float_at(packet, 1) : 0.0F;
+    return {ReplyKind::angles, angles, analog};
+}
+
+}  // namespace touchline

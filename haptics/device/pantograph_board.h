@@ -1,0 +1,122 @@
+// A pantograph behind a board: the driver over any BoardLink. One write at the end of a tick, its
+// reply at the next. The board holds the last torque for ever, so whatever goes wrong a zero is
+// sent first; while the two are out of step no angles are given and no torque is passed on.
+#pragma once
+
+#include "config/types/calibration.h"
+#include "config/types/result.h"
+#include "haptics/device/board_frame.h"
+#include "haptics/device/board_link.h"
+#include "haptics/device/force_device.h"
+#include "haptics/device/resync.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace touchline {
+
+/// From good to bad. ready: one reply a write. resyncing: the driver finds its way back by itself,
+/// force is zero. jumped: the angles leapt, until accept_position(). lost: unplugged or given up.
+enum class BoardState : std::uint8_t { closed, ready, resyncing, jumped, lost };
+
+/// What the driver saw, for the operator and the log. Counts since it was made.
+struct BoardReport {
+    BoardState state = BoardState::closed;
+    bool is_position_doubtful = false;  // counts may have been missed: go home again
+    bool was_torque_not_finite = false;
+    LinkStatus last_failure = LinkStatus::done;  // of the link
+    std::uint64_t replies = 0;
+    std::uint64_t late = 0;  // ticks that went on with the angles of the one before
+    std::uint64_t lost_replies = 0;
+    std::uint64_t empty_packets = 0;
+    std::uint64_t wrong_packets = 0;  // wrong length, address, count, or one too many
+    std::uint64_t unconfigured = 0;
+    std::uint64_t jumps = 0;  // angles that no hand could reach
+    std::uint64_t failed_sends = 0;
+    std::uint64_t resyncs = 0;
+};
+
+/// Threads: as ForceDevice. open(), stop() and the destructor wait; nothing else does.
+class PantographBoard final : public ForceDevice {
+  public:
+    PantographBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
+                    const Calibration& calibration);
+    /// stop().
+    ~PantographBoard() override;
+    PantographBoard(const PantographBoard&) = delete;
+    PantographBoard(PantographBoard&&) = delete;
+    PantographBoard& operator=(const PantographBoard&) = delete;
+    PantographBoard& operator=(PantographBoard&&) = delete;
+
+    /// The handle is at home, or will be said to have been by set_calibration(). Lines up, drain,
+    /// set-up, zero write, exact checks. Takes 30 ms; up to 4 s before it fails.
+    [[nodiscard]] Result<void> open();
+
+    /// Those of the newest reply. Nothing while resyncing, jumped or lost; at most 4 ms
+    /// after the tick that it came in.
+    [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
+
+    /// Scaled to the limit. False when the board is lost or a torque other than zero could not be
+    /// passed on. Not finite counts as zero and is reported.
+    [[nodiscard]] bool write_torques(JointTorques torques) override;
+
+    /// Offset, scale and torque limit from the next call on; swapped plugs only by another open().
+    /// The position counts as known.
+    void set_calibration(const Calibration& calibration);
+
+    /// After `jumped`, or doubt: the angles count as they are. With the force off only.
+    void accept_position();
+
+    /// Zero torque, then a set-up if that is not answered, then lines low and the board given back.
+    /// Also for a board that was never opened here. Takes 10 ms; up to 4 s before it gives up.
+    /// True when the board confirmed zero. Nothing more is read or written.
+    bool stop();
+
+    [[nodiscard]] const BoardReport& report() const { return report_; }
+
+    [[nodiscard]] const BoardFrame& frame() const { return frame_; }
+
+  private:
+    struct Arrivals {
+        int good = 0, bad = 0, unconfigured = 0;
+        std::optional<PortAngles> newest;
+    };
+
+    [[nodiscard]] Arrivals take_packets();
+    void sort(const Received& received, Arrivals& arrivals);
+    void judge_send();
+    void follow(const Arrivals& arrivals);
+    void judge_age(double elapsed_s);
+    void judge_position(PortAngles raw);
+    void start_resync(Rung first);
+    void step_resync(const Arrivals& arrivals, double elapsed_s);
+    void run_resync();
+    [[nodiscard]] bool is_jump(PortAngles raw) const;
+    bool send(const Command& command);
+    void note(LinkStatus status);
+
+    std::unique_ptr<BoardLink> link_;
+    BoardFrame frame_;
+    Resync resync_;
+    BoardReport report_;
+    std::optional<PortAngles> raw_;    // last accepted
+    std::optional<PortAngles> heard_;  // last that came while resyncing
+    std::optional<double> last_s_;     // on the caller's clock
+    double raw_age_s_ = 0.0;           // since raw_ came
+    double owed_age_s_ = 0.0;          // since every reply was last in
+    double send_age_s_ = 0.0;          // of a send that has not ended
+    int owed_ = 0;                     // replies
+    int jumps_in_a_row_ = 0;
+    double jump_age_s_ = 0.0;        // raw_age_s_ at the first of them
+    std::size_t sending_bytes_ = 0;  // of the send whose end was not seen yet; 0: none
+    bool is_old_send_open_ = false;  // that send began before the resync
+    bool has_send_failed_ = false;   // since the last step of the resync
+};
+
+/// Zero torque on a board that somebody else drove, as stop() does it. A board that does not answer
+/// is set up again, which stops its motors but forgets where the handle is. True when confirmed.
+bool zero_torque(std::unique_ptr<BoardLink> link);
+
+}  // namespace touchline

@@ -1,0 +1,54 @@
+// The mechanics of a pantograph and the hand that holds it: torques of the joints in, motion of the
+// tip out. What is between a program and the motors (boards, delays, counts) is not in here.
+#pragma once
+
+#include "config/types/vec2.h"
+#include "haptics/device/hand.h"
+#include "haptics/device/tip_dynamics.h"
+#include "haptics/pantograph/profile.h"
+
+#include <memory>
+#include <optional>
+
+namespace touchline {
+
+/// Threads: one at a time; the path may be led from another thread if it says so. No allocation
+/// after construction.
+class PantographPlant {
+  public:
+    /// The tip starts at rest where the path starts, or at the centre of the drawing area when that
+    /// is out of reach. longest_step_s > 0: of the integration.
+    PantographPlant(const DeviceProfile& profile, const HandModel& hand, double longest_step_s,
+                    std::shared_ptr<const IntendedPath> path);
+
+    /// Torques of the motors from now on.
+    void turn_motors(JointTorques torques) { torques_ = torques; }
+
+    /// Lives through span_s in even steps; nothing where that is not above 0.
+    void advance(double span_s);
+
+    /// Time passes and nothing moves.
+    void skip_to(double t_s) { time_s_ = t_s; }
+
+    [[nodiscard]] double time_s() const { return time_s_; }
+
+    /// The true state of the tip in W.
+    [[nodiscard]] const MassState& tip() const { return dynamics_.tip(); }
+
+    /// The true angles; nothing where the tip was put out of reach.
+    [[nodiscard]] std::optional<JointAngles> angles() const;
+
+    [[nodiscard]] JointTorques torques() const { return torques_; }
+
+  private:
+    [[nodiscard]] Force force_W() const;
+
+    DeviceProfile profile_;
+    double longest_step_s_;
+    std::shared_ptr<const IntendedPath> path_;
+    TipDynamics dynamics_;
+    double time_s_ = 0.0;
+    JointTorques torques_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,83 @@
+// An opened USB board as a BoardLink: asynchronous transfers of libusb, one OUT and two IN under
+// way. Of usb_boards.cpp only.
+#pragma once
+
+#include "haptics/device/board_link.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include <libusb.h>
+
+namespace touchline {
+
+/// Addresses as the descriptors name them.
+struct SerialPipes {
+    int control_interface = 0;
+    int data_interface = 1;
+    std::uint8_t out_endpoint = 0;
+    std::uint8_t in_endpoint = 0;
+};
+
+/// send(), sent() and receive() make system calls but never wait; libusb itself allocates a small
+/// block a transfer and takes its own locks, which nobody else holds.
+class UsbLink final : public BoardLink {
+  public:
+    /// Both interfaces are claimed; `context` lives as long as the link. Closes `handle`.
+    UsbLink(std::shared_ptr<libusb_context> context, libusb_device_handle* handle,
+            const SerialPipes& pipes, unsigned send_time_out_ms);
+    ~UsbLink() override;
+    UsbLink(const UsbLink&) = delete;
+    UsbLink(UsbLink&&) = delete;
+    UsbLink& operator=(const UsbLink&) = delete;
+    UsbLink& operator=(UsbLink&&) = delete;
+
+    [[nodiscard]] LinkStatus send(std::span<const std::uint8_t> command) override;
+    [[nodiscard]] Sent sent() override;
+    [[nodiscard]] Received receive() override;
+    [[nodiscard]] LinkStatus set_lines(bool are_high) override;
+    [[nodiscard]] LinkStatus clear_stall() override;
+    bool wait(double longest_s) override;
+    void rest(double span_s) override;
+
+  private:
+    static constexpr std::size_t in_transfers = 2;
+    static constexpr std::size_t most_waiting = 16;
+    static constexpr std::size_t packet_bytes =
+        512;  // of a high-speed board, the longest there are
+
+    struct InTransfer {
+        libusb_transfer* transfer = nullptr;
+        std::array<std::uint8_t, packet_bytes> buffer{};
+        bool is_under_way = false;
+    };
+
+    static void on_out(libusb_transfer* transfer);
+    static void on_in(libusb_transfer* transfer);
+    void end_in(InTransfer& in);
+    void listen(InTransfer& in);
+    void keep(const Received& received);
+    void handle_events(double longest_s);
+    [[nodiscard]] bool has_news(bool was_sending) const;
+    [[nodiscard]] bool is_anything_under_way() const;
+    void cancel_all();
+
+    std::shared_ptr<libusb_context> context_;
+    libusb_device_handle* handle_;
+    SerialPipes pipes_;
+    unsigned send_time_out_ms_;
+    libusb_transfer* out_ = nullptr;
+    std::array<std::uint8_t, 64> out_buffer_{};
+    bool is_sending_ = false;
+    Sent sent_;
+    std::array<InTransfer, in_transfers> in_{};
+    std::array<Received, most_waiting> waiting_{};  // in order; first_waiting_ is the oldest
+    std::size_t first_waiting_ = 0;
+    std::size_t waiting_count_ = 0;
+    bool is_gone_ = false;
+    bool is_closing_ = false;
+};
+
+}  // namespace touchline

@@ -1,0 +1,106 @@
+#include "config/settings/boards.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+std::string error_of(std::string_view text) {
+    const auto settings = parse_boards(text, "boards.toml");
+    return settings ? "no error" : settings.error().line;
+}
+
+constexpr std::string_view zero_board =
+    "[[board]]\nvendor = 0x2341\nproduct = 0x804d\nstate = \"running\"\nname = \"Zero\"\n";
+
+TEST(Boards, InstalledTableNamesEveryKnownId) {
+    const auto settings =
+        read_boards(std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/boards.toml");
+    ASSERT_TRUE(settings.has_value()) << settings.error().line;
+    EXPECT_TRUE(settings->units.empty());
+    const auto find = [&](std::uint16_t vendor, std::uint16_t product) {
+        return std::find_if(
+            settings->boards.begin(), settings->boards.end(),
+            [&](const BoardId& id) { return id.vendor == vendor && id.product == product; });
+    };
+    ASSERT_NE(find(0x2341, 0x804d), settings->boards.end());
+    EXPECT_EQ(find(0x2341, 0x804d)->condition, BoardCondition::running);
+    EXPECT_TRUE(find(0x2341, 0x804d)->may_probe);
+    ASSERT_NE(find(0x2341, 0x003e), settings->boards.end());
+    EXPECT_EQ(find(0x2341, 0x004d)->condition, BoardCondition::needs_firmware);
+    EXPECT_EQ(find(0x03eb, 0x6124)->condition, BoardCondition::needs_firmware);
+    EXPECT_EQ(find(0x2341, 0x003d)->condition, BoardCondition::wrong_socket);
+    EXPECT_EQ(std::count_if(settings->boards.begin(), settings->boards.end(),
+                            [](const BoardId& id) { return id.may_probe; }),
+              2);
+    for (const BoardId& id : settings->boards) EXPECT_FALSE(id.name.empty());
+}
+
+TEST(Boards, UnitsAreReadBackAsTheyWereWritten) {
+    UnitSettings left{"A1B2", "2diy-gen3.1", {}};
+    left.calibration = {{0.1, -1.0 / 3.0}, {1.0194, 0.97}, true, 0.1};
+    const UnitSettings plain{"with \"quotes\" and \\", "haplet", {}};
+    const auto read = parse_boards(units_text({left, plain}), "units.toml");
+    ASSERT_TRUE(read.has_value()) << read.error().line;
+    ASSERT_EQ(read->units.size(), 2U);
+    const UnitSettings* found = find_unit(*read, "A1B2");
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(found->profile, "2diy-gen3.1");
+    EXPECT_EQ(found->calibration.offset, left.calibration.offset);
+    EXPECT_EQ(found->calibration.scale, left.calibration.scale);
+    EXPECT_TRUE(found->calibration.are_motors_swapped);
+    EXPECT_EQ(found->calibration.torque_limit_Nm, 0.1);
+    ASSERT_NE(find_unit(*read, plain.serial), nullptr);
+    EXPECT_EQ(find_unit(*read, plain.serial)->calibration.torque_limit_Nm, std::nullopt);
+    EXPECT_EQ(find_unit(*read, "none"), nullptr);
+}
+
+TEST(Boards, WhatIsWrongIsOneLineWithItsPlace) {
+    const std::string board(zero_board);
+    EXPECT_EQ(error_of(board), "no error");
+    EXPECT_EQ(error_of(board + "colour = 3\n"), "boards.toml:6: 'colour' is not a setting here");
+    EXPECT_EQ(error_of("[[bord]]\n"), "boards.toml:1: 'bord' is not a setting here");
+    EXPECT_EQ(error_of("board = 3\n"), "boards.toml:1: 'board' must be written as [[board]]");
+    EXPECT_EQ(error_of("[[board]]\nvendor = 1\n"), "boards.toml:1: 'product' is missing");
+    EXPECT_EQ(error_of("[[board]]\nvendor = 0x10000\n"),
+              "boards.toml:2: 'vendor' must be a number from 1 to 0xffff");
+    EXPECT_EQ(error_of("[[board]]\nvendor = \"a\"\n"),
+              "boards.toml:2: 'vendor' must be a number from 1 to 0xffff");
+    EXPECT_EQ(error_of("[[board]]\nvendor = 1\nproduct = 2\nname = \"x\"\nstate = \"asleep\"\n"),
+              "boards.toml:5: 'state' must be running, needs-firmware or wrong-socket");
+    const std::string broken = error_of("[[board\nvendor = 1");
+    EXPECT_EQ(broken.rfind("boards.toml:1: ", 0), 0U) << broken;
+    EXPECT_EQ(broken.find('\n'), std::string::npos);
+}
+
+TEST(Boards, ValuesOutOfRangeAreRefused) {
+    const std::string unit = "[[unit]]\nserial = \"A\"\nprofile = \"mk2\"\n";
+    EXPECT_EQ(error_of(unit), "no error");
+    for (const char* bad :
+         {"torque_limit_Nm = 0.0", "torque_limit_Nm = -0.1", "torque_limit_Nm = nan",
+          "torque_limit_Nm = 1.5", "torque_limit_Nm = inf"})
+        EXPECT_EQ(error_of(unit + bad),
+                  "boards.toml:4: 'torque_limit_Nm' must be above 0 and at most 1");
+    for (const char* bad : {"scale = [1.0, 0.5]", "scale = [nan, 1.0]", "scale = [1.0]",
+                            "scale = 1.0", "scale = [1.0, 1.0, 1.0]", "scale = [\"a\", 1.0]"})
+        EXPECT_EQ(error_of(unit + bad),
+                  "boards.toml:4: 'scale' must be two numbers, one a joint, from "
+                  "0.8 to 1.25");
+}
+
+TEST(Boards, FileThatIsMissingOrHugeIsRefused) {
+    const auto folder = std::filesystem::path(testing::TempDir());
+    EXPECT_EQ(read_boards(folder / "none.toml").error().line,
+              "cannot read " + (folder / "none.toml").string());
+    const auto huge = folder / "huge.toml";
+    std::ofstream(huge) << std::string((1 << 20) + 1, '#');
+    EXPECT_EQ(read_boards(huge).error().line, huge.string() + " is larger than 1 MB");
+    std::filesystem::remove(huge);
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,105 @@
+// Every kind of fault at a hundred moments: time to zero torque, state, way back. All on the
+// virtual clock; tests/sim/README.md has the figures.
+#include "tests/sim/board/fault_run.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr std::uint64_t runs = 100;
+constexpr double tick_s = 1e-3;
+constexpr double inf = never_s;
+
+/// What must hold for every run of a kind.
+struct Demand {
+    double zero_s;            // at most, from when it could be seen
+    double recovery_s;        // at most; inf: not by itself
+    BoardState worst;         // no worse than this
+    int least_noticed = 100;  // of a hundred runs
+};
+
+// Bad data: zero within a tick. Late: within the 5 ms that stale data may be used. A send that
+// hangs blocks the zero as well, until the link gives it up after 10 ms.
+const std::map<std::string_view, Demand> demands{
+    {"short", {tick_s, 0.02, BoardState::resyncing}},
+    {"late send", {0.0101, 0.03, BoardState::resyncing, 30}},
+    {"lost send", {0.0101, 0.03, BoardState::resyncing}},
+    {"stall, out", {tick_s, 0.02, BoardState::resyncing}},
+    {"late reply", {0.005, 0.05, BoardState::resyncing, 60}},
+    {"lost reply", {inf, 0.0, BoardState::ready, 0}},
+    {"garbled", {tick_s, 0.02, BoardState::resyncing, 90}},
+    {"wrong length", {tick_s, 0.02, BoardState::resyncing}},
+    {"duplicate", {tick_s, 0.02, BoardState::resyncing}},
+    {"zero-length packet", {inf, 0.0, BoardState::ready, 0}},
+    {"stall, in", {tick_s, 0.02, BoardState::resyncing}},
+    {"failed transfer", {tick_s, 0.02, BoardState::resyncing}},
+    {"unconfigured", {0.006, 0.1, BoardState::resyncing}},
+    {"unplugged before", {tick_s, inf, BoardState::lost}},
+    {"unplugged in mid-transfer", {tick_s, inf, BoardState::lost}},
+    {"encoder jump", {tick_s, inf, BoardState::jumped}},
+    {"torque not a number", {tick_s, 0.0, BoardState::ready, 0}},
+    {"clock back 10 s", {inf, 0.0, BoardState::ready, 0}},
+    {"clock on 10 s", {inf, 0.0, BoardState::ready, 0}},
+    {"loop stands still 50 ms", {inf, 0.0, BoardState::ready, 0}},
+};
+
+class FaultMatrix : public testing::TestWithParam<FaultKind> {};
+
+TEST_P(FaultMatrix, EndsInZeroTorqueAndFindsBack) {
+    const FaultKind kind = GetParam();
+    const Demand demand = demands.at(kind.name);
+    int noticed = 0;
+    for (std::uint64_t seed = 0; seed < runs; ++seed) {
+        const FaultRun run = run_fault(kind, seed);
+        SCOPED_TRACE(std::string(kind.name) + ", seed " + std::to_string(seed));
+        noticed += run.was_noticed ? 1 : 0;
+        EXPECT_FALSE(run.is_broken);
+        EXPECT_TRUE(run.is_left_zero);
+        EXPECT_LE(run.worst, demand.worst);
+        const bool is_unnoticed_garble = kind.link == LinkFault::garbled_reply && !run.was_noticed;
+        if (run.was_noticed || kind.is_torque_not_finite) {
+            EXPECT_LE(run.zero_s, demand.zero_s + 1e-9);
+        }
+        if (demand.recovery_s < inf) {
+            EXPECT_TRUE(run.has_recovered);
+            EXPECT_LE(run.recovery_s, demand.recovery_s + 1e-9);
+        }
+        if (demand.worst == BoardState::lost) {
+            EXPECT_TRUE(run.has_reopened);
+        }
+        if (!is_unnoticed_garble) {
+            EXPECT_LE(run.largest_error_counts, 2.0);
+        }
+    }
+    EXPECT_GE(noticed, demand.least_noticed);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, FaultMatrix,
+                         testing::ValuesIn(fault_kinds().begin(), fault_kinds().end()),
+                         [](const auto& kind) {
+                             std::string name(kind.param.name);
+                             const auto is_other = [](char c) {
+                                 return !std::isalnum(static_cast<unsigned char>(c));
+                             };
+                             std::replace_if(name.begin(), name.end(), is_other, '_');
+                             return name;
+                         });
+
+TEST(FaultMatrixItself, SameSeedsGiveTheSameRuns) {
+    for (const FaultKind& kind : fault_kinds()) {
+        const FaultRun a = run_fault(kind, 3);
+        const FaultRun b = run_fault(kind, 3);
+        EXPECT_EQ(a.zero_s, b.zero_s);
+        EXPECT_EQ(a.recovery_s, b.recovery_s);
+        EXPECT_EQ(a.largest_error_counts, b.largest_error_counts);
+    }
+}
+
+}  // namespace
+}  // namespace touchline

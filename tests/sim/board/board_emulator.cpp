@@ -1,0 +1,150 @@
+#include "tests/sim/board/board_emulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr double plant_step_s = 1.25e-4;
+constexpr double host_wait_s = 0.07;  // for a host that does not read, once
+constexpr std::uint32_t deadly_baud = 1200;
+
+std::uint64_t seed_of(std::uint64_t seed, int power_up) {
+    return seed + 1000003 * static_cast<std::uint64_t>(power_up);
+}
+
+}  // namespace
+
+BoardEmulator::BoardEmulator(const BoardTruth& truth, std::shared_ptr<const IntendedPath> path)
+    : truth_(truth),
+      firmware_(truth.type, seed_of(truth.seed, 0)),
+      plant_(truth.profile, truth.hand, plant_step_s, std::move(path)),
+      angles_(plant_.angles().value_or(truth.profile.home)) {}
+
+void BoardEmulator::advance_to(double t_s) {
+    while (is_plugged_ && !is_boot_loader_ && firmware_.next_pass_s() <= t_s) {
+        const double pass_s = std::max(firmware_.next_pass_s(), now_s());
+        plant_.advance(pass_s - now_s());
+        plant_.skip_to(pass_s);
+        if (auto packet = firmware_.pass(pass_s, port_counts())) leave(std::move(*packet));
+        update_torques();
+    }
+    if (!(t_s > now_s())) return;
+    plant_.advance(t_s - now_s());
+    plant_.skip_to(t_s);
+}
+
+void BoardEmulator::host_sends(std::span<const std::uint8_t> bytes) {
+    if (is_plugged_ && !is_boot_loader_) firmware_.take(bytes, now_s());
+}
+
+void BoardEmulator::host_listens(bool is_listening) {
+    is_host_listening_ = is_listening;
+    if (!is_listening || !in_endpoint_) return;
+    on_the_way_.push_back({now_s(), std::move(*in_endpoint_)});
+    in_endpoint_.reset();
+    if (is_dropping_) on_the_way_.push_back({now_s(), {}});
+    is_dropping_ = false;
+}
+
+void BoardEmulator::leave(PacketBytes packet) {
+    if (truth_.type == BoardType::due && !are_lines_up_) return;
+    if (is_host_listening_) {
+        on_the_way_.push_back({now_s(), std::move(packet)});
+    } else if (!in_endpoint_) {
+        in_endpoint_ = std::move(packet);
+    } else if (!is_dropping_) {
+        is_dropping_ = true;
+        firmware_.hold_until(now_s() + host_wait_s);
+    }
+}
+
+std::optional<SentPacket> BoardEmulator::take_packet() {
+    if (on_the_way_.empty()) return std::nullopt;
+    SentPacket packet = std::move(on_the_way_.front());
+    on_the_way_.pop_front();
+    return packet;
+}
+
+void BoardEmulator::set_lines(bool dtr, bool rts) {
+    are_lines_up_ = dtr || rts;
+    if (baud_ != deadly_baud || dtr || !is_plugged_) return;
+    is_boot_loader_ = true;
+    firmware_ = Firmware(truth_.type, 0);
+    update_torques();
+    ++device_number_;
+}
+
+void BoardEmulator::unplug() {
+    is_plugged_ = false;
+    firmware_ = Firmware(truth_.type, seed_of(truth_.seed, ++power_ups_));
+    on_the_way_.clear();
+    in_endpoint_.reset();
+    is_dropping_ = is_host_listening_ = are_lines_up_ = false;
+    update_torques();
+}
+
+void BoardEmulator::plug() {
+    is_plugged_ = true;
+    baud_ = 115200;
+    ++device_number_;
+}
+
+std::uint16_t BoardEmulator::product() const {
+    if (truth_.type == BoardType::due) return is_boot_loader_ ? 0x6124 : 0x003e;
+    return is_boot_loader_ ? 0x004d : 0x804d;
+}
+
+void BoardEmulator::switch_motors(bool have_power) {
+    truth_.have_motors_power = have_power;
+    update_torques();
+}
+
+void BoardEmulator::lose_counts(int joint, std::int64_t counts) {
+    lost_counts_[static_cast<std::size_t>(joint - 1)] += counts;
+}
+
+int BoardEmulator::joint_on_port(std::size_t port) const {
+    const bool is_joint_1 = (truth_.profile.wiring.joint_1.port == static_cast<int>(port) + 1) !=
+                            truth_.are_plugs_swapped;
+    return is_joint_1 ? 1 : 2;
+}
+
+// A joint's motor and encoder turn the way its own wiring says; clockwise counts are the negative
+// of counter-clockwise ones.
+PortCounts BoardEmulator::port_counts() {
+    angles_ = plant_.angles().value_or(angles_);
+    const JointAngles quantum = encoder_quantum(truth_.profile);
+    PortCounts counts{};
+    for (std::size_t port = 0; port < counts.size(); ++port) {
+        const bool is_1 = joint_on_port(port) == 1;
+        const double turned = is_1 ? angles_.x * (1.0 + truth_.scale_error.x) / quantum.x
+                                   : angles_.y * (1.0 + truth_.scale_error.y) / quantum.y;
+        const auto count =
+            static_cast<std::int64_t>(std::floor(turned)) - lost_counts_[is_1 ? 0 : 1];
+        const JointWiring& wiring =
+            is_1 ? truth_.profile.wiring.joint_1 : truth_.profile.wiring.joint_2;
+        counts[port] = wiring.turn == Turn::clockwise ? count : -count;
+    }
+    return counts;
+}
+
+void BoardEmulator::update_torques() {
+    JointTorques torques;
+    for (std::size_t port = 0; port < 2; ++port) {
+        const bool is_1 = joint_on_port(port) == 1;
+        const JointWiring& wiring =
+            is_1 ? truth_.profile.wiring.joint_1 : truth_.profile.wiring.joint_2;
+        const bool is_right =
+            firmware_.motor_turns()[port] == static_cast<std::uint8_t>(wiring.turn);
+        const double torque = firmware_.duty()[port] * full_duty_Nm * (is_right ? 1.0 : -1.0);
+        (is_1 ? torques.x : torques.y) = torque;
+    }
+    if (changes_.empty() || changes_.back().torques != torques)
+        changes_.push_back({now_s(), torques});
+    plant_.turn_motors(truth_.have_motors_power ? torques : JointTorques{});
+}
+
+}  // namespace touchline

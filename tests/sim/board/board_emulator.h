@@ -1,0 +1,126 @@
+// A pantograph's board as the USB shows it, with motors, mechanics and a hand behind it, on the
+// time that its caller passes in. One library behind every way to reach it: in-process
+// (emulated_link.h), through libusb (tests/sim/umockdev) or into a virtual machine.
+// Threads: one at a time.
+#pragma once
+
+#include "config/types/vec2.h"
+#include "haptics/device/pantograph_plant.h"
+#include "haptics/pantograph/profile.h"
+#include "tests/sim/board/firmware.h"
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// What is really there, whatever the host believes.
+struct BoardTruth {
+    DeviceProfile profile = default_profile();
+    BoardType type = BoardType::m0;
+    HandModel hand = normal_hand;
+    bool are_plugs_swapped = false;
+    bool have_motors_power = true;
+    JointAngles scale_error;  // relative, of what an encoder counts
+    std::string serial = "0123456789ABCDEF0123456789ABCDEF";
+    std::uint64_t seed = 1;
+};
+
+/// A packet and when it left the board.
+struct SentPacket {
+    double at_s = 0.0;
+    PacketBytes bytes;
+};
+
+/// Torque of the motors, by joint, from a moment on.
+struct TorqueChange {
+    double at_s = 0.0;
+    JointTorques torques;
+};
+
+class BoardEmulator {
+  public:
+    BoardEmulator(const BoardTruth& truth, std::shared_ptr<const IntendedPath> path);
+
+    /// Lives up to t_s; never back.
+    void advance_to(double t_s);
+
+    [[nodiscard]] double now_s() const { return plant_.time_s(); }
+
+    // The USB side. A board that is absent or in its boot loader takes and gives nothing.
+
+    void host_sends(std::span<const std::uint8_t> bytes);
+    /// The host has an IN transfer waiting, or no longer.
+    void host_listens(bool is_listening);
+    [[nodiscard]] std::optional<SentPacket> take_packet();
+
+    void set_line_coding(std::uint32_t baud) { baud_ = baud; }
+
+    void set_lines(bool dtr, bool rts);
+
+    void unplug();
+    /// With power anew: nothing is set up, another device number.
+    void plug();
+
+    [[nodiscard]] bool is_plugged() const { return is_plugged_; }
+
+    /// 1200 baud with DTR low was its death: it shows up as a boot loader now.
+    [[nodiscard]] bool is_boot_loader() const { return is_boot_loader_; }
+
+    [[nodiscard]] int device_number() const { return device_number_; }
+
+    [[nodiscard]] std::uint16_t product() const;
+
+    [[nodiscard]] const BoardTruth& truth() const { return truth_; }
+
+    // What a person does to it.
+
+    void switch_motors(bool have_power);
+
+    void swap_plugs() { truth_.are_plugs_swapped = !truth_.are_plugs_swapped; }
+
+    /// An encoder misses counts.
+    void lose_counts(int joint, std::int64_t counts);
+
+    // What only a test can see.
+
+    [[nodiscard]] const Firmware& firmware() const { return firmware_; }
+
+    [[nodiscard]] const PantographPlant& plant() const { return plant_; }
+
+    [[nodiscard]] JointAngles true_angles() const { return plant_.angles().value_or(angles_); }
+
+    /// Every change of the torque that the motors would make with power.
+    [[nodiscard]] const std::vector<TorqueChange>& told_torques() const { return changes_; }
+
+  private:
+    [[nodiscard]] PortCounts port_counts();
+    [[nodiscard]] int joint_on_port(std::size_t port) const;
+    void update_torques();
+    void leave(PacketBytes packet);
+
+    BoardTruth truth_;
+    Firmware firmware_;
+    PantographPlant plant_;
+    JointAngles angles_;
+    std::array<std::int64_t, 2> lost_counts_{};  // by joint
+    std::vector<TorqueChange> changes_;
+    std::uint32_t baud_ = 115200;
+    bool are_lines_up_ = false;
+    bool is_plugged_ = true;
+    bool is_boot_loader_ = false;
+    int device_number_ = 2;
+    int power_ups_ = 0;
+    bool is_host_listening_ = false;
+    std::deque<SentPacket> on_the_way_;       // taken by a listening host
+    std::optional<PacketBytes> in_endpoint_;  // nobody has asked for it yet
+    bool is_dropping_ = false;                // it has waited for the host once
+};
+
+}  // namespace touchline

@@ -1,0 +1,101 @@
+// The emulated board as a BoardLink in the same process, on a virtual clock that whoever waits
+// moves on; with faults at chosen sends. Threads: one at a time.
+#pragma once
+
+#include "haptics/device/board_link.h"
+#include "tests/sim/board/board_emulator.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <random>
+#include <span>
+#include <vector>
+
+namespace touchline {
+
+struct VirtualTime {
+    double now_s = 0.0;
+};
+
+/// What goes wrong with one send or with the reply to it.
+enum class LinkFault : std::uint8_t {
+    none,
+    short_send,    // only the first bytes get through, and the link says so
+    late_send,     // hangs for a while, then gets through
+    lost_send,     // never gets through: timed out
+    stalled_send,  // the OUT endpoint halts
+    late_reply,
+    lost_reply,
+    garbled_reply,  // some bits flipped
+    cut_reply,      // of another length
+    duplicate_reply,
+    empty_packet,   // before the reply
+    stalled_reply,  // the IN endpoint halts, the reply with it
+    failed_reply,
+    reset_board,  // it forgets its set-up just before
+    unplugged_before,
+    unplugged_after,
+    lost_counts,  // an encoder leaps
+};
+
+inline constexpr int link_faults = 17;
+
+/// At the send with this number, from 0.
+struct PlannedFault {
+    std::size_t at_send = 0;
+    LinkFault fault = LinkFault::none;
+    double span_s = 0.0;     // of what is late
+    std::uint64_t seed = 0;  // of what is random
+};
+
+/// Gives the board back when it goes: it stops listening, lines low.
+class EmulatedLink final : public BoardLink {
+  public:
+    /// Both must outlive it. Listens at once.
+    EmulatedLink(BoardEmulator& board, VirtualTime& time, std::vector<PlannedFault> faults = {});
+    ~EmulatedLink() override;
+    EmulatedLink(const EmulatedLink&) = delete;
+    EmulatedLink(EmulatedLink&&) = delete;
+    EmulatedLink& operator=(const EmulatedLink&) = delete;
+    EmulatedLink& operator=(EmulatedLink&&) = delete;
+
+    [[nodiscard]] LinkStatus send(std::span<const std::uint8_t> command) override;
+    [[nodiscard]] Sent sent() override;
+    [[nodiscard]] Received receive() override;
+    [[nodiscard]] LinkStatus set_lines(bool are_high) override;
+    [[nodiscard]] LinkStatus clear_stall() override;
+    bool wait(double longest_s) override;
+    void rest(double span_s) override;
+
+    /// Every command that was sent, whole.
+    [[nodiscard]] const std::vector<PacketBytes>& commands() const { return commands_; }
+
+  private:
+    struct Waiting {
+        double at_s;
+        LinkStatus status;
+        PacketBytes bytes;
+    };
+
+    void catch_up();
+    void hand_over(std::span<const std::uint8_t> command);
+    void spoil(SentPacket packet);
+    void arrive(double at_s, LinkStatus status, PacketBytes bytes);
+    [[nodiscard]] bool has_news() const;
+
+    BoardEmulator& board_;
+    VirtualTime& time_;
+    std::vector<PlannedFault> faults_;
+    std::vector<PacketBytes> commands_;
+    PlannedFault now_;  // of the newest send
+    std::optional<PlannedFault> reply_fault_;
+    Sent sending_;
+    double send_ends_s_ = 0.0;
+    std::optional<PacketBytes> held_back_;  // of a send that hangs
+    std::deque<Waiting> waiting_;
+    bool is_out_stalled_ = false, is_in_stalled_ = false;
+};
+
+}  // namespace touchline

@@ -1,0 +1,43 @@
+// One run of driver, link and emulated board with one fault at a moment that the seed chooses, and
+// what came of it. Threads: pure.
+#pragma once
+
+#include "haptics/device/pantograph_board.h"
+#include "tests/sim/board/emulated_link.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace touchline {
+
+/// What can go wrong in a run: with the link, or with what the driver is called with.
+struct FaultKind {
+    std::string_view name;
+    LinkFault link = LinkFault::none;
+    double longest_s = 0.0;  // of what is late; the seed says how late
+    bool is_torque_not_finite = false;
+    double clock_step_s = 0.0;
+    double stall_s = 0.0;  // the loop stands still
+};
+
+[[nodiscard]] std::span<const FaultKind> fault_kinds();
+
+struct FaultRun {
+    bool was_noticed = false;    // the driver did not go on as if nothing were
+    double zero_s = 0.0;         // from when the fault could be seen to zero torque told
+    double recovery_s = 0.0;     // from the fault until angles came and torque went again
+    bool has_recovered = false;  // by itself; else with another driver, once plugged in again
+    bool has_reopened = false;   // after `lost`
+    BoardState worst = BoardState::ready;
+    bool is_position_doubtful = false;
+    double largest_error_counts =
+        0.0;                    // of angles given out, unless doubtful; a tick's motion apart
+    bool is_broken = false;     // the board was told what it must not be
+    bool is_left_zero = false;  // after stop
+};
+
+/// Opens, moves a hand and pushes for 0.1 s, has the fault, goes on for up to 5 s, stops.
+[[nodiscard]] FaultRun run_fault(const FaultKind& kind, std::uint64_t seed);
+
+}  // namespace touchline

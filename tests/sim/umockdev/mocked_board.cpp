@@ -1,0 +1,115 @@
+#include "tests/sim/umockdev/mocked_board.h"
+
+#include "config/types/steady_clock.h"
+#include "tests/sim/board/board_rig.h"
+#include "tests/sim/board/usb_function.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+namespace touchline {
+namespace {
+
+double steady_now_s() {
+    return 1e-9 * static_cast<double>(steady_now_ns());
+}
+
+std::string hex_of(const PacketBytes& bytes) {
+    std::string text;
+    for (const std::uint8_t byte : bytes) {
+        char digits[3];
+        std::snprintf(digits, sizeof digits, "%02X", static_cast<unsigned>(byte));
+        text += digits;
+    }
+    return text;
+}
+
+std::string three(int number) {
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "%03d", number);
+    return digits;
+}
+
+}  // namespace
+
+MockedUsb::MockedUsb() : testbed_(umockdev_testbed_new()) {}
+
+MockedUsb::~MockedUsb() {
+    g_object_unref(testbed_);
+}
+
+MockedBoard::MockedBoard(MockedUsb& usb, const BoardTruth& truth, int port)
+    : usb_(usb),
+      port_(port),
+      board_(truth, resting_hand(truth.profile)),
+      requests_(board_),
+      start_s_(steady_now_s()) {
+    show();
+}
+
+MockedBoard::~MockedBoard() {
+    if (!path_.empty()) unplug();
+}
+
+std::string MockedBoard::node() const {
+    return "/dev/bus/usb/001/" + three(device_number_);
+}
+
+// What udev would say about it, and its descriptors in sysfs.
+void MockedBoard::show() {
+    device_number_ += 1 + port_;
+    const std::string hex =
+        hex_of(device_descriptor(board_)) + hex_of(configuration_descriptor(board_));
+    const std::string number = std::to_string(device_number_);
+    std::ostringstream text;
+    text << "P: /devices/pci0000:00/0000:00:03.0/usb1/1-" << port_ << "\n"
+         << "N: bus/usb/001/" << three(device_number_) << "=" << hex << "\n"
+         << "E: DEVNAME=" << node() << "\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\n"
+         << "E: BUSNUM=001\nE: DEVNUM=" << three(device_number_) << "\n"
+         << "A: bConfigurationValue=1\\n\nA: busnum=1\\n\nA: devnum=" << number << "\\n\n"
+         << "A: speed=12\\n\nH: descriptors=" << hex << "\n";
+    GError* error = nullptr;
+    handler_ = static_cast<UMockdevIoctlBase*>(g_object_new(UMOCKDEV_TYPE_IOCTL_BASE, nullptr));
+    g_signal_connect(handler_, "handle-ioctl", G_CALLBACK(on_ioctl), this);
+    if (!umockdev_testbed_add_from_string(usb_.testbed(), text.str().c_str(), &error) ||
+        !umockdev_testbed_attach_ioctl(usb_.testbed(), node().c_str(), handler_, &error)) {
+        std::fprintf(stderr, "umockdev: %s\n", error->message);
+        std::abort();
+    }
+    path_ = "/sys/devices/pci0000:00/0000:00:03.0/usb1/1-" + std::to_string(port_);
+}
+
+void MockedBoard::unplug() {
+    with([](BoardEmulator& board, UsbFaults&) {
+        if (board.is_plugged()) board.unplug();
+    });
+    umockdev_testbed_uevent(usb_.testbed(), path_.c_str(), "remove");
+    umockdev_testbed_detach_ioctl(usb_.testbed(), node().c_str(), nullptr);
+    umockdev_testbed_remove_device(usb_.testbed(), path_.c_str());
+    g_object_unref(handler_);
+    path_.clear();
+}
+
+void MockedBoard::plug() {
+    with([](BoardEmulator& board, UsbFaults&) { board.plug(); });
+    show();
+    umockdev_testbed_uevent(usb_.testbed(), path_.c_str(), "add");
+}
+
+void MockedBoard::with(const std::function<void(BoardEmulator&, UsbFaults&)>& look) {
+    const std::lock_guard lock(mutex_);
+    board_.advance_to(steady_now_s() - start_s_);
+    look(board_, requests_.faults);
+}
+
+gboolean MockedBoard::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer me) {
+    auto& mocked = *static_cast<MockedBoard*>(me);
+    const std::lock_guard lock(mocked.mutex_);
+    mocked.board_.advance_to(steady_now_s() - mocked.start_s_);
+    mocked.requests_.handle(client);
+    return TRUE;
+}
+
+}  // namespace touchline
