@@ -211,23 +211,29 @@ std::vector<FoundBoard> UsbBoards::list(std::span<const BoardId> known) const {
     return all;
 }
 
-Result<std::unique_ptr<BoardLink>> UsbBoards::open(std::span<const BoardId> known,
-                                                   std::string_view serial,
-                                                   const UsbLinkOptions& options) const {
+Result<FoundBoard> UsbBoards::find(std::span<const BoardId> known, std::string_view serial) const {
     const std::vector<Plugged> boards = scan(context_->libusb.get(), known);
     const auto chosen = choose(boards, known, serial);
     if (!chosen) return tl::unexpected(chosen.error());
-    const FoundBoard& found = (*chosen)->found;
-    if (found.access == BoardAccess::busy || found.access == BoardAccess::denied)
-        return failure(describe(found));
+    return (*chosen)->found;
+}
+
+Result<std::unique_ptr<BoardLink>> UsbBoards::open(const FoundBoard& board,
+                                                   const UsbLinkOptions& options) const {
+    const std::vector<Plugged> boards = scan(context_->libusb.get(), std::span(&board.id, 1));
+    const auto same = std::find_if(boards.begin(), boards.end(), [&](const Plugged& plugged) {
+        return plugged.found.bus_path == board.bus_path && plugged.found.serial == board.serial;
+    });
+    if (same == boards.end()) return failure(name_of(board) + " is no longer plugged in");
+    if (same->found.access != BoardAccess::available) return failure(describe(same->found));
     const auto cannot = [&](int error) {
-        return failure("cannot open " + name_of(found) + ": " +
+        return failure("cannot open " + name_of(board) + ": " +
                        libusb_strerror(static_cast<libusb_error>(error)));
     };
-    const auto pipes = pipes_of((*chosen)->device.get());
-    if (!pipes) return failure(name_of(found) + " is no serial board");
+    const auto pipes = pipes_of(same->device.get());
+    if (!pipes) return failure(name_of(board) + " is no serial board");
     libusb_device_handle* raw = nullptr;
-    int error = libusb_open((*chosen)->device.get(), &raw);
+    int error = libusb_open(same->device.get(), &raw);
     if (error != 0) return cannot(error);
     HandlePointer handle(raw, libusb_close);
     libusb_set_auto_detach_kernel_driver(raw, 1);

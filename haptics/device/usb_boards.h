@@ -52,10 +52,13 @@ class UsbBoards {
     [[nodiscard]] std::vector<FoundBoard> list(std::span<const BoardId> known) const;
 
     /// The running board with that serial number. Without one: the only running board that may be
-    /// probed. The error says what was looked for and what was found instead. Takes the interface
-    /// from the kernel's serial driver and gives it back when the link goes.
-    [[nodiscard]] Result<std::unique_ptr<BoardLink>> open(std::span<const BoardId> known,
-                                                          std::string_view serial,
+    /// probed. The error says what was looked for and what was found instead.
+    [[nodiscard]] Result<FoundBoard> find(std::span<const BoardId> known,
+                                          std::string_view serial) const;
+
+    /// Opens what find() or list() found. Takes the interface from the kernel's serial driver and
+    /// gives it back when the link goes. Busy, denied or gone: an error in words.
+    [[nodiscard]] Result<std::unique_ptr<BoardLink>> open(const FoundBoard& board,
                                                           const UsbLinkOptions& options = {}) const;
 
   private:

@@ -1,8 +1,9 @@
 #include "config/settings/boards.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
-#include <limits>
+#include <iterator>
 
 #include <gtest/gtest.h>
 
@@ -38,6 +39,19 @@ TEST(Boards, InstalledTableNamesEveryKnownId) {
                             [](const BoardId& id) { return id.may_probe; }),
               2);
     for (const BoardId& id : settings->boards) EXPECT_FALSE(id.name.empty());
+}
+
+TEST(Boards, UdevRulesOpenEveryBoardOfTheTable) {
+    const std::string folder = std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/";
+    std::ifstream in(folder + "70-touchline.rules");
+    const std::string rules(std::istreambuf_iterator<char>(in), {});
+    const BoardSettings settings = read_boards(folder + "boards.toml").value();
+    for (const BoardId& id : settings.boards) {
+        char line[100];
+        std::snprintf(line, sizeof line, "ATTRS{idVendor}==\"%04x\", ATTRS{idProduct}==\"%04x\", ",
+                      static_cast<unsigned>(id.vendor), static_cast<unsigned>(id.product));
+        EXPECT_NE(rules.find(line), std::string::npos) << line;
+    }
 }
 
 TEST(Boards, UnitsAreReadBackAsTheyWereWritten) {

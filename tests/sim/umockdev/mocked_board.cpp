@@ -40,6 +40,13 @@ MockedUsb::~MockedUsb() {
     g_object_unref(testbed_);
 }
 
+std::string MockedUsb::folder() const {
+    gchar* folder = umockdev_testbed_get_root_dir(testbed_);
+    std::string text(folder);
+    g_free(folder);
+    return text;
+}
+
 MockedBoard::MockedBoard(MockedUsb& usb, const BoardTruth& truth, int port)
     : usb_(usb),
       port_(port),

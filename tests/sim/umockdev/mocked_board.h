@@ -26,6 +26,9 @@ class MockedUsb {
 
     [[nodiscard]] UMockdevTestbed* testbed() { return testbed_; }
 
+    /// Where its files really are.
+    [[nodiscard]] std::string folder() const;
+
   private:
     UMockdevTestbed* testbed_;
 };

@@ -3,11 +3,23 @@
 #include "haptics/device/usb_boards.h"
 
 #include "haptics/device/pantograph_board.h"
+#include "haptics/device/usb_pantograph.h"
+#include "haptics/servo/tick_clock.h"
 #include "tests/sim/umockdev/mocked_board.h"
 
+#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -16,38 +28,309 @@ std::vector<BoardId> known_boards() {
     return read_boards(std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/boards.toml")->boards;
 }
 
-class UsbBoardsTest : public testing::Test {
-  protected:
-    MockedUsb mocked_;
-    std::vector<BoardId> known_ = known_boards();
+constexpr JointTorques push{0.02, -0.02};
+
+/// Nobody in particular, for whom the file cannot be opened, while it lives.
+class Unprivileged {
+  public:
+    Unprivileged(const std::string& file, const std::string& folder) : file_(file) {
+        // umockdev's own sockets stay open to everybody.
+        std::filesystem::permissions(folder, std::filesystem::perms(0755));
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder + "/ioctl"))
+            std::filesystem::permissions(entry, std::filesystem::perms(0777));
+        std::filesystem::permissions(file_, std::filesystem::perms::none);
+        if (geteuid() == 0) (void)!seteuid(65534);
+    }
+
+    ~Unprivileged() {
+        if (getuid() == 0) (void)!seteuid(0);
+        std::filesystem::permissions(file_, std::filesystem::perms(0600));
+    }
+
+    Unprivileged(const Unprivileged&) = delete;
+    Unprivileged& operator=(const Unprivileged&) = delete;
+
+  private:
+    std::string file_;
 };
 
+/// A driver through the library, ticked in real time.
+class Drive {
+  public:
+    explicit Drive(std::unique_ptr<BoardLink> link,
+                   const DeviceProfile& profile = default_profile())
+        : driver(std::move(link), profile, {}), start_ns_(clock_.now_ns()) {}
+
+    std::optional<JointAngles> tick(JointTorques torques) {
+        clock_.sleep_until(start_ns_ + ++ticks_ * 1000000);
+        const auto angles =
+            driver.read_angles(1e-9 * static_cast<double>(clock_.now_ns() - start_ns_));
+        is_written = driver.write_torques(angles ? torques : JointTorques{});
+        return angles;
+    }
+
+    /// Until angles came and torque went, at most 3 s.
+    bool tick_until_good(JointTorques torques) {
+        for (int k = 0; k < 3000; ++k)
+            if (tick(torques) && is_written && driver.report().state == BoardState::ready)
+                return true;
+        return false;
+    }
+
+    PantographBoard driver;
+    bool is_written = false;
+
+  private:
+    MonotonicClock clock_;
+    std::int64_t start_ns_;
+    std::int64_t ticks_ = 0;
+};
+
+class UsbBoardsTest : public testing::Test {
+  protected:
+    Result<std::unique_ptr<BoardLink>> try_to_open(std::string_view serial) {
+        const auto found = usb_.find(known_, serial);
+        if (!found) return tl::unexpected(found.error());
+        return usb_.open(*found);
+    }
+
+    std::unique_ptr<BoardLink> open(std::string_view serial = "") {
+        auto link = try_to_open(serial);
+        EXPECT_TRUE(link.has_value()) << link.error().line;
+        return link ? std::move(*link) : nullptr;
+    }
+
+    std::string error_of_open(std::string_view serial = "") {
+        const auto link = try_to_open(serial);
+        return link ? "it opened" : link.error().line;
+    }
+
+    MockedUsb mocked_;
+    std::vector<BoardId> known_ = known_boards();
+    UsbBoards usb_ = UsbBoards::create().value();
+};
+
+JointTorques held(MockedBoard& board) {
+    JointTorques torques;
+    board.with([&](BoardEmulator& emulator, UsbFaults&) {
+        if (!emulator.told_torques().empty()) torques = emulator.told_torques().back().torques;
+    });
+    return torques;
+}
+
 TEST_F(UsbBoardsTest, WithNoBoardItSaysWhatItLookedFor) {
-    const auto usb = UsbBoards::create();
-    ASSERT_TRUE(usb.has_value()) << usb.error().line;
-    EXPECT_TRUE(usb->list(known_).empty());
-    const std::string line = usb->open(known_, "").error().line;
+    EXPECT_TRUE(usb_.list(known_).empty());
+    const std::string line = error_of_open();
     EXPECT_EQ(line.rfind("no pantograph's board is plugged in; looked for Haply M0 board (Arduino "
-                         "Zero) (2341:804d), ",
+                         "Zero) (2341:804d), Haply M3 board (Arduino Due) (2341:003e), ",
                          0),
               0U)
         << line;
 }
 
-TEST_F(UsbBoardsTest, OpensHomesAndDrivesTheBoard) {
-    MockedBoard board(mocked_, {});
-    const auto usb = UsbBoards::create();
-    const auto found = usb->list(known_);
+TEST_F(UsbBoardsTest, ListsABoardWithSerialNumberAndPlace) {
+    MockedBoard board(mocked_, {}, 3);
+    const auto found = usb_.list(known_);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].serial, "0123456789ABCDEF0123456789ABCDEF");
-    EXPECT_EQ(found[0].bus_path, "1-1");
+    EXPECT_EQ(found[0].bus_path, "1-3");
     EXPECT_EQ(found[0].access, BoardAccess::available);
-    auto link = usb->open(known_, "");
-    ASSERT_TRUE(link.has_value()) << link.error().line;
-    PantographBoard driver(std::move(*link), default_profile(), {});
-    const auto opened = driver.open();
-    ASSERT_TRUE(opened.has_value()) << opened.error().line;
-    EXPECT_EQ(driver.report().state, BoardState::ready);
+    EXPECT_EQ(describe(found[0]),
+              "Haply M0 board (Arduino Zero) (2341:804d, serial number "
+              "0123456789ABCDEF0123456789ABCDEF, at 1-3) is ready to be opened");
+    board.with([](BoardEmulator& emulator, UsbFaults&) {
+        EXPECT_EQ(emulator.firmware().set_ups(), 0U);  // nothing was sent to it
+    });
+}
+
+TEST_F(UsbBoardsTest, DrivesBothBoardsThroughTheLibrary) {
+    for (const char* name : {"2diy-gen3.1", "haplet"}) {
+        BoardTruth truth;
+        truth.profile = find_profile(name).value();
+        truth.type = truth.profile.name == "haplet" ? BoardType::due : BoardType::m0;
+        MockedBoard board(mocked_, truth);
+        Drive drive(open(), truth.profile);
+        const auto opened = drive.driver.open();
+        ASSERT_TRUE(opened.has_value()) << opened.error().line;
+        ASSERT_TRUE(drive.tick_until_good({}));
+        for (int k = 0; k < 100; ++k) (void)drive.tick(push);
+        ASSERT_TRUE(drive.tick_until_good(push));
+        ASSERT_TRUE(drive.tick_until_good(push));
+        EXPECT_LT(norm(held(board) - push), 1e-3) << name;
+        board.with([](BoardEmulator& emulator, UsbFaults&) {
+            EXPECT_FALSE(emulator.firmware().is_broken());
+        });
+        EXPECT_TRUE(drive.driver.stop());
+        EXPECT_EQ(held(board), JointTorques{});
+    }
+}
+
+TEST_F(UsbBoardsTest, OfTwoBoardsTheSerialNumberChooses) {
+    BoardTruth left, right;
+    left.serial = "AAAA";
+    right.serial = "BBBB";
+    MockedBoard first(mocked_, left, 1);
+    MockedBoard second(mocked_, right, 2);
+    EXPECT_EQ(
+        error_of_open().rfind("more than one board is plugged in: choose one by its serial", 0),
+        0U);
+    EXPECT_EQ(error_of_open("CCCC").rfind("no board has the serial number CCCC; found Haply M0", 0),
+              0U);
+    Drive drive(open("BBBB"));
+    ASSERT_TRUE(drive.driver.open().has_value());
+    first.with([](BoardEmulator& board, UsbFaults&) { EXPECT_EQ(board.firmware().set_ups(), 0U); });
+    second.with(
+        [](BoardEmulator& board, UsbFaults&) { EXPECT_GT(board.firmware().set_ups(), 0U); });
+}
+
+TEST_F(UsbBoardsTest, AUnitsSettingsComeWithItsSerialNumber) {
+    BoardTruth truth;
+    truth.serial = "AAAA";
+    truth.profile = find_profile("2diy-gen2").value();
+    MockedBoard board(mocked_, truth);
+    BoardSettings settings{known_, {{"AAAA", "2diy-gen2", {}}}};
+    settings.units[0].calibration.torque_limit_Nm = 0.05;
+    auto taken = take_pantograph(usb_, settings, "", "2diy-gen3.1");
+    ASSERT_TRUE(taken.has_value()) << taken.error().line;
+    EXPECT_EQ(taken->profile.name, "2diy-gen2");
+    EXPECT_EQ(taken->profile.torque_limit_Nm, 0.05);
+    EXPECT_EQ(taken->found.serial, "AAAA");
+    EXPECT_TRUE(taken->driver->open().has_value());
+    taken->driver.reset();
+    settings.units.clear();
+    EXPECT_EQ(take_pantograph(usb_, settings, "", "2diy-gen3")->profile.name, "2diy-gen3");
+    EXPECT_EQ(
+        take_pantograph(usb_, settings, "", "none").error().line.rfind("no device profile", 0), 0U);
+}
+
+TEST_F(UsbBoardsTest, ABoardThatWentSinceItWasFoundSaysSo) {
+    MockedBoard board(mocked_, {});
+    const FoundBoard found = usb_.find(known_, "").value();
+    board.unplug();
+    EXPECT_EQ(usb_.open(found).error().line,
+              "Haply M0 board (Arduino Zero) (2341:804d, serial number "
+              "0123456789ABCDEF0123456789ABCDEF, at 1-1) is no longer plugged in");
+}
+
+TEST_F(UsbBoardsTest, ABoardInItsBootLoaderIsRecognisedAndNotOpened) {
+    MockedBoard board(mocked_, {});
+    board.with([](BoardEmulator& emulator, UsbFaults&) {
+        emulator.set_line_coding(1200);
+        emulator.set_lines(false, false);
+    });
+    board.unplug();
+    board.plug();
+    ASSERT_EQ(usb_.list(known_).size(), 1U);
+    EXPECT_EQ(usb_.list(known_)[0].id.condition, BoardCondition::needs_firmware);
+    EXPECT_EQ(error_of_open(),
+              "found only Haply M0 board (Arduino Zero) (2341:004d, at 1-1) has no firmware: it "
+              "waits to be flashed");
+}
+
+TEST_F(UsbBoardsTest, ABoardByItsWrongSocketIsRecognised) {
+    const BoardId socket{0x2341, 0x804d, BoardCondition::wrong_socket, false, "Some board"};
+    MockedBoard board(mocked_, {});
+    const auto found = usb_.list(std::span(&socket, 1));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(describe(found[0]),
+              "Some board (2341:804d, at 1-1) is plugged in by its programming socket: use its "
+              "other USB socket");
+}
+
+TEST_F(UsbBoardsTest, ABoardThatAnotherProgramHoldsIsBusy) {
+    MockedBoard board(mocked_, {});
+    board.with([](BoardEmulator&, UsbFaults& faults) { faults.is_held = true; });
+    EXPECT_EQ(usb_.list(known_).at(0).access, BoardAccess::busy);
+    const std::string line = error_of_open();
+    EXPECT_NE(line.find(" is in use by another program: close that program"), std::string::npos)
+        << line;
+    board.with([](BoardEmulator&, UsbFaults& faults) { faults.is_held = false; });
+    EXPECT_NE(open(), nullptr);
+}
+
+TEST_F(UsbBoardsTest, ABoardThatTheUserMayNotOpenSaysSo) {
+    MockedBoard board(mocked_, {});
+    const Unprivileged somebody(mocked_.folder() + board.node(), mocked_.folder());
+    EXPECT_EQ(usb_.list(known_).at(0).access, BoardAccess::denied);
+    EXPECT_EQ(error_of_open(),
+              "Haply M0 board (Arduino Zero) (2341:804d, at 1-1) may not be opened by "
+              "this user: install the udev rules of Touchline");
+}
+
+TEST_F(UsbBoardsTest, UnpluggedInMidTransferIsLostThenFoundUnderAnotherNumber) {
+    MockedBoard board(mocked_, {});
+    const int number = usb_.list(known_).at(0).device_number;
+    {
+        Drive drive(open());
+        ASSERT_TRUE(drive.driver.open().has_value());
+        ASSERT_TRUE(drive.tick_until_good(push));
+        board.with([](BoardEmulator&, UsbFaults& faults) { faults.unplug_after_out = 5; });
+        for (int k = 0; k < 3000 && drive.driver.report().state != BoardState::lost; ++k)
+            (void)drive.tick(push);
+        EXPECT_EQ(drive.driver.report().state, BoardState::lost);
+        EXPECT_EQ(drive.driver.report().last_failure, LinkStatus::gone);
+        EXPECT_FALSE(drive.tick(push).has_value());
+        EXPECT_FALSE(drive.is_written);
+    }
+    EXPECT_EQ(held(board), JointTorques{});
+    board.unplug();
+    EXPECT_TRUE(usb_.list(known_).empty());
+    board.plug();
+    ASSERT_EQ(usb_.list(known_).size(), 1U);
+    EXPECT_NE(usb_.list(known_)[0].device_number, number);
+    Drive drive(open("0123456789ABCDEF0123456789ABCDEF"));
+    ASSERT_TRUE(drive.driver.open().has_value());
+    EXPECT_TRUE(drive.tick_until_good(push));
+}
+
+TEST_F(UsbBoardsTest, AnotherProgramStopsABoardThatWasLeftPulling) {
+    MockedBoard board(mocked_, {});
+    {
+        auto link = open();
+        ASSERT_EQ(link->set_lines(true), LinkStatus::done);
+        ASSERT_EQ(
+            link->send(set_up_command(BoardFrame(default_profile(), {}).set_up_at_home()).bytes()),
+            LinkStatus::done);
+        ASSERT_TRUE(link->wait(1.0));
+        link->rest(0.02);
+        ASSERT_EQ(link->send(write_command({0.05, 0.05}).bytes()), LinkStatus::done);
+        link->rest(0.02);
+        // The program dies here: nobody tells the board.
+    }
+    EXPECT_GT(norm(held(board)), 0.06);
+    EXPECT_TRUE(zero_torque(open()));
+    EXPECT_EQ(held(board), JointTorques{});
+}
+
+/// Each fault of the transfers, many times over one connection.
+TEST_F(UsbBoardsTest, EveryFaultOfATransferIsOvercome) {
+    using Cause = void (*)(UsbFaults&);
+    const std::pair<const char*, Cause> causes[] = {
+        {"stall, out", [](UsbFaults& faults) { faults.stalls_out = 1; }},
+        {"hanging send", [](UsbFaults& faults) { faults.drops_out = 1; }},
+        {"short send", [](UsbFaults& faults) { faults.short_out = 1; }},
+        {"lost reply", [](UsbFaults& faults) { faults.lost_in = 1; }},
+        {"garbled reply", [](UsbFaults& faults) { faults.garbled_in = 1; }},
+        {"duplicate reply", [](UsbFaults& faults) { faults.doubled_in = 1; }},
+        {"zero-length packet", [](UsbFaults& faults) { faults.empty_in = 1; }},
+        {"stall, in", [](UsbFaults& faults) { faults.stalls_in = 1; }},
+    };
+    MockedBoard board(mocked_, {});
+    Drive drive(open());
+    ASSERT_TRUE(drive.driver.open().has_value());
+    const int rounds = std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr ? 100 : 5;
+    for (int round = 0; round < rounds; ++round) {
+        for (const auto& [name, cause] : causes) {
+            ASSERT_TRUE(drive.tick_until_good(push)) << name;
+            board.with([&](BoardEmulator&, UsbFaults& faults) { cause(faults); });
+            for (int k = 0; k < 20; ++k) (void)drive.tick(push);
+            ASSERT_TRUE(drive.tick_until_good(push)) << name << " in round " << round;
+        }
+    }
+    board.with(
+        [](BoardEmulator& emulator, UsbFaults&) { EXPECT_FALSE(emulator.firmware().is_broken()); });
+    EXPECT_TRUE(drive.driver.stop());
+    EXPECT_EQ(held(board), JointTorques{});
 }
 
 }  // namespace

@@ -1,0 +1,109 @@
+#include "tests/fuzz/reply_fuzz.h"
+
+#include "haptics/device/pantograph_board.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace touchline {
+namespace {
+
+constexpr JointTorques push{0.1, -0.1};
+constexpr double tick_s = 1e-3;
+constexpr std::uint8_t end_of_tick = 0xff;
+
+void demand(bool holds) {
+    if (!holds) std::abort();
+}
+
+/// A board that answers with the bytes of the test, and right to the first two commands.
+class ScriptedLink final : public BoardLink {
+  public:
+    explicit ScriptedLink(std::span<const std::uint8_t> script) : script_(script) {}
+
+    LinkStatus send(std::span<const std::uint8_t> command) override {
+        demand(!command.empty() && command.size() <= 64);
+        demand(command[0] <= 2);
+        last_size_ = command.size();
+        if (command.size() == write_bytes) last_write_.assign(command.begin(), command.end());
+        if (!is_open_ && command.size() == write_bytes) owes_first_ = true;
+        return LinkStatus::done;
+    }
+
+    Sent sent() override { return {LinkStatus::done, last_size_}; }
+
+    Received receive() override {
+        if (owes_first_) return first_reply();
+        if (!is_open_ || script_.empty()) return {};
+        const std::uint8_t size = script_.front();
+        script_ = script_.subspan(1);
+        if (size == end_of_tick) return {};
+        Received received;
+        received.status = size >= 0xf0 ? LinkStatus::failed : LinkStatus::done;
+        received.size = std::min<std::size_t>({size & 0x3fU, script_.size(), 64});
+        std::copy_n(script_.begin(), received.size, received.data.begin());
+        script_ = script_.subspan(received.size);
+        return received;
+    }
+
+    LinkStatus set_lines(bool) override { return LinkStatus::done; }
+
+    LinkStatus clear_stall() override { return LinkStatus::done; }
+
+    bool wait(double) override { return true; }
+
+    void rest(double) override {}
+
+    void begin() { is_open_ = true; }
+
+    [[nodiscard]] bool is_over() const { return script_.empty(); }
+
+    [[nodiscard]] const std::vector<std::uint8_t>& last_write() const { return last_write_; }
+
+  private:
+    Received first_reply() {
+        owes_first_ = false;
+        constexpr std::array<std::uint8_t, 9> home{0x05, 0x8f, 0x36, 0x3f, 0x41,
+                                                   0xd2, 0xe6, 0x27, 0x43};
+        Received received{LinkStatus::done, {}, home.size()};
+        std::copy(home.begin(), home.end(), received.data.begin());
+        return received;
+    }
+
+    std::span<const std::uint8_t> script_;
+    std::vector<std::uint8_t> last_write_;
+    std::size_t last_size_ = 0;
+    bool is_open_ = false;
+    bool owes_first_ = false;
+};
+
+}  // namespace
+
+void feed_packets(std::span<const std::uint8_t> bytes) {
+    const Reply whole = decode_reply(bytes);
+    demand(whole.kind != ReplyKind::angles || (bytes.size() == 9 && is_finite(whole.angles)));
+    auto made = std::make_unique<ScriptedLink>(bytes);
+    ScriptedLink& link = *made;
+    PantographBoard driver(std::move(made), default_profile(), {});
+    demand(driver.open().has_value());
+    link.begin();
+    double now_s = 0.0;
+    for (int k = 0; k < 10000 && !link.is_over(); ++k) {
+        now_s += tick_s;
+        const auto angles = driver.read_angles(now_s);
+        demand(!angles || is_finite(*angles));
+        demand(!angles || driver.report().state == BoardState::ready);
+        const bool is_taken = driver.write_torques(angles ? push : JointTorques{});
+        const bool is_zero = std::all_of(link.last_write().begin() + 2, link.last_write().end(),
+                                         [](std::uint8_t byte) { return byte == 0; });
+        // Where the board is not known to be in step it was told zero last.
+        demand(is_zero || (angles && is_taken));
+    }
+}
+
+}  // namespace touchline
