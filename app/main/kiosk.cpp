@@ -1,14 +1,13 @@
 #include "app/main/kiosk.h"
 
 #include "app/gallery/gallery.h"
+#include "app/main/kiosk_servo.h"
 #include "app/main/loading.h"
 #include "app/screen/frame_limiter.h"
 #include "app/screen/kiosk_screen.h"
 #include "app/screen/window.h"
 #include "app/session/session.h"
 #include "app/session/status.h"
-#include "haptics/device/simulated_pantograph.h"
-#include "haptics/servo/servo.h"
 
 #include <algorithm>
 #include <atomic>
@@ -18,6 +17,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -69,7 +69,7 @@ class Kiosk {
         carry_out(start_session(static_cast<int>(files_.size())));
         run_frames();
         if (arguments_.measure_s && !is_end_asked) measure_without_window();
-        servo_.stop();
+        servo_.client->stop();
         return {};
     }
 
@@ -83,12 +83,14 @@ class Kiosk {
         auto screen = KioskScreen::make(cap_height_px(viewing_distance_m, window_->mm_per_px()));
         if (!screen) return tl::unexpected(screen.error());
         screen_ = std::make_unique<KioskScreen>(std::move(*screen));
-        return servo_.start(
-            std::make_unique<SimulatedPantograph>(default_profile(), SimulationOptions{}, hand_),
-            default_profile(), ServoOptions{});
+        auto servo = start_servo(hand_);
+        if (!servo) return tl::unexpected(servo.error());
+        servo_ = std::move(*servo);
+        if (!servo_.note.empty()) report(servo_.note);
+        return {};
     }
 
-    void press(Key key) { carry_out(press_key(session_, key, servo_.latest().level)); }
+    void press(Key key) { carry_out(press_key(session_, key, servo_.client->latest().level)); }
 
     /// The hand means to be where the pointer is, inside the drawing area.
     void lead_hand(PixelPoint place) {
@@ -113,7 +115,7 @@ class Kiosk {
         commands.pop_through_N = session_.is_pop_through ? pop_through_N : 0.0;
         commands.is_level_auto = session_.is_level_automatic;
         commands.level = session_.fixed_level;
-        servo_.set(commands);
+        servo_.client->set(commands);
     }
 
     /// One job at a time; what was asked for while it ran comes next, and only the last of it.
@@ -134,7 +136,7 @@ class Kiosk {
         }
         if (!loaded->facts.note.empty()) report(loaded->facts.note);
         shown_ = std::move(loaded->shown);
-        servo_.feel(shown_.scene);
+        servo_.client->feel(loaded->felt);
         carry_out(picture_ready(session_, job_request_, loaded->facts));
     }
 
@@ -144,13 +146,24 @@ class Kiosk {
     }
 
     void read_events() {
-        while (const auto event = servo_.next_event()) last_event_ = event;
+        while (const auto event = servo_.client->next_event()) last_event_ = event;
+    }
+
+    /// What befell the servo, for the log; its tier is in the panel too.
+    void read_notices() {
+        const std::string notice = servo_.client->take_notice();
+        if (!notice.empty()) report(notice);
+        const RealTimeTier tier = servo_.client->tier();
+        if (servo_.has_motors && tier != told_tier_)
+            report(fmt::format("timing: {}", describe(tier)));
+        told_tier_ = tier;
     }
 
     void draw(std::int64_t time_ns) {
         read_events();
-        const HandState& hand = servo_.latest();
-        const FrameContent content{describe(session_, hand, hand_words, last_event_),
+        read_notices();
+        const HandState& hand = servo_.client->latest();
+        const FrameContent content{describe(session_, hand, hand_words(), last_event_),
                                    session_.shows_keys, session_.shows_boxes, hand, shown_};
         screen_->draw(content, window_->width_px(), window_->height_px(), time_ns);
         window_->show_frame();
@@ -184,12 +197,17 @@ class Kiosk {
         window_.reset();
         const std::int64_t start_ns = now_ns();
         const ServoCount before = count();
-        std::this_thread::sleep_for(std::chrono::duration<double>(*arguments_.measure_s));
+        const auto end =
+            std::chrono::steady_clock::now() + std::chrono::duration<double>(*arguments_.measure_s);
+        while (std::chrono::steady_clock::now() < end) {
+            (void)servo_.client->latest();  // a kiosk that does not look for its servo has died
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }
         fmt::print("{}\n", counted("without the window", now_ns() - start_ns, before));
     }
 
     [[nodiscard]] ServoCount count() {
-        const HandState& hand = servo_.latest();
+        const HandState& hand = servo_.client->latest();
         return {hand.ticks, hand.missed_ticks};
     }
 
@@ -200,12 +218,18 @@ class Kiosk {
                            after.missed - before.missed);
     }
 
-    static constexpr const char* hand_words = "mouse, no device";
+    /// What the hand is, and how well its loop is in time: in a word where no force depends on it.
+    [[nodiscard]] std::string hand_words() const {
+        const std::string_view tier = describe(servo_.client->tier());
+        return fmt::format("{}, timing {}", servo_.hand_words,
+                           servo_.has_motors ? tier : tier.substr(0, 1));
+    }
 
     KioskArguments arguments_;
     std::vector<std::string> files_;
     std::shared_ptr<MouseHand> hand_ = std::make_shared<MouseHand>(Position{});
-    Servo servo_;
+    KioskServo servo_;
+    RealTimeTier told_tier_ = RealTimeTier::best_effort;
     std::unique_ptr<Window> window_;
     std::unique_ptr<KioskScreen> screen_;  // dies before the window that has its OpenGL context
     Session session_;

@@ -24,13 +24,15 @@ std::string title_of(const TactileMap& map, const std::string& path) {
 Result<LoadedScene> load_scene(const std::string& path, int detail) {
     auto loaded = load_picture_or_map(path, detail, Area{});
     if (!loaded) return tl::unexpected(loaded.error());
-    const CurveOptions curves{.resample = true, .device_step_m = encoder_step_m(default_profile())};
-    auto scene = build_scene(loaded->map, curves, proxy_radius_m);
+    const SceneOrder order{encoder_step_m(default_profile()), proxy_radius_m, 1, 0};
+    auto scene = build_scene(loaded->map, curve_options(order).value(), order.radius_m);
     if (!scene) return failure(fmt::format("{}: {}", path, scene.error().line));
     LoadedScene result;
     result.facts = {title_of(loaded->map, path), static_cast<int>(loaded->map.outlines.size()),
                     scene->curves.coarsest(), loaded->warning};
     result.shown.scene = std::make_shared<const Scene>(std::move(*scene));
+    result.felt = {result.shown.scene, std::make_shared<const TactileMap>(std::move(loaded->map)),
+                   order};
     result.shown.picture =
         std::make_shared<const Canvas>(canvas_of(loaded->picture, longest_picture_px));
     return result;

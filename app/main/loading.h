@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/screen/kiosk_screen.h"
+#include "app/servo/servo_client.h"
 #include "app/session/session.h"
 #include "config/types/result.h"
 
@@ -12,6 +13,7 @@ namespace touchline {
 
 struct LoadedScene {
     ShownScene shown;
+    FeltPicture felt;
     LoadedFacts facts;
 };
 

@@ -35,6 +35,16 @@ ServoCommands ServoLoop::commands() {
     return commands;
 }
 
+/// Whoever looks at a loop that died in between must take it that there is torque.
+bool ServoLoop::write(JointTorques torques) {
+    const bool is_zero = torques == JointTorques{};
+    std::atomic<std::uint8_t>& is_force_on = exchange_.channel().is_force_on;
+    if (!is_zero) is_force_on.store(1, std::memory_order_release);
+    const bool is_taken = device_.write_torques(torques);
+    if (is_zero && is_taken) is_force_on.store(0, std::memory_order_release);
+    return is_taken;
+}
+
 void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
     StepInput input;
     input.now_s = now_s;
@@ -45,9 +55,11 @@ void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
     input.delay_s = delay_s_;
     input.force_share = force_share_;
     const JointTorques torques = step_.step(input);
-    if (!device_.write_torques(torques)) step_.lose_device();
+    if (!write(torques)) step_.lose_device();
     if (step_.scene() == input.scene) exchange_.release_older_scenes();
     exchange_.publish(step_.report());
+    exchange_.channel().is_device_lost.store(
+        step_.report().force.fault == Fault::device_lost ? 1 : 0, std::memory_order_relaxed);
     for (const ContactEvent& event : step_.events()) exchange_.tell(event);
     recorder_.push(step_.report().hand);
 }
@@ -93,7 +105,7 @@ void ServoLoop::run(Clock& clock, std::int64_t period_ns, const LoopEnd& end) {
         delay_s_ = 1e-9 * static_cast<double>(now_ns - schedule.due_ns());
         schedule.finish(now_ns);
     }
-    (void)device_.write_torques({});
+    (void)write({});
 }
 
 }  // namespace touchline

@@ -55,6 +55,7 @@ class ServoLoop {
     };
 
     [[nodiscard]] ServoCommands commands();
+    [[nodiscard]] bool write(JointTorques torques);
     void judge_timing(double now_s, const Moment& moment, std::uint64_t missed_ticks);
     void watch(const Moment& moment);
 

@@ -1,0 +1,62 @@
+#include "app/main/kiosk_servo.h"
+
+#include "app/servo/servo_process.h"
+#include "app/servo/servo_thread.h"
+#include "app/servo/usb_search.h"
+#include "haptics/device/simulated_pantograph.h"
+#include "haptics/pantograph/profile.h"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace touchline {
+namespace {
+
+/// Beside this program, whatever folder it was started from.
+std::string servo_program() {
+    std::error_code error;
+    const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
+    return (own.parent_path() / "touchline-servo").string();
+}
+
+Result<std::optional<UsbDevice>> find_device() {
+    const auto settings = read_boards(boards_file());
+    if (!settings) return tl::unexpected(settings.error());
+    return find_usb_device(*settings);
+}
+
+KioskServo with_motors(const UsbDevice& device) {
+    KioskServo servo;
+    servo.client = std::make_unique<ServoProcess>(ServoProcessOptions{
+        servo_program(), arguments_of(device), [device] { return zero_usb_device(device); }});
+    servo.has_motors = true;
+    servo.hand_words = fmt::format("pantograph {} {}", device.profile, device.serial);
+    return servo;
+}
+
+Result<KioskServo> simulated(const std::shared_ptr<MouseHand>& hand) {
+    auto thread = std::make_unique<ServoThread>();
+    auto started = thread->start(
+        std::make_unique<SimulatedPantograph>(default_profile(), SimulationOptions{}, hand),
+        default_profile());
+    if (!started) return tl::unexpected(started.error());
+    KioskServo servo;
+    servo.client = std::move(thread);
+    servo.hand_words = "mouse, no device";
+    return servo;
+}
+
+}  // namespace
+
+Result<KioskServo> start_servo(const std::shared_ptr<MouseHand>& hand) {
+    const auto device = find_device();
+    if (device && *device) return with_motors(**device);
+    auto servo = simulated(hand);
+    if (servo && !device) servo->note = device.error().line;
+    return servo;
+}
+
+}  // namespace touchline

@@ -1,0 +1,25 @@
+// Which servo the kiosk has: a process with the pantograph that is plugged in, else a thread with a
+// simulated one.
+// Threads: call it from the main thread; it waits for the USB.
+#pragma once
+
+#include "app/servo/servo_client.h"
+#include "config/types/result.h"
+#include "haptics/device/hand.h"
+
+#include <memory>
+#include <string>
+
+namespace touchline {
+
+struct KioskServo {
+    std::unique_ptr<ServoClient> client;
+    std::string hand_words;   // what the hand is
+    bool has_motors = false;  // force follows the tier
+    std::string note;         // why it is not the device that one might expect; may be empty
+};
+
+/// `hand` leads the simulated pantograph where there is no real one.
+[[nodiscard]] Result<KioskServo> start_servo(const std::shared_ptr<MouseHand>& hand);
+
+}  // namespace touchline

@@ -1,0 +1,112 @@
+#include "app/servo/messages.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include <sys/socket.h>
+#include <sys/uio.h>
+
+namespace touchline {
+namespace {
+
+/// Room for one descriptor beside a packet.
+struct alignas(cmsghdr) ControlRoom {
+    std::array<char, CMSG_SPACE(sizeof(int))> bytes{};
+};
+
+msghdr header_of(iovec& data, ControlRoom& room) {
+    msghdr header{};
+    header.msg_iov = &data;
+    header.msg_iovlen = 1;
+    header.msg_control = room.bytes.data();
+    header.msg_controllen = room.bytes.size();
+    return header;
+}
+
+bool is_known(const Message& message) {
+    return message.kind <= MessageKind::refused && message.line_bytes <= sizeof message.line;
+}
+
+}  // namespace
+
+Message message_of(MessageKind kind, std::string_view line) {
+    Message message;
+    message.kind = kind;
+    message.line_bytes = static_cast<std::uint32_t>(std::min(line.size(), sizeof message.line));
+    std::copy_n(line.begin(), message.line_bytes, std::begin(message.line));
+    return message;
+}
+
+std::string line_of(const Message& message) {
+    std::string line(std::begin(message.line), message.line_bytes);
+    std::replace_if(
+        line.begin(), line.end(),
+        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+    return line;
+}
+
+std::optional<CurveOptions> curve_options(const SceneOrder& order) {
+    const bool is_sound = order.device_step_m >= 1e-7 && order.device_step_m <= 0.01 &&
+                          order.radius_m >= 0.0 && order.radius_m <= 0.02 && order.resample <= 1;
+    if (!is_sound) return std::nullopt;
+    CurveOptions options;
+    options.resample = order.resample == 1;
+    options.device_step_m = order.device_step_m;
+    return options;
+}
+
+Result<std::pair<Descriptor, Descriptor>> socket_pair() {
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+        return failure(std::string("no socket for the servo: ") + std::strerror(errno));
+    }
+    return std::pair(Descriptor(ends[0]), Descriptor(ends[1]));
+}
+
+bool send(const Descriptor& socket, const Message& message, const Descriptor* attached) {
+    Message copy = message;
+    iovec data{&copy, sizeof copy};
+    ControlRoom room;
+    msghdr header = header_of(data, room);
+    if (attached == nullptr) {
+        header.msg_controllen = 0;
+    } else {
+        cmsghdr* const control = CMSG_FIRSTHDR(&header);
+        control->cmsg_level = SOL_SOCKET;
+        control->cmsg_type = SCM_RIGHTS;
+        control->cmsg_len = CMSG_LEN(sizeof(int));
+        const int number = attached->number();
+        std::memcpy(CMSG_DATA(control), &number, sizeof number);
+    }
+    return ::sendmsg(socket.number(), &header, MSG_DONTWAIT | MSG_NOSIGNAL) ==
+           static_cast<ssize_t>(sizeof copy);
+}
+
+ReceiveStatus receive(const Descriptor& socket, Arrival& arrival) {
+    Message message;
+    iovec data{&message, sizeof message};
+    ControlRoom room;
+    msghdr header = header_of(data, room);
+    const ssize_t size = ::recvmsg(socket.number(), &header, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
+    if (size < 0) {
+        const bool is_later = errno == EAGAIN || errno == EINTR;
+        return is_later ? ReceiveStatus::none : ReceiveStatus::gone;
+    }
+    arrival.attached = Descriptor{};
+    const cmsghdr* const control = CMSG_FIRSTHDR(&header);
+    if (control != nullptr && control->cmsg_type == SCM_RIGHTS &&
+        control->cmsg_len == CMSG_LEN(sizeof(int))) {
+        int number = -1;
+        std::memcpy(&number, CMSG_DATA(control), sizeof number);
+        arrival.attached = Descriptor(number);
+    }
+    const bool is_whole = size == static_cast<ssize_t>(sizeof message) &&
+                          (header.msg_flags & (MSG_TRUNC | MSG_CTRUNC)) == 0;
+    if (!is_whole || !is_known(message)) return ReceiveStatus::gone;
+    arrival.message = message;
+    return ReceiveStatus::received;
+}
+
+}  // namespace touchline

@@ -1,0 +1,62 @@
+// The few words that kiosk and servo exchange over their socket: whole packets of one size, with at
+// most one descriptor. All that is quick goes through the shared region instead.
+// Threads: any, each socket's side by one at a time.
+#pragma once
+
+#include "app/servo/sealed_memory.h"
+#include "config/types/result.h"
+#include "haptics/curve/curve_set.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace touchline {
+
+/// region: the memory to share, first of all. scene: a map to be felt. failed: why the servo ends.
+/// refused: a map that cannot be felt. That it runs shows in its beats.
+enum class MessageKind : std::uint32_t { region, scene, failed, refused };
+
+/// How a scene is built of a map, the same on both sides.
+struct SceneOrder {
+    double device_step_m = 1e-4;  // 1e-7 ... 0.01
+    double radius_m = 0.0;        // 0 ... 0.02
+    std::uint32_t resample = 0;   // 0 or 1
+    std::uint32_t reserved = 0;
+};
+
+struct Message {
+    MessageKind kind = MessageKind::region;
+    std::uint32_t line_bytes = 0;
+    SceneOrder scene;
+    char line[256] = {};  // not ended by a zero
+};
+
+[[nodiscard]] Message message_of(MessageKind kind, std::string_view line = {});
+
+/// The line, control characters as blanks.
+[[nodiscard]] std::string line_of(const Message& message);
+
+/// Nothing for an order out of range.
+[[nodiscard]] std::optional<CurveOptions> curve_options(const SceneOrder& order);
+
+/// Two ends of one socket, closed on exec.
+[[nodiscard]] Result<std::pair<Descriptor, Descriptor>> socket_pair();
+
+/// Never waits; false when the other side is gone or takes nothing.
+bool send(const Descriptor& socket, const Message& message, const Descriptor* attached = nullptr);
+
+struct Arrival {
+    Message message;
+    Descriptor attached;
+};
+
+/// gone: the other side has closed; what it sent that is no message counts as that too.
+enum class ReceiveStatus : std::uint8_t { received, none, gone };
+
+/// Never waits.
+[[nodiscard]] ReceiveStatus receive(const Descriptor& socket, Arrival& arrival);
+
+}  // namespace touchline

@@ -1,0 +1,62 @@
+// The servo as the kiosk sees it, wherever it runs: a thread of its own process for a simulated
+// device, a process for one with motors.
+// Threads: all calls from the kiosk's main thread; none of them waits for the servo but stop().
+#pragma once
+
+#include "app/servo/messages.h"
+#include "config/types/contact_event.h"
+#include "config/types/hand_state.h"
+#include "config/types/tactile_map.h"
+#include "haptics/collision/scene.h"
+#include "haptics/servo/exchange.h"
+#include "haptics/servo/real_time.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace touchline {
+
+/// A picture to be felt, and what the scene was built from, for a servo that builds its own.
+struct FeltPicture {
+    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const TactileMap> map;
+    SceneOrder order;
+};
+
+class ServoClient {
+  public:
+    ServoClient() = default;
+    /// Stops.
+    virtual ~ServoClient() = default;
+    ServoClient(const ServoClient&) = delete;
+    ServoClient(ServoClient&&) = delete;
+    ServoClient& operator=(const ServoClient&) = delete;
+    ServoClient& operator=(ServoClient&&) = delete;
+
+    /// As Servo::set().
+    virtual void set(const ServoCommands& commands) = 0;
+
+    /// As Servo::feel(). Not null.
+    virtual void feel(const FeltPicture& picture) = 0;
+
+    /// The newest tick, never anything but sound; while no servo runs the last one, without force.
+    /// To be called at least twice a second: a kiosk that does not look for its servo has died.
+    [[nodiscard]] virtual const HandState& latest() = 0;
+
+    /// Of the same tick.
+    [[nodiscard]] virtual ForceStatus force_status() = 0;
+
+    /// As Servo::next_event().
+    [[nodiscard]] virtual std::optional<ContactEvent> next_event() = 0;
+
+    [[nodiscard]] virtual RealTimeTier tier() const = 0;
+
+    /// What befell the servo since this was last asked, a line for the operator; empty: nothing.
+    [[nodiscard]] virtual std::string take_notice() = 0;
+
+    /// As Servo::stop().
+    virtual void stop() = 0;
+};
+
+}  // namespace touchline

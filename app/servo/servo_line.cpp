@@ -1,0 +1,85 @@
+#include "app/servo/servo_line.h"
+
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr std::int64_t longest_absence_ns = 500'000'000;
+
+}  // namespace
+
+void ServoLine::connect(std::shared_ptr<const Connection> connection) {
+    const std::lock_guard lock(mutex_);
+    connection_ = std::move(connection);
+    connection_->region.channel().commands.write(commands_);
+    send_scene();
+}
+
+void ServoLine::disconnect() {
+    const std::lock_guard lock(mutex_);
+    connection_.reset();
+}
+
+void ServoLine::note(const std::string& line) {
+    const std::lock_guard lock(mutex_);
+    notice_ += (notice_.empty() ? "" : "; ") + line;
+}
+
+bool ServoLine::is_kiosk_alive(std::int64_t now_ns) const {
+    return now_ns - asked_ns_.load(std::memory_order_relaxed) < longest_absence_ns;
+}
+
+void ServoLine::set(const ServoCommands& commands) {
+    const std::lock_guard lock(mutex_);
+    commands_ = commands;
+    if (connection_) connection_->region.channel().commands.write(commands);
+}
+
+void ServoLine::feel(Descriptor map, const SceneOrder& order) {
+    const std::lock_guard lock(mutex_);
+    map_ = std::move(map);
+    order_ = order;
+    send_scene();
+}
+
+/// The socket holds many such messages; a servo that reads none of them is killed for its silence.
+void ServoLine::send_scene() {
+    if (!connection_ || !map_.is_open()) return;
+    Message message = message_of(MessageKind::scene);
+    message.scene = order_;
+    (void)send(connection_->socket, message, &map_);
+}
+
+void ServoLine::update(ServoReport& report, std::int64_t now_ns) {
+    asked_ns_.store(now_ns, std::memory_order_relaxed);
+    const std::lock_guard lock(mutex_);
+    if (!connection_) {
+        report.hand.force = {};
+        report.force = {};
+        return;
+    }
+    ServoChannel& channel = connection_->region.channel();
+    if (!channel.reports.update()) return;
+    const ServoReport told = channel.reports.value();
+    std::atomic_signal_fence(std::memory_order_acq_rel);  // copied, then judged
+    if (is_sound(told)) report = told;
+}
+
+std::optional<ContactEvent> ServoLine::next_event() {
+    const std::lock_guard lock(mutex_);
+    if (!connection_) return std::nullopt;
+    return connection_->region.channel().events.pop();
+}
+
+RealTimeTier ServoLine::tier() const {
+    const std::lock_guard lock(mutex_);
+    return connection_ ? tier_of(connection_->region.channel()) : RealTimeTier::best_effort;
+}
+
+std::string ServoLine::take_notice() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(notice_, {});
+}
+
+}  // namespace touchline

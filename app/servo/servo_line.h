@@ -1,0 +1,57 @@
+// The line between kiosk and servo process, on the kiosk's side: what was last told is told again
+// to every servo that is started. Threads: connect() and disconnect() from the guard, the rest from
+// the main thread; each call locks for as long as it takes to copy a value. The guard beats without
+// it.
+#pragma once
+
+#include "app/servo/messages.h"
+#include "app/servo/sealed_memory.h"
+#include "haptics/servo/exchange.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace touchline {
+
+/// What the guard and the main thread hold of one servo process.
+struct Connection {
+    SharedRegion region;
+    Descriptor socket;
+};
+
+class ServoLine {
+  public:
+    // The guard.
+    void connect(std::shared_ptr<const Connection> connection);
+    void disconnect();
+    void note(const std::string& line);
+
+    /// The main thread asked for the state within the last half second.
+    [[nodiscard]] bool is_kiosk_alive(std::int64_t now_ns) const;
+
+    // The main thread.
+    void set(const ServoCommands& commands);
+    void feel(Descriptor map, const SceneOrder& order);
+    /// The newest report, if it is sound; without force while there is no servo.
+    void update(ServoReport& report, std::int64_t now_ns);
+    [[nodiscard]] std::optional<ContactEvent> next_event();
+    [[nodiscard]] RealTimeTier tier() const;
+    [[nodiscard]] std::string take_notice();
+
+  private:
+    void send_scene();
+
+    mutable std::mutex mutex_;
+    std::shared_ptr<const Connection> connection_;  // null: no servo
+    ServoCommands commands_;
+    Descriptor map_;
+    SceneOrder order_;
+    std::string notice_;
+    std::atomic<std::int64_t> asked_ns_{0};
+};
+
+}  // namespace touchline

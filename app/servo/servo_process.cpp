@@ -1,0 +1,229 @@
+#include "app/servo/servo_process.h"
+
+#include "app/servo/child.h"
+#include "app/servo/restart.h"
+#include "app/servo/servo_line.h"
+#include "config/types/map_bytes.h"
+#include "config/types/steady_clock.h"
+#include "haptics/servo/peer_watch.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <thread>
+#include <utility>
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+constexpr int beat_ms = 2;
+constexpr double longest_beat_s = 2.0 * beat_ms * 1e-3;
+// A servo that falls silent with torque on is killed, so that the device can be opened and zeroed;
+// without torque it may have been slow.
+constexpr double longest_silence_under_force_s = 0.012;
+constexpr double longest_silence_s = 0.5;
+constexpr double longest_start_s = 10.0;
+constexpr double longest_end_s = 2.0;
+constexpr int most_zero_tries = 100;
+constexpr int between_tries_ms = 10;
+
+double seconds_since(std::int64_t start_ns) {
+    return 1e-9 * static_cast<double>(steady_now_ns() - start_ns);
+}
+
+}  // namespace
+
+class ServoProcess::Guard {
+  public:
+    explicit Guard(ServoProcessOptions options)
+        : options_(std::move(options)),
+          wake_(::eventfd(0, EFD_CLOEXEC)),
+          thread_([this] { run(); }) {}
+
+    ~Guard() {
+        is_ending_ = true;
+        const std::uint64_t one = 1;
+        (void)!::write(wake_.number(), &one, sizeof one);
+        thread_.join();
+    }
+
+    Guard(const Guard&) = delete;
+    Guard(Guard&&) = delete;
+    Guard& operator=(const Guard&) = delete;
+    Guard& operator=(Guard&&) = delete;
+
+    ServoLine line;
+
+  private:
+    void run() {
+        sigset_t all;
+        sigfillset(&all);
+        pthread_sigmask(SIG_BLOCK, &all, nullptr);  // the main thread's business
+        become_guard();
+        while (!is_ending_) {
+            const std::int64_t start_ns = steady_now_ns();
+            serve_one();
+            if (!is_ending_)
+                wait_ms(static_cast<int>(1e3 * restart_.wait_s(seconds_since(start_ns))));
+        }
+    }
+
+    /// One servo from its start to its end, and zero torque after it.
+    void serve_one() {
+        auto sockets = socket_pair();
+        auto region = SharedRegion::create();
+        if (!sockets || !region) {
+            line.note(sockets ? region.error().line : sockets.error().line);
+            return;
+        }
+        auto child = Child::start(options_.program, options_.arguments, sockets->second);
+        sockets->second = Descriptor{};
+        if (!child) {
+            line.note(child.error().line);
+            return;
+        }
+        const auto connection = std::make_shared<const Connection>(
+            Connection{std::move(*region), std::move(sockets->first)});
+        (void)send(connection->socket, message_of(MessageKind::region),
+                   &connection->region.descriptor());
+        line.connect(connection);
+        watch(*child, *connection);
+        line.disconnect();
+        const std::int64_t dead_ns = steady_now_ns();
+        const std::string how = child->reap();
+        const bool has_run = connection->region.channel().servo_beats.load() != 0;
+        if (!how.empty() && has_run) zero(how, dead_ns);
+    }
+
+    /// Beats and looks until the child is dead.
+    void watch(const Child& child, const Connection& connection) {
+        ServoChannel& channel = connection.region.channel();
+        PeerWatch under_force(longest_silence_under_force_s, longest_beat_s);
+        PeerWatch at_rest(longest_silence_s, longest_beat_s);
+        const std::int64_t start_ns = steady_now_ns();
+        std::int64_t last_ns = start_ns;
+        std::int64_t ending_ns = 0;
+        is_closed_ = false;
+        while (!is_dead(child, connection)) {
+            const std::int64_t now_ns = steady_now_ns();
+            const double dt_s = 1e-9 * static_cast<double>(now_ns - std::exchange(last_ns, now_ns));
+            if (line.is_kiosk_alive(now_ns)) channel.kiosk_beats.fetch_add(1);
+            const std::uint64_t beats = channel.servo_beats.load();
+            const bool is_silent_under_force =
+                under_force.step(beats, dt_s) && channel.is_force_on.load() != 0;
+            const bool is_silent = at_rest.step(beats, dt_s);
+            if (is_ending_ && ending_ns == 0) {
+                ending_ns = now_ns;
+                channel.is_stop_wanted = 1;
+            }
+            const bool is_overdue = ending_ns != 0 && seconds_since(ending_ns) > longest_end_s;
+            const bool is_stuck = beats != 0 ? is_silent || is_silent_under_force
+                                             : seconds_since(start_ns) > longest_start_s;
+            if ((is_stuck && ending_ns == 0) || is_overdue) child.kill();
+        }
+    }
+
+    /// Waits for a beat's time, and reads what the servo says meanwhile.
+    bool is_dead(const Child& child, const Connection& connection) {
+        std::array<pollfd, 2> waiting{
+            {{child.pidfd().number(), POLLIN, 0}, {connection.socket.number(), POLLIN, 0}}};
+        (void)::poll(waiting.data(), is_closed_ ? 1 : 2, beat_ms);
+        if (waiting[0].revents != 0) return true;
+        Arrival arrival;
+        const ReceiveStatus status = receive(connection.socket, arrival);
+        if (status == ReceiveStatus::received) hear(arrival.message);
+        is_closed_ = status == ReceiveStatus::gone;
+        return false;
+    }
+
+    void hear(const Message& message) {
+        if (message.kind == MessageKind::failed || message.kind == MessageKind::refused) {
+            line.note(line_of(message));
+        }
+    }
+
+    void zero(const std::string& how, std::int64_t dead_ns) {
+        for (int i = 0; i < most_zero_tries; ++i) {
+            const auto zeroed = options_.zero_torque();
+            if (zeroed) {
+                line.note("the servo ended with " + how + "; the torque was zeroed " +
+                          std::to_string(std::lround(1e3 * seconds_since(dead_ns))) + " ms later");
+                return;
+            }
+            wait_ms(between_tries_ms);
+        }
+        line.note("the servo ended with " + how +
+                  " and the device cannot be reached: switch the power of its motors off");
+    }
+
+    /// Or until the end is asked for.
+    void wait_ms(int span_ms) {
+        if (is_ending_) {
+            ::poll(nullptr, 0, std::min(span_ms, between_tries_ms));
+            return;
+        }
+        pollfd waiting{wake_.number(), POLLIN, 0};
+        (void)::poll(&waiting, 1, span_ms);
+    }
+
+    ServoProcessOptions options_;
+    Descriptor wake_;
+    std::atomic<bool> is_ending_{false};
+    Restart restart_;
+    bool is_closed_ = false;  // the guard's: the servo's socket is gone
+    std::thread thread_;      // last: it uses all of the above
+};
+
+ServoProcess::ServoProcess(ServoProcessOptions options)
+    : guard_(std::make_unique<Guard>(std::move(options))) {}
+
+ServoProcess::~ServoProcess() = default;
+
+void ServoProcess::set(const ServoCommands& commands) {
+    if (guard_) guard_->line.set(commands);
+}
+
+void ServoProcess::feel(const FeltPicture& picture) {
+    if (!guard_) return;
+    const auto bytes = bytes_of(*picture.map);
+    auto sealed = bytes ? seal(*bytes) : Result<Descriptor>(tl::unexpected(bytes.error()));
+    if (sealed) {
+        guard_->line.feel(std::move(*sealed), picture.order);
+    } else {
+        guard_->line.note(sealed.error().line);
+    }
+}
+
+const HandState& ServoProcess::latest() {
+    if (guard_) guard_->line.update(report_, steady_now_ns());
+    return report_.hand;
+}
+
+ForceStatus ServoProcess::force_status() {
+    return report_.force;
+}
+
+std::optional<ContactEvent> ServoProcess::next_event() {
+    return guard_ ? guard_->line.next_event() : std::nullopt;
+}
+
+RealTimeTier ServoProcess::tier() const {
+    return guard_ ? guard_->line.tier() : RealTimeTier::best_effort;
+}
+
+std::string ServoProcess::take_notice() {
+    return guard_ ? guard_->line.take_notice() : std::string();
+}
+
+void ServoProcess::stop() {
+    guard_.reset();
+}
+
+}  // namespace touchline

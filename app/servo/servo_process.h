@@ -1,0 +1,56 @@
+// The servo as a process of its own, and the guard thread that watches over it: whatever ends the
+// servo, the guard opens the device and zeroes the torque before it starts another one.
+//
+//   main thread   set, feel, latest, events        over the shared region and the socket
+//   guard thread  starts the servo, beats, looks for its life, zeroes, restarts
+//
+// Threads: as ServoClient; the guard is started and joined here.
+#pragma once
+
+#include "app/servo/servo_client.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+struct ServoProcessOptions {
+    std::string program;                 // touchline-servo
+    std::vector<std::string> arguments;  // after the socket
+    /// Opens the device and writes zero torque. Called by the guard thread after every death of the
+    /// servo that was not asked for, again and again for a second where it fails.
+    std::function<Result<void>()> zero_torque;
+};
+
+class ServoProcess final : public ServoClient {
+  public:
+    /// Starts the guard, and with it the servo, without waiting for either.
+    explicit ServoProcess(ServoProcessOptions options);
+    /// Stops.
+    ~ServoProcess() override;
+    ServoProcess(const ServoProcess&) = delete;
+    ServoProcess(ServoProcess&&) = delete;
+    ServoProcess& operator=(const ServoProcess&) = delete;
+    ServoProcess& operator=(ServoProcess&&) = delete;
+
+    void set(const ServoCommands& commands) override;
+    void feel(const FeltPicture& picture) override;
+    [[nodiscard]] const HandState& latest() override;
+    [[nodiscard]] ForceStatus force_status() override;
+    [[nodiscard]] std::optional<ContactEvent> next_event() override;
+    [[nodiscard]] RealTimeTier tier() const override;
+    [[nodiscard]] std::string take_notice() override;
+    /// Waits until the servo has faded out and ended, two seconds at most; then it is killed and
+    /// the torque zeroed.
+    void stop() override;
+
+  private:
+    class Guard;
+
+    ServoReport report_;
+    std::unique_ptr<Guard> guard_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,162 @@
+#include "app/servo/servo_program.h"
+
+#include "app/servo/messages.h"
+#include "app/servo/sealed_memory.h"
+#include "config/types/map_bytes.h"
+#include "config/types/steady_clock.h"
+#include "haptics/collision/scene.h"
+#include "haptics/servo/servo.h"
+
+#include <exception>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <malloc.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+namespace touchline {
+namespace {
+
+constexpr std::int64_t longest_absence_ns = 2'000'000'000;
+constexpr int hello_ms = 5000;
+constexpr int look_ms = 50;                  // how often the ends are looked for that wake nobody
+constexpr rlim_t longest_turn_us = 100'000;  // of the real-time thread without a sleep
+
+/// Nothing of a visitor's picture is left behind on a crash, and what malloc has it keeps, so that
+/// building a scene never gives locked memory back and asks for it again.
+void harden() {
+    const rlimit none{0, 0};
+    (void)setrlimit(RLIMIT_CORE, &none);
+    (void)prctl(PR_SET_DUMPABLE, 0UL, 0UL, 0UL, 0UL);
+    (void)prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGHUP), 0UL, 0UL, 0UL);
+    (void)mallopt(M_TRIM_THRESHOLD, -1);
+    (void)mallopt(M_MMAP_MAX, 0);
+}
+
+/// Soft below hard: at the soft limit comes SIGXCPU, which zeroes; at the hard one SIGKILL.
+void limit_real_time() {
+    const rlimit turn{longest_turn_us, 10 * longest_turn_us};
+    (void)setrlimit(RLIMIT_RTTIME, &turn);
+}
+
+/// Waits for a message. Nothing when the kiosk is gone or says nothing for so long.
+std::optional<Arrival> wait_for_message(const Descriptor& socket, int longest_ms) {
+    pollfd waiting{socket.number(), POLLIN, 0};
+    if (::poll(&waiting, 1, longest_ms) <= 0) return std::nullopt;
+    Arrival arrival;
+    if (receive(socket, arrival) != ReceiveStatus::received) return std::nullopt;
+    return arrival;
+}
+
+Result<std::shared_ptr<const Scene>> scene_of(const Arrival& arrival) {
+    try {
+        const auto options = curve_options(arrival.message.scene);
+        if (!options) return failure("the order for a scene is out of range");
+        const auto memory = map_sealed(arrival.attached);
+        if (!memory) return tl::unexpected(memory.error());
+        const auto map = map_of(memory->bytes());
+        if (!map) return tl::unexpected(map.error());
+        auto scene = build_scene(*map, *options, arrival.message.scene.radius_m);
+        if (!scene) return tl::unexpected(scene.error());
+        return std::make_shared<const Scene>(std::move(*scene));
+    } catch (const std::exception& problem) {
+        return failure(std::string("the scene cannot be built: ") + problem.what());
+    }
+}
+
+ServoOptions options_for(const OpenedDevice& opened) {
+    ServoOptions options;
+    options.lock = MemoryLock::whole;
+    options.has_motors = opened.has_motors;
+    options.watches_kiosk = true;
+    return options;
+}
+
+class ServoProgram {
+  public:
+    ServoProgram(Descriptor socket, SharedRegion region)
+        : socket_(std::move(socket)), region_(std::move(region)), servo_(region_.channel()) {}
+
+    int run(const DeviceOpener& open_device) {
+        auto opened = open_device();
+        if (!opened) return fail(opened.error().line);
+        const EmergencyZero zero = opened->zero;
+        const auto started =
+            servo_.start(std::move(opened->device), opened->profile, options_for(*opened));
+        if (!started) return fail(started.error().line);
+        limit_real_time();
+        const TorqueCut cut(servo_, region_.channel(), zero);
+        while (!cut.is_end_asked() && region_.channel().is_stop_wanted == 0 && serve()) {
+            if (is_device_gone())
+                return fail("the device does not answer any more: check its plug");
+        }
+        servo_.stop();
+        return 0;
+    }
+
+  private:
+    int fail(const std::string& line) {
+        (void)send(socket_, message_of(MessageKind::failed, line));
+        return 1;
+    }
+
+    /// Lost and not back for two seconds: whoever starts the next servo looks for it anew.
+    bool is_device_gone() {
+        const std::int64_t now_ns = steady_now_ns();
+        if (region_.channel().is_device_lost == 0) answered_ns_ = now_ns;
+        return now_ns - answered_ns_ > longest_absence_ns;
+    }
+
+    /// Waits for one message and does it. False when the kiosk is gone.
+    bool serve() {
+        pollfd waiting{socket_.number(), POLLIN, 0};
+        if (::poll(&waiting, 1, look_ms) <= 0) return true;
+        Arrival arrival;
+        switch (receive(socket_, arrival)) {
+            case ReceiveStatus::none:
+                return true;
+            case ReceiveStatus::gone:
+                servo_.cut();
+                return false;
+            case ReceiveStatus::received:
+                break;
+        }
+        if (arrival.message.kind == MessageKind::scene) feel(arrival);
+        return true;
+    }
+
+    void feel(const Arrival& arrival) {
+        auto scene = scene_of(arrival);
+        if (scene) {
+            servo_.feel(std::move(*scene));
+        } else {
+            (void)send(socket_, message_of(MessageKind::refused, scene.error().line));
+        }
+    }
+
+    Descriptor socket_;
+    SharedRegion region_;
+    Servo servo_;
+    std::int64_t answered_ns_ = steady_now_ns();
+};
+
+}  // namespace
+
+int run_servo_program(int socket_number, const DeviceOpener& open_device) {
+    harden();
+    Descriptor socket(socket_number);
+    auto hello = wait_for_message(socket, hello_ms);
+    if (!hello || hello->message.kind != MessageKind::region) return 1;
+    auto region = SharedRegion::open(hello->attached);
+    if (!region) {
+        (void)send(socket, message_of(MessageKind::failed, region.error().line));
+        return 1;
+    }
+    return ServoProgram(std::move(socket), std::move(*region)).run(open_device);
+}
+
+}  // namespace touchline

@@ -1,0 +1,37 @@
+// Whatever ends the servo process, the torque goes to zero first: the board holds its last one for
+// ever. Signals that ask for an end, signals of a crash, the kiosk's death.
+#pragma once
+
+#include "haptics/servo/exchange.h"
+#include "haptics/servo/servo.h"
+
+namespace touchline {
+
+/// Writes zero torque to a device that nobody else uses at that moment, from a handler of signals:
+/// without allocation, and without a lock that the crashed code may hold as far as that can be.
+struct EmergencyZero {
+    void (*write)(void* device) noexcept = nullptr;  // null: nothing to write to
+    void* device = nullptr;
+};
+
+/// While one lives (there can be but one):
+///   SIGTERM, SIGINT      force fades out, then the loop ends
+///   SIGHUP               the kiosk died: zero with the next tick
+///   SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU
+///                        zero with the next tick; 3 ms later zero from the handler, for the loop
+///                        itself may have crashed; then the process dies of the signal
+/// Threads: made and destroyed by the main thread, with the servo running in between.
+class TorqueCut {
+  public:
+    TorqueCut(Servo& servo, ServoChannel& channel, const EmergencyZero& zero);
+    ~TorqueCut();
+    TorqueCut(const TorqueCut&) = delete;
+    TorqueCut(TorqueCut&&) = delete;
+    TorqueCut& operator=(const TorqueCut&) = delete;
+    TorqueCut& operator=(TorqueCut&&) = delete;
+
+    /// An end was asked for or the kiosk died.
+    [[nodiscard]] bool is_end_asked() const;
+};
+
+}  // namespace touchline

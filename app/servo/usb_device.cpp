@@ -1,0 +1,124 @@
+#include "app/servo/usb_device.h"
+
+#include "haptics/device/pantograph_board.h"
+#include "haptics/device/usb_boards.h"
+#include "haptics/pantograph/profile.h"
+
+#include <array>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace touchline {
+namespace {
+
+constexpr std::size_t argument_count = 10;
+constexpr double most_torque_Nm = 10.0;  // no motor of a desk
+
+/// The board with what it needs to live on: its link must go before the list it came from.
+class OwnedBoard final : public ForceDevice {
+  public:
+    OwnedBoard(UsbBoards boards, std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
+               const Calibration& calibration)
+        : boards_(std::move(boards)), board_(std::move(link), profile, calibration) {}
+
+    [[nodiscard]] Result<void> open() { return board_.open(); }
+
+    [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override {
+        return board_.read_angles(now_s);
+    }
+
+    [[nodiscard]] bool write_torques(JointTorques torques) override {
+        return board_.write_torques(torques);
+    }
+
+  private:
+    UsbBoards boards_;
+    PantographBoard board_;
+};
+
+void write_zero(void* device) noexcept {
+    (void)static_cast<OwnedBoard*>(device)->write_torques({});
+}
+
+/// The whole text is a number.
+template <class Number>
+bool read_number(const std::string& text, Number& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+bool is_sound(const Calibration& calibration) {
+    const auto is_scale = [](double scale) { return scale >= 0.8 && scale <= 1.25; };
+    return is_finite(calibration.offset) && is_scale(calibration.scale.x) &&
+           is_scale(calibration.scale.y) &&
+           (!calibration.torque_limit_Nm ||
+            (*calibration.torque_limit_Nm > 0.0 && *calibration.torque_limit_Nm <= most_torque_Nm));
+}
+
+}  // namespace
+
+std::vector<std::string> arguments_of(const UsbDevice& device) {
+    const Calibration& calibration = device.calibration;
+    return {std::to_string(device.id.vendor),
+            std::to_string(device.id.product),
+            device.serial,
+            device.profile,
+            fmt::format("{}", calibration.offset.x),
+            fmt::format("{}", calibration.offset.y),
+            fmt::format("{}", calibration.scale.x),
+            fmt::format("{}", calibration.scale.y),
+            calibration.are_motors_swapped ? "swapped" : "straight",
+            calibration.torque_limit_Nm ? fmt::format("{}", *calibration.torque_limit_Nm) : ""};
+}
+
+Result<UsbDevice> device_of(std::span<const std::string> arguments) {
+    if (arguments.size() != argument_count) return failure("not what the kiosk starts it with");
+    UsbDevice device;
+    Calibration& calibration = device.calibration;
+    device.id.may_probe = true;  // the kiosk chose it
+    device.serial = arguments[2];
+    device.profile = arguments[3];
+    calibration.are_motors_swapped = arguments[8] == "swapped";
+    const bool is_read =
+        read_number(arguments[0], device.id.vendor) &&
+        read_number(arguments[1], device.id.product) &&
+        read_number(arguments[4], calibration.offset.x) &&
+        read_number(arguments[5], calibration.offset.y) &&
+        read_number(arguments[6], calibration.scale.x) &&
+        read_number(arguments[7], calibration.scale.y) &&
+        (arguments[9].empty() || read_number(arguments[9], calibration.torque_limit_Nm.emplace()));
+    if (!is_read || !is_sound(calibration)) return failure("the device's numbers are out of range");
+    return device;
+}
+
+Result<OpenedDevice> open_usb_device(const UsbDevice& device) {
+    const auto profile = find_profile(device.profile);
+    if (!profile) return tl::unexpected(profile.error());
+    auto boards = UsbBoards::create();
+    if (!boards) return tl::unexpected(boards.error());
+    auto link = boards->open(std::array{device.id}, device.serial);
+    if (!link) return tl::unexpected(link.error());
+    auto board = std::make_unique<OwnedBoard>(std::move(*boards), std::move(*link), *profile,
+                                              device.calibration);
+    if (const auto opened = board->open(); !opened) return tl::unexpected(opened.error());
+    OpenedDevice result;
+    result.zero = {write_zero, board.get()};
+    result.device = std::move(board);
+    result.profile = calibrated(*profile, device.calibration);
+    return result;
+}
+
+Result<void> zero_usb_device(const UsbDevice& device) {
+    auto boards = UsbBoards::create();
+    if (!boards) return tl::unexpected(boards.error());
+    auto link = boards->open(std::array{device.id}, device.serial);
+    if (!link) return tl::unexpected(link.error());
+    if (!zero_torque(std::move(*link))) return failure("the board did not confirm zero torque");
+    return {};
+}
+
+}  // namespace touchline

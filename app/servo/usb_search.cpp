@@ -1,0 +1,47 @@
+#include "app/servo/usb_search.h"
+
+#include "haptics/device/usb_boards.h"
+#include "haptics/pantograph/profile.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+UsbDevice usb_device(const FoundBoard& board, const BoardSettings& settings) {
+    const UnitSettings* const unit = find_unit(settings, board.serial);
+    if (unit == nullptr) return {board.id, board.serial, std::string(default_profile().name), {}};
+    return {board.id, board.serial, unit->profile, unit->calibration};
+}
+
+}  // namespace
+
+std::string boards_file() {
+    // Nothing in the program changes its environment.
+    const char* const chosen = std::getenv("TOUCHLINE_BOARDS");  // NOLINT(concurrency-mt-unsafe)
+    if (chosen != nullptr && *chosen != 0) return chosen;
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    const fs::path installed = program.parent_path() / TOUCHLINE_BOARDS_BESIDE_PROGRAM;
+    if (!error && fs::is_regular_file(installed, error)) return installed.lexically_normal();
+    return TOUCHLINE_BOARDS_SOURCE;
+}
+
+Result<std::optional<UsbDevice>> find_usb_device(const BoardSettings& settings) {
+    const auto boards = UsbBoards::create();
+    if (!boards) return std::nullopt;  // no USB at all is no fault of a kiosk
+    std::string why_not;
+    for (const FoundBoard& board : boards->list(settings.boards)) {
+        const bool is_known = board.id.may_probe || find_unit(settings, board.serial) != nullptr;
+        if (board.access == BoardAccess::available && is_known) return usb_device(board, settings);
+        if (is_known || board.id.condition != BoardCondition::running) why_not = describe(board);
+    }
+    if (!why_not.empty()) return failure(why_not);
+    return std::nullopt;
+}
+
+}  // namespace touchline

@@ -1,0 +1,23 @@
+// Which pantograph on the USB the kiosk is to use: its side only, for it reads the table of boards.
+// Threads: any; the calls wait.
+#pragma once
+
+#include "app/servo/usb_device.h"
+#include "config/settings/boards.h"
+#include "config/types/result.h"
+
+#include <optional>
+#include <string>
+
+namespace touchline {
+
+/// The first running board that can be opened: one with settings of its own, or one that may be
+/// probed. Nothing when no board is plugged in. A board that is there but cannot be used is an
+/// error, with what to do about it.
+[[nodiscard]] Result<std::optional<UsbDevice>> find_usb_device(const BoardSettings& settings);
+
+/// `config/defaults/boards.toml`, as installed, else as in the sources; TOUCHLINE_BOARDS in the
+/// environment names another one.
+[[nodiscard]] std::string boards_file();
+
+}  // namespace touchline

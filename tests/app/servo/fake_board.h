@@ -1,0 +1,61 @@
+// A board in a file that several processes map: it holds its last torque whatever dies, as a real
+// one does, and knows who holds it.
+#pragma once
+
+#include "config/types/steady_clock.h"
+#include "config/types/vec2.h"
+
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace touchline {
+
+/// What the device of the servo does at its next tick.
+enum class Mischief : int { none, write_nowhere, throw_something, spin };
+
+struct FakeBoard {
+    std::atomic<int> is_pressed{0};  // by the hand, against the line
+    std::atomic<Mischief> mischief{Mischief::none};
+    std::atomic<int> owner{0};            // the process that holds it
+    std::atomic<int> opened{0};           // times
+    std::atomic<std::uint64_t> reads{0};  // since it was opened
+    std::atomic<int> is_torque_on{0};
+    std::atomic<std::int64_t> zeroed_ns{0};  // when torque last went to zero
+    std::atomic<int> zeroed_by_guard{0};
+    std::atomic<int> zeroed_by_handler{0};
+
+    void put(JointTorques torques) {
+        const int is_on = torques == JointTorques{} ? 0 : 1;
+        if (is_torque_on.exchange(is_on) == 1 && is_on == 0) zeroed_ns = steady_now_ns();
+    }
+
+    /// Whoever held it last is gone.
+    [[nodiscard]] bool is_free() const { return owner == 0 || kill(owner, 0) != 0; }
+};
+
+/// Mapped for as long as the process lives.
+inline FakeBoard& fake_board(const std::string& path) {
+    const int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
+    void* const start =
+        mmap(nullptr, sizeof(FakeBoard), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (file < 0 || start == MAP_FAILED) std::abort();
+    close(file);
+    return *static_cast<FakeBoard*>(start);
+}
+
+/// A new one, all zero.
+inline FakeBoard& make_fake_board(const std::string& path) {
+    std::ofstream(path, std::ios::binary)
+        .write(std::string(sizeof(FakeBoard), '\0').data(), sizeof(FakeBoard));
+    return fake_board(path);
+}
+
+}  // namespace touchline

@@ -1,0 +1,117 @@
+#include "app/servo/messages.h"
+
+#include "app/servo/restart.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+std::vector<std::byte> some_bytes() {
+    return {std::byte{1}, std::byte{2}, std::byte{3}};
+}
+
+TEST(SealedMemory, GivesBackWhatWasSealedAndNobodyCanChangeIt) {
+    const Descriptor memory = seal(some_bytes()).value();
+    const auto mapping = map_sealed(memory);
+    ASSERT_TRUE(mapping.has_value());
+    EXPECT_TRUE(std::ranges::equal(mapping->bytes(), some_bytes()));
+    EXPECT_LT(write(memory.number(), "x", 1), 0);
+    EXPECT_NE(ftruncate(memory.number(), 1), 0);
+    EXPECT_EQ(mmap(nullptr, 1, PROT_WRITE, MAP_SHARED, memory.number(), 0), MAP_FAILED);
+}
+
+TEST(SealedMemory, WhatIsNotSealedIsRefused) {
+    const Descriptor open(memfd_create("test", MFD_ALLOW_SEALING | MFD_CLOEXEC));
+    ASSERT_EQ(ftruncate(open.number(), 100), 0);
+    EXPECT_FALSE(map_sealed(open).has_value());
+    EXPECT_FALSE(SharedRegion::open(open).has_value());
+    EXPECT_FALSE(map_sealed(Descriptor{}).has_value());
+    EXPECT_FALSE(SharedRegion::open(seal(some_bytes()).value()).has_value());
+    const auto region = SharedRegion::create().value();
+    EXPECT_FALSE(map_sealed(region.descriptor()).has_value());
+}
+
+TEST(SharedRegion, IsOneMemoryOnBothSides) {
+    const auto kiosk = SharedRegion::create().value();
+    const auto servo = SharedRegion::open(kiosk.descriptor()).value();
+    kiosk.channel().kiosk_beats = 7;
+    EXPECT_EQ(servo.channel().kiosk_beats, 7U);
+    ServoReport report;
+    report.hand.ticks = 12;
+    servo.channel().reports.write(report);
+    ASSERT_TRUE(kiosk.channel().reports.update());
+    EXPECT_EQ(kiosk.channel().reports.value().hand.ticks, 12U);
+}
+
+TEST(Messages, ArriveWholeWithTheirDescriptor) {
+    const auto [kiosk, servo] = socket_pair().value();
+    Arrival arrival;
+    EXPECT_EQ(receive(servo, arrival), ReceiveStatus::none);
+    const Descriptor memory = seal(some_bytes()).value();
+    ASSERT_TRUE(send(kiosk, message_of(MessageKind::scene, "a line\nof two"), &memory));
+    ASSERT_EQ(receive(servo, arrival), ReceiveStatus::received);
+    EXPECT_EQ(arrival.message.kind, MessageKind::scene);
+    EXPECT_EQ(line_of(arrival.message), "a line of two");
+    EXPECT_TRUE(map_sealed(arrival.attached).has_value());
+    ASSERT_TRUE(send(kiosk, message_of(MessageKind::refused, std::string(1000, 'x'))));
+    ASSERT_EQ(receive(servo, arrival), ReceiveStatus::received);
+    EXPECT_FALSE(arrival.attached.is_open());
+    EXPECT_EQ(line_of(arrival.message), std::string(256, 'x'));
+}
+
+TEST(Messages, NonsenseCountsAsGone) {
+    Message unknown = message_of(MessageKind::refused);
+    unknown.kind = static_cast<MessageKind>(77);
+    Message too_long = message_of(MessageKind::refused);
+    too_long.line_bytes = 257;
+    for (const Message& message : {unknown, too_long}) {
+        const auto [kiosk, servo] = socket_pair().value();
+        ASSERT_TRUE(send(kiosk, message));
+        Arrival arrival;
+        EXPECT_EQ(receive(servo, arrival), ReceiveStatus::gone);
+    }
+    for (const std::size_t size : {std::size_t{1}, sizeof(Message) - 1, sizeof(Message) + 1}) {
+        const auto [kiosk, servo] = socket_pair().value();
+        const std::string bytes(size, '\0');
+        ASSERT_EQ(::send(kiosk.number(), bytes.data(), size, 0), static_cast<ssize_t>(size));
+        Arrival arrival;
+        EXPECT_EQ(receive(servo, arrival), ReceiveStatus::gone);
+    }
+    auto ends = socket_pair().value();
+    ends.first = Descriptor{};
+    Arrival arrival;
+    EXPECT_EQ(receive(ends.second, arrival), ReceiveStatus::gone);
+    EXPECT_FALSE(send(ends.second, message_of(MessageKind::failed)));
+}
+
+TEST(Messages, OrdersOutOfRangeBuildNothing) {
+    EXPECT_TRUE(curve_options({}).has_value());
+    EXPECT_TRUE(curve_options({1e-4, 0.001, 1, 0})->resample);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {nan, -1.0, 1.0, std::numeric_limits<double>::infinity()}) {
+        EXPECT_FALSE(curve_options({bad, 0.0, 0, 0}).has_value());
+        EXPECT_FALSE(curve_options({1e-4, bad, 0, 0}).has_value());
+    }
+    EXPECT_FALSE(curve_options({1e-4, 0.0, 2, 0}).has_value());
+}
+
+TEST(Restart, WaitsLongerWithEveryDeathAndStartsOverAfterAGoodMinute) {
+    Restart restart;
+    for (const double wait_s : {0.5, 1.0, 2.0, 4.0, 8.0, 8.0})
+        EXPECT_EQ(restart.wait_s(3.0), wait_s);
+    EXPECT_EQ(restart.wait_s(60.0), 0.5);
+    EXPECT_EQ(restart.wait_s(0.0), 1.0);
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,114 @@
+// The servo program with a fake board, and a kiosk around it that does nothing else.
+//
+//   servo_rig SOCKET BOARD     the servo
+//   servo_rig kiosk BOARD      the kiosk, until SIGTERM
+#include "app/servo/servo_process.h"
+#include "app/servo/servo_program.h"
+#include "haptics/servo/tick_clock.h"
+#include "tests/app/servo/fake_board.h"
+#include "tests/haptics/servo/rigs.h"
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+namespace touchline {
+namespace {
+
+constexpr Position above{0.0, 0.01};
+constexpr Position pressed{0.0, -0.002};
+
+void do_mischief(Mischief mischief) {
+    if (mischief == Mischief::write_nowhere) *static_cast<volatile int*>(nullptr) = 1;
+    if (mischief == Mischief::throw_something) throw std::runtime_error("a bug");
+    while (mischief == Mischief::spin) {
+    }
+}
+
+class FakeDevice final : public ForceDevice {
+  public:
+    explicit FakeDevice(FakeBoard& board) : board_(board) {}
+
+    [[nodiscard]] std::optional<JointAngles> read_angles(double /*now_s*/) override {
+        ++board_.reads;
+        do_mischief(board_.mischief.exchange(Mischief::none));
+        return board_.is_pressed != 0 ? pressed_ : above_;
+    }
+
+    [[nodiscard]] bool write_torques(JointTorques torques) override {
+        board_.put(torques);
+        return true;
+    }
+
+  private:
+    FakeBoard& board_;
+    JointAngles above_ = angles_at(default_profile(), above);
+    JointAngles pressed_ = angles_at(default_profile(), pressed);
+};
+
+void write_zero(void* device) noexcept {
+    auto& board = *static_cast<FakeBoard*>(device);
+    board.put({});
+    ++board.zeroed_by_handler;
+}
+
+Result<OpenedDevice> open_fake_device(FakeBoard& board) {
+    if (!board.is_free()) return failure("the board is busy");
+    board.owner = getpid();
+    board.reads = 0;
+    board.put({});
+    ++board.opened;
+    OpenedDevice opened;
+    opened.device = std::make_unique<FakeDevice>(board);
+    opened.profile = default_profile();
+    opened.has_motors = false;  // how busy the machine of a test is decides nothing
+    opened.zero = {write_zero, &board};
+    return opened;
+}
+
+Result<void> zero_by_guard(FakeBoard& board) {
+    if (!board.is_free()) return failure("the board is busy");
+    board.put({});
+    ++board.zeroed_by_guard;
+    return {};
+}
+
+FeltPicture line_picture() {
+    TactileMap map;
+    Outline line;
+    line.points = {{-0.05, 0.0}, {0.0, 0.0}, {0.05, 0.0}};
+    map.outlines.push_back(line);
+    map.version = 1;
+    return {line_scene(0.0), std::make_shared<const TactileMap>(std::move(map)), {}};
+}
+
+std::atomic<bool> is_end_asked{false};
+
+int run_kiosk(const std::string& program, const std::string& board_path) {
+    FakeBoard& board = fake_board(board_path);
+    std::signal(SIGTERM, [](int) { is_end_asked = true; });
+    ServoProcess servo({program, {board_path}, [&board] { return zero_by_guard(board); }});
+    servo.feel(line_picture());
+    MonotonicClock clock;
+    while (!is_end_asked) {
+        (void)servo.latest();
+        const std::string notice = servo.take_notice();
+        if (!notice.empty()) std::fprintf(stderr, "%s\n", notice.c_str());
+        clock.sleep_until(clock.now_ns() + 16'000'000);
+    }
+    servo.stop();
+    return 0;
+}
+
+}  // namespace
+}  // namespace touchline
+
+int main(int argc, char** argv) {
+    using namespace touchline;
+    if (argc != 3) return 2;
+    if (std::string(argv[1]) == "kiosk") return run_kiosk(argv[0], argv[2]);
+    FakeBoard& board = fake_board(argv[2]);
+    return run_servo_program(std::stoi(argv[1]), [&board] { return open_fake_device(board); });
+}

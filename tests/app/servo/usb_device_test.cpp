@@ -1,0 +1,71 @@
+#include "app/servo/usb_device.h"
+
+#include "app/servo/usb_search.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+UsbDevice some_device() {
+    UsbDevice device;
+    device.id.vendor = 0x2341;
+    device.id.product = 0x804d;
+    device.serial = "A1B2 C3";
+    device.profile = "2diy-gen3";
+    device.calibration = {{0.1, -1.0 / 3.0}, {1.0154, 0.99}, true, 0.1};
+    return device;
+}
+
+TEST(UsbDevice, ArgumentsReadBackTheSameBits) {
+    for (const bool has_limit : {true, false}) {
+        UsbDevice device = some_device();
+        if (!has_limit) device.calibration.torque_limit_Nm.reset();
+        const auto back = device_of(arguments_of(device)).value();
+        EXPECT_EQ(back.id.vendor, device.id.vendor);
+        EXPECT_EQ(back.id.product, device.id.product);
+        EXPECT_TRUE(back.id.may_probe);
+        EXPECT_EQ(back.serial, device.serial);
+        EXPECT_EQ(back.profile, device.profile);
+        EXPECT_EQ(back.calibration.offset, device.calibration.offset);
+        EXPECT_EQ(back.calibration.scale, device.calibration.scale);
+        EXPECT_EQ(back.calibration.are_motors_swapped, true);
+        EXPECT_EQ(back.calibration.torque_limit_Nm, device.calibration.torque_limit_Nm);
+    }
+}
+
+TEST(UsbDevice, ArgumentsOutOfRangeAreRefused) {
+    const std::vector<std::string> sound = arguments_of(some_device());
+    for (const std::size_t number : {0U, 1U, 4U, 5U, 6U, 7U, 9U}) {
+        for (const char* const bad : {"x", "1x", "nan", "inf", "-7", "99999999"}) {
+            if (number == 4 || number == 5) {
+                if (bad[0] == '-' || bad[0] == '9') continue;  // an angle may be that
+            }
+            auto damaged = sound;
+            damaged[number] = bad;
+            EXPECT_FALSE(device_of(damaged).has_value()) << number << ' ' << bad;
+        }
+    }
+    EXPECT_FALSE(device_of(std::vector<std::string>{}).has_value());
+}
+
+TEST(UsbDevice, UnknownProfileIsOneLine) {
+    UsbDevice device = some_device();
+    device.profile = "none";
+    const auto opened = open_usb_device(device);
+    ASSERT_FALSE(opened.has_value());
+    EXPECT_NE(opened.error().line.find("none"), std::string::npos);
+}
+
+TEST(UsbSearch, TheTableOfBoardsIsFound) {
+    const auto settings = read_boards(boards_file());
+    ASSERT_TRUE(settings.has_value());
+    EXPECT_FALSE(settings->boards.empty());
+}
+
+}  // namespace
+}  // namespace touchline
