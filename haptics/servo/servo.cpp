@@ -99,7 +99,7 @@ void Servo::stop() {
     running_.reset();
 }
 
-const Recorder& Servo::recording() const {
+Recorder& Servo::recording() {
     return recorder_;
 }
 

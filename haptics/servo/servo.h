@@ -69,8 +69,8 @@ class Servo {
     /// when nothing runs.
     void stop();
 
-    /// The ticks recorded; to be read while nothing runs.
-    [[nodiscard]] const Recorder& recording() const;
+    /// The ticks recorded; to be read while nothing runs, or while it is held.
+    [[nodiscard]] Recorder& recording();
 
   private:
     struct Running;

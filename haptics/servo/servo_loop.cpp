@@ -9,12 +9,14 @@ void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
                           exchange_.commands(),
                           exchange_.wanted_scene(),
                           delay_s_};
+    recorder_.begin(step_);
     const JointTorques torques = step_.step(input);
-    if (!device_.write_torques(torques)) step_.lose_device();
+    const bool is_refused = !device_.write_torques(torques);
+    recorder_.push(record_of(input, step_, torques, is_refused));
+    if (is_refused) step_.lose_device();
     if (step_.scene() == input.scene) exchange_.release_older_scenes();
     exchange_.publish(step_.report());
     for (const ContactEvent& event : step_.events()) exchange_.tell(event);
-    recorder_.push(step_.report().hand);
 }
 
 void ServoLoop::run(Clock& clock, std::int64_t period_ns, const std::atomic<bool>& is_stop_wanted) {
