@@ -24,8 +24,7 @@ std::string title_of(const TactileMap& map, const std::string& path) {
 Result<LoadedScene> load_scene(const std::string& path, int detail) {
     auto loaded = load_picture_or_map(path, detail, Area{});
     if (!loaded) return tl::unexpected(loaded.error());
-    const CurveOptions curves{.resample = true, .device_step_m = encoder_step_m(default_profile())};
-    auto scene = build_scene(loaded->map, curves, proxy_radius_m);
+    auto scene = build_felt_scene(loaded->map, default_profile());
     if (!scene) return failure(fmt::format("{}: {}", path, scene.error().line));
     LoadedScene result;
     result.facts = {title_of(loaded->map, path), static_cast<int>(loaded->map.outlines.size()),
