@@ -1,6 +1,7 @@
 #include "app/main/kiosk.h"
 
 #include "app/gallery/gallery.h"
+#include "app/main/black_box.h"
 #include "app/main/loading.h"
 #include "app/screen/frame_limiter.h"
 #include "app/screen/kiosk_screen.h"
@@ -85,7 +86,13 @@ class Kiosk {
         screen_ = std::make_unique<KioskScreen>(std::move(*screen));
         return servo_.start(
             std::make_unique<SimulatedPantograph>(default_profile(), SimulationOptions{}, hand_),
-            default_profile(), ServoOptions{});
+            default_profile(), recorded());
+    }
+
+    static ServoOptions recorded() {
+        ServoOptions options;
+        options.recorded_ticks = static_cast<std::size_t>(recorded_s / options.period_s);
+        return options;
     }
 
     void press(Key key) { carry_out(press_key(session_, key, servo_.latest().level)); }
@@ -102,6 +109,7 @@ class Kiosk {
     void carry_out(Step step) {
         session_ = std::move(step.session);
         if (step.commands.feel) set_servo();
+        if (step.commands.keep_recording) box_.keep();
         if (step.commands.quit) is_quitting_ = true;
     }
 
@@ -113,6 +121,8 @@ class Kiosk {
         commands.pop_through_N = session_.is_pop_through ? pop_through_N : 0.0;
         commands.is_level_auto = session_.is_level_automatic;
         commands.level = session_.fixed_level;
+        commands.is_force_wanted = session_.is_force_wanted;
+        commands.faults_cleared = session_.faults_cleared;
         servo_.set(commands);
     }
 
@@ -134,6 +144,7 @@ class Kiosk {
         }
         if (!loaded->facts.note.empty()) report(loaded->facts.note);
         shown_ = std::move(loaded->shown);
+        box_.remember(loaded->recorded);
         servo_.feel(shown_.scene);
         carry_out(picture_ready(session_, job_request_, loaded->facts));
     }
@@ -150,7 +161,9 @@ class Kiosk {
     void draw(std::int64_t time_ns) {
         read_events();
         const HandState& hand = servo_.latest();
-        const FrameContent content{describe(session_, hand, hand_words, last_event_),
+        const ForceStatus force = servo_.force_status();
+        box_.update(servo_.recording(), force.fault);
+        const FrameContent content{describe(session_, hand, force, hand_words, last_event_),
                                    session_.shows_keys, session_.shows_boxes, hand, shown_};
         screen_->draw(content, window_->width_px(), window_->height_px(), time_ns);
         window_->show_frame();
@@ -208,6 +221,7 @@ class Kiosk {
     Servo servo_;
     std::unique_ptr<Window> window_;
     std::unique_ptr<KioskScreen> screen_;  // dies before the window that has its OpenGL context
+    BlackBox box_{recordings_folder(), std::string(default_profile().name), report};
     Session session_;
     std::optional<ContactEvent> last_event_;
     ShownScene shown_;

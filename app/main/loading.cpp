@@ -1,6 +1,7 @@
 #include "app/main/loading.h"
 
 #include "app/cli/load.h"
+#include "app/gallery/gallery.h"
 #include "haptics/collision/scene.h"
 #include "haptics/pantograph/profile.h"
 
@@ -19,6 +20,11 @@ std::string title_of(const TactileMap& map, const std::string& path) {
     return map.title.empty() ? std::filesystem::path(path).stem().string() : map.title;
 }
 
+/// The name of a picture of the gallery; empty: it is a visitor's.
+std::string gallery_file(const std::filesystem::path& path) {
+    return path.parent_path() == gallery_folder() ? path.filename().string() : "";
+}
+
 }  // namespace
 
 Result<LoadedScene> load_scene(const std::string& path, int detail) {
@@ -29,6 +35,7 @@ Result<LoadedScene> load_scene(const std::string& path, int detail) {
     LoadedScene result;
     result.facts = {title_of(loaded->map, path), static_cast<int>(loaded->map.outlines.size()),
                     scene->curves.coarsest(), loaded->warning};
+    result.recorded = {loaded->map.version, gallery_file(path), detail, hash_of(loaded->map)};
     result.shown.scene = std::make_shared<const Scene>(std::move(*scene));
     result.shown.picture =
         std::make_shared<const Canvas>(canvas_of(loaded->picture, longest_picture_px));

@@ -5,6 +5,7 @@
 #include "app/screen/kiosk_screen.h"
 #include "app/session/session.h"
 #include "config/types/result.h"
+#include "haptics/servo/recording.h"
 
 #include <string>
 
@@ -13,6 +14,7 @@ namespace touchline {
 struct LoadedScene {
     ShownScene shown;
     LoadedFacts facts;
+    RecordedMap recorded;
 };
 
 /// Reads, traces, and builds the scene. Errors start with the path.
