@@ -3,6 +3,7 @@
 #include "app/cli/curve.h"
 #include "app/cli/device.h"
 #include "app/cli/feel.h"
+#include "app/cli/replay_command.h"
 #include "app/cli/trace_command.h"
 #include "haptics/pantograph/profile.h"
 
@@ -86,12 +87,14 @@ CLI::Validator from_zero(double largest) {
     return number_in(0.0, largest, true);
 }
 
-void add_input(CLI::App& command, std::string& input, bool* as_picture) {
-    command.add_option("input", input, "A picture (PNG, JPEG, WebP, TIFF) or a map (.svg)")
-        ->required();
+CLI::Option* add_input(CLI::App& command, std::string& input, bool* as_picture) {
+    auto* option =
+        command.add_option("input", input, "A picture (PNG, JPEG, WebP, TIFF) or a map (.svg)")
+            ->required();
     if (as_picture != nullptr) {
         command.add_flag("--picture", *as_picture, "Take an .svg as a picture, not as a map");
     }
+    return option;
 }
 
 void add_curves(CLI::App& command, CurveOptions& curves) {
@@ -168,8 +171,13 @@ class CommandLine {
     void add_feel() {
         feel_command_ =
             app_.add_subcommand("feel", "A hand's path over a picture or map, step by step");
-        add_input(*feel_command_, feel_.input, &feel_.as_picture);
-        feel_command_->add_option("--path", feel_.path, "HAND.csv: t_s,x_m,y_m")->required();
+        auto* input = add_input(*feel_command_, feel_.input, &feel_.as_picture)->required(false);
+        auto* path = feel_command_->add_option("--path", feel_.path, "HAND.csv: t_s,x_m,y_m");
+        feel_command_
+            ->add_option("--replay", replay_.recording,
+                         "A recording of the kiosk's black box, run again")
+            ->excludes(input)
+            ->excludes(path);
         feel_command_->add_option("-o", feel_.output, "RUN.csv")->required();
         ContactSettings& contact = feel_.contact;
         feel_command_->add_option("--mode", mode_, "wall, groove, ridge or stay")
@@ -235,13 +243,24 @@ class CommandLine {
             curve_.curves.denoise_m = denoise_mm_ / 1000.0;
             return finish(run_curve(curve_), err);
         }
-        if (feel_command_->parsed()) return start_feel(err);
+        if (feel_command_->parsed()) return start_feel(out, err);
         if (tour_command_->parsed()) return finish(programs.tour(tour_), err);
         if (device_command_->parsed()) return start_device(out, err);
         return programs.kiosk(kiosk_);
     }
 
-    int start_feel(std::ostream& err) {
+    int start_feel(std::ostream& out, std::ostream& err) {
+        if (!replay_.recording.empty()) {
+            replay_.output = feel_.output;
+            return finish(
+                run_replay(replay_).map([&out](const std::string& said) { out << said << '\n'; }),
+                err);
+        }
+        if (feel_.input.empty() || feel_.path.empty()) {
+            err << "touchline: feel needs a picture or map and --path, or --replay; --help shows "
+                   "what can be said\n";
+            return wrong_usage;
+        }
         // A profile that does not exist is wrong usage, like a mode that does not exist.
         if (const auto profile = find_profile(feel_.profile); !profile) {
             err << "touchline: " << profile.error().line << '\n';
@@ -276,6 +295,7 @@ class CommandLine {
     CurveCommandOptions curve_;
     FeelOptions feel_;
     DeviceCommandOptions device_;
+    ReplayOptions replay_;
     std::string area_;
     std::string level_;
     std::string mode_;

@@ -2,6 +2,7 @@
 
 #include "app/cli/hand_csv.h"
 #include "app/cli/load.h"
+#include "app/cli/names.h"
 #include "app/decode/files.h"
 #include "config/types/steady_clock.h"
 #include "haptics/pantograph/profile.h"
@@ -17,18 +18,6 @@ namespace touchline {
 namespace {
 
 constexpr double first_period_s = 1e-3;  // of a path with a single row
-
-constexpr std::string_view name_of(ContactState state) {
-    switch (state) {
-        case ContactState::free:
-            return "free";
-        case ContactState::edge:
-            return "edge";
-        case ContactState::vertex:
-            return "vertex";
-    }
-    return "";
-}
 
 Result<std::vector<HandRow>> read_hand(const std::string& path) {
     return read_file(path).and_then([&path](const std::vector<std::byte>& bytes) {

@@ -1,6 +1,7 @@
 #include "app/cli/load.h"
 
 #include "app/decode/map_svg.h"
+#include "app/session/session.h"
 
 #include <algorithm>
 #include <atomic>
@@ -28,15 +29,9 @@ Result<Trace> trace(Picture& picture, const std::string& path, const TraceOption
     });
 }
 
-Result<LoadedPicture> load_drawing(const std::string& path, int detail) {
-    Result<TactileMap> map = read_map_svg(path);
+Result<LoadedPicture> load_shown_drawing(const std::string& path, int detail) {
+    Result<TactileMap> map = load_drawing(path, detail);
     if (!map) return tl::unexpected(map.error());
-    std::erase_if(map->outlines,
-                  [detail](const Outline& outline) { return outline.detail > detail; });
-    if (map->outlines.empty()) {
-        return failure(fmt::format("{}: no outline is shown at detail {}; choose a higher detail",
-                                   path, detail));
-    }
     map->version = next_version();
     return read_picture(path).map([&map](Picture picture) {
         return LoadedPicture{std::move(*map), std::move(picture), {}};
@@ -64,8 +59,25 @@ Result<TactileMap> load_map(const std::string& path, bool as_picture) {
     return trace_picture(path, {}).map([](Trace found) { return std::move(found.map); });
 }
 
+Result<TactileMap> load_drawing(const std::string& path, int detail) {
+    Result<TactileMap> map = read_map_svg(path);
+    if (!map) return map;
+    std::erase_if(map->outlines,
+                  [detail](const Outline& outline) { return outline.detail > detail; });
+    if (map->outlines.empty()) {
+        return failure(fmt::format("{}: no outline is shown at detail {}; choose a higher detail",
+                                   path, detail));
+    }
+    return map;
+}
+
+Result<Scene> build_felt_scene(const TactileMap& map, const DeviceProfile& profile) {
+    const CurveOptions curves{.resample = true, .device_step_m = encoder_step_m(profile)};
+    return build_scene(map, curves, proxy_radius_m);
+}
+
 Result<LoadedPicture> load_picture_or_map(const std::string& path, int detail, const Area& area) {
-    if (is_map_name(path)) return load_drawing(path, detail);
+    if (is_map_name(path)) return load_shown_drawing(path, detail);
     Result<Picture> picture = read_picture(path);
     if (!picture) return tl::unexpected(picture.error());
     Result<Trace> found = trace(*picture, path, {area, detail});

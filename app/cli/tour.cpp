@@ -137,8 +137,7 @@ Result<void> run_tour(const TourArguments& arguments) {
     map->version = 1;
     const Result<Picture> picture = read_picture(arguments.input);
     if (!picture) return tl::unexpected(picture.error());
-    const CurveOptions curves{.resample = true, .device_step_m = encoder_step_m(default_profile())};
-    const Result<Scene> scene = build_scene(*map, curves, proxy_radius_m);
+    const Result<Scene> scene = build_felt_scene(*map, default_profile());
     if (!scene) return failure(fmt::format("{}: {}", arguments.input, scene.error().line));
 
     const TourRun run = take_tour(*map, *scene);

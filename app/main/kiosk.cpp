@@ -104,6 +104,7 @@ class Kiosk {
     void carry_out(Step step) {
         session_ = std::move(step.session);
         if (step.commands.feel) set_servo();
+        if (step.commands.keep_recording) servo_.client->keep_recording();
         if (step.commands.quit) is_quitting_ = true;
     }
 
@@ -115,6 +116,8 @@ class Kiosk {
         commands.pop_through_N = session_.is_pop_through ? pop_through_N : 0.0;
         commands.is_level_auto = session_.is_level_automatic;
         commands.level = session_.fixed_level;
+        commands.is_force_wanted = session_.is_force_wanted;
+        commands.faults_cleared = session_.faults_cleared;
         servo_.client->set(commands);
     }
 
@@ -163,7 +166,8 @@ class Kiosk {
         read_events();
         read_notices();
         const HandState& hand = servo_.client->latest();
-        const FrameContent content{describe(session_, hand, hand_words(), last_event_),
+        const ForceStatus force = servo_.client->force_status();
+        const FrameContent content{describe(session_, hand, force, hand_words(), last_event_),
                                    session_.shows_keys, session_.shows_boxes, hand, shown_};
         screen_->draw(content, window_->width_px(), window_->height_px(), time_ns);
         window_->show_frame();

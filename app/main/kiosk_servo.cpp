@@ -1,5 +1,6 @@
 #include "app/main/kiosk_servo.h"
 
+#include "app/device/board_files.h"
 #include "app/servo/servo_process.h"
 #include "app/servo/servo_thread.h"
 #include "app/servo/usb_search.h"
@@ -23,7 +24,7 @@ std::string servo_program() {
 }
 
 Result<std::optional<UsbDevice>> find_device() {
-    const auto settings = read_boards(boards_file());
+    const auto settings = read_board_files(board_files());
     if (!settings) return tl::unexpected(settings.error());
     return find_usb_device(*settings);
 }

@@ -1,6 +1,7 @@
 #include "app/main/loading.h"
 
 #include "app/cli/load.h"
+#include "app/gallery/gallery.h"
 #include "haptics/collision/scene.h"
 #include "haptics/pantograph/profile.h"
 
@@ -19,20 +20,26 @@ std::string title_of(const TactileMap& map, const std::string& path) {
     return map.title.empty() ? std::filesystem::path(path).stem().string() : map.title;
 }
 
+/// The name of a picture of the gallery; empty: it is a visitor's.
+std::string gallery_file(const std::filesystem::path& path) {
+    return path.parent_path() == gallery_folder() ? path.filename().string() : "";
+}
+
 }  // namespace
 
 Result<LoadedScene> load_scene(const std::string& path, int detail) {
     auto loaded = load_picture_or_map(path, detail, Area{});
     if (!loaded) return tl::unexpected(loaded.error());
-    const SceneOrder order{encoder_step_m(default_profile()), proxy_radius_m, 1, 0};
-    auto scene = build_scene(loaded->map, curve_options(order).value(), order.radius_m);
+    auto scene = build_felt_scene(loaded->map, default_profile());
     if (!scene) return failure(fmt::format("{}: {}", path, scene.error().line));
     LoadedScene result;
     result.facts = {title_of(loaded->map, path), static_cast<int>(loaded->map.outlines.size()),
                     scene->curves.coarsest(), loaded->warning};
     result.shown.scene = std::make_shared<const Scene>(std::move(*scene));
-    result.felt = {result.shown.scene, std::make_shared<const TactileMap>(std::move(loaded->map)),
-                   order};
+    result.felt = {result.shown.scene,
+                   std::make_shared<const TactileMap>(std::move(loaded->map)),
+                   felt_order(default_profile(), detail),
+                   {loaded->map.version, gallery_file(path), detail, hash_of(loaded->map)}};
     result.shown.picture =
         std::make_shared<const Canvas>(canvas_of(loaded->picture, longest_picture_px));
     return result;

@@ -1,6 +1,7 @@
 // The executable: the command line with the two commands that need more than files.
 #include "app/cli/command_line.h"
 #include "app/cli/tour.h"
+#include "app/main/core_dumps.h"
 #include "app/main/kiosk.h"
 
 #include <iostream>
@@ -8,6 +9,7 @@
 #include <vector>
 
 int main(int argc, char** argv) {
+    touchline::forbid_core_dumps();
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     return touchline::run_command_line(arguments, {touchline::run_kiosk, touchline::run_tour},
                                        std::cout, std::cerr);

@@ -1,5 +1,7 @@
 #include "app/servo/messages.h"
 
+#include "app/session/session.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -26,7 +28,7 @@ msghdr header_of(iovec& data, ControlRoom& room) {
 }
 
 bool is_known(const Message& message) {
-    return message.kind <= MessageKind::refused && message.line_bytes <= sizeof message.line;
+    return message.kind <= MessageKind::notice && message.line_bytes <= sizeof message.line;
 }
 
 }  // namespace
@@ -45,6 +47,10 @@ std::string line_of(const Message& message) {
         line.begin(), line.end(),
         [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
     return line;
+}
+
+SceneOrder felt_order(const DeviceProfile& profile, int detail) {
+    return {encoder_step_m(profile), proxy_radius_m, 1, detail};
 }
 
 std::optional<CurveOptions> curve_options(const SceneOrder& order) {

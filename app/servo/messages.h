@@ -6,6 +6,7 @@
 #include "app/servo/sealed_memory.h"
 #include "config/types/result.h"
 #include "haptics/curve/curve_set.h"
+#include "haptics/pantograph/profile.h"
 
 #include <cstdint>
 #include <optional>
@@ -15,16 +16,17 @@
 
 namespace touchline {
 
-/// region: the memory to share, first of all. scene: a map to be felt. failed: why the servo ends.
-/// refused: a map that cannot be felt. That it runs shows in its beats.
-enum class MessageKind : std::uint32_t { region, scene, failed, refused };
+/// region: the memory to share, first of all. scene: a map to be felt, the line its file in the
+/// gallery, if it is one. keep: the last minute as a file. failed: why the servo ends. notice: a
+/// map that cannot be felt, a recording that was kept. That it runs shows in its beats.
+enum class MessageKind : std::uint32_t { region, scene, keep, failed, notice };
 
 /// How a scene is built of a map, the same on both sides.
 struct SceneOrder {
     double device_step_m = 1e-4;  // 1e-7 ... 0.01
     double radius_m = 0.0;        // 0 ... 0.02
     std::uint32_t resample = 0;   // 0 or 1
-    std::uint32_t reserved = 0;
+    std::int32_t detail = 0;      // that the map was made with, for the black box
 };
 
 struct Message {
@@ -38,6 +40,9 @@ struct Message {
 
 /// The line, control characters as blanks.
 [[nodiscard]] std::string line_of(const Message& message);
+
+/// As the kiosk has its pictures felt.
+[[nodiscard]] SceneOrder felt_order(const DeviceProfile& profile, int detail);
 
 /// Nothing for an order out of range.
 [[nodiscard]] std::optional<CurveOptions> curve_options(const SceneOrder& order);

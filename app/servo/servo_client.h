@@ -10,6 +10,7 @@
 #include "haptics/collision/scene.h"
 #include "haptics/servo/exchange.h"
 #include "haptics/servo/real_time.h"
+#include "haptics/servo/recording.h"
 
 #include <memory>
 #include <optional>
@@ -22,6 +23,7 @@ struct FeltPicture {
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const TactileMap> map;
     SceneOrder order;
+    RecordedMap recorded;  // what the black box may say of it
 };
 
 class ServoClient {
@@ -54,6 +56,9 @@ class ServoClient {
 
     /// What befell the servo since this was last asked, a line for the operator; empty: nothing.
     [[nodiscard]] virtual std::string take_notice() = 0;
+
+    /// The last minute as a file; a notice says where.
+    virtual void keep_recording() = 0;
 
     /// As Servo::stop().
     virtual void stop() = 0;

@@ -36,17 +36,23 @@ void ServoLine::set(const ServoCommands& commands) {
     if (connection_) connection_->region.channel().commands.write(commands);
 }
 
-void ServoLine::feel(Descriptor map, const SceneOrder& order) {
+void ServoLine::feel(Descriptor map, const SceneOrder& order, const std::string& gallery_file) {
     const std::lock_guard lock(mutex_);
     map_ = std::move(map);
     order_ = order;
+    gallery_file_ = gallery_file;
     send_scene();
+}
+
+void ServoLine::keep_recording() {
+    const std::lock_guard lock(mutex_);
+    if (connection_) (void)send(connection_->socket, message_of(MessageKind::keep));
 }
 
 /// The socket holds many such messages; a servo that reads none of them is killed for its silence.
 void ServoLine::send_scene() {
     if (!connection_ || !map_.is_open()) return;
-    Message message = message_of(MessageKind::scene);
+    Message message = message_of(MessageKind::scene, gallery_file_);
     message.scene = order_;
     (void)send(connection_->socket, message, &map_);
 }

@@ -35,7 +35,8 @@ class ServoLine {
 
     // The main thread.
     void set(const ServoCommands& commands);
-    void feel(Descriptor map, const SceneOrder& order);
+    void feel(Descriptor map, const SceneOrder& order, const std::string& gallery_file);
+    void keep_recording();
     /// The newest report, if it is sound; without force while there is no servo.
     void update(ServoReport& report, std::int64_t now_ns);
     [[nodiscard]] std::optional<ContactEvent> next_event();
@@ -50,6 +51,7 @@ class ServoLine {
     ServoCommands commands_;
     Descriptor map_;
     SceneOrder order_;
+    std::string gallery_file_;
     std::string notice_;
     std::atomic<std::int64_t> asked_ns_{0};
 };

@@ -144,7 +144,7 @@ class ServoProcess::Guard {
     }
 
     void hear(const Message& message) {
-        if (message.kind == MessageKind::failed || message.kind == MessageKind::refused) {
+        if (message.kind == MessageKind::failed || message.kind == MessageKind::notice) {
             line.note(line_of(message));
         }
     }
@@ -195,7 +195,7 @@ void ServoProcess::feel(const FeltPicture& picture) {
     const auto bytes = bytes_of(*picture.map);
     auto sealed = bytes ? seal(*bytes) : Result<Descriptor>(tl::unexpected(bytes.error()));
     if (sealed) {
-        guard_->line.feel(std::move(*sealed), picture.order);
+        guard_->line.feel(std::move(*sealed), picture.order, picture.recorded.gallery_file);
     } else {
         guard_->line.note(sealed.error().line);
     }
@@ -220,6 +220,10 @@ RealTimeTier ServoProcess::tier() const {
 
 std::string ServoProcess::take_notice() {
     return guard_ ? guard_->line.take_notice() : std::string();
+}
+
+void ServoProcess::keep_recording() {
+    if (guard_) guard_->line.keep_recording();
 }
 
 void ServoProcess::stop() {

@@ -42,6 +42,7 @@ class ServoProcess final : public ServoClient {
     [[nodiscard]] std::optional<ContactEvent> next_event() override;
     [[nodiscard]] RealTimeTier tier() const override;
     [[nodiscard]] std::string take_notice() override;
+    void keep_recording() override;
     /// Waits until the servo has faded out and ended, two seconds at most; then it is killed and
     /// the torque zeroed.
     void stop() override;

@@ -1,5 +1,6 @@
 #include "app/servo/servo_program.h"
 
+#include "app/servo/black_box.h"
 #include "app/servo/messages.h"
 #include "app/servo/sealed_memory.h"
 #include "config/types/map_bytes.h"
@@ -52,7 +53,12 @@ std::optional<Arrival> wait_for_message(const Descriptor& socket, int longest_ms
     return arrival;
 }
 
-Result<std::shared_ptr<const Scene>> scene_of(const Arrival& arrival) {
+struct BuiltScene {
+    std::shared_ptr<const Scene> scene;
+    RecordedMap recorded;
+};
+
+Result<BuiltScene> scene_of(const Arrival& arrival) {
     try {
         const auto options = curve_options(arrival.message.scene);
         if (!options) return failure("the order for a scene is out of range");
@@ -62,7 +68,9 @@ Result<std::shared_ptr<const Scene>> scene_of(const Arrival& arrival) {
         if (!map) return tl::unexpected(map.error());
         auto scene = build_scene(*map, *options, arrival.message.scene.radius_m);
         if (!scene) return tl::unexpected(scene.error());
-        return std::make_shared<const Scene>(std::move(*scene));
+        return BuiltScene{
+            std::make_shared<const Scene>(std::move(*scene)),
+            {map->version, line_of(arrival.message), arrival.message.scene.detail, hash_of(*map)}};
     } catch (const std::exception& problem) {
         return failure(std::string("the scene cannot be built: ") + problem.what());
     }
@@ -73,6 +81,7 @@ ServoOptions options_for(const OpenedDevice& opened) {
     options.lock = MemoryLock::whole;
     options.has_motors = opened.has_motors;
     options.watches_kiosk = true;
+    options.recorded_ticks = recorded_ticks(options.period_s);
     return options;
 }
 
@@ -85,12 +94,16 @@ class ServoProgram {
         auto opened = open_device();
         if (!opened) return fail(opened.error().line);
         const EmergencyZero zero = opened->zero;
+        BlackBox box(recordings_folder(), std::string(opened->profile.name),
+                     [this](const std::string& line) { tell(line); });
+        box_ = &box;
         const auto started =
             servo_.start(std::move(opened->device), opened->profile, options_for(*opened));
         if (!started) return fail(started.error().line);
         limit_real_time();
         const TorqueCut cut(servo_, region_.channel(), zero);
         while (!cut.is_end_asked() && region_.channel().is_stop_wanted == 0 && serve()) {
+            box.update(servo_.recording(), fault());
             if (is_device_gone())
                 return fail("the device does not answer any more: check its plug");
         }
@@ -104,10 +117,16 @@ class ServoProgram {
         return 1;
     }
 
+    void tell(const std::string& line) {
+        (void)send(socket_, message_of(MessageKind::notice, line));
+    }
+
+    [[nodiscard]] Fault fault() { return static_cast<Fault>(region_.channel().fault.load()); }
+
     /// Lost and not back for two seconds: whoever starts the next servo looks for it anew.
     bool is_device_gone() {
         const std::int64_t now_ns = steady_now_ns();
-        if (region_.channel().is_device_lost == 0) answered_ns_ = now_ns;
+        if (fault() != Fault::device_lost) answered_ns_ = now_ns;
         return now_ns - answered_ns_ > longest_absence_ns;
     }
 
@@ -126,21 +145,24 @@ class ServoProgram {
                 break;
         }
         if (arrival.message.kind == MessageKind::scene) feel(arrival);
+        if (arrival.message.kind == MessageKind::keep) box_->keep();
         return true;
     }
 
     void feel(const Arrival& arrival) {
         auto scene = scene_of(arrival);
         if (scene) {
-            servo_.feel(std::move(*scene));
+            box_->remember(scene->recorded);
+            servo_.feel(std::move(scene->scene));
         } else {
-            (void)send(socket_, message_of(MessageKind::refused, scene.error().line));
+            tell(scene.error().line);
         }
     }
 
     Descriptor socket_;
     SharedRegion region_;
     Servo servo_;
+    BlackBox* box_ = nullptr;  // while it runs
     std::int64_t answered_ns_ = steady_now_ns();
 };
 

@@ -1,9 +1,15 @@
 // The servo as a thread of the kiosk, for a device that is simulated.
-// Threads: as ServoClient.
+// Threads: as ServoClient. start() first.
 #pragma once
 
+#include "app/servo/black_box.h"
 #include "app/servo/servo_client.h"
 #include "haptics/servo/servo.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace touchline {
 
@@ -12,14 +18,26 @@ class ServoThread final : public ServoClient {
     /// As Servo::start().
     [[nodiscard]] Result<void> start(std::unique_ptr<ForceDevice> device,
                                      const DeviceProfile& profile) {
-        return servo_.start(std::move(device), profile, ServoOptions{});
+        ServoOptions options;
+        options.recorded_ticks = recorded_ticks(options.period_s);
+        box_.emplace(
+            recordings_folder(), std::string(profile.name),
+            [this](const std::string& line) { notice_ += (notice_.empty() ? "" : "; ") + line; });
+        return servo_.start(std::move(device), profile, options);
     }
 
     void set(const ServoCommands& commands) override { servo_.set(commands); }
 
-    void feel(const FeltPicture& picture) override { servo_.feel(picture.scene); }
+    void feel(const FeltPicture& picture) override {
+        box_->remember(picture.recorded);
+        servo_.feel(picture.scene);
+    }
 
-    [[nodiscard]] const HandState& latest() override { return servo_.latest(); }
+    [[nodiscard]] const HandState& latest() override {
+        const HandState& hand = servo_.latest();
+        box_->update(servo_.recording(), servo_.force_status().fault);
+        return hand;
+    }
 
     [[nodiscard]] ForceStatus force_status() override { return servo_.force_status(); }
 
@@ -27,12 +45,16 @@ class ServoThread final : public ServoClient {
 
     [[nodiscard]] RealTimeTier tier() const override { return servo_.tier(); }
 
-    [[nodiscard]] std::string take_notice() override { return {}; }
+    [[nodiscard]] std::string take_notice() override { return std::exchange(notice_, {}); }
+
+    void keep_recording() override { box_->keep(); }
 
     void stop() override { servo_.stop(); }
 
   private:
     Servo servo_;
+    std::string notice_;
+    std::optional<BlackBox> box_;  // goes first: it reads the servo's recording
 };
 
 }  // namespace touchline

@@ -3,14 +3,8 @@
 #include "haptics/device/usb_boards.h"
 #include "haptics/pantograph/profile.h"
 
-#include <cstdlib>
-#include <filesystem>
-#include <system_error>
-
 namespace touchline {
 namespace {
-
-namespace fs = std::filesystem;
 
 UsbDevice usb_device(const FoundBoard& board, const BoardSettings& settings) {
     const UnitSettings* const unit = find_unit(settings, board.serial);
@@ -19,17 +13,6 @@ UsbDevice usb_device(const FoundBoard& board, const BoardSettings& settings) {
 }
 
 }  // namespace
-
-std::string boards_file() {
-    // Nothing in the program changes its environment.
-    const char* const chosen = std::getenv("TOUCHLINE_BOARDS");  // NOLINT(concurrency-mt-unsafe)
-    if (chosen != nullptr && *chosen != 0) return chosen;
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    const fs::path installed = program.parent_path() / TOUCHLINE_BOARDS_BESIDE_PROGRAM;
-    if (!error && fs::is_regular_file(installed, error)) return installed.lexically_normal();
-    return TOUCHLINE_BOARDS_SOURCE;
-}
 
 Result<std::optional<UsbDevice>> find_usb_device(const BoardSettings& settings) {
     const auto boards = UsbBoards::create();

@@ -1,4 +1,4 @@
-// Which pantograph on the USB the kiosk is to use: its side only, for it reads the table of boards.
+// Which pantograph on the USB the kiosk is to use: its side only, for it reads files.
 // Threads: any; the calls wait.
 #pragma once
 
@@ -7,7 +7,6 @@
 #include "config/types/result.h"
 
 #include <optional>
-#include <string>
 
 namespace touchline {
 
@@ -15,9 +14,5 @@ namespace touchline {
 /// probed. Nothing when no board is plugged in. A board that is there but cannot be used is an
 /// error, with what to do about it.
 [[nodiscard]] Result<std::optional<UsbDevice>> find_usb_device(const BoardSettings& settings);
-
-/// `config/defaults/boards.toml`, as installed, else as in the sources; TOUCHLINE_BOARDS in the
-/// environment names another one.
-[[nodiscard]] std::string boards_file();
 
 }  // namespace touchline

@@ -56,6 +56,16 @@ Step toggle_pop_through(Session session) {
     return {std::move(session), {.feel = true}};
 }
 
+Step toggle_force(Session session) {
+    session.is_force_wanted = !session.is_force_wanted;
+    return {std::move(session), {.feel = true}};
+}
+
+Step clear_fault(Session session) {
+    ++session.faults_cleared;
+    return {std::move(session), {.feel = true}};
+}
+
 Step toggle(Session session, bool Session::*flag) {
     session.*flag = !(session.*flag);
     return {std::move(session), {}};
@@ -95,6 +105,12 @@ Step press_key(const Session& session, Key key, double felt_level) {
             return next_mode(session);
         case Action::toggle_pop_through:
             return toggle_pop_through(session);
+        case Action::toggle_force:
+            return toggle_force(session);
+        case Action::clear_fault:
+            return clear_fault(session);
+        case Action::keep_recording:
+            return {session, {.keep_recording = true}};
         case Action::toggle_boxes:
             return toggle(session, &Session::shows_boxes);
         case Action::toggle_keys:

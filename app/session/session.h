@@ -57,14 +57,17 @@ struct Session {
     std::size_t stiffness = 2;  // in stiffness_steps
     Mode mode = Mode::groove;
     bool is_pop_through = false;  // a wall gives way to a push that is meant
+    bool is_force_wanted = true;
+    std::uint32_t faults_cleared = 0;  // counts up
     bool shows_boxes = false;
     bool shows_keys = false;
 };
 
 /// What has to be done after a step.
 struct Commands {
-    bool load = false;  // session.picture at session.detail, as job session.request
-    bool feel = false;  // hand level, stiffness, mode and pop-through to the servo
+    bool load = false;            // session.picture at session.detail, as job session.request
+    bool feel = false;            // hand level, stiffness, mode, pop-through and force to the servo
+    bool keep_recording = false;  // of the last minute
     bool quit = false;
 };
 

@@ -1,5 +1,7 @@
 #include "app/session/status.h"
 
+#include "app/session/fault_words.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -73,8 +75,11 @@ std::string stiffness_words(const Session& session, const HandState& hand) {
     return fmt::format("{}, {:.0f} N/m", step.name, felt > 0.0 ? felt : step.stiffness_N_per_m);
 }
 
-std::string force_words(const HandState& hand) {
+std::string force_words(const HandState& hand, const ForceStatus& status) {
     const std::string force = fmt::format("{:.1f} N", norm(hand.force));
+    if (const auto why = words_of(status.limit); !why.empty()) {
+        return fmt::format("{}, {}", force, why);
+    }
     if (hand.spring_gain >= 1.0) return force;
     return fmt::format("{}, softened to {:.0f} %: it rang", force, 100.0 * hand.spring_gain);
 }
@@ -143,8 +148,8 @@ std::string words_of(ContactEventKind kind) {
     return {};
 }
 
-Status describe(const Session& session, const HandState& hand, const std::string& hand_words,
-                const std::optional<ContactEvent>& last) {
+Status describe(const Session& session, const HandState& hand, const ForceStatus& force,
+                const std::string& hand_words, const std::optional<ContactEvent>& last) {
     Status status;
     status.title = session.shown.number > 0 ? session.shown.title : "No picture yet";
     status.lines = {
@@ -152,7 +157,8 @@ Status describe(const Session& session, const HandState& hand, const std::string
         {"Last", last ? words_of(last->kind) : "nothing yet"},
         {"Level", level_words(session, hand)},
         {"Terms", terms_words(hand.level_terms)},
-        {"Force", force_words(hand)},
+        {"Force", force_words(hand, force)},
+        {"Motors", std::string(words_of(force.state))},
         {"Mode", mode_words(session)},
         {"Stiffness", stiffness_words(session, hand)},
         {"Detail", detail_text(session)},
@@ -160,7 +166,8 @@ Status describe(const Session& session, const HandState& hand, const std::string
         {"Hand", hand_words},
         {"Keys", "H lists them"},
     };
-    status.message = message_words(session);
+    status.message =
+        force.fault == Fault::none ? message_words(session) : announcement_of(force.fault);
     return status;
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/session/session.h"
 #include "config/types/contact_event.h"
+#include "config/types/force_status.h"
 
 #include <optional>
 #include <string>
@@ -27,10 +28,10 @@ struct Status {
     friend bool operator==(const Status&, const Status&) = default;
 };
 
-/// `hand_words` say what the hand is; `last` is the last thing that happened to it. Numbers are
-/// rounded to what can be read at a glance.
+/// `hand_words` say what the hand is; `last` is the last thing that happened to it. A fault of the
+/// force is the message. Numbers are rounded to what can be read at a glance.
 [[nodiscard]] Status describe(const Session& session, const HandState& hand,
-                              const std::string& hand_words,
+                              const ForceStatus& force, const std::string& hand_words,
                               const std::optional<ContactEvent>& last);
 
 [[nodiscard]] std::string words_of(Mode mode);

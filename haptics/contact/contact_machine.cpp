@@ -116,6 +116,25 @@ void ContactMachine::press(Position handle, double level, const ContactSettings&
 }
 
 /// A disc that overlapped a line would not be stopped by it in a corner.
+bool ContactMachine::rebind(const Scene* scene) {
+    constexpr double most_level = 64.0;
+    path_ = nullptr;
+    const double level = outlines_.level();
+    if (scene == nullptr) outlines_ = {};
+    if (scene == nullptr) return true;
+    if (!(level >= 0.0 && level <= most_level)) return false;
+    outlines_ = RenderedOutlines(*scene, level);
+    const auto pieces = static_cast<int>(scene->curves.pieces().size());
+    if (touched_piece_ < -1 || touched_piece_ >= pieces || !groove_.fits(outlines_)) return false;
+    const int least = proxy_.state == ContactState::free ? 0 : 1;
+    if (proxy_.contact_count < least || proxy_.contact_count > 2) return false;
+    for (int i = 0; i < proxy_.contact_count; ++i) {
+        const Contact& contact = proxy_.contacts[static_cast<std::size_t>(i)];
+        if (!outlines_.has(contact.segment)) return false;
+    }
+    return true;
+}
+
 int ContactMachine::widen(double wanted_m, const Budget& budget) {
     proxy_.spare_m = 0.0;
     if (wanted_m > radius_m_ && proxy_.state != ContactState::free) return 0;

@@ -68,6 +68,10 @@ class ContactMachine {
 
     [[nodiscard]] double rendered_level() const { return outlines_.level(); }
 
+    /// For a machine that was copied byte by byte: goes on with `scene`, the same as before but
+    /// elsewhere in memory; null: without one, until reset(). False where it does not fit.
+    [[nodiscard]] bool rebind(const Scene* scene);
+
     /// From the next step on `path` holds the way points of the last step, the first where it
     /// started; nullptr: none are kept. For tests: it may allocate.
     void record_path(std::vector<Position>* path) { path_ = path; }

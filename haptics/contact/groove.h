@@ -42,6 +42,12 @@ class Groove {
                                    const ContactSettings& settings, const Budget& budget,
                                    double dt_s);
 
+    /// Whether its attachments lie on these outlines.
+    [[nodiscard]] bool fits(const RenderedOutlines& outlines) const {
+        return (!now_.exists() || outlines.has(now_.segment)) &&
+               (!before_.exists() || outlines.has(before_.segment));
+    }
+
   private:
     /// A line's part in the force before shares and strength. Of no line: as at the capture width.
     struct Part {

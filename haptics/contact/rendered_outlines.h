@@ -73,6 +73,13 @@ class RenderedOutlines {
         return row_;
     }
 
+    /// Whether there is such a segment.
+    [[nodiscard]] bool has(SegmentRef ref) const {
+        const auto pieces = static_cast<int>(scene_->curves.pieces().size());
+        return ref.piece >= 0 && ref.piece < pieces && ref.index >= 0 &&
+               ref.index < scene_->curves.rendered_count(ref.piece, level_);
+    }
+
     /// The segment after (before) one along its outline, across pins and over segments that are
     /// points: an outline that runs back on itself has such at coarse levels. Piece -1 at an open
     /// end.

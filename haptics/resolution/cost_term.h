@@ -37,6 +37,9 @@ class CostTerm {
     /// affordable.
     [[nodiscard]] double level() const { return level_; }
 
+    /// Whether a copy from bytes may be stepped.
+    [[nodiscard]] bool is_sound() const { return recent_.is_sound(); }
+
   private:
     void coarsen(double rendered_level);
     void refine();

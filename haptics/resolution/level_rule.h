@@ -53,6 +53,9 @@ class SpeedMeasure {
     /// tick costs as much as all the rest.
     double step(Position handle, double dt_s);
 
+    /// Whether a copy from bytes may be stepped.
+    [[nodiscard]] bool is_sound() const { return peak_.is_sound(); }
+
   private:
     void set_period(double dt_s);
 
@@ -83,6 +86,9 @@ class LevelRule {
     [[nodiscard]] const LevelTerms& terms() const { return terms_; }
 
     [[nodiscard]] double speed_m_per_s() const { return std::sqrt(speed2_m2_per_s2_); }
+
+    /// Whether a copy from bytes may be stepped.
+    [[nodiscard]] bool is_sound() const { return measure_.is_sound(); }
 
   private:
     void adopt_limits();

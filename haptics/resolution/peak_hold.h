@@ -25,6 +25,9 @@ class PeakHold {
         return std::max(older_, peaks_[newest_]);
     }
 
+    /// Whether a copy from bytes may be stepped.
+    [[nodiscard]] bool is_sound() const { return newest_ < peaks_.size() && slot_ > 0.0; }
+
   private:
     /// A long advance may outlast several slots; each is emptied as it begins.
     void begin_slots() {

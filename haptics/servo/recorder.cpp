@@ -4,20 +4,84 @@
 
 namespace touchline {
 
-void Recorder::push(const HandState& hand) {
+TickRecord record_of(const StepInput& input, const ServoStep& after, JointTorques torques,
+                     bool is_refused) {
+    const HandState& hand = after.report().hand;
+    const ForceStatus& force = after.report().force;
+    TickRecord tick;
+    tick.input = input;
+    tick.input.scene = nullptr;
+    tick.wanted_version = input.scene == nullptr ? 0 : input.scene->map_version;
+    tick.is_fading_out = after.is_fading_out();
+    tick.is_refused = is_refused;
+    tick.time_s = hand.time_s;
+    tick.p_WH = hand.p_WH;
+    tick.p_WP = hand.p_WP;
+    tick.force = hand.force;
+    tick.torques = torques;
+    tick.level = hand.level;
+    tick.stiffness_N_per_m = hand.stiffness_N_per_m;
+    tick.spring_gain = hand.spring_gain;
+    tick.state = hand.state;
+    tick.outline = hand.outline;
+    tick.map_version = hand.map_version;
+    tick.force_state = force.state;
+    tick.fault = force.fault;
+    tick.limit = force.limit;
+    return tick;
+}
+
+Recorder::Recorder(std::size_t capacity)
+    : ring_(capacity), steps_(capacity == 0 ? 0 : capacity / ticks_per_step + 2) {}
+
+void Recorder::begin(const ServoStep& before) {
     if (ring_.empty()) return;
-    ring_[pushed_ % ring_.size()] = {hand.time_s, hand.p_WH,  hand.p_WP,
-                                     hand.force,  hand.level, hand.state};
+    if (gate_.is_asked.load(std::memory_order_acquire)) {
+        gate_.is_shut.store(true, std::memory_order_release);
+        return;
+    }
+    if (gate_.is_shut.load(std::memory_order_relaxed)) {
+        gate_.is_shut.store(false, std::memory_order_relaxed);
+        pushed_ = 0;
+        for (Kept& kept : steps_) kept.step.reset();
+    }
+    if (pushed_ % ticks_per_step != 0) return;
+    Kept& kept = steps_[pushed_ / ticks_per_step % steps_.size()];
+    kept.tick = pushed_;
+    kept.map_version = before.scene() == nullptr ? 0 : before.scene()->map_version;
+    kept.step = before;
+}
+
+void Recorder::push(const TickRecord& tick) {
+    if (ring_.empty() || gate_.is_shut.load(std::memory_order_relaxed)) return;
+    ring_[pushed_ % ring_.size()] = tick;
     ++pushed_;
 }
 
+std::uint64_t Recorder::oldest() const {
+    return pushed_ - std::min<std::uint64_t>(pushed_, ring_.size());
+}
+
 std::vector<TickRecord> Recorder::ticks() const {
-    const std::size_t count = std::min(pushed_, ring_.size());
     std::vector<TickRecord> result;
-    result.reserve(count);
-    for (std::size_t i = pushed_ - count; i < pushed_; ++i)
-        result.push_back(ring_[i % ring_.size()]);
+    result.reserve(static_cast<std::size_t>(pushed_ - oldest()));
+    for (std::uint64_t i = oldest(); i < pushed_; ++i) result.push_back(ring_[i % ring_.size()]);
     return result;
+}
+
+std::optional<Recorder::Start> Recorder::start() const {
+    const Kept* found = nullptr;
+    for (const Kept& kept : steps_) {
+        const bool is_inside = kept.step && kept.tick >= oldest() && kept.tick < pushed_;
+        if (is_inside && (found == nullptr || kept.tick < found->tick)) found = &kept;
+    }
+    if (found == nullptr) return std::nullopt;
+    return Start{static_cast<std::size_t>(found->tick - oldest()), found->map_version,
+                 *found->step};
+}
+
+std::size_t Recorder::memory_bytes() const {
+    return ring_.size() * sizeof(TickRecord) + steps_.size() * sizeof(Kept);
 }
 
 }  // namespace touchline

@@ -103,7 +103,7 @@ void Servo::cut() noexcept {
     if (running_) running_->end.is_cut.store(true, std::memory_order_relaxed);
 }
 
-const Recorder& Servo::recording() const {
+Recorder& Servo::recording() {
     return recorder_;
 }
 

@@ -82,8 +82,8 @@ class Servo {
     /// signals, while start() or stop() do not run.
     void cut() noexcept;
 
-    /// The ticks recorded; to be read while nothing runs.
-    [[nodiscard]] const Recorder& recording() const;
+    /// The ticks recorded; to be read while nothing runs, or while it is held.
+    [[nodiscard]] Recorder& recording();
 
   private:
     struct Running;

@@ -54,14 +54,16 @@ void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
     input.scene = exchange_.wanted_scene();
     input.delay_s = delay_s_;
     input.force_share = force_share_;
+    recorder_.begin(step_);
     const JointTorques torques = step_.step(input);
-    if (!write(torques)) step_.lose_device();
+    const bool is_refused = !write(torques);
+    recorder_.push(record_of(input, step_, torques, is_refused));
+    if (is_refused) step_.lose_device();
     if (step_.scene() == input.scene) exchange_.release_older_scenes();
     exchange_.publish(step_.report());
-    exchange_.channel().is_device_lost.store(
-        step_.report().force.fault == Fault::device_lost ? 1 : 0, std::memory_order_relaxed);
+    exchange_.channel().fault.store(static_cast<std::uint8_t>(step_.report().force.fault),
+                                    std::memory_order_relaxed);
     for (const ContactEvent& event : step_.events()) exchange_.tell(event);
-    recorder_.push(step_.report().hand);
 }
 
 void ServoLoop::judge_timing(double now_s, const Moment& moment, std::uint64_t missed_ticks) {

@@ -3,6 +3,8 @@
 #include "haptics/servo/virtual_damping.h"
 
 #include <algorithm>
+#include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace touchline {
@@ -37,6 +39,30 @@ ServoStep::ServoStep(const DeviceProfile& profile, double period_s, double extra
       loop_(loop_settings(profile, period_s, 0.0)),
       measured_period_s_(period_s),
       velocity_(encoder_step_m(profile)) {}
+
+std::optional<ServoStep> ServoStep::from_memory(std::span<const std::byte> bytes,
+                                                const Scene* scene, const DeviceProfile& profile) {
+    static_assert(std::is_trivially_copyable_v<ServoStep>);
+    if (bytes.size() != sizeof(ServoStep)) return std::nullopt;
+    std::optional<ServoStep> step(std::in_place, profile, 1e-3);
+    std::memcpy(static_cast<void*>(&*step), bytes.data(), bytes.size());
+    if (!step->rebind(scene, profile)) return std::nullopt;
+    return step;
+}
+
+/// Whatever points into the old memory.
+bool ServoStep::rebind(const Scene* scene, const DeviceProfile& profile) {
+    constexpr double shortest_s = 1e-5;
+    const bool had_scene = felt_.scene != nullptr;
+    profile_.name = profile.name;
+    felt_.scene = scene;
+    events_ = {};
+    const auto angles = inverse(profile_.geometry, profile_.centre);
+    if (!angles || !forward(profile_.geometry, *angles)) return false;
+    return had_scene == (scene != nullptr) && period_s_ >= shortest_s && period_s_ <= 1.0 &&
+           level_rule_.is_sound() && cost_.is_sound() && velocity_.is_sound() &&
+           contact_.rebind(scene);
+}
 
 JointTorques ServoStep::step(const StepInput& input) {
     const double dt_s = std::max(period_s_, input.now_s - last_s_);

@@ -18,6 +18,7 @@
 #include "haptics/servo/loop_settings.h"
 #include "haptics/servo/velocity_estimate.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -42,6 +43,13 @@ class ServoStep {
     /// period_s > 0: of the loop. Force is armed at once.
     ServoStep(const DeviceProfile& profile, double period_s, double extra_damping_Ns_per_m = 0.0);
 
+    /// The step that lay in memory as these bytes, in the same build, and felt `scene` (null:
+    /// none), which may lie elsewhere now. Nothing where they cannot have been such a step: sizes
+    /// and indices are checked, values are not.
+    [[nodiscard]] static std::optional<ServoStep> from_memory(std::span<const std::byte> bytes,
+                                                              const Scene* scene,
+                                                              const DeviceProfile& profile);
+
     /// kinematics -> handle in W -> level -> contact -> damping -> force chain. Stiffness is kept
     /// below what the period and delay measured so far allow (loop_settings.h). A new scene, proxy
     /// radius or capture width fades force to zero first, drops the contact and fades in again; a
@@ -52,6 +60,8 @@ class ServoStep {
 
     /// Fades force out for good; is_silent() tells when.
     void fade_out() { is_stopping_ = true; }
+
+    [[nodiscard]] bool is_fading_out() const { return is_stopping_; }
 
     [[nodiscard]] bool is_silent() const { return chain_.is_faded(); }
 
@@ -77,6 +87,7 @@ class ServoStep {
         friend bool operator==(const Shape&, const Shape&) = default;
     };
 
+    [[nodiscard]] bool rebind(const Scene* scene, const DeviceProfile& profile);
     [[nodiscard]] std::optional<Pose> find_pose(const StepInput& input, double dt_s);
     [[nodiscard]] SafeForce make_safe(Force wanted_W, const std::optional<Pose>& pose,
                                       const StepInput& input);

@@ -24,6 +24,11 @@ class VelocityEstimate {
 
     [[nodiscard]] Velocity velocity() const { return velocity_; }
 
+    /// Whether a copy from bytes may be stepped.
+    [[nodiscard]] bool is_sound() const {
+        return newest_ < samples_.size() && count_ <= samples_.size();
+    }
+
   private:
     static constexpr std::size_t window = 16;
 

@@ -50,6 +50,7 @@ class Kiosk : public testing::Test {
                                          "'\n"
                                          "export TOUCHLINE_GALLERY='" TOUCHLINE_SOURCE_DIR
                                          "/app/gallery/pictures'\n"
+                                         "export TOUCHLINE_RECORDINGS=kept\n"
                                          R"(
 kiosk() { "$program" "$@" >out.txt 2>err.txt & pid=$!; }
 keys() { timeout 100 xdotool search --sync --name '^Touchline$' key "$@" >/dev/null 2>&1; }
@@ -72,6 +73,22 @@ TEST_F(Kiosk, EveryKeyLeavesItRunning) {
                          "kill -0 $pid || exit 9; keys q; finish"),
               0);
     EXPECT_EQ(text_of("err.txt"), "");
+}
+
+TEST_F(Kiosk, KeepsARecordingOnItsKeyThatRunsAgainTheSame) {
+    EXPECT_EQ(run_script("kiosk; keys b; keys r; wait_for 'recording was kept' err.txt; keys q;"
+                         "wait $pid && \"$program\" feel --replay kept/recording-1.touchline"
+                         " -o run.csv >out.txt"),
+              0)
+        << text_of("err.txt");
+    EXPECT_NE(text_of("out.txt").find("the same, bit for bit"), std::string::npos)
+        << text_of("out.txt");
+}
+
+TEST_F(Kiosk, LeavesNoCoreDump) {
+    EXPECT_EQ(run_script("kiosk; keys b; grep -qE 'Max core file size +0 +0 ' /proc/$pid/limits ||"
+                         " exit 9; keys q; finish"),
+              0);
 }
 
 TEST_F(Kiosk, EndsAsAskedByTheSystem) {

@@ -13,7 +13,7 @@ namespace {
 Status full_status() {
     Session session = start_session(14).session;
     session = picture_ready(session, session.request, {"A house with a garden", 9, 6, ""}).session;
-    return describe(session, HandState{}, "mouse, no device", {});
+    return describe(session, HandState{}, ForceStatus{}, "mouse, no device", {});
 }
 
 TEST(Text, ACapitalIsAsHighAsAsked) {

@@ -63,16 +63,16 @@ TEST(Messages, ArriveWholeWithTheirDescriptor) {
     EXPECT_EQ(arrival.message.kind, MessageKind::scene);
     EXPECT_EQ(line_of(arrival.message), "a line of two");
     EXPECT_TRUE(map_sealed(arrival.attached).has_value());
-    ASSERT_TRUE(send(kiosk, message_of(MessageKind::refused, std::string(1000, 'x'))));
+    ASSERT_TRUE(send(kiosk, message_of(MessageKind::notice, std::string(1000, 'x'))));
     ASSERT_EQ(receive(servo, arrival), ReceiveStatus::received);
     EXPECT_FALSE(arrival.attached.is_open());
     EXPECT_EQ(line_of(arrival.message), std::string(256, 'x'));
 }
 
 TEST(Messages, NonsenseCountsAsGone) {
-    Message unknown = message_of(MessageKind::refused);
+    Message unknown = message_of(MessageKind::notice);
     unknown.kind = static_cast<MessageKind>(77);
-    Message too_long = message_of(MessageKind::refused);
+    Message too_long = message_of(MessageKind::notice);
     too_long.line_bytes = 257;
     for (const Message& message : {unknown, too_long}) {
         const auto [kiosk, servo] = socket_pair().value();

@@ -8,6 +8,7 @@
 #include "tests/app/servo/fake_board.h"
 #include "tests/haptics/servo/rigs.h"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -34,7 +35,11 @@ class FakeDevice final : public ForceDevice {
     [[nodiscard]] std::optional<JointAngles> read_angles(double /*now_s*/) override {
         ++board_.reads;
         do_mischief(board_.mischief.exchange(Mischief::none));
-        return board_.is_pressed != 0 ? pressed_ : above_;
+        // At 0.12 m/s: a handle that leaps is a fault.
+        const double down_m = above.y - pressed.y;
+        const double goal_m = board_.is_pressed != 0 ? down_m : 0.0;
+        moved_m_ += std::clamp(goal_m - moved_m_, -1.2e-4, 1.2e-4);
+        return angles_at(default_profile(), above - Position{0.0, moved_m_});
     }
 
     [[nodiscard]] bool write_torques(JointTorques torques) override {
@@ -44,8 +49,7 @@ class FakeDevice final : public ForceDevice {
 
   private:
     FakeBoard& board_;
-    JointAngles above_ = angles_at(default_profile(), above);
-    JointAngles pressed_ = angles_at(default_profile(), pressed);
+    double moved_m_ = 0.0;
 };
 
 void write_zero(void* device) noexcept {
@@ -81,7 +85,7 @@ FeltPicture line_picture() {
     line.points = {{-0.05, 0.0}, {0.0, 0.0}, {0.05, 0.0}};
     map.outlines.push_back(line);
     map.version = 1;
-    return {line_scene(0.0), std::make_shared<const TactileMap>(std::move(map)), {}};
+    return {line_scene(0.0), std::make_shared<const TactileMap>(std::move(map)), {}, {}};
 }
 
 std::atomic<bool> is_end_asked{false};

@@ -1,5 +1,6 @@
 #include "app/servo/usb_device.h"
 
+#include "app/device/board_files.h"
 #include "app/servo/usb_search.h"
 
 #include <cstddef>
@@ -62,7 +63,7 @@ TEST(UsbDevice, UnknownProfileIsOneLine) {
 }
 
 TEST(UsbSearch, TheTableOfBoardsIsFound) {
-    const auto settings = read_boards(boards_file());
+    const auto settings = read_board_files(board_files());
     ASSERT_TRUE(settings.has_value());
     EXPECT_FALSE(settings->boards.empty());
 }

@@ -113,12 +113,24 @@ TEST(Session, EveryKeyDoesTheSameInEveryState) {
                  pressed->action == Action::coarser_level ||
                  pressed->action == Action::finer_level || pressed->action == Action::firmer ||
                  pressed->action == Action::softer || pressed->action == Action::next_mode ||
-                 pressed->action == Action::toggle_pop_through);
+                 pressed->action == Action::toggle_pop_through ||
+                 pressed->action == Action::toggle_force || pressed->action == Action::clear_fault);
             EXPECT_EQ(commands.load, loads && state.picture_count > 0);
             EXPECT_EQ(commands.feel, feels);
+            EXPECT_EQ(commands.keep_recording,
+                      pressed && pressed->action == Action::keep_recording);
             EXPECT_EQ(commands.quit, pressed && pressed->action == Action::quit);
         }
     }
+}
+
+TEST(Session, ForceGoesOffAndOnAndFaultsAreClearedOneByOne) {
+    const Session on = shown_session();
+    const Session off = press_key(on, Key{' '}, felt).session;
+    EXPECT_TRUE(on.is_force_wanted);
+    EXPECT_FALSE(off.is_force_wanted);
+    EXPECT_TRUE(press_key(off, Key{' '}, felt).session.is_force_wanted);
+    EXPECT_EQ(press_key(on, Key{'C'}, felt).session.faults_cleared, on.faults_cleared + 1);
 }
 
 TEST(Session, PicturesWrapAround) {

@@ -27,7 +27,7 @@ TEST(Status, SaysContactLevelForceAndMode) {
     hand.state = ContactState::vertex;
     hand.level = 2.46;
     hand.force = {0.6, -0.8};
-    const Status status = describe(shown_session(), hand, "mouse", {});
+    const Status status = describe(shown_session(), hand, {}, "mouse", {});
     EXPECT_EQ(status.title, "Fish");
     EXPECT_EQ(value_of(status, "Contact"), "in a vertex");
     EXPECT_EQ(value_of(status, "Level"), "2.5 of 6, by speed");
@@ -41,7 +41,7 @@ TEST(Status, SaysContactLevelForceAndMode) {
 
 TEST(Status, SaysTheLastEventInWords) {
     const auto last_words = [](const std::optional<ContactEvent>& last) {
-        return value_of(describe(shown_session(), {}, "mouse", last), "Last");
+        return value_of(describe(shown_session(), {}, {}, "mouse", last), "Last");
     };
     EXPECT_EQ(last_words({}), "nothing yet");
     ContactEvent event;
@@ -59,9 +59,10 @@ TEST(Status, SaysTheLastEventInWords) {
 TEST(Status, SaysThatAWallGivesWay) {
     Session session = shown_session();
     session.is_pop_through = true;
-    EXPECT_EQ(value_of(describe(session, {}, "mouse", {}), "Mode"), "groove");
+    EXPECT_EQ(value_of(describe(session, {}, {}, "mouse", {}), "Mode"), "groove");
     session.mode = Mode::wall;
-    EXPECT_EQ(value_of(describe(session, {}, "mouse", {}), "Mode"), "wall, gives way to a push");
+    EXPECT_EQ(value_of(describe(session, {}, {}, "mouse", {}), "Mode"),
+              "wall, gives way to a push");
 }
 
 std::string level_words(const LevelTerms& terms, bool is_automatic) {
@@ -69,7 +70,7 @@ std::string level_words(const LevelTerms& terms, bool is_automatic) {
     hand.level_terms = terms;
     hand.level = choose_level(terms).level;
     hand.is_level_auto = is_automatic;
-    return value_of(describe(shown_session(), hand, "mouse", {}), "Level");
+    return value_of(describe(shown_session(), hand, {}, "mouse", {}), "Level");
 }
 
 TEST(Status, SaysWhichTermDecidesTheLevel) {
@@ -96,7 +97,7 @@ TEST(Status, AFixedLevelIsSaidToBeFixedOrWhyItIsNotReached) {
 TEST(Status, SaysAllTermsOfTheLevel) {
     HandState hand;
     hand.level_terms = {3.0, 1.0, 0.5, 16.0, 2.0, 0.0, 4.0, 6.0};
-    EXPECT_EQ(value_of(describe(shown_session(), hand, "mouse", {}), "Terms"),
+    EXPECT_EQ(value_of(describe(shown_session(), hand, {}, "mouse", {}), "Terms"),
               "speed 3, touch 1, set 0.5 to 6, device 2, proxy 0, time 4, safe 6");
 }
 
@@ -104,18 +105,19 @@ TEST(Status, NumbersThatLookTheSameGiveTheSameStatus) {
     HandState a, b;
     a.level = 1.01;
     b.level = 1.02;
-    EXPECT_EQ(describe(shown_session(), a, "mouse", {}), describe(shown_session(), b, "mouse", {}));
+    EXPECT_EQ(describe(shown_session(), a, {}, "mouse", {}),
+              describe(shown_session(), b, {}, "mouse", {}));
 }
 
 TEST(Status, AStiffnessOnItsWayIsSaidAsItIsFelt) {
     HandState hand;
     hand.stiffness_N_per_m = 420.0;
-    EXPECT_EQ(value_of(describe(shown_session(), hand, "mouse", {}), "Stiffness"),
+    EXPECT_EQ(value_of(describe(shown_session(), hand, {}, "mouse", {}), "Stiffness"),
               "medium, 420 N/m");
 }
 
 TEST(Status, NothingIsLeftUnnamedBeforeTheFirstPicture) {
-    const Status status = describe(start_session(0).session, {}, "mouse", {});
+    const Status status = describe(start_session(0).session, {}, {}, "mouse", {});
     EXPECT_EQ(status.title, "No picture yet");
     EXPECT_EQ(value_of(status, "Picture"), "none in the list");
     for (const StatusLine& line : status.lines) EXPECT_FALSE(line.value.empty()) << line.name;
@@ -123,9 +125,24 @@ TEST(Status, NothingIsLeftUnnamedBeforeTheFirstPicture) {
 
 TEST(Status, SaysThatAPictureIsBeingOpenedAndWhyOneWasNot) {
     const Session loading = start_session(3).session;
-    EXPECT_EQ(describe(loading, {}, "mouse", {}).message, "Opening picture 1 ...");
+    EXPECT_EQ(describe(loading, {}, {}, "mouse", {}).message, "Opening picture 1 ...");
     const Session failed = picture_failed(loading, loading.request, "why").session;
-    EXPECT_EQ(describe(failed, {}, "mouse", {}).message, "why");
+    EXPECT_EQ(describe(failed, {}, {}, "mouse", {}).message, "why");
+}
+
+TEST(Status, AFaultIsTheMessageAndTheStateOfTheMotorsIsSaid) {
+    ForceStatus force;
+    force.state = ForceState::live;
+    EXPECT_EQ(value_of(describe(shown_session(), {}, force, "mouse", {}), "Motors"), "on");
+    force.limit = Limit::heat;
+    EXPECT_EQ(value_of(describe(shown_session(), {}, force, "mouse", {}), "Force"),
+              "0.0 N, less: the motors are warm");
+    force = {ForceState::fault, Fault::device_lost, Limit::fault, {}};
+    const Status status = describe(shown_session(), {}, force, "mouse", {});
+    EXPECT_EQ(value_of(status, "Motors"), "stopped");
+    EXPECT_EQ(status.message,
+              "The force is off. The device does not answer. Check its cable; force comes back by "
+              "itself. Sound goes on without force.");
 }
 
 TEST(Status, TheReadmeHoldsTheKeyTableAsItIs) {

@@ -1,0 +1,100 @@
+#include "app/servo/black_box.h"
+
+#include "app/decode/files.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int files_kept = 8;
+constexpr std::size_t maps_kept = 64;
+
+std::string variable(const char* name) {
+    // Nothing in the program changes its environment.
+    const char* const value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
+    return value == nullptr ? std::string() : value;
+}
+
+/// The first that is free, else the oldest.
+fs::path next_file(const fs::path& folder) {
+    fs::path oldest;
+    fs::file_time_type oldest_time;
+    for (int i = 1; i <= files_kept; ++i) {
+        fs::path path = folder / fmt::format("recording-{}.touchline", i);
+        std::error_code error;
+        const auto time = fs::last_write_time(path, error);
+        if (error) return path;
+        if (oldest.empty() || time < oldest_time) {
+            oldest = path;
+            oldest_time = time;
+        }
+    }
+    return oldest;
+}
+
+Result<std::string> write(const Recorder& recorder, const std::string& folder,
+                          const std::string& profile, const std::vector<RecordedMap>& maps) {
+    if (folder.empty()) {
+        return failure("a recording was not kept: there is no home; set TOUCHLINE_RECORDINGS");
+    }
+    std::error_code error;
+    fs::create_directories(folder, error);
+    const std::string path = next_file(folder);
+    return write_whole_file(path, encode(make_recording(recorder, profile, maps))).map([&path] {
+        return path;
+    });
+}
+
+}  // namespace
+
+std::string recordings_folder() {
+    if (std::string chosen = variable("TOUCHLINE_RECORDINGS"); !chosen.empty()) return chosen;
+    if (const std::string state = variable("XDG_STATE_HOME"); !state.empty()) {
+        return state + "/touchline";
+    }
+    const std::string home = variable("HOME");
+    return home.empty() ? home : home + "/.local/state/touchline";
+}
+
+BlackBox::BlackBox(std::string folder, std::string profile,
+                   std::function<void(const std::string&)> tell)
+    : folder_(std::move(folder)), profile_(std::move(profile)), tell_(std::move(tell)) {}
+
+void BlackBox::remember(const RecordedMap& map) {
+    if (maps_.size() == maps_kept) maps_.erase(maps_.begin());
+    maps_.push_back(map);
+}
+
+void BlackBox::update(Recorder& recorder, Fault fault) {
+    const bool is_new = fault != Fault::none && fault != last_fault_;
+    last_fault_ = fault;
+    if (is_new) is_wanted_ = true;
+    if (writing_.valid()) {
+        finish(recorder);
+    } else if (is_wanted_ && recorder.is_held()) {
+        is_wanted_ = false;
+        writing_ = std::async(std::launch::async, [this, &recorder, maps = maps_] {
+            return write(recorder, folder_, profile_, maps);
+        });
+    } else if (is_wanted_) {
+        recorder.hold();
+    }
+}
+
+void BlackBox::finish(Recorder& recorder) {
+    if (writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    const auto written = writing_.get();
+    recorder.release();
+    tell_(written ? "a recording was kept: " + *written : written.error().line);
+}
+
+}  // namespace touchline

@@ -1,0 +1,89 @@
+#include "app/session/fault_words.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace touchline {
+namespace {
+
+// In the order of the faults.
+constexpr std::array<FaultWords, fault_count> faults{{
+    {},
+    {"The force is off.", "The device does not answer.",
+     "Check its cable; force comes back by itself."},
+    {"The force is off.", "The device answers too late.",
+     "Wait a moment; force comes back by itself."},
+    {"The force is off.", "The handle moved too fast.",
+     "Hold it still; force comes back by itself."},
+    {"The force is off.", "The device pushed more than it may.",
+     "Hold the handle and press Space twice."},
+    {"The force is off.", "The handle kept shaking.",
+     "Hold it firmly, choose softer outlines and press Space twice."},
+    {"The force is off.", "Nobody seems to hold the handle; the knob may have come off.",
+     "Put the knob on, hold it and press C."},
+    {"The force is off.", "The handle's position jumped.",
+     "Have the arms and the cable checked, then press C."},
+    {"The force is off.", "The device or the program gave a number that is none.",
+     "Tell the operator; press C to go on."},
+    {"The force is off.", "The emergency stop was pressed.",
+     "Release it and have the device started anew."},
+}};
+
+}  // namespace
+
+FaultWords words_of(Fault fault) {
+    return faults[static_cast<std::size_t>(fault)];
+}
+
+std::string announcement_of(Fault fault) {
+    if (fault == Fault::none) return {};
+    const FaultWords words = words_of(fault);
+    return fmt::format("{} {} {} Sound goes on without force.", words.what, words.why,
+                       words.what_to_do);
+}
+
+std::string_view words_of(ForceState state) {
+    switch (state) {
+        case ForceState::off:
+            return "off";
+        case ForceState::armed:
+            return "waiting for a free hand";
+        case ForceState::ramp:
+            return "fading";
+        case ForceState::live:
+            return "on";
+        case ForceState::fault:
+            return "stopped";
+    }
+    return "";
+}
+
+std::string_view words_of(Limit limit) {
+    switch (limit) {
+        case Limit::heat:
+            return "less: the motors are warm";
+        case Limit::damped:
+            return "damped: it pushed too much";
+        case Limit::pose:
+            return "less: the arms are nearly straight";
+        case Limit::speed:
+            return "only braking: the hand is fast";
+        case Limit::hand:
+            return "fading: nobody seems to hold the handle";
+        case Limit::late:
+            return "none: the device answers late";
+        case Limit::unreachable:
+            return "none: out of reach";
+        case Limit::none:
+        case Limit::gain:
+        case Limit::slew:
+        case Limit::torque:
+        case Limit::force:
+        case Limit::fault:
+            return "";
+    }
+    return "";
+}
+
+}  // namespace touchline

@@ -1,0 +1,86 @@
+#include "haptics/servo/replay.h"
+
+#include <bit>
+#include <map>
+#include <string>
+
+namespace touchline {
+namespace {
+
+using SceneOf = std::function<Result<std::shared_ptr<const Scene>>(std::uint64_t version)>;
+
+/// Every scene that the ticks name, by version; 0 is none.
+using Scenes = std::map<std::uint64_t, std::shared_ptr<const Scene>>;
+
+Result<Scenes> scenes_of(const Recording& recording, const SceneOf& scene_of) {
+    Scenes scenes{{0, nullptr}};
+    const auto add = [&](std::uint64_t version) -> Result<void> {
+        if (scenes.contains(version)) return {};
+        auto scene = scene_of(version);
+        if (!scene) return tl::unexpected(scene.error());
+        scenes.emplace(version, std::move(*scene));
+        return {};
+    };
+    if (auto added = add(recording.start_version); !added) return tl::unexpected(added.error());
+    for (std::size_t i = recording.start_tick; i < recording.ticks.size(); ++i) {
+        auto added = add(recording.ticks[i].wanted_version);
+        if (!added) return tl::unexpected(added.error());
+    }
+    return scenes;
+}
+
+bool is_same(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+template <class Quantity>
+bool is_same(Vec2<Quantity> a, Vec2<Quantity> b) {
+    return is_same(a.x, b.x) && is_same(a.y, b.y);
+}
+
+/// What came out, bit for bit.
+bool came_out_same(const TickRecord& a, const TickRecord& b) {
+    return is_same(a.time_s, b.time_s) && is_same(a.p_WH, b.p_WH) && is_same(a.p_WP, b.p_WP) &&
+           is_same(a.force, b.force) && is_same(a.torques, b.torques) &&
+           is_same(a.level, b.level) && is_same(a.stiffness_N_per_m, b.stiffness_N_per_m) &&
+           is_same(a.spring_gain, b.spring_gain) && a.state == b.state && a.outline == b.outline &&
+           a.map_version == b.map_version && a.force_state == b.force_state && a.fault == b.fault &&
+           a.limit == b.limit;
+}
+
+}  // namespace
+
+Result<Replay> run_again(const Recording& recording, const SceneOf& scene_of) {
+    if (recording.start.empty()) {
+        return failure(
+            "the recording cannot be run again: a visitor's picture was felt, of which only "
+            "inputs, "
+            "outputs and a number are kept");
+    }
+    const auto profile = find_profile(recording.profile);
+    if (!profile) return tl::unexpected(profile.error());
+    const auto scenes = scenes_of(recording, scene_of);
+    if (!scenes) return tl::unexpected(scenes.error());
+    auto step = ServoStep::from_memory(recording.start, scenes->at(recording.start_version).get(),
+                                       *profile);
+    if (!step) {
+        return failure("the recording cannot be run again: another build of touchline wrote it");
+    }
+    Replay replay;
+    replay.first = recording.start_tick;
+    for (std::size_t i = recording.start_tick; i < recording.ticks.size(); ++i) {
+        const TickRecord& told = recording.ticks[i];
+        StepInput input = told.input;
+        input.scene = scenes->at(told.wanted_version).get();
+        if (told.is_fading_out) step->fade_out();
+        const JointTorques torques = step->step(input);
+        replay.ticks.push_back(record_of(input, *step, torques, told.is_refused));
+        if (told.is_refused) step->lose_device();
+        if (!replay.differs_at && !came_out_same(replay.ticks.back(), told)) {
+            replay.differs_at = i;
+        }
+    }
+    return replay;
+}
+
+}  // namespace touchline

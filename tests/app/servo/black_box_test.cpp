@@ -1,0 +1,97 @@
+#include "app/servo/black_box.h"
+
+#include "app/decode/files.h"
+#include "haptics/servo/servo_loop.h"
+#include "tests/haptics/servo/rigs.h"
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class BlackBoxFiles : public testing::Test {
+  protected:
+    void TearDown() override { fs::remove_all(folder_); }
+
+    void tick() {
+        loop_.tick(1e-3 * now_++, 0);
+        box_.update(recorder_, exchange_.report().force.fault);
+    }
+
+    /// Ticks until another line was told. The writer needs its own time; the limit is far away.
+    void tick_until_told() {
+        const std::size_t before = told_.size();
+        for (int i = 0; i < 20'000'000 && told_.size() == before; ++i) {
+            tick();
+            std::this_thread::yield();
+        }
+        ASSERT_EQ(told_.size(), before + 1);
+    }
+
+    [[nodiscard]] int files() const {
+        int count = 0;
+        for (const auto& entry : fs::directory_iterator(folder_)) count += entry.exists() ? 1 : 0;
+        return count;
+    }
+
+    fs::path folder_ = fs::path(testing::TempDir()) /
+                       testing::UnitTest::GetInstance()->current_test_info()->name() / "kept";
+    std::vector<std::string> told_;
+    BlackBox box_{folder_, "2diy-gen3.1",
+                  [this](const std::string& line) { told_.push_back(line); }};
+    PlacedDevice device_{{0.0, 0.01}};
+    ServoExchange exchange_;
+    Recorder recorder_{2000};
+    ServoLoop loop_{device_, default_profile(), 1e-3, exchange_, recorder_};
+    int now_ = 0;
+};
+
+TEST_F(BlackBoxFiles, AFaultLeavesAFileAndTheNextOneAnother) {
+    for (int i = 0; i < 500; ++i) tick();
+    EXPECT_FALSE(fs::exists(folder_));
+    device_.angles.reset();
+    tick_until_told();
+    EXPECT_EQ(files(), 1);
+    const auto recording = decode(read_file(folder_ / "recording-1.touchline").value());
+    ASSERT_TRUE(recording.has_value()) << recording.error().line;
+    EXPECT_EQ(recording->ticks.back().fault, Fault::device_lost);
+    EXPECT_GT(recording->ticks.size(), 500U);
+    EXPECT_FALSE(recording->start.empty());
+    for (int i = 0; i < 500; ++i) tick();
+    EXPECT_EQ(told_.size(), 1U);  // the same fault still
+    device_.angles = angles_at(default_profile(), {0.0, 0.01});
+    for (int i = 0; i < 500; ++i) tick();
+    device_.angles.reset();
+    tick_until_told();
+    EXPECT_EQ(files(), 2);
+}
+
+TEST_F(BlackBoxFiles, OnDemandEightAreKept) {
+    for (int i = 0; i < 10; ++i) {
+        tick();
+        box_.keep();
+        tick_until_told();
+    }
+    EXPECT_EQ(files(), 8);
+}
+
+TEST_F(BlackBoxFiles, WhatCannotBeWrittenIsOneLineAndTheServoGoesOn) {
+    box_ = BlackBox("/dev/null/none", "2diy-gen3.1",
+                    [this](const std::string& line) { told_.push_back(line); });
+    box_.keep();
+    tick_until_told();
+    EXPECT_EQ(told_[0].find('\n'), std::string::npos);
+    EXPECT_EQ(exchange_.report().force.fault, Fault::none);
+    fs::create_directories(folder_);
+}
+
+}  // namespace
+}  // namespace touchline

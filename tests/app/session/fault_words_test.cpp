@@ -1,0 +1,36 @@
+#include "app/session/fault_words.h"
+
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+TEST(FaultWords, EveryFaultSaysWhatWhyAndWhatToDo) {
+    std::set<std::string_view> reasons;
+    for (std::size_t i = 1; i < fault_count; ++i) {
+        const auto fault = static_cast<Fault>(i);
+        const FaultWords words = words_of(fault);
+        for (const std::string_view sentence : {words.what, words.why, words.what_to_do}) {
+            ASSERT_FALSE(sentence.empty()) << i;
+            EXPECT_EQ(sentence.back(), '.') << sentence;
+        }
+        reasons.insert(words.why);
+        EXPECT_NE(announcement_of(fault).find("Sound goes on without force."), std::string::npos);
+    }
+    EXPECT_EQ(reasons.size(), fault_count - 1);
+    EXPECT_EQ(announcement_of(Fault::none), "");
+}
+
+TEST(FaultWords, EveryStateHasItsOwn) {
+    std::set<std::string_view> words;
+    for (std::size_t i = 0; i < force_state_count; ++i)
+        words.insert(words_of(static_cast<ForceState>(i)));
+    EXPECT_EQ(words.size(), force_state_count);
+    EXPECT_FALSE(words.contains(""));
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,177 @@
+// The black box: written, read, run again; and whatever else may be found in its file.
+
+#include "haptics/servo/recording.h"
+
+#include "haptics/device/simulated_pantograph.h"
+#include "haptics/servo/replay.h"
+#include "haptics/servo/servo_loop.h"
+#include "tests/haptics/servo/rigs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr double tick_s = 1e-3;
+
+/// A hand that explores two pictures in turn, with everything that may be set being set.
+struct Session {
+    std::map<std::uint64_t, std::shared_ptr<const Scene>> scenes{{1, line_scene(0.0, 1)},
+                                                                 {2, line_scene(0.004, 2)}};
+    Recorder recorder;
+
+    Session(std::size_t capacity, int ticks) : recorder(capacity) {
+        std::vector<WaypointPath::Waypoint> way{{0.0, {0.0, 0.02}}, {0.9, {0.0, 0.02}}};
+        for (int i = 1; i * 0.4 < ticks * tick_s; ++i) {
+            way.push_back({0.9 + 0.4 * i, {0.03 * std::sin(1.1 * i), 0.01 * std::cos(2.3 * i)}});
+        }
+        SimulatedPantograph device(default_profile(), {}, std::make_shared<WaypointPath>(way));
+        ServoExchange exchange;
+        ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
+        ServoCommands commands;
+        for (int k = 0; k < ticks; ++k) {
+            if (k % 3000 == 0) exchange.feel(scenes.at(k / 3000 % 2 == 0 ? 1 : 2));
+            commands.mode = static_cast<Mode>(k / 1700 % 4);
+            commands.stiffness_N_per_m = k / 2500 % 2 == 0 ? 500.0 : 350.0;
+            commands.is_level_auto = k / 4000 % 2 == 0;
+            commands.is_force_wanted = k % 10'000 < 9'500;
+            exchange.set(commands);
+            loop.tick(k * tick_s, static_cast<std::uint64_t>(k / 1000));
+        }
+    }
+
+    [[nodiscard]] Recording recording(bool is_second_of_gallery = true) const {
+        return make_recording(
+            recorder, "2diy-gen3.1",
+            {{1, "01.svg", 3, 11}, {2, is_second_of_gallery ? "02.svg" : "", 3, 22}});
+    }
+
+    /// Built again, as another program would.
+    [[nodiscard]] static Result<std::shared_ptr<const Scene>> built_again(std::uint64_t version) {
+        return line_scene(version == 1 ? 0.0 : 0.004, version);
+    }
+};
+
+TEST(Recording, RunAgainGivesTheSameBits) {
+    const Session session(12'000, 31'000);  // the beginning is overwritten
+    const auto bytes = encode(session.recording());
+    const auto recording = decode(bytes);
+    ASSERT_TRUE(recording.has_value()) << recording.error().line;
+    ASSERT_EQ(recording->ticks.size(), 12'000U);
+    const auto replay = run_again(*recording, Session::built_again);
+    ASSERT_TRUE(replay.has_value()) << replay.error().line;
+    EXPECT_FALSE(replay->differs_at.has_value());
+    EXPECT_EQ(replay->ticks.size(), 12'000U - replay->first);
+    EXPECT_GT(replay->ticks.size(), 7'000U);
+    double most_N = 0.0;
+    for (const TickRecord& tick : replay->ticks) most_N = std::max(most_N, norm(tick.force));
+    EXPECT_GT(most_N, 0.3);
+}
+
+TEST(Recording, ASingleBitThatWasDifferentIsFound) {
+    const Session session(6'000, 6'000);
+    Recording recording = session.recording();
+    recording.ticks[4321].force.x += 1e-15;
+    EXPECT_EQ(run_again(recording, Session::built_again)->differs_at, 4321U);
+    recording = session.recording();
+    recording.ticks[1234].input.angles->x += 0.01;
+    EXPECT_EQ(run_again(recording, Session::built_again)->differs_at, 1234U);
+}
+
+TEST(Recording, OfAVisitorsPictureThereIsNothingToRunAgain) {
+    const Session session(6'000, 7'000);
+    const Recording recording = session.recording(false);
+    EXPECT_TRUE(recording.start.empty());
+    EXPECT_EQ(recording.ticks.size(), 6'000U);
+    EXPECT_FALSE(run_again(recording, Session::built_again).has_value());
+}
+
+TEST(Recording, AStartThatDoesNotFitIsRefused) {
+    const Session session(6'000, 6'000);
+    Recording recording = session.recording();
+    recording.start.pop_back();
+    EXPECT_FALSE(run_again(recording, Session::built_again).has_value());
+    recording = session.recording();
+    const auto unknown = [](std::uint64_t) -> Result<std::shared_ptr<const Scene>> {
+        return failure("gone");
+    };
+    EXPECT_EQ(run_again(recording, unknown).error().line, "gone");
+    recording.profile = "none such";
+    EXPECT_FALSE(run_again(recording, Session::built_again).has_value());
+}
+
+TEST(Recording, TheHashIsOfWhatCanBeFelt) {
+    TactileMap map;
+    map.outlines.push_back({{{0.0, 0.0}, {0.01, 0.0}}, false, "a", "b"});
+    const std::uint64_t hash = hash_of(map);
+    map.title = "other";
+    EXPECT_EQ(hash_of(map), hash);
+    map.outlines[0].points[1].x = std::nextafter(0.01, 1.0);
+    EXPECT_NE(hash_of(map), hash);
+}
+
+TEST(Recording, NothingButAWholeFileIsRead) {
+    const Session session(50, 50);
+    const auto bytes = encode(session.recording());
+    ASSERT_TRUE(decode(bytes).has_value());
+    for (std::size_t size = 0; size < bytes.size(); size += size < 600 ? 1 : 97) {
+        const auto cut = decode(std::span(bytes).first(size));
+        ASSERT_FALSE(cut.has_value()) << size;
+        ASSERT_EQ(cut.error().line.find('\n'), std::string::npos);
+    }
+    std::mt19937 random(7);
+    for (int i = 0; i < 2000; ++i) {
+        auto damaged = bytes;
+        damaged[random() % damaged.size()] ^= static_cast<std::byte>(1U << random() % 8U);
+        ASSERT_FALSE(decode(damaged).has_value());
+    }
+}
+
+/// The same bytes with a checksum that is right again.
+std::vector<std::byte> signed_anew(std::vector<std::byte> bytes) {
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    for (std::size_t i = 0; i + 8 < bytes.size(); ++i) {
+        hash = (hash ^ std::to_integer<std::uint64_t>(bytes[i])) * 0x100000001b3U;
+    }
+    std::memcpy(bytes.data() + bytes.size() - 8, &hash, 8);
+    return bytes;
+}
+
+/// Everything but the start, which is believed.
+TEST(Recording, DamageThatTheChecksumDoesNotShowIsReadOrRefusedAndRunsWithoutHarm) {
+    const Session session(1500, 6400);
+    const Recording recording = session.recording();
+    ASSERT_FALSE(recording.start.empty());
+    std::mt19937 random(7);
+    int run = 0;
+    for (int i = 0; i < 300; ++i) {
+        Recording strange = recording;
+        strange.start.clear();
+        auto bytes = encode(strange);
+        for (int k = 0; k < 20; ++k)
+            bytes[100 + random() % (bytes.size() - 100)] = static_cast<std::byte>(random());
+        auto decoded = decode(signed_anew(std::move(bytes)));
+        if (!decoded) continue;
+        decoded->start = recording.start;
+        decoded->start_tick = recording.start_tick;
+        decoded->start_version = recording.start_version;
+        if (run_again(*decoded, Session::built_again)) ++run;
+    }
+    EXPECT_GT(run, 100);
+    Recording zeroed = recording;
+    std::fill(zeroed.start.begin(), zeroed.start.end(), std::byte{0});
+    EXPECT_FALSE(run_again(zeroed, Session::built_again).has_value());
+}
+
+}  // namespace
+}  // namespace touchline
