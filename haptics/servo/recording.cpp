@@ -18,7 +18,7 @@ constexpr std::size_t longest_text = 255;
 constexpr std::uint64_t most_maps = 10'000;
 constexpr std::uint64_t most_start_bytes = 1 << 20;
 
-/// FNV-1a: against damage, not against malice.
+/// FNV-1a.
 class Hash {
   public:
     void add(std::span<const std::byte> bytes) {
@@ -64,9 +64,7 @@ class Writer {
     }
 
     std::vector<std::byte> finish() {
-        Hash hash;
-        hash.add(bytes_);
-        number(hash.value());
+        number(checksum_of(bytes_));
         return std::move(bytes_);
     }
 
@@ -246,6 +244,12 @@ std::uint64_t hash_of(const TactileMap& map) {
     return hash.value();
 }
 
+std::uint64_t checksum_of(std::span<const std::byte> bytes) {
+    Hash hash;
+    hash.add(bytes);
+    return hash.value();
+}
+
 Recording make_recording(const Recorder& recorder, std::string profile,
                          const std::vector<RecordedMap>& maps) {
     Recording recording;
@@ -286,11 +290,10 @@ Result<Recording> decode(std::span<const std::byte> bytes) {
     std::uint32_t told_layout = 0;
     file.number(told_layout);
     if (told_layout != layout) return refused("it was written by another version of touchline");
-    Hash hash;
-    hash.add(bytes.first(bytes.size() - sizeof(std::uint64_t)));
-    std::uint64_t told_hash = 0;
-    std::memcpy(&told_hash, bytes.last(sizeof(told_hash)).data(), sizeof(told_hash));
-    if (told_hash != hash.value()) return refused("it is damaged or cut short");
+    std::uint64_t told = 0;
+    std::memcpy(&told, bytes.last(sizeof(told)).data(), sizeof(told));
+    if (told != checksum_of(bytes.first(bytes.size() - sizeof(told))))
+        return refused("it is damaged or cut short");
 
     Recording recording;
     std::uint64_t count = 0;

@@ -46,6 +46,9 @@ struct Recording {
 /// O(size).
 [[nodiscard]] std::vector<std::byte> encode(const Recording& recording);
 
+/// What a recording's last eight bytes are, of those before them: against damage, not malice.
+[[nodiscard]] std::uint64_t checksum_of(std::span<const std::byte> bytes);
+
 /// Any bytes may come in: a file that is cut, damaged, of another version or not a recording is one
 /// clear line. Numbers may be anything, enumerations and sizes are checked. What cannot be checked
 /// is the start: run only a recording again that comes from a machine of yours. O(size).

@@ -139,10 +139,7 @@ TEST(Recording, NothingButAWholeFileIsRead) {
 
 /// The same bytes with a checksum that is right again.
 std::vector<std::byte> signed_anew(std::vector<std::byte> bytes) {
-    std::uint64_t hash = 0xcbf29ce484222325U;
-    for (std::size_t i = 0; i + 8 < bytes.size(); ++i) {
-        hash = (hash ^ std::to_integer<std::uint64_t>(bytes[i])) * 0x100000001b3U;
-    }
+    const std::uint64_t hash = checksum_of(std::span(bytes).first(bytes.size() - 8));
     std::memcpy(bytes.data() + bytes.size() - 8, &hash, 8);
     return bytes;
 }
