@@ -4,11 +4,10 @@
 #include "app/device/device_words.h"
 #include "app/device/procedures.h"
 #include "haptics/device/usb_boards.h"
+#include "haptics/device/usb_pantograph.h"
 
-#include <algorithm>
 #include <atomic>
 #include <csignal>
-#include <memory>
 #include <optional>
 #include <ostream>
 #include <utility>
@@ -32,38 +31,31 @@ void catch_signals() {
     std::signal(SIGHUP, want_stop);
 }
 
-/// One board, how its unit is set, and the USB that it hangs on.
-struct OpenedUnit {
+/// One board that was told nothing yet, and the USB that it hangs on, which outlives it.
+struct TakenUnit {
     UsbBoards usb;
-    UnitSettings settings;
-    DeviceProfile profile;
-    std::unique_ptr<BoardLink> link;
+    UsbPantograph board;
+    std::optional<UnitSettings> kept;
+    std::string profile;  // name
 };
 
-Result<std::string> serial_of(const UsbBoards& usb, const BoardSettings& known,
-                              const std::string& wanted) {
-    if (!wanted.empty()) return wanted;
-    for (const FoundBoard& board : usb.list(known.boards))
-        if (board.id.condition == BoardCondition::running && board.id.may_probe)
-            return board.serial;
-    return wanted;
-}
-
-Result<OpenedUnit> open_unit(const DeviceCommandOptions& options) {
-    const auto known = read_board_files(board_files());
-    if (!known) return tl::unexpected(known.error());
+Result<TakenUnit> take(const DeviceCommandOptions& options) {
+    const auto settings = read_board_files(board_files());
+    if (!settings) return tl::unexpected(settings.error());
     auto usb = UsbBoards::create();
     if (!usb) return tl::unexpected(usb.error());
-    const auto serial = serial_of(*usb, *known, options.serial);
-    auto link = usb->open(known->boards, *serial);
-    if (!link) return tl::unexpected(link.error());
-    const UnitSettings* kept = find_unit(*known, *serial);
-    UnitSettings unit = kept != nullptr ? *kept : UnitSettings{*serial, "", {}};
-    if (!options.profile.empty()) unit.profile = options.profile;
-    if (unit.profile.empty()) unit.profile = default_profile().name;
-    auto profile = find_profile(unit.profile);
-    if (!profile) return tl::unexpected(profile.error());
-    return OpenedUnit{std::move(*usb), std::move(unit), *profile, std::move(*link)};
+    const std::string profile =
+        options.profile.empty() ? std::string(default_profile().name) : options.profile;
+    auto board = take_pantograph(*usb, *settings, options.serial, profile);
+    if (!board) return tl::unexpected(board.error());
+    const UnitSettings* kept = find_unit(*settings, board->found.serial);
+    return TakenUnit{std::move(*usb), std::move(*board),
+                     kept != nullptr ? std::optional(*kept) : std::nullopt,
+                     kept != nullptr ? kept->profile : profile};
+}
+
+std::string plugs(const Calibration& calibration) {
+    return calibration.are_motors_swapped ? "motor plugs swapped" : "motor plugs as usual";
 }
 
 Result<void> list(std::ostream& out) {
@@ -82,9 +74,9 @@ Result<void> list(std::ostream& out) {
 }
 
 /// Asks a thousand times and tells how the answers came.
-Result<void> probe(OpenedUnit& unit, std::ostream& out) {
+Result<void> probe(TakenUnit& unit, std::ostream& out) {
     constexpr int asked = 1000;
-    PantographBoard board(std::move(unit.link), unit.profile, unit.settings.calibration);
+    PantographBoard& board = *unit.board.driver;
     if (auto opened = board.open(); !opened) return opened;
     MonotonicClock clock;
     TickSchedule schedule(clock.now_ns(), 1'000'000);
@@ -96,51 +88,49 @@ Result<void> probe(OpenedUnit& unit, std::ostream& out) {
     }
     const BoardReport report = board.report();
     out << fmt::format(
-        "Board {} answers: {} of {} asked in time, {} late, {} lost, {} wrong.\n"
-        "Unit: profile {}, {}.\n",
-        unit.settings.serial, report.replies, asked, report.late, report.lost_replies,
-        report.wrong_packets + report.unconfigured, unit.settings.profile,
-        unit.settings.calibration.are_motors_swapped ? "motor plugs swapped"
-                                                     : "motor plugs as usual");
+        "Board {}: {} answers to {} questions, {} ticks went on without a new one, "
+        "{} answers lost, {} wrong.\nUnit: profile {}, {}.\n",
+        unit.board.found.serial, report.replies, asked, report.late, report.lost_replies,
+        report.wrong_packets + report.unconfigured, unit.profile,
+        plugs(board.frame().calibration()));
     if (report.state != BoardState::lost) return {};
     return failure("the board was unplugged or gave up; plug it in and try again");
 }
 
-Result<void> home_unit(OpenedUnit& unit, std::ostream& out) {
-    const BoardFiles files = board_files();
-    const auto known = read_board_files(files);
-    const bool is_known = known && find_unit(*known, unit.settings.serial) != nullptr;
-    PantographBoard board(std::move(unit.link), unit.profile, unit.settings.calibration);
+Procedure procedure(PantographBoard& board, Clock& clock, std::ostream& out) {
+    return {board, clock, is_stop_wanted,
+            [&out](const std::string& line) { out << line << std::endl; }};
+}
+
+Result<void> home_unit(TakenUnit& unit, std::ostream& out) {
+    PantographBoard& board = *unit.board.driver;
     if (auto opened = board.open(); !opened) return opened;
     MonotonicClock clock;
-    const Procedure procedure{board, clock, is_stop_wanted,
-                              [&out](const std::string& line) { out << line << std::endl; }};
-    const auto found = home(procedure, is_known ? std::optional(unit.settings.calibration)
-                                                : std::optional<Calibration>());
+    const auto stored = unit.kept ? std::optional(unit.kept->calibration) : std::nullopt;
+    const auto found = home(procedure(board, clock, out), stored);
     if (!found) return tl::unexpected(found.error());
-    unit.settings.calibration = *found;
-    unit.settings.calibration.offset = {};  // holds only until the board is set up again
-    if (auto kept = keep_unit(files, unit.settings); !kept) return kept;
+    UnitSettings settings{unit.board.found.serial, unit.profile, *found};
+    settings.calibration.offset = {};  // holds only until the board is set up again
+    const BoardFiles files = board_files();
+    if (auto kept = keep_unit(files, settings); !kept) return kept;
     out << fmt::format("Scale {:.3f} and {:.3f}, {}; kept in {}.\n", found->scale.x, found->scale.y,
-                       found->are_motors_swapped ? "motor plugs swapped" : "motor plugs as usual",
-                       files.units.string());
+                       plugs(*found), files.units.string());
     return {};
 }
 
-Result<void> nudge_unit(OpenedUnit& unit, std::ostream& out) {
-    PantographBoard board(std::move(unit.link), unit.profile, unit.settings.calibration);
+Result<void> nudge_unit(TakenUnit& unit, std::ostream& out) {
+    PantographBoard& board = *unit.board.driver;
     if (auto opened = board.open(); !opened) return opened;
     MonotonicClock clock;
-    const auto verdict = nudge({board, clock, is_stop_wanted,
-                                [&out](const std::string& line) { out << line << std::endl; }});
+    const auto verdict = nudge(procedure(board, clock, out));
     if (!verdict) return tl::unexpected(verdict.error());
     if (*verdict != NudgeVerdict::works) return failure(words_of(*verdict));
     out << words_of(*verdict) << '\n';
     return {};
 }
 
-Result<void> stop(OpenedUnit& unit, std::ostream& out) {
-    if (!zero_torque(std::move(unit.link))) {
+Result<void> stop(TakenUnit& unit, std::ostream& out) {
+    if (!unit.board.driver->stop()) {
         return failure(
             "the board did not confirm that its motors are off: cut the power of the motors");
     }
@@ -153,7 +143,7 @@ Result<void> stop(OpenedUnit& unit, std::ostream& out) {
 Result<void> run_device(const DeviceCommandOptions& options, std::ostream& out) {
     if (options.action == DeviceAction::list) return list(out);
     catch_signals();
-    auto unit = open_unit(options);
+    auto unit = take(options);
     if (!unit) return tl::unexpected(unit.error());
     switch (options.action) {
         case DeviceAction::probe:

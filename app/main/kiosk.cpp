@@ -8,6 +8,8 @@
 #include "app/screen/window.h"
 #include "app/session/session.h"
 #include "app/session/status.h"
+#include "haptics/servo/loop_settings.h"
+#include "haptics/servo/servo.h"
 
 #include <algorithm>
 #include <atomic>
@@ -66,7 +68,8 @@ class Kiosk {
     Result<void> run() {
         auto opened = open();
         if (!opened) return opened;
-        carry_out(start_session(static_cast<int>(files_.size())));
+        const LoopSettings loop = loop_settings(default_profile(), ServoOptions{}.period_s, 0.0);
+        carry_out(start_session(static_cast<int>(files_.size()), loop.stiffness_N_per_m));
         run_frames();
         if (arguments_.measure_s && !is_end_asked) measure_without_window();
         servo_.client->stop();

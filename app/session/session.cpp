@@ -73,8 +73,9 @@ Step toggle(Session session, bool Session::*flag) {
 
 }  // namespace
 
-Step start_session(int picture_count) {
+Step start_session(int picture_count, double loop_N_per_m) {
     Session session;
+    session.stiffness = first_stiffness(loop_N_per_m);
     session.picture_count = picture_count;
     Step step = load(std::move(session), 0, Session{}.detail);
     step.commands.feel = true;

@@ -5,7 +5,9 @@
 #include "app/session/keys.h"
 #include "config/types/hand_state.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -22,6 +24,21 @@ struct StiffnessStep {
 inline constexpr std::array stiffness_steps{
     StiffnessStep{200.0, "very soft"}, StiffnessStep{350.0, "soft"}, StiffnessStep{500.0, "medium"},
     StiffnessStep{700.0, "firm"}};
+
+/// At this stiffness a groove of the ordinary capture width, 3 mm, holds by 0.5 N at most; more
+/// would lead the hand rather than tell it of the line.
+inline constexpr double groove_N_per_m = 580.0;
+
+/// Where the operator has not chosen: the firmest step that suits the loop (loop_settings.h) and a
+/// groove, at least the softest.
+[[nodiscard]] constexpr std::size_t first_stiffness(double loop_N_per_m) {
+    std::size_t step = 0;
+    while (step + 1 < stiffness_steps.size() &&
+           stiffness_steps[step + 1].stiffness_N_per_m <= std::min(loop_N_per_m, groove_N_per_m)) {
+        ++step;
+    }
+    return step;
+}
 
 /// Radius of the proxy: 1.4 F / K at 0.7 N and 700 N/m, so that the force stays continuous around
 /// corners at every step of stiffness in ordinary exploration.
@@ -53,8 +70,8 @@ struct Session {
     std::string message;  // one line; empty: nothing to say
 
     bool is_level_automatic = true;
-    int fixed_level = 0;        // 0 ... shown.coarsest_level
-    std::size_t stiffness = 2;  // in stiffness_steps
+    int fixed_level = 0;                                      // 0 ... shown.coarsest_level
+    std::size_t stiffness = first_stiffness(groove_N_per_m);  // in stiffness_steps
     Mode mode = Mode::groove;
     bool is_pop_through = false;  // a wall gives way to a push that is meant
     bool is_force_wanted = true;
@@ -76,8 +93,9 @@ struct Step {
     Commands commands;
 };
 
-/// Asks for the first picture of the list. `picture_count` >= 0.
-[[nodiscard]] Step start_session(int picture_count);
+/// Asks for the first picture of the list. `picture_count` >= 0; `loop_N_per_m`: the stiffness that
+/// the loop suggests to start with.
+[[nodiscard]] Step start_session(int picture_count, double loop_N_per_m = groove_N_per_m);
 
 /// A key went down while the hand felt `felt_level`: a level that becomes fixed stays where it was.
 [[nodiscard]] Step press_key(const Session& session, Key key, double felt_level);

@@ -11,9 +11,7 @@ constexpr double low_Hz = 20.0;
 constexpr double high_Hz = 300.0;
 constexpr double ringing_s = 0.1;  // looked at
 constexpr double most_swings = 3.0;
-constexpr double few_swings = 0.5;  // those before are over
-constexpr double lasting = 0.8;     // of a swing, what is left of it a period later
-constexpr double forget_s = 1.0;    // of the energy
+constexpr double forget_s = 1.0;  // of the energy
 constexpr double cut_s = 0.02;
 constexpr double apart_s = 0.1;
 constexpr double least_gain = 0.125;
@@ -31,7 +29,6 @@ void StabilityMonitor::begin_anew() {
     slow_ = fast_ = rest_ = {};
     swing_ = {};
     swings_ = recent_J_ = generated_J_ = 0.0;
-    peak_N_ = peak_1_ago_N_ = peak_2_ago_N_ = 0.0;
 }
 
 double StabilityMonitor::step(const Tick& tick, double dt_s) {
@@ -72,18 +69,8 @@ void StabilityMonitor::count_swings(Force ripple, double dt_s) {
     swings_ *= std::exp(-dt_s / ringing_s);
     const bool is_large = norm(ripple) > std::numbers::sqrt2 * limits_.ripple_N;
     if (!is_large) return;
-    if (dot(ripple, swing_) < 0.0) end_swing();
-    peak_N_ = std::max(peak_N_, norm(ripple));
+    if (dot(ripple, swing_) < 0.0) swings_ += 1.0;
     swing_ = ripple;
-}
-
-/// One that is smaller than the last to its side belongs to a ring that dies down by itself.
-void StabilityMonitor::end_swing() {
-    if (swings_ < few_swings) peak_2_ago_N_ = peak_1_ago_N_ = 0.0;
-    if (peak_N_ >= lasting * peak_2_ago_N_) swings_ += 1.0;
-    peak_2_ago_N_ = peak_1_ago_N_;
-    peak_1_ago_N_ = peak_N_;
-    peak_N_ = 0.0;
 }
 
 Ringing StabilityMonitor::found() const {

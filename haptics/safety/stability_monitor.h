@@ -10,7 +10,7 @@ namespace touchline {
 
 struct MonitorLimits {
     double ripple_N = 0.1;   // rms of a force that swings to and fro at 20 to 300 Hz, three times
-                             // in 0.1 s without dying down, while the loop gives ...
+                             // in 0.1 s, while the loop gives ...
     double ripple_W = 2e-4;  // ... more than this to the hand: texture that is scanned takes
     double energy_J = 0.05;  // given to the hand beyond what the spring held, forgotten in 1 s
 };
@@ -44,7 +44,6 @@ class StabilityMonitor {
   private:
     void begin_anew();
     void count_swings(Force ripple, double dt_s);
-    void end_swing();
     [[nodiscard]] Ringing found() const;
     void cut(Ringing cause);
 
@@ -52,14 +51,11 @@ class StabilityMonitor {
     Force force_;  // of the tick before
     double stored_J_ = 0.0;
     bool has_before_ = false;
-    Force slow_;           // force below 20 Hz
-    Force fast_;           // force below 300 Hz
-    Force rest_;           // of that beyond slow_, what is below 20 Hz still
-    Force swing_;          // the last swing of the ripple that was large enough
-    double swings_ = 0.0;  // to and fro, forgotten in 0.1 s
-    double peak_N_ = 0.0;  // of the swing under way, of the one before, of that before it
-    double peak_1_ago_N_ = 0.0;
-    double peak_2_ago_N_ = 0.0;
+    Force slow_;             // force below 20 Hz
+    Force fast_;             // force below 300 Hz
+    Force rest_;             // of that beyond slow_, what is below 20 Hz still
+    Force swing_;            // the last swing of the ripple that was large enough
+    double swings_ = 0.0;    // to and fro, forgotten in 0.1 s
     double recent_J_ = 0.0;  // given to the hand, forgotten in 0.1 s
     double generated_J_ = 0.0;
     double since_cut_s_ = 1.0;

@@ -7,8 +7,6 @@ namespace {
 
 constexpr double light_hand_Ns_per_m = 1.0;
 constexpr double finest_wall_N_per_m = 1500.0;
-constexpr double typical_force_N = 0.7;
-constexpr double rounding = 1.4;        // radius over depth (facts G2)
 constexpr double fast_loop_s = 5.5e-4;  // 2 kHz with what it may be late
 
 }  // namespace
@@ -26,7 +24,6 @@ LoopSettings loop_settings(const DeviceProfile& profile, double period_s, double
     settings.largest_stiffness_N_per_m =
         std::max(settings.stiffness_N_per_m,
                  std::min({damped_N_per_m, encoder_N_per_m, finest_wall_N_per_m}));
-    settings.radius_m = rounding * typical_force_N / settings.stiffness_N_per_m;
     return settings;
 }
 

@@ -10,7 +10,6 @@ struct LoopSettings {
     double stiffness_N_per_m = 0.0;          // to start with
     double largest_stiffness_N_per_m = 0.0;  // stable for every hand, also none
     double damping_Ns_per_m = 0.0;           // virtual, see virtual_damping.h
-    double radius_m = 0.0;                   // of the proxy: continuous round corners at 0.7 N
 };
 
 /// `period_s` > 0 between ticks and `delay_s` >= 0 from reading the angles to the torque's effect,

@@ -35,7 +35,7 @@ ShippedLoop loop_of(const FactorialCase& each) {
     loop.profile = find_profile(each.profile).value();
     loop.period_s = each.period_s;
     loop.delay_s = each.delay_periods * each.period_s;
-    loop.hand = each.hand == "none" ? soft_press : hand_by_name(each.hand);
+    loop.hand = loop_hand(each.hand);
     loop.faults = faults_of(each.fault);
     const LoopSettings settings = loop_settings(loop.profile, loop.period_s, 0.0);
     loop.stiffness_N_per_m =
@@ -73,14 +73,16 @@ Scene wall(bool is_upright) {
 
 }  // namespace
 
+const HandModel& loop_hand(const std::string& name) {
+    return name == "none" ? soft_press : hand_by_name(name);
+}
+
 std::vector<FactorialCase> factorial(const std::vector<double>& delays) {
     std::vector<FactorialCase> cases;
     for (const DeviceProfile& profile : device_profiles()) {
         for (const double period_s : {2e-3, 1e-3, 2.5e-4}) {
             for (const double delay : delays) {
-                for (const char* hand :
-                     {"none", "light", "normal", "relaxed arm", "stiff arm", "light + bad skin",
-                      "normal + bad skin", "arm + bad skin"}) {
+                for (const char* hand : loop_hands) {
                     for (const char* fault :
                          {"none", "scale", "friction", "noise", "late", "all"}) {
                         for (const bool is_stiffest : {false, true}) {
@@ -113,7 +115,7 @@ FactorialResult measure(const FactorialCase& each) {
     result.least_gain = trace.least_gain;
     result.generated_J = trace.generated_J;
     result.bound_J = trace.bound_J;
-    for (const Position proxy : trace.proxy) {
+    for (const Position proxy : trace.place) {
         result.is_through |= (each.is_upright ? proxy.x : proxy.y) < -1e-6;
     }
     return result;

@@ -5,17 +5,31 @@
 
 #include "tests/stability/shipped_loop.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace touchline::stability {
 
+/// Those that a loop must stand.
+inline constexpr std::array loop_hands{"none",
+                                       "light",
+                                       "normal",
+                                       "relaxed arm",
+                                       "stiff arm",
+                                       "light + bad skin",
+                                       "normal + bad skin",
+                                       "arm + bad skin"};
+
+/// One of them, as hand_by_name(), but "none": a soft spring presses and nothing damps.
+[[nodiscard]] const HandModel& loop_hand(const std::string& name);
+
 struct FactorialCase {
     std::string profile;
     double period_s = 1e-3;
     double delay_periods = 0.0;
-    std::string hand;          // of hand_by_name(); "none": a soft spring presses and nothing damps
+    std::string hand;          // of loop_hands
     std::string fault;         // none, scale, friction, noise, late or all
     bool is_stiffest = false;  // the operator asks for more than there is, or for the default
     bool is_upright = false;   // the wall, so that the device is met from two sides

@@ -1,5 +1,5 @@
-// Drives the shipped loop over its full factorial and through the torture geometry; writes
-// loops.csv and scenarios.csv, and settings.csv: what the loop may render at which rate.
+// Drives the shipped loop over its full factorial, and it and others through the torture geometry;
+// writes loops.csv and scenarios.csv, and settings.csv: what the loop may render at which rate.
 #include "haptics/servo/loop_settings.h"
 #include "tests/stability/factorial.h"
 #include "tests/stability/scenario_loops.h"
@@ -57,17 +57,22 @@ int main(int argc, char** argv) {
     const std::string results = argv[1];
     const std::string work = argv[2];  // for what is too long to be kept
     const auto loops = factorial({0.0, 1.0, 2.0});
-    const auto scenarios = scenario_cases();
+    std::vector<ScenarioCase> scenarios;
+    for (std::size_t method = 0; method < loop_methods().size(); ++method) {
+        for (const double asked : {1.0, 2.0}) {
+            const auto cases = scenario_cases(method, asked);
+            scenarios.insert(scenarios.end(), cases.begin(), cases.end());
+        }
+    }
     fmt::print(
         "loops     {:5} runs: the shipped loop by device, period, delay, hand, fault, wall\n",
         loops.size());
-    fmt::print("scenarios {:5} runs: torture geometry through the shipped loop\n",
+    fmt::print("scenarios {:5} runs: torture geometry by the shipped loop and five others\n",
                scenarios.size());
     std::uint64_t hash = hashed("");
-    const bool is_done =
-        write_settings(results + "/settings.csv") &&
-        measure_into(work + "/loops.csv", factorial_columns, loops, hash) &&
-        measure_into(results + "/scenarios.csv", scenario_columns, scenarios, hash);
+    const bool is_done = write_settings(results + "/settings.csv") &&
+                         measure_into(work + "/loops.csv", factorial_columns, loops, hash) &&
+                         measure_into(work + "/scenarios.csv", scenario_columns, scenarios, hash);
     std::ofstream(results + "/loops_hash.txt") << fmt::format("{:016x}\n", hash);
     return is_done ? 0 : 1;
 }

@@ -1,9 +1,9 @@
-// The torture geometry of the stability scenarios felt through the whole shipped loop: device,
-// encoders, delay, hands.
+// The torture geometry of the stability scenarios felt through the whole loop: device, encoders,
+// delay, hands; by the shipped step and by simpler controllers.
 // Threads: pure functions; measure_all() uses all processors.
 #pragma once
 
-#include "tests/bench/contact/torture.h"
+#include "tests/stability/loop_controllers.h"
 
 #include <string>
 #include <string_view>
@@ -11,14 +11,12 @@
 
 namespace touchline::stability {
 
-/// Those of the bench (S02, S06, S08, S10), and flat lines (S01), a convex vertex (S03), a polygon
-/// (S04), doubled edges (S11) and tremor (S14).
-[[nodiscard]] const std::vector<bench::Torture>& loop_scenarios();
-
 struct ScenarioCase {
     std::size_t scenario = 0;  // of loop_scenarios()
-    std::string hand;          // of hand_by_name()
+    std::size_t method = 0;    // of loop_methods()
+    std::string hand;          // of loop_hand()
     double delay_periods = 0.0;
+    double asked = 1.0;  // stiffness, in default ones; the shipped loop bounds it
 };
 
 struct ScenarioResult {
@@ -32,18 +30,24 @@ struct ScenarioResult {
     double bound_J = 0.0;
 };
 
-/// All scenarios, four hands, delays of 0, 1 and 2 periods.
-[[nodiscard]] std::vector<ScenarioCase> scenario_cases();
+/// All scenarios that a method of loop_methods() can be given, eight hands, delays of 0, 1 and 2
+/// periods.
+[[nodiscard]] std::vector<ScenarioCase> scenario_cases(std::size_t method, double asked);
 
-/// The default device at 1 kHz with its default stiffness, a point as proxy, level 0.
+/// At rest, pressed or not, the tip moves by more than two encoder steps and the force by more than
+/// 0.02 N rms.
+[[nodiscard]] bool buzzes(const ScenarioResult& result);
+
+/// The default device with its default stiffness at 1 kHz. A local model's spring runs four times
+/// as often, and its delay is in periods of its own.
 [[nodiscard]] ScenarioResult measure(const ScenarioCase& each);
 
 [[nodiscard]] std::vector<ScenarioResult> measure_all(const std::vector<ScenarioCase>& cases);
 
 inline constexpr std::string_view scenario_columns =
-    "group,scenario,hand,delay_periods,handle_through,let_through,extent_steps,ripple_N,largest_N,"
-    "least_gain,"
-    "generated_J,bound_J";
+    "group,scenario,method,hand,delay_periods,asked,handle_through,let_through,extent_steps,ripple_"
+    "N,"
+    "buzzes,largest_N,least_gain,generated_J,bound_J";
 
 [[nodiscard]] std::string csv_line(const ScenarioCase& each, const ScenarioResult& result);
 

@@ -1,7 +1,6 @@
 #include "tests/stability/shipped_loop.h"
 
 #include "haptics/device/simulated_pantograph.h"
-#include "haptics/servo/servo_step.h"
 #include "tests/stability/counter_noise.h"
 
 #include <algorithm>
@@ -46,48 +45,43 @@ void book(LoopTrace& trace, const ShippedLoop& loop, double encoder_m, double st
     trace.bound_J += stiffness * moved_m * (0.5 * moved_m * (1.0 + 2.0 * periods) + encoder_m);
 }
 
-ServoCommands commands_of(const ShippedLoop& loop) {
-    ServoCommands commands;
-    commands.stiffness_N_per_m = loop.stiffness_N_per_m;
-    commands.radius_m = loop.radius_m;
-    commands.is_level_auto = false;
-    commands.level = loop.level;
-    return commands;
-}
-
 }  // namespace
 
 LoopTrace run(const ShippedLoop& loop, const Scene& scene, std::shared_ptr<const IntendedPath> path,
               double span_s) {
+    const LoopParameters parameters{loop.period_s, loop.stiffness_N_per_m, loop.radius_m};
+    const auto controller = shipped_step(loop.profile, parameters, scene);
+    return run(loop, *controller, std::move(path), span_s);
+}
+
+LoopTrace run(const ShippedLoop& loop, LoopController& controller,
+              std::shared_ptr<const IntendedPath> path, double span_s) {
     SimulationOptions options;
     options.hand = loop.hand;
     options.arm_1_scale_error = loop.faults.arm_1_scale_error;
     options.substep_s = std::min(options.substep_s, 0.25 * loop.period_s);
     SimulatedPantograph device(true_device(loop), options, std::move(path));
-    ServoStep servo(loop.profile, loop.period_s);
     const double encoder_m = encoder_step_m(loop.profile);
     const auto ticks = static_cast<std::uint64_t>(std::lround(span_s / loop.period_s));
     const auto skipped = static_cast<std::uint64_t>(std::ceil(late_s / loop.period_s));
     LoopTrace trace;
-    StepInput input;
-    input.commands = commands_of(loop);
-    input.scene = &scene;
+    ControlInput input;
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {
         if (even_noise(loop.faults.seed, 4 * tick + 2) < loop.faults.late_share) {
             tick += skipped;
             input.missed_ticks += skipped;
         }
-        input.now_s = static_cast<double>(tick) * loop.period_s;
-        input.angles = device.read_angles(input.now_s);
-        const JointTorques torques = servo.step(input);
-        (void)device.write_torques(disturbed(torques, loop.faults, tick));
-        const HandState& hand = servo.report().hand;
-        trace.time_s.push_back(input.now_s);
+        input.time_s = static_cast<double>(tick) * loop.period_s;
+        input.angles = device.read_angles(input.time_s);
+        input.level = loop.level ? loop.level(input.time_s) : 0.0;
+        const ControlOutput output = controller.step(input);
+        (void)device.write_torques(disturbed(output.torques, loop.faults, tick));
+        trace.time_s.push_back(input.time_s);
         trace.tip.push_back(device.tip().position);
-        trace.proxy.push_back(hand.p_WP);
-        trace.force.push_back(hand.force);
-        trace.least_gain = std::min(trace.least_gain, hand.spring_gain);
-        book(trace, loop, encoder_m, hand.stiffness_N_per_m);
+        trace.place.push_back(output.place);
+        trace.force.push_back(output.force);
+        trace.least_gain = std::min(trace.least_gain, output.gain);
+        book(trace, loop, encoder_m, output.stiffness_N_per_m);
     }
     return trace;
 }

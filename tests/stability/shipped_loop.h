@@ -1,11 +1,12 @@
 // The loop that is shipped, whole: the servo step drives the simulated pantograph, with the delay,
-// the hand and the faults of real ones, on a virtual clock.
+// the hand and the faults of real ones, on a virtual clock. Other controllers can take its place.
 // Threads: pure functions.
 #pragma once
 
 #include "haptics/collision/scene.h"
 #include "haptics/device/hand.h"
 #include "haptics/pantograph/profile.h"
+#include "tests/stability/loop_controllers.h"
 
 #include <cstdint>
 #include <functional>
@@ -29,16 +30,16 @@ struct ShippedLoop {
     double delay_s = 0.0;  // transport, which the servo does not see
     HandModel hand;
     Faults faults;
-    double stiffness_N_per_m = 500.0;  // asked for; the servo bounds it
-    double radius_m = 0.0;             // of the proxy
-    double level = 0.0;                // fixed
+    double stiffness_N_per_m = 500.0;           // asked for; the servo bounds it
+    double radius_m = 0.0;                      // of the proxy
+    std::function<double(double t_s)> level{};  // wanted; without one 0
 };
 
 /// Per tick that took place.
 struct LoopTrace {
     std::vector<double> time_s;
     std::vector<Position> tip;    // true
-    std::vector<Position> proxy;  // as the servo has it, so off by the scale error of an arm
+    std::vector<Position> place;  // proxy as the servo has it, so off by an arm's scale error
     std::vector<Force> force;     // told to the motors, on the hand
     double least_gain = 1.0;      // of the stability monitor: 1 where it never cut
     double generated_J = 0.0;     // that the delayed force did on the tip
@@ -47,6 +48,10 @@ struct LoopTrace {
 
 /// Starts where the path starts, with force off; the servo arms for 0.2 s and ramps for 0.5 s.
 [[nodiscard]] LoopTrace run(const ShippedLoop& loop, const Scene& scene,
+                            std::shared_ptr<const IntendedPath> path, double span_s);
+
+/// The same with another controller, which must be new.
+[[nodiscard]] LoopTrace run(const ShippedLoop& loop, LoopController& controller,
                             std::shared_ptr<const IntendedPath> path, double span_s);
 
 /// Largest extent along an axis of the tip's motion from `from_s` on.

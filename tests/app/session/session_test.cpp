@@ -190,6 +190,18 @@ TEST(Session, StiffnessStepsRise) {
         EXPECT_GT(stiffness_steps[i].stiffness_N_per_m, stiffness_steps[i - 1].stiffness_N_per_m);
 }
 
+TEST(Session, StartsAsFirmAsLoopAndGrooveAllow) {
+    const auto first_N_per_m = [](double loop_N_per_m) {
+        const Session session = start_session(pictures, loop_N_per_m).session;
+        return stiffness_steps[session.stiffness].stiffness_N_per_m;
+    };
+    EXPECT_EQ(first_N_per_m(760.0), 500.0);   // the default device at 1 kHz: the groove's limit
+    EXPECT_EQ(first_N_per_m(1500.0), 500.0);  // a quicker loop: the same
+    EXPECT_EQ(first_N_per_m(380.0), 350.0);   // at 500 Hz: the loop's
+    EXPECT_EQ(first_N_per_m(100.0), 200.0);
+    EXPECT_EQ(first_N_per_m(std::numeric_limits<double>::quiet_NaN()), 200.0);
+}
+
 TEST(Session, ModesFollowEachOtherInACircle) {
     Session session = shown_session();
     std::set<Mode> modes;

@@ -41,16 +41,6 @@ Outcome press(Renderer& renderer, const Torture& torture, const Judge* judge) {
     return outcome;
 }
 
-std::vector<Segment> edges_of(const CurveSet& curves) {
-    std::vector<Segment> edges;
-    for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
-        for (int j = 0; j < curves.rendered_count(piece, 0.0); ++j) {
-            edges.push_back(curves.rendered_segment(piece, 0.0, j));
-        }
-    }
-    return edges;
-}
-
 void compare(const Torture& torture, CsvFile& csv) {
     CurveOptions whole_edges;
     whole_edges.spacing_m = 1.0;

@@ -4,6 +4,16 @@
 
 namespace touchline::bench {
 
+std::vector<Segment> edges_of(const CurveSet& curves) {
+    std::vector<Segment> edges;
+    for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
+        for (int j = 0; j < curves.rendered_count(piece, 0.0); ++j) {
+            edges.push_back(curves.rendered_segment(piece, 0.0, j));
+        }
+    }
+    return edges;
+}
+
 Felt Machine::step(Position hand) {
     const ContactReport report = machine_.step(hand, 0.0, settings_, {});
     return {report.force, report.p_WP};

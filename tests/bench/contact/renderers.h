@@ -79,4 +79,7 @@ class Penalty final : public Renderer {
     double band_m_;
 };
 
+/// Of all pieces at level 0.
+[[nodiscard]] std::vector<Segment> edges_of(const CurveSet& curves);
+
 }  // namespace touchline::bench

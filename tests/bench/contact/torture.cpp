@@ -22,12 +22,6 @@ std::vector<Position> in_metres(const std::vector<Position>& points_mm) {
     return points;
 }
 
-std::vector<Position> there_and_back(const Polyline& line) {
-    std::vector<Position> points = line.points_mm;
-    for (std::size_t i = line.points_mm.size() - 1; i-- > 1;) points.push_back(line.points_mm[i]);
-    return in_metres(points);
-}
-
 /// From `high_mm` down along -`out` to 5 mm past the origin, then 2 mm to both sides at 3 Hz for a
 /// second, then a second's rest.
 Trajectory press_and_wiggle(Position out, double high_mm) {
@@ -111,6 +105,12 @@ Torture line_end(double pressed_mm) {
 }
 
 }  // namespace
+
+std::vector<Position> there_and_back(const Polyline& line) {
+    std::vector<Position> points = line.points_mm;
+    for (std::size_t i = line.points_mm.size() - 1; i-- > 1;) points.push_back(line.points_mm[i]);
+    return in_metres(points);
+}
 
 std::vector<Torture> tortures() {
     std::vector<Torture> made;

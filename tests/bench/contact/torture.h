@@ -25,6 +25,9 @@ struct Torture {
     bool has_room = false;  // for a disc of 2 mm
 };
 
+/// A closed curve over an open line, in metres.
+[[nodiscard]] std::vector<Position> there_and_back(const scenarios::Polyline& line);
+
 /// Acute corners (5), thin bars (4), crossing lines (4), line ends (2).
 [[nodiscard]] std::vector<Torture> tortures();
 

@@ -26,24 +26,6 @@ void ring(StabilityMonitor& monitor, double amplitude_N, double frequency_Hz, in
     }
 }
 
-/// The same, but a hit that dies down by `share` a period.
-std::uint64_t cuts_of_a_hit(double share, double frequency_Hz) {
-    constexpr double stiffness_N_per_m = 500.0;
-    StabilityMonitor monitor;
-    double before_N = 2.0;
-    for (int i = 0; i < 1000; ++i) {
-        const double periods = frequency_Hz * tick_s * i;
-        const double swing = std::cos(2.0 * std::numbers::pi * periods);
-        const double force_N = 2.0 + 2.0 * std::pow(share, periods) * swing;
-        const double stored_J = 0.5 * force_N * force_N / stiffness_N_per_m;
-        // Late by a tick, and ten times as much as that gives.
-        const double moved_m = 1.1 * (before_N - force_N) / stiffness_N_per_m;
-        monitor.step({{0.0, force_N}, {0.0, moved_m}, stored_J}, tick_s);
-        before_N = force_N;
-    }
-    return monitor.cuts();
-}
-
 /// A force that changes as much while the hand slides along, so that nothing is given.
 void scan(StabilityMonitor& monitor, double amplitude_N, double frequency_Hz, int ticks) {
     for (int i = 0; i < ticks; ++i) {
@@ -78,13 +60,6 @@ TEST(StabilityMonitor, LeavesAloneWhatAHandFeelsOnPurpose) {
         for (int k = 0; k < 60; ++k) monitor.step({{0.0, force_N}, {}, 0.0}, tick_s);
     }
     EXPECT_EQ(monitor.cuts(), 0U);
-}
-
-TEST(StabilityMonitor, LeavesAHitAloneThatDiesDownByItself) {
-    for (const double frequency_Hz : {30.0, 60.0, 100.0}) {
-        EXPECT_EQ(cuts_of_a_hit(0.6, frequency_Hz), 0U) << frequency_Hz;
-        EXPECT_GT(cuts_of_a_hit(0.97, frequency_Hz), 0U) << frequency_Hz;
-    }
 }
 
 TEST(StabilityMonitor, CutsWhereTheLoopGivesEnergy) {

@@ -23,7 +23,6 @@ TEST(LoopSettings, StartFromTheTable) {
     EXPECT_EQ(loop_settings(fine_device(), 2.5e-4, 0.0).stiffness_N_per_m, 1500.0);
     EXPECT_EQ(loop_settings(fine_device(), 1e-3, 0.0).damping_Ns_per_m, 1.5);
     EXPECT_EQ(loop_settings(fine_device(), 2.5e-4, 0.0).damping_Ns_per_m, 2.0);
-    EXPECT_NEAR(loop_settings(fine_device(), 1e-3, 0.0).radius_m, 1.4e-3, 2e-5);
 }
 
 TEST(LoopSettings, LessForALaterLoopAndACoarserEncoder) {

@@ -68,20 +68,6 @@ TEST(Scenario, S11DoubledEdgesFeelLikeOne) {
     expect_sound(b.watch);
 }
 
-/// The flat line, its middle 60 mm in 100 000 pieces: of every hundred one has no length, or 1 nm.
-Polyline cut_line() {
-    constexpr int pieces = 100000;
-    constexpr double shortest_mm = 1e-6;
-    constexpr double piece_mm = (60.0 - pieces / 200 * shortest_mm) / (pieces - pieces / 100);
-    Polyline line{{{-50.0, 0.0}, {-30.0, 0.0}}};
-    for (int whole = 0, odd = 0, i = 1; i <= pieces; ++i) {
-        (i % 100 == 0 ? odd : whole) += 1;
-        line.points_mm.push_back({-30.0 + whole * piece_mm + odd / 2 * shortest_mm, 0.0});
-    }
-    line.points_mm.push_back({50.0, 0.0});
-    return line;
-}
-
 TEST(Scenario, S12AHundredThousandPiecesFeelLikeOneLine) {
     const ScenarioRun once = run(scene_of({flat_line()}), press_and_slide(), 1.4);
     const ScenarioRun cut = run(scene_of({cut_line()}), press_and_slide(), 1.4);

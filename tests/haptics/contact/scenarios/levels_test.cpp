@@ -49,18 +49,6 @@ bool do_cross(const CurveSet& curves, double level) {
     });
 }
 
-/// y = bend (0.2 mm + 0.02 / mm x^2) + shift over 40 mm, 128 edges, so that the coarsest level has
-/// four.
-Polyline strand(double bend, double shift_mm, double begin_mm) {
-    constexpr int edges = 128;
-    Polyline line;
-    for (int i = 0; i <= edges; ++i) {
-        const double x = begin_mm + 40.0 * i / edges;
-        line.points_mm.push_back({x, bend * (0.2 + 0.02 * x * x) + shift_mm});
-    }
-    return line;
-}
-
 struct Strands {
     Polyline upper, lower;
     double middle_per_mm;  // half way between: y = this x^2

@@ -50,6 +50,29 @@ Polyline polygon(double radius_mm, int vertices) {
     return made;
 }
 
+Polyline cut_line() {
+    constexpr int pieces = 100000;
+    constexpr double shortest_mm = 1e-6;
+    constexpr double piece_mm = (60.0 - pieces / 200 * shortest_mm) / (pieces - pieces / 100);
+    Polyline line{{{-50.0, 0.0}, {-30.0, 0.0}}};
+    for (int whole = 0, odd = 0, i = 1; i <= pieces; ++i) {
+        (i % 100 == 0 ? odd : whole) += 1;
+        line.points_mm.push_back({-30.0 + whole * piece_mm + odd / 2 * shortest_mm, 0.0});
+    }
+    line.points_mm.push_back({50.0, 0.0});
+    return line;
+}
+
+Polyline strand(double bend, double shift_mm, double begin_mm) {
+    constexpr int edges = 128;
+    Polyline line;
+    for (int i = 0; i <= edges; ++i) {
+        const double x = begin_mm + 40.0 * i / edges;
+        line.points_mm.push_back({x, bend * (0.2 + 0.02 * x * x) + shift_mm});
+    }
+    return line;
+}
+
 TactileMap map_of(const std::vector<Polyline>& polylines) {
     TactileMap map;
     for (const Polyline& polyline : polylines) {

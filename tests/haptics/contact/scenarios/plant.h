@@ -68,6 +68,13 @@ struct Polyline {
 /// Counter-clockwise, about the origin, the first vertex at angle 0.
 [[nodiscard]] Polyline polygon(double radius_mm, int vertices);
 
+/// The flat line, its middle 60 mm in 100 000 pieces: of every hundred one has no length, or 1 nm.
+[[nodiscard]] Polyline cut_line();
+
+/// y = bend (0.2 mm + 0.02 / mm x^2) + shift over 40 mm, 128 edges, so that the coarsest level has
+/// four.
+[[nodiscard]] Polyline strand(double bend, double shift_mm, double begin_mm);
+
 [[nodiscard]] TactileMap map_of(const std::vector<Polyline>& polylines);
 
 /// Production curves through these points: every vertex is kept, and edges longer than the median
