@@ -98,7 +98,7 @@ Result<void> probe(TakenUnit& unit, std::ostream& out) {
 }
 
 Procedure procedure(PantographBoard& board, Clock& clock, std::ostream& out) {
-    return {board, clock, is_stop_wanted,
+    return {board, clock, [] { return !is_stop_wanted; },
             [&out](const std::string& line) { out << line << std::endl; }};
 }
 

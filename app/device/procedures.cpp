@@ -25,7 +25,7 @@ Ending run_ticks(const Procedure& procedure, Step step) {
         const std::optional<JointTorques> torques = step(angles, now_s - last_s);
         last_s = now_s;
         if (!torques) break;
-        if (procedure.is_stop_wanted) ending = Ending::stopped;
+        if (!procedure.goes_on()) ending = Ending::stopped;
         if (now_s > procedure.longest_s) ending = Ending::out_of_time;
         if (procedure.board.report().state == BoardState::lost) ending = Ending::lost;
         if (ending != Ending::finished) break;

@@ -9,7 +9,6 @@
 #include "haptics/device/pantograph_board.h"
 #include "haptics/servo/tick_clock.h"
 
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,7 +18,7 @@ namespace touchline {
 struct Procedure {
     PantographBoard& board;
     Clock& clock;
-    const std::atomic<bool>& is_stop_wanted;
+    std::function<bool()> goes_on;                // asked each tick; false: stop
     std::function<void(const std::string&)> say;  // a line for the person
     double longest_s = 300.0;
 };

@@ -107,6 +107,7 @@ class Kiosk {
     void carry_out(Step step) {
         session_ = std::move(step.session);
         if (step.commands.feel) set_servo();
+        if (step.commands.home_again) servo_.client->home_again();
         if (step.commands.keep_recording) servo_.client->keep_recording();
         if (step.commands.quit) is_quitting_ = true;
     }
@@ -159,6 +160,9 @@ class Kiosk {
     void read_notices() {
         const std::string notice = servo_.client->take_notice();
         if (!notice.empty()) report(notice);
+        const std::string words = servo_.client->device_words();
+        if (words != told_words_ && !words.empty()) report(words);
+        told_words_ = words;
         const RealTimeTier tier = servo_.client->tier();
         if (servo_.has_motors && tier != told_tier_)
             report(fmt::format("timing: {}", describe(tier)));
@@ -170,8 +174,8 @@ class Kiosk {
         read_notices();
         const HandState& hand = servo_.client->latest();
         const ForceStatus force = servo_.client->force_status();
-        const FrameContent content{describe(session_, hand, force, hand_words(), last_event_),
-                                   session_.shows_keys, session_.shows_boxes, hand, shown_};
+        const FrameContent content{status(hand, force), session_.shows_keys, session_.shows_boxes,
+                                   hand, shown_};
         screen_->draw(content, window_->width_px(), window_->height_px(), time_ns);
         window_->show_frame();
     }
@@ -226,6 +230,12 @@ class Kiosk {
     }
 
     /// What the hand is, and how well its loop is in time: in a word where no force depends on it.
+    [[nodiscard]] Status status(const HandState& hand, const ForceStatus& force) {
+        Status status = describe(session_, hand, force, hand_words(), last_event_);
+        if (!told_words_.empty()) status.message = told_words_;
+        return status;
+    }
+
     [[nodiscard]] std::string hand_words() const {
         const std::string_view tier = describe(servo_.client->tier());
         return fmt::format("{}, timing {}", servo_.hand_words,
@@ -236,6 +246,7 @@ class Kiosk {
     std::vector<std::string> files_;
     std::shared_ptr<MouseHand> hand_ = std::make_shared<MouseHand>(Position{});
     KioskServo servo_;
+    std::string told_words_;  // to the person at the handle
     RealTimeTier told_tier_ = RealTimeTier::best_effort;
     std::unique_ptr<Window> window_;
     std::unique_ptr<KioskScreen> screen_;  // dies before the window that has its OpenGL context

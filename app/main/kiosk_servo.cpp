@@ -8,8 +8,10 @@
 #include "haptics/pantograph/profile.h"
 
 #include <filesystem>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -29,10 +31,22 @@ Result<std::optional<UsbDevice>> find_device() {
     return find_usb_device(*settings);
 }
 
+/// The unit as homing found it, for the next visit and the next servo.
+std::vector<std::string> keep_home(UsbDevice device, const Message& message) {
+    const auto found = calibration_of(message, device.calibration);
+    if (!found) return arguments_of(device);
+    device.calibration = *found;
+    device.is_known = true;
+    const auto kept = keep_unit(board_files(), {device.serial, device.profile, device.calibration});
+    if (!kept) fmt::print(stderr, "touchline: {}\n", kept.error().line);
+    return arguments_of(device);
+}
+
 KioskServo with_motors(const UsbDevice& device) {
     KioskServo servo;
     servo.client = std::make_unique<ServoProcess>(ServoProcessOptions{
-        servo_program(), arguments_of(device), [device] { return zero_usb_device(device); }});
+        servo_program(), arguments_of(device), [device] { return zero_usb_device(device); },
+        [device](const Message& message) { return keep_home(device, message); }});
     servo.has_motors = true;
     servo.hand_words = fmt::format("pantograph {} {}", device.profile, device.serial);
     return servo;

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "touchline-servo: the kiosk starts it by itself; use 'touchline'\n");
         return 2;
     }
-    return touchline::run_servo_program(socket,
-                                        [&device] { return touchline::open_usb_device(*device); });
+    return touchline::run_servo_program(socket, [&device](const touchline::Opening& opening) {
+        return touchline::open_usb_device(*device, opening);
+    });
 }

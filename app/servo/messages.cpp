@@ -28,7 +28,7 @@ msghdr header_of(iovec& data, ControlRoom& room) {
 }
 
 bool is_known(const Message& message) {
-    return message.kind <= MessageKind::notice && message.line_bytes <= sizeof message.line;
+    return message.kind <= MessageKind::home && message.line_bytes <= sizeof message.line;
 }
 
 }  // namespace
@@ -39,6 +39,25 @@ Message message_of(MessageKind kind, std::string_view line) {
     message.line_bytes = static_cast<std::uint32_t>(std::min(line.size(), sizeof message.line));
     std::copy_n(line.begin(), message.line_bytes, std::begin(message.line));
     return message;
+}
+
+Message message_of(const Calibration& found) {
+    Message message;
+    message.kind = MessageKind::home;
+    message.home = {found.scale.x, found.scale.y, found.are_motors_swapped ? 1U : 0U, 0};
+    return message;
+}
+
+std::optional<Calibration> calibration_of(const Message& message, const Calibration& before) {
+    const auto is_scale = [](double scale) { return scale >= 0.8 && scale <= 1.25; };
+    const HomeFound& home = message.home;
+    if (!is_scale(home.scale_1) || !is_scale(home.scale_2) || home.are_motors_swapped > 1)
+        return std::nullopt;
+    Calibration found = before;
+    found.offset = {};
+    found.scale = {home.scale_1, home.scale_2};
+    found.are_motors_swapped = home.are_motors_swapped == 1;
+    return found;
 }
 
 std::string line_of(const Message& message) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/servo/sealed_memory.h"
+#include "config/types/calibration.h"
 #include "config/types/result.h"
 #include "haptics/curve/curve_set.h"
 #include "haptics/pantograph/profile.h"
@@ -18,8 +19,9 @@ namespace touchline {
 
 /// region: the memory to share, first of all. scene: a map to be felt, the line its file in the
 /// gallery, if it is one. keep: the last minute as a file. failed: why the servo ends. notice: a
-/// map that cannot be felt, a recording that was kept. That it runs shows in its beats.
-enum class MessageKind : std::uint32_t { region, scene, keep, failed, notice };
+/// map that cannot be felt, a recording that was kept. say: what the person at the handle is to do
+/// now. home: what homing found of this unit. That the servo runs shows in its beats.
+enum class MessageKind : std::uint32_t { region, scene, keep, failed, notice, say, home };
 
 /// How a scene is built of a map, the same on both sides.
 struct SceneOrder {
@@ -29,14 +31,28 @@ struct SceneOrder {
     std::int32_t detail = 0;      // that the map was made with, for the black box
 };
 
+/// Of a Calibration, what lasts.
+struct HomeFound {
+    double scale_1 = 1.0, scale_2 = 1.0;   // 0.8 ... 1.25
+    std::uint32_t are_motors_swapped = 0;  // 0 or 1
+    std::uint32_t reserved = 0;
+};
+
 struct Message {
     MessageKind kind = MessageKind::region;
     std::uint32_t line_bytes = 0;
     SceneOrder scene;
+    HomeFound home;
     char line[256] = {};  // not ended by a zero
 };
 
 [[nodiscard]] Message message_of(MessageKind kind, std::string_view line = {});
+
+[[nodiscard]] Message message_of(const Calibration& found);
+
+/// `before` with what the message tells; nothing where that is out of range.
+[[nodiscard]] std::optional<Calibration> calibration_of(const Message& message,
+                                                        const Calibration& before);
 
 /// The line, control characters as blanks.
 [[nodiscard]] std::string line_of(const Message& message);

@@ -57,6 +57,12 @@ class ServoClient {
     /// What befell the servo since this was last asked, a line for the operator; empty: nothing.
     [[nodiscard]] virtual std::string take_notice() = 0;
 
+    /// What the person at the handle is to do now, while the device is homed; empty: nothing.
+    [[nodiscard]] virtual std::string device_words() = 0;
+
+    /// Force off, and the handle's home is looked for anew. A simulated one knows where it is.
+    virtual void home_again() = 0;
+
     /// The last minute as a file; a notice says where.
     virtual void keep_recording() = 0;
 

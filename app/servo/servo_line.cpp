@@ -19,11 +19,22 @@ void ServoLine::connect(std::shared_ptr<const Connection> connection) {
 void ServoLine::disconnect() {
     const std::lock_guard lock(mutex_);
     connection_.reset();
+    words_.clear();
 }
 
 void ServoLine::note(const std::string& line) {
     const std::lock_guard lock(mutex_);
     notice_ += (notice_.empty() ? "" : "; ") + line;
+}
+
+void ServoLine::say(const std::string& words) {
+    const std::lock_guard lock(mutex_);
+    words_ = words;
+}
+
+std::string ServoLine::device_words() const {
+    const std::lock_guard lock(mutex_);
+    return words_;
 }
 
 bool ServoLine::is_kiosk_alive(std::int64_t now_ns) const {

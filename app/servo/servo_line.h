@@ -29,6 +29,7 @@ class ServoLine {
     void connect(std::shared_ptr<const Connection> connection);
     void disconnect();
     void note(const std::string& line);
+    void say(const std::string& words);
 
     /// The main thread asked for the state within the last half second.
     [[nodiscard]] bool is_kiosk_alive(std::int64_t now_ns) const;
@@ -42,6 +43,7 @@ class ServoLine {
     [[nodiscard]] std::optional<ContactEvent> next_event();
     [[nodiscard]] RealTimeTier tier() const;
     [[nodiscard]] std::string take_notice();
+    [[nodiscard]] std::string device_words() const;
 
   private:
     void send_scene();
@@ -53,6 +55,7 @@ class ServoLine {
     SceneOrder order_;
     std::string gallery_file_;
     std::string notice_;
+    std::string words_;
     std::atomic<std::int64_t> asked_ns_{0};
 };
 

@@ -61,6 +61,9 @@ class ServoProcess::Guard {
 
     ServoLine line;
 
+    /// A servo homes its device when it starts.
+    void home_again() { is_homing_wanted_ = true; }
+
   private:
     void run() {
         sigset_t all;
@@ -119,7 +122,7 @@ class ServoProcess::Guard {
             const bool is_silent_under_force =
                 under_force.step(beats, dt_s) && channel.is_force_on.load() != 0;
             const bool is_silent = at_rest.step(beats, dt_s);
-            if (is_ending_ && ending_ns == 0) {
+            if ((is_ending_ || is_homing_wanted_.exchange(false)) && ending_ns == 0) {
                 ending_ns = now_ns;
                 channel.is_stop_wanted = 1;
             }
@@ -144,6 +147,9 @@ class ServoProcess::Guard {
     }
 
     void hear(const Message& message) {
+        if (message.kind == MessageKind::say) line.say(line_of(message));
+        if (message.kind == MessageKind::home && options_.keep_home)
+            options_.arguments = options_.keep_home(message);
         if (message.kind == MessageKind::failed || message.kind == MessageKind::notice) {
             line.note(line_of(message));
         }
@@ -176,6 +182,7 @@ class ServoProcess::Guard {
     ServoProcessOptions options_;
     Descriptor wake_;
     std::atomic<bool> is_ending_{false};
+    std::atomic<bool> is_homing_wanted_{false};
     Restart restart_;
     bool is_closed_ = false;  // the guard's: the servo's socket is gone
     std::thread thread_;      // last: it uses all of the above
@@ -220,6 +227,14 @@ RealTimeTier ServoProcess::tier() const {
 
 std::string ServoProcess::take_notice() {
     return guard_ ? guard_->line.take_notice() : std::string();
+}
+
+std::string ServoProcess::device_words() {
+    return guard_ ? guard_->line.device_words() : std::string();
+}
+
+void ServoProcess::home_again() {
+    if (guard_) guard_->home_again();
 }
 
 void ServoProcess::keep_recording() {

@@ -22,6 +22,9 @@ struct ServoProcessOptions {
     /// Opens the device and writes zero torque. Called by the guard thread after every death of the
     /// servo that was not asked for, again and again for a second where it fails.
     std::function<Result<void>()> zero_torque;
+    /// Homing found this of the unit: keeps it, gives the arguments from the next servo on. Called
+    /// by the guard thread. None: nothing is kept.
+    std::function<std::vector<std::string>(const Message&)> keep_home = {};
 };
 
 class ServoProcess final : public ServoClient {
@@ -42,6 +45,8 @@ class ServoProcess final : public ServoClient {
     [[nodiscard]] std::optional<ContactEvent> next_event() override;
     [[nodiscard]] RealTimeTier tier() const override;
     [[nodiscard]] std::string take_notice() override;
+    [[nodiscard]] std::string device_words() override;
+    void home_again() override;
     void keep_recording() override;
     /// Waits until the servo has faded out and ended, two seconds at most; then it is killed and
     /// the torque zeroed.

@@ -91,11 +91,12 @@ class ServoProgram {
         : socket_(std::move(socket)), region_(std::move(region)), servo_(region_.channel()) {}
 
     int run(const DeviceOpener& open_device) {
-        auto opened = open_device();
+        auto opened = open_device(opening());
+        tell(MessageKind::say, {});
         if (!opened) return fail(opened.error().line);
         const EmergencyZero zero = opened->zero;
         BlackBox box(recordings_folder(), std::string(opened->profile.name),
-                     [this](const std::string& line) { tell(line); });
+                     [this](const std::string& line) { tell(MessageKind::notice, line); });
         box_ = &box;
         const auto started =
             servo_.start(std::move(opened->device), opened->profile, options_for(*opened));
@@ -104,6 +105,7 @@ class ServoProgram {
         const TorqueCut cut(servo_, region_.channel(), zero);
         while (!cut.is_end_asked() && region_.channel().is_stop_wanted == 0 && serve()) {
             box.update(servo_.recording(), fault());
+            watch_drift(opened->has_drifted);
             if (is_device_gone())
                 return fail("the device does not answer any more: check its plug");
         }
@@ -117,8 +119,24 @@ class ServoProgram {
         return 1;
     }
 
-    void tell(const std::string& line) {
-        (void)send(socket_, message_of(MessageKind::notice, line));
+    void tell(MessageKind kind, const std::string& line) {
+        (void)send(socket_, message_of(kind, line));
+    }
+
+    /// Whoever asks whether it goes on is alive.
+    Opening opening() {
+        return {[this](const std::string& words) { tell(MessageKind::say, words); },
+                [this] {
+                    region_.channel().servo_beats.fetch_add(1);
+                    return region_.channel().is_stop_wanted == 0;
+                },
+                [this](const Calibration& found) { (void)send(socket_, message_of(found)); }};
+    }
+
+    void watch_drift(const std::atomic<bool>* has_drifted) {
+        if (has_drifted == nullptr || has_told_drift_ || !has_drifted->load()) return;
+        has_told_drift_ = true;
+        tell(MessageKind::say, "The handle has lost its place. Press O to find its home again.");
     }
 
     [[nodiscard]] Fault fault() { return static_cast<Fault>(region_.channel().fault.load()); }
@@ -155,7 +173,7 @@ class ServoProgram {
             box_->remember(scene->recorded);
             servo_.feel(std::move(scene->scene));
         } else {
-            tell(scene.error().line);
+            tell(MessageKind::notice, scene.error().line);
         }
     }
 
@@ -163,6 +181,7 @@ class ServoProgram {
     SharedRegion region_;
     Servo servo_;
     BlackBox* box_ = nullptr;  // while it runs
+    bool has_told_drift_ = false;
     std::int64_t answered_ns_ = steady_now_ns();
 };
 

@@ -3,12 +3,15 @@
 #pragma once
 
 #include "app/servo/torque_cut.h"
+#include "config/types/calibration.h"
 #include "config/types/result.h"
 #include "haptics/device/force_device.h"
 #include "haptics/pantograph/profile.h"
 
+#include <atomic>
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace touchline {
 
@@ -17,10 +20,19 @@ struct OpenedDevice {
     DeviceProfile profile;
     bool has_motors = true;  // false: a simulation, whose force no tier limits
     EmergencyZero zero;      // valid as long as the device
+    const std::atomic<bool>* has_drifted = nullptr;  // its place is lost; as long as the device
 };
 
-/// Opens the device that this servo is for; may wait some seconds. The error is told to the kiosk.
-using DeviceOpener = std::function<Result<OpenedDevice>()>;
+/// What a device may need of the program while a person homes it.
+struct Opening {
+    std::function<void(const std::string&)> say;   // what the person is to do now; empty: nothing
+    std::function<bool()> goes_on;                 // to be asked all the time; false: give up
+    std::function<void(const Calibration&)> keep;  // found for this unit, for the next time
+};
+
+/// Opens the device that this servo is for; may wait for minutes as long as it asks whether it goes
+/// on. The error is told to the kiosk.
+using DeviceOpener = std::function<Result<OpenedDevice>(const Opening&)>;
 
 /// Runs the servo until the kiosk asks for the end, dies, or a signal ends it. `socket_number`: the
 /// kiosk's socket, the first message on it the shared region. The exit status: 0 when it ended as

@@ -49,6 +49,10 @@ class ServoThread final : public ServoClient {
 
     void keep_recording() override { box_->keep(); }
 
+    [[nodiscard]] std::string device_words() override { return {}; }
+
+    void home_again() override {}
+
     void stop() override { servo_.stop(); }
 
   private:

@@ -1,10 +1,13 @@
 #include "app/servo/usb_device.h"
 
+#include "app/device/procedures.h"
+#include "haptics/device/homing.h"
 #include "haptics/device/pantograph_board.h"
 #include "haptics/device/usb_boards.h"
 #include "haptics/pantograph/profile.h"
 
 #include <array>
+#include <atomic>
 #include <charconv>
 #include <memory>
 #include <optional>
@@ -15,20 +18,37 @@
 namespace touchline {
 namespace {
 
-constexpr std::size_t argument_count = 10;
-constexpr double most_torque_Nm = 10.0;  // no motor of a desk
+constexpr std::size_t argument_count = 12;
+constexpr double most_torque_Nm = 10.0;       // no motor of a desk
+constexpr double longest_homing_s = 86400.0;  // a kiosk waits for whoever comes
 
 /// The board with what it needs to live on: its link must go before the list it came from.
 class OwnedBoard final : public ForceDevice {
   public:
     OwnedBoard(UsbBoards boards, std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
                const Calibration& calibration)
-        : boards_(std::move(boards)), board_(std::move(link), profile, calibration) {}
+        : boards_(std::move(boards)),
+          board_(std::move(link), profile, calibration),
+          drift_(homing_plan(profile)) {}
 
-    [[nodiscard]] Result<void> open() { return board_.open(); }
+    /// As UsbDevice asks for it. What homing found lasts as long as the board is set up.
+    [[nodiscard]] Result<void> open(const UsbDevice& device, const Opening& opening) {
+        if (auto opened = board_.open(); !opened || !device.is_homed_first) return opened;
+        MonotonicClock clock;
+        const auto found = home({board_, clock, opening.goes_on, opening.say, longest_homing_s},
+                                device.is_known ? std::optional(device.calibration) : std::nullopt);
+        if (!found) return tl::unexpected(found.error());
+        opening.keep(*found);
+        return {};
+    }
+
+    [[nodiscard]] const std::atomic<bool>& has_drifted() const { return has_drifted_; }
 
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override {
-        return board_.read_angles(now_s);
+        const auto angles = board_.read_angles(now_s);
+        if (angles && drift_.step(*angles, now_s - last_s_)) has_drifted_ = true;
+        last_s_ = now_s;
+        return angles;
     }
 
     [[nodiscard]] bool write_torques(JointTorques torques) override {
@@ -38,6 +58,9 @@ class OwnedBoard final : public ForceDevice {
   private:
     UsbBoards boards_;
     PantographBoard board_;
+    DriftWatch drift_;
+    double last_s_ = 0.0;
+    std::atomic<bool> has_drifted_{false};
 };
 
 void write_zero(void* device) noexcept {
@@ -78,7 +101,9 @@ std::vector<std::string> arguments_of(const UsbDevice& device) {
             fmt::format("{}", calibration.scale.x),
             fmt::format("{}", calibration.scale.y),
             calibration.are_motors_swapped ? "swapped" : "straight",
-            calibration.torque_limit_Nm ? fmt::format("{}", *calibration.torque_limit_Nm) : ""};
+            calibration.torque_limit_Nm ? fmt::format("{}", *calibration.torque_limit_Nm) : "",
+            device.is_known ? "known" : "new",
+            device.is_homed_first ? "home" : "at-home"};
 }
 
 Result<UsbDevice> device_of(std::span<const std::string> arguments) {
@@ -90,6 +115,8 @@ Result<UsbDevice> device_of(std::span<const std::string> arguments) {
     device.serial = arguments[2];
     device.profile = arguments[3];
     calibration.are_motors_swapped = arguments[8] == "swapped";
+    device.is_known = arguments[10] == "known";
+    device.is_homed_first = arguments[11] != "at-home";
     const bool is_read =
         read_number(arguments[0], device.id.vendor) &&
         read_number(arguments[1], device.id.product) &&
@@ -102,7 +129,7 @@ Result<UsbDevice> device_of(std::span<const std::string> arguments) {
     return device;
 }
 
-Result<OpenedDevice> open_usb_device(const UsbDevice& device) {
+Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& opening) {
     const auto profile = find_profile(device.profile);
     if (!profile) return tl::unexpected(profile.error());
     auto boards = UsbBoards::create();
@@ -111,9 +138,11 @@ Result<OpenedDevice> open_usb_device(const UsbDevice& device) {
     if (!link) return tl::unexpected(link.error());
     auto board = std::make_unique<OwnedBoard>(std::move(*boards), std::move(*link), *profile,
                                               device.calibration);
-    if (const auto opened = board->open(); !opened) return tl::unexpected(opened.error());
+    if (const auto opened = board->open(device, opening); !opened)
+        return tl::unexpected(opened.error());
     OpenedDevice result;
     result.zero = {write_zero, board.get()};
+    result.has_drifted = &board->has_drifted();
     result.device = std::move(board);
     result.profile = calibrated(*profile, device.calibration);
     return result;

@@ -19,14 +19,16 @@ struct UsbDevice {
     std::string serial;  // may be empty: the only board there is
     std::string profile;
     Calibration calibration;
+    bool is_known = false;       // the calibration was found by homing
+    bool is_homed_first = true;  // by a person, with words; else the handle counts as being at home
 };
 
 /// For the command line of touchline-servo; device_of() reads the same back, bit for bit.
 [[nodiscard]] std::vector<std::string> arguments_of(const UsbDevice& device);
 [[nodiscard]] Result<UsbDevice> device_of(std::span<const std::string> arguments);
 
-/// Opens the board and sets it up: the handle counts as being at home.
-[[nodiscard]] Result<OpenedDevice> open_usb_device(const UsbDevice& device);
+/// Opens the board, sets it up, and has the handle homed if that is asked for.
+[[nodiscard]] Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& opening);
 
 /// Zero torque on a board whose servo died.
 [[nodiscard]] Result<void> zero_usb_device(const UsbDevice& device);

@@ -8,8 +8,13 @@ namespace {
 
 UsbDevice usb_device(const FoundBoard& board, const BoardSettings& settings) {
     const UnitSettings* const unit = find_unit(settings, board.serial);
-    if (unit == nullptr) return {board.id, board.serial, std::string(default_profile().name), {}};
-    return {board.id, board.serial, unit->profile, unit->calibration};
+    UsbDevice device;
+    device.id = board.id;
+    device.serial = board.serial;
+    device.profile = unit != nullptr ? unit->profile : std::string(default_profile().name);
+    if (unit != nullptr) device.calibration = unit->calibration;
+    device.is_known = unit != nullptr;
+    return device;
 }
 
 }  // namespace

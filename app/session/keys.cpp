@@ -30,6 +30,7 @@ constexpr std::array table{
     row(Key{' '}, Action::toggle_force, "Space", "force off, or on again"),
     row(Key{'C'}, Action::clear_fault, "C", "operator: clear what stopped the force"),
     row(Key{'R'}, Action::keep_recording, "R", "operator: keep a recording of the last minute"),
+    row(Key{'O'}, Action::home_again, "O", "find the handle's home again"),
     row(Key{'B'}, Action::toggle_boxes, "B", "error boxes of the curve on or off"),
     row(Key{'H'}, Action::toggle_keys, "H", "this list of keys on or off"),
     row(Key{'Q'}, Action::quit, "Q", "quit"),

@@ -38,6 +38,7 @@ enum class Action : std::uint8_t {
     toggle_force,
     clear_fault,
     keep_recording,
+    home_again,
     toggle_boxes,
     toggle_keys,
     quit,

@@ -112,6 +112,8 @@ Step press_key(const Session& session, Key key, double felt_level) {
             return clear_fault(session);
         case Action::keep_recording:
             return {session, {.keep_recording = true}};
+        case Action::home_again:
+            return {session, {.home_again = true}};
         case Action::toggle_boxes:
             return toggle(session, &Session::shows_boxes);
         case Action::toggle_keys:

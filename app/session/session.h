@@ -85,6 +85,7 @@ struct Commands {
     bool load = false;            // session.picture at session.detail, as job session.request
     bool feel = false;            // hand level, stiffness, mode, pop-through and force to the servo
     bool keep_recording = false;  // of the last minute
+    bool home_again = false;      // the handle's home is to be found anew
     bool quit = false;
 };
 

@@ -5,7 +5,6 @@
 #include "tests/sim/board/board_rig.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -79,7 +78,7 @@ struct Visit {
     std::shared_ptr<Person> person;
     BoardRig rig;
     RigClock clock{rig.time};
-    std::atomic<bool> is_stop_wanted{false};
+    bool is_stop_wanted = false;
 };
 
 bool was_heard(const Visit& visit, const std::string& what) {

@@ -113,8 +113,9 @@ int run_kiosk(const std::string& program, const std::string& board_path) {
 }
 
 /// How busy the machine of a test is decides nothing.
-Result<OpenedDevice> open_at_any_tier(std::span<const std::string> arguments) {
-    auto opened = open_usb_device(device_of(arguments).value());
+Result<OpenedDevice> open_at_any_tier(std::span<const std::string> arguments,
+                                      const Opening& opening) {
+    auto opened = open_usb_device(device_of(arguments).value(), opening);
     if (opened) opened->has_motors = false;
     return opened;
 }
@@ -127,9 +128,12 @@ int main(int argc, char** argv) {
     if (argc < 3) return 2;
     if (std::string(argv[2]) == "usb") {
         const std::vector<std::string> device(argv + 3, argv + argc);
-        return run_servo_program(std::stoi(argv[1]), [&] { return open_at_any_tier(device); });
+        return run_servo_program(std::stoi(argv[1]), [&](const Opening& opening) {
+            return open_at_any_tier(device, opening);
+        });
     }
     if (std::string(argv[1]) == "kiosk") return run_kiosk(argv[0], argv[2]);
     FakeBoard& board = fake_board(argv[2]);
-    return run_servo_program(std::stoi(argv[1]), [&board] { return open_fake_device(board); });
+    return run_servo_program(std::stoi(argv[1]),
+                             [&board](const Opening&) { return open_fake_device(board); });
 }

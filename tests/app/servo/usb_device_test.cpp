@@ -57,7 +57,7 @@ TEST(UsbDevice, ArgumentsOutOfRangeAreRefused) {
 TEST(UsbDevice, UnknownProfileIsOneLine) {
     UsbDevice device = some_device();
     device.profile = "none";
-    const auto opened = open_usb_device(device);
+    const auto opened = open_usb_device(device, {});
     ASSERT_FALSE(opened.has_value());
     EXPECT_NE(opened.error().line.find("none"), std::string::npos);
 }
