@@ -29,8 +29,9 @@ struct Received {
     [[nodiscard]] std::span<const std::uint8_t> packet() const { return {data.data(), size}; }
 };
 
-/// Threads: one at a time. No allocation, lock or log in any call. Destroying it gives the board
-/// back: transfers cancelled, lines low.
+/// Threads: one at a time. No call logs; send(), sent() and receive() allocate and lock nothing of
+/// their own (usb_link.h says what libusb does). Destroying it gives the board back: transfers
+/// cancelled, lines low.
 class BoardLink {
   public:
     BoardLink() = default;

@@ -2,18 +2,18 @@
 // milliseconds with a small torque and stops it. Exits with 0; 3 when it was lost on the way; 1
 // when there is none or it does not answer.
 #include "haptics/device/usb_pantograph.h"
-#include "haptics/servo/tick_clock.h"
 
-#include <cstdint>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <thread>
 
 namespace {
 
 using namespace touchline;
 
-constexpr std::int64_t tick_ns = 1000000;
+constexpr std::chrono::milliseconds tick{1};
 constexpr JointTorques push{0.02, -0.02};
 
 int complain(const std::string& line) {
@@ -22,13 +22,13 @@ int complain(const std::string& line) {
 }
 
 int drive(PantographBoard& driver, int ticks) {
-    MonotonicClock clock;
-    const std::int64_t start_ns = clock.now_ns();
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
     int answered = 0;
     for (int k = 1; k <= ticks && driver.report().state != BoardState::lost; ++k) {
-        clock.sleep_until(start_ns + k * tick_ns);
-        const auto angles =
-            driver.read_angles(1e-9 * static_cast<double>(clock.now_ns() - start_ns));
+        std::this_thread::sleep_until(start + k * tick);
+        const std::chrono::duration<double> now = Clock::now() - start;
+        const auto angles = driver.read_angles(now.count());
         (void)driver.write_torques(angles ? push : JointTorques{});
         answered += angles ? 1 : 0;
     }
