@@ -19,11 +19,13 @@ inline constexpr double slow_again_s = 1.0;        // ... for so long
 /// The force without the part that drives the motion on; across the motion and against it, it
 /// stays.
 [[nodiscard]] inline Force without_drive(Force force, Velocity velocity) {
-    const double drive = dot(force, velocity);
+    constexpr double nothing_N = 1e-9;  // squares of much less are lost
+    if (!(norm(force) > nothing_N)) return {};
+    // Braking by a trace more than nothing, so that no rounding and no scaling makes it drive.
+    const double trace = 1e-12 * norm(force) * norm(velocity);
+    const double drive = dot(force, velocity) + trace;
     if (!(drive > 0.0)) return force;
-    const Force rest = force - along<Force>(velocity, drive / dot(velocity, velocity));
-    // Rounding may leave a trace of it.
-    return dot(rest, velocity) > 0.0 ? Force{} : rest;
+    return force - along<Force>(velocity, drive / dot(velocity, velocity));
 }
 
 class SpeedWatch {

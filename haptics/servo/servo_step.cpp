@@ -70,7 +70,7 @@ JointTorques ServoStep::step(const StepInput& input) {
     measure_loop(input, dt_s);
     const std::optional<Pose> pose = find_pose(input, dt_s);
     Force wanted_W;
-    if (!pose) velocity_.reset();
+    if (!pose || sample_ == Sample::jumped) velocity_.reset();
     events_ = {};
     if (pose) {
         const Position before = p_WH_;

@@ -1,6 +1,6 @@
 // Whatever doubles come in: finite out, within every limit, zero in doubt.
 
-#include "haptics/safety/force_chain.h"
+#include "tests/haptics/safety/chains.h"
 
 #include <bit>
 #include <cmath>
@@ -13,9 +13,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double tick_s = 1e-3;
-constexpr Jacobian good_pose{{-0.049, -0.0496}, {-0.049, 0.0496}};
 
 // Special values, any bit pattern, and the ordinary range, in equal parts.
 double any_double() {
@@ -48,19 +45,6 @@ Jacobian any_jacobian() {
     }
     const auto entry = [] { return *rc::gen::inRange(-1000, 1001) / 10000.0; };
     return {{entry(), entry()}, {entry(), entry()}};
-}
-
-ChainInput wanting(Force wanted, const Jacobian& pose = good_pose) {
-    ChainInput input;
-    input.wanted_D = wanted;
-    input.jacobian = pose;
-    return input;
-}
-
-ForceChain live_chain() {
-    ForceChain chain{ForceLimits{}};
-    for (int i = 0; i < 1000; ++i) (void)chain.step(wanting({}), tick_s);
-    return chain;
 }
 
 /// Each input now and then anything, else what a device and a hand give.

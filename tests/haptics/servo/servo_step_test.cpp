@@ -3,6 +3,7 @@
 #include "haptics/device/simulated_pantograph.h"
 #include "tests/haptics/scenes.h"
 #include "tests/haptics/servo/rigs.h"
+#include "tests/haptics/servo/step_bench.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,56 +16,11 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 1e-3;
-
-/// A servo step whose handle and commands the test sets, one virtual millisecond a tick.
-struct Bench {
-    const DeviceProfile profile;
-    std::unique_ptr<ServoStep> step = std::make_unique<ServoStep>(profile, tick_s);
-    StepInput input;
-    JointTorques torques;
-
-    explicit Bench(const DeviceProfile& of = default_profile()) : profile(of) {
-        place({0.0, 0.01});
-    }
-
-    void place(Position p_W) { input.angles = angles_at(profile, p_W); }
-
-    const HandState& run(int ticks) {
-        for (int i = 0; i < ticks; ++i) {
-            torques = step->step(input);
-            input.now_s += tick_s;
-        }
-        return hand();
-    }
-
-    /// In small steps, as a hand moves.
-    void drag(Position from, Position to) {
-        for (int i = 1; i <= 50; ++i) {
-            place(from + i / 50.0 * (to - from));
-            run(1);
-        }
-    }
-
-    [[nodiscard]] const HandState& hand() const { return step->report().hand; }
-
-    [[nodiscard]] const ForceStatus& force() const { return step->report().force; }
-};
-
 /// The same handle with arm 1 on the other side: a pose that the device cannot be in.
 JointAngles with_elbow_turned_in(const DeviceProfile& profile, Position p_W) {
     const Position p_D = device_from_picture(profile, p_W);
     const JointAngles out = angles_at(profile, p_W);
     return {2.0 * std::atan2(p_D.y, p_D.x) - out.x, out.y};
-}
-
-/// Live, in free space above the line y = 0.
-Bench bench_above_a_line(const std::shared_ptr<const Scene>& scene) {
-    Bench bench;
-    bench.input.scene = scene.get();
-    bench.run(800);
-    EXPECT_EQ(bench.force().state, ForceState::live);
-    return bench;
 }
 
 TEST(ServoStep, SeesTheHandleThroughTheKinematics) {

@@ -3,6 +3,8 @@
 #include "haptics/device/simulated_pantograph.h"
 #include "tests/haptics/servo/rigs.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <thread>
@@ -159,6 +161,24 @@ TEST(Servo, RealTimeIsGrantedOrRefusedButNeverFails) {
     wait_until([&] { return servo.latest().ticks >= 5; });
     EXPECT_FALSE(describe(servo.tier()).empty());
     servo.stop();
+}
+
+/// Read by this thread while the loop goes on in its own.
+TEST(Servo, ItsRecordingCanBeHeldAndReadWhileItRuns) {
+    Servo servo;
+    ASSERT_TRUE(servo.start(simulated_at_rest(), default_profile(), plain_thread(500)).has_value());
+    for (int i = 0; i < 3; ++i) {
+        wait_until([&] { return servo.latest().ticks > static_cast<std::uint64_t>(50 * (i + 1)); });
+        servo.recording().hold();
+        wait_until([&] { return servo.recording().is_held(); });
+        const auto ticks = servo.recording().ticks();
+        ASSERT_GT(ticks.size(), 1U);
+        for (std::size_t k = 1; k < ticks.size(); ++k)
+            ASSERT_GT(ticks[k].time_s, ticks[k - 1].time_s);
+        EXPECT_EQ(servo.recording().start()->tick, 0U);
+        servo.recording().release();
+        wait_until([&] { return !servo.recording().is_held(); });
+    }
 }
 
 }  // namespace
