@@ -12,7 +12,8 @@ struct MonitorLimits {
     double ripple_N = 0.1;   // rms of a force that swings to and fro at 20 to 300 Hz, three times
                              // in 0.1 s, while the loop gives ...
     double ripple_W = 2e-4;  // ... more than this to the hand: texture that is scanned takes
-    double energy_J = 0.05;  // given to the hand beyond what the spring held, forgotten in 1 s
+    double energy_J = 0.01;  // given to the hand beyond what the spring held, forgotten in 1 s: a
+                             // sound loop comes to 3 mJ, but for hits from 1 m/s on
 };
 
 enum class Ringing : std::uint8_t { none, ripple, energy };
