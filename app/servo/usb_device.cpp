@@ -59,6 +59,12 @@ bool is_sound(const Calibration& calibration) {
             (*calibration.torque_limit_Nm > 0.0 && *calibration.torque_limit_Nm <= most_torque_Nm));
 }
 
+Result<std::unique_ptr<BoardLink>> take_link(const UsbBoards& boards, const UsbDevice& device) {
+    const auto found = boards.find(std::array{device.id}, device.serial);
+    if (!found) return tl::unexpected(found.error());
+    return boards.open(*found);
+}
+
 }  // namespace
 
 std::vector<std::string> arguments_of(const UsbDevice& device) {
@@ -80,6 +86,7 @@ Result<UsbDevice> device_of(std::span<const std::string> arguments) {
     UsbDevice device;
     Calibration& calibration = device.calibration;
     device.id.may_probe = true;  // the kiosk chose it
+    device.id.name = "the pantograph's board";
     device.serial = arguments[2];
     device.profile = arguments[3];
     calibration.are_motors_swapped = arguments[8] == "swapped";
@@ -100,7 +107,7 @@ Result<OpenedDevice> open_usb_device(const UsbDevice& device) {
     if (!profile) return tl::unexpected(profile.error());
     auto boards = UsbBoards::create();
     if (!boards) return tl::unexpected(boards.error());
-    auto link = boards->open(std::array{device.id}, device.serial);
+    auto link = take_link(*boards, device);
     if (!link) return tl::unexpected(link.error());
     auto board = std::make_unique<OwnedBoard>(std::move(*boards), std::move(*link), *profile,
                                               device.calibration);
@@ -115,7 +122,7 @@ Result<OpenedDevice> open_usb_device(const UsbDevice& device) {
 Result<void> zero_usb_device(const UsbDevice& device) {
     auto boards = UsbBoards::create();
     if (!boards) return tl::unexpected(boards.error());
-    auto link = boards->open(std::array{device.id}, device.serial);
+    auto link = take_link(*boards, device);
     if (!link) return tl::unexpected(link.error());
     if (!zero_torque(std::move(*link))) return failure("the board did not confirm zero torque");
     return {};

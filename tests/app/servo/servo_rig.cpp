@@ -1,9 +1,11 @@
 // The servo program with a fake board, and a kiosk around it that does nothing else.
 //
-//   servo_rig SOCKET BOARD     the servo
-//   servo_rig kiosk BOARD      the kiosk, until SIGTERM
+//   servo_rig SOCKET BOARD         the servo
+//   servo_rig SOCKET usb DEVICE    the servo with a board on the USB, whatever its tier
+//   servo_rig kiosk BOARD          the kiosk, until SIGTERM
 #include "app/servo/servo_process.h"
 #include "app/servo/servo_program.h"
+#include "app/servo/usb_device.h"
 #include "haptics/servo/tick_clock.h"
 #include "tests/app/servo/fake_board.h"
 #include "tests/haptics/servo/rigs.h"
@@ -11,8 +13,12 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <memory>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace touchline {
 namespace {
@@ -63,7 +69,7 @@ Result<OpenedDevice> open_fake_device(FakeBoard& board) {
     OpenedDevice opened;
     opened.device = std::make_unique<FakeDevice>(board);
     opened.profile = default_profile();
-    opened.has_motors = false;  // how busy the machine of a test is decides nothing
+    opened.has_motors = false;  // as below
     opened.zero = {write_zero, &board};
     return opened;
 }
@@ -102,12 +108,23 @@ int run_kiosk(const std::string& program, const std::string& board_path) {
     return 0;
 }
 
+/// How busy the machine of a test is decides nothing.
+Result<OpenedDevice> open_at_any_tier(std::span<const std::string> arguments) {
+    auto opened = open_usb_device(device_of(arguments).value());
+    if (opened) opened->has_motors = false;
+    return opened;
+}
+
 }  // namespace
 }  // namespace touchline
 
 int main(int argc, char** argv) {
     using namespace touchline;
-    if (argc != 3) return 2;
+    if (argc < 3) return 2;
+    if (std::string(argv[2]) == "usb") {
+        const std::vector<std::string> device(argv + 3, argv + argc);
+        return run_servo_program(std::stoi(argv[1]), [&] { return open_at_any_tier(device); });
+    }
     if (std::string(argv[1]) == "kiosk") return run_kiosk(argv[0], argv[2]);
     FakeBoard& board = fake_board(argv[2]);
     return run_servo_program(std::stoi(argv[1]), [&board] { return open_fake_device(board); });

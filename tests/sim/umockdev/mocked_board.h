@@ -59,6 +59,7 @@ class MockedBoard {
 
   private:
     static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer board);
+    static void on_vanished(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer board);
     void show();
 
     MockedUsb& usb_;

@@ -1,0 +1,136 @@
+// The whole way: the kiosk's guard, the program touchline-servo, libusb and an emulated board that
+// holds its last torque. Times are told, not judged.
+#include "app/servo/servo_process.h"
+#include "app/servo/usb_search.h"
+#include "config/types/steady_clock.h"
+#include "tests/sim/umockdev/mocked_board.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <signal.h>
+
+namespace touchline {
+namespace {
+
+constexpr int longest_wait_ms = 60'000;
+
+FeltPicture line_at(double y_m, std::uint64_t version) {
+    TactileMap map;
+    Outline line;
+    line.points = {{-0.05, y_m}, {0.0, y_m}, {0.05, y_m}};
+    map.outlines.push_back(line);
+    map.version = version;
+    const SceneOrder order{};
+    auto scene = build_scene(map, curve_options(order).value(), order.radius_m).value();
+    return {std::make_shared<const Scene>(std::move(scene)),
+            std::make_shared<const TactileMap>(std::move(map)), order};
+}
+
+class UsbServo : public testing::Test {
+  protected:
+    void start(const std::string& program, std::vector<std::string> arguments = {}) {
+        for (const std::string& argument : arguments_of(device_)) arguments.push_back(argument);
+        servo_ = std::make_unique<ServoProcess>(
+            ServoProcessOptions{program, arguments, [this] { return zero_usb_device(device_); }});
+    }
+
+    /// Its force does not depend on how busy the machine is.
+    void start_at_any_tier() { start(TOUCHLINE_SERVO_RIG, {"usb"}); }
+
+    /// The only child of this process.
+    void signal_servo(int signal) const {
+        for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task")) {
+            std::ifstream children(thread.path() / "children");
+            for (pid_t child = 0; children >> child;) kill(child, signal);
+        }
+    }
+
+    void expect_zero_after(const char* what, int signal) {
+        const std::int64_t start_ns = steady_now_ns();
+        signal_servo(signal);
+        ASSERT_TRUE(frames_until([&] { return held() == JointTorques{}; })) << what;
+        std::printf("%s: zero torque seen after %.1f ms\n", what,
+                    1e-6 * static_cast<double>(steady_now_ns() - start_ns));
+    }
+
+    /// As the kiosk does, frame by frame, until the condition holds or a minute has passed.
+    [[nodiscard]] bool frames_until(const std::function<bool()>& condition) {
+        for (int i = 0; i < longest_wait_ms; ++i) {
+            (void)servo_->latest();
+            const std::string notice = servo_->take_notice();
+            if (!notice.empty()) std::printf("%s\n", notice.c_str());
+            notices_ += notice;
+            if (condition()) return true;
+            poll(nullptr, 0, 1);
+        }
+        return false;
+    }
+
+    [[nodiscard]] JointTorques held() {
+        JointTorques torques;
+        board_.with([&](BoardEmulator& emulator, UsbFaults&) {
+            if (!emulator.told_torques().empty()) torques = emulator.told_torques().back().torques;
+        });
+        return torques;
+    }
+
+    /// A groove a millimetre beside the hand pulls at it.
+    void feel_a_pull() {
+        servo_->feel(line_at(0.045, ++version_));
+        ServoCommands commands;
+        commands.mode = Mode::groove;
+        servo_->set(commands);
+        ASSERT_TRUE(frames_until([&] { return servo_->force_status().state == ForceState::live; }));
+        servo_->feel(line_at(servo_->latest().p_WH.y + 0.001, ++version_));
+        ASSERT_TRUE(frames_until([&] { return held() != JointTorques{}; }));
+    }
+
+    MockedUsb mocked_;
+    MockedBoard board_{mocked_, {}};
+    UsbDevice device_ = find_usb_device(read_boards(boards_file()).value()).value().value();
+    std::unique_ptr<ServoProcess> servo_;
+    std::string notices_;
+    std::uint64_t version_ = 0;
+};
+
+TEST_F(UsbServo, TheProgramItselfTakesTheBoardAndGivesItBackWithZeroTorque) {
+    start(TOUCHLINE_SERVO);
+    ASSERT_TRUE(frames_until([&] { return servo_->latest().ticks > 100; }));
+    const auto home = forward(default_profile().geometry, default_profile().home).value();
+    const Position home_W = picture_from_device(default_profile(), home.p_DH);
+    EXPECT_LT(norm(servo_->latest().p_WH - home_W), 0.001);
+    servo_->stop();
+    EXPECT_EQ(held(), JointTorques{});
+    EXPECT_TRUE(zero_usb_device(device_).has_value());  // nobody holds it any more
+}
+
+TEST_F(UsbServo, PullsAtTheHandAndEndsWithZeroTorque) {
+    start_at_any_tier();
+    feel_a_pull();
+    servo_->stop();
+    EXPECT_EQ(held(), JointTorques{});
+    EXPECT_EQ(notices_, "");
+}
+
+TEST_F(UsbServo, WhateverKillsItTheBoardIsZeroedAndTheNextOneTakesIt) {
+    start_at_any_tier();
+    for (int round = 1; round <= 2; ++round) {
+        feel_a_pull();
+        expect_zero_after("servo killed", SIGKILL);
+        feel_a_pull();
+        expect_zero_after("servo frozen", SIGSTOP);
+        feel_a_pull();
+        expect_zero_after("servo crashed", SIGSEGV);
+    }
+}
+
+}  // namespace
+}  // namespace touchline
