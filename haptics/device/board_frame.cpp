@@ -48,7 +48,7 @@ DeviceProfile calibrated(const DeviceProfile& profile, const Calibration& calibr
 }
 
 BoardFrame::BoardFrame(const DeviceProfile& profile, const Calibration& calibration)
-    : profile_(calibrated(profile, calibration)),
+    : profile_(profile),
       calibration_(calibration),
       is_joint_1_on_port_2_((profile.wiring.joint_1.port == 2) != calibration.are_motors_swapped),
       quantum_(reordered<PortDegree>(encoder_quantum(profile), is_joint_1_on_port_2_,
@@ -98,7 +98,7 @@ bool BoardFrame::is_whole_counts(PortAngles raw) const {
 PortTorques BoardFrame::port_torques(JointTorques torques) const {
     if (!is_finite(torques)) return {};
     const double largest = std::max(std::abs(torques.x), std::abs(torques.y));
-    const double limit = profile_.torque_limit_Nm;
+    const double limit = calibration_.torque_limit_Nm.value_or(profile_.torque_limit_Nm);
     const double scale = largest <= limit ? 1.0 : limit / largest;
     return reordered<PortNewtonMetre>(torques, is_joint_1_on_port_2_, scale);
 }

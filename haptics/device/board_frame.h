@@ -40,13 +40,9 @@ class BoardFrame {
     /// Both scaled together to the unit's limit, so that the direction stays; not finite: zero.
     [[nodiscard]] PortTorques port_torques(JointTorques torques) const;
 
-    /// With another calibration: of offset and scale, or of plugs before the next set-up.
-    [[nodiscard]] BoardFrame with(const Calibration& calibration) const {
-        return {profile_, calibration};
-    }
-
     [[nodiscard]] const Calibration& calibration() const { return calibration_; }
 
+    /// As it was given, without the calibration.
     [[nodiscard]] const DeviceProfile& profile() const { return profile_; }
 
   private:

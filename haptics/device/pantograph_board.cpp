@@ -101,7 +101,9 @@ bool PantographBoard::write_torques(JointTorques torques) {
 }
 
 void PantographBoard::set_calibration(const Calibration& calibration) {
-    frame_ = frame_.with(calibration);
+    Calibration kept = calibration;
+    kept.are_motors_swapped = frame_.calibration().are_motors_swapped;
+    frame_ = BoardFrame(frame_.profile(), kept);
     report_.is_position_doubtful = false;
 }
 

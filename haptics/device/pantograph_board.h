@@ -62,8 +62,8 @@ class PantographBoard final : public ForceDevice {
     /// passed on. Not finite counts as zero and is reported.
     [[nodiscard]] bool write_torques(JointTorques torques) override;
 
-    /// Offset, scale and torque limit from the next call on; swapped plugs only by another open().
-    /// The position counts as known.
+    /// Offset, scale and torque limit from the next call on; that plugs are swapped, or not, takes
+    /// another driver. The position counts as known.
     void set_calibration(const Calibration& calibration);
 
     /// After `jumped`, or doubt: the angles count as they are. With the force off only.

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace touchline {
 namespace {
@@ -30,7 +29,8 @@ class ScriptedLink final : public BoardLink {
         demand(!command.empty() && command.size() <= 64);
         demand(command[0] <= 2);
         last_size_ = command.size();
-        if (command.size() == write_bytes) last_write_.assign(command.begin(), command.end());
+        is_pulling_ = command[0] == 2 && std::any_of(command.begin() + 2, command.end(),
+                                                     [](std::uint8_t byte) { return byte != 0; });
         if (!is_open_ && command.size() == write_bytes) owes_first_ = true;
         return LinkStatus::done;
     }
@@ -63,7 +63,8 @@ class ScriptedLink final : public BoardLink {
 
     [[nodiscard]] bool is_over() const { return script_.empty(); }
 
-    [[nodiscard]] const std::vector<std::uint8_t>& last_write() const { return last_write_; }
+    /// The last command was neither a zero write nor a set-up, which stops the motors too.
+    [[nodiscard]] bool is_pulling() const { return is_pulling_; }
 
   private:
     Received first_reply() {
@@ -76,7 +77,7 @@ class ScriptedLink final : public BoardLink {
     }
 
     std::span<const std::uint8_t> script_;
-    std::vector<std::uint8_t> last_write_;
+    bool is_pulling_ = false;
     std::size_t last_size_ = 0;
     bool is_open_ = false;
     bool owes_first_ = false;
@@ -99,10 +100,8 @@ void feed_packets(std::span<const std::uint8_t> bytes) {
         demand(!angles || is_finite(*angles));
         demand(!angles || driver.report().state == BoardState::ready);
         const bool is_taken = driver.write_torques(angles ? push : JointTorques{});
-        const bool is_zero = std::all_of(link.last_write().begin() + 2, link.last_write().end(),
-                                         [](std::uint8_t byte) { return byte == 0; });
-        // Where the board is not known to be in step it was told zero last.
-        demand(is_zero || (angles && is_taken));
+        // Where the board is not known to be in step it was told to stop last.
+        demand(!link.is_pulling() || (angles && is_taken));
     }
 }
 

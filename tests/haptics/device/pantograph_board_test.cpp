@@ -251,6 +251,22 @@ TEST(PantographBoard, SetUpAwayFromHomeShiftsEveryAngleAndAnOffsetMendsIt) {
     EXPECT_NEAR(norm(rig.tick({}).value() - rig.board.true_angles()), 0.0, 1e-6);
 }
 
+TEST(PantographBoard, NewCalibrationLeavesThePlugsAsTheyWereSetUp) {
+    BoardRig rig;
+    ASSERT_TRUE(rig.driver->open().has_value());
+    const JointAngles before = rig.tick({}).value();
+    Calibration swapped;
+    swapped.are_motors_swapped = true;
+    swapped.torque_limit_Nm = 0.01;
+    rig.driver->set_calibration(swapped);
+    EXPECT_EQ(rig.tick({}).value(), before);
+    rig.tick_for(0.01, {0.1, -0.05});
+    EXPECT_LT(far_apart(rig.held(), {0.01, -0.005}), 2e-4);
+    rig.driver->set_calibration({});
+    rig.tick_for(0.01, push);
+    EXPECT_LT(far_apart(rig.held(), push), 1e-3);
+}
+
 TEST(PantographBoard, UnpluggedInMidStrokeIsLostAndSaysSo) {
     BoardRig rig;
     ASSERT_TRUE(rig.driver->open().has_value());
