@@ -80,7 +80,6 @@ void MockedBoard::show() {
     GError* error = nullptr;
     handler_ = static_cast<UMockdevIoctlBase*>(g_object_new(UMOCKDEV_TYPE_IOCTL_BASE, nullptr));
     g_signal_connect(handler_, "handle-ioctl", G_CALLBACK(on_ioctl), this);
-    g_signal_connect(handler_, "client-vanished", G_CALLBACK(on_vanished), this);
     if (!umockdev_testbed_add_from_string(usb_.testbed(), text.str().c_str(), &error) ||
         !umockdev_testbed_attach_ioctl(usb_.testbed(), node().c_str(), handler_, &error)) {
         std::fprintf(stderr, "umockdev: %s\n", error->message);
@@ -118,12 +117,6 @@ gboolean MockedBoard::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, 
     mocked.board_.advance_to(steady_now_s() - mocked.start_s_);
     mocked.requests_.handle(client);
     return TRUE;
-}
-
-void MockedBoard::on_vanished(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer me) {
-    auto& mocked = *static_cast<MockedBoard*>(me);
-    const std::lock_guard lock(mocked.mutex_);
-    mocked.requests_.forget(client);
 }
 
 }  // namespace touchline

@@ -59,7 +59,6 @@ class MockedBoard {
 
   private:
     static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer board);
-    static void on_vanished(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer board);
     void show();
 
     MockedUsb& usb_;

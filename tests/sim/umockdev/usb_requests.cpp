@@ -72,7 +72,7 @@ void UsbRequests::submit(UMockdevIoctlClient* client, UMockdevIoctlData* arg) {
     UMockdevIoctlData* buffer = umockdev_ioctl_data_resolve(
         data, offsetof(usbdevfs_urb, buffer), static_cast<gsize>(urb.buffer_length), nullptr);
     const std::uint64_t id = data->client_addr;
-    urbs_[id] = {client, data, buffer, urb.endpoint};
+    urbs_[id] = {data, buffer, urb.endpoint};
     answer(client, 0, 0);
     if (urb.type == USBDEVFS_URB_TYPE_CONTROL) {
         submit_control(id, urb);
@@ -83,13 +83,6 @@ void UsbRequests::submit(UMockdevIoctlClient* client, UMockdevIoctlData* arg) {
     } else {
         submit_out(id, urb);
     }
-}
-
-void UsbRequests::forget(const UMockdevIoctlClient* client) {
-    std::erase_if(urbs_, [client](const auto& entry) { return entry.second.owner == client; });
-    const auto is_over = [this](std::uint64_t id) { return urbs_.count(id) == 0; };
-    std::erase_if(listening_, is_over);
-    std::erase_if(done_, is_over);
 }
 
 void UsbRequests::submit_control(std::uint64_t id, usbdevfs_urb& urb) {

@@ -37,14 +37,10 @@ class UsbRequests {
     /// Answers the request. The board's clock is at now.
     void handle(UMockdevIoctlClient* client);
 
-    /// A program closed the device, or died: what it had under way is over, as in the kernel.
-    void forget(const UMockdevIoctlClient* client);
-
     UsbFaults faults;
 
   private:
     struct Urb {
-        UMockdevIoctlClient* owner = nullptr;
         UMockdevIoctlData* data = nullptr;
         UMockdevIoctlData* buffer = nullptr;
         std::uint8_t endpoint = 0;
