@@ -24,6 +24,7 @@ bool is_bool(const bool& value) {
 bool is_sound(const ServoCommands& commands) {
     constexpr double most_level = 64.0;
     return commands.mode <= Mode::stay && is_bool(commands.is_level_auto) &&
+           is_bool(commands.is_force_wanted) && is_bool(commands.is_emergency_stop) &&
            is_within(commands.stiffness_N_per_m, 1e-9, 20'000.0) &&
            is_within(commands.friction, 0.0, 1.0) && is_within(commands.radius_m, 0.0, 0.02) &&
            is_within(commands.capture_m, 1e-9, 0.1) &&
@@ -38,7 +39,9 @@ bool is_sound(const ServoReport& report) {
     const HandState& hand = report.hand;
     return is_finite(hand.p_WH) && is_finite(hand.p_WP) && is_finite(hand.force) &&
            std::isfinite(hand.level) && hand.mode <= Mode::stay &&
-           hand.state <= ContactState::vertex && hand.outline >= -1 && is_bool(hand.is_level_auto);
+           hand.state <= ContactState::vertex && hand.outline >= -1 &&
+           is_bool(hand.is_level_auto) && report.force.state <= ForceState::fault &&
+           report.force.fault <= Fault::emergency_stop && report.force.limit <= Limit::fault;
 }
 
 RealTimeTier tier_of(const ServoChannel& channel) {

@@ -118,6 +118,50 @@ TEST(Alone, NorAcrossTheOnlyPinOfALoop) {
     }
 }
 
+/// A straight arm of 30 mm up to a corner, and from there an arm that wriggles. Beside it, 0.1 to
+/// 0.5 mm away, another outline: the wriggling arm keeps few levels, the straight one all of its
+/// own.
+TactileMap wriggling_corner(unsigned seed) {
+    trials::Random random(seed);
+    const double angle = 0.8 + 1.6 * random.unit();
+    const double height_m = 2e-4 + 8e-4 * random.unit();
+    const double per_m = 6.28318530717959 / (2e-3 + 4e-3 * random.unit());
+    const double gap_m = 1e-4 + 4e-4 * random.unit();
+    const Direction along_arm{std::cos(angle), std::sin(angle)};
+    std::vector<Position> cornered;
+    std::vector<Position> stranger;
+    for (int i = -150; i <= 150; ++i) {
+        const double s = 2e-4 * std::abs(i);
+        const double aside = height_m * (1.0 - std::exp(-s / 2e-3)) * std::sin(per_m * s);
+        const auto beside = [&](double gap) {
+            return along<Position>(along_arm, s) + along<Position>(left_of(along_arm), aside + gap);
+        };
+        cornered.push_back(i < 0 ? Position{s, 0.0} : beside(0.0));
+        if (i > 35) stranger.push_back(beside(gap_m));
+    }
+    return scenes::map_of({scenes::outline(cornered, false), scenes::outline(stranger, false)});
+}
+
+TEST(Alone, HoldsForTheLevelsThatALimitedNeighbourKeeps) {
+    constexpr double radius_m = 1.4e-3;
+    CurveOptions resampled;
+    resampled.resample = true;
+    int limited = 0;
+    int alone = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        const TactileMap map = wriggling_corner(seed);
+        const Scene scene = build_scene(map, resampled, radius_m).value();
+        const CurveSet all = CurveSet::build(map, resampled).value();
+        for (std::size_t i = 0; i < std::min(all.pieces().size(), scene.curves.pieces().size());
+             ++i)
+            limited += scene.curves.pieces()[i].coarsest < all.pieces()[i].coarsest ? 1 : 0;
+        for (double level = 1.0; level <= scene.curves.coarsest(); level += 0.5)
+            alone += count_alone(scene, radius_m, level);
+    }
+    EXPECT_GT(limited, 20);
+    EXPECT_GT(alone, 100);
+}
+
 /// Share of the nodes of all levels that are alone.
 double alone_share(const Scene& scene) {
     std::size_t nodes = 0;
