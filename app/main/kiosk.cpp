@@ -3,6 +3,7 @@
 #include "app/gallery/gallery.h"
 #include "app/main/kiosk_servo.h"
 #include "app/main/loading.h"
+#include "app/main/pointer_pace.h"
 #include "app/screen/frame_limiter.h"
 #include "app/screen/kiosk_screen.h"
 #include "app/screen/window.h"
@@ -100,8 +101,8 @@ class Kiosk {
         if (!screen_) return;
         const Position p = screen_->view().to_W(place);
         const Area area = shown_.scene ? shown_.scene->area : Area{};
-        hand_->move_to({std::clamp(p.x, -area.width_m / 2.0, area.width_m / 2.0),
-                        std::clamp(p.y, -area.height_m / 2.0, area.height_m / 2.0)});
+        pointer_ = {std::clamp(p.x, -area.width_m / 2.0, area.width_m / 2.0),
+                    std::clamp(p.y, -area.height_m / 2.0, area.height_m / 2.0)};
     }
 
     void carry_out(Step step) {
@@ -172,6 +173,8 @@ class Kiosk {
     void draw(std::int64_t time_ns) {
         read_events();
         read_notices();
+        led_ = paced(led_, pointer_, 1.0 / frame_rate_Hz);
+        hand_->move_to(led_);
         const HandState& hand = servo_.client->latest();
         const ForceStatus force = servo_.client->force_status();
         const FrameContent content{status(hand, force), session_.shows_keys, session_.shows_boxes,
@@ -244,6 +247,8 @@ class Kiosk {
 
     KioskArguments arguments_;
     std::vector<std::string> files_;
+    Position pointer_;  // where it is
+    Position led_;      // where the hand means to be
     std::shared_ptr<MouseHand> hand_ = std::make_shared<MouseHand>(Position{});
     KioskServo servo_;
     std::string told_words_;  // to the person at the handle

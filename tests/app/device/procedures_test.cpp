@@ -71,7 +71,7 @@ struct Visit {
         : person(std::make_shared<Person>(truth.profile)), rig(truth, {}, {}, person) {}
 
     Procedure procedure() {
-        return {*rig.driver, clock, is_stop_wanted,
+        return {*rig.driver, clock, [this] { return !is_stop_wanted; },
                 [this](const std::string& words) { person->hear(words, rig.time.now_s); }};
     }
 

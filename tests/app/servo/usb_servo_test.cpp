@@ -1,6 +1,7 @@
 // The whole way: the kiosk's guard, the program touchline-servo, libusb and an emulated board that
 // holds its last torque. What dies and is killed is in servo_process_test.cpp: umockdev does not
 // outlive a program that is killed in the middle of a call.
+#include "app/device/board_files.h"
 #include "app/servo/servo_process.h"
 #include "app/servo/usb_search.h"
 #include "tests/sim/umockdev/mocked_board.h"
@@ -28,7 +29,9 @@ FeltPicture line_at(double y_m, std::uint64_t version) {
     const SceneOrder order{};
     auto scene = build_scene(map, curve_options(order).value(), order.radius_m).value();
     return {std::make_shared<const Scene>(std::move(scene)),
-            std::make_shared<const TactileMap>(std::move(map)), order};
+            std::make_shared<const TactileMap>(std::move(map)),
+            order,
+            {}};
 }
 
 class UsbServo : public testing::Test {
@@ -77,7 +80,7 @@ class UsbServo : public testing::Test {
 
     MockedUsb mocked_;
     MockedBoard board_{mocked_, {}};
-    UsbDevice device_ = find_usb_device(read_boards(boards_file()).value()).value().value();
+    UsbDevice device_ = find_usb_device(read_board_files(board_files()).value()).value().value();
     std::unique_ptr<ServoProcess> servo_;
     std::string notices_;
     std::uint64_t version_ = 0;

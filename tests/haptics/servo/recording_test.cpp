@@ -151,7 +151,7 @@ TEST(Recording, DamageThatTheChecksumDoesNotShowIsReadOrRefusedAndRunsWithoutHar
     ASSERT_FALSE(recording.start.empty());
     std::mt19937 random(7);
     int run = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 60; ++i) {
         Recording strange = recording;
         strange.start.clear();
         auto bytes = encode(strange);
@@ -164,7 +164,7 @@ TEST(Recording, DamageThatTheChecksumDoesNotShowIsReadOrRefusedAndRunsWithoutHar
         decoded->start_version = recording.start_version;
         if (run_again(*decoded, Session::built_again)) ++run;
     }
-    EXPECT_GT(run, 100);
+    EXPECT_GT(run, 20);
     Recording zeroed = recording;
     std::fill(zeroed.start.begin(), zeroed.start.end(), std::byte{0});
     EXPECT_FALSE(run_again(zeroed, Session::built_again).has_value());

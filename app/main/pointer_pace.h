@@ -1,0 +1,18 @@
+// A pointer leaps across a screen, a hand does not: the servo would take it for a thrown handle.
+// Threads: a pure function.
+#pragma once
+
+#include "config/types/vec2.h"
+
+namespace touchline {
+
+inline constexpr double led_m_per_s = 0.6;
+
+/// From where the hand means to be towards where the pointer is, dt_s later.
+[[nodiscard]] inline Position paced(Position from, Position pointer, double dt_s) {
+    const Position way = pointer - from;
+    const double most_m = led_m_per_s * dt_s;
+    return norm(way) > most_m ? from + along<Position>(direction_of(way), most_m) : pointer;
+}
+
+}  // namespace touchline
