@@ -1,0 +1,138 @@
+// The driver and what it finds, leaves and loses: boards that others drove, stopping, the plug.
+#include "haptics/device/pantograph_board.h"
+#include "tests/sim/board/board_rig.h"
+
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr JointTorques push{0.03, -0.02};
+
+TEST(BoardHandover, StopLeavesZeroTorqueAndGivesTheBoardBack) {
+    BoardRig rig;
+    ASSERT_TRUE(rig.driver->open().has_value());
+    rig.tick_for(0.1, push);
+    EXPECT_TRUE(rig.driver->stop());
+    EXPECT_EQ(rig.held(), JointTorques{});
+    EXPECT_EQ(rig.driver->report().state, BoardState::closed);
+    EXPECT_FALSE(rig.tick(push).has_value());
+    EXPECT_FALSE(rig.driver->write_torques(push));
+    EXPECT_FALSE(rig.driver->stop());
+    EXPECT_EQ(rig.held(), JointTorques{});
+}
+
+TEST(BoardHandover, DestroyingTheDriverStopsTheMotors) {
+    BoardRig rig;
+    ASSERT_TRUE(rig.driver->open().has_value());
+    rig.tick_for(0.1, push);
+    rig.driver.reset();
+    EXPECT_EQ(rig.held(), JointTorques{});
+}
+
+TEST(BoardHandover, ABoardThatSomebodyElseLeftPullingIsStopped) {
+    BoardRig rig;
+    ASSERT_TRUE(rig.driver->open().has_value());
+    rig.tick_for(0.1, push);
+    const std::uint64_t set_ups = rig.board.firmware().set_ups();
+    // The other program is gone; the board never heard of it.
+    EXPECT_TRUE(zero_torque(std::make_unique<EmulatedLink>(rig.board, rig.time)));
+    EXPECT_EQ(rig.held(), JointTorques{});
+    EXPECT_EQ(rig.board.firmware().set_ups(), set_ups);  // it still knows where the handle is
+}
+
+TEST(BoardHandover, ZeroIsTheFirstThingThatAStopSends) {
+    BoardRig rig;
+    ASSERT_TRUE(rig.driver->open().has_value());
+    rig.tick_for(0.1, push);
+    const double before_s = rig.time.now_s;
+    EXPECT_TRUE(rig.driver->stop());
+    EXPECT_LE(rig.board.told_torques().back().at_s, before_s + 1e-3);
+}
+
+TEST(BoardHandover, ABoardThatWasNeverSetUpIsStoppedToo) {
+    BoardRig rig;
+    EXPECT_TRUE(zero_torque(std::make_unique<EmulatedLink>(rig.board, rig.time)));
+    EXPECT_EQ(rig.held(), JointTorques{});
+}
+
+TEST(BoardHandover, AStaleReplyFromBeforeIsDrained) {
+    BoardRig rig;
+    ASSERT_TRUE(rig.driver->open().has_value());
+    rig.tick_for(0.05, push);
+    // A program that died with a reply unread.
+    rig.board.host_listens(false);
+    rig.board.host_sends(write_command({0.01, 0.01}).bytes());
+    rig.time.now_s += 0.01;
+    rig.board.advance_to(rig.time.now_s);
+    auto fresh = std::make_unique<EmulatedLink>(rig.board, rig.time);
+    PantographBoard second(std::move(fresh), rig.board.truth().profile, {});
+    ASSERT_TRUE(second.open().has_value());
+    EXPECT_EQ(second.report().state, BoardState::ready);
+    EXPECT_EQ(second.report().replies, 2U);  // the stale one and that to the zero write
+}
+
+TEST(BoardHandover, TheEmptyPacketAfterAnOverflowIsIgnored) {
+    BoardRig rig;
+    ASSERT_TRUE(rig.driver->open().has_value());
+    rig.board.host_listens(false);
+    for (int i = 0; i < 3; ++i) rig.board.host_sends(write_command({}).bytes());
+    rig.time.now_s += 0.2;
+    rig.board.advance_to(rig.time.now_s);
+    rig.connect();
+    ASSERT_TRUE(rig.driver->open().has_value());
+    EXPECT_EQ(rig.driver->report().empty_packets, 1U);
+    EXPECT_TRUE(rig.tick({}).has_value());
+}
+
+TEST(BoardHandover, UnpluggedInMidStrokeIsLostAndSaysSo) {
+    BoardRig rig;
+    ASSERT_TRUE(rig.driver->open().has_value());
+    rig.tick_for(0.1, push);
+    rig.board.unplug();
+    EXPECT_FALSE(rig.tick(push).has_value());
+    EXPECT_FALSE(rig.is_written);
+    EXPECT_EQ(rig.driver->report().state, BoardState::lost);
+    EXPECT_EQ(rig.driver->report().last_failure, LinkStatus::gone);
+    EXPECT_FALSE(rig.driver->stop());
+    EXPECT_EQ(rig.driver->open().error().line, "the board was given back");
+}
+
+TEST(BoardHandover, PluggedInAgainUnderAnotherNumberItOpensAnew) {
+    BoardRig rig;
+    ASSERT_TRUE(rig.driver->open().has_value());
+    rig.tick_for(0.1, push);
+    rig.board.unplug();
+    (void)rig.tick(push);
+    const int number = rig.board.device_number();
+    rig.board.plug();
+    EXPECT_NE(rig.board.device_number(), number);
+    EXPECT_EQ(rig.held(), JointTorques{});
+    rig.connect();
+    ASSERT_TRUE(rig.driver->open().has_value());
+    (void)rig.tick({});
+    rig.tick_for(0.05, push);
+    EXPECT_LT(norm(rig.held() - push), 1e-3);
+}
+
+TEST(BoardHandover, SomethingThatIsNoPantographIsRefused) {
+    BoardTruth truth;
+    BoardRig rig(truth);
+    std::vector<PlannedFault> deaf;
+    for (std::size_t i = 0; i < 100; ++i) deaf.push_back({i, LinkFault::lost_reply, 0.0, 0});
+    rig.connect(deaf);
+    const double before_s = rig.time.now_s;
+    const auto opened = rig.driver->open();
+    ASSERT_FALSE(opened.has_value());
+    EXPECT_EQ(opened.error().line,
+              "the board does not answer as a pantograph's board does: check that it is the right "
+              "one, unplug it and plug it in again");
+    EXPECT_LT(rig.time.now_s - before_s, 4.5);
+    EXPECT_FALSE(rig.board.firmware().is_broken());
+}
+
+}  // namespace
+}  // namespace touchline
