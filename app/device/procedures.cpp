@@ -65,8 +65,7 @@ Result<Calibration> home(const Procedure& procedure, const std::optional<Calibra
         said = view;
         if (is_new) procedure.say(words_of(view, profile));
         if (is_new && view.remark == HomingRemark::swapped) {
-            procedure.board.set_calibration(homing.bare());
-            is_reopened = procedure.board.open().has_value();
+            is_reopened = procedure.board.open(homing.bare()).has_value();
         }
         const bool is_over = view.step == HomingStep::done || !is_reopened;
         return is_over ? std::optional<JointTorques>() : JointTorques{};

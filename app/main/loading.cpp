@@ -36,10 +36,10 @@ Result<LoadedScene> load_scene(const std::string& path, int detail) {
     result.facts = {title_of(loaded->map, path), static_cast<int>(loaded->map.outlines.size()),
                     scene->curves.coarsest(), loaded->warning};
     result.shown.scene = std::make_shared<const Scene>(std::move(*scene));
-    result.felt = {result.shown.scene,
-                   std::make_shared<const TactileMap>(std::move(loaded->map)),
-                   felt_order(default_profile(), detail),
-                   {loaded->map.version, gallery_file(path), detail, hash_of(loaded->map)}};
+    const RecordedMap recorded{loaded->map.version, gallery_file(path), detail,
+                               hash_of(loaded->map)};
+    result.felt = {result.shown.scene, std::make_shared<const TactileMap>(std::move(loaded->map)),
+                   felt_order(default_profile(), detail), recorded};
     result.shown.picture =
         std::make_shared<const Canvas>(canvas_of(loaded->picture, longest_picture_px));
     return result;

@@ -43,6 +43,11 @@ Result<void> PantographBoard::open() {
         "unplug it and plug it in again");
 }
 
+Result<void> PantographBoard::open(const Calibration& calibration) {
+    frame_ = BoardFrame(frame_.profile(), calibration);
+    return open();
+}
+
 bool PantographBoard::stop() {
     if (!link_) return false;
     if (report_.last_failure != LinkStatus::gone) {

@@ -54,6 +54,9 @@ class PantographBoard final : public ForceDevice {
     /// set-up, zero write, exact checks. Takes 30 ms; up to 4 s before it fails.
     [[nodiscard]] Result<void> open();
 
+    /// The same with this calibration, swapped plugs included: the ports are set up anew.
+    [[nodiscard]] Result<void> open(const Calibration& calibration);
+
     /// Those of the newest reply. Nothing while resyncing, jumped or lost; at most 4 ms
     /// after the tick that it came in.
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;

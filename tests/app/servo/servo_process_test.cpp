@@ -71,7 +71,7 @@ class ServoProcess : public testing::Test {
             board_.is_pressed = 0;
             if (!wait_for_ticks(800)) return false;
             board_.is_pressed = 1;
-            if (!wait_for_ticks(20)) return false;
+            if (!wait_for_ticks(200)) return false;
         }
         return board_.is_torque_on == 1;
     }
