@@ -1,7 +1,7 @@
 // Homing and the nudge test with the driver, an emulated board and a person who does what is said.
 #include "app/device/procedures.h"
 
-#include "haptics/pantograph/kinematics.h"
+#include "tests/app/device/person.h"
 #include "tests/sim/board/board_rig.h"
 
 #include <algorithm>
@@ -28,41 +28,6 @@ class RigClock final : public Clock {
 
   private:
     VirtualTime& time_;
-};
-
-/// Goes where the words say, 0.15 m/s.
-class Person final : public IntendedPath {
-  public:
-    explicit Person(const DeviceProfile& profile)
-        : home_(place(profile, profile.home)), check_(place(profile, profile.check.angles)) {
-        from_ = to_ = 0.5 * (home_ + check_);
-    }
-
-    void hear(const std::string& words, double now_s) {
-        from_ = at(now_s).position;
-        since_s_ = now_s;
-        if (words.find("away from you") != std::string::npos) to_ = home_;
-        if (words.find("towards you") != std::string::npos) to_ = check_;
-        heard.push_back(words);
-    }
-
-    [[nodiscard]] Intention at(double t_s) const override {
-        const Position way = to_ - from_;
-        const double gone_m = 0.15 * std::max(0.0, t_s - since_s_);
-        if (gone_m >= norm(way)) return {to_, {}};
-        return {from_ + along<Position>(direction_of(way), gone_m),
-                along<Velocity>(direction_of(way), 0.15)};
-    }
-
-    std::vector<std::string> heard;
-
-  private:
-    static Position place(const DeviceProfile& profile, JointAngles angles) {
-        return picture_from_device(profile, forward(profile.geometry, angles).value().p_DH);
-    }
-
-    Position home_, check_, from_, to_;
-    double since_s_ = 0.0;
 };
 
 /// A rig whose person hears what is said.

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 namespace touchline {
 namespace {
@@ -47,10 +48,11 @@ std::string MockedUsb::folder() const {
     return text;
 }
 
-MockedBoard::MockedBoard(MockedUsb& usb, const BoardTruth& truth, int port)
+MockedBoard::MockedBoard(MockedUsb& usb, const BoardTruth& truth, int port,
+                         std::shared_ptr<const IntendedPath> path)
     : usb_(usb),
       port_(port),
-      board_(truth, resting_hand(truth.profile)),
+      board_(truth, path ? std::move(path) : resting_hand(truth.profile)),
       requests_(board_),
       start_s_(steady_now_s()) {
     show();

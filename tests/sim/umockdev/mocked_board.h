@@ -36,8 +36,9 @@ class MockedUsb {
 /// One board on it, plugged in at once. Threads: as MockedUsb.
 class MockedBoard {
   public:
-    /// port: of the only hub, 1 to 9.
-    MockedBoard(MockedUsb& usb, const BoardTruth& truth, int port = 1);
+    /// port: of the only hub, 1 to 9. path: of the hand; none: it rests at home.
+    MockedBoard(MockedUsb& usb, const BoardTruth& truth, int port = 1,
+                std::shared_ptr<const IntendedPath> path = nullptr);
     ~MockedBoard();
     MockedBoard(const MockedBoard&) = delete;
     MockedBoard(MockedBoard&&) = delete;

@@ -1,0 +1,134 @@
+// touchline device, through libusb against the emulated board. Runs under umockdev-wrapper.
+#include "app/cli/device.h"
+#include "app/device/board_files.h"
+#include "tests/app/device/person.h"
+#include "tests/sim/umockdev/mocked_board.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <sstream>
+#include <streambuf>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Hands over every line as soon as it is whole.
+class Lines final : public std::streambuf {
+  public:
+    explicit Lines(std::function<void(const std::string&)> hear) : hear_(std::move(hear)) {}
+
+  protected:
+    int_type overflow(int_type c) override {
+        if (c != '\n') {
+            line_.push_back(static_cast<char>(c));
+        } else {
+            hear_(std::exchange(line_, {}));
+        }
+        return c;
+    }
+
+  private:
+    std::function<void(const std::string&)> hear_;
+    std::string line_;
+};
+
+class DeviceCommand : public testing::Test {
+  protected:
+    DeviceCommand() {
+        fs::remove(units_);
+        setenv("TOUCHLINE_UNITS", units_.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    }
+
+    ~DeviceCommand() override { fs::remove(units_); }
+
+    Result<void> run(DeviceAction action) { return run_device({action, "", ""}, out_); }
+
+    static JointTorques held(MockedBoard& board) {
+        JointTorques torques;
+        board.with([&](BoardEmulator& emulator, UsbFaults&) {
+            if (!emulator.told_torques().empty()) torques = emulator.told_torques().back().torques;
+        });
+        return torques;
+    }
+
+    static BoardTruth let_go() {
+        BoardTruth truth;
+        truth.hand = no_hand;
+        return truth;
+    }
+
+    MockedUsb usb_;
+    fs::path units_ = fs::temp_directory_path() / "touchline-device-command.toml";
+    std::ostringstream out_;
+};
+
+TEST_F(DeviceCommand, WithoutABoardEveryCommandSaysWhatWasLookedFor) {
+    ASSERT_TRUE(run(DeviceAction::list).has_value());
+    EXPECT_NE(out_.str().find("2341:804d"), std::string::npos);
+    for (const DeviceAction action :
+         {DeviceAction::probe, DeviceAction::home, DeviceAction::nudge, DeviceAction::stop}) {
+        const auto ended = run(action);
+        ASSERT_FALSE(ended.has_value());
+        EXPECT_NE(ended.error().line.find("Haply"), std::string::npos) << ended.error().line;
+        EXPECT_EQ(ended.error().line.find('\n'), std::string::npos);
+    }
+}
+
+TEST_F(DeviceCommand, ListProbeAndStopTellOfTheBoard) {
+    MockedBoard board(usb_, {});
+    ASSERT_TRUE(run(DeviceAction::list).has_value());
+    EXPECT_NE(out_.str().find(BoardTruth{}.serial), std::string::npos);
+    ASSERT_TRUE(run(DeviceAction::probe).has_value());
+    EXPECT_NE(out_.str().find("answers to 1000 questions"), std::string::npos);
+    ASSERT_TRUE(run(DeviceAction::stop).has_value());
+    EXPECT_NE(out_.str().find("confirmed zero torque"), std::string::npos);
+    EXPECT_EQ(held(board), JointTorques{});
+}
+
+TEST_F(DeviceCommand, NudgeTellsWhetherTheMotorsHavePower) {
+    MockedBoard board(usb_, let_go(), 1, std::make_shared<Person>(default_profile()));
+    board.with([](BoardEmulator& emulator, UsbFaults&) { emulator.switch_motors(false); });
+    const auto without = run(DeviceAction::nudge);
+    ASSERT_FALSE(without.has_value());
+    EXPECT_NE(without.error().line.find("no power"), std::string::npos);
+    EXPECT_EQ(held(board), JointTorques{});
+    board.with([](BoardEmulator& emulator, UsbFaults&) { emulator.switch_motors(true); });
+    const auto with = run(DeviceAction::nudge);
+    EXPECT_TRUE(with.has_value()) << with.error().line;
+    EXPECT_EQ(held(board), JointTorques{});
+}
+
+TEST_F(DeviceCommand, HomeLeadsAPersonAndKeepsWhatItFound) {
+    const auto person = std::make_shared<Person>(default_profile());
+    BoardTruth truth;
+    truth.scale_error = {0.04, 0.04};
+    MockedBoard board(usb_, truth, 1, person);
+    Lines lines([&](const std::string& line) {
+        double now_s = 0.0;
+        board.with([&](BoardEmulator& emulator, UsbFaults&) { now_s = emulator.now_s(); });
+        person->hear(line, now_s);
+    });
+    std::ostream out(&lines);
+    const auto homed = run_device({DeviceAction::home, "", ""}, out);
+    ASSERT_TRUE(homed.has_value()) << homed.error().line;
+    const auto settings = read_board_files(board_files());
+    ASSERT_TRUE(settings.has_value());
+    const UnitSettings* unit = find_unit(*settings, truth.serial);
+    ASSERT_NE(unit, nullptr);
+    EXPECT_NEAR(unit->calibration.scale.x, 1.0 / 1.04, 0.01);
+    EXPECT_EQ(unit->calibration.offset, JointAngles{});
+    EXPECT_NE(person->heard.back().find("kept in"), std::string::npos);
+    EXPECT_EQ(held(board), JointTorques{});
+}
+
+}  // namespace
+}  // namespace touchline
