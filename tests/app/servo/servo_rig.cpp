@@ -30,7 +30,8 @@ constexpr Position pressed{0.0, -0.002};
 void do_mischief(Mischief mischief) {
     if (mischief == Mischief::write_nowhere) *static_cast<volatile int*>(nullptr) = 1;
     if (mischief == Mischief::throw_something) throw std::runtime_error("a bug");
-    while (mischief == Mischief::spin) {
+    // Volatile, or a compiler may take it that a loop without effects ends.
+    for (volatile bool spins = mischief == Mischief::spin; spins;) {
     }
 }
 
