@@ -129,13 +129,41 @@ Result<void> nudge_unit(TakenUnit& unit, std::ostream& out) {
     return {};
 }
 
-Result<void> stop(TakenUnit& unit, std::ostream& out) {
-    if (!unit.board.driver->stop()) {
-        return failure(
-            "the board did not confirm that its motors are off: cut the power of the motors");
+/// Without the units, if need be: a file that is broken must not keep a motor running.
+Result<BoardSettings> settings_to_stop_by() {
+    auto settings = read_board_files(board_files());
+    return settings ? settings : read_boards(board_files().boards);
+}
+
+Result<void> stop_board(const UsbBoards& usb, const FoundBoard& board, std::ostream& out) {
+    auto link = usb.open(board);
+    if (!link) return tl::unexpected(link.error());
+    if (!zero_torque(std::move(*link))) {
+        return failure("board " + board.serial +
+                       " did not confirm that its motors are off: cut the power of the motors");
     }
-    out << "The motors are off: the board confirmed zero torque.\n";
+    out << fmt::format("The motors of board {} are off: it confirmed zero torque.\n", board.serial);
     return {};
+}
+
+/// Every board that the kiosk might have driven, or the one that is named.
+Result<void> stop(const DeviceCommandOptions& options, std::ostream& out) {
+    const auto settings = settings_to_stop_by();
+    if (!settings) return tl::unexpected(settings.error());
+    const auto usb = UsbBoards::create();
+    if (!usb) return tl::unexpected(usb.error());
+    Result<void> worst;
+    bool was_any = false;
+    for (const FoundBoard& board : usb->list(settings->boards)) {
+        const bool is_meant = options.serial.empty()
+                                  ? board.id.may_probe || find_unit(*settings, board.serial)
+                                  : board.serial == options.serial;
+        if (board.id.condition != BoardCondition::running || !is_meant) continue;
+        was_any = true;
+        if (auto stopped = stop_board(*usb, board, out); !stopped) worst = stopped;
+    }
+    if (was_any) return worst;
+    return usb->find(settings->boards, options.serial).map([](const FoundBoard&) {});
 }
 
 }  // namespace
@@ -143,6 +171,7 @@ Result<void> stop(TakenUnit& unit, std::ostream& out) {
 Result<void> run_device(const DeviceCommandOptions& options, std::ostream& out) {
     if (options.action == DeviceAction::list) return list(out);
     catch_signals();
+    if (options.action == DeviceAction::stop) return stop(options, out);
     auto unit = take(options);
     if (!unit) return tl::unexpected(unit.error());
     switch (options.action) {
@@ -150,10 +179,8 @@ Result<void> run_device(const DeviceCommandOptions& options, std::ostream& out) 
             return probe(*unit, out);
         case DeviceAction::home:
             return home_unit(*unit, out);
-        case DeviceAction::nudge:
-            return nudge_unit(*unit, out);
         default:
-            return stop(*unit, out);
+            return nudge_unit(*unit, out);
     }
 }
 

@@ -21,7 +21,8 @@ std::string words_of(StopPlace place) {
 std::string words_of(HomingStep step, const DeviceProfile& profile) {
     switch (step) {
         case HomingStep::to_home:
-            return "The force is off. First, " + words_of(profile.home_place);
+            return "The force is off. First, move the handle a little, and " +
+                   words_of(profile.home_place);
         case HomingStep::to_check:
             return "Second, " + words_of(profile.check.place);
         case HomingStep::to_home_again:
@@ -46,6 +47,10 @@ std::string noticed(const HomingView& view) {
             return fmt::format("Not there yet: {:.0f} millimetres off. ", 1000.0 * view.misfit_m);
         case HomingRemark::starting_over:
             return "That did not fit three times. We start again. ";
+        case HomingRemark::lost_count:
+            return "The board lost count. We start again. ";
+        case HomingRemark::reversed:
+            return "The stops came the wrong way round. We start again. ";
         case HomingRemark::swapped:
             return "The plugs of the two motors are swapped. That is noted, nothing need be done. "
                    "We start again. ";

@@ -60,8 +60,12 @@ Result<Calibration> home(const Procedure& procedure, const std::optional<Calibra
     const Ending ending = run_ticks(procedure, [&](const auto& angles, double dt_s) {
         // Before the arms are known to be where they read, a leap of the tip means nothing.
         if (procedure.board.report().state == BoardState::jumped) procedure.board.accept_position();
+        if (procedure.board.report().is_position_doubtful) {
+            procedure.board.accept_position();
+            homing.lose_count();
+        }
         const HomingView view = homing.step(angles, dt_s);
-        const bool is_new = view.step != said.step || view.remark != said.remark;
+        const bool is_new = view.prompts != said.prompts;
         said = view;
         if (is_new) procedure.say(words_of(view, profile));
         if (is_new && view.remark == HomingRemark::swapped) {

@@ -130,7 +130,7 @@ class Kiosk {
     void start_job() {
         const std::string path = files_[static_cast<std::size_t>(session_.picture)];
         job_request_ = session_.request;
-        job_ = std::async(std::launch::async, load_scene, path, session_.detail);
+        job_ = std::async(std::launch::async, load_scene, path, session_.detail, servo_.profile);
     }
 
     void finish_job() {
@@ -235,7 +235,7 @@ class Kiosk {
     /// What the hand is, and how well its loop is in time: in a word where no force depends on it.
     [[nodiscard]] Status status(const HandState& hand, const ForceStatus& force) {
         Status status = describe(session_, hand, force, hand_words(), last_event_);
-        if (!told_words_.empty()) status.message = told_words_;
+        if (!told_words_.empty() && force.fault == Fault::none) status.message = told_words_;
         return status;
     }
 

@@ -48,6 +48,7 @@ KioskServo with_motors(const UsbDevice& device) {
         servo_program(), arguments_of(device), [device] { return zero_usb_device(device); },
         [device](const Message& message) { return keep_home(device, message); }});
     servo.has_motors = true;
+    servo.profile = find_profile(device.profile).value_or(default_profile());
     servo.hand_words = fmt::format("pantograph {} {}", device.profile, device.serial);
     return servo;
 }

@@ -6,6 +6,7 @@
 #include "app/servo/servo_client.h"
 #include "config/types/result.h"
 #include "haptics/device/hand.h"
+#include "haptics/pantograph/profile.h"
 
 #include <memory>
 #include <string>
@@ -14,6 +15,7 @@ namespace touchline {
 
 struct KioskServo {
     std::unique_ptr<ServoClient> client;
+    DeviceProfile profile = default_profile();
     std::string hand_words;   // what the hand is
     bool has_motors = false;  // force follows the tier
     std::string note;         // why it is not the device that one might expect; may be empty

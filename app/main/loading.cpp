@@ -27,10 +27,10 @@ std::string gallery_file(const std::filesystem::path& path) {
 
 }  // namespace
 
-Result<LoadedScene> load_scene(const std::string& path, int detail) {
+Result<LoadedScene> load_scene(const std::string& path, int detail, const DeviceProfile& profile) {
     auto loaded = load_picture_or_map(path, detail, Area{});
     if (!loaded) return tl::unexpected(loaded.error());
-    auto scene = build_felt_scene(loaded->map, default_profile());
+    auto scene = build_felt_scene(loaded->map, profile);
     if (!scene) return failure(fmt::format("{}: {}", path, scene.error().line));
     LoadedScene result;
     result.facts = {title_of(loaded->map, path), static_cast<int>(loaded->map.outlines.size()),
@@ -39,7 +39,7 @@ Result<LoadedScene> load_scene(const std::string& path, int detail) {
     const RecordedMap recorded{loaded->map.version, gallery_file(path), detail,
                                hash_of(loaded->map)};
     result.felt = {result.shown.scene, std::make_shared<const TactileMap>(std::move(loaded->map)),
-                   felt_order(default_profile(), detail), recorded};
+                   felt_order(profile, detail), recorded};
     result.shown.picture =
         std::make_shared<const Canvas>(canvas_of(loaded->picture, longest_picture_px));
     return result;

@@ -6,6 +6,7 @@
 #include "app/servo/servo_client.h"
 #include "app/session/session.h"
 #include "config/types/result.h"
+#include "haptics/pantograph/profile.h"
 
 #include <string>
 
@@ -17,7 +18,8 @@ struct LoadedScene {
     LoadedFacts facts;
 };
 
-/// Reads, traces, and builds the scene. Errors start with the path.
-[[nodiscard]] Result<LoadedScene> load_scene(const std::string& path, int detail);
+/// Reads, traces, and builds the scene for the device. Errors start with the path.
+[[nodiscard]] Result<LoadedScene> load_scene(const std::string& path, int detail,
+                                             const DeviceProfile& profile);
 
 }  // namespace touchline

@@ -80,12 +80,14 @@ void BlackBox::update(Recorder& recorder, Fault fault) {
     if (is_new) is_wanted_ = true;
     if (writing_.valid()) {
         finish(recorder);
-    } else if (is_wanted_ && recorder.is_held()) {
+    } else if (is_holding_ && recorder.is_held()) {
+        is_holding_ = false;
         is_wanted_ = false;
         writing_ = std::async(std::launch::async, [this, &recorder, maps = maps_] {
             return write(recorder, folder_, profile_, maps);
         });
-    } else if (is_wanted_) {
+    } else if (is_wanted_ && !is_holding_ && recorder.is_released()) {
+        is_holding_ = true;
         recorder.hold();
     }
 }

@@ -48,6 +48,7 @@ class BlackBox {
     std::function<void(const std::string&)> tell_;
     std::vector<RecordedMap> maps_;
     bool is_wanted_ = false;
+    bool is_holding_ = false;
     Fault last_fault_ = Fault::none;
     std::future<Result<std::string>> writing_;  // the path
 };

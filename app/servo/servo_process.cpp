@@ -96,8 +96,10 @@ class ServoProcess::Guard {
             Connection{std::move(*region), std::move(sockets->first)});
         (void)send(connection->socket, message_of(MessageKind::region),
                    &connection->region.descriptor());
+        is_homing_wanted_ = false;
         line.connect(connection);
         watch(*child, *connection);
+        hear_the_rest(*connection);
         line.disconnect();
         const std::int64_t dead_ns = steady_now_ns();
         const std::string how = child->reap();
@@ -127,9 +129,9 @@ class ServoProcess::Guard {
                 channel.is_stop_wanted = 1;
             }
             const bool is_overdue = ending_ns != 0 && seconds_since(ending_ns) > longest_end_s;
-            const bool is_stuck = beats != 0 ? is_silent || is_silent_under_force
-                                             : seconds_since(start_ns) > longest_start_s;
-            if ((is_stuck && ending_ns == 0) || is_overdue) child.kill();
+            const bool is_stuck =
+                beats != 0 ? is_silent : seconds_since(start_ns) > longest_start_s;
+            if (is_silent_under_force || (is_stuck && ending_ns == 0) || is_overdue) child.kill();
         }
     }
 
@@ -146,8 +148,17 @@ class ServoProcess::Guard {
         return false;
     }
 
+    /// What it said last may be why it died.
+    void hear_the_rest(const Connection& connection) {
+        Arrival arrival;
+        while (!is_closed_ && receive(connection.socket, arrival) == ReceiveStatus::received)
+            hear(arrival.message);
+    }
+
     void hear(const Message& message) {
-        if (message.kind == MessageKind::say) line.say(line_of(message));
+        // Why there is no servo stays to be read until there is one.
+        if (message.kind == MessageKind::say || message.kind == MessageKind::failed)
+            line.say(line_of(message));
         if (message.kind == MessageKind::home && options_.keep_home)
             options_.arguments = options_.keep_home(message);
         if (message.kind == MessageKind::failed || message.kind == MessageKind::notice) {

@@ -105,7 +105,8 @@ class ServoProgram {
         const TorqueCut cut(servo_, region_.channel(), zero);
         while (!cut.is_end_asked() && region_.channel().is_stop_wanted == 0 && serve()) {
             box.update(servo_.recording(), fault());
-            watch_drift(opened->has_drifted);
+            if (has_lost_place(*opened))
+                return fail("the handle has lost its place; its home is found anew");
             if (is_device_gone())
                 return fail("the device does not answer any more: check its plug");
         }
@@ -133,10 +134,8 @@ class ServoProgram {
                 [this](const Calibration& found) { (void)send(socket_, message_of(found)); }};
     }
 
-    void watch_drift(const std::atomic<bool>* has_drifted) {
-        if (has_drifted == nullptr || has_told_drift_ || !has_drifted->load()) return;
-        has_told_drift_ = true;
-        tell(MessageKind::say, "The handle has lost its place. Press O to find its home again.");
+    static bool has_lost_place(const OpenedDevice& opened) {
+        return opened.has_lost_place != nullptr && opened.has_lost_place->load();
     }
 
     [[nodiscard]] Fault fault() { return static_cast<Fault>(region_.channel().fault.load()); }
@@ -144,7 +143,7 @@ class ServoProgram {
     /// Lost and not back for two seconds: whoever starts the next servo looks for it anew.
     bool is_device_gone() {
         const std::int64_t now_ns = steady_now_ns();
-        if (fault() != Fault::device_lost) answered_ns_ = now_ns;
+        if (region_.channel().is_device_silent == 0) answered_ns_ = now_ns;
         return now_ns - answered_ns_ > longest_absence_ns;
     }
 
@@ -181,7 +180,6 @@ class ServoProgram {
     SharedRegion region_;
     Servo servo_;
     BlackBox* box_ = nullptr;  // while it runs
-    bool has_told_drift_ = false;
     std::int64_t answered_ns_ = steady_now_ns();
 };
 

@@ -20,7 +20,9 @@ struct OpenedDevice {
     DeviceProfile profile;
     bool has_motors = true;  // false: a simulation, whose force no tier limits
     EmergencyZero zero;      // valid as long as the device
-    const std::atomic<bool>* has_drifted = nullptr;  // its place is lost; as long as the device
+    /// Where the handle is is not known any more: no angles come, and it must be homed. As long as
+    /// the device.
+    const std::atomic<bool>* has_lost_place = nullptr;
 };
 
 /// What a device may need of the program while a person homes it.

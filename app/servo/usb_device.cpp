@@ -6,9 +6,11 @@
 #include "haptics/device/usb_boards.h"
 #include "haptics/pantograph/profile.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <charconv>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -42,13 +44,18 @@ class OwnedBoard final : public ForceDevice {
         return {};
     }
 
-    [[nodiscard]] const std::atomic<bool>& has_drifted() const { return has_drifted_; }
+    [[nodiscard]] const std::atomic<bool>& has_lost_place() const { return has_lost_place_; }
 
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override {
+        // The loop's time begins after homing's: where the hand went meanwhile is no leap.
+        if (!(now_s >= last_s_)) board_.accept_position();
         const auto angles = board_.read_angles(now_s);
-        if (angles && drift_.step(*angles, now_s - last_s_)) has_drifted_ = true;
+        const BoardReport& report = board_.report();
+        const bool has_drifted = angles && drift_.step(*angles, std::max(0.0, now_s - last_s_));
         last_s_ = now_s;
-        return angles;
+        if (has_drifted || report.is_position_doubtful || report.state == BoardState::jumped)
+            has_lost_place_ = true;
+        return has_lost_place_ ? std::nullopt : angles;
     }
 
     [[nodiscard]] bool write_torques(JointTorques torques) override {
@@ -59,8 +66,8 @@ class OwnedBoard final : public ForceDevice {
     UsbBoards boards_;
     PantographBoard board_;
     DriftWatch drift_;
-    double last_s_ = 0.0;
-    std::atomic<bool> has_drifted_{false};
+    double last_s_ = std::numeric_limits<double>::infinity();  // of the loop
+    std::atomic<bool> has_lost_place_{false};
 };
 
 void write_zero(void* device) noexcept {
@@ -142,7 +149,7 @@ Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& ope
         return tl::unexpected(opened.error());
     OpenedDevice result;
     result.zero = {write_zero, board.get()};
-    result.has_drifted = &board->has_drifted();
+    result.has_lost_place = &board->has_lost_place();
     result.device = std::move(board);
     result.profile = calibrated(*profile, device.calibration);
     return result;

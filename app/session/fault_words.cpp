@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<FaultWords, fault_count> faults{{
     {},
     {"The force is off.", "The device does not answer.",
-     "Check its cable; force comes back by itself."},
+     "Check its cable. When it answers again, words lead the handle to its home."},
     {"The force is off.", "The device answers too late.",
      "Wait a moment; force comes back by itself."},
     {"The force is off.", "The handle moved too fast.",
@@ -39,7 +39,7 @@ FaultWords words_of(Fault fault) {
 std::string announcement_of(Fault fault) {
     if (fault == Fault::none) return {};
     const FaultWords words = words_of(fault);
-    return fmt::format("{} {} {} Sound goes on without force.", words.what, words.why,
+    return fmt::format("{} {} {} Exploring goes on without force.", words.what, words.why,
                        words.what_to_do);
 }
 

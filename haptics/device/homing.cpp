@@ -6,12 +6,13 @@
 namespace touchline {
 namespace {
 
-constexpr double listen_s = 3.0;       // a step's words are heard before its rest counts
-constexpr double rest_s = 1.0;         // of stillness
-constexpr double patience_s = 8.0;     // still at the old place: say the step again
+constexpr double listen_s = 3.0;     // of a step's words, before a rest counts
+constexpr double rest_s = 1.0;       // of stillness
+constexpr double patience_s = 30.0;  // without a motion: say the step again
+constexpr double longest_silence_s = 0.5;
 constexpr double fit_m = 3e-3;         // of the elbows, between where they read and must be
 constexpr double same_place_m = 1e-3;  // two rests at one stop
-constexpr double leave_m = 3e-3;       // from one rest, before the next is judged
+constexpr double leave_m = 3e-3;       // from where the words began, before a rest counts
 constexpr double largest_scale_error = 0.15;
 constexpr int largest_misses = 3;
 constexpr double beyond_m = 2e-3;  // past a stop
@@ -61,34 +62,49 @@ double Homing::elbow_m(JointAngles turn) const {
 void Homing::go(HomingStep step, HomingRemark remark) {
     view_.step = step;
     view_.remark = remark;
+    ++view_.prompts;
+    is_prompted_ = true;
     since_s_ = 0.0;
-    stillness_.start_again();
 }
 
 HomingView Homing::step(const std::optional<JointAngles>& read, double dt_s) {
     if (view_.step == HomingStep::done) return view_;
     view_.held = 0.0;
     if (!read || !is_finite(*read)) {
-        view_.remark = HomingRemark::silent;
-        stillness_.start_again();
+        miss_reading(dt_s);
         return view_;
     }
-    since_s_ += dt_s;
-    stillness_.step(*read, dt_s);
-    has_left_ = has_left_ || !(elbow_m(*read - rested_at_) < leave_m);
-    if (!(since_s_ >= listen_s)) return view_;
-    if (!has_left_) {
-        if (since_s_ >= patience_s) go(view_.step, HomingRemark::not_moved);
-        return view_;
-    }
+    silent_s_ = 0.0;
+    if (view_.remark == HomingRemark::silent) go(view_.step, HomingRemark::none);
+    watch(*read, dt_s);
+    if (since_s_ >= patience_s && !has_left_) go(view_.step, HomingRemark::not_moved);
+    // Nobody who has not moved since the words began has understood them.
+    if (!has_left_) return view_;
     view_.held = std::min(1.0, stillness_.still_s() / rest_s);
     if (view_.held == 1.0) rest(*read);
     return view_;
 }
 
+void Homing::miss_reading(double dt_s) {
+    stillness_.start_again();
+    silent_s_ += dt_s;
+    if (silent_s_ < longest_silence_s || view_.remark == HomingRemark::silent) return;
+    go(view_.step, HomingRemark::silent);
+}
+
+void Homing::watch(JointAngles read, double dt_s) {
+    if (is_prompted_) {
+        prompted_at_ = read;
+        has_left_ = false;
+        is_prompted_ = false;
+    }
+    since_s_ += dt_s;
+    stillness_.step(read, dt_s);
+    has_left_ = has_left_ || !(elbow_m(read - prompted_at_) < leave_m);
+    if (!(since_s_ >= listen_s)) stillness_.start_again();
+}
+
 void Homing::rest(JointAngles read) {
-    rested_at_ = read;
-    has_left_ = false;
     switch (view_.step) {
         case HomingStep::to_home:
             return rest_at_home(read);
@@ -121,10 +137,7 @@ void Homing::rest_at_check(JointAngles read) {
         return finish(HomingRemark::measured);
     }
     if (is_scale_known_ && misfit_m <= fit_m) return finish(HomingRemark::none);
-    if (!is_scale(scale) && is_scale(crossed)) {
-        calibration_.are_motors_swapped = !calibration_.are_motors_swapped;
-        return go(HomingStep::to_home, HomingRemark::swapped);
-    }
+    if (!is_scale(scale) && is_scale(crossed)) return cross();
     if (is_scale_known_ || !is_scale(scale)) return miss(misfit_m);
     read_at_check_ = read;
     go(HomingStep::to_home_again, HomingRemark::none);
@@ -146,12 +159,19 @@ void Homing::miss(double misfit_m) {
     ++misses_;
     if (misses_ < largest_misses) return go(view_.step, HomingRemark::misfit);
     misses_ = 0;
-    has_left_ = true;
     go(HomingStep::to_home, HomingRemark::starting_over);
 }
 
-double Homing::drift_m(const Calibration& before) const {
-    return elbow_m(before.offset + scaled(before.scale, read_at_home_ - plan_.home));
+/// Swapped plugs read as the two stops do when they are visited in the wrong order: nothing else
+/// tells one from the other on arms that are alike. So it must come again, and more often on a unit
+/// whose plugs were right once.
+void Homing::cross() {
+    ++crossings_;
+    if (crossings_ < (is_scale_known_ ? 3 : 2))
+        return go(HomingStep::to_home, HomingRemark::reversed);
+    crossings_ = 0;
+    calibration_.are_motors_swapped = !calibration_.are_motors_swapped;
+    go(HomingStep::to_home, HomingRemark::swapped);
 }
 
 bool DriftWatch::step(JointAngles angles, double dt_s) {

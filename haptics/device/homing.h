@@ -38,10 +38,12 @@ enum class HomingStep : std::uint8_t {
 /// Why the step is where it is, to be said when it changes.
 enum class HomingRemark : std::uint8_t {
     none,
-    silent,         // the board does not answer
-    not_moved,      // still, but where the step before ended
+    silent,         // the board does not answer for half a second
+    not_moved,      // half a minute where it was when the words began
     misfit,         // still, but not where the stop must be; move on to it
     starting_over,  // it did not fit three times
+    lost_count,     // of the encoders: what was found is worth nothing
+    reversed,       // the stops came the wrong way round, or the plugs are swapped: once more
     swapped,        // the arms answer for each other: the motor plugs are swapped; set the
                     // board up anew with the calibration as it is now, then go on
     measured,       // the scale of this unit was measured; it is to be stored
@@ -52,6 +54,7 @@ struct HomingView {
     HomingRemark remark = HomingRemark::none;
     double held = 0.0;      // 0 ... 1: share of the stillness asked for
     double misfit_m = 0.0;  // of the elbows at the last check
+    int prompts = 0;        // changes whenever words are to be said, be they the same again
 };
 
 class Homing {
@@ -63,24 +66,26 @@ class Homing {
     /// answer. O(1), no allocation.
     HomingView step(const std::optional<JointAngles>& read, double dt_s);
 
+    /// Counts were missed: from the beginning.
+    void lose_count() { go(HomingStep::to_home, HomingRemark::lost_count); }
+
     /// What the board is to be driven with meanwhile: offset 0, scale 1.
     [[nodiscard]] Calibration bare() const;
 
     /// What was found, once the step is `done`.
     [[nodiscard]] const Calibration& calibration() const { return calibration_; }
 
-    /// How far the elbows' place at home has crept since `before` was made: lost counts, an arm
-    /// that slipped. Valid from to_check on.
-    [[nodiscard]] double drift_m(const Calibration& before) const;
-
   private:
     void finish(HomingRemark remark);
+    void miss_reading(double dt_s);
+    void watch(JointAngles read, double dt_s);
     void rest(JointAngles read);
     void rest_at_home(JointAngles read);
     void rest_at_check(JointAngles read);
     void rest_at_home_again(JointAngles read);
     void go(HomingStep step, HomingRemark remark);
     void miss(double misfit_m);
+    void cross();
     [[nodiscard]] double elbow_m(JointAngles turn) const;
 
     HomingPlan plan_;
@@ -89,10 +94,13 @@ class Homing {
     JointAngles read_at_home_;
     JointAngles read_at_check_;
     Stillness stillness_;
-    JointAngles rested_at_;  // where the last rest was judged
-    bool has_left_ = true;   // the place of the last rest
-    double since_s_ = 0.0;   // in this step
+    JointAngles prompted_at_;
+    bool has_left_ = false;    // the place where it was when the words began
+    bool is_prompted_ = true;  // words were just said: how far the hand moves counts from here
+    double since_s_ = 0.0;     // these words
+    double silent_s_ = 0.0;
     int misses_ = 0;
+    int crossings_ = 0;  // in a row
     HomingView view_;
 };
 

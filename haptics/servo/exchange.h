@@ -146,8 +146,9 @@ struct ServoChannel {
     std::atomic<std::uint64_t> kiosk_beats{0};  // goes up while the kiosk lives
     std::atomic<std::uint64_t> servo_beats{0};  // ticks
     std::atomic<std::uint8_t> tier{static_cast<std::uint8_t>(RealTimeTier::best_effort)};
-    std::atomic<std::uint8_t> is_force_on{0};  // the device may hold torque
-    std::atomic<std::uint8_t> fault{0};        // of the last tick
+    std::atomic<std::uint8_t> is_force_on{0};       // the device may hold torque
+    std::atomic<std::uint8_t> fault{0};             // of the last tick
+    std::atomic<std::uint8_t> is_device_silent{0};  // it gave no angles in the last tick
     std::atomic<std::uint8_t> is_stop_wanted{0};
 };
 

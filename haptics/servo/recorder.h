@@ -58,6 +58,11 @@ class Recorder {
     /// Asks the servo to leave the ticks as they are; is_held() tells when it does.
     void hold() { gate_.is_asked.store(true, std::memory_order_relaxed); }
 
+    /// Nothing of an earlier hold is left: only then may it be held again.
+    [[nodiscard]] bool is_released() const {
+        return !gate_.is_shut.load(std::memory_order_acquire);
+    }
+
     [[nodiscard]] bool is_held() const { return gate_.is_shut.load(std::memory_order_acquire); }
 
     /// After is_held(): from here on ticks are recorded again, and those before are gone, so that

@@ -61,6 +61,7 @@ void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
     if (is_refused) step_.lose_device();
     if (step_.scene() == input.scene) exchange_.release_older_scenes();
     exchange_.publish(step_.report());
+    exchange_.channel().is_device_silent.store(input.angles ? 0 : 1, std::memory_order_relaxed);
     exchange_.channel().fault.store(static_cast<std::uint8_t>(step_.report().force.fault),
                                     std::memory_order_relaxed);
     for (const ContactEvent& event : step_.events()) exchange_.tell(event);

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <ostream>
@@ -15,6 +16,7 @@
 #include <utility>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -67,7 +69,8 @@ class DeviceCommand : public testing::Test {
     }
 
     MockedUsb usb_;
-    fs::path units_ = fs::temp_directory_path() / "touchline-device-command.toml";
+    fs::path units_ =
+        fs::temp_directory_path() / ("touchline-" + std::to_string(getpid()) + ".toml");
     std::ostringstream out_;
 };
 
@@ -92,6 +95,13 @@ TEST_F(DeviceCommand, ListProbeAndStopTellOfTheBoard) {
     ASSERT_TRUE(run(DeviceAction::stop).has_value());
     EXPECT_NE(out_.str().find("confirmed zero torque"), std::string::npos);
     EXPECT_EQ(held(board), JointTorques{});
+}
+
+TEST_F(DeviceCommand, StopNeedsNoSoundFileOfUnits) {
+    MockedBoard board(usb_, {});
+    std::ofstream(units_) << "[[unit]]\nserial = 7\n";
+    EXPECT_FALSE(run(DeviceAction::probe).has_value());
+    EXPECT_TRUE(run(DeviceAction::stop).has_value());
 }
 
 TEST_F(DeviceCommand, NudgeTellsWhetherTheMotorsHavePower) {

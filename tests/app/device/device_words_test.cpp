@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::array steps{HomingStep::to_home, HomingStep::to_check, HomingStep::to_home_again,
                            HomingStep::to_check_again, HomingStep::done};
-constexpr std::array remarks{HomingRemark::none,          HomingRemark::silent,
-                             HomingRemark::not_moved,     HomingRemark::misfit,
-                             HomingRemark::starting_over, HomingRemark::swapped,
-                             HomingRemark::measured};
+constexpr std::array remarks{
+    HomingRemark::none,       HomingRemark::silent,        HomingRemark::not_moved,
+    HomingRemark::misfit,     HomingRemark::starting_over, HomingRemark::reversed,
+    HomingRemark::lost_count, HomingRemark::swapped,       HomingRemark::measured};
 
 TEST(DeviceWords, EveryStepAndRemarkSaysSomethingOfItsOwn) {
     for (const DeviceProfile& profile : device_profiles()) {

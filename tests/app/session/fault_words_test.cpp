@@ -18,7 +18,8 @@ TEST(FaultWords, EveryFaultSaysWhatWhyAndWhatToDo) {
             EXPECT_EQ(sentence.back(), '.') << sentence;
         }
         reasons.insert(words.why);
-        EXPECT_NE(announcement_of(fault).find("Sound goes on without force."), std::string::npos);
+        EXPECT_NE(announcement_of(fault).find("Exploring goes on without force."),
+                  std::string::npos);
     }
     EXPECT_EQ(reasons.size(), fault_count - 1);
     EXPECT_EQ(announcement_of(Fault::none), "");

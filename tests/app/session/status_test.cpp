@@ -140,9 +140,10 @@ TEST(Status, AFaultIsTheMessageAndTheStateOfTheMotorsIsSaid) {
     force = {ForceState::fault, Fault::device_lost, Limit::fault, {}};
     const Status status = describe(shown_session(), {}, force, "mouse", {});
     EXPECT_EQ(value_of(status, "Motors"), "stopped");
-    EXPECT_EQ(status.message,
-              "The force is off. The device does not answer. Check its cable; force comes back by "
-              "itself. Sound goes on without force.");
+    EXPECT_EQ(
+        status.message,
+        "The force is off. The device does not answer. Check its cable. When it answers again, "
+        "words lead the handle to its home. Exploring goes on without force.");
 }
 
 TEST(Status, TheReadmeHoldsTheKeyTableAsItIs) {
