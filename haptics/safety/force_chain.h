@@ -45,15 +45,15 @@ struct ChainInput {
     std::optional<Jacobian> jacobian;  // of the pose; nothing: unknown or out of reach
     Position p_D;                      // handle, the last known
     Velocity velocity_D;
-    double share = 1.0;             // of force and limit that may act, 0 ... 1; 0: off
-    bool is_wanted = true;          // force is switched on
-    bool is_fading = false;         // force to 0 within fade_s, for as long as this is said
-    bool is_cleared = false;        // the operator clears a fault
-    bool is_stopped = false;        // emergency stop
-    bool is_unreadable = false;     // the device's angles are no numbers
-    bool is_lost = false;           // the device is
-    bool has_jumped = false;        // the handle, to where it cannot have moved
-    std::uint64_t cuts = 0;         // of the stability monitor, so far
+    double share = 1.0;          // of force and limit that may act, 0 ... 1; 0: off
+    bool is_wanted = true;       // force is switched on
+    bool is_fading = false;      // force to 0 within fade_s, for as long as this is said
+    bool is_cleared = false;     // the operator clears a fault
+    bool is_stopped = false;     // emergency stop
+    bool is_unreadable = false;  // the device's angles are no numbers
+    bool is_lost = false;        // the device is
+    bool has_jumped = false;     // the handle, to where it cannot have moved
+    std::uint64_t cuts = 0;      // of the stability monitor, so far
 };
 
 /// The force that the motors are told to make, in D, and how it came about.

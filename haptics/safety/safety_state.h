@@ -33,12 +33,12 @@ struct FaultRule {
 
 /// What holds in a tick.
 struct SafetyFlags {
-    bool is_wanted = true;          // force is switched on
-    bool is_quiet = true;           // the wanted force is small
-    bool is_fading = false;         // gain to 0: a picture is changed, or the servo ends
-    bool is_hand_off = false;       // nobody holds the handle
-    bool is_cleared = false;        // the operator clears a fault, in this tick
-    std::uint16_t faults = 0;       // conditions that hold now, bit_of() each but none
+    bool is_wanted = true;     // force is switched on
+    bool is_quiet = true;      // the wanted force is small
+    bool is_fading = false;    // gain to 0: a picture is changed, or the servo ends
+    bool is_hand_off = false;  // nobody holds the handle
+    bool is_cleared = false;   // the operator clears a fault, in this tick
+    std::uint16_t faults = 0;  // conditions that hold now, bit_of() each but none
 };
 
 struct SafetyState {

@@ -30,8 +30,8 @@ struct StepInput {
     std::uint64_t missed_ticks = 0;     // so far
     std::optional<JointAngles> angles;  // nothing when the device did not answer
     ServoCommands commands;
-    const Scene* scene = nullptr;     // wanted; must live until scene() is another one
-    double delay_s = 0.0;             // from reading the angles to the torques' effect, as measured
+    const Scene* scene = nullptr;  // wanted; must live until scene() is another one
+    double delay_s = 0.0;          // from reading the angles to the torques' effect, as measured
     // Of the force that is let through, 0 ... 1. At 0 it is off and comes on again by the arm rule.
     double force_share = 1.0;
 };
