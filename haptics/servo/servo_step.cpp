@@ -202,7 +202,7 @@ void ServoStep::watch(Force told, double dt_s) {
 void ServoStep::detect(const StepInput& input) {
     if (felt_.scene == nullptr) return;
     events_ = detector_.step({input.now_s, p_WH_, input.commands.mode, contact_report_,
-                              contact_.rendered_level(), felt_.scene->area});
+                              contact_.rendered_level(), felt_.scene});
 }
 
 void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
