@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdlib>
 #include <optional>
 #include <random>
@@ -33,7 +34,8 @@ struct ProcessFaultKind {
     const char* name;
     Ends ends;
     void (*act)(FakeBoard& board, pid_t kiosk, std::uint64_t seed);
-    const char* words;  // that the operator is told
+    const char* words;                                 // that the operator is told
+    std::atomic<int> FakeBoard::*zeroed_by = nullptr;  // who did, besides the loop
 };
 
 const std::vector<ProcessFaultKind> kinds{
@@ -47,23 +49,23 @@ const std::vector<ProcessFaultKind> kinds{
      [](FakeBoard&, pid_t kiosk, std::uint64_t) { kill(kiosk, SIGUSR2); }, ""},
     {"servo killed", Ends::servo,
      [](FakeBoard& board, pid_t, std::uint64_t) { kill(board.owner, SIGKILL); },
-     "the servo ended with signal"},
+     "the servo ended with signal", &FakeBoard::zeroed_by_guard},
     {"servo frozen", Ends::servo,
      [](FakeBoard& board, pid_t, std::uint64_t) { kill(board.owner, SIGSTOP); },
-     "the servo ended with signal"},
+     "the servo ended with signal", &FakeBoard::zeroed_by_guard},
     {"servo crashed beside its loop", Ends::servo,
      [](FakeBoard& board, pid_t, std::uint64_t seed) {
          kill(board.owner, crash_signals[seed % crash_signals.size()]);
      },
-     "the servo ended with signal"},
+     "the servo ended with signal", &FakeBoard::zeroed_by_handler},
     {"the loop itself crashed", Ends::servo,
      [](FakeBoard& board, pid_t, std::uint64_t seed) {
          board.mischief = crashes[seed % crashes.size()];
      },
-     "the servo ended with signal"},
+     "the servo ended with signal", &FakeBoard::zeroed_by_guard},
     {"the loop hangs", Ends::servo,
      [](FakeBoard& board, pid_t, std::uint64_t) { board.mischief = Mischief::spin; },
-     "the servo ended with signal"},
+     "the servo ended with signal", &FakeBoard::zeroed_by_guard},
     {"servo asked to end", Ends::servo,
      [](FakeBoard& board, pid_t, std::uint64_t) { kill(board.owner, SIGTERM); }, ""},
 };
@@ -133,6 +135,7 @@ TEST_P(EveryProcessFault, EndsInZeroTorqueAndFindsBack) {
         (void)new_words();
         const int servo = board_.owner;
         opened_before_ = board_.opened;
+        const int zeroed = kind.zeroed_by != nullptr ? (board_.*kind.zeroed_by).load() : 0;
         const std::int64_t from_ns = steady_now_ns();
         const double zero_ms = ms_to_zero([&] { kind.act(board_, kiosk_, seed); });
         EXPECT_LT(zero_ms, far_away_ms);
@@ -141,6 +144,8 @@ TEST_P(EveryProcessFault, EndsInZeroTorqueAndFindsBack) {
         EXPECT_TRUE(!has_words || wait_until([&] {
             return (words += new_words()).find(kind.words) != std::string::npos;
         })) << words;
+        EXPECT_TRUE(kind.zeroed_by == nullptr ||
+                    wait_until([&] { return board_.*kind.zeroed_by > zeroed; }));
         recover(kind, servo);
         ASSERT_NO_FATAL_FAILURE(be_pressed(seed));
         FaultLine line{"processes", kind.name, seed, {}, {}, {}, kind.ends != Ends::kiosk, {}};
