@@ -4,6 +4,7 @@
 
 # Our static libraries of a folder and those below it.
 function(libraries_below folder result)
+  set(found)  # or it begins with the caller's, and doubles with every folder
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   get_property(subfolders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
   foreach(target IN LISTS targets)
