@@ -151,7 +151,7 @@ TEST_P(EveryProcessFault, EndsInZeroTorqueAndFindsBack) {
         FaultLine line{"processes", kind.name, seed, {}, {}, {}, kind.ends != Ends::kiosk, {}};
         line.zero_s = 1e-3 * zero_ms;
         line.back_s = 1e-9 * static_cast<double>(steady_now_ns() - from_ns);
-        line.state = has_words ? kind.words : "no force for a while";
+        line.state = has_words ? "the servo ended and was started again" : "no force for a while";
         if (deaths_ > 0 || kind.ends == Ends::neither)
             line.left.descriptors = open_descriptors(kiosk_) - descriptors;
         EXPECT_EQ(line.left.descriptors, 0);
