@@ -5,12 +5,19 @@
 
 #include <algorithm>
 #include <map>
+#include <ostream>
 #include <string>
 #include <string_view>
 
 #include <gtest/gtest.h>
 
 namespace touchline {
+
+/// As GoogleTest shows it.
+void PrintTo(const FaultKind& kind, std::ostream* out) {
+    *out << kind.name;
+}
+
 namespace {
 
 constexpr double tick_s = 1e-3;

@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -33,6 +34,11 @@ struct UsbFaultKind {
     BoardState worst = BoardState::resyncing;
     bool is_replugged = false;  // else the driver finds its way back, or is told where it is
 };
+
+/// As GoogleTest shows it.
+void PrintTo(const UsbFaultKind& kind, std::ostream* out) {
+    *out << kind.name;
+}
 
 const std::vector<UsbFaultKind> kinds{
     {"short", [](BoardEmulator&, UsbFaults& faults) { faults.short_out = 1; }},
