@@ -26,7 +26,7 @@ namespace {
 
 constexpr JointTorques push{0.02, -0.02};
 constexpr double late_s = 0.02;
-constexpr std::int64_t most_bytes_left = 4096;  // of all runs: what umockdev keeps for a while
+constexpr std::int64_t most_bytes_left = 32768;  // of all runs: what umockdev keeps for a while
 
 struct UsbFaultKind {
     const char* name;
