@@ -4,7 +4,6 @@
 #include "tests/app/servo/process_rig.h"
 #include "tests/sim/fault_lines.h"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <ostream>
@@ -136,12 +135,8 @@ TEST_P(ProcessFault, EndsInZeroTorqueAndFindsBack) {
     EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, ProcessFault, testing::ValuesIn(kinds), [](const auto& kind) {
-    std::string name(kind.param.name);
-    const auto is_other = [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); };
-    std::replace_if(name.begin(), name.end(), is_other, '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Every, ProcessFault, testing::ValuesIn(kinds),
+                         [](const auto& kind) { return test_name(kind.param.name); });
 
 }  // namespace
 }  // namespace touchline

@@ -113,21 +113,9 @@ TEST_F(FullDisk, CostsTheRecordingAndNothingElse) {
     EXPECT_EQ(end_kiosk(SIGTERM), 0);
 }
 
-/// Maps a file of zeros.
-SteppedClock& make_clock(const std::string& path) {
-    std::ofstream(path, std::ios::binary)
-        .write(std::string(sizeof(SteppedClock), '\0').data(), sizeof(SteppedClock));
-    const int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
-    void* const start =
-        mmap(nullptr, sizeof(SteppedClock), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-    if (file < 0 || start == MAP_FAILED) std::abort();
-    close(file);
-    return *static_cast<SteppedClock*>(start);
-}
-
 TEST_F(Harmless, AStepOfTheWallClockIsNoticedByNobody) {
     const std::string path = path_ + ".clock";
-    SteppedClock& clock = make_clock(path);
+    SteppedClock& clock = make_mapped<SteppedClock>(path);
     setenv("LD_PRELOAD", TOUCHLINE_STEPPED_CLOCK_LIBRARY, 1);
     setenv(stepped_clock_variable, path.c_str(), 1);
     next_servo_ = 1;
@@ -153,7 +141,7 @@ TEST_F(Harmless, AStepOfTheWallClockIsNoticedByNobody) {
 /// Or the test before proves nothing.
 TEST_F(Harmless, TheSteppedClockIsTheOneThatAProgramSees) {
     const std::string path = path_ + ".clock";
-    SteppedClock& clock = make_clock(path);
+    SteppedClock& clock = make_mapped<SteppedClock>(path);
     clock.step_ns = -1'000'000'000'000'000'000;
     setenv(stepped_clock_variable, path.c_str(), 1);
     const std::string command = std::string("test $(LD_PRELOAD=") +

@@ -4,9 +4,11 @@
 
 #include "config/types/steady_clock.h"
 #include "tests/app/servo/fake_board.h"
+#include "tests/app/servo/mapped_file.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -38,7 +40,7 @@ class ProcessRig : public testing::Test {
   protected:
     ProcessRig()
         : path_(testing::TempDir() + "board-" + std::to_string(getpid())),
-          board_(make_fake_board(path_)) {
+          board_(make_mapped<FakeBoard>(path_)) {
         // The servos of dead kiosks are ours.
         prctl(PR_SET_CHILD_SUBREAPER, 1UL, 0UL, 0UL, 0UL);
     }

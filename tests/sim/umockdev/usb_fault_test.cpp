@@ -61,17 +61,6 @@ const std::vector<UsbFaultKind> kinds{
      true},
 };
 
-double seconds_to_zero(const std::vector<TorqueChange>& changes, double from_s, bool& is_zero) {
-    JointTorques held;
-    for (const TorqueChange& change : changes) {
-        if (change.at_s > from_s && held == JointTorques{}) break;
-        held = change.torques;
-        is_zero = held == JointTorques{};
-        if (change.at_s > from_s && is_zero) return change.at_s - from_s;
-    }
-    return 0.0;
-}
-
 class UsbFault : public testing::TestWithParam<UsbFaultKind> {
   protected:
     std::unique_ptr<BoardLink> open() {
@@ -96,12 +85,11 @@ class UsbFault : public testing::TestWithParam<UsbFaultKind> {
 
     /// From the moment to zero torque; none where torque went on.
     std::optional<double> zero_after(double from_s) {
-        bool is_zero = false;
-        double span_s = 0.0;
+        std::optional<double> span_s;
         board_.with([&](BoardEmulator& board, UsbFaults&) {
-            span_s = seconds_to_zero(board.told_torques(), from_s, is_zero);
+            span_s = time_to_zero(board.told_torques(), from_s);
         });
-        return is_zero ? std::optional(span_s) : std::nullopt;
+        return span_s;
     }
 
     /// Ticks until torque goes again, at most `ticks`; the worst state on the way.
@@ -177,12 +165,8 @@ TEST_P(UsbFault, EndsInZeroTorqueAndFindsBack) {
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, UsbFault, testing::ValuesIn(kinds), [](const auto& kind) {
-    std::string name(kind.param.name);
-    const auto is_other = [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); };
-    std::replace_if(name.begin(), name.end(), is_other, '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Every, UsbFault, testing::ValuesIn(kinds),
+                         [](const auto& kind) { return test_name(kind.param.name); });
 
 /// A board that cannot be had, again and again: one line says why; once it is free it opens.
 class UsbRefusal : public UsbFault {
