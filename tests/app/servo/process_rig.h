@@ -19,7 +19,6 @@
 
 #include <gtest/gtest.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 
@@ -54,18 +53,7 @@ class ProcessRig : public testing::Test {
         std::filesystem::remove(words_path());
     }
 
-    void start_kiosk() {
-        std::string program = TOUCHLINE_SERVO_RIG;
-        std::string mode = "kiosk";
-        char* const words[] = {program.data(), mode.data(), path_.data(), nullptr};
-        posix_spawn_file_actions_t actions;
-        posix_spawn_file_actions_init(&actions);
-        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, words_path().c_str(),
-                                         O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0600);
-        ASSERT_EQ(posix_spawn(&kiosk_, program.c_str(), &actions, nullptr, words, environ), 0);
-        posix_spawn_file_actions_destroy(&actions);
-        words_read_ = 0;
-    }
+    void start_kiosk();
 
     /// Its status.
     int end_kiosk(int signal) {

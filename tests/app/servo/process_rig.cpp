@@ -1,0 +1,21 @@
+#include "tests/app/servo/process_rig.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+
+namespace touchline {
+
+void ProcessRig::start_kiosk() {
+    std::string program = TOUCHLINE_SERVO_RIG;
+    std::string mode = "kiosk";
+    char* const words[] = {program.data(), mode.data(), path_.data(), nullptr};
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, words_path().c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0600);
+    ASSERT_EQ(posix_spawn(&kiosk_, program.c_str(), &actions, nullptr, words, environ), 0);
+    posix_spawn_file_actions_destroy(&actions);
+    words_read_ = 0;
+}
+
+}  // namespace touchline
