@@ -91,7 +91,7 @@ void BlackBox::update(Recorder& recorder, Fault fault) {
         writing_ = std::async(std::launch::async, [this, &recorder, maps = maps_] {
             return write(recorder, folder_, profile_, maps);
         });
-    } else if (is_wanted_ && !is_holding_ && recorder.is_released()) {
+    } else if (is_wanted_ && !is_holding_ && !recorder.is_held()) {
         is_holding_ = true;
         recorder.hold();
     }

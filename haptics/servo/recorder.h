@@ -55,13 +55,9 @@ class Recorder {
     void push(const TickRecord& tick);
 
     // The other side: any one thread.
-    /// Asks the servo to leave the ticks as they are; is_held() tells when it does.
+    /// Asks the servo to leave the ticks as they are; is_held() tells when it does. Not while an
+    /// earlier hold is left.
     void hold() { gate_.is_asked.store(true, std::memory_order_relaxed); }
-
-    /// Nothing of an earlier hold is left: only then may it be held again.
-    [[nodiscard]] bool is_released() const {
-        return !gate_.is_shut.load(std::memory_order_acquire);
-    }
 
     [[nodiscard]] bool is_held() const { return gate_.is_shut.load(std::memory_order_acquire); }
 

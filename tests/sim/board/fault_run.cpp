@@ -1,6 +1,7 @@
 #include "tests/sim/board/fault_run.h"
 
 #include "tests/sim/board/board_rig.h"
+#include "tests/sim/board/link_fault_kinds.h"
 
 #include <algorithm>
 #include <array>
@@ -14,28 +15,12 @@ constexpr double longest_run_s = 5.0;
 constexpr int ticks_before = 100;
 constexpr int good_ticks_that_count = 5;
 
-constexpr std::array kinds{
-    FaultKind{"short", LinkFault::short_send},
-    FaultKind{"late send", LinkFault::late_send, 0.01},
-    FaultKind{"lost send", LinkFault::lost_send},
-    FaultKind{"stall, out", LinkFault::stalled_send},
-    FaultKind{"late reply", LinkFault::late_reply, 0.03},
-    FaultKind{"lost reply", LinkFault::lost_reply},
-    FaultKind{"garbled", LinkFault::garbled_reply},
-    FaultKind{"wrong length", LinkFault::cut_reply},
-    FaultKind{"duplicate", LinkFault::duplicate_reply},
-    FaultKind{"zero-length packet", LinkFault::empty_packet},
-    FaultKind{"stall, in", LinkFault::stalled_reply},
-    FaultKind{"failed transfer", LinkFault::failed_reply},
-    FaultKind{"unconfigured", LinkFault::reset_board},
-    FaultKind{"unplugged before", LinkFault::unplugged_before},
-    FaultKind{"unplugged in mid-transfer", LinkFault::unplugged_after},
-    FaultKind{"encoder jump", LinkFault::lost_counts},
+constexpr auto kinds = with_link_faults(std::array{
     FaultKind{"torque not a number", LinkFault::none, 0.0, true},
     FaultKind{"clock back 10 s", LinkFault::none, 0.0, false, -10.0},
     FaultKind{"clock on 10 s", LinkFault::none, 0.0, false, 10.0},
     FaultKind{"loop stands still 50 ms", LinkFault::none, 0.0, false, 0.0, 0.05},
-};
+});
 
 // In the middle of the area and as fast as a hand that looks for something.
 std::shared_ptr<const IntendedPath> moving_hand() {

@@ -4,6 +4,7 @@
 #include "tests/haptics/servo/rigs.h"
 #include "tests/sim/board/board_rig.h"
 #include "tests/sim/board/fault_run.h"
+#include "tests/sim/board/link_fault_kinds.h"
 
 #include <algorithm>
 #include <array>
@@ -16,29 +17,13 @@
 namespace touchline {
 namespace {
 
-constexpr std::array kinds{
-    LoopFaultKind{"short", LinkFault::short_send},
-    LoopFaultKind{"late send", LinkFault::late_send, 0.01},
-    LoopFaultKind{"lost send", LinkFault::lost_send},
-    LoopFaultKind{"stall, out", LinkFault::stalled_send},
-    LoopFaultKind{"late reply", LinkFault::late_reply, 0.03},
-    LoopFaultKind{"lost reply", LinkFault::lost_reply},
-    LoopFaultKind{"garbled", LinkFault::garbled_reply},
-    LoopFaultKind{"wrong length", LinkFault::cut_reply},
-    LoopFaultKind{"duplicate", LinkFault::duplicate_reply},
-    LoopFaultKind{"zero-length packet", LinkFault::empty_packet},
-    LoopFaultKind{"stall, in", LinkFault::stalled_reply},
-    LoopFaultKind{"failed transfer", LinkFault::failed_reply},
-    LoopFaultKind{"unconfigured", LinkFault::reset_board},
-    LoopFaultKind{"unplugged before", LinkFault::unplugged_before},
-    LoopFaultKind{"unplugged in mid-transfer", LinkFault::unplugged_after},
-    LoopFaultKind{"encoder jump", LinkFault::lost_counts},
+constexpr auto kinds = with_link_faults(std::array{
     LoopFaultKind{"angle not a number", LinkFault::none, 0.0, LoopEvent::angles_not_finite},
     LoopFaultKind{"machine stands still", LinkFault::none, 0.05, LoopEvent::stall},
     LoopFaultKind{"kiosk frozen", LinkFault::none, 0.0, LoopEvent::kiosk_freezes},
     LoopFaultKind{"kiosk hangs 0.5 s", LinkFault::none, 0.0, LoopEvent::kiosk_hangs},
     LoopFaultKind{"kiosk killed", LinkFault::none, 0.0, LoopEvent::kiosk_dies},
-};
+});
 
 constexpr std::int64_t tick_ns = 1'000'000;
 constexpr int first_fault_tick = 1050;
