@@ -12,18 +12,23 @@ namespace touchline {
 namespace {
 
 std::string report_json(const TraceReport& report) {
+    const PhotoLines& found = report.found;
+    const SimplifyReport& simple = report.simplified;
     return fmt::format(
-        "{{\n  \"outlines\": {}, \"points\": {},\n"
-        "  \"lines_found\": {}, \"gaps_closed\": {}, \"junctions\": {},\n"
-        "  \"specks_dropped\": {}, \"over_budget\": {}, \"over_detail\": {},\n"
+        "{{\n  \"outlines\": {}, \"points\": {}, \"line_mm\": {}, \"complexity\": {},\n"
+        "  \"left_out\": {}, \"breaks_closed\": {}, \"crossings_opened\": {}, "
+        "\"frames_dropped\": {},\n"
+        "  \"lines_found\": {}, \"gaps_closed\": {}, \"junctions\": {}, \"specks_dropped\": {},\n"
         "  \"working_scale\": {}, \"pixels_per_metre\": {},\n"
         "  \"noise\": {}, \"smoothing_px\": {}, \"threshold_low\": {}, \"threshold_high\": {},\n"
-        "  \"warning\": {}\n}}\n",
-        report.outlines, report.points, report.lines_found, report.gaps_closed, report.junctions,
-        report.specks_dropped, report.over_budget, report.over_detail,
-        json_number(report.working_scale), json_number(report.pixels_per_metre),
-        json_number(report.noise), json_number(report.smoothing_px), json_number(report.low),
-        json_number(report.high), json_string(report.warning));
+        "  \"words\": {},\n  \"warning\": {}\n}}\n",
+        report.outlines, report.points, json_number(simple.line_mm),
+        json_string(word_of(simple.complexity)), simple.left_out, simple.breaks_closed,
+        simple.crossings_opened, simple.frames_dropped, found.lines_found, found.gaps_closed,
+        found.junctions, found.specks_dropped, json_number(report.working_scale),
+        json_number(report.pixels_per_metre), json_number(found.noise),
+        json_number(found.smoothing_px), json_number(found.low), json_number(found.high),
+        json_string(simple.words), json_string(report.warning));
 }
 
 GreyView view_of(const cv::Mat& grey) {
@@ -40,7 +45,7 @@ Result<std::string> run_trace(const TraceCommandOptions& options) {
         written = write_whole_file(options.report, report_json(found->report));
     }
     if (written && !options.edges.empty()) {
-        written = write_png(options.edges, view_of(found->edge_strength));
+        written = write_png(options.edges, view_of(found->report.found.edge_strength));
     }
     return written.map([&found] { return found->report.warning; });
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "config/types/result.h"
-#include "vision/contour/trace.h"
+#include "vision/simplify/trace.h"
 
 #include <string>
 

@@ -1,0 +1,104 @@
+#include "vision/contour/photo_lines.h"
+
+#include "vision/contour/corners.h"
+#include "vision/contour/edge_lines.h"
+#include "vision/contour/edge_strength.h"
+#include "vision/contour/linking.h"
+#include "vision/contour/scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr double kWorkingPixels = 1e6;  // 0.1 mm a pixel on a drawing area of 116 x 84 mm
+constexpr double kPhotoPixels = 3e5;    // finer edges of a photo are texture, and cost
+constexpr double kPhotoSmoothing_px = 2.0;
+constexpr double kShortest_px = 8.0;  // shorter lines are pixels, whatever their size on the device
+constexpr double kGrain =
+    1.0;  // grey levels; more noise than that in an otherwise empty picture is its content
+constexpr double kPictureBlur_px = 0.8;  // sigma, of lens and sampling
+
+/// The picture at working size, with what it says about itself.
+struct Working {
+    LabPicture lab;
+    double noise = 0.0;
+    double smoothing_px = 0.0;
+};
+
+Working measured(const cv::Mat& picture) {
+    Working working;
+    working.lab = to_lab(picture);
+    working.noise = noise_of(working.lab);
+    working.smoothing_px = smoothing_for(working.lab, working.noise);
+    return working;
+}
+
+Working prepared(const cv::Mat& picture) {
+    const cv::Mat small = reduced(picture, kWorkingPixels);
+    Working working = measured(small);
+    if (working.smoothing_px >= kPhotoSmoothing_px &&
+        static_cast<double>(small.total()) > kPhotoPixels) {
+        return measured(reduced(small, kPhotoPixels));
+    }
+    return working;
+}
+
+Reach reach_for(cv::Size size, double smoothing_px, double shortest_px) {
+    constexpr double kGapOverDiagonal = 0.02;
+    constexpr double kLeastGap_px = 6.0;
+    Reach reach;
+    reach.junction_px = 2.5 * smoothing_px + 2.0;
+    reach.gap_px = std::max(kLeastGap_px, kGapOverDiagonal * std::hypot(size.width, size.height));
+    reach.blur_px = 1.5 * smoothing_px;
+    reach.shortest_px = shortest_px;
+    return reach;
+}
+
+int drop_specks(std::vector<Chain>& chains, double shortest_px) {
+    return static_cast<int>(
+        std::erase_if(chains, [&](const Chain& c) { return length_of(c) < shortest_px; }));
+}
+
+/// The lines that these thresholds give.
+void find(const GradientField& field, const Hysteresis& limits, double shortest_px,
+          PhotoLines& found) {
+    std::vector<Chain> lines = edge_lines(field, limits);
+    found.low = limits.low;
+    found.high = limits.high;
+    found.lines_found = static_cast<int>(lines.size());
+    found.edge_strength = edge_strength(lines, found.size, limits.high);
+    Linked network = linked(std::move(lines), found.size,
+                            reach_for(found.size, found.smoothing_px, shortest_px));
+    found.gaps_closed = network.gaps_closed;
+    found.junctions = network.junctions;
+    found.specks_dropped = drop_specks(network.chains, shortest_px);
+    const double blur_px = std::hypot(found.smoothing_px, kPictureBlur_px);
+    for (Chain& chain : network.chains) {
+        chain = with_sharp_corners(chain, blur_px);
+    }
+    found.chains = std::move(network.chains);
+}
+
+}  // namespace
+
+PhotoLines photo_lines(const cv::Mat& picture, double shortest) {
+    const Working working = prepared(picture);
+    const GradientField field = colour_gradient(working.lab, working.smoothing_px);
+    PhotoLines found;
+    found.size = working.lab.size();
+    found.noise = working.noise;
+    found.smoothing_px = working.smoothing_px;
+    const double shortest_px =
+        std::max(kShortest_px, shortest * std::max(found.size.width, found.size.height));
+    find(field, thresholds_for(field, working.noise, working.smoothing_px), shortest_px, found);
+    if (found.chains.empty() && working.noise >= kGrain) {
+        find(field, grain_thresholds(field), shortest_px, found);
+        found.is_grain = true;
+    }
+    return found;
+}
+
+}  // namespace touchline
