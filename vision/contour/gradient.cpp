@@ -15,7 +15,7 @@ constexpr double kNoiseQuantile =
     0.25;  // low: in a dense pattern most second differences are edges
 constexpr double kQuantileToSigma = 1.0 / 0.31864;  // of a normal distribution
 constexpr double kLaplacianGain = 6.0;              // root of the kernel's summed squares: 36
-constexpr float kGreyLevelsPerL = 2.55F;            // L runs 0..100
+constexpr float kGreyLevels = 2.55F;                // of one CIE unit: L runs 0..100
 
 /// sRGB to CIE Lab (D65) for 8-bit input. OpenCV's own conversion spends 0.2 s of every process on
 /// building its tables.
@@ -41,7 +41,8 @@ class LabTables {
         const float fx = root((0.412453F * r + 0.357580F * g + 0.180423F * b) / 0.950456F);
         const float fy = root(0.212671F * r + 0.715160F * g + 0.072169F * b);
         const float fz = root((0.019334F * r + 0.119193F * g + 0.950227F * b) / 1.088754F);
-        return {kGreyLevelsPerL * (116.0F * fy - 16.0F), 500.0F * (fx - fy), 200.0F * (fy - fz)};
+        return {kGreyLevels * (116.0F * fy - 16.0F), kGreyLevels * 500.0F * (fx - fy),
+                kGreyLevels * 200.0F * (fy - fz)};
     }
 
   private:
@@ -143,8 +144,9 @@ GradientField colour_gradient(const LabPicture& lab, double sigma_px) {
             const cv::Vec3f dx = 0.5F * (here[std::min(last_x, x + 1)] - here[std::max(0, x - 1)]);
             const cv::Vec3f dy = 0.5F * (below[x] - above[x]);
             const Steepest at = steepest(dx.dot(dx), dy.dot(dy), dx.dot(dy));
+            const cv::Vec2f rise(dx[0] + dx[1] + dx[2], dy[0] + dy[1] + dy[2]);
             field.strength(y, x) = at.strength;
-            field.normal(y, x) = at.normal;
+            field.normal(y, x) = rise.dot(at.normal) < 0.0F ? -at.normal : at.normal;
         }
     }
     return field;

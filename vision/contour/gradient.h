@@ -7,8 +7,9 @@
 
 namespace touchline {
 
-/// Lab colours in units of grey levels: L is stretched to 0..255, a and b are CIE units. A step of
-/// one grey level is a step of about one unit.
+/// Lab colours in units of grey levels: all three are CIE units x 2.55, so L runs 0..255 and a
+/// difference of colour counts as much as one of lightness that looks as large. A step of one grey
+/// level is a step of about one unit.
 using LabPicture = cv::Mat3f;
 
 /// The picture reduced to at most `max_pixels` by area averaging (never enlarged), 8-bit, BGR or
@@ -27,10 +28,12 @@ using LabPicture = cv::Mat3f;
 [[nodiscard]] double gradient_noise(double noise, double sigma_px);
 
 /// strength: greatest rate of colour change, grey levels per pixel. normal: unit vector of that
-/// change (its sign means nothing). Both at pixel centres.
+/// change, towards where the sum of the channels grows (lighter, else redder and yellower). Both at
+/// pixel centres.
 struct GradientField {
     cv::Mat1f strength;
     cv::Mat2f normal;
+    bool has_light_side = true;  // false: the normal's sign means nothing
 };
 
 /// Gaussian smoothing, then the structure tensor of the three channels (Di Zenzo 1986).

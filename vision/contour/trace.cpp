@@ -1,6 +1,7 @@
 #include "vision/contour/trace.h"
 
 #include "vision/contour/corners.h"
+#include "vision/contour/double_edges.h"
 #include "vision/contour/edge_lines.h"
 #include "vision/contour/edge_strength.h"
 #include "vision/contour/linking.h"
@@ -8,6 +9,7 @@
 #include "vision/contour/ranking.h"
 #include "vision/contour/sampling.h"
 #include "vision/contour/scale.h"
+#include "vision/contour/texture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +24,9 @@ constexpr double kPhotoPixels = 3e5;    // finer edges of a photo are texture, a
 constexpr double kPhotoSmoothing_px = 2.0;
 constexpr double kShortest_m = 0.004;  // 4 mm of line: the smallest feature worth a finger's time
 constexpr double kShortest_px = 8.0;  // shorter lines are pixels, whatever their size on the device
+constexpr double kGap_m = 0.0032;     // lines that lie closer are felt as one
+constexpr double kLongestTexture_m = 0.02;
+constexpr double kSmallestTexture_m = 0.02;
 constexpr double kSpacing_m = 0.0002;  // points no denser than the hand's device resolves
 constexpr double kSpacing_px = 1.0;
 constexpr double kGrain =
@@ -168,6 +173,13 @@ std::vector<Chain> outlines_of(const GradientField& field, const Hysteresis& lim
     Linked network = linked(std::move(lines), size, reach_for(size, smoothing_px, shortest_px));
     report.gaps_closed = network.gaps_closed;
     report.junctions = network.junctions;
+    if (smoothing_px >= kPhotoSmoothing_px) {
+        const double gap_px = kGap_m / metres_per_px;
+        network.chains = with_double_edges_merged(std::move(network.chains), size, gap_px);
+        network.chains = with_textures_outlined(
+            std::move(network.chains), size,
+            {gap_px, kLongestTexture_m / metres_per_px, kSmallestTexture_m / metres_per_px});
+    }
     report.specks_dropped = drop_specks(network.chains, shortest_px);
     const double blur_px = std::hypot(smoothing_px, kPictureBlur_px);
     for (Chain& chain : network.chains) {
