@@ -147,6 +147,8 @@ class CommandLine {
                 [this](const std::string& text) { return parse_area(text, trace_.trace.area); });
         trace_command_->add_option("--json", trace_.report, "REPORT.json");
         trace_command_->add_option("--edges", trace_.edges, "STRENGTH.png");
+        trace_command_->add_option("--edge-model", trace_.edge_model,
+                                   "FILE.onnx, a network that tells boundaries");
     }
 
     void add_curve() {

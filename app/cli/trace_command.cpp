@@ -6,6 +6,10 @@
 #include "app/decode/map_svg.h"
 #include "app/decode/png_writer.h"
 
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include <fmt/core.h>
 
 namespace touchline {
@@ -26,6 +30,13 @@ std::string report_json(const TraceReport& report) {
         json_number(report.high), json_string(report.warning));
 }
 
+Result<EdgeModel> read_edge_model(const std::string& path) {
+    return read_file(path).and_then([&path](const std::vector<std::byte>& bytes) {
+        return EdgeModel::from_onnx(bytes).map_error(
+            [&path](const Error& error) { return Error{path + ": " + error.line}; });
+    });
+}
+
 GreyView view_of(const cv::Mat& grey) {
     return {grey.cols, grey.rows, {grey.data, grey.total()}};
 }
@@ -33,7 +44,14 @@ GreyView view_of(const cv::Mat& grey) {
 }  // namespace
 
 Result<std::string> run_trace(const TraceCommandOptions& options) {
-    const Result<Trace> found = trace_picture(options.input, options.trace);
+    std::optional<EdgeModel> model;
+    TraceOptions trace = options.trace;
+    if (!options.edge_model.empty()) {
+        Result<EdgeModel> read = read_edge_model(options.edge_model);
+        if (!read) return tl::unexpected(read.error());
+        trace.edge_model = &model.emplace(std::move(*read));
+    }
+    const Result<Trace> found = trace_picture(options.input, trace);
     if (!found) return tl::unexpected(found.error());
     Result<void> written = write_whole_file(options.output, format_map_svg(found->map));
     if (written && !options.report.empty()) {

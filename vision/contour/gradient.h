@@ -36,6 +36,10 @@ struct GradientField {
     bool has_light_side = true;  // false: the normal's sign means nothing
 };
 
+/// Unit eigenvector of the larger eigenvalue of the symmetric matrix (xx xy; xy yy), x >= 0;
+/// (1, 0) where the eigenvalues are equal.
+[[nodiscard]] cv::Vec2f major_axis(float xx, float yy, float xy);
+
 /// Gaussian smoothing, then the structure tensor of the three channels (Di Zenzo 1986).
 [[nodiscard]] GradientField colour_gradient(const LabPicture& lab, double sigma_px);
 

@@ -7,6 +7,7 @@
 
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
+#include "vision/contour/edge_model.h"
 
 #include <string>
 
@@ -16,7 +17,8 @@ namespace touchline {
 
 struct TraceOptions {
     Area area;
-    int detail = 3;  // 1 silhouette ... 5 all; outlines above it are left out
+    int detail = 3;                   // 1 silhouette ... 5 all; outlines above it are left out
+    EdgeModel* edge_model = nullptr;  // tells the boundaries instead of the gradient; not owned
 };
 
 /// What the tracer chose, found and left out. Pixels are working pixels: those of the picture after
