@@ -15,7 +15,7 @@ constexpr double kNoiseQuantile =
     0.25;  // low: in a dense pattern most second differences are edges
 constexpr double kQuantileToSigma = 1.0 / 0.31864;  // of a normal distribution
 constexpr double kLaplacianGain = 6.0;              // root of the kernel's summed squares: 36
-constexpr float kGreyLevels = 2.55F;                // of one CIE unit: L runs 0..100
+constexpr float kGreyLevelsPerL = 2.55F;            // L runs 0..100
 
 /// sRGB to CIE Lab (D65) for 8-bit input. OpenCV's own conversion spends 0.2 s of every process on
 /// building its tables.
@@ -41,8 +41,7 @@ class LabTables {
         const float fx = root((0.412453F * r + 0.357580F * g + 0.180423F * b) / 0.950456F);
         const float fy = root(0.212671F * r + 0.715160F * g + 0.072169F * b);
         const float fz = root((0.019334F * r + 0.119193F * g + 0.950227F * b) / 1.088754F);
-        return {kGreyLevels * (116.0F * fy - 16.0F), kGreyLevels * 500.0F * (fx - fy),
-                kGreyLevels * 200.0F * (fy - fz)};
+        return {kGreyLevelsPerL * (116.0F * fy - 16.0F), 500.0F * (fx - fy), 200.0F * (fy - fz)};
     }
 
   private:
@@ -75,7 +74,7 @@ cv::Mat reduced(const cv::Mat& picture, double max_pixels) {
     return small;
 }
 
-LabPicture to_lab(const cv::Mat& bgr_or_grey) {
+LabPicture to_lab(const cv::Mat& bgr_or_grey, float colour_weight) {
     static const LabTables tables;
     const bool is_grey = bgr_or_grey.channels() == 1;
     LabPicture lab(bgr_or_grey.size());
@@ -83,7 +82,9 @@ LabPicture to_lab(const cv::Mat& bgr_or_grey) {
         const uchar* from = bgr_or_grey.ptr<uchar>(y);
         for (int x = 0; x < lab.cols; ++x) {
             const uchar* p = is_grey ? from + x : from + 3 * x;
-            lab(y, x) = is_grey ? tables.lab_of(*p, *p, *p) : tables.lab_of(p[2], p[1], p[0]);
+            const cv::Vec3f v =
+                is_grey ? tables.lab_of(*p, *p, *p) : tables.lab_of(p[2], p[1], p[0]);
+            lab(y, x) = {v[0], colour_weight * v[1], colour_weight * v[2]};
         }
     }
     return lab;

@@ -7,16 +7,19 @@
 
 namespace touchline {
 
-/// Lab colours in units of grey levels: all three are CIE units x 2.55, so L runs 0..255 and a
-/// difference of colour counts as much as one of lightness that looks as large. A step of one grey
-/// level is a step of about one unit.
+/// Lab colours in units of grey levels: L is stretched to 0..255, a and b are CIE units times a
+/// weight. A step of one grey level is a step of about one unit.
 using LabPicture = cv::Mat3f;
+
+/// The weight at which a difference of colour counts as much as one of lightness that looks as
+/// large. At 1 colour counts less, and so do JPEG's errors of colour.
+inline constexpr float kFullColour = 2.55F;
 
 /// The picture reduced to at most `max_pixels` by area averaging (never enlarged), 8-bit, BGR or
 /// grey as it came.
 [[nodiscard]] cv::Mat reduced(const cv::Mat& picture, double max_pixels);
 
-[[nodiscard]] LabPicture to_lab(const cv::Mat& bgr_or_grey);
+[[nodiscard]] LabPicture to_lab(const cv::Mat& bgr_or_grey, float colour_weight = 1.0F);
 
 /// Standard deviation of the picture's white noise in grey levels, all channels together. From the
 /// |second differences both ways| (Immerkaer 1996, by their lower quartile, so that edges do not

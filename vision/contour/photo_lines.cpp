@@ -39,7 +39,7 @@ struct Working {
 Working measured(const cv::Mat& picture) {
     Working working;
     working.picture = picture;
-    working.lab = to_lab(picture);
+    working.lab = to_lab(picture, kFullColour);
     working.noise = noise_of(working.lab);
     working.smoothing_px = smoothing_for(working.lab, working.noise);
     return working;
