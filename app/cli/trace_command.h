@@ -10,10 +10,11 @@
 namespace touchline {
 
 struct TraceCommandOptions {
-    std::string input;   // a picture, whatever its name
-    std::string output;  // MAP.svg
-    std::string report;  // REPORT.json; empty: none
-    std::string edges;   // STRENGTH.png; empty: none
+    std::string input;       // a picture, whatever its name
+    std::string output;      // MAP.svg
+    std::string report;      // REPORT.json; empty: none
+    std::string edges;       // STRENGTH.png; empty: none
+    std::string edge_model;  // FILE.onnx; empty: none
     TraceOptions trace;
 };
 

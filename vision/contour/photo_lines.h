@@ -1,10 +1,13 @@
 // The lines of a picture that is taken as it comes: edges, linked, corners put back.
 //
-// picture -> at most 1 megapixel -> Lab -> Gaussian -> colour gradient -> lines of greatest
-// gradient (sub-pixel) with hysteresis -> junctions, gaps, closing -> corners.
+// picture -> at most 1 megapixel -> Lab -> Gaussian -> colour gradient (or a network's boundaries)
+// -> lines of greatest strength (sub-pixel) with hysteresis -> junctions, gaps, closing -> stripes,
+// textures -> corners.
 #pragma once
 
+#include "config/types/result.h"
 #include "vision/contour/chain.h"
+#include "vision/contour/edge_model.h"
 
 #include <vector>
 
@@ -25,17 +28,20 @@ struct PhotoLines {
     int lines_found = 0;    // after hysteresis
     int gaps_closed = 0;
     int junctions = 0;       // places where three or more arms meet
-    int specks_dropped = 0;  // shorter than `shortest`
+    int specks_dropped = 0;  // shorter than 4 mm
     /// 8-bit, working size: how strong each candidate line is, 0 where there is none. 128 is the
     /// picture's own threshold `high`; strength = 255 r / (1 + r), r = mean gradient along 20
     /// pixels either way / high, less for short lines.
     cv::Mat edge_strength;
 };
 
-/// The lines of an 8-bit picture, BGR or grey; arms of a junction share their point bit for bit.
-/// Lines shorter than `shortest` (a share of the picture's longer side, and 8 working pixels) are
-/// specks. Empty chains: nothing was found. Throws cv::Exception without memory. Deterministic.
-/// Threads: pure function (OpenCV may use its own threads inside). O(pixels).
-[[nodiscard]] PhotoLines photo_lines(const cv::Mat& picture, double shortest);
+/// The lines of an 8-bit picture, BGR or grey, whose longer side will be `longer_side_mm` long at
+/// the handle; arms of a junction share their point bit for bit. Lines shorter than 4 mm (and 8
+/// working pixels) are specks. In photos stripes narrower than 3.2 mm become one line and textures
+/// one outline. `model`, where given, tells the boundaries; it is the only cause of an error. Empty
+/// chains: nothing was found. Throws cv::Exception without memory. Deterministic. Threads: pure
+/// function but for the model (OpenCV may use its own threads inside). O(pixels).
+[[nodiscard]] Result<PhotoLines> photo_lines(const cv::Mat& picture, double longer_side_mm,
+                                             EdgeModel* model = nullptr);
 
 }  // namespace touchline

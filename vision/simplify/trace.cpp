@@ -1,5 +1,7 @@
 #include "vision/simplify/trace.h"
 
+#include "vision/contour/gradient.h"
+#include "vision/simplify/class_lines.h"
 #include "vision/simplify/placement.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 namespace touchline {
 namespace {
 
-constexpr double kShortest_m = 0.004;  // 4 mm of line: the smallest feature worth a finger's time
+constexpr double kClassPixels = 1e6;
 
 std::string size_of(const cv::Mat& picture) {
     return std::to_string(picture.cols) + " x " + std::to_string(picture.rows);
@@ -72,21 +74,29 @@ std::string warning_for(const TraceReport& report) {
 
 }  // namespace
 
-Result<Found> find_lines(const cv::Mat& picture, const Area& area) {
+Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
     if (const Result<void> usable = check(picture); !usable) return tl::unexpected(usable.error());
-    if (const Result<void> usable = check(area); !usable) return tl::unexpected(usable.error());
+    if (const Result<void> usable = check(options); !usable) return tl::unexpected(usable.error());
     try {
-        const Placement placement(picture.size(), picture.size(), area);
-        const double longer_px = std::max(picture.cols, picture.rows);
-        Found found;
-        found.report =
-            photo_lines(picture, kShortest_m * placement.picture_pixels_per_metre() / longer_px);
-        found.lines = {std::exchange(found.report.chains, {}), found.report.size, picture.size(),
-                       found.report.high};
-        if (found.lines.chains.empty()) {
-            return failure(nothing_found(picture));
-        }
-        return found;
+        const Placement placement(picture.size(), picture.size(), options.area);
+        const double longer_side_mm = 1000.0 * std::max(picture.cols, picture.rows) /
+                                      placement.picture_pixels_per_metre();
+        // Reduced once: every way of finding lines starts from at most a megapixel.
+        const cv::Mat small = reduced(picture, kClassPixels);
+        const ClassDecision decision =
+            options.picture_class
+                ? ClassDecision{*options.picture_class, "You chose the kind of picture.", {}}
+                : class_of(small);
+        return class_lines(small, decision.picture_class, longer_side_mm, options.edge_model)
+            .and_then([&](PhotoLines lines) -> Result<Found> {
+                if (lines.chains.empty()) {
+                    return failure(nothing_found(picture));
+                }
+                std::vector<Chain> chains = std::exchange(lines.chains, {});
+                return Found{{std::move(chains), lines.size, picture.size(), lines.high},
+                             decision,
+                             std::move(lines)};
+            });
     } catch (const std::exception& e) {  // OpenCV reports lack of memory this way
         const std::string why = e.what();
         return failure("the picture could not be traced, because of " +
@@ -106,6 +116,7 @@ Result<Trace> trace_lines(const Found& found, const TraceOptions& options) {
     TraceReport& report = trace.report;
     trace.map = std::move(simple.map);
     report.simplified = std::move(simple.report);
+    report.decision = found.decision;
     report.found = found.report;
     report.working_scale =
         static_cast<double>(found.lines.working.width) / found.lines.picture.width;
@@ -120,8 +131,7 @@ Result<Trace> trace_lines(const Found& found, const TraceOptions& options) {
 }
 
 Result<Trace> trace_outlines(const cv::Mat& picture, const TraceOptions& options) {
-    if (const Result<void> usable = check(options); !usable) return tl::unexpected(usable.error());
-    return find_lines(picture, options.area).and_then([&](const Found& found) {
+    return find_lines(picture, options).and_then([&](const Found& found) {
         return trace_lines(found, options);
     });
 }

@@ -5,8 +5,10 @@
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 #include "vision/contour/photo_lines.h"
+#include "vision/prepare/picture_class.h"
 #include "vision/simplify/simplify.h"
 
+#include <optional>
 #include <string>
 
 #include <opencv2/core.hpp>
@@ -17,12 +19,15 @@ struct TraceOptions {
     Area area;
     int detail = 3;  // 1 silhouette ... 5 all
     Zoom zoom = {};
+    std::optional<PictureClass> picture_class = std::nullopt;  // instead of what it looks like
+    EdgeModel* edge_model = nullptr;  // tells a photo's boundaries; not owned
 };
 
 /// What the tracer chose, found and left out.
 struct TraceReport {
     double working_scale = 1.0;     // working pixels per pixel of the picture, <= 1
     double pixels_per_metre = 0.0;  // pixels of the picture (as given) on a metre of W
+    ClassDecision decision;         // what kind of picture it was taken for
     PhotoLines found;               // without its chains
     SimplifyReport simplified;
     int outlines = 0;     // of the map
@@ -38,13 +43,16 @@ struct Trace {
 /// A picture's lines, for every detail and zoom, and what was measured on the way.
 struct Found {
     PictureLines lines;
+    ClassDecision decision;
     PhotoLines report;  // without its chains
 };
 
-/// Finds the lines of an 8-bit picture, BGR or grey, already composed over white.
-/// Errors: an empty or unsupported matrix, no line found. Deterministic. Threads: pure function
-/// (OpenCV may use its own threads inside). About 0.2 s a megapixel.
-[[nodiscard]] Result<Found> find_lines(const cv::Mat& picture, const Area& area);
+/// Decides what kind of picture it is, unless the options do, and finds its lines. 8-bit, BGR or
+/// grey, already composed over white; of the options only area, class and model count.
+/// Errors: an empty or unsupported matrix, an area out of range, no line found, a model that fails.
+/// Deterministic. Threads: pure function but for the model (OpenCV may use its own threads inside).
+/// About 0.2 s a megapixel.
+[[nodiscard]] Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options);
 
 /// The map of one detail and zoom. Errors: area, detail or zoom out of range, no line there.
 [[nodiscard]] Result<Trace> trace_lines(const Found& found, const TraceOptions& options);

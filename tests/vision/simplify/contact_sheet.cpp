@@ -38,11 +38,11 @@ class Sheet {
         cv::Mat3b row(cell_.height + kText_px + kRim_px, 6 * (cell_.width + kRim_px),
                       cv::Vec3b::all(255));
         put_picture(pixels, row);
-        const Result<Found> found = find_lines(pixels, area_);
+        const Result<Found> found = find_lines(pixels, {.area = area_});
         for (int detail = 1; detail <= 5; ++detail) {
             const cv::Point at(detail * (cell_.width + kRim_px), 0);
             const Result<Trace> trace = found.and_then([&](const Found& lines) {
-                return trace_lines(lines, {area_, detail, {}});
+                return trace_lines(lines, {.area = area_, .detail = detail});
             });
             put_map(trace, detail, row, at);
         }
@@ -74,7 +74,8 @@ class Sheet {
             words += trace.error().line;
         } else {
             const SimplifyReport& report = trace->report.simplified;
-            words += fmt::format("{} parts, {:.0f} mm, {}, {} left out", report.parts,
+            words += fmt::format("{}, {} parts, {:.0f} mm, {}, {} left out",
+                                 name_of(trace->report.decision.picture_class), report.parts,
                                  report.line_mm, word_of(report.complexity), report.left_out);
             for (std::size_t i = 0; i < trace->map.outlines.size(); ++i) {
                 put_outline(trace->map.outlines[i], i, row, at);

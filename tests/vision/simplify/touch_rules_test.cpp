@@ -111,12 +111,12 @@ void judge_all(const Area& area) {
     int judged = 0;
     for (int n = 0; n < kTruthPictures; n += stride()) {
         const TruthPicture picture = truth_picture(n);
-        const auto found = find_lines(picture.pixels, area);
+        const auto found = find_lines(picture.pixels, {.area = area});
         ASSERT_TRUE(found) << picture.name << ": " << found.error().line;
         for (int detail = 1; detail <= 5; ++detail) {
             SCOPED_TRACE(picture.name + ", number " + std::to_string(n) + ", detail " +
                          std::to_string(detail));
-            const auto trace = trace_lines(*found, {area, detail, {}});
+            const auto trace = trace_lines(*found, {.area = area, .detail = detail});
             ASSERT_TRUE(trace) << trace.error().line;
             judge(picture, *trace, detail, area);
             ++judged;
