@@ -73,7 +73,8 @@ std::string parse_class(const std::string& text, std::optional<PictureClass>& pi
         picture_class = value;
         return "";
     }
-    return fmt::format("{} is no kind of picture; write photo, diagram, drawing or text-page", text);
+    return fmt::format("{} is no kind of picture; write photo, diagram, drawing or text-page",
+                       text);
 }
 
 /// A number from `low` to `largest`; unlike the library's own range, not a NaN.

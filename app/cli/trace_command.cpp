@@ -27,7 +27,8 @@ std::string report_json(const TactileMap& map, const TraceReport& report) {
     const PhotoLines& found = report.found;
     const SimplifyReport& simple = report.simplified;
     return fmt::format(
-        "{{\n  \"class\": {}, \"reason\": {},\n  \"outlines\": {}, \"points\": {}, \"line_mm\": {}, \"complexity\": {},\n"
+        "{{\n  \"class\": {}, \"reason\": {},\n  \"outlines\": {}, \"points\": {}, \"line_mm\": "
+        "{}, \"complexity\": {},\n"
         "  \"left_out\": {}, \"breaks_closed\": {}, \"crossings_opened\": {}, "
         "\"frames_dropped\": {},\n"
         "  \"lines_found\": {}, \"gaps_closed\": {}, \"junctions\": {}, \"specks_dropped\": {},\n"

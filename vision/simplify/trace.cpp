@@ -79,8 +79,8 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
     if (const Result<void> usable = check(options); !usable) return tl::unexpected(usable.error());
     try {
         const Placement placement(picture.size(), picture.size(), options.area);
-        const double longer_side_mm = 1000.0 * std::max(picture.cols, picture.rows) /
-                                      placement.picture_pixels_per_metre();
+        const double longer_side_mm =
+            1000.0 * std::max(picture.cols, picture.rows) / placement.picture_pixels_per_metre();
         // Reduced once: every way of finding lines starts from at most a megapixel.
         const cv::Mat small = reduced(picture, kClassPixels);
         const ClassDecision decision =
