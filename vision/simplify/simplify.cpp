@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kSmallBreak_mm = 4.0;
 constexpr double kLargeRegion = 0.03;  // of the area
+constexpr double kOuterShare = 0.25;   // of a line whose other side looks into the picture
 constexpr double kFinestStep_mm = 0.2;
 constexpr double kCoarsestStep_mm = 0.5;
 
@@ -42,18 +43,15 @@ class Selection {
                line_mm_ + limits_.least_stroke_mm > limits_.line_mm;
     }
 
-    /// Adds what of a line may be shown.
+    /// Adds what of a line may be shown. The first is always kept: where it alone is longer than
+    /// all lines may be, it is taken at coarser and coarser scales.
     void add(const RankedLine& ranked, std::size_t number) {
-        if (!may_be_shown(ranked)) {
-            return;
-        }
-        for (Chain& part : without_self_crossings(fitting(ranked.line), limits_.least_stroke_mm)) {
-            std::vector<Candidate> open{{std::move(part), false, false}};
-            while (!open.empty() && !is_full()) {
-                Candidate candidate = std::move(open.back());
-                open.pop_back();
-                add(candidate, number, open);
-            }
+        constexpr double kCoarsest_mm = 50.0;
+        ShapingScale scale = scale_;
+        while (may_be_shown(ranked) && add_at(scale, ranked.line, number) && strokes_.empty() &&
+               scale.tolerance_mm < kCoarsest_mm) {
+            scale.tolerance_mm *= 1.5;
+            scale.least_feature_mm *= 1.5;
         }
     }
 
@@ -67,7 +65,7 @@ class Selection {
 
   private:
     bool may_be_shown(const RankedLine& ranked) const {
-        const bool is_outer = ranked.outer_share >= 0.5;
+        const bool is_outer = ranked.outer_share >= kOuterShare;
         switch (limits_.inner) {
             case InnerLines::none:
                 return is_outer;
@@ -79,29 +77,29 @@ class Selection {
         }
     }
 
-    /// The line at this detail's scale; the first, which is always kept, at the scale at which it
-    /// is no longer than all lines may be.
-    Chain fitting(const Chain& line) const {
-        Chain result = shaped(line, scale_);
-        ShapingScale coarser = scale_;
-        constexpr double kCoarsest_mm = 50.0;
-        while (strokes_.empty() && length_of(result) > limits_.line_mm &&
-               coarser.tolerance_mm < kCoarsest_mm) {
-            coarser.tolerance_mm *= 1.5;
-            coarser.least_feature_mm *= 1.5;
-            result = shaped(line, coarser);
+    /// Adds the line at a scale. True: some of it was too long to be added.
+    bool add_at(const ShapingScale& scale, const Chain& line, std::size_t number) {
+        bool is_too_long = false;
+        for (Chain& part : without_self_crossings(shaped(line, scale), limits_.least_stroke_mm)) {
+            std::vector<Candidate> open{{std::move(part), false, false}};
+            while (!open.empty() && !is_full()) {
+                const Candidate candidate = std::move(open.back());
+                open.pop_back();
+                is_too_long = !add_longest(candidate, number, open) || is_too_long;
+            }
         }
-        return result;
+        return is_too_long;
     }
 
-    void add(const Candidate& candidate, std::size_t number, std::vector<Candidate>& open) {
+    /// Adds the longest stretch of a candidate that fits, what is left to `open`. False: too long.
+    bool add_longest(const Candidate& candidate, std::size_t number, std::vector<Candidate>& open) {
         std::optional<Fit> fit = spaced_.fit(candidate);
-        if (!fit) {
-            return;
+        const double length_mm = fit ? length_of(fit->line) : 0.0;
+        if (length_mm < limits_.least_stroke_mm) {
+            return true;
         }
-        const double length_mm = length_of(fit->line);
-        if (length_mm < limits_.least_stroke_mm || line_mm_ + length_mm > limits_.line_mm) {
-            return;
+        if (line_mm_ + length_mm > limits_.line_mm) {
+            return false;
         }
         std::ranges::move(fit->rest, std::back_inserter(open));
         fit->rest.clear();
@@ -109,6 +107,7 @@ class Selection {
         line_mm_ += length_mm;
         strokes_.push_back({number, length_mm});
         spaced_.add(std::move(*fit));
+        return true;
     }
 
     DetailLimits limits_;
@@ -121,16 +120,20 @@ class Selection {
 };
 
 Selection selected(const std::vector<RankedLine>& order, DetailLimits limits, cv::Size2d area_mm) {
-    for (int halvings = 0;; ++halvings) {
+    for (int attempts = 0;; ++attempts) {
         Selection selection(limits, area_mm);
         for (std::size_t i = 0; i < order.size() && !selection.is_full(); ++i) {
             selection.add(order[i], i);
         }
-        constexpr int kMostHalvings = 8;
-        if (!selection.strokes().empty() || order.empty() || halvings == kMostHalvings) {
+        constexpr int kMostAttempts = 9;
+        if (!selection.strokes().empty() || order.empty() || attempts == kMostAttempts) {
             return selection;
         }
-        limits.least_stroke_mm *= 0.5;
+        if (limits.inner != InnerLines::all) {
+            limits.inner = InnerLines::all;  // nothing lies outside
+        } else {
+            limits.least_stroke_mm *= 0.5;
+        }
     }
 }
 

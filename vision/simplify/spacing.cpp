@@ -10,33 +10,11 @@ namespace {
 
 constexpr double kOpening_mm = 2.5;     // each side of a crossing
 constexpr double kSmallBreak_mm = 4.0;  // a groove must not end by accident
-constexpr double kApartAlong = 4.0;  // gaps: nearer along the line, it is a bend and not two lines
-
-Segment segment_of(const Chain& line, std::size_t i, std::size_t number) {
-    return {line.points[i].at, line.points[(i + 1) % line.points.size()].at, number, i};
-}
-
-std::size_t segments_of(const Chain& line) {
-    return line.points.size() - (line.is_closed ? 0 : 1);
-}
-
-/// Arc length up to each point.
-std::vector<double> arc_lengths(const std::vector<EdgePoint>& points) {
-    std::vector<double> at_mm{0.0};
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        at_mm.push_back(at_mm.back() + distance(points[i - 1].at, points[i].at));
-    }
-    return at_mm;
-}
 
 }  // namespace
 
 SpacedLines::SpacedLines(cv::Size2d area_mm, double gap_mm, double step_mm)
-    : gap_mm_(gap_mm),
-      step_mm_(step_mm),
-      clearance_mm_(gap_mm + 0.5 * step_mm),
-      area_mm_(area_mm),
-      grid_(area_mm, 0.5 * gap_mm) {}
+    : scale_{area_mm, gap_mm, step_mm}, grid_(area_mm, 0.5 * gap_mm) {}
 
 std::optional<SpacedLines::Near> SpacedLines::nearest(cv::Point2d p, double reach_mm) const {
     std::optional<Near> best;
@@ -50,47 +28,20 @@ std::optional<SpacedLines::Near> SpacedLines::nearest(cv::Point2d p, double reac
     return best;
 }
 
-/// The stretch from `first` on that keeps the gap to itself.
-SpacedLines::Stretch SpacedLines::clear_of_itself(const std::vector<EdgePoint>& points,
-                                                  std::size_t first, std::size_t last) const {
-    SegmentGrid own(area_mm_, 0.5 * gap_mm_);
-    std::vector<double> at_mm(points.size(), 0.0);
-    for (std::size_t i = first + 1; i <= last; ++i) {
-        const cv::Point2d p = points[i].at;
-        at_mm[i] = at_mm[i - 1] + distance(points[i - 1].at, p);
-        double least_mm = clearance_mm_;
-        std::optional<Foot> foot;
-        own.near(p, p, clearance_mm_, [&](const Segment& before) {
-            const cv::Point2d on = nearest_on(before, p);
-            if (at_mm[i] - at_mm[before.index + 1] > kApartAlong * gap_mm_ - 2.0 * step_mm_ &&
-                distance(on, p) < least_mm) {
-                least_mm = distance(on, p);
-                foot = {on, lines_.size(), before.index - first};
-            }
-        });
-        if (foot) {
-            return {first, i - 1, at_mm[i - 1], foot};
-        }
-        own.add({points[i - 1].at, p, 0, i - 1});
-    }
-    return {first, last, at_mm[last], std::nullopt};
-}
-
-std::optional<SpacedLines::Stretch> SpacedLines::longest(
-    const std::vector<EdgePoint>& points) const {
-    std::optional<Stretch> best;
+std::optional<OwnStretch> SpacedLines::longest(const std::vector<EdgePoint>& points) const {
+    std::optional<OwnStretch> best;
     std::size_t first = 0;
     while (first < points.size()) {
-        if (nearest(points[first].at, clearance_mm_)) {
+        if (nearest(points[first].at, scale_.clearance_mm())) {
             ++first;
             continue;
         }
         std::size_t last = first;
-        while (last + 1 < points.size() && !nearest(points[last + 1].at, clearance_mm_)) {
+        while (last + 1 < points.size() && !nearest(points[last + 1].at, scale_.clearance_mm())) {
             ++last;
         }
         for (std::size_t from = first; from < last;) {
-            const Stretch stretch = clear_of_itself(points, from, last);
+            const OwnStretch stretch = clear_of_itself(points, from, last, scale_);
             if (!best || stretch.length_mm > best->length_mm) {
                 best = stretch;
             }
@@ -101,38 +52,15 @@ std::optional<SpacedLines::Stretch> SpacedLines::longest(
     return best && best->length_mm > 0.0 ? best : std::nullopt;
 }
 
-/// The first point of a ring that is too near to another part of it.
-std::optional<std::size_t> SpacedLines::too_near_itself(const Chain& ring) const {
-    SegmentGrid own(area_mm_, 0.5 * gap_mm_);
-    for (std::size_t i = 0; i < segments_of(ring); ++i) {
-        own.add(segment_of(ring, i, 0));
-    }
-    const std::vector<double> at_mm = arc_lengths(ring.points);
-    const double around_mm = length_of(ring);
-    for (std::size_t i = 0; i < ring.points.size(); ++i) {
-        const cv::Point2d p = ring.points[i].at;
-        bool is_near = false;
-        own.near(p, p, clearance_mm_, [&](const Segment& other) {
-            const double along_mm = std::abs(at_mm[i] - at_mm[other.index]);
-            is_near = is_near || (std::min(along_mm, around_mm - along_mm) >
-                                      kApartAlong * gap_mm_ - 2.0 * step_mm_ &&
-                                  distance(nearest_on(other, p), p) < clearance_mm_);
-        });
-        if (is_near) {
-            return i;
-        }
-    }
-    return std::nullopt;
-}
-
 /// A ring cut open at its first point that something is in the way of; nothing: it is clear.
 std::optional<Candidate> SpacedLines::opened(const Chain& ring) const {
     std::vector<EdgePoint> points = ring.points;
-    const auto blocked = std::ranges::find_if(
-        points, [&](const EdgePoint& p) { return nearest(p.at, clearance_mm_).has_value(); });
+    const auto blocked = std::ranges::find_if(points, [&](const EdgePoint& p) {
+        return nearest(p.at, scale_.clearance_mm()).has_value();
+    });
     if (blocked != points.end()) {
         std::ranges::rotate(points, blocked);
-    } else if (const auto own = too_near_itself(ring)) {
+    } else if (const auto own = too_near_itself(ring, scale_)) {
         std::ranges::rotate(points, points.begin() + static_cast<std::ptrdiff_t>(*own));
     } else {
         return std::nullopt;
@@ -156,7 +84,7 @@ bool SpacedLines::crosses_on(const std::vector<EdgePoint>& points, std::size_t f
         grid_.near(piece.a, piece.b, 0.0, [&](const Segment& other) {
             is_crossed = is_crossed || crossing_of(piece, other).has_value();
         });
-        if (!nearest(piece.b, clearance_mm_)) {
+        if (!nearest(piece.b, scale_.clearance_mm())) {
             return is_crossed;
         }
     }
@@ -173,7 +101,7 @@ bool SpacedLines::append(cv::Point2d to, std::vector<EdgePoint>& line) const {
             return false;
         }
     }
-    const int parts = std::max(1, static_cast<int>(std::ceil(cv::norm(way) / step_mm_)));
+    const int parts = std::max(1, static_cast<int>(std::ceil(cv::norm(way) / scale_.step_mm)));
     for (int k = 1; k < parts; ++k) {
         line.push_back({from.at + (static_cast<double>(k) / parts) * way, from.strength});
     }
@@ -186,17 +114,17 @@ void SpacedLines::bridge(const std::vector<EdgePoint>& points, std::size_t at, i
                          bool goes_on, Fit& fit) const {
     const bool is_line_end = at == (step > 0 ? points.size() - 1 : 0);
     const EdgePoint from = points[at];
-    const std::optional<Near> near = nearest(from.at, clearance_mm_ + 2.0 * step_mm_);
+    const std::optional<Near> near = nearest(from.at, scale_.clearance_mm() + 2.0 * scale_.step_mm);
     if (is_line_end || !near) {
         return;
     }
     const bool is_opened = crosses_on(points, at, step);
     std::size_t beyond = at + static_cast<std::size_t>(step);
     while (beyond != (step > 0 ? points.size() - 1 : 0) &&
-           nearest(points[beyond].at, clearance_mm_)) {
+           nearest(points[beyond].at, scale_.clearance_mm())) {
         beyond += static_cast<std::size_t>(step);
     }
-    const std::optional<Near> end = nearest(points[beyond].at, clearance_mm_);
+    const std::optional<Near> end = nearest(points[beyond].at, scale_.clearance_mm());
     if (!is_opened && !goes_on && end && end->distance_mm > kSmallBreak_mm) {
         return;  // it ends by itself, well before the other
     }
@@ -227,15 +155,15 @@ std::optional<Fit> SpacedLines::fit(const Candidate& candidate) const {
         return open ? fit(*open) : Fit{chain, {}, {}, 0, {}};
     }
     const std::vector<EdgePoint>& points = chain.points;
-    const std::optional<Stretch> best = longest(points);
+    const std::optional<OwnStretch> best = longest(points);
     if (!best) {
         return std::nullopt;
     }
     const auto at = [&](std::size_t i) { return points.begin() + static_cast<std::ptrdiff_t>(i); };
     Fit fit{{{at(best->first), at(best->last) + 1}, false, chain.width_px}, {}, {}, 0, {}};
-    if (best->own_foot && append(best->own_foot->at, fit.line.points)) {
-        fit.back = best->own_foot;
-    } else if (!best->own_foot) {
+    if (best->foot && append(best->foot->at, fit.line.points)) {
+        fit.back = Foot{best->foot->at, lines_.size(), best->foot->index - best->first};
+    } else if (!best->foot) {
         bridge(points, best->last, 1, candidate.back_goes_on, fit);
     }
     const std::size_t before = fit.line.points.size();

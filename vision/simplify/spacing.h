@@ -3,6 +3,7 @@
 #pragma once
 
 #include "vision/contour/chain.h"
+#include "vision/simplify/own_spacing.h"
 #include "vision/simplify/segment_grid.h"
 
 #include <optional>
@@ -39,12 +40,12 @@ class SpacedLines {
     SpacedLines(cv::Size2d area_mm, double gap_mm, double step_mm);
 
     /// The longest stretch of the line with at least a gap to every line added and, where more than
-    /// four gaps lie between along it, to itself. Nothing: there is none. Where it was cut, its end
-    /// runs straight on to the nearest point of the line that is in the way and meets it there; but
-    /// a line that crosses the other stops 2.5 mm short, so that the crossing is open over 5 mm,
-    /// and one that ends by itself further than 4 mm from the other stays a gap away. The bridges
-    /// lie within a gap of the foot and cross nothing: no line is nearer to any of their points.
-    /// O(points x points near).
+    /// four gaps lie between along it (two, where it leads back beside itself), to itself. Nothing:
+    /// there is none. Where it was cut, its end runs straight on to the nearest point of the line
+    /// that is in the way and meets it there; but a line that crosses the other stops 2.5 mm short,
+    /// so that the crossing is open over 5 mm, and one that ends by itself further than 4 mm from
+    /// the other stays a gap away. The bridges lie within a gap of the foot and cross nothing: no
+    /// line is nearer to any of their points. O(points x points near).
     [[nodiscard]] std::optional<Fit> fit(const Candidate& candidate) const;
 
     void add(Fit fit);
@@ -60,29 +61,16 @@ class SpacedLines {
         Foot foot;
     };
 
-    struct Stretch {
-        std::size_t first = 0;
-        std::size_t last = 0;
-        double length_mm = 0.0;
-        std::optional<Foot> own_foot;  // at `last`: the line's own earlier part is in the way
-    };
-
     [[nodiscard]] std::optional<Near> nearest(cv::Point2d p, double reach_mm) const;
     [[nodiscard]] std::optional<Candidate> opened(const Chain& ring) const;
-    [[nodiscard]] std::optional<std::size_t> too_near_itself(const Chain& ring) const;
-    [[nodiscard]] std::optional<Stretch> longest(const std::vector<EdgePoint>& points) const;
-    [[nodiscard]] Stretch clear_of_itself(const std::vector<EdgePoint>& points, std::size_t first,
-                                          std::size_t last) const;
+    [[nodiscard]] std::optional<OwnStretch> longest(const std::vector<EdgePoint>& points) const;
     [[nodiscard]] bool crosses_on(const std::vector<EdgePoint>& points, std::size_t from,
                                   int step) const;
     bool append(cv::Point2d to, std::vector<EdgePoint>& line) const;
     void bridge(const std::vector<EdgePoint>& points, std::size_t at, int step, bool goes_on,
                 Fit& fit) const;
 
-    double gap_mm_;
-    double step_mm_;
-    double clearance_mm_;  // of the points, so that what lies between them keeps the gap too
-    cv::Size2d area_mm_;
+    SpacingScale scale_;
     SegmentGrid grid_;
     std::vector<Chain> lines_;
     std::vector<std::vector<Foot>> feet_;  // on each line
