@@ -99,20 +99,23 @@ void add_main_shape(const cv::Mat& picture, PhotoLines& found) {
 
 }  // namespace
 
-Result<PhotoLines> class_lines(const cv::Mat& picture, PictureClass picture_class,
+Result<ClassLines> class_lines(const cv::Mat& picture, PictureClass picture_class,
                                double longer_side_mm, EdgeModel* model) {
     if (picture_class != PictureClass::photo && model == nullptr) {
         PhotoLines found = drawn_lines(picture, picture_class, longer_side_mm);
-        if (!found.chains.empty()) {
-            return found;
+        constexpr std::size_t kMostSpecks = 50;
+        if (!found.chains.empty() &&
+            static_cast<std::size_t>(found.specks_dropped) < kMostSpecks * found.chains.size()) {
+            return ClassLines{picture_class, std::move(found)};
         }
     }
-    Result<PhotoLines> found = photo_lines(picture, longer_side_mm, model);
-    if (found && picture_class == PictureClass::photo && !found->is_grain &&
-        !found->chains.empty() && picture.channels() == 3) {
-        add_main_shape(picture, *found);
-    }
-    return found;
+    return photo_lines(picture, longer_side_mm, model).map([&](PhotoLines found) {
+        if (picture_class == PictureClass::photo && !found.is_grain && !found.chains.empty() &&
+            picture.channels() == 3) {
+            add_main_shape(picture, found);
+        }
+        return ClassLines{PictureClass::photo, std::move(found)};
+    });
 }
 
 }  // namespace touchline

@@ -97,7 +97,7 @@ std::string words_for(const TactileMap& map, const SimplifyReport& report, int d
     if (report.left_out > 0 && detail < kMostDetail) {
         words += " More lines are shown at a higher detail.";
     } else if (report.left_out > 0) {
-        words += " There are more lines than a hand can follow; zoom in, or choose a lower detail.";
+        words += " There are more lines than a hand can follow; zoom in.";
     }
     return words;
 }

@@ -83,20 +83,23 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
             1000.0 * std::max(picture.cols, picture.rows) / placement.picture_pixels_per_metre();
         // Reduced once: every way of finding lines starts from at most a megapixel.
         const cv::Mat small = reduced(picture, kClassPixels);
-        const ClassDecision decision =
+        ClassDecision decision =
             options.picture_class
                 ? ClassDecision{*options.picture_class, "You chose the kind of picture.", {}}
                 : class_of(small);
-        return class_lines(small, decision.picture_class, longer_side_mm, options.edge_model)
-            .and_then([&](PhotoLines lines) -> Result<Found> {
-                if (lines.chains.empty()) {
-                    return failure(nothing_found(picture));
-                }
-                std::vector<Chain> chains = std::exchange(lines.chains, {});
-                return Found{{std::move(chains), lines.size, picture.size(), lines.high},
-                             decision,
-                             std::move(lines)};
-            });
+        Result<ClassLines> lines =
+            class_lines(small, decision.picture_class, longer_side_mm, options.edge_model);
+        if (!lines) return tl::unexpected(lines.error());
+        if (lines->found.chains.empty()) return failure(nothing_found(picture));
+        if (lines->picture_class != decision.picture_class) {
+            decision.picture_class = lines->picture_class;
+            decision.reason = "It could only be taken as a photo.";
+        }
+        PhotoLines& found = lines->found;
+        std::vector<Chain> chains = std::exchange(found.chains, {});
+        return Found{{std::move(chains), found.size, picture.size(), found.high},
+                     decision,
+                     std::move(found)};
     } catch (const std::exception& e) {  // OpenCV reports lack of memory this way
         const std::string why = e.what();
         return failure("the picture could not be traced, because of " +

@@ -94,7 +94,8 @@ TEST(Trace, ACrowdedPictureIsCutInOneSentence) {
             rings(y, x) = x % 25 < 13 && y % 25 < 13 ? 0 : 255;
         }
     }
-    const auto trace = trace_outlines(rings, {.area = {}, .detail = 5});
+    const auto trace =
+        trace_outlines(rings, {.area = {}, .detail = 5, .picture_class = PictureClass::diagram});
     ASSERT_TRUE(trace.has_value()) << trace.error().line;
     EXPECT_GT(trace->report.outlines, 1);
     EXPECT_LE(trace->report.outlines, limits_for(5, {}).strokes);
@@ -132,6 +133,56 @@ TEST(Trace, EveryPointReadsBackFromItsMillimetres) {
             EXPECT_EQ(from_view_box(written.u_mm, written.v_mm, box), p);
         }
     }
+}
+
+TEST(Trace, OddPicturesAreAMapOrOneLineWhateverTheirClass) {
+    cv::Mat1b wide(1, 65535, uchar{255});
+    wide.colRange(20000, 40000) = 0;
+    cv::Mat1b tall(65535, 1, uchar{255});
+    tall.rowRange(20000, 40000) = 0;
+    cv::Mat1b strip(9, 4000, uchar{0});
+    strip.colRange(1000, 3000) = 255;
+    cv::Mat3b half(200, 300, cv::Vec3b(0, 0, 0));
+    half.colRange(150, 300) = cv::Vec3b(255, 255, 255);
+    const std::vector<cv::Mat> pictures{wide,
+                                        tall,
+                                        strip,
+                                        half,
+                                        cv::Mat1b(200, 300, uchar{128}),
+                                        noise({301, 200}, 3),
+                                        noise({2, 2}, 1)};
+    for (const cv::Mat& picture : pictures) {
+        for (const auto picture_class : {PictureClass::photo, PictureClass::diagram,
+                                         PictureClass::line_art, PictureClass::text_page}) {
+            SCOPED_TRACE(name_of(picture_class) + ", " + std::to_string(picture.cols) + " wide");
+            const auto trace =
+                trace_outlines(picture, {.area = {}, .detail = 5, .picture_class = picture_class});
+            if (!trace) {
+                EXPECT_EQ(trace.error().line.find('\n'), std::string::npos);
+                continue;
+            }
+            EXPECT_LE(trace->report.outlines, limits_for(5, {}).strokes);
+            for (const Outline& outline : trace->map.outlines) {
+                EXPECT_GE(outline.points.size(), outline.is_closed ? 3U : 2U);
+                for (const Position& p : outline.points) {
+                    EXPECT_LE(std::abs(p.x), 0.5 * Area{}.width_m + 1e-9);
+                    EXPECT_LE(std::abs(p.y), 0.5 * Area{}.height_m + 1e-9);
+                }
+            }
+        }
+    }
+}
+
+TEST(Trace, TheClassIsSaidAndCanBeChosen) {
+    const cv::Size size(400, 300);
+    const auto decided = trace_outlines(drawn(star(size), size, {}), {});
+    ASSERT_TRUE(decided);
+    EXPECT_EQ(decided->report.decision.picture_class, PictureClass::diagram);
+    EXPECT_FALSE(decided->report.decision.reason.empty());
+    const auto chosen = trace_outlines(drawn(star(size), size, {}),
+                                       {.area = {}, .picture_class = PictureClass::photo});
+    ASSERT_TRUE(chosen);
+    EXPECT_EQ(chosen->report.decision.picture_class, PictureClass::photo);
 }
 
 TEST(Trace, ThresholdsFollowTheContrast) {
@@ -241,7 +292,7 @@ TEST(Trace, ThreeLinesThatMeetShareTheirEndPoint) {
                 cv::saturate_cast<uchar>(60.0 * (1.0 - a - b) + 150.0 * a + 230.0 * b);
         }
     }
-    const auto trace = trace_outlines(picture, {});
+    const auto trace = trace_outlines(picture, {.area = {}, .picture_class = PictureClass::photo});
     ASSERT_TRUE(trace.has_value());
     ASSERT_EQ(trace->map.outlines.size(), 3U);
     EXPECT_EQ(trace->report.found.junctions, 1);
