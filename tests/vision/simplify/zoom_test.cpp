@@ -50,7 +50,7 @@ TEST(Zoom, ASmallSubjectIsCentredAndFillsMostOfTheArea) {
 }
 
 TEST(Zoom, WhatLeavesTheAreaIsCutOnItsRim) {
-    const auto found = find_lines(picture_of({232.0, 168.0}, 300.0), {});
+    const auto found = find_lines(picture_of({232.0, 168.0}, 150.0), {});
     ASSERT_TRUE(found);
     const auto quarter =
         trace_lines(*found, {.area = {}, .zoom = {{-0.25 * area.width_m, 0.0}, 2.0}});
@@ -60,7 +60,7 @@ TEST(Zoom, WhatLeavesTheAreaIsCutOnItsRim) {
     EXPECT_FALSE(arc.is_closed);
     EXPECT_NEAR(arc.points.front().x, 0.5 * area.width_m, 1e-9);
     EXPECT_NEAR(arc.points.back().x, 0.5 * area.width_m, 1e-9);
-    const double radius_m = 2.0 * 150.0 / (464 / area.width_m);
+    const double radius_m = 2.0 * 75.0 / (464 / area.width_m);
     for (const Position& p : arc.points) {
         EXPECT_NEAR(norm(p - Position{0.5 * area.width_m, 0.0}), radius_m, 0.0006);
     }
