@@ -5,7 +5,7 @@
 #include "app/decode/picture.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
-#include "vision/contour/trace.h"
+#include "vision/simplify/trace.h"
 
 #include <string>
 

@@ -24,7 +24,9 @@ cv::Mat edge_strength(const std::vector<Chain>& lines, cv::Size size, double hig
             const std::size_t from = i > kReach ? i - kReach : 0;
             const std::size_t to = std::min(n, i + kReach + 1);
             const double r = (sum[to] - sum[from]) / static_cast<double>(to - from) / high * extent;
-            uchar& pixel = picture(cv::Point(line.points[i].at));
+            const cv::Point at(line.points[i].at);  // on the frame: beside the last pixel
+            uchar& pixel =
+                picture(std::clamp(at.y, 0, size.height - 1), std::clamp(at.x, 0, size.width - 1));
             pixel = std::max(pixel, cv::saturate_cast<uchar>(255.0 * r / (1.0 + r)));
         }
     }

@@ -1,0 +1,102 @@
+#include "vision/simplify/zoom.h"
+
+#include "tests/vision/contour/shapes.h"
+#include "vision/simplify/trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace touchline::testing {
+namespace {
+
+const Area area{};
+
+struct Extent {
+    Position low{1.0, 1.0};
+    Position high{-1.0, -1.0};
+};
+
+Extent extent_of(const TactileMap& map) {
+    Extent extent;
+    for (const Outline& outline : map.outlines) {
+        for (const Position& p : outline.points) {
+            extent.low = {std::min(extent.low.x, p.x), std::min(extent.low.y, p.y)};
+            extent.high = {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y)};
+        }
+    }
+    return extent;
+}
+
+cv::Mat picture_of(cv::Point2d centre, double size_px) {
+    return drawn(test_shapes(centre, size_px, 0.0)[0], {464, 336}, {});
+}
+
+TEST(Zoom, ASmallSubjectIsCentredAndFillsMostOfTheArea) {
+    const auto found = find_lines(picture_of({100.0, 100.0}, 90.0), {});
+    ASSERT_TRUE(found);
+    const auto whole = trace_lines(*found, {});
+    ASSERT_TRUE(whole);
+    const Zoom zoom = zoom_to_subject(whole->map);
+    const auto near = trace_lines(*found, {.area = {}, .zoom = zoom});
+    ASSERT_TRUE(near);
+    const Extent extent = extent_of(near->map);
+    EXPECT_NEAR(extent.high.y - extent.low.y, 0.85 * area.height_m, 0.0005);
+    EXPECT_NEAR(extent.high.x - extent.low.x, 0.85 * area.height_m, 0.0005);  // aspect kept
+    EXPECT_NEAR(extent.high.x + extent.low.x, 0.0, 0.0005);
+    EXPECT_NEAR(extent.high.y + extent.low.y, 0.0, 0.0005);
+}
+
+TEST(Zoom, WhatLeavesTheAreaIsCutOnItsRim) {
+    const auto found = find_lines(picture_of({232.0, 168.0}, 150.0), {});
+    ASSERT_TRUE(found);
+    const auto quarter =
+        trace_lines(*found, {.area = {}, .zoom = {{-0.25 * area.width_m, 0.0}, 2.0}});
+    ASSERT_TRUE(quarter);
+    ASSERT_EQ(quarter->map.outlines.size(), 1U);
+    const Outline& arc = quarter->map.outlines[0];
+    EXPECT_FALSE(arc.is_closed);
+    EXPECT_NEAR(arc.points.front().x, 0.5 * area.width_m, 1e-9);
+    EXPECT_NEAR(arc.points.back().x, 0.5 * area.width_m, 1e-9);
+    const double radius_m = 2.0 * 75.0 / (464 / area.width_m);
+    for (const Position& p : arc.points) {
+        EXPECT_NEAR(norm(p - Position{0.5 * area.width_m, 0.0}), radius_m, 0.0006);
+    }
+}
+
+TEST(Zoom, DetailAppliesToWhatIsThere) {
+    cv::Mat picture(336, 464, CV_8UC1, cv::Scalar(255));
+    for (int i = 0; i < 12; ++i) {  // two by two squares in each corner, 4 mm apart, and more
+        const cv::Rect square(10 + 34 * (i % 4), 10 + 34 * (i / 4), 18, 18);
+        picture(square).setTo(cv::Scalar::all(0));
+    }
+    const auto found = find_lines(picture, {.area = {}, .picture_class = PictureClass::diagram});
+    ASSERT_TRUE(found);
+    const auto whole = trace_lines(*found, {.area = {}, .detail = 4});
+    const auto near =
+        trace_lines(*found, {.area = {}, .detail = 4, .zoom = {{-0.038, 0.024}, 3.0}});
+    ASSERT_TRUE(whole && near);
+    const auto closed = [](const TactileMap& map) {
+        return std::ranges::count_if(map.outlines, &Outline::is_closed);
+    };
+    EXPECT_LT(closed(whole->map), 4);  // 4 mm between them: too near
+    EXPECT_GE(closed(near->map), 8);
+}
+
+TEST(Zoom, NothingThereAndOutOfRangeAreOneLine) {
+    const auto found = find_lines(picture_of({100.0, 100.0}, 90.0), {});
+    ASSERT_TRUE(found);
+    const auto empty = trace_lines(*found, {.area = {}, .zoom = {{0.04, -0.02}, 4.0}});
+    ASSERT_FALSE(empty);
+    EXPECT_NE(empty.error().line.find("choose another part"), std::string::npos);
+    for (const double factor : {0.5, 17.0, std::numeric_limits<double>::quiet_NaN()}) {
+        const auto wrong = trace_lines(*found, {.area = {}, .zoom = {{}, factor}});
+        ASSERT_FALSE(wrong);
+        EXPECT_NE(wrong.error().line.find("must be 1 to 16"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace touchline::testing
