@@ -23,7 +23,7 @@ constexpr double kLeastLengthOverWidth = 2.0;  // shorter is a dot
 constexpr double kPictureBlur_px = 0.7;
 // At a corner of angle a the middle of the ink is 0.25 (1 / sin(a / 2) - 1) widths inside it, over
 // half a width / tan(a / 2) of either side: what a blur of this many widths would do.
-constexpr double kRoundingOverWidth = 0.42;
+constexpr double kRoundingOverWidth = 0.5;
 constexpr double kDepthAtCorner = 0.36;  // of the width: a bend's vertex is nearer to the edge
 
 /// What was found in one connected piece of ink.

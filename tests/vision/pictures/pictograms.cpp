@@ -113,7 +113,7 @@ std::vector<Pictogram> pictograms() {
           circle({12, 12}, 2.5)}},
         {"fish", {joined({arc({10, 12}, {7, 5}, 30, 330), line({{21, 7}, {21, 17}})})}},
         {"tree",
-         {ring({{12, 3}, {19, 12}, {15.5, 12}, {20, 18}, {4, 18}, {8.5, 12}, {5, 12}}),
+         {ring({{12, 3}, {19, 11}, {14.5, 11}, {20, 18}, {4, 18}, {9.5, 11}, {5, 11}}),
           line({{12, 18}, {12, 22}})}},
         {"cloud",
          {joined({arc({7, 14}, {4, 4}, 90, 250), arc({12, 10}, {5, 5}, 200, 340),
@@ -135,7 +135,7 @@ std::vector<Pictogram> pictograms() {
 }
 
 double farthest_px(const std::vector<Polyline>& from, const std::vector<Polyline>& to) {
-    constexpr double kStep_px = 0.5;
+    constexpr double kStep_px = 1.0;
     double worst = 0.0;
     const auto measure = [&](const cv::Point2d& p) {
         double nearest = std::numeric_limits<double>::infinity();
