@@ -64,6 +64,19 @@ std::string parse_mode(const std::string& text, Mode& mode) {
     return fmt::format("{} is no mode; write wall, groove, ridge or stay", text);
 }
 
+std::string parse_class(const std::string& text, std::optional<PictureClass>& picture_class) {
+    for (const auto& [name, value] :
+         {std::pair{"photo", PictureClass::photo}, std::pair{"diagram", PictureClass::diagram},
+          std::pair{"drawing", PictureClass::line_art},
+          std::pair{"text-page", PictureClass::text_page}}) {
+        if (text != name) continue;
+        picture_class = value;
+        return "";
+    }
+    return fmt::format("{} is no kind of picture; write photo, diagram, drawing or text-page",
+                       text);
+}
+
 /// A number from `low` to `largest`; unlike the library's own range, not a NaN.
 CLI::Validator number_in(double low, double largest, bool is_low_allowed) {
     return {[=](const std::string& text) {
@@ -147,6 +160,13 @@ class CommandLine {
                 [this](const std::string& text) { return parse_area(text, trace_.trace.area); });
         trace_command_->add_option("--json", trace_.report, "REPORT.json");
         trace_command_->add_option("--edges", trace_.edges, "STRENGTH.png");
+        trace_command_
+            ->add_option("--class", class_, "photo, diagram, drawing or text-page; else decided")
+            ->check([this](const std::string& text) {
+                return parse_class(text, trace_.trace.picture_class);
+            });
+        trace_command_->add_option("--edge-model", trace_.edge_model,
+                                   "FILE.onnx, a network that tells boundaries");
     }
 
     void add_curve() {
@@ -297,6 +317,7 @@ class CommandLine {
     DeviceCommandOptions device_;
     ReplayOptions replay_;
     std::string area_;
+    std::string class_;
     std::string level_;
     std::string mode_;
     double denoise_mm_ = 0.0;

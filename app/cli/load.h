@@ -7,7 +7,7 @@
 #include "config/types/tactile_map.h"
 #include "haptics/collision/scene.h"
 #include "haptics/pantograph/profile.h"
-#include "vision/contour/trace.h"
+#include "vision/simplify/trace.h"
 
 #include <string>
 

@@ -3,17 +3,18 @@
 #pragma once
 
 #include "config/types/result.h"
-#include "vision/contour/trace.h"
+#include "vision/simplify/trace.h"
 
 #include <string>
 
 namespace touchline {
 
 struct TraceCommandOptions {
-    std::string input;   // a picture, whatever its name
-    std::string output;  // MAP.svg
-    std::string report;  // REPORT.json; empty: none
-    std::string edges;   // STRENGTH.png; empty: none
+    std::string input;       // a picture, whatever its name
+    std::string output;      // MAP.svg
+    std::string report;      // REPORT.json; empty: none
+    std::string edges;       // STRENGTH.png; empty: none
+    std::string edge_model;  // FILE.onnx; empty: none
     TraceOptions trace;
 };
 

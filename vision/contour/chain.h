@@ -12,13 +12,17 @@ struct EdgePoint {
     cv::Point2d at;
     double strength = 0.0;  // grey levels per pixel
     bool is_fixed = false;  // a junction, a corner or an end: kept exactly by everything after
+    /// Unit vector across the line towards the lighter side (where lightness does not differ, the
+    /// redder and yellower one); (0, 0) where that is not known.
+    cv::Vec2f to_light{0.0F, 0.0F};
 };
 
 /// Closed: the last point joins the first, which is not repeated.
 struct Chain {
     std::vector<EdgePoint> points;
     bool is_closed = false;
-    double width_px = 0;  // where the line stands for a drawn stroke; else 0
+    double width_px = 0;            // where the line stands for a drawn stroke; else 0
+    bool is_textured_area = false;  // stands for the many short lines inside it
 };
 
 [[nodiscard]] inline double distance(const cv::Point2d& a, const cv::Point2d& b) {

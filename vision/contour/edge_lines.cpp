@@ -93,7 +93,11 @@ class LineTracer {
             return kNone;
         }
         const cv::Point2d where = cv::Point2d(a) + static_cast<double>(t) * cv::Point2d(b - a);
-        crossings_.push_back({{where, static_cast<double>(strength), false}, {kNone, kNone}});
+        const cv::Vec2f to_light = !field_.has_light_side    ? cv::Vec2f(0.0F, 0.0F)
+                                   : strength_a > strength_b ? at_a.normal
+                                                             : at_b.normal;
+        crossings_.push_back(
+            {{where, static_cast<double>(strength), false, to_light}, {kNone, kNone}});
         return static_cast<int>(crossings_.size()) - 1;
     }
 

@@ -59,24 +59,6 @@ class LabTables {
     std::array<float, kRootSteps + 1> root_{};
 };
 
-/// The larger eigenvalue of the structure tensor and its eigenvector, for one pixel.
-struct Steepest {
-    float strength = 0.0F;
-    cv::Vec2f normal{1.0F, 0.0F};
-};
-
-Steepest steepest(float xx, float yy, float xy) {
-    const float difference = xx - yy;
-    const float root = std::sqrt(difference * difference + 4.0F * xy * xy);
-    if (!(root > 0.0F)) {
-        return {std::sqrt(xx), {1.0F, 0.0F}};
-    }
-    const float cos_twice = difference / root;
-    const float cosine = std::sqrt(std::max(0.0F, 0.5F * (1.0F + cos_twice)));
-    const float sine = std::sqrt(std::max(0.0F, 0.5F * (1.0F - cos_twice)));
-    return {std::sqrt(0.5F * (xx + yy + root)), {cosine, std::copysign(sine, xy)}};
-}
-
 }  // namespace
 
 cv::Mat reduced(const cv::Mat& picture, double max_pixels) {
@@ -92,7 +74,7 @@ cv::Mat reduced(const cv::Mat& picture, double max_pixels) {
     return small;
 }
 
-LabPicture to_lab(const cv::Mat& bgr_or_grey) {
+LabPicture to_lab(const cv::Mat& bgr_or_grey, float colour_weight) {
     static const LabTables tables;
     const bool is_grey = bgr_or_grey.channels() == 1;
     LabPicture lab(bgr_or_grey.size());
@@ -100,7 +82,9 @@ LabPicture to_lab(const cv::Mat& bgr_or_grey) {
         const uchar* from = bgr_or_grey.ptr<uchar>(y);
         for (int x = 0; x < lab.cols; ++x) {
             const uchar* p = is_grey ? from + x : from + 3 * x;
-            lab(y, x) = is_grey ? tables.lab_of(*p, *p, *p) : tables.lab_of(p[2], p[1], p[0]);
+            const cv::Vec3f v =
+                is_grey ? tables.lab_of(*p, *p, *p) : tables.lab_of(p[2], p[1], p[0]);
+            lab(y, x) = {v[0], colour_weight * v[1], colour_weight * v[2]};
         }
     }
     return lab;
@@ -129,6 +113,18 @@ double gradient_noise(double noise, double sigma_px) {
     return noise / (std::sqrt(8.0 * std::numbers::pi) * sigma_px * sigma_px);
 }
 
+cv::Vec2f major_axis(float xx, float yy, float xy) {
+    const float difference = xx - yy;
+    const float root = std::sqrt(difference * difference + 4.0F * xy * xy);
+    if (!(root > 0.0F)) {
+        return {1.0F, 0.0F};
+    }
+    const float cos_twice = difference / root;
+    const float cosine = std::sqrt(std::max(0.0F, 0.5F * (1.0F + cos_twice)));
+    const float sine = std::sqrt(std::max(0.0F, 0.5F * (1.0F - cos_twice)));
+    return {cosine, std::copysign(sine, xy)};
+}
+
 GradientField colour_gradient(const LabPicture& lab, double sigma_px) {
     LabPicture smooth;
     cv::GaussianBlur(lab, smooth, cv::Size(), sigma_px, sigma_px, cv::BORDER_REPLICATE);
@@ -142,9 +138,14 @@ GradientField colour_gradient(const LabPicture& lab, double sigma_px) {
         for (int x = 0; x <= last_x; ++x) {
             const cv::Vec3f dx = 0.5F * (here[std::min(last_x, x + 1)] - here[std::max(0, x - 1)]);
             const cv::Vec3f dy = 0.5F * (below[x] - above[x]);
-            const Steepest at = steepest(dx.dot(dx), dy.dot(dy), dx.dot(dy));
-            field.strength(y, x) = at.strength;
-            field.normal(y, x) = at.normal;
+            const float xx = dx.dot(dx);
+            const float yy = dy.dot(dy);
+            const float xy = dx.dot(dy);
+            const float root = std::sqrt((xx - yy) * (xx - yy) + 4.0F * xy * xy);
+            const cv::Vec2f across = major_axis(xx, yy, xy);
+            const cv::Vec2f rise(dx[0] + dx[1] + dx[2], dy[0] + dy[1] + dy[2]);
+            field.strength(y, x) = std::sqrt(0.5F * (xx + yy + root));
+            field.normal(y, x) = rise.dot(across) < 0.0F ? -across : across;
         }
     }
     return field;

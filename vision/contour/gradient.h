@@ -7,15 +7,19 @@
 
 namespace touchline {
 
-/// Lab colours in units of grey levels: L is stretched to 0..255, a and b are CIE units. A step of
-/// one grey level is a step of about one unit.
+/// Lab colours in units of grey levels: L is stretched to 0..255, a and b are CIE units times a
+/// weight. A step of one grey level is a step of about one unit.
 using LabPicture = cv::Mat3f;
+
+/// The weight at which a difference of colour counts as much as one of lightness that looks as
+/// large. At 1 colour counts less, and so do JPEG's errors of colour.
+inline constexpr float kFullColour = 2.55F;
 
 /// The picture reduced to at most `max_pixels` by area averaging (never enlarged), 8-bit, BGR or
 /// grey as it came.
 [[nodiscard]] cv::Mat reduced(const cv::Mat& picture, double max_pixels);
 
-[[nodiscard]] LabPicture to_lab(const cv::Mat& bgr_or_grey);
+[[nodiscard]] LabPicture to_lab(const cv::Mat& bgr_or_grey, float colour_weight = 1.0F);
 
 /// Standard deviation of the picture's white noise in grey levels, all channels together. From the
 /// |second differences both ways| (Immerkaer 1996, by their lower quartile, so that edges do not
@@ -27,11 +31,17 @@ using LabPicture = cv::Mat3f;
 [[nodiscard]] double gradient_noise(double noise, double sigma_px);
 
 /// strength: greatest rate of colour change, grey levels per pixel. normal: unit vector of that
-/// change (its sign means nothing). Both at pixel centres.
+/// change, towards where the sum of the channels grows (lighter, else redder and yellower). Both at
+/// pixel centres.
 struct GradientField {
     cv::Mat1f strength;
     cv::Mat2f normal;
+    bool has_light_side = true;  // false: the normal's sign means nothing
 };
+
+/// Unit eigenvector of the larger eigenvalue of the symmetric matrix (xx xy; xy yy), x >= 0;
+/// (1, 0) where the eigenvalues are equal.
+[[nodiscard]] cv::Vec2f major_axis(float xx, float yy, float xy);
 
 /// Gaussian smoothing, then the structure tensor of the three channels (Di Zenzo 1986).
 [[nodiscard]] GradientField colour_gradient(const LabPicture& lab, double sigma_px);

@@ -1,6 +1,7 @@
 #include "vision/contour/linking.h"
 
 #include "vision/contour/ends.h"
+#include "vision/contour/frame.h"
 #include "vision/contour/junctions.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace touchline {
 namespace {
 
 constexpr double kSpan_px = 6.0;            // of a line, to know its direction
-constexpr double kFrameOverLine = 0.7;      // a half disc is 0.64, a horizon 1
 constexpr double kOwnGapOverLength = 0.05;  // a ring with a break is still a ring
 constexpr double kCone =
     70.0 * std::numbers::pi / 180.0;  // where a line may meet another, off its course
@@ -47,7 +47,7 @@ class Linker {
             }
         }
         Linked result{junctions.assembled(std::move(lines_)), gaps_closed, junctions.size()};
-        close_along_frame(result.chains);
+        close_along_frame(result.chains, picture_);
         return result;
     }
 
@@ -75,7 +75,8 @@ class Linker {
                 }
                 rays_[end] = ray_at(lines_[c].points, is_back(end), 1.0, kSpan_px);
                 EdgePoint last = point_at(end);
-                const std::optional<cv::Point2d> exit = exit_near(last.at, rays_[end].direction);
+                const std::optional<cv::Point2d> exit =
+                    exit_near(last.at, rays_[end].direction, picture_, reach_.blur_px + 2.0);
                 is_free_[end] = !exit;
                 if (exit) {
                     last.at = *exit;
@@ -85,25 +86,6 @@ class Linker {
                 }
             }
         }
-    }
-
-    /// Where the ray leaves the picture, if that is within the distance over which the frame bends
-    /// lines. Exactly on the side that it leaves by.
-    std::optional<cv::Point2d> exit_near(const cv::Point2d& from, const cv::Point2d& way) const {
-        const double right = picture_.width - 0.5;
-        const double bottom = picture_.height - 0.5;
-        const double side_x = way.x < 0.0 ? -0.5 : right;
-        const double side_y = way.y < 0.0 ? -0.5 : bottom;
-        const double far_px = reach_.blur_px + 2.0;
-        const double to_x = way.x != 0.0 ? (side_x - from.x) / way.x : far_px;
-        const double to_y = way.y != 0.0 ? (side_y - from.y) / way.y : far_px;
-        if (std::min(to_x, to_y) >= far_px) {
-            return std::nullopt;
-        }
-        if (to_x < to_y) {
-            return cv::Point2d(side_x, std::clamp(from.y + to_x * way.y, -0.5, bottom));
-        }
-        return cv::Point2d(std::clamp(from.x + to_y * way.x, -0.5, right), side_y);
     }
 
     /// The end at a point, if the point is a free one.
@@ -248,25 +230,6 @@ class Linker {
         return cv::norm(bridge) > 0.0 ? angle_between(rays_[a].direction, bridge) +
                                             angle_between(bridge, -rays_[b].direction)
                                       : angle_between(rays_[a].direction, -rays_[b].direction);
-    }
-
-    bool are_on_one_side(const cv::Point2d& a, const cv::Point2d& b) const {
-        const double right = picture_.width - 0.5;
-        const double bottom = picture_.height - 0.5;
-        return (a.x == b.x && (a.x == -0.5 || a.x == right)) ||
-               (a.y == b.y && (a.y == -0.5 || a.y == bottom));
-    }
-
-    /// What the frame cuts off is closed by it, unless the frame would be most of the outline.
-    void close_along_frame(std::vector<Chain>& chains) const {
-        for (Chain& chain : chains) {
-            const cv::Point2d a = chain.points.front().at;
-            const cv::Point2d b = chain.points.back().at;
-            if (!chain.is_closed && are_on_one_side(a, b) && chain.points.size() > 2 &&
-                distance(a, b) < kFrameOverLine * length_of(chain)) {
-                chain.is_closed = true;
-            }
-        }
     }
 
     std::vector<Chain> lines_;

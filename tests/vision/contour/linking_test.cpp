@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -130,6 +131,35 @@ TEST(Linking, WhatOneSideOfTheFrameCutsIsClosed) {
     EXPECT_TRUE(closed.chains[0].is_closed);
     const Linked across = linked({straight({0, 60}, {199, 60})}, kPicture, kReach);
     EXPECT_FALSE(across.chains[0].is_closed);
+}
+
+TEST(Linking, WhatACornerOfTheFrameCutsIsClosedThroughIt) {
+    const std::vector<std::pair<cv::Point2d, double>> corners{{{-0.5, -0.5}, 0.0},
+                                                              {{199.5, -0.5}, 90.0},
+                                                              {{199.5, 149.5}, 180.0},
+                                                              {{-0.5, 149.5}, 270.0}};
+    for (const auto& [corner, from_deg] : corners) {
+        for (const bool is_turned : {false, true}) {
+            Chain arc = circle(corner, 60, from_deg + 1.0, from_deg + 89.0);
+            if (is_turned) {
+                std::ranges::reverse(arc.points);
+            }
+            const Linked result = linked({arc}, kPicture, kReach);
+            ASSERT_EQ(result.chains.size(), 1U);
+            EXPECT_TRUE(result.chains[0].is_closed);
+            EXPECT_EQ(result.chains[0].points.back().at, corner);
+            EXPECT_TRUE(result.chains[0].points.back().is_fixed);
+        }
+    }
+}
+
+TEST(Linking, WhatOnlyRunsFromSideToSideStaysOpen) {
+    for (const auto& [from, to] : std::vector<std::pair<cv::Point2d, cv::Point2d>>{
+             {{0, 100}, {50, 149}}, {{0, 140}, {190, 149}}, {{0, 60}, {199, 40}}}) {
+        const Linked result = linked({straight(from, to)}, kPicture, kReach);
+        ASSERT_EQ(result.chains.size(), 1U);
+        EXPECT_FALSE(result.chains[0].is_closed) << from;
+    }
 }
 
 TEST(Linking, NothingComesOfNothing) {

@@ -196,15 +196,15 @@ cv::Mat drawn(const Shape& shape, cv::Size size, const Look& look) {
     return bytes;
 }
 
-std::vector<Ring> lines_in_pixels(const Trace& trace, cv::Size picture) {
+std::vector<Ring> lines_in_pixels(const PhotoLines& found, cv::Size picture) {
     std::vector<Ring> lines;
-    for (const Outline& outline : trace.map.outlines) {
+    for (const Chain& chain : found.chains) {
         Ring line;
-        for (const Position& p : outline.points) {
-            line.emplace_back(p.x * trace.report.pixels_per_metre + picture.width / 2.0,
-                              picture.height / 2.0 - p.y * trace.report.pixels_per_metre);
+        for (const EdgePoint& p : chain.points) {
+            line.emplace_back((p.at.x + 0.5) * picture.width / found.size.width,
+                              (p.at.y + 0.5) * picture.height / found.size.height);
         }
-        if (outline.is_closed) {
+        if (chain.is_closed) {
             line.push_back(line.front());
         }
         lines.push_back(std::move(line));

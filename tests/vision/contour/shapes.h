@@ -3,7 +3,7 @@
 // pixel.
 #pragma once
 
-#include "vision/contour/trace.h"
+#include "vision/contour/photo_lines.h"
 
 #include <string>
 #include <vector>
@@ -35,8 +35,8 @@ struct Look {
 /// 8 x 8 samples a pixel, area-averaged, then blur, then noise; 8-bit BGR.
 [[nodiscard]] cv::Mat drawn(const Shape& shape, cv::Size size, const Look& look);
 
-/// The outlines of a trace in picture pixels, closed ones with their first point repeated.
-[[nodiscard]] std::vector<Ring> lines_in_pixels(const Trace& trace, cv::Size picture);
+/// Lines in picture pixels, closed ones with their first point repeated.
+[[nodiscard]] std::vector<Ring> lines_in_pixels(const PhotoLines& found, cv::Size picture);
 
 /// Greatest distances between truth and outlines, both ways, by where on the shape they are.
 struct Distances {

@@ -14,8 +14,7 @@ namespace touchline {
 class Placement {
   public:
     Placement(cv::Size picture, cv::Size working, const Area& area)
-        : area_(area),
-          mm_per_pixel_(1000.0 *
+        : mm_per_pixel_(1000.0 *
                         std::min(area.width_m / picture.width, area.height_m / picture.height)),
           mm_per_column_(mm_per_pixel_ * picture.width / working.width),
           mm_per_row_(mm_per_pixel_ * picture.height / working.height),
@@ -26,13 +25,12 @@ class Placement {
 
     double metres_per_working_pixel() const { return 0.5e-3 * (mm_per_column_ + mm_per_row_); }
 
-    Position in_w(cv::Point2d at) const {
-        return canonical_point(left_mm_ + (at.x + 0.5) * mm_per_column_,
-                               top_mm_ + (at.y + 0.5) * mm_per_row_, area_);
+    /// A place in working pixels to millimetres of the viewBox, x right, y down.
+    cv::Point2d in_mm(cv::Point2d at) const {
+        return {left_mm_ + (at.x + 0.5) * mm_per_column_, top_mm_ + (at.y + 0.5) * mm_per_row_};
     }
 
   private:
-    Area area_;
     double mm_per_pixel_;
     double mm_per_column_;
     double mm_per_row_;

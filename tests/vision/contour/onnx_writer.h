@@ -1,0 +1,44 @@
+// Tiny networks as ONNX files, written by hand: protocol buffers, opset 11.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace touchline::testing {
+
+/// What goes into or comes out of a graph; 0 is any size.
+struct OnnxValue {
+    std::string name;
+    std::vector<std::int64_t> shape;
+};
+
+struct OnnxConstant {
+    std::string name;
+    std::vector<std::int64_t> shape;
+    std::vector<float> values;
+};
+
+struct OnnxNode {
+    std::string operation;
+    std::vector<std::string> inputs;
+    std::string output;
+    std::vector<std::int64_t> kernel;  // of a Conv; its padding keeps the size. Empty: none
+};
+
+struct OnnxGraph {
+    std::vector<OnnxNode> nodes;
+    std::vector<OnnxConstant> constants;
+    std::vector<OnnxValue> inputs;
+    std::vector<OnnxValue> outputs;
+};
+
+[[nodiscard]] std::vector<std::byte> written(const OnnxGraph& graph);
+
+/// Differences across and down over 3 x 3 pixels, their absolute values summed over the colours:
+/// logits of at least `contrast` between neighbouring pixels. Sizes may be 0 for any.
+[[nodiscard]] OnnxGraph contrast_network(float contrast, std::int64_t height = 0,
+                                         std::int64_t width = 0);
+
+}  // namespace touchline::testing

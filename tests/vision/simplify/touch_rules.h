@@ -1,0 +1,38 @@
+// The rules of a map to be felt, judged by brute force: whole nanometres, every pair of places,
+// nothing of the code under test but the map. Lengths in millimetres.
+#pragma once
+
+#include "config/types/tactile_map.h"
+
+#include <string>
+#include <vector>
+
+namespace touchline::testing {
+
+/// The table that the rules follow, for an area with a diagonal of 215 mm.
+struct TouchRules {
+    int strokes;
+    double line_mm;
+    double stroke_mm;
+    double gap_mm;
+};
+
+/// Detail 1 ... 5, counts and lengths scaled to the area.
+[[nodiscard]] TouchRules touch_rules(int detail, const Area& area);
+
+/// What is wrong with a map, one text a fault; empty: nothing.
+/// * strokes, length of line, length of each stroke;
+/// * spacing: places 0.3 mm apart on two outlines, or more than four gaps apart along one, are a
+///   gap apart, save within a gap of a place where one outline ends on another, of an end that a
+///   crossing left open (2.5 mm from the other line) or of a corner (turn of 40 degrees over 1 mm);
+/// * no two segments cross.
+[[nodiscard]] std::vector<std::string> faults_of(const TactileMap& map, const TouchRules& rules);
+
+/// The share of a line's places, 0.3 mm apart, that lie within `reach_mm` of the map.
+[[nodiscard]] double covered_share(const std::vector<Position>& ring, const TactileMap& map,
+                                   double reach_mm);
+
+/// Millimetres.
+[[nodiscard]] double length_of(const Outline& outline);
+
+}  // namespace touchline::testing

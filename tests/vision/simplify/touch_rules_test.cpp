@@ -1,0 +1,137 @@
+// The rules for touch over many pictures, at every detail and two areas, judged by
+// touch_rules.h.
+#include "tests/vision/simplify/touch_rules.h"
+
+#include "tests/vision/simplify/truth_pictures.h"
+#include "vision/simplify/trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+namespace touchline::testing {
+namespace {
+
+// Every so many of the pictures; all of them where TOUCHLINE_EXHAUSTIVE is set.
+int stride() {
+    return std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr ? 1
+                                                          : 11;  // NOLINT(concurrency-mt-unsafe)
+}
+
+/// A ring of the truth in W.
+std::vector<Position> in_w(const std::vector<cv::Point2d>& ring, const Trace& trace,
+                           cv::Size picture) {
+    std::vector<Position> points;
+    for (const cv::Point2d& p : ring) {
+        points.push_back({1000.0 * (p.x - picture.width / 2.0) / trace.report.pixels_per_metre,
+                          1000.0 * (picture.height / 2.0 - p.y) / trace.report.pixels_per_metre});
+    }
+    return points;
+}
+
+double around_mm(const std::vector<Position>& ring) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        sum += norm(ring[(i + 1) % ring.size()] - ring[i]);
+    return sum;
+}
+
+double least_apart_mm(const std::vector<Position>& a, const std::vector<Position>& b) {
+    double least = 1e9;
+    for (const Position& p : a) {
+        for (const Position& q : b) least = std::min(least, norm(p - q));
+    }
+    return least;
+}
+
+/// Rings of the truth that a map of these rules has to show one by one: long enough, and clear of
+/// all others.
+int clear_rings(const std::vector<std::vector<Position>>& rings, const TouchRules& rules) {
+    int count = 0;
+    for (const auto& ring : rings) {
+        const bool is_clear = std::ranges::all_of(rings, [&](const auto& other) {
+            return &other == &ring || least_apart_mm(ring, other) > 1.3 * rules.gap_mm;
+        });
+        count += is_clear && around_mm(ring) > 1.4 * rules.stroke_mm &&
+                         around_mm(ring) > 6.0 * rules.gap_mm
+                     ? 1
+                     : 0;
+    }
+    return count;
+}
+
+/// Rings that lie in no other.
+std::vector<std::vector<Position>> outer_of(const std::vector<std::vector<Position>>& rings) {
+    std::vector<std::vector<Position>> outer;
+    for (const auto& ring : rings) {
+        const Position p = ring.front();
+        const bool is_inside = std::ranges::any_of(rings, [&](const auto& other) {
+            int crossings = 0;
+            for (std::size_t i = 0; i < other.size() && &other != &ring; ++i) {
+                const Position a = other[i];
+                const Position b = other[(i + 1) % other.size()];
+                if ((a.y > p.y) != (b.y > p.y) &&
+                    p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
+                    ++crossings;
+                }
+            }
+            return crossings % 2 == 1;
+        });
+        if (!is_inside) outer.push_back(ring);
+    }
+    return outer;
+}
+
+void judge(const TruthPicture& picture, const Trace& trace, int detail, const Area& area) {
+    TouchRules rules = touch_rules(detail, area);
+    double longest_mm = 0.0;
+    for (const Outline& outline : trace.map.outlines) {
+        longest_mm = std::max(longest_mm, length_of(outline));
+    }
+    if (longest_mm < rules.stroke_mm) rules.stroke_mm = 0.5 * longest_mm;  // nothing is long enough
+    for (const std::string& fault : faults_of(trace.map, rules)) ADD_FAILURE() << fault;
+    std::vector<std::vector<Position>> rings;
+    for (const auto& ring : picture.rings) {
+        rings.push_back(in_w(ring, trace, picture.pixels.size()));
+    }
+    if (rings.empty()) return;
+    const auto outer = outer_of(rings);
+    const auto& longest = *std::ranges::max_element(outer, {}, around_mm);
+    if (around_mm(longest) > rules.stroke_mm && around_mm(longest) < rules.line_mm) {
+        // The rest: ends of parts too short to be strokes of their own.
+        EXPECT_GT(covered_share(longest, trace.map, rules.gap_mm + 1.0), 0.75);
+    }
+    const int expected = clear_rings(detail <= 2 ? outer : rings, rules);
+    EXPECT_GE(trace.map.outlines.size(), static_cast<std::size_t>(std::min(expected, 2)));
+}
+
+void judge_all(const Area& area) {
+    int judged = 0;
+    for (int n = 0; n < kTruthPictures; n += stride()) {
+        const TruthPicture picture = truth_picture(n);
+        const auto found = find_lines(picture.pixels, {.area = area});
+        ASSERT_TRUE(found) << picture.name << ": " << found.error().line;
+        for (int detail = 1; detail <= 5; ++detail) {
+            SCOPED_TRACE(picture.name + ", number " + std::to_string(n) + ", detail " +
+                         std::to_string(detail));
+            const auto trace = trace_lines(*found, {.area = area, .detail = detail});
+            ASSERT_TRUE(trace) << trace.error().line;
+            judge(picture, *trace, detail, area);
+            ++judged;
+        }
+    }
+    ::testing::Test::RecordProperty("maps", judged);
+}
+
+TEST(TouchRules, HoldOnTheSmallArea) {
+    judge_all({});
+}
+
+TEST(TouchRules, HoldOnALargeArea) {
+    judge_all({0.180, 0.120});
+}
+
+}  // namespace
+}  // namespace touchline::testing

@@ -1,0 +1,150 @@
+#include "vision/contour/photo_lines.h"
+
+#include "vision/contour/corners.h"
+#include "vision/contour/double_edges.h"
+#include "vision/contour/edge_lines.h"
+#include "vision/contour/edge_strength.h"
+#include "vision/contour/linking.h"
+#include "vision/contour/ridges.h"
+#include "vision/contour/scale.h"
+#include "vision/contour/texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr double kWorkingPixels = 1e6;  // 0.1 mm a pixel on a drawing area of 116 x 84 mm
+constexpr double kPhotoPixels = 3e5;    // finer edges of a photo are texture, and cost
+constexpr double kPhotoSmoothing_px = 2.0;
+constexpr double kShortest_mm = 4.0;  // the smallest feature worth a finger's time
+constexpr double kGap_mm = 3.2;       // lines that lie closer are felt as one
+constexpr double kLongestTexture_mm = 20.0;
+constexpr double kSmallestTexture_mm = 20.0;
+constexpr double kShortest_px = 8.0;  // shorter lines are pixels, whatever their size on the device
+constexpr double kGrain =
+    1.0;  // grey levels; more noise than that in an otherwise empty picture is its content
+constexpr double kPictureBlur_px = 0.8;  // sigma, of lens and sampling
+
+/// The picture at working size, with what it says about itself.
+struct Working {
+    cv::Mat picture;
+    LabPicture lab;
+    double noise = 0.0;
+    double smoothing_px = 0.0;
+};
+
+Working measured(const cv::Mat& picture) {
+    Working working;
+    working.picture = picture;
+    working.lab = to_lab(picture, kFullColour);
+    working.noise = noise_of(working.lab);
+    working.smoothing_px = smoothing_for(working.lab, working.noise);
+    return working;
+}
+
+Working prepared(const cv::Mat& picture, bool has_model) {
+    if (has_model) {
+        return measured(reduced(picture, kPhotoPixels));
+    }
+    const cv::Mat small = reduced(picture, kWorkingPixels);
+    Working working = measured(small);
+    if (working.smoothing_px >= kPhotoSmoothing_px &&
+        static_cast<double>(small.total()) > kPhotoPixels) {
+        return measured(reduced(small, kPhotoPixels));
+    }
+    return working;
+}
+
+Reach reach_for(cv::Size size, double smoothing_px, double shortest_px) {
+    constexpr double kGapOverDiagonal = 0.02;
+    constexpr double kLeastGap_px = 6.0;
+    Reach reach;
+    reach.junction_px = 2.5 * smoothing_px + 2.0;
+    reach.gap_px = std::max(kLeastGap_px, kGapOverDiagonal * std::hypot(size.width, size.height));
+    reach.blur_px = 1.5 * smoothing_px;
+    reach.shortest_px = shortest_px;
+    return reach;
+}
+
+int drop_specks(std::vector<Chain>& chains, double shortest_px) {
+    return static_cast<int>(
+        std::erase_if(chains, [&](const Chain& c) { return length_of(c) < shortest_px; }));
+}
+
+/// Where lines may run, and how strong they must be.
+struct Evidence {
+    GradientField field;
+    Hysteresis limits;
+    double smoothing_px = 0.0;
+};
+
+Result<Evidence> evidence_of(const Working& working, EdgeModel* model) {
+    if (model == nullptr) {
+        GradientField field = colour_gradient(working.lab, working.smoothing_px);
+        const Hysteresis limits = thresholds_for(field, working.noise, working.smoothing_px);
+        return Evidence{std::move(field), limits, working.smoothing_px};
+    }
+    return model->boundaries(working.picture).map([](const cv::Mat1f& boundaries) {
+        return Evidence{ridges_of(boundaries), kRidgeLimits, kPhotoSmoothing_px};
+    });
+}
+
+/// What is too narrow or too crowded for a hand, as one line.
+std::vector<Chain> without_clutter(std::vector<Chain> chains, cv::Size size, double px_per_mm) {
+    const double gap_px = kGap_mm * px_per_mm;
+    return with_textures_outlined(
+        with_double_edges_merged(std::move(chains), size, gap_px), size,
+        {gap_px, kLongestTexture_mm * px_per_mm, kSmallestTexture_mm * px_per_mm});
+}
+
+/// The lines that these thresholds give.
+void find(const GradientField& field, const Hysteresis& limits, double px_per_mm,
+          PhotoLines& found) {
+    std::vector<Chain> lines = edge_lines(field, limits);
+    found.low = limits.low;
+    found.high = limits.high;
+    found.lines_found = static_cast<int>(lines.size());
+    found.edge_strength = edge_strength(lines, found.size, limits.high);
+    const double shortest_px = std::max(kShortest_px, kShortest_mm * px_per_mm);
+    Linked network = linked(std::move(lines), found.size,
+                            reach_for(found.size, found.smoothing_px, shortest_px));
+    found.gaps_closed = network.gaps_closed;
+    found.junctions = network.junctions;
+    found.chains = std::move(network.chains);
+    if (found.smoothing_px >= kPhotoSmoothing_px) {
+        found.chains = without_clutter(std::move(found.chains), found.size, px_per_mm);
+    }
+    found.specks_dropped = drop_specks(found.chains, shortest_px);
+    const double blur_px = std::hypot(found.smoothing_px, kPictureBlur_px);
+    for (Chain& chain : found.chains) {
+        if (!chain.is_textured_area) {
+            chain = with_sharp_corners(chain, blur_px);
+        }
+    }
+}
+
+}  // namespace
+
+Result<PhotoLines> photo_lines(const cv::Mat& picture, double longer_side_mm, EdgeModel* model) {
+    const Working working = prepared(picture, model != nullptr);
+    const Result<Evidence> evidence = evidence_of(working, model);
+    if (!evidence) {
+        return tl::unexpected(evidence.error());
+    }
+    PhotoLines found;
+    found.size = working.lab.size();
+    found.noise = working.noise;
+    found.smoothing_px = evidence->smoothing_px;
+    const double px_per_mm = std::max(found.size.width, found.size.height) / longer_side_mm;
+    find(evidence->field, evidence->limits, px_per_mm, found);
+    if (found.chains.empty() && working.noise >= kGrain && model == nullptr) {
+        find(evidence->field, grain_thresholds(evidence->field), px_per_mm, found);
+        found.is_grain = true;
+    }
+    return found;
+}
+
+}  // namespace touchline

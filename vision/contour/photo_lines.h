@@ -1,0 +1,47 @@
+// The lines of a picture that is taken as it comes: edges, linked, corners put back.
+//
+// picture -> at most 1 megapixel -> Lab -> Gaussian -> colour gradient (or a network's boundaries)
+// -> lines of greatest strength (sub-pixel) with hysteresis -> junctions, gaps, closing -> stripes,
+// textures -> corners.
+#pragma once
+
+#include "config/types/result.h"
+#include "vision/contour/chain.h"
+#include "vision/contour/edge_model.h"
+
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace touchline {
+
+/// Lines with what was measured on the way. Pixels are working pixels: those of the picture after
+/// the reduction to at most a megapixel.
+struct PhotoLines {
+    std::vector<Chain> chains;
+    cv::Size size;              // working
+    double noise = 0.0;         // standard deviation, grey levels
+    double smoothing_px = 0.0;  // Gaussian sigma
+    double low = 0.0;           // hysteresis, grey levels per pixel
+    double high = 0.0;
+    bool is_grain = false;  // nothing stands out: these are lines of the picture's own noise
+    int lines_found = 0;    // after hysteresis
+    int gaps_closed = 0;
+    int junctions = 0;       // places where three or more arms meet
+    int specks_dropped = 0;  // shorter than 4 mm
+    /// 8-bit, working size: how strong each candidate line is, 0 where there is none. 128 is the
+    /// picture's own threshold `high`; strength = 255 r / (1 + r), r = mean gradient along 20
+    /// pixels either way / high, less for short lines.
+    cv::Mat edge_strength;
+};
+
+/// The lines of an 8-bit picture, BGR or grey, whose longer side will be `longer_side_mm` long at
+/// the handle; arms of a junction share their point bit for bit. Lines shorter than 4 mm (and 8
+/// working pixels) are specks. In photos stripes narrower than 3.2 mm become one line and textures
+/// one outline. `model`, where given, tells the boundaries; it is the only cause of an error. Empty
+/// chains: nothing was found. Throws cv::Exception without memory. Deterministic. Threads: pure
+/// function but for the model (OpenCV may use its own threads inside). O(pixels).
+[[nodiscard]] Result<PhotoLines> photo_lines(const cv::Mat& picture, double longer_side_mm,
+                                             EdgeModel* model = nullptr);
+
+}  // namespace touchline

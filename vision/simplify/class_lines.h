@@ -1,0 +1,22 @@
+// The lines of a picture, found the way that suits its class.
+#pragma once
+
+#include "config/types/result.h"
+#include "vision/contour/photo_lines.h"
+#include "vision/prepare/picture_class.h"
+
+#include <opencv2/core.hpp>
+
+namespace touchline {
+
+/// photo: edges, and the main shape where one convinces; diagram: borders of flat colour; line art:
+/// middle lines of strokes up to 6 mm wide; text page: a line through each line of text, a box
+/// around each figure (letters are not felt). Where the way of its class finds nothing the picture
+/// is taken as a photo. For classes other than photo `high` is half the mean strength of the lines.
+/// `longer_side_mm`: how long the picture's longer side will be at the handle. `model`, where
+/// given, tells a photo's boundaries; it is the only cause of an error. Throws cv::Exception
+/// without memory. Deterministic. Threads: pure function but for the model. O(pixels).
+[[nodiscard]] Result<PhotoLines> class_lines(const cv::Mat& picture, PictureClass picture_class,
+                                             double longer_side_mm, EdgeModel* model);
+
+}  // namespace touchline

@@ -1,0 +1,32 @@
+#include "vision/simplify/detail_limits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace touchline {
+namespace {
+
+constexpr double kTableDiagonal_m = 0.215;
+constexpr int kLeastStrokes = 2;  // of two things side by side neither may be lost
+
+constexpr std::array<DetailLimits, kMostDetail> kTable{{
+    {2, 600.0, 60.0, 12.0, 2.0, 12.0, InnerLines::none},
+    {5, 1000.0, 40.0, 8.0, 1.5, 10.0, InnerLines::large_regions},
+    {9, 1500.0, 25.0, 6.0, 1.0, 8.0, InnerLines::all},
+    {16, 2500.0, 15.0, 5.0, 0.7, 6.0, InnerLines::all},
+    {40, 5000.0, 10.0, 3.2, 0.5, 4.0, InnerLines::all},
+}};
+
+}  // namespace
+
+DetailLimits limits_for(int detail, const Area& area) {
+    DetailLimits limits = kTable[static_cast<std::size_t>(std::clamp(detail, 1, kMostDetail)) - 1];
+    const double scale = std::hypot(area.width_m, area.height_m) / kTableDiagonal_m;
+    limits.strokes = std::max(kLeastStrokes, static_cast<int>(limits.strokes * scale));
+    limits.line_mm *= scale;
+    limits.least_stroke_mm *= scale;
+    return limits;
+}
+
+}  // namespace touchline

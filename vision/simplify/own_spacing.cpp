@@ -1,0 +1,97 @@
+#include "vision/simplify/own_spacing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchline {
+namespace {
+
+constexpr double kApartAlong = 4.0;  // gaps: nearer along the line, it is a bend and not two lines
+constexpr double kHairpinAlong = 2.0;  // gaps: further, and there and back on parallel ways
+constexpr double kParallel = 0.985;    // cosine of 10 degrees
+
+/// Whether a segment leads back along another.
+bool is_back(cv::Point2d way, const Segment& other) {
+    const cv::Point2d along = other.b - other.a;
+    return way.dot(along) < -kParallel * cv::norm(way) * cv::norm(along);
+}
+
+/// Arc length up to each point.
+std::vector<double> arc_lengths(const std::vector<EdgePoint>& points) {
+    std::vector<double> at_mm{0.0};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        at_mm.push_back(at_mm.back() + distance(points[i - 1].at, points[i].at));
+    }
+    return at_mm;
+}
+
+}  // namespace
+
+Segment segment_of(const Chain& line, std::size_t i, std::size_t number) {
+    return {line.points[i].at, line.points[(i + 1) % line.points.size()].at, number, i};
+}
+
+std::size_t segments_of(const Chain& line) {
+    return line.points.size() - (line.is_closed ? 0 : 1);
+}
+
+OwnStretch clear_of_itself(const std::vector<EdgePoint>& points, std::size_t first,
+                           std::size_t last, const SpacingScale& scale) {
+    SegmentGrid own(scale.area_mm, 0.5 * scale.gap_mm);
+    std::vector<double> at_mm(points.size(), 0.0);
+    for (std::size_t i = first + 1; i <= last; ++i) {
+        const cv::Point2d p = points[i].at;
+        at_mm[i] = at_mm[i - 1] + distance(points[i - 1].at, p);
+        double least_mm = scale.clearance_mm();
+        std::optional<OwnStretch::Foot> foot;
+        bool is_hairpin = false;
+        own.near(p, p, scale.clearance_mm(), [&](const Segment& before) {
+            const cv::Point2d on = nearest_on(before, p);
+            const double apart_mm = distance(on, p);
+            const double along_mm = at_mm[i] - at_mm[before.index + 1];
+            if (along_mm > kApartAlong * scale.gap_mm - 2.0 * scale.step_mm &&
+                apart_mm < least_mm) {
+                least_mm = apart_mm;
+                foot = {on, before.index};
+            }
+            is_hairpin =
+                is_hairpin || (along_mm > kHairpinAlong * scale.gap_mm && apart_mm < scale.gap_mm &&
+                               is_back(p - points[i - 1].at, before));
+        });
+        if (foot || is_hairpin) {
+            return {first, i - 1, at_mm[i - 1], foot};
+        }
+        own.add({points[i - 1].at, p, 0, i - 1});
+    }
+    return {first, last, at_mm[last], std::nullopt};
+}
+
+std::optional<std::size_t> too_near_itself(const Chain& ring, const SpacingScale& scale) {
+    SegmentGrid own(scale.area_mm, 0.5 * scale.gap_mm);
+    for (std::size_t i = 0; i < segments_of(ring); ++i) {
+        own.add(segment_of(ring, i, 0));
+    }
+    const std::vector<double> at_mm = arc_lengths(ring.points);
+    const double around_mm = length_of(ring);
+    for (std::size_t i = 0; i < ring.points.size(); ++i) {
+        const cv::Point2d p = ring.points[i].at;
+        bool is_near = false;
+        own.near(p, p, scale.clearance_mm(), [&](const Segment& other) {
+            const double there_mm = std::abs(at_mm[i] - at_mm[other.index]);
+            const double along_mm = std::min(there_mm, around_mm - there_mm);
+            const double apart_mm = distance(nearest_on(other, p), p);
+            const cv::Point2d way = ring.points[(i + 1) % ring.points.size()].at - p;
+            is_near = is_near ||
+                      (along_mm > kApartAlong * scale.gap_mm - 2.0 * scale.step_mm &&
+                       apart_mm < scale.clearance_mm()) ||
+                      (along_mm > kHairpinAlong * scale.gap_mm && apart_mm < scale.gap_mm &&
+                       is_back(way, other));
+        });
+        if (is_near) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace touchline

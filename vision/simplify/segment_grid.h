@@ -1,0 +1,100 @@
+// Segments of lines in square cells, to ask what is near. Lengths in millimetres.
+// Threads: values; queries change nothing.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace touchline {
+
+/// A segment of a line, by the number of the line and of the segment's first point.
+struct Segment {
+    cv::Point2d a;
+    cv::Point2d b;
+    std::size_t line = 0;
+    std::size_t index = 0;
+};
+
+/// The point of segment a b nearest to p.
+[[nodiscard]] inline cv::Point2d nearest_on(const Segment& s, cv::Point2d p) {
+    const cv::Point2d along = s.b - s.a;
+    const double squared = along.dot(along);
+    const double t = squared > 0.0 ? std::clamp((p - s.a).dot(along) / squared, 0.0, 1.0) : 0.0;
+    return s.a + t * along;
+}
+
+/// Where two segments cross, ends included; nothing for parallel ones.
+[[nodiscard]] inline std::optional<cv::Point2d> crossing_of(const Segment& s, const Segment& t) {
+    const cv::Point2d u = s.b - s.a;
+    const cv::Point2d v = t.b - t.a;
+    const cv::Point2d w = t.a - s.a;
+    const double area = u.cross(v);
+    if (area == 0.0) {
+        return std::nullopt;
+    }
+    const double along_s = w.cross(v) / area;
+    const double along_t = w.cross(u) / area;
+    if (along_s < 0.0 || along_s > 1.0 || along_t < 0.0 || along_t > 1.0) {
+        return std::nullopt;
+    }
+    return s.a + along_s * u;
+}
+
+class SegmentGrid {
+  public:
+    /// Cells of `cell_mm` > 0 over 0 ... size; what lies outside falls into the cells at the rim.
+    SegmentGrid(cv::Size2d size_mm, double cell_mm)
+        : cell_mm_(cell_mm),
+          columns_(1 + static_cast<int>(size_mm.width / cell_mm)),
+          rows_(1 + static_cast<int>(size_mm.height / cell_mm)),
+          cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+
+    void add(const Segment& segment) {
+        visit_cells(segment.a, segment.b, 0.0,
+                    [&](std::size_t cell) { cells_[cell].push_back(segment); });
+    }
+
+    /// All segments whose cells the box of a and b, grown by `reach_mm`, touches: a superset of
+    /// those within reach, some more than once.
+    template <class Visit>
+    void near(cv::Point2d a, cv::Point2d b, double reach_mm, Visit&& visit) const {
+        visit_cells(a, b, reach_mm, [&](std::size_t cell) {
+            for (const Segment& segment : cells_[cell]) {
+                visit(segment);
+            }
+        });
+    }
+
+  private:
+    template <class Visit>
+    void visit_cells(cv::Point2d a, cv::Point2d b, double reach_mm, Visit&& visit) const {
+        const int left = column(std::min(a.x, b.x) - reach_mm);
+        const int right = column(std::max(a.x, b.x) + reach_mm);
+        for (int r = row(std::min(a.y, b.y) - reach_mm); r <= row(std::max(a.y, b.y) + reach_mm);
+             ++r) {
+            for (int c = left; c <= right; ++c) {
+                visit(static_cast<std::size_t>(r * columns_ + c));
+            }
+        }
+    }
+
+    int column(double x) const {
+        return std::clamp(static_cast<int>(std::floor(x / cell_mm_)), 0, columns_ - 1);
+    }
+
+    int row(double y) const {
+        return std::clamp(static_cast<int>(std::floor(y / cell_mm_)), 0, rows_ - 1);
+    }
+
+    double cell_mm_;
+    int columns_;
+    int rows_;
+    std::vector<std::vector<Segment>> cells_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,192 @@
+#include "vision/simplify/shaping.h"
+
+#include "vision/contour/ends.h"
+#include "vision/contour/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace touchline {
+namespace {
+
+constexpr double kLeastTurn = 40.0 * std::numbers::pi / 180.0;
+
+/// A polyline by its arc length. `is_ring`: the last point is the first again.
+class Course {
+  public:
+    Course(const std::vector<EdgePoint>& points, bool is_ring)
+        : points_(points), is_ring_(is_ring), at_mm_{0.0} {
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            at_mm_.push_back(at_mm_.back() + distance(points[i - 1].at, points[i].at));
+        }
+    }
+
+    double length_mm() const { return at_mm_.back(); }
+
+    /// The turn at a point between the chords over `reach_mm` before and after (less beside an
+    /// end).
+    double turn_at(std::size_t i, double reach_mm) const {
+        const cv::Point2d here = points_[i].at;
+        const cv::Point2d in = here - place(at_mm_[i] - reach_mm);
+        const cv::Point2d out = place(at_mm_[i] + reach_mm) - here;
+        return in == cv::Point2d() || out == cv::Point2d() ? 0.0 : angle_between(in, out);
+    }
+
+    double apart_mm(std::size_t i, std::size_t j) const {
+        const double along = std::abs(at_mm_[i] - at_mm_[j]);
+        return is_ring_ ? std::min(along, length_mm() - along) : along;
+    }
+
+  private:
+    cv::Point2d place(double s_mm) const {
+        if (is_ring_) {
+            s_mm -= length_mm() * std::floor(s_mm / length_mm());
+        }
+        const auto next = std::upper_bound(at_mm_.begin(), at_mm_.end(), s_mm);
+        if (next == at_mm_.begin()) {
+            return points_.front().at;
+        }
+        if (next == at_mm_.end()) {
+            return points_.back().at;
+        }
+        const auto i = static_cast<std::size_t>(next - at_mm_.begin());
+        const double t = (s_mm - at_mm_[i - 1]) / (at_mm_[i] - at_mm_[i - 1]);
+        return points_[i - 1].at + t * (points_[i].at - points_[i - 1].at);
+    }
+
+    const std::vector<EdgePoint>& points_;
+    bool is_ring_;
+    std::vector<double> at_mm_;
+};
+
+/// Which inner points are corners at this scale, in order.
+std::vector<std::size_t> corners_of(const std::vector<EdgePoint>& points, bool is_ring,
+                                    double least_feature_mm) {
+    const Course course(points, is_ring);
+    std::vector<std::pair<double, std::size_t>> found;
+    for (std::size_t i = is_ring ? 0 : 1; i + 1 < points.size(); ++i) {
+        if (points[i].is_fixed) {
+            const double turn = course.turn_at(i, 0.5 * least_feature_mm);
+            if (turn > kLeastTurn) {
+                found.emplace_back(turn, i);
+            }
+        }
+    }
+    std::ranges::stable_sort(found, std::ranges::greater{}, &std::pair<double, std::size_t>::first);
+    std::vector<std::size_t> kept;
+    for (const auto& [turn, i] : found) {
+        if (std::ranges::all_of(kept, [&, here = i](std::size_t j) {
+                return course.apart_mm(here, j) >= 0.25 * least_feature_mm;
+            })) {
+            kept.push_back(i);
+        }
+    }
+    std::ranges::sort(kept);
+    return kept;
+}
+
+std::vector<double> gaussian(double sigma_steps) {
+    const int reach = static_cast<int>(std::ceil(3.0 * sigma_steps));
+    std::vector<double> weights;
+    double sum = 0.0;
+    for (int k = -reach; k <= reach; ++k) {
+        weights.push_back(std::exp(-0.5 * k * k / (sigma_steps * sigma_steps)));
+        sum += weights.back();
+    }
+    for (double& w : weights) {
+        w /= sum;
+    }
+    return weights;
+}
+
+/// A sample of a run, continued beyond its ends: round and round, or turned about the end points.
+cv::Point2d continued(const std::vector<EdgePoint>& run, bool is_ring, int i) {
+    const int last = static_cast<int>(run.size()) - 1;
+    if (is_ring) {  // the last is the first again
+        return run[static_cast<std::size_t>((i % last + last) % last)].at;
+    }
+    const auto within = [&](int k) {
+        return run[static_cast<std::size_t>(std::clamp(k, 0, last))].at;
+    };
+    if (i < 0) {
+        return 2.0 * run.front().at - within(-i);
+    }
+    return i > last ? 2.0 * run.back().at - within(2 * last - i) : within(i);
+}
+
+/// One run between two corners (or a whole ring): even points, smoothed.
+std::vector<EdgePoint> smooth_run(const std::vector<EdgePoint>& run, bool is_ring,
+                                  const ShapingScale& scale) {
+    const double length_mm = length_of({run, false});
+    const int n =
+        std::max(is_ring ? 8 : 1, static_cast<int>(std::lround(length_mm / scale.step_mm)));
+    std::vector<EdgePoint> even = evenly_spaced(run, n);
+    // Near the ends of a short run nothing is left to average but the ends themselves.
+    const double sigma_steps = std::min(scale.tolerance_mm * n / length_mm, n / 6.0);
+    std::vector<EdgePoint> smooth = even;
+    for (EdgePoint& p : smooth) {
+        p.is_fixed = false;
+    }
+    if (sigma_steps >= 0.3) {
+        const std::vector<double> weights = gaussian(sigma_steps);
+        const int reach = static_cast<int>(weights.size()) / 2;
+        for (int i = 0; i <= n; ++i) {
+            cv::Point2d sum;
+            for (int k = -reach; k <= reach; ++k) {
+                sum +=
+                    weights[static_cast<std::size_t>(k + reach)] * continued(even, is_ring, i + k);
+            }
+            smooth[static_cast<std::size_t>(i)].at = sum;
+        }
+    }
+    if (!is_ring) {
+        smooth.front() = even.front();
+        smooth.back() = even.back();
+    }
+    return smooth;
+}
+
+}  // namespace
+
+Chain shaped(const Chain& line, const ShapingScale& scale) {
+    std::vector<EdgePoint> points = line.points;
+    if (line.is_closed) {
+        points.push_back(points.front());
+    }
+    std::vector<std::size_t> cuts = corners_of(points, line.is_closed, scale.least_feature_mm);
+    Chain result{{}, line.is_closed, line.width_px};
+    if (line.is_closed && cuts.empty()) {
+        result.points = smooth_run(points, true, scale);
+        result.points.pop_back();
+        return result;
+    }
+    if (line.is_closed) {  // begin and end at the first corner
+        points.pop_back();
+        std::ranges::rotate(points, points.begin() + static_cast<std::ptrdiff_t>(cuts.front()));
+        points.push_back(points.front());
+        const std::size_t first = cuts.front();
+        cuts.erase(cuts.begin());
+        for (std::size_t& cut : cuts) {
+            cut -= first;
+        }
+    }
+    cuts.push_back(points.size() - 1);
+    std::size_t from = 0;
+    for (const std::size_t to : cuts) {
+        const std::vector<EdgePoint> run(points.begin() + static_cast<std::ptrdiff_t>(from),
+                                         points.begin() + static_cast<std::ptrdiff_t>(to) + 1);
+        std::vector<EdgePoint> smooth = smooth_run(run, false, scale);
+        smooth.front().is_fixed = true;
+        smooth.back().is_fixed = true;
+        result.points.insert(result.points.end(), smooth.begin() + (from == 0 ? 0 : 1),
+                             smooth.end());
+        from = to;
+    }
+    if (line.is_closed) {
+        result.points.pop_back();
+    }
+    return result;
+}
+
+}  // namespace touchline

@@ -1,0 +1,59 @@
+// Lines of a picture -> outlines that a hand can follow, at one of five details.
+//
+// in the zoom -> breaks closed -> frame dropped -> ranked -> each, the most salient first: smoothed
+// at the detail's scale, loops cut off, kept a gap away from what is there -> until the detail's
+// strokes or length are used up -> TactileMap
+#pragma once
+
+#include "config/types/tactile_map.h"
+#include "vision/contour/chain.h"
+#include "vision/simplify/detail_limits.h"
+#include "vision/simplify/zoom.h"
+
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// The lines of a picture as they were found, before any choice for the hand. Kept, they serve
+/// every detail and zoom.
+struct PictureLines {
+    std::vector<Chain> chains;  // working pixels; arms of a junction share their point
+    cv::Size working;           // size of the working picture, pixels
+    cv::Size picture;           // size of the picture as given, pixels
+    double high = 1.0;          // strength at which a line is as strong as a line has to be
+};
+
+enum class Complexity { simple, medium, complex };
+
+[[nodiscard]] std::string_view word_of(Complexity complexity);
+
+struct SimplifyReport {
+    int parts = 0;         // outlines of the map
+    double line_mm = 0.0;  // of all of them
+    Complexity complexity = Complexity::simple;
+    int left_out = 0;  // lines that the detail has no room for, or that are too short
+    int breaks_closed = 0;
+    int crossings_opened = 0;
+    int frames_dropped = 0;
+    std::string words;  // for speech: sentences of at most 15 words
+};
+
+struct Simplified {
+    TactileMap map;  // no outlines: there was no line there
+    SimplifyReport report;
+};
+
+/// Keeps to limits_for(detail, area): number and length of the strokes, and the gap: two outlines,
+/// or two places of one more than four gaps apart along it, are a gap apart, save within a gap of a
+/// place where one ends on the other, where a crossing was opened, or of a corner. Outlines do not
+/// cross themselves or each other. The most salient outer line is always kept; where it alone is
+/// longer than the detail allows it is smoothed until it is not. Where every line is shorter than
+/// the detail's shortest stroke, the longest are kept. Points are canonical
+/// (config/types/map_frame.h), most salient outline first, ids "outline-1" ..., labels say the
+/// place; `Outline::detail` is the lowest whose number and length of strokes hold the outline and
+/// all before it. Deterministic. Threads: pure function. About 10 ms.
+[[nodiscard]] Simplified simplified(const PictureLines& lines, const Area& area, int detail,
+                                    const Zoom& zoom = {});
+
+}  // namespace touchline

@@ -1,0 +1,217 @@
+#include "vision/simplify/spacing.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr double kOpening_mm = 2.5;     // each side of a crossing
+constexpr double kSmallBreak_mm = 4.0;  // a groove must not end by accident
+
+}  // namespace
+
+SpacedLines::SpacedLines(cv::Size2d area_mm, double gap_mm, double step_mm)
+    : scale_{area_mm, gap_mm, step_mm}, grid_(area_mm, 0.5 * gap_mm) {}
+
+std::optional<SpacedLines::Near> SpacedLines::nearest(cv::Point2d p, double reach_mm) const {
+    std::optional<Near> best;
+    grid_.near(p, p, reach_mm, [&](const Segment& segment) {
+        const cv::Point2d foot = nearest_on(segment, p);
+        const double apart_mm = distance(foot, p);
+        if (apart_mm < reach_mm && (!best || apart_mm < best->distance_mm)) {
+            best = {apart_mm, {foot, segment.line, segment.index}};
+        }
+    });
+    return best;
+}
+
+std::optional<OwnStretch> SpacedLines::longest(const std::vector<EdgePoint>& points) const {
+    std::optional<OwnStretch> best;
+    std::size_t first = 0;
+    while (first < points.size()) {
+        if (nearest(points[first].at, scale_.clearance_mm())) {
+            ++first;
+            continue;
+        }
+        std::size_t last = first;
+        while (last + 1 < points.size() && !nearest(points[last + 1].at, scale_.clearance_mm())) {
+            ++last;
+        }
+        for (std::size_t from = first; from < last;) {
+            const OwnStretch stretch = clear_of_itself(points, from, last, scale_);
+            if (!best || stretch.length_mm > best->length_mm) {
+                best = stretch;
+            }
+            from = stretch.last + 1;
+        }
+        first = last + 1;
+    }
+    return best && best->length_mm > 0.0 ? best : std::nullopt;
+}
+
+/// A ring cut open at its first point that something is in the way of; nothing: it is clear.
+std::optional<Candidate> SpacedLines::opened(const Chain& ring) const {
+    std::vector<EdgePoint> points = ring.points;
+    const auto blocked = std::ranges::find_if(points, [&](const EdgePoint& p) {
+        return nearest(p.at, scale_.clearance_mm()).has_value();
+    });
+    if (blocked != points.end()) {
+        std::ranges::rotate(points, blocked);
+    } else if (const auto own = too_near_itself(ring, scale_)) {
+        std::ranges::rotate(points, points.begin() + static_cast<std::ptrdiff_t>(*own));
+    } else {
+        return std::nullopt;
+    }
+    points.push_back(points.front());
+    return Candidate{{std::move(points), false, ring.width_px}, true, true};
+}
+
+/// Whether the line, from a point on and in one direction, crosses another and goes on for more
+/// than a small break while it is in its way.
+bool SpacedLines::crosses_on(const std::vector<EdgePoint>& points, std::size_t from,
+                             int step) const {
+    bool is_crossed = false;
+    double after_mm = 0.0;
+    const auto end = step > 0 ? points.size() - 1 : std::size_t{0};
+    for (std::size_t i = from; i != end; i += static_cast<std::size_t>(step)) {
+        const Segment piece{points[i].at, points[i + static_cast<std::size_t>(step)].at, 0, 0};
+        if (is_crossed) {
+            after_mm += distance(piece.a, piece.b);
+        }
+        grid_.near(piece.a, piece.b, 0.0, [&](const Segment& other) {
+            is_crossed = is_crossed || crossing_of(piece, other).has_value();
+        });
+        if (!nearest(piece.b, scale_.clearance_mm())) {
+            return is_crossed;
+        }
+    }
+    return is_crossed && after_mm > kSmallBreak_mm;
+}
+
+/// Leads a line straight on from its end, unless that would cross the line itself.
+bool SpacedLines::append(cv::Point2d to, std::vector<EdgePoint>& line) const {
+    const EdgePoint from = line.back();
+    const cv::Point2d way = to - from.at;
+    const Segment inner{from.at + 1e-3 * way, from.at + 0.999 * way, 0, 0};
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        if (crossing_of({line[i - 1].at, line[i].at, 0, 0}, inner)) {
+            return false;
+        }
+    }
+    const int parts = std::max(1, static_cast<int>(std::ceil(cv::norm(way) / scale_.step_mm)));
+    for (int k = 1; k < parts; ++k) {
+        line.push_back({from.at + (static_cast<double>(k) / parts) * way, from.strength});
+    }
+    line.push_back({to, from.strength, true});
+    return true;
+}
+
+/// Leads the end of `fit.line` that came from points[at] to the line in its way.
+void SpacedLines::bridge(const std::vector<EdgePoint>& points, std::size_t at, int step,
+                         bool goes_on, Fit& fit) const {
+    const bool is_line_end = at == (step > 0 ? points.size() - 1 : 0);
+    const EdgePoint from = points[at];
+    const std::optional<Near> near = nearest(from.at, scale_.clearance_mm() + 2.0 * scale_.step_mm);
+    if (is_line_end || !near) {
+        return;
+    }
+    const bool is_opened = crosses_on(points, at, step);
+    std::size_t beyond = at + static_cast<std::size_t>(step);
+    while (beyond != (step > 0 ? points.size() - 1 : 0) &&
+           nearest(points[beyond].at, scale_.clearance_mm())) {
+        beyond += static_cast<std::size_t>(step);
+    }
+    const std::optional<Near> end = nearest(points[beyond].at, scale_.clearance_mm());
+    if (!is_opened && !goes_on && end && end->distance_mm > kSmallBreak_mm) {
+        return;  // it ends by itself, well before the other
+    }
+    const cv::Point2d to =
+        is_opened ? near->foot.at + (from.at - near->foot.at) * (kOpening_mm / near->distance_mm)
+                  : near->foot.at;
+    std::vector<EdgePoint>& line = fit.line.points;
+    if (step < 0) {
+        std::ranges::reverse(line);
+    }
+    const bool is_led = append(to, line);
+    if (step < 0) {
+        std::ranges::reverse(line);
+    }
+    if (!is_led) {
+        return;
+    }
+    fit.crossings_opened += is_opened ? 1 : 0;
+    if (!is_opened) {
+        (step > 0 ? fit.back : fit.front) = near->foot;
+    }
+}
+
+std::optional<Fit> SpacedLines::fit(const Candidate& candidate) const {
+    const Chain& chain = candidate.line;
+    if (chain.is_closed) {
+        const std::optional<Candidate> open = opened(chain);
+        return open ? fit(*open) : Fit{chain, {}, {}, 0, {}};
+    }
+    const std::vector<EdgePoint>& points = chain.points;
+    const std::optional<OwnStretch> best = longest(points);
+    if (!best) {
+        return std::nullopt;
+    }
+    const auto at = [&](std::size_t i) { return points.begin() + static_cast<std::ptrdiff_t>(i); };
+    Fit fit{{{at(best->first), at(best->last) + 1}, false, chain.width_px}, {}, {}, 0, {}};
+    if (best->foot && append(best->foot->at, fit.line.points)) {
+        fit.back = Foot{best->foot->at, lines_.size(), best->foot->index - best->first};
+    } else if (!best->foot) {
+        bridge(points, best->last, 1, candidate.back_goes_on, fit);
+    }
+    const std::size_t before = fit.line.points.size();
+    bridge(points, best->first, -1, candidate.front_goes_on, fit);
+    if (fit.back && fit.back->line == lines_.size()) {
+        fit.back->index += fit.line.points.size() - before;
+    }
+    fit.rest.push_back(
+        {{{at(0), at(best->first) + 1}, false, chain.width_px}, candidate.front_goes_on, true});
+    fit.rest.push_back(
+        {{{at(best->last), points.end()}, false, chain.width_px}, true, candidate.back_goes_on});
+    return fit;
+}
+
+void SpacedLines::add(Fit fit) {
+    const std::size_t number = lines_.size();
+    for (std::size_t i = 0; i < segments_of(fit.line); ++i) {
+        grid_.add(segment_of(fit.line, i, number));
+    }
+    lines_.push_back(std::move(fit.line));
+    feet_.emplace_back();
+    for (const std::optional<Foot>& foot : {fit.front, fit.back}) {
+        if (foot) {
+            feet_[foot->line].push_back(*foot);
+        }
+    }
+}
+
+std::vector<Chain> SpacedLines::lines() const {
+    std::vector<Chain> result = lines_;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        std::vector<Foot> feet = feet_[i];
+        std::vector<EdgePoint>& points = result[i].points;
+        const std::vector<EdgePoint> old = points;
+        std::ranges::stable_sort(feet, [&](const Foot& a, const Foot& b) {
+            return std::pair(a.index, distance(a.at, old[a.index].at)) <
+                   std::pair(b.index, distance(b.at, old[b.index].at));
+        });
+        points.clear();
+        auto foot = feet.begin();
+        for (std::size_t k = 0; k < old.size(); ++k) {
+            points.push_back(old[k]);
+            for (; foot != feet.end() && foot->index == k; ++foot) {
+                points.push_back({foot->at, old[k].strength, true});
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace touchline

@@ -1,0 +1,79 @@
+// Lines kept apart: what is already there stays, what comes later gives way. Lengths in
+// millimetres. Threads: one object, one thread; queries change nothing.
+#pragma once
+
+#include "vision/contour/chain.h"
+#include "vision/simplify/own_spacing.h"
+#include "vision/simplify/segment_grid.h"
+
+#include <optional>
+#include <vector>
+
+namespace touchline {
+
+/// A line, or what is left of one, that may be shown. `goes_on`: beyond that end there was more.
+struct Candidate {
+    Chain line;
+    bool front_goes_on = false;
+    bool back_goes_on = false;
+};
+
+/// Where an end meets a line that is already there (or an earlier part of its own line).
+struct Foot {
+    cv::Point2d at;
+    std::size_t line = 0;
+    std::size_t index = 0;  // of the segment that it lies on
+};
+
+/// The longest part of a candidate that keeps its distance.
+struct Fit {
+    Chain line;                 // with its bridges to the feet
+    std::optional<Foot> front;  // set: that end meets a line
+    std::optional<Foot> back;
+    int crossings_opened = 0;
+    std::vector<Candidate> rest;  // before and after; to be fitted again once this one is added
+};
+
+class SpacedLines {
+  public:
+    /// Points of the lines are `step_mm` apart at most, gap_mm > step_mm.
+    SpacedLines(cv::Size2d area_mm, double gap_mm, double step_mm);
+
+    /// The longest stretch of the line with at least a gap to every line added and, where more than
+    /// four gaps lie between along it (two, where it leads back beside itself), to itself. Nothing:
+    /// there is none. Where it was cut, its end runs straight on to the nearest point of the line
+    /// that is in the way and meets it there; but a line that crosses the other stops 2.5 mm short,
+    /// so that the crossing is open over 5 mm, and one that ends by itself further than 4 mm from
+    /// the other stays a gap away. The bridges lie within a gap of the foot and cross nothing: no
+    /// line is nearer to any of their points. O(points x points near).
+    [[nodiscard]] std::optional<Fit> fit(const Candidate& candidate) const;
+
+    void add(Fit fit);
+
+    [[nodiscard]] std::size_t size() const { return lines_.size(); }
+
+    /// The lines in the order of adding; a foot is a fixed point of both lines, bit for bit.
+    [[nodiscard]] std::vector<Chain> lines() const;
+
+  private:
+    struct Near {
+        double distance_mm = 0.0;
+        Foot foot;
+    };
+
+    [[nodiscard]] std::optional<Near> nearest(cv::Point2d p, double reach_mm) const;
+    [[nodiscard]] std::optional<Candidate> opened(const Chain& ring) const;
+    [[nodiscard]] std::optional<OwnStretch> longest(const std::vector<EdgePoint>& points) const;
+    [[nodiscard]] bool crosses_on(const std::vector<EdgePoint>& points, std::size_t from,
+                                  int step) const;
+    bool append(cv::Point2d to, std::vector<EdgePoint>& line) const;
+    void bridge(const std::vector<EdgePoint>& points, std::size_t at, int step, bool goes_on,
+                Fit& fit) const;
+
+    SpacingScale scale_;
+    SegmentGrid grid_;
+    std::vector<Chain> lines_;
+    std::vector<std::vector<Foot>> feet_;  // on each line
+};
+
+}  // namespace touchline

@@ -1,0 +1,90 @@
+#include "vision/simplify/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+constexpr double kCell_mm = 0.5;
+constexpr double kDisc_mm = 0.75;       // radius
+constexpr double kLeastWall_mm = 15.0;  // shorter lines hide nothing
+constexpr int kRim = 12;                // cells around the area, so that the outside is one
+
+cv::Point cell_of(cv::Point2d p) {
+    return {kRim + static_cast<int>(std::lround(p.x / kCell_mm)),
+            kRim + static_cast<int>(std::lround(p.y / kCell_mm))};
+}
+
+/// Non-zero where no line is.
+cv::Mat1b free_cells(const std::vector<Chain>& lines, cv::Size2d area_mm) {
+    const cv::Point far = cell_of({area_mm.width, area_mm.height});
+    cv::Mat1b cells(far.y + kRim + 1, far.x + kRim + 1, uchar{255});
+    for (const Chain& line : lines) {
+        if (length_of(line) < kLeastWall_mm) {
+            continue;
+        }
+        std::vector<cv::Point> points;
+        for (const EdgePoint& p : line.points) {
+            points.push_back(cell_of(p.at));
+        }
+        cv::polylines(cells, points, line.is_closed, cv::Scalar(0), 1, cv::LINE_8);
+    }
+    return cells;
+}
+
+}  // namespace
+
+std::vector<double> outer_shares(const std::vector<Chain>& lines, cv::Size2d area_mm) {
+    cv::Mat1f to_line;
+    cv::distanceTransform(free_cells(lines, area_mm), to_line, cv::DIST_L2, 5);
+    cv::Mat passable = to_line > kDisc_mm / kCell_mm;
+    constexpr uchar kOutside = 128;
+    cv::floodFill(passable, cv::Point(0, 0), cv::Scalar(kOutside), nullptr, {}, {}, 8);
+    cv::Mat1f to_outside;
+    cv::distanceTransform(passable != kOutside, to_outside, cv::DIST_L2, 5);
+    constexpr float kReached = static_cast<float>(kDisc_mm / kCell_mm + 1.5);
+    std::vector<double> shares;
+    shares.reserve(lines.size());
+    for (const Chain& line : lines) {
+        const auto reached = std::ranges::count_if(
+            line.points, [&](const EdgePoint& p) { return to_outside(cell_of(p.at)) < kReached; });
+        shares.push_back(static_cast<double>(reached) / static_cast<double>(line.points.size()));
+    }
+    return shares;
+}
+
+bool is_frame(const Chain& line, const cv::Rect2d& picture_mm) {
+    const double reach_mm = 0.04 * std::min(picture_mm.width, picture_mm.height);
+    std::size_t beside = 0;
+    bool left = false;
+    bool right = false;
+    bool top = false;
+    bool bottom = false;
+    for (const EdgePoint& p : line.points) {
+        const bool is_left = p.at.x - picture_mm.x < reach_mm;
+        const bool is_right = picture_mm.br().x - p.at.x < reach_mm;
+        const bool is_top = p.at.y - picture_mm.y < reach_mm;
+        const bool is_bottom = picture_mm.br().y - p.at.y < reach_mm;
+        beside += is_left || is_right || is_top || is_bottom ? 1 : 0;
+        left = left || is_left;
+        right = right || is_right;
+        top = top || is_top;
+        bottom = bottom || is_bottom;
+    }
+    const int sides = int{left} + int{right} + int{top} + int{bottom};
+    return sides >= 3 &&
+           static_cast<double>(beside) >= 0.9 * static_cast<double>(line.points.size());
+}
+
+double held_area(const Chain& line) {
+    double twice = 0.0;
+    for (std::size_t i = 0; line.is_closed && i < line.points.size(); ++i) {
+        twice += line.points[i].at.cross(line.points[(i + 1) % line.points.size()].at);
+    }
+    return 0.5 * std::abs(twice);
+}
+
+}  // namespace touchline

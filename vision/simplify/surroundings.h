@@ -1,0 +1,25 @@
+// Where a line lies in the whole: on the outside, inside something, or along the picture's frame.
+// Chains here are in millimetres of the drawing area. Threads: pure functions.
+#pragma once
+
+#include "vision/contour/chain.h"
+
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace touchline {
+
+/// For each line the share of its points, 0..1, that can be reached from outside the area by a disc
+/// of 1.5 mm (a smaller break in the outer line does not let it in). Lines under 15 mm hide
+/// nothing. O(area / 0.25 mm^2 + points).
+[[nodiscard]] std::vector<double> outer_shares(const std::vector<Chain>& lines, cv::Size2d area_mm);
+
+/// Whether a line is the picture's own frame: nine tenths of it within 4 % of the shorter side of
+/// the picture's edges, along three of them at least.
+[[nodiscard]] bool is_frame(const Chain& line, const cv::Rect2d& picture_mm);
+
+/// The area that a closed line holds, square millimetres; 0 for an open one. O(points).
+[[nodiscard]] double held_area(const Chain& line);
+
+}  // namespace touchline

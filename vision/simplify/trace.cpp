@@ -1,0 +1,139 @@
+#include "vision/simplify/trace.h"
+
+#include "vision/contour/gradient.h"
+#include "vision/simplify/class_lines.h"
+#include "vision/simplify/placement.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr double kClassPixels = 1e6;
+
+std::string size_of(const cv::Mat& picture) {
+    return std::to_string(picture.cols) + " x " + std::to_string(picture.rows);
+}
+
+Result<void> check(const cv::Mat& picture) {
+    if (picture.empty()) {
+        return failure(
+            "no outline found, because the picture has no pixels; choose another picture");
+    }
+    if (picture.type() != CV_8UC3 && picture.type() != CV_8UC1) {
+        return failure("the picture is neither 8-bit colour nor 8-bit grey; convert it first");
+    }
+    return {};
+}
+
+Result<void> check(const Area& area) {
+    constexpr double kLargest_m = 10.0;
+    const auto is_size = [](double metres) { return metres > 1e-3 && metres <= kLargest_m; };
+    if (!is_size(area.width_m) || !is_size(area.height_m)) {
+        return failure("the drawing area must be between 1 mm and 10 m on each side");
+    }
+    return {};
+}
+
+Result<void> check(const TraceOptions& options) {
+    if (options.detail < 1 || options.detail > kMostDetail) {
+        return failure("detail is " + std::to_string(options.detail) + "; it must be 1 to 5");
+    }
+    if (!(options.zoom.factor >= 1.0 && options.zoom.factor <= 16.0)) {
+        return failure("the zoom is " + std::to_string(options.zoom.factor) +
+                       " times; it must be 1 to 16");
+    }
+    return check(options.area);
+}
+
+std::string nothing_found(const cv::Mat& picture) {
+    if (picture.total() <= 64) {
+        return "no outline found, because the picture is only " + size_of(picture) +
+               " pixels; use a larger one";
+    }
+    return "no outline found, because nothing in the picture stands out from its background; use "
+           "a picture with more contrast";
+}
+
+std::string warning_for(const TraceReport& report) {
+    if (report.found.is_grain) {
+        return "nothing in the picture stands out from its grain; of " +
+               std::to_string(report.found.lines_found) + " lines in the grain only the " +
+               std::to_string(report.outlines) + " strongest are used";
+    }
+    const int all = report.outlines + report.simplified.left_out;
+    constexpr int kCrowd = 100;  // lines: more than any detail shows
+    return report.simplified.left_out < kCrowd
+               ? ""
+               : "the picture has " + std::to_string(all) +
+                     " lines, more than can be felt; only the " + std::to_string(report.outlines) +
+                     " strongest are used";
+}
+
+}  // namespace
+
+Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
+    if (const Result<void> usable = check(picture); !usable) return tl::unexpected(usable.error());
+    if (const Result<void> usable = check(options); !usable) return tl::unexpected(usable.error());
+    try {
+        const Placement placement(picture.size(), picture.size(), options.area);
+        const double longer_side_mm =
+            1000.0 * std::max(picture.cols, picture.rows) / placement.picture_pixels_per_metre();
+        // Reduced once: every way of finding lines starts from at most a megapixel.
+        const cv::Mat small = reduced(picture, kClassPixels);
+        const ClassDecision decision =
+            options.picture_class
+                ? ClassDecision{*options.picture_class, "You chose the kind of picture.", {}}
+                : class_of(small);
+        return class_lines(small, decision.picture_class, longer_side_mm, options.edge_model)
+            .and_then([&](PhotoLines lines) -> Result<Found> {
+                if (lines.chains.empty()) {
+                    return failure(nothing_found(picture));
+                }
+                std::vector<Chain> chains = std::exchange(lines.chains, {});
+                return Found{{std::move(chains), lines.size, picture.size(), lines.high},
+                             decision,
+                             std::move(lines)};
+            });
+    } catch (const std::exception& e) {  // OpenCV reports lack of memory this way
+        const std::string why = e.what();
+        return failure("the picture could not be traced, because of " +
+                       why.substr(0, why.find('\n')) + "; try a smaller one");
+    }
+}
+
+Result<Trace> trace_lines(const Found& found, const TraceOptions& options) {
+    if (const Result<void> usable = check(options); !usable) return tl::unexpected(usable.error());
+    Simplified simple = simplified(found.lines, options.area, options.detail, options.zoom);
+    if (simple.map.outlines.empty()) {
+        return failure(
+            "no outline found, because there is none in this part of the picture; "
+            "choose another part");
+    }
+    Trace trace;
+    TraceReport& report = trace.report;
+    trace.map = std::move(simple.map);
+    report.simplified = std::move(simple.report);
+    report.decision = found.decision;
+    report.found = found.report;
+    report.working_scale =
+        static_cast<double>(found.lines.working.width) / found.lines.picture.width;
+    report.pixels_per_metre = Placement(found.lines.picture, found.lines.working, trace.map.area)
+                                  .picture_pixels_per_metre();
+    report.outlines = static_cast<int>(trace.map.outlines.size());
+    for (const Outline& outline : trace.map.outlines) {
+        report.points += static_cast<int>(outline.points.size());
+    }
+    report.warning = warning_for(report);
+    return trace;
+}
+
+Result<Trace> trace_outlines(const cv::Mat& picture, const TraceOptions& options) {
+    return find_lines(picture, options).and_then([&](const Found& found) {
+        return trace_lines(found, options);
+    });
+}
+
+}  // namespace touchline

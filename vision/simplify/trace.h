@@ -1,0 +1,65 @@
+// The whole path from a picture to a map to be felt: what kind of picture it is, its lines, and
+// those of them that a hand can follow.
+#pragma once
+
+#include "config/types/result.h"
+#include "config/types/tactile_map.h"
+#include "vision/contour/photo_lines.h"
+#include "vision/prepare/picture_class.h"
+#include "vision/simplify/simplify.h"
+
+#include <optional>
+#include <string>
+
+#include <opencv2/core.hpp>
+
+namespace touchline {
+
+struct TraceOptions {
+    Area area;
+    int detail = 3;  // 1 silhouette ... 5 all
+    Zoom zoom = {};
+    std::optional<PictureClass> picture_class = std::nullopt;  // instead of what it looks like
+    EdgeModel* edge_model = nullptr;  // tells a photo's boundaries; not owned
+};
+
+/// What the tracer chose, found and left out.
+struct TraceReport {
+    double working_scale = 1.0;     // working pixels per pixel of the picture, <= 1
+    double pixels_per_metre = 0.0;  // pixels of the picture (as given) on a metre of W
+    ClassDecision decision;         // what kind of picture it was taken for
+    PhotoLines found;               // without its chains
+    SimplifyReport simplified;
+    int outlines = 0;     // of the map
+    int points = 0;       // of the map
+    std::string warning;  // one sentence where a visitor should expect little, else empty
+};
+
+struct Trace {
+    TactileMap map;
+    TraceReport report;
+};
+
+/// A picture's lines, for every detail and zoom, and what was measured on the way.
+struct Found {
+    PictureLines lines;
+    ClassDecision decision;
+    PhotoLines report;  // without its chains
+};
+
+/// Decides what kind of picture it is, unless the options do, and finds its lines. 8-bit, BGR or
+/// grey, already composed over white; of the options only area, class and model count.
+/// Errors: an empty or unsupported matrix, an area out of range, no line found, a model that fails.
+/// Deterministic. Threads: pure function but for the model (OpenCV may use its own threads inside).
+/// About 0.2 s a megapixel.
+[[nodiscard]] Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options);
+
+/// The map of one detail and zoom. Errors: area, detail or zoom out of range, no line there.
+[[nodiscard]] Result<Trace> trace_lines(const Found& found, const TraceOptions& options);
+
+/// Both. The whole picture (zoom factor 1) is centred in the area, as large as fits, aspect kept,
+/// row down = W y down: W = ((x - cols/2), (rows/2 - y)) / pixels_per_metre, x and y in pixels from
+/// the upper left corner of the upper left pixel.
+[[nodiscard]] Result<Trace> trace_outlines(const cv::Mat& picture, const TraceOptions& options);
+
+}  // namespace touchline

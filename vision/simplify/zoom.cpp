@@ -1,0 +1,149 @@
+#include "vision/simplify/zoom.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace touchline {
+namespace {
+
+constexpr double kSubjectShare = 0.85;
+constexpr double kMostFactor = 16.0;
+
+/// Millimetres of the whole picture to millimetres of the enlargement.
+class Enlargement {
+  public:
+    Enlargement(const Area& area, const Zoom& zoom)
+        : size_mm_(1000.0 * area.width_m, 1000.0 * area.height_m),
+          centre_mm_(0.5 * size_mm_.width + 1000.0 * zoom.centre.x,
+                     0.5 * size_mm_.height - 1000.0 * zoom.centre.y),
+          factor_(zoom.factor) {}
+
+    cv::Point2d operator()(cv::Point2d p) const {
+        if (factor_ == 1.0) {
+            return p;
+        }
+        return (p - centre_mm_) * factor_ +
+               cv::Point2d(0.5 * size_mm_.width, 0.5 * size_mm_.height);
+    }
+
+    cv::Size2d size_mm() const { return size_mm_; }
+
+  private:
+    cv::Size2d size_mm_;
+    cv::Point2d centre_mm_;
+    double factor_;
+};
+
+bool is_inside(cv::Point2d p, cv::Size2d size) {
+    return p.x >= 0.0 && p.y >= 0.0 && p.x <= size.width && p.y <= size.height;
+}
+
+/// The part of a segment inside the rectangle 0 ... size, as shares of it (Liang and Barsky 1984).
+/// Empty: first > second.
+std::pair<double, double> inside_part(cv::Point2d a, cv::Point2d b, cv::Size2d size) {
+    double from = 0.0;
+    double to = 1.0;
+    const auto cut = [&](double step, double room) {  // step x t <= room
+        if (step > 0.0) {
+            to = std::min(to, room / step);
+        } else if (step < 0.0) {
+            from = std::max(from, room / step);
+        } else if (room < 0.0) {
+            from = 2.0;
+        }
+    };
+    const cv::Point2d d = b - a;
+    cut(-d.x, a.x);
+    cut(d.x, size.width - a.x);
+    cut(-d.y, a.y);
+    cut(d.y, size.height - a.y);
+    return {from, to};
+}
+
+void clip(const Chain& line, cv::Size2d size, std::vector<Chain>& parts) {
+    std::vector<EdgePoint> points = line.points;
+    if (line.is_closed) {  // begin outside, so that no part is cut in two
+        std::ranges::rotate(points, std::ranges::find_if(points, [&](const EdgePoint& p) {
+                                return !is_inside(p.at, size);
+                            }));
+        points.push_back(points.front());
+    }
+    Chain part{{}, false, line.width_px};
+    const auto finish = [&] {
+        if (part.points.size() > 1) {
+            parts.push_back(part);
+        }
+        part.points.clear();
+    };
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const EdgePoint& a = points[i - 1];
+        const EdgePoint& b = points[i];
+        const auto [from, to] = inside_part(a.at, b.at, size);
+        if (from > to) {
+            finish();
+            continue;
+        }
+        if (part.points.empty()) {
+            part.points.push_back(
+                from > 0.0 ? EdgePoint{a.at + from * (b.at - a.at), a.strength, true} : a);
+        }
+        part.points.push_back(to < 1.0 ? EdgePoint{a.at + to * (b.at - a.at), b.strength, true}
+                                       : b);
+        if (to < 1.0) {
+            finish();
+        }
+    }
+    finish();
+}
+
+}  // namespace
+
+std::vector<Chain> in_zoom(const std::vector<Chain>& lines, const Placement& placement,
+                           const Area& area, const Zoom& zoom) {
+    const Enlargement enlarged(area, zoom);
+    std::vector<Chain> result;
+    for (const Chain& line : lines) {
+        Chain mm = line;
+        mm.width_px *= 1000.0 * placement.metres_per_working_pixel() * zoom.factor;
+        for (EdgePoint& p : mm.points) {
+            p.at = enlarged(placement.in_mm(p.at));
+        }
+        const bool is_whole =
+            zoom.factor == 1.0 || std::ranges::all_of(mm.points, [&](const EdgePoint& p) {
+                return is_inside(p.at, enlarged.size_mm());
+            });
+        if (is_whole) {
+            result.push_back(std::move(mm));
+        } else {
+            clip(mm, enlarged.size_mm(), result);
+        }
+    }
+    return result;
+}
+
+cv::Rect2d picture_in_zoom(const Placement& placement, cv::Size working, const Area& area,
+                           const Zoom& zoom) {
+    const Enlargement enlarged(area, zoom);
+    return {enlarged(placement.in_mm({-0.5, -0.5})),
+            enlarged(placement.in_mm({working.width - 0.5, working.height - 0.5}))};
+}
+
+Zoom zoom_to_subject(const TactileMap& map) {
+    Position low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    Position high{-low.x, -low.y};
+    for (const Outline& outline : map.outlines) {
+        for (const Position& p : outline.points) {
+            low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+        }
+    }
+    if (map.outlines.empty()) {
+        return {};
+    }
+    const double fits = std::min(map.area.width_m / std::max(high.x - low.x, 1e-6),
+                                 map.area.height_m / std::max(high.y - low.y, 1e-6));
+    return {{0.5 * (low.x + high.x), 0.5 * (low.y + high.y)},
+            std::min(kSubjectShare * fits, kMostFactor)};
+}
+
+}  // namespace touchline

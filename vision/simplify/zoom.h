@@ -1,0 +1,35 @@
+// What of a picture fills the drawing area: all of it, or a part of it enlarged.
+// Threads: values and pure functions.
+#pragma once
+
+#include "config/types/tactile_map.h"
+#include "vision/contour/chain.h"
+#include "vision/simplify/placement.h"
+
+#include <vector>
+
+namespace touchline {
+
+/// The part of the area around `centre` (W of the whole picture) that is enlarged `factor` times so
+/// that it fills the area. The default shows the whole picture.
+struct Zoom {
+    Position centre;
+    double factor = 1.0;  // 1 ... 16
+};
+
+/// Lines in working pixels to millimetres of the viewBox, clipped by the area where it is
+/// enlarged; cut ends are exactly on its rim, and fixed. A closed line that is cut comes out in
+/// open parts. O(points).
+[[nodiscard]] std::vector<Chain> in_zoom(const std::vector<Chain>& lines,
+                                         const Placement& placement, const Area& area,
+                                         const Zoom& zoom);
+
+/// Where the picture itself lies then, millimetres of the viewBox.
+[[nodiscard]] cv::Rect2d picture_in_zoom(const Placement& placement, cv::Size working,
+                                         const Area& area, const Zoom& zoom);
+
+/// The zoom in which what is felt fills 85 % of the area, aspect kept, for a map of the whole
+/// picture. The default for a map without outlines. O(points).
+[[nodiscard]] Zoom zoom_to_subject(const TactileMap& map);
+
+}  // namespace touchline
