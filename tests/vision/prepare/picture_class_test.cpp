@@ -14,7 +14,7 @@ namespace {
 constexpr int kPictures = 150;  // of each class
 
 cv::Mat made(PictureClass picture_class, int seed) {
-    const cv::Size size(400 + 48 * (seed % 5), 320 + 40 * (seed % 7));
+    const cv::Size size(360 + 40 * (seed % 5), 300 + 30 * (seed % 7));
     switch (picture_class) {
         case PictureClass::photo:
             return testing::photo_scene(seed, size).picture;
@@ -45,8 +45,8 @@ TEST_P(EachClass, IsToldFromTheOthersWhateverTheCameraDid) {
 INSTANTIATE_TEST_SUITE_P(PictureClass, EachClass,
                          ::testing::Values(PictureClass::photo, PictureClass::diagram,
                                            PictureClass::line_art, PictureClass::text_page),
-                         [](const auto& info) {
-                             std::string name = name_of(info.param);
+                         [](const auto& made_as) {
+                             std::string name = name_of(made_as.param);
                              std::erase(name, ' ');
                              return name;
                          });
