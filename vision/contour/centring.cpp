@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kStep_px = 0.25;
 constexpr double kNarrowest = 0.5;  // of the width that is known: a sound measurement
-constexpr double kWidest = 1.6;
+constexpr double kWidest = 1.3;
 constexpr int kSmoothingPasses = 3;
 
 /// Bilinear; outside the picture as on its border.

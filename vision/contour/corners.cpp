@@ -23,6 +23,8 @@ constexpr double kStraight_px = 0.25;  // rms about the fitted line
 constexpr double kRounding = 0.6;
 constexpr double kRoundingSlack_px = 1.2;  // noise
 
+using Accepts = std::function<bool(const cv::Point2d&)>;
+
 /// A line fitted to part of the chain, directed along it.
 struct Course {
     cv::Point2d centre;
@@ -51,13 +53,13 @@ class Run {
     }
 
     /// The samples, with sharp corners.
-    std::vector<EdgePoint> sharpened() const {
+    std::vector<EdgePoint> sharpened(const Accepts& accepts) const {
         const std::vector<int> apexes = turning_points();
         std::vector<Corner> corners;
         for (std::size_t i = 0; i < apexes.size(); ++i) {
             const std::optional<Corner> corner =
                 corner_at(apexes[i], room(apexes, i, -1), room(apexes, i, 1));
-            if (corner) {
+            if (corner && accepts(corner->vertex)) {
                 corners.push_back(*corner);
             }
         }
@@ -214,21 +216,26 @@ class Run {
     std::vector<EdgePoint> replaced(const std::vector<Corner>& corners) const {
         std::vector<EdgePoint> kept;
         std::vector<char> is_cut(samples_.size(), 0);
+        std::vector<const Corner*> vertex(samples_.size(), nullptr);
         for (const Corner& corner : corners) {
             for (int i = corner.from; i <= corner.to; ++i) {
-                is_cut[static_cast<std::size_t>((i + count()) % count())] = 1;
+                is_cut[index(i)] = 1;
             }
+            vertex[index((corner.from + corner.to) / 2)] = &corner;
         }
-        std::size_t next = 0;
-        for (int i = 0; i < count(); ++i) {
-            if (next < corners.size() && i == (corners[next].from + corners[next].to) / 2) {
-                kept.push_back({corners[next].vertex, sample(i).strength, true});
-                ++next;
-            } else if (is_cut[static_cast<std::size_t>(i)] == 0) {
-                kept.push_back(sample(i));
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            if (vertex[i] != nullptr) {
+                kept.push_back({vertex[i]->vertex, samples_[i].strength, true});
+            } else if (is_cut[i] == 0) {
+                kept.push_back(samples_[i]);
             }
         }
         return kept;
+    }
+
+    /// Of a sample, counted on round a ring.
+    std::size_t index(int i) const {
+        return static_cast<std::size_t>((i % count() + count()) % count());
     }
 
     bool is_ring_;
@@ -239,13 +246,13 @@ class Run {
 
 }  // namespace
 
-Chain with_sharp_corners(const Chain& chain, double blur_px) {
+Chain with_sharp_corners(const Chain& chain, double blur_px, const Accepts& accepts) {
     std::vector<EdgePoint> points = chain.points;
     if (chain.is_closed) {
         const auto fixed = std::ranges::find_if(points, &EdgePoint::is_fixed);
         if (fixed == points.end()) {
             points.push_back(points.front());
-            return {Run(points, true, blur_px).sharpened(), true};
+            return {Run(points, true, blur_px).sharpened(accepts), true};
         }
         std::ranges::rotate(points, fixed);
         points.push_back(points.front());
@@ -255,7 +262,7 @@ Chain with_sharp_corners(const Chain& chain, double blur_px) {
     for (std::size_t i = 1; i < points.size(); ++i) {
         run.push_back(points[i]);
         if (points[i].is_fixed || i + 1 == points.size()) {
-            const std::vector<EdgePoint> part = Run(run, false, blur_px).sharpened();
+            const std::vector<EdgePoint> part = Run(run, false, blur_px).sharpened(accepts);
             sharp.points.insert(sharp.points.end(), part.begin() + 1, part.end());
             run = {points[i]};
         }

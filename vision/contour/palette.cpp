@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace touchline {
@@ -12,8 +13,10 @@ constexpr int kBins = 32;       // along each axis
 constexpr float kBin = 8.0F;    // grey levels
 constexpr float kSame = 16.0F;  // colours that are nearer are one
 constexpr std::size_t kMost = 64;
-constexpr double kLeastPart = 0.0005;  // of the picture
-constexpr float kFlat = 6.0F;          // grey levels across two pixels
+constexpr float kNear = 45.0F;  // beside a common colour, a colour must be no ripple of it
+constexpr double kLeastOverNear = 0.006;  // of the common colour's pixels
+constexpr double kLeastPart = 0.0005;     // of the picture
+constexpr float kFlat = 6.0F;             // grey levels across two pixels
 
 struct Bin {
     cv::Vec3f sum;
@@ -68,6 +71,17 @@ cv::Vec3f mean_of(const Bin& bin) {
     return bin.sum * (1.0F / static_cast<float>(bin.count));
 }
 
+/// How many pixels make a colour: more near a common one, whose blur and compression look like it.
+double least_count(const Bin& peak, const std::vector<Bin>& found, double least) {
+    double most = found.empty() ? 1.0 : std::max(1.0, least);
+    for (const Bin& common : found) {
+        if (peak.count > 0 && squared(mean_of(peak) - mean_of(common)) < kNear * kNear) {
+            most = std::max(most, kLeastOverNear * common.count);
+        }
+    }
+    return most;
+}
+
 }  // namespace
 
 std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
@@ -78,11 +92,11 @@ std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
     }
     std::ranges::stable_sort(filled, std::greater<>(), &Bin::count);
     const double least = kLeastPart * static_cast<double>(lab.total());
-    std::vector<cv::Vec3f> palette;
-    while (!filled.empty() && palette.size() < kMost) {
+    std::vector<Bin> found;
+    while (!filled.empty() && found.size() < kMost) {
         Bin peak = around(filled, mean_of(filled.front()));
         peak = around(filled, mean_of(peak));  // once uphill
-        if (peak.count == 0 || (peak.count < least && !palette.empty())) {
+        if (peak.count < least_count(peak, found, least)) {
             filled.erase(filled.begin());
             if (filled.empty() || filled.front().count < least / 16.0) {
                 break;
@@ -90,10 +104,12 @@ std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
             continue;
         }
         const cv::Vec3f colour = mean_of(peak);
-        palette.push_back(colour);
+        found.push_back(peak);
         std::erase_if(
             filled, [&](const Bin& bin) { return squared(mean_of(bin) - colour) < kSame * kSame; });
     }
+    std::vector<cv::Vec3f> palette;
+    std::ranges::transform(found, std::back_inserter(palette), mean_of);
     return palette;
 }
 

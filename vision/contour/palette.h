@@ -10,7 +10,7 @@ namespace touchline {
 
 /// At most 64 colours, the commonest first, at least 16 grey levels apart: the peaks of the
 /// histogram (bins of 8) of all pixels that are like their neighbours. Colours of less than 0.05 %
-/// of the picture are left out. Never empty. O(pixels).
+/// of the picture, or of 0.6 % of one within 45 grey levels, are left out. Never empty. O(pixels).
 [[nodiscard]] std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise);
 
 /// The nearest colour of the palette for each pixel. O(pixels).

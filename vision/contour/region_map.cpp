@@ -111,55 +111,84 @@ class Mixtures {
     cv::Mat1b uniform_;
 };
 
+/// Pixels of one colour beside each other in a row: flat pictures have few.
+struct Run {
+    int row = 0;
+    int from = 0;  // columns from ... to - 1
+    int to = 0;
+    std::size_t region = 0;  // an earlier run of the same region, or itself
+};
+
+std::size_t first_of(std::vector<Run>& runs, std::size_t i) {
+    while (runs[i].region != i) {
+        runs[i].region = runs[runs[i].region].region;
+        i = runs[i].region;
+    }
+    return i;
+}
+
+/// All runs, those of a 4-connected region united.
+std::vector<Run> united_runs(const cv::Mat1b& map) {
+    std::vector<Run> runs;
+    std::size_t above = 0;  // first run of the row above that may touch
+    for (int y = 0; y < map.rows; ++y) {
+        const uchar* colours = map[y];
+        const std::size_t row_start = runs.size();
+        for (int from = 0, to = 0; from < map.cols; from = to) {
+            while (to < map.cols && colours[to] == colours[from]) {
+                ++to;
+            }
+            runs.push_back({y, from, to, runs.size()});
+            while (above < row_start && runs[above].to <= from) {
+                ++above;
+            }
+            for (std::size_t i = above; i < row_start && runs[i].from < to; ++i) {
+                if (map(y - 1, runs[i].from) == colours[from]) {
+                    const std::size_t a = first_of(runs, i);
+                    const std::size_t b = first_of(runs, runs.size() - 1);
+                    runs[std::max(a, b)].region = std::min(a, b);
+                }
+            }
+        }
+        above = row_start;
+    }
+    return runs;
+}
+
+/// The runs of regions below `least_px`; none if there are no others.
+std::vector<Run> small_regions(const cv::Mat1b& map, int least_px) {
+    std::vector<Run> runs = united_runs(map);
+    std::vector<int> area_px(runs.size(), 0);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        area_px[first_of(runs, i)] += runs[i].to - runs[i].from;
+    }
+    std::vector<Run> small;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        if (area_px[first_of(runs, i)] < least_px) {
+            small.push_back(runs[i]);
+        }
+    }
+    return small.size() < runs.size() ? small : std::vector<Run>();
+}
+
 std::array<cv::Point, 4> beside(const cv::Point& p) {
     return {cv::Point(p.x, p.y - 1), {p.x - 1, p.y}, {p.x + 1, p.y}, {p.x, p.y + 1}};
 }
 
-/// All pixels of 4-connected regions below `least_px`, unless there are no others.
-cv::Mat1b small_regions(const cv::Mat1b& map, int least_px) {
-    cv::Mat1b is_small(map.size(), uchar{0});
-    cv::Mat1b is_seen(map.size(), uchar{0});
-    const cv::Rect frame({}, map.size());
-    std::vector<cv::Point> region;
-    bool has_large = false;
-    for (int y = 0; y < map.rows; ++y) {
-        for (int x = 0; x < map.cols; ++x) {
-            if (is_seen(y, x) != 0) {
-                continue;
-            }
-            region.assign(1, {x, y});
-            is_seen(y, x) = 255;
-            for (std::size_t i = 0; i < region.size(); ++i) {
-                for (const cv::Point& q : beside(region[i])) {
-                    if (frame.contains(q) && is_seen(q) == 0 && map(q) == map(y, x)) {
-                        is_seen(q) = 255;
-                        region.push_back(q);
-                    }
-                }
-            }
-            if (static_cast<int>(region.size()) >= least_px) {
-                has_large = true;
-                continue;
-            }
-            for (const cv::Point& p : region) {
-                is_small(p) = 255;
-            }
-        }
-    }
-    return has_large ? is_small : cv::Mat1b(map.size(), uchar{0});
-}
-
 /// Lets the large regions grow over the small ones, all at the same pace.
-void overgrow(cv::Mat1b& map, cv::Mat1b is_small) {
+void overgrow(cv::Mat1b& map, const std::vector<Run>& small) {
+    cv::Mat1b is_small(map.size(), uchar{0});
+    for (const Run& run : small) {
+        is_small(cv::Rect(run.from, run.row, run.to - run.from, 1)) = 255;
+    }
     const cv::Rect frame({}, map.size());
     std::vector<cv::Point> front;
-    for (int y = 0; y < map.rows; ++y) {
-        for (int x = 0; x < map.cols; ++x) {
-            const auto is_open = [&](const cv::Point& q) {
-                return frame.contains(q) && is_small(q) != 0;
-            };
-            if (is_small(y, x) == 0 && std::ranges::any_of(beside({x, y}), is_open)) {
-                front.emplace_back(x, y);
+    for (const Run& run : small) {
+        for (int x = run.from; x < run.to; ++x) {
+            for (const cv::Point& q : beside({x, run.row})) {
+                if (frame.contains(q) && is_small(q) == 0) {
+                    front.push_back(q);
+                }
             }
         }
     }

@@ -2,6 +2,7 @@
 
 #include "vision/contour/centring.h"
 #include "vision/contour/corners.h"
+#include "vision/contour/ink_parts.h"
 #include "vision/contour/junctions.h"
 #include "vision/contour/region_borders.h"
 #include "vision/contour/skeleton.h"
@@ -18,81 +19,12 @@ namespace touchline {
 namespace {
 
 constexpr double kGradientOverStep = 0.4;      // as of a step smoothed with sigma 1 px
-constexpr int kLeastArea_px = 8;               // less ink is a speck
 constexpr double kLeastLengthOverWidth = 2.0;  // shorter is a dot
-constexpr double kLeastTailOverWidth = 1.0;    // what stands out of a wide shape less is its corner
 constexpr double kPictureBlur_px = 0.7;
-
-/// The ink, parted: strokes that become their middle line, shapes that become their outline.
-struct Parts {
-    cv::Mat1b strokes;
-    cv::Mat1b shapes;
-    cv::Mat1f depth;  // distance to the edge of the ink
-    cv::Mat1i piece;  // connected pieces of ink, from 1
-    int pieces = 0;
-};
-
-cv::Mat1f distance_inside(const cv::Mat& mask) {
-    cv::Mat1f depth;
-    cv::distanceTransform(mask, depth, cv::DIST_L2, 5);
-    return depth;
-}
-
-void drop_specks(cv::Mat1b& mask) {
-    cv::Mat1i label;
-    cv::Mat1i stats;
-    cv::Mat1d centres;
-    cv::connectedComponentsWithStats(mask, label, stats, centres, 8, CV_32S);
-    for (int y = 0; y < mask.rows; ++y) {
-        for (int x = 0; x < mask.cols; ++x) {
-            if (mask(y, x) != 0 && stats(label(y, x), cv::CC_STAT_AREA) < kLeastArea_px) {
-                mask(y, x) = 0;
-            }
-        }
-    }
-}
-
-/// What of the ink is wider than a stroke: everywhere that a disc of that width fits, and the
-/// corners round it; tails that stand out by more than a width stay strokes.
-cv::Mat1b wide_part(const cv::Mat1b& mask, const cv::Mat1f& depth, double greatest_width_px) {
-    const cv::Mat core = depth > 0.5 * greatest_width_px;
-    if (cv::countNonZero(core) == 0) {
-        return cv::Mat1b(mask.size(), uchar{0});
-    }
-    const cv::Mat1f from_core = distance_inside(~core);
-    cv::Mat wide = (from_core <= 0.5 * greatest_width_px + 1.0) & mask;
-    cv::Mat1i label;
-    const cv::Mat rest = mask & ~wide;
-    const int n = cv::connectedComponents(rest, label, 8, CV_32S);
-    std::vector<float> reach(static_cast<std::size_t>(n), 0.0F);
-    for (int y = 0; y < mask.rows; ++y) {
-        for (int x = 0; x < mask.cols; ++x) {
-            float& farthest = reach[static_cast<std::size_t>(label(y, x))];
-            farthest = std::max(farthest, from_core(y, x));
-        }
-    }
-    const double tail_px = (0.5 + kLeastTailOverWidth) * greatest_width_px;
-    for (int y = 0; y < mask.rows; ++y) {
-        for (int x = 0; x < mask.cols; ++x) {
-            if (label(y, x) != 0 &&
-                static_cast<double>(reach[static_cast<std::size_t>(label(y, x))]) < tail_px) {
-                wide.at<uchar>(y, x) = 255;
-            }
-        }
-    }
-    return wide;
-}
-
-Parts parted(const cv::Mat1b& ink, double greatest_width_px) {
-    Parts parts;
-    cv::Mat1b mask = ink.clone();
-    drop_specks(mask);
-    parts.depth = distance_inside(mask);
-    parts.shapes = wide_part(mask, parts.depth, greatest_width_px);
-    parts.strokes = cv::Mat(mask & ~parts.shapes);
-    parts.pieces = cv::connectedComponents(mask, parts.piece, 8, CV_32S);
-    return parts;
-}
+// At a corner of angle a the middle of the ink is 0.25 (1 / sin(a / 2) - 1) widths inside it, over
+// half a width / tan(a / 2) of either side: what a blur of this many widths would do.
+constexpr double kRoundingOverWidth = 0.5;
+constexpr double kDepthAtCorner = 0.36;  // of the width: a bend's vertex is nearer to the edge
 
 /// What was found in one connected piece of ink.
 struct Piece {
@@ -122,11 +54,10 @@ double middle_width(const std::vector<Chain>& arms, const std::vector<std::size_
 class StrokeTracer {
   public:
     StrokeTracer(const Ink& ink, double greatest_width_px)
-        : ink_(ink), parts_(parted(ink.mask, greatest_width_px)) {}
+        : ink_(ink), parts_(parts_of(ink.mask, greatest_width_px)) {}
 
     std::vector<Chain> run() {
-        skeleton_ =
-            skeleton_of(thinned(parts_.strokes, distance_inside(parts_.strokes)), parts_.depth);
+        skeleton_ = skeleton_of(thinned(parts_.strokes, depth_of(parts_.strokes)), parts_.depth);
         std::vector<Piece> pieces = sorted_into_pieces();
         dots_become_shapes(pieces);
         for (Chain& outline : outlines()) {
@@ -272,19 +203,25 @@ class StrokeTracer {
             line = centred(line, ink_.darkness);
         }
         const double width_px = line.width_px;
-        line = with_sharp_corners(line, kPictureBlur_px + 0.15 * width_px);
+        line = with_sharp_corners(
+            line, kPictureBlur_px + kRoundingOverWidth * width_px, [&](const cv::Point2d& at) {
+                return static_cast<double>(parts_.depth(pixel_at(at))) >= kDepthAtCorner * width_px;
+            });
         line.width_px = width_px;
-        const cv::Rect frame({}, ink_.contrast.size());
         for (EdgePoint& point : line.points) {
-            const cv::Point p(std::clamp(cvRound(point.at.x), 0, frame.width - 1),
-                              std::clamp(cvRound(point.at.y), 0, frame.height - 1));
-            point.strength = kGradientOverStep * static_cast<double>(ink_.contrast(p));
+            point.strength =
+                kGradientOverStep * static_cast<double>(ink_.contrast(pixel_at(point.at)));
         }
         return line;
     }
 
+    cv::Point pixel_at(const cv::Point2d& at) const {
+        return {std::clamp(cvRound(at.x), 0, ink_.mask.cols - 1),
+                std::clamp(cvRound(at.y), 0, ink_.mask.rows - 1)};
+    }
+
     const Ink& ink_;
-    Parts parts_;
+    InkParts parts_;
     Skeleton skeleton_;
 };
 

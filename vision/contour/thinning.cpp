@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <iterator>
 #include <vector>
 
 namespace touchline {
@@ -43,16 +44,18 @@ class Thinning {
         }
     }
 
+    /// Level by level, from the four sides in turn: all from one side would eat a line that is two
+    /// pixels wide from its end.
     void peel() {
         for (std::size_t level = 0; level < queues_.size(); ++level) {
-            for (std::size_t i = 0; i < queues_[level].size(); ++i) {
-                const std::size_t p = queues_[level][i];
-                if (inside_[p] != 0 && kRemovable[code_of(p)]) {
-                    inside_[p] = 0;
-                    ask_again(p, level);
+            std::vector<std::size_t> asked = std::move(queues_[level]);
+            while (!asked.empty()) {
+                std::vector<std::size_t> again;
+                for (const std::size_t side : {2U, 6U, 0U, 4U}) {
+                    peel_side(asked, side, static_cast<int>(level), again);
                 }
+                asked = std::move(again);
             }
-            queues_[level] = {};
         }
     }
 
@@ -88,12 +91,23 @@ class Thinning {
         return code;
     }
 
-    /// A pixel that could not go earlier may be able to now.
-    void ask_again(std::size_t p, std::size_t level) {
-        for (std::size_t k = 0; k < 8; ++k) {
-            const std::size_t q = neighbour(p, k);
-            if (inside_[q] != 0 && static_cast<std::size_t>(level_[q]) <= level) {
-                queues_[level].push_back(q);
+    /// What lies open to that side now goes, if it may; its neighbours are asked again.
+    void peel_side(const std::vector<std::size_t>& asked, std::size_t side, int level,
+                   std::vector<std::size_t>& again) {
+        std::vector<std::size_t> open;
+        std::ranges::copy_if(asked, std::back_inserter(open), [&](std::size_t p) {
+            return inside_[p] != 0 && inside_[neighbour(p, side)] == 0;
+        });
+        for (const std::size_t p : open) {
+            if (inside_[p] == 0 || !kRemovable[code_of(p)]) {
+                continue;
+            }
+            inside_[p] = 0;
+            for (std::size_t k = 0; k < 8; ++k) {
+                const std::size_t q = neighbour(p, k);
+                if (inside_[q] != 0 && level_[q] <= level) {
+                    again.push_back(q);
+                }
             }
         }
     }

@@ -23,7 +23,7 @@ constexpr double kSlow = 1.0;          // more than a lamp's shade, less than a 
 constexpr double kSignificance = 5.0;  // x gradient noise
 
 // Decisions; what lies to either side is in README.md.
-constexpr double kTextured = 0.015;  // of the open parts: a photo
+constexpr double kTextured = 0.013;  // of the open parts: a photo
 constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
 constexpr double kRestless = 0.6;    // of all pixels change: grass, not a pattern
 constexpr double kPen_part = 0.025;  // of the diagonal: the widest stroke of a pen

@@ -1,0 +1,78 @@
+#include "vision/contour/main_shape.h"
+
+#include "tests/vision/pictures/canvas.h"
+#include "tests/vision/pictures/scenes.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+double overlap(const Chain& ring, const cv::Mat1b& truth) {
+    std::vector<cv::Point> corners;
+    for (const EdgePoint& point : ring.points) {
+        corners.emplace_back(cvRound(point.at.x), cvRound(point.at.y));
+    }
+    cv::Mat1b inside(truth.size(), uchar{0});
+    cv::fillPoly(inside, std::vector<std::vector<cv::Point>>{corners}, 255);
+    return static_cast<double>(cv::countNonZero(inside & truth)) /
+           std::max(1, cv::countNonZero(inside | truth));
+}
+
+TEST(MainShape, FindsTheObjectOfMostScenes) {
+    constexpr int kScenes = 40;
+    int found = 0;
+    int right = 0;
+    for (int seed = 0; seed < kScenes; ++seed) {
+        const testing::PhotoScene scene = testing::photo_scene(seed, {480, 360});
+        const std::optional<Chain> shape = main_shape(scene.picture, std::nullopt);
+        if (shape) {
+            ++found;
+            EXPECT_TRUE(shape->is_closed);
+            right += overlap(*shape, scene.truth) >= 0.8 ? 1 : 0;
+        }
+    }
+    EXPECT_GE(right, kScenes * 9 / 10);
+    EXPECT_GE(right, found * 9 / 10);  // nothing is better than a wrong one
+}
+
+TEST(MainShape, ASpotChoosesTheObject) {
+    int right = 0;
+    constexpr int kScenes = 20;
+    for (int seed = 100; seed < 100 + kScenes; ++seed) {
+        const testing::PhotoScene scene = testing::photo_scene(seed, {480, 360});
+        const cv::Moments m = cv::moments(scene.truth, true);
+        const std::optional<Chain> shape =
+            main_shape(scene.picture, cv::Point2d(m.m10 / m.m00, m.m01 / m.m00));
+        right += shape && overlap(*shape, scene.truth) >= 0.8 ? 1 : 0;
+    }
+    EXPECT_GE(right, kScenes * 7 / 10);
+}
+
+TEST(MainShape, NothingWhereNothingStandsOut) {
+    EXPECT_FALSE(main_shape(cv::Mat(200, 300, CV_8UC3, cv::Scalar(90, 90, 90)), std::nullopt));
+    cv::Mat3b noise(200, 300);
+    cv::RNG random(5);
+    random.fill(noise, cv::RNG::UNIFORM, 0, 256);
+    EXPECT_FALSE(main_shape(noise, std::nullopt));
+    EXPECT_FALSE(main_shape(cv::Mat(4, 4, CV_8UC3, cv::Scalar(90, 90, 90)), std::nullopt));
+}
+
+TEST(MainShape, TheSameTwiceWhateverTheRandomState) {
+    const testing::PhotoScene scene = testing::photo_scene(1, {480, 360});
+    const std::optional<Chain> first = main_shape(scene.picture, std::nullopt);
+    cv::theRNG().state = 4711;
+    const std::optional<Chain> second = main_shape(scene.picture, std::nullopt);
+    ASSERT_TRUE(first && second);
+    ASSERT_EQ(first->points.size(), second->points.size());
+    for (std::size_t i = 0; i < first->points.size(); ++i) {
+        EXPECT_EQ(first->points[i].at, second->points[i].at);
+    }
+    EXPECT_EQ(cv::theRNG().state, 4711U);
+}
+
+}  // namespace
+}  // namespace touchline
