@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Sourced. Counting with callgrind inside the servo step.
+# Sourced. Counting with callgrind inside the servo step, and inside the way from a picture to its lines.
 
 # count_steps DUMPS PROGRAM [PART...] [-- OPTION...]: the program's dumps, all in one new file.
 count_steps() {
@@ -11,6 +11,7 @@ count_steps() {
     rm -f "$dumps"
     # A profile of the whole run would hold lines and calls; only the sums of each dump are read.
     valgrind --tool=callgrind --instr-atstart=no --toggle-collect=touchline_servo_step \
+        --toggle-collect=touchline_picture_lines \
         --combine-dumps=yes --dump-line=no --dump-instr=no --callgrind-out-file="$dumps" "$@" \
         "${words[@]}" >"$log" 2>&1 || {
         cat "$log" >&2

@@ -1,4 +1,5 @@
-# Reads the recorded figures, then the counted ones, "LEVEL EDGES INSTRUCTIONS" a line; says how they differ.
+# Reads the recorded figures, then the counted ones, "LEVEL EDGES INSTRUCTIONS" or "CLASS SIZE INSTRUCTIONS" a line; says
+# how they differ.
 # Exit status 1 where one grew by more than 5 % or is on one side only.
 
 BEGIN { most = 5.0 }
@@ -14,7 +15,7 @@ NR == FNR {
     row = $1 " " $2
     counted[row] = 1
     if (!(row in recorded)) {
-        print "level " $1 ", " $2 " edges: nothing is recorded"
+        print row ": nothing is recorded"
         faults++
         next
     }
@@ -27,7 +28,7 @@ NR == FNR {
         verdict = "fewer"
         shrunk++
     }
-    printf "level %s, %d edges: %.1f instructions a step, %.1f recorded, %+.2f %%: %s\n", $1, $2, $3, recorded[row], change, verdict
+    printf "%s: %.1f instructions, %.1f recorded, %+.2f %%: %s\n", row, $3, recorded[row], change, verdict
 }
 
 END {

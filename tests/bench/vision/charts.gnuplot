@@ -1,0 +1,41 @@
+# F against milliseconds of each detector and setting; Hausdorff distance against milliseconds at each working size.
+# results, format (svg or png) are given.
+set datafile separator ','
+if (format eq 'svg') set terminal svg size 1000,520 font 'DejaVu Sans,13' background 'white'; else set terminal pngcairo size 1000,520 font 'DejaVu Sans,11'
+set style line 1 lc rgb '#0072b2' pt 7 ps 1.1
+set style line 2 lc rgb '#d55e00' pt 5 ps 1.1
+set style line 3 lc rgb '#009e73' pt 9 ps 1.3
+set style line 4 lc rgb '#cc79a7' pt 13 ps 1.3
+set style line 5 lc rgb '#000000' pt 3 ps 1.3
+set grid lc rgb '#dddddd'
+set logscale x
+set xlabel 'milliseconds a picture (processor time, one thread)'
+
+detectors = results . '/detectors.csv'
+of(set_, name) = (stringcolumn(1) eq set_ && stringcolumn(2) eq name) ? column(4) : NaN
+has_photos = int(system("grep -c '^photos' " . detectors)) > 0
+
+set output results . '/detectors.' . format
+set multiplot layout 1, (has_photos ? 2 : 1)
+set ylabel 'boundary F, automatic setting'
+set key bottom right box opaque
+set xrange [0.6:60]
+do for [pictures in (has_photos ? 'photos pictograms' : 'pictograms')] {
+    set title pictures
+    plot detectors using 8:(of(pictures, 'Canny on grey')) skip 1 ls 5 title 'Canny on grey', \
+         '' using 8:(of(pictures, 'Canny on Lab')) skip 1 ls 2 title 'Canny on Lab', \
+         '' using 8:(of(pictures, 'EdgeDrawing')) skip 1 ls 4 title 'EdgeDrawing', \
+         '' using 8:(of(pictures, 'Touchline edges')) skip 1 ls 1 title 'Touchline edges', \
+         '' using 8:(of(pictures, 'Touchline lines')) skip 1 ls 3 title 'Touchline lines'
+}
+unset multiplot
+
+set output results . '/sizes.' . format
+set title 'letters photographed with 3 megapixels, traced at several working sizes'
+set ylabel 'millimetres at the handle'
+set logscale y
+set xrange [*:*]
+set key top right box opaque
+plot results . '/sizes.csv' using 4:3 skip 1 with linespoints ls 1 title 'Hausdorff distance', \
+     '' using 4:2 skip 1 with linespoints ls 2 title 'RMS', \
+     '' using 4:3:(sprintf('%g MP', column(1))) skip 1 with labels offset 0,1 notitle

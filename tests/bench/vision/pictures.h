@@ -1,0 +1,25 @@
+// Pictures with marked boundaries.
+// Threads: pure functions.
+#pragma once
+
+#include "config/types/result.h"
+
+#include <string>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace touchline::bench {
+
+struct MarkedPicture {
+    cv::Mat picture;                    // 8-bit BGR
+    std::vector<cv::Mat1b> annotators;  // boundaries are not 0
+};
+
+/// Pictograms before photo-like backgrounds, made here.
+[[nodiscard]] std::vector<MarkedPicture> made_pictures();
+
+/// A folder of NAME.jpg, each with NAME-human1.png ..., by name.
+[[nodiscard]] Result<std::vector<MarkedPicture>> pictures_in(const std::string& folder);
+
+}  // namespace touchline::bench
