@@ -23,15 +23,15 @@ namespace touchline {
 
 [[nodiscard]] constexpr std::string_view name_of(Fault fault) {
     constexpr std::array<std::string_view, fault_count> names{
-        "none",    "device_lost", "samples_late",  "too_fast",   "energy",
-        "ringing", "knob_lost",   "position_jump", "not_finite", "emergency_stop"};
+        "none",      "device_lost",   "too_fast",   "energy",        "ringing",
+        "knob_lost", "position_jump", "not_finite", "emergency_stop"};
     return names[static_cast<std::size_t>(fault)];
 }
 
 [[nodiscard]] constexpr std::string_view name_of(Limit limit) {
     constexpr std::array<std::string_view, limit_count> names{
-        "none", "gain",  "slew", "torque", "force",       "heat", "damped",
-        "pose", "speed", "hand", "late",   "unreachable", "fault"};
+        "none",   "gain", "slew",  "torque", "force",       "heat",
+        "damped", "pose", "speed", "hand",   "unreachable", "fault"};
     return names[static_cast<std::size_t>(limit)];
 }
 

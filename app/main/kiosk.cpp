@@ -122,6 +122,7 @@ class Kiosk {
         commands.is_level_auto = session_.is_level_automatic;
         commands.level = session_.fixed_level;
         commands.is_force_wanted = session_.is_force_wanted;
+        commands.is_emergency_stop = session_.is_emergency_stop;
         commands.faults_cleared = session_.faults_cleared;
         servo_.client->set(commands);
     }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -46,12 +47,16 @@ Result<std::string> write(const Recorder& recorder, const std::string& folder,
     if (folder.empty()) {
         return failure("a recording was not kept: there is no home; set TOUCHLINE_RECORDINGS");
     }
-    std::error_code error;
-    fs::create_directories(folder, error);
-    const std::string path = next_file(folder);
-    return write_whole_file(path, encode(make_recording(recorder, profile, maps))).map([&path] {
-        return path;
-    });
+    try {
+        std::error_code error;
+        fs::create_directories(folder, error);
+        const std::string path = next_file(folder);
+        return write_whole_file(path, encode(make_recording(recorder, profile, maps))).map([&path] {
+            return path;
+        });
+    } catch (const std::exception& problem) {  // no memory, or names that are none
+        return failure(std::string("a recording was not kept: ") + problem.what());
+    }
 }
 
 }  // namespace

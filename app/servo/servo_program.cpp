@@ -94,7 +94,6 @@ class ServoProgram {
         auto opened = open_device(opening());
         tell(MessageKind::say, {});
         if (!opened) return fail(opened.error().line);
-        const EmergencyZero zero = opened->zero;
         BlackBox box(recordings_folder(), std::string(opened->profile.name),
                      [this](const std::string& line) { tell(MessageKind::notice, line); });
         box_ = &box;
@@ -102,19 +101,28 @@ class ServoProgram {
             servo_.start(std::move(opened->device), opened->profile, options_for(*opened));
         if (!started) return fail(started.error().line);
         limit_real_time();
-        const TorqueCut cut(servo_, region_.channel(), zero);
-        while (!cut.is_end_asked() && region_.channel().is_stop_wanted == 0 && serve()) {
-            box.update(servo_.recording(), fault());
-            if (has_lost_place(*opened))
-                return fail("the handle has lost its place; its home is found anew");
-            if (is_device_gone())
-                return fail("the device does not answer any more: check its plug");
-        }
-        servo_.stop();
-        return 0;
+        const std::string lost = run_loop(*opened, box);
+        if (opened->release && !opened->release() && lost.empty())
+            return fail("the board did not confirm zero torque: switch its motors off");
+        return lost.empty() ? 0 : fail(lost);
     }
 
   private:
+    /// Until the end is asked for, or the device is lost: then why. The device is given back.
+    std::string run_loop(OpenedDevice& opened, BlackBox& box) {
+        const TorqueCut cut(servo_, region_.channel(), opened.zero);
+        std::string lost;
+        while (lost.empty() && !cut.is_end_asked() && region_.channel().is_stop_wanted == 0 &&
+               serve()) {
+            box.update(servo_.recording(), fault());
+            if (has_lost_place(opened))
+                lost = "the handle has lost its place; its home is found anew";
+            if (is_device_gone()) lost = "the device does not answer any more: check its plug";
+        }
+        opened.device = servo_.stop();
+        return lost;
+    }
+
     int fail(const std::string& line) {
         (void)send(socket_, message_of(MessageKind::failed, line));
         return 1;

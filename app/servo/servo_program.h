@@ -23,6 +23,9 @@ struct OpenedDevice {
     /// Where the handle is is not known any more: no angles come, and it must be homed. As long as
     /// the device.
     const std::atomic<bool>* has_lost_place = nullptr;
+    /// Ends what the device does, after the loop. False when it did not confirm zero torque. None:
+    /// nothing to confirm.
+    std::function<bool()> release;
 };
 
 /// What a device may need of the program while a person homes it.
@@ -38,7 +41,7 @@ using DeviceOpener = std::function<Result<OpenedDevice>(const Opening&)>;
 
 /// Runs the servo until the kiosk asks for the end, dies, or a signal ends it. `socket_number`: the
 /// kiosk's socket, the first message on it the shared region. The exit status: 0 when it ended as
-/// asked, 1 when it could not start.
+/// asked with zero torque, 1 when it could not start, lost the device, or left it in doubt.
 /// Threads: call it from the main thread of a process of its own. Scenes are built in that thread;
 /// the loop runs in one of its own.
 [[nodiscard]] int run_servo_program(int socket_number, const DeviceOpener& open_device);

@@ -53,7 +53,7 @@ class ServoThread final : public ServoClient {
 
     void home_again() override {}
 
-    void stop() override { servo_.stop(); }
+    void stop() override { (void)servo_.stop(); }
 
   private:
     Servo servo_;

@@ -24,14 +24,12 @@ constexpr std::size_t argument_count = 12;
 constexpr double most_torque_Nm = 10.0;       // no motor of a desk
 constexpr double longest_homing_s = 86400.0;  // a kiosk waits for whoever comes
 
-/// The board with what it needs to live on: its link must go before the list it came from.
-class OwnedBoard final : public ForceDevice {
+/// The board, watched for whether the handle is where its angles say.
+class WatchedBoard final : public ForceDevice {
   public:
-    OwnedBoard(UsbBoards boards, std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
-               const Calibration& calibration)
-        : boards_(std::move(boards)),
-          board_(std::move(link), profile, calibration),
-          drift_(homing_plan(profile)) {}
+    WatchedBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
+                 const Calibration& calibration)
+        : board_(std::move(link), profile, calibration), drift_(homing_plan(profile)) {}
 
     /// As UsbDevice asks for it. What homing found lasts as long as the board is set up.
     [[nodiscard]] Result<void> open(const UsbDevice& device, const Opening& opening) {
@@ -62,8 +60,9 @@ class OwnedBoard final : public ForceDevice {
         return board_.write_torques(torques);
     }
 
+    [[nodiscard]] bool release() { return board_.stop(); }
+
   private:
-    UsbBoards boards_;
     PantographBoard board_;
     DriftWatch drift_;
     double last_s_ = std::numeric_limits<double>::infinity();  // of the loop
@@ -71,7 +70,7 @@ class OwnedBoard final : public ForceDevice {
 };
 
 void write_zero(void* device) noexcept {
-    (void)static_cast<OwnedBoard*>(device)->write_torques({});
+    (void)static_cast<WatchedBoard*>(device)->write_torques({});
 }
 
 /// The whole text is a number.
@@ -143,13 +142,13 @@ Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& ope
     if (!boards) return tl::unexpected(boards.error());
     auto link = take_link(*boards, device);
     if (!link) return tl::unexpected(link.error());
-    auto board = std::make_unique<OwnedBoard>(std::move(*boards), std::move(*link), *profile,
-                                              device.calibration);
+    auto board = std::make_unique<WatchedBoard>(std::move(*link), *profile, device.calibration);
     if (const auto opened = board->open(device, opening); !opened)
         return tl::unexpected(opened.error());
     OpenedDevice result;
     result.zero = {write_zero, board.get()};
     result.has_lost_place = &board->has_lost_place();
+    result.release = [watched = board.get()] { return watched->release(); };
     result.device = std::move(board);
     result.profile = calibrated(*profile, device.calibration);
     return result;

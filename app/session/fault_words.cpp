@@ -12,8 +12,6 @@ constexpr std::array<FaultWords, fault_count> faults{{
     {},
     {"The force is off.", "The device does not answer.",
      "Check its cable. When it answers again, words lead the handle to its home."},
-    {"The force is off.", "The device answers too late.",
-     "Wait a moment; force comes back by itself."},
     {"The force is off.", "The handle moved too fast.",
      "Hold it still; force comes back by itself."},
     {"The force is off.", "The device pushed more than it may.",
@@ -26,8 +24,7 @@ constexpr std::array<FaultWords, fault_count> faults{{
      "Have the arms and the cable checked, then press C."},
     {"The force is off.", "The device or the program gave a number that is none.",
      "Tell the operator; press C to go on."},
-    {"The force is off.", "The emergency stop was pressed.",
-     "Release it and have the device started anew."},
+    {"The force is off.", "The emergency stop was pressed.", "When all is safe, press C."},
 }};
 
 }  // namespace
@@ -71,8 +68,6 @@ std::string_view words_of(Limit limit) {
             return "only braking: the hand is fast";
         case Limit::hand:
             return "fading: nobody seems to hold the handle";
-        case Limit::late:
-            return "none: the device answers late";
         case Limit::unreachable:
             return "none: out of reach";
         case Limit::none:

@@ -28,6 +28,7 @@ constexpr std::array table{
     row(Key{'P'}, Action::toggle_pop_through, "P",
         "a wall gives way to a long firm push, or holds"),
     row(Key{' '}, Action::toggle_force, "Space", "force off, or on again"),
+    row(Key{'E'}, Action::emergency_stop, "E", "emergency stop: no force until C"),
     row(Key{'C'}, Action::clear_fault, "C", "operator: clear what stopped the force"),
     row(Key{'R'}, Action::keep_recording, "R", "operator: keep a recording of the last minute"),
     row(Key{'O'}, Action::home_again, "O", "find the handle's home again"),

@@ -36,6 +36,7 @@ enum class Action : std::uint8_t {
     next_mode,
     toggle_pop_through,
     toggle_force,
+    emergency_stop,
     clear_fault,
     keep_recording,
     home_again,

@@ -61,7 +61,13 @@ Step toggle_force(Session session) {
     return {std::move(session), {.feel = true}};
 }
 
+Step emergency_stop(Session session) {
+    session.is_emergency_stop = true;
+    return {std::move(session), {.feel = true}};
+}
+
 Step clear_fault(Session session) {
+    session.is_emergency_stop = false;
     ++session.faults_cleared;
     return {std::move(session), {.feel = true}};
 }
@@ -108,6 +114,8 @@ Step press_key(const Session& session, Key key, double felt_level) {
             return toggle_pop_through(session);
         case Action::toggle_force:
             return toggle_force(session);
+        case Action::emergency_stop:
+            return emergency_stop(session);
         case Action::clear_fault:
             return clear_fault(session);
         case Action::keep_recording:

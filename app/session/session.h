@@ -75,6 +75,7 @@ struct Session {
     Mode mode = Mode::groove;
     bool is_pop_through = false;  // a wall gives way to a push that is meant
     bool is_force_wanted = true;
+    bool is_emergency_stop = false;    // until the operator clears it
     std::uint32_t faults_cleared = 0;  // counts up
     bool shows_boxes = false;
     bool shows_keys = false;

@@ -11,7 +11,7 @@ namespace touchline {
 enum class ContactEventKind : std::uint8_t {
     contact_made,
     contact_lost,
-    vertex_passed,    // a pin of the outline: a corner or a junction
+    vertex_passed,    // a corner or a junction of the outline
     line_crossed,     // not in wall mode: the hand changed sides, or another line took over
     end_reached,      // of an open outline
     level_changed,    // a whole level is rendered now
@@ -28,6 +28,7 @@ struct ContactEvent {
     int outline = -1;        // index in the map, -1: none
     double parameter = 0.0;  // on the outline, in level-0 segments; 0 where there is none
     double level = 0.0;      // rendered
+    std::uint64_t map_version = 0;
 };
 
 }  // namespace touchline

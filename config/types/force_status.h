@@ -19,7 +19,6 @@ inline constexpr std::size_t force_state_count = 5;
 enum class Fault : std::uint8_t {
     none,
     device_lost,    // it does not answer, or takes no torques
-    samples_late,   // its samples are too old
     too_fast,       // the handle outran what a hand does
     energy,         // the device gave the hand more energy than it may
     ringing,        // the loop rings though it was softened
@@ -29,7 +28,7 @@ enum class Fault : std::uint8_t {
     emergency_stop
 };
 
-inline constexpr std::size_t fault_count = 10;
+inline constexpr std::size_t fault_count = 9;
 
 /// What reduced the force of a tick, the gravest last.
 enum class Limit : std::uint8_t {
@@ -43,12 +42,11 @@ enum class Limit : std::uint8_t {
     pose,    // near a singular one
     speed,   // nothing that drives a fast hand on
     hand,    // nobody seems to hold the handle
-    late,    // old samples
     unreachable,
     fault
 };
 
-inline constexpr std::size_t limit_count = 13;
+inline constexpr std::size_t limit_count = 12;
 
 /// Why the hand feels what it feels, for the operator.
 struct ForceStatus {

@@ -18,11 +18,18 @@ ContactEvent event_of(ContactEventKind kind, const EventInput& input) {
             is_area ? input.p_WH : contact.p_WP,
             contact.outline,
             contact.parameter,
-            input.rendered_level};
+            input.rendered_level,
+            input.scene->map_version};
 }
 
 double beyond_m(Position p, const Area& area) {
     return std::max(std::abs(p.x) - 0.5 * area.width_m, std::abs(p.y) - 0.5 * area.height_m);
+}
+
+bool is_nearer_to_start(const CurveSet& curves, const ContactReport& contact) {
+    const double along = contact.parameter -
+                         curves.pieces()[static_cast<std::size_t>(contact.piece)].first_parameter;
+    return along < 0.5 * curves.segment_count(contact.piece, 0);
 }
 
 }  // namespace
@@ -31,7 +38,7 @@ TickEvents EventDetector::step(const EventInput& input) {
     TickEvents events;
     if (is_first_) {
         level_.take(input.rendered_level);
-        is_inside_.take(!(beyond_m(input.p_WH, input.area) > 0.0));
+        is_inside_.take(!(beyond_m(input.p_WH, input.scene->area) > 0.0));
         is_first_ = false;
     }
     if (input.contact.has_popped) events.add(event_of(ContactEventKind::popped_through, input));
@@ -66,7 +73,7 @@ void EventDetector::tell_places(const EventInput& input, TickEvents& events) {
     for (Place* const place : {&vertex_, &crossing_}) place->watch(p);
     if (!contact.is_at_end) end_.watch(p);
     const bool is_same = contact.outline >= 0 && contact.outline == last_outline_;
-    if (is_same && contact.piece != last_piece_ && vertex_.tell(p, input.time_s)) {
+    if (is_same && has_passed_corner(input) && vertex_.tell(p, input.time_s)) {
         events.add(event_of(ContactEventKind::vertex_passed, input));
     }
     if (contact.is_at_end && end_.tell(p, input.time_s)) {
@@ -86,11 +93,26 @@ void EventDetector::tell_places(const EventInput& input, TickEvents& events) {
     }
     last_outline_ = contact.outline;
     last_piece_ = contact.piece;
+    last_parameter_ = contact.parameter;
+}
+
+/// Into another piece, or round a loop of a single piece past its one pin; by the piece's nearer
+/// end.
+bool EventDetector::has_passed_corner(const EventInput& input) const {
+    const ContactReport& contact = input.contact;
+    const CurveSet& curves = input.scene->curves;
+    const Piece& piece = curves.pieces()[static_cast<std::size_t>(contact.piece)];
+    const bool is_round =
+        piece.next == contact.piece && std::abs(contact.parameter - last_parameter_) >
+                                           0.5 * curves.segment_count(contact.piece, 0);
+    if (contact.piece == last_piece_ && !is_round) return false;
+    if (is_nearer_to_start(curves, contact)) return piece.starts_at_corner;
+    return piece.next < 0 || curves.pieces()[static_cast<std::size_t>(piece.next)].starts_at_corner;
 }
 
 /// Left when 1 mm outside, entered when 1 mm inside.
 void EventDetector::tell_area(const EventInput& input, TickEvents& events) {
-    const double out_m = beyond_m(input.p_WH, input.area);
+    const double out_m = beyond_m(input.p_WH, input.scene->area);
     const bool is_inside = is_inside_.told() ? out_m <= area_margin_m : out_m <= -area_margin_m;
     if (!is_inside_.update(is_inside, input.time_s)) return;
     events.add(

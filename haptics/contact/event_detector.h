@@ -4,7 +4,7 @@
 
 #include "config/types/contact_event.h"
 #include "config/types/hand_state.h"
-#include "config/types/tactile_map.h"
+#include "haptics/collision/scene.h"
 #include "haptics/contact/contact_machine.h"
 
 #include <array>
@@ -20,7 +20,7 @@ struct EventInput {
     Mode mode = Mode::wall;
     ContactReport contact;
     double rendered_level = 0.0;
-    Area area;
+    const Scene* scene = nullptr;  // that is felt; never null
 };
 
 /// At most one event of each kind.
@@ -110,6 +110,7 @@ class EventDetector {
         bool is_told_ = false;
     };
 
+    [[nodiscard]] bool has_passed_corner(const EventInput& input) const;
     void tell_contact(const EventInput& input, TickEvents& events);
     void tell_places(const EventInput& input, TickEvents& events);
     void tell_area(const EventInput& input, TickEvents& events);
@@ -122,6 +123,7 @@ class EventDetector {
     Place vertex_, crossing_, end_, change_;  // change_: of outline
     int last_outline_ = -1;                   // of the contact in the last tick
     int last_piece_ = -1;
+    double last_parameter_ = 0.0;
     int side_ = 0;  // of the line, where the hand last was clearly; 0: not known
 };
 

@@ -4,6 +4,7 @@ namespace touchline {
 namespace {
 
 constexpr double longest_slide_m = 5e-4;
+constexpr double least_cosine = 0.7;  // of a turn that is none: a corner turns by 45 degrees
 
 /// The edge that the line goes on with at the nearer end, where it goes on: none of it is passed
 /// that the edge itself is not.
@@ -11,9 +12,18 @@ SegmentRef continuation(RenderedOutlines& outlines, const Contact& at) {
     const bool at_end = at.parameter > 0.5;
     const SegmentRef next = outlines.next(at.segment, at_end);
     if (next.piece < 0) return {};
-    const Segment own = outlines.segment(at.segment);
+    const Direction own =
+        direction_of(outlines.segment(at.segment).b - outlines.segment(at.segment).a);
     const Segment other = outlines.segment(next);
-    return dot(own.b - own.a, other.b - other.a) > 0.0 ? next : SegmentRef{};
+    return dot(own, direction_of(other.b - other.a)) > least_cosine ? next : SegmentRef{};
+}
+
+/// On one line, that is: on an edge of it, or where two edges of it go on from each other.
+bool is_on_one_line(RenderedOutlines& outlines, const ProxyState& proxy) {
+    if (proxy.state == ContactState::edge) return true;
+    if (proxy.state == ContactState::free) return false;
+    const SegmentRef next = continuation(outlines, proxy.contacts[0]);
+    return next.piece >= 0 && (proxy.contact_count == 1 || next == proxy.contacts[1].segment);
 }
 
 }  // namespace
@@ -22,7 +32,7 @@ bool PopThrough::step(RenderedOutlines& outlines, Position handle, const Contact
                       const Budget& budget, double dt_s, ProxyState& proxy, int& boxes) {
     if (!(settings.pop_through_N > 0.0)) return false;
     const double push_N = settings.stiffness_N_per_m * norm(handle - proxy.centre);
-    const bool is_push = proxy.state == ContactState::edge && push_N >= settings.pop_through_N;
+    const bool is_push = push_N >= settings.pop_through_N && is_on_one_line(outlines, proxy);
     const bool is_same =
         is_push && pushed_s_ > 0.0 && norm(proxy.centre - place_) <= longest_slide_m;
     if (!is_same) place_ = proxy.centre;

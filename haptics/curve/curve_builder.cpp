@@ -25,7 +25,8 @@ struct Stretch {
     std::vector<Position> line;
     int outline = 0;
     bool is_closed = false;
-    bool has_next = false;             // the following stretch shares its end
+    bool has_next = false;  // the following stretch shares its end
+    bool starts_at_corner = false;
     std::size_t first_of_outline = 0;  // index of the outline's first stretch
 };
 
@@ -90,13 +91,14 @@ std::vector<Position> line_between(const std::vector<Position>& points, std::siz
     return line;
 }
 
+/// `corners`: those of the pins that were found in the outline itself. Both ascend.
 void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins,
-         std::vector<Stretch>& out) {
+         const std::vector<std::size_t>& corners, std::vector<Stretch>& out) {
     const std::size_t count = outline.points.size();
     const std::size_t first = out.size();
     if (count < 2) return;
     if (pins.empty()) {
-        out.push_back({line_between(outline.points, 0, count), index, true, false, first});
+        out.push_back({line_between(outline.points, 0, count), index, true, false, false, first});
         return;
     }
     const std::size_t stretches = outline.is_closed ? pins.size() : pins.size() - 1;
@@ -104,7 +106,8 @@ void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins
         const bool is_last = k + 1 == stretches;
         const std::size_t to = k + 1 < pins.size() ? pins[k + 1] : pins[0] + count;
         out.push_back({line_between(outline.points, pins[k], to), index, false,
-                       !is_last || outline.is_closed, first});
+                       !is_last || outline.is_closed,
+                       std::binary_search(corners.begin(), corners.end(), pins[k]), first});
     }
 }
 
@@ -132,13 +135,14 @@ class CurveSetBuilder {
     Result<CurveSet> build() {
         PinRule rule;
         rule.noise_m = options_.denoise_m;
-        auto pins = find_pins(outlines_, rule);
+        const auto corners = find_pins(outlines_, rule);
+        auto pins = corners;
         for (const PinPlace& pin : options_.pins) {
             add_pin(outlines_[static_cast<std::size_t>(pin.outline)], pin.place,
                     pins[static_cast<std::size_t>(pin.outline)]);
         }
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
-            cut(outlines_[i], static_cast<int>(i), pins[i], stretches_);
+            cut(outlines_[i], static_cast<int>(i), pins[i], corners[i], stretches_);
         }
         set_.reports_.resize(outlines_.size());
         if (options_.denoise_m > 0.0) denoise_stretches();
@@ -251,6 +255,7 @@ class CurveSetBuilder {
             Piece piece;
             piece.outline = stretch.outline;
             piece.is_closed = stretch.is_closed;
+            piece.starts_at_corner = stretch.starts_at_corner;
             piece.coarsest = halvings_[i];
             const bool is_last = i + 1 == stretches_.size() ||
                                  stretches_[i + 1].first_of_outline != stretch.first_of_outline;

@@ -43,8 +43,9 @@ struct CurveOptions {
 
 /// A stretch of an outline between pins; the unit that has levels.
 struct Piece {
-    int outline = 0;         // index in the map
-    bool is_closed = false;  // one periodic piece; else its two ends are pins
+    int outline = 0;                // index in the map
+    bool is_closed = false;         // one periodic piece; else its two ends are pins
+    bool starts_at_corner = false;  // or at a junction or end; else at a pin of CurveOptions
     int next = -1,
         previous = -1;  // pieces that share a pin with it along the outline; -1: open end
     double first_parameter = 0.0;  // outline parameter of its first point, in level-0 segments

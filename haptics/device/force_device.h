@@ -13,8 +13,8 @@ class ForceDevice {
   public:
     virtual ~ForceDevice() = default;
 
-    /// Joint angles in D, read at now_s (servo time, never going back). Nothing when the device
-    /// does not answer.
+    /// Joint angles in D, read at now_s (servo time, never going back). At most 4.5 ms
+    /// old. Nothing when the device does not answer.
     [[nodiscard]] virtual std::optional<JointAngles> read_angles(double now_s) = 0;
 
     /// Torques that act from now on until the next call. False when the device did not take them.

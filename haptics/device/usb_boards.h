@@ -34,7 +34,7 @@ struct UsbLinkOptions {
     unsigned send_time_out_ms = 10;
 };
 
-/// Threads: one at a time; links opened here must go before it does. All calls allocate and wait:
+/// Threads: one at a time; links opened here may outlive it. All calls allocate and wait:
 /// not for the tick.
 class UsbBoards {
   public:

@@ -23,8 +23,8 @@ bool is_finite(const Jacobian& j) {
 
 bool is_sound(const ChainInput& input, double dt_s) {
     return touchline::is_finite(input.wanted_D) && touchline::is_finite(input.p_D) &&
-           touchline::is_finite(input.velocity_D) && std::isfinite(input.sample_age_s) &&
-           std::isfinite(dt_s) && dt_s > 0.0 && (!input.jacobian || is_finite(*input.jacobian));
+           touchline::is_finite(input.velocity_D) && std::isfinite(dt_s) && dt_s > 0.0 &&
+           (!input.jacobian || is_finite(*input.jacobian));
 }
 
 // 1 where the pose is good, 0 where it is (nearly) singular.
@@ -65,7 +65,6 @@ SafeForce ForceChain::step(const ChainInput& input, double dt_s) {
                             input.is_fading,
                             hand_.is_off(),
                             input.is_cleared,
-                            input.is_reinitialised,
                             found};
     safety_ = next(safety_, flags, limits_.times, dt_s);
     SafeForce told = limited(input, dt_s);
@@ -94,7 +93,6 @@ std::uint16_t ForceChain::faults(const ChainInput& input, double dt_s) {
         note(true, Fault::not_finite);
         return found;
     }
-    note(input.sample_age_s >= limits_.lost_s, Fault::samples_late);
     note(speed_.step(norm(input.velocity_D), dt_s), Fault::too_fast);
     const Position moved = has_position_ ? input.p_D - p_D_ : Position{};
     energy_.step(last_D_, moved, dt_s);
@@ -137,10 +135,6 @@ SafeForce ForceChain::limited(const ChainInput& input, double dt_s) {
 
 /// Everything but the slew and the motors' limits.
 Force ForceChain::bounded(const ChainInput& input) {
-    if (input.sample_age_s >= limits_.late_s) {
-        limit_by(Limit::late);
-        return {};
-    }
     const double share = share_of(input);
     if (safety_.gain != 1.0 || share != 1.0) limit_by(Limit::gain);
     if (hand_.is_off()) limit_by(Limit::hand);

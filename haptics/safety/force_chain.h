@@ -1,6 +1,6 @@
 // The only place that limits force. One chain per device, stepped once a servo tick: finite check,
-// state and gain -> pose (0 near singularities) -> one-sided speed limit -> heat of the motors ->
-// damping where energy was given -> vector clamp -> slew -> joint torques, both scaled together
+// state and gain -> pose (0 near singularities) -> heat of the motors -> damping where energy was
+// given -> vector clamp -> one-sided speed limit -> slew -> joint torques, both scaled together
 // when one motor saturates -> what that gave the hand is booked.
 // Every limit holds for any doubles; where anything is in doubt the force is zero.
 // Threads: one, the servo's. A plain value; no allocation, lock, clock or log.
@@ -30,8 +30,6 @@ struct ForceLimits {
     double condition_full = 5.0;     // full force up to this condition of the Jacobian ...
     double condition_zero = 6.0;     // ... none from here on
     double arm_force_N = 0.1;        // armed: the wanted force is small below this
-    double late_s = 0.003;           // samples this old: a soft stop, over at 5 ms ...
-    double lost_s = 0.02;            // ... and a fault
     double continuous_torque_Nm = 0.6 * 0.123;  // each motor
     double warming_s = 60.0;                    // its time constant
     SafetyTimes times;
@@ -47,17 +45,15 @@ struct ChainInput {
     std::optional<Jacobian> jacobian;  // of the pose; nothing: unknown or out of reach
     Position p_D;                      // handle, the last known
     Velocity velocity_D;
-    double sample_age_s = 0.0;      // of the pose
-    double share = 1.0;             // of force and limit that may act, 0 ... 1; 0: off
-    bool is_wanted = true;          // force is switched on
-    bool is_fading = false;         // force to 0 within fade_s, for as long as this is said
-    bool is_cleared = false;        // the operator clears a fault
-    bool is_reinitialised = false;  // the device was set up anew
-    bool is_stopped = false;        // emergency stop
-    bool is_unreadable = false;     // the device's angles are no numbers
-    bool is_lost = false;           // the device is
-    bool has_jumped = false;        // the handle, to where it cannot have moved
-    std::uint64_t cuts = 0;         // of the stability monitor, so far
+    double share = 1.0;          // of force and limit that may act, 0 ... 1; 0: off
+    bool is_wanted = true;       // force is switched on
+    bool is_fading = false;      // force to 0 within fade_s, for as long as this is said
+    bool is_cleared = false;     // the operator clears a fault
+    bool is_stopped = false;     // emergency stop
+    bool is_unreadable = false;  // the device's angles are no numbers
+    bool is_lost = false;        // the device is
+    bool has_jumped = false;     // the handle, to where it cannot have moved
+    std::uint64_t cuts = 0;      // of the stability monitor, so far
 };
 
 /// The force that the motors are told to make, in D, and how it came about.

@@ -10,14 +10,13 @@ namespace {
 
 constexpr std::array rules{
     FaultRule{Fault::device_lost, FaultClears::when_gone},
-    FaultRule{Fault::samples_late, FaultClears::when_gone},
     FaultRule{Fault::too_fast, FaultClears::when_gone},
     FaultRule{Fault::energy, FaultClears::on_rearm},
     FaultRule{Fault::ringing, FaultClears::on_rearm},
     FaultRule{Fault::knob_lost, FaultClears::by_operator},
     FaultRule{Fault::position_jump, FaultClears::by_operator},
     FaultRule{Fault::not_finite, FaultClears::by_operator},
-    FaultRule{Fault::emergency_stop, FaultClears::on_reinitialisation},
+    FaultRule{Fault::emergency_stop, FaultClears::by_operator},
 };
 static_assert(rules.size() + 1 == fault_count);
 
@@ -31,7 +30,6 @@ Fault gravest(std::uint16_t faults) {
 }
 
 bool is_cleared(Fault fault, const SafetyFlags& flags) {
-    if (flags.is_reinitialised) return true;
     switch (clears_of(fault)) {
         case FaultClears::when_gone:
             return true;
@@ -39,8 +37,6 @@ bool is_cleared(Fault fault, const SafetyFlags& flags) {
             return !flags.is_wanted || flags.is_cleared;
         case FaultClears::by_operator:
             return flags.is_cleared;
-        case FaultClears::on_reinitialisation:
-            return false;
     }
     return false;
 }

@@ -10,13 +10,11 @@
 
 namespace touchline {
 
-/// How a fault ends once what caused it is gone. Setting the device up anew ends every one, and so
-/// does the operator but for the emergency stop.
+/// How a fault ends once what caused it is gone. The operator ends every one.
 enum class FaultClears : std::uint8_t {
-    when_gone,            // by itself
-    on_rearm,             // when force is switched off
-    by_operator,          // when the operator says so
-    on_reinitialisation,  // when the device is set up anew
+    when_gone,    // by itself
+    on_rearm,     // when force is switched off
+    by_operator,  // when the operator says so
 };
 
 struct FaultRule {
@@ -35,13 +33,12 @@ struct FaultRule {
 
 /// What holds in a tick.
 struct SafetyFlags {
-    bool is_wanted = true;          // force is switched on
-    bool is_quiet = true;           // the wanted force is small
-    bool is_fading = false;         // gain to 0: a picture is changed, or the servo ends
-    bool is_hand_off = false;       // nobody holds the handle
-    bool is_cleared = false;        // the operator clears a fault, in this tick
-    bool is_reinitialised = false;  // the device was set up anew, in this tick
-    std::uint16_t faults = 0;       // conditions that hold now, bit_of() each but none
+    bool is_wanted = true;     // force is switched on
+    bool is_quiet = true;      // the wanted force is small
+    bool is_fading = false;    // gain to 0: a picture is changed, or the servo ends
+    bool is_hand_off = false;  // nobody holds the handle
+    bool is_cleared = false;   // the operator clears a fault, in this tick
+    std::uint16_t faults = 0;  // conditions that hold now, bit_of() each but none
 };
 
 struct SafetyState {

@@ -126,7 +126,7 @@ class Reader {
 
 // The fields in their order, for both directions. A field that is added to one of these must be
 // named here, or a run could not be repeated.
-static_assert(sizeof(ServoCommands) == 96 && sizeof(StepInput) == 176);
+static_assert(sizeof(ServoCommands) == 96 && sizeof(StepInput) == 160);
 
 template <class File, class Vector>
 void vector(File& file, Vector& v) {
@@ -172,8 +172,6 @@ void tick(File& file, Tick& t) {
     angles(file, t.input.angles);
     commands(file, t.input.commands);
     file.number(t.input.delay_s);
-    file.number(t.input.sample_age_s);
-    file.number(t.input.device_setups);
     file.number(t.input.force_share);
     file.number(t.wanted_version);
     file.flag(t.is_fading_out);

@@ -92,11 +92,13 @@ RealTimeTier Servo::tier() const {
     return running_ ? tier_of(exchange_.channel()) : RealTimeTier::best_effort;
 }
 
-void Servo::stop() {
-    if (!running_) return;
+std::unique_ptr<ForceDevice> Servo::stop() {
+    if (!running_) return nullptr;
     running_->end.is_wanted.store(true, std::memory_order_relaxed);
     running_->thread.join();
+    auto device = std::move(running_->device);
     running_.reset();
+    return device;
 }
 
 void Servo::cut() noexcept {

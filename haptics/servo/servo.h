@@ -74,9 +74,9 @@ class Servo {
     /// How late its ticks began.
     [[nodiscard]] const LatenessHistogram& lateness() const { return exchange_.channel().lateness; }
 
-    /// Fades force out, writes zero torque, gives the device up and ends the loop. Does nothing
-    /// when nothing runs.
-    void stop();
+    /// Fades force out, writes zero torque, ends the loop and gives the device back. Null when
+    /// nothing runs.
+    std::unique_ptr<ForceDevice> stop();
 
     /// Zero torque with the next tick, which is the last. From any thread and from a handler of
     /// signals, while start() or stop() do not run.

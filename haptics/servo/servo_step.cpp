@@ -124,15 +124,12 @@ SafeForce ServoStep::make_safe(Force wanted_W, const std::optional<Pose>& pose,
     if (pose) chain.jacobian = pose->jacobian;
     chain.p_D = device_from_picture(profile_, p_WH_);
     chain.velocity_D = turned(velocity_.velocity());
-    chain.sample_age_s = input.sample_age_s;
     chain.is_unreadable = input.angles && !is_finite(*input.angles);
     chain.share = input.force_share;
     chain.is_wanted = input.commands.is_force_wanted;
     chain.is_fading = is_swapping_ || is_stopping_;
     chain.is_cleared = std::exchange(faults_cleared_, input.commands.faults_cleared) !=
                        input.commands.faults_cleared;
-    chain.is_reinitialised =
-        std::exchange(device_setups_, input.device_setups) != input.device_setups;
     chain.is_stopped = input.commands.is_emergency_stop;
     chain.is_lost = std::exchange(is_refused_, false) || silent_s_ > longest_silence_s;
     chain.has_jumped = sample_ == Sample::jumped;
@@ -205,7 +202,7 @@ void ServoStep::watch(Force told, double dt_s) {
 void ServoStep::detect(const StepInput& input) {
     if (felt_.scene == nullptr) return;
     events_ = detector_.step({input.now_s, p_WH_, input.commands.mode, contact_report_,
-                              contact_.rendered_level(), felt_.scene->area});
+                              contact_.rendered_level(), felt_.scene});
 }
 
 void ServoStep::fill(const StepInput& input, const SafeForce& safe) {

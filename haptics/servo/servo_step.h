@@ -30,10 +30,8 @@ struct StepInput {
     std::uint64_t missed_ticks = 0;     // so far
     std::optional<JointAngles> angles;  // nothing when the device did not answer
     ServoCommands commands;
-    const Scene* scene = nullptr;     // wanted; must live until scene() is another one
-    double delay_s = 0.0;             // from reading the angles to the torques' effect, as measured
-    double sample_age_s = 0.0;        // of the angles, when they were read
-    std::uint32_t device_setups = 0;  // how often the device was set up so far
+    const Scene* scene = nullptr;  // wanted; must live until scene() is another one
+    double delay_s = 0.0;          // from reading the angles to the torques' effect, as measured
     // Of the force that is let through, 0 ... 1. At 0 it is off and comes on again by the arm rule.
     double force_share = 1.0;
 };
@@ -129,7 +127,6 @@ class ServoStep {
     bool is_swapping_ = false;
     bool is_refused_ = false;  // the last torques
     std::uint32_t faults_cleared_ = 0;
-    std::uint32_t device_setups_ = 0;
     bool is_stopping_ = false;
     ServoReport report_;
 };

@@ -31,6 +31,7 @@ struct FakeBoard {
     std::atomic<std::int64_t> zeroed_ns{0};  // when torque last went to zero
     std::atomic<int> zeroed_by_guard{0};
     std::atomic<int> zeroed_by_handler{0};
+    std::atomic<int> is_zero_unconfirmed{0};  // it does not answer at the end
 
     void put(JointTorques torques) {
         const int is_on = torques == JointTorques{} ? 0 : 1;

@@ -116,6 +116,15 @@ TEST_F(ServoProcess, MakesForceAndEndsAsAsked) {
     EXPECT_NE(kill(servo, 0), 0);
 }
 
+TEST_F(ServoProcess, TheGuardZeroesABoardThatDidNotConfirmItAtTheEnd) {
+    board_.is_zero_unconfirmed = 1;
+    start_kiosk();
+    ASSERT_TRUE(press_on_servo(1));
+    EXPECT_EQ(end_kiosk(SIGTERM), 0);
+    EXPECT_EQ(board_.is_torque_on, 0);
+    EXPECT_EQ(board_.zeroed_by_guard, 1);
+}
+
 TEST_F(ServoProcess, KilledKioskLeavesNoTorqueAndNoServo) {
     for (int round = 1; round <= 3; ++round) {
         for (const int signal : {SIGKILL, SIGSEGV}) {

@@ -76,6 +76,7 @@ Result<OpenedDevice> open_fake_device(FakeBoard& board) {
     opened.profile = default_profile();
     opened.has_motors = false;  // as below
     opened.zero = {write_zero, &board};
+    opened.release = [&board] { return board.is_zero_unconfirmed == 0; };
     return opened;
 }
 

@@ -114,7 +114,9 @@ TEST(Session, EveryKeyDoesTheSameInEveryState) {
                  pressed->action == Action::finer_level || pressed->action == Action::firmer ||
                  pressed->action == Action::softer || pressed->action == Action::next_mode ||
                  pressed->action == Action::toggle_pop_through ||
-                 pressed->action == Action::toggle_force || pressed->action == Action::clear_fault);
+                 pressed->action == Action::toggle_force ||
+                 pressed->action == Action::emergency_stop ||
+                 pressed->action == Action::clear_fault);
             EXPECT_EQ(commands.load, loads && state.picture_count > 0);
             EXPECT_EQ(commands.feel, feels);
             EXPECT_EQ(commands.keep_recording,
@@ -131,6 +133,15 @@ TEST(Session, ForceGoesOffAndOnAndFaultsAreClearedOneByOne) {
     EXPECT_FALSE(off.is_force_wanted);
     EXPECT_TRUE(press_key(off, Key{' '}, felt).session.is_force_wanted);
     EXPECT_EQ(press_key(on, Key{'C'}, felt).session.faults_cleared, on.faults_cleared + 1);
+}
+
+TEST(Session, TheEmergencyStopHoldsThroughEveryKeyUntilItIsCleared) {
+    const Session stopped = press_key(shown_session(), Key{'E'}, felt).session;
+    EXPECT_TRUE(stopped.is_emergency_stop);
+    for (const Key key : every_key()) {
+        const bool clears = key == Key{'C'};
+        EXPECT_EQ(press_key(stopped, key, felt).session.is_emergency_stop, !clears);
+    }
 }
 
 TEST(Session, PicturesWrapAround) {

@@ -25,8 +25,8 @@ constexpr std::array modes{Mode::wall, Mode::groove, Mode::ridge, Mode::stay};
 /// A machine and what is told of it.
 class Told {
   public:
-    Told(const TactileMap& map, Mode mode, Position start)
-        : scene_(build_scene(map, {}, 0.0).value()), hand_(start) {
+    Told(const TactileMap& map, Mode mode, Position start, const CurveOptions& options = {})
+        : scene_(build_scene(map, options, 0.0).value()), hand_(start) {
         settings_.mode = mode;
         machine_.reset(scene_, start, 0.0);
         run(1);
@@ -39,8 +39,8 @@ class Told {
     void feel(Position p) {
         hand_ = p;
         const ContactReport report = machine_.step(p, level, settings_, {});
-        const EventInput input{time_s_,    p, settings_.mode, report, machine_.rendered_level(),
-                               scene_.area};
+        const EventInput input{time_s_, p, settings_.mode, report, machine_.rendered_level(),
+                               &scene_};
         const TickEvents found = detector_.step(input);
         events_.insert(events_.end(), found.all().begin(), found.all().end());
         time_s_ += tick_s;
@@ -146,6 +146,46 @@ TEST(EventDetector, VerticesAndEndsAreToldOnceEachWay) {
         EXPECT_EQ(std::count(found.begin(), found.end(), end_reached), 1);
         EXPECT_EQ(std::count(found.begin(), found.end(), line_crossed), 0);
     }
+}
+
+/// A drop: round, with one tip at the right.
+TactileMap drop() {
+    std::vector<Position> points{{0.03, 0.0}};
+    for (int i = 1; i < 64; ++i) {
+        const double turn = 2.0 * std::numbers::pi * i / 64.0;
+        points.push_back({0.03 * std::cos(turn), 0.03 * std::sin(turn) * std::sin(0.5 * turn)});
+    }
+    return map_of({outline(std::move(points), true)});
+}
+
+int told_on_the_way(const TactileMap& map, const CurveOptions& options,
+                    const std::vector<Position>& way, ContactEventKind kind) {
+    Told told(map, Mode::groove, way.front(), options);
+    told.run(100);
+    told.kinds();
+    for (const Position p : way) told.go(p);
+    const Kinds found = told.kinds();
+    return static_cast<int>(std::count(found.begin(), found.end(), kind));
+}
+
+TEST(EventDetector, TheOnlyCornerOfALoopIsToldAndTheOtherPointsOfItAreNot) {
+    const TactileMap map = drop();
+    std::vector<Position> round = map.outlines[0].points;
+    std::rotate(round.begin(), round.begin() + 20, round.end());
+    std::vector<Position> half(round.begin(), round.begin() + 30);
+    EXPECT_EQ(told_on_the_way(map, {}, round, vertex_passed), 1);
+    std::reverse(round.begin(), round.end());
+    EXPECT_EQ(told_on_the_way(map, {}, round, vertex_passed), 1);
+    EXPECT_EQ(told_on_the_way(map, {}, half, vertex_passed), 0);
+}
+
+TEST(EventDetector, APinThatIsNoCornerIsNotTold) {
+    CurveOptions pinned;
+    pinned.pins = {{0, {0.0, 0.0}}};
+    const std::vector<Position> way{{-0.02, 0.0}, {0.02, 0.0}};
+    const TactileMap line = map_of({outline({{-0.03, 0.0}, {0.0, 0.0}, {0.03, 0.0}}, false)});
+    EXPECT_EQ(build_scene(line, pinned, 0.0)->curves.pieces().size(), 2U);
+    EXPECT_EQ(told_on_the_way(line, pinned, way, vertex_passed), 0);
 }
 
 TEST(EventDetector, TellsOfTheEdgeOfTheArea) {

@@ -108,6 +108,28 @@ TEST(PopThrough, NeverPassesASecondLine) {
     }
 }
 
+/// Into the hollow of a smooth curve a push keeps finding vertices, one beside the other.
+TEST(PopThrough, ACurveGivesWayFromWithinAndFromWithout) {
+    for (const double radius_m : {0.0, 0.0014}) {
+        for (const double bend : {-1.0, 1.0}) {
+            Outline arc = scenes::outline({}, false);
+            for (int i = -20; i <= 20; ++i) {
+                const double turn = 0.02 * i;
+                arc.points.push_back({0.03 * std::sin(turn), bend * 0.03 * (1.0 - std::cos(turn))});
+            }
+            for (const double x_m : {0.0, 0.0003, -0.0041}) {
+                const Scene scene = scene_of({arc}, radius_m);
+                ContactMachine machine;
+                machine.reset(scene, {x_m, 0.003}, 0.0);
+                const Push done = push(machine, giving_way(radius_m), x_m, 0.006, 0.0, 2000);
+                EXPECT_EQ(done.pops, 1) << radius_m << ' ' << bend << ' ' << x_m;
+                EXPECT_LE(done.jump_N, 0.03);
+                EXPECT_EQ(done.last.force, Force{});
+            }
+        }
+    }
+}
+
 TEST(PopThrough, ACornerHolds) {
     const Outline corner = scenes::outline({{-0.02, 0.02}, {0.0, 0.0}, {0.02, 0.02}}, false);
     const Scene scene = scene_of({corner}, 0.0);

@@ -151,7 +151,9 @@ RC_GTEST_PROP(CostTerm, SettlesAtAnAffordableLevel, ()) {
     const double level = cost.level();
     RC_ASSERT(work_at(level).boxes <= affordable);
     RC_ASSERT(level == 0.0 || work_at(level - 1.0).boxes > affordable);
-    RC_ASSERT(changes == static_cast<int>(level));
+    // Whole boxes: twice what the level takes may look affordable where the next one is not.
+    const bool is_tried_again = 2 * work_at(level).boxes <= affordable;
+    RC_ASSERT(changes == static_cast<int>(level) || is_tried_again);
 }
 
 TEST(CostTerm, ALevelThatIsNoNumberChangesNothing) {

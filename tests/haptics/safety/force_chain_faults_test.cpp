@@ -9,7 +9,7 @@ namespace {
 
 TEST(ForceChain, NotFiniteIsZeroThisTickAndAFaultUntilTheOperatorClearsIt) {
     const Jacobian bad_pose{{nan, 0.0}, {0.0, 0.05}};
-    for (int kind = 0; kind < 8; ++kind) {
+    for (int kind = 0; kind < 7; ++kind) {
         ForceChain chain = live_chain();
         (void)settled(chain, {1.0, 0.0});
         ChainInput bad = wanting({1.0, 0.0});
@@ -17,9 +17,8 @@ TEST(ForceChain, NotFiniteIsZeroThisTickAndAFaultUntilTheOperatorClearsIt) {
         if (kind == 1) bad.jacobian = bad_pose;
         if (kind == 2) bad.p_D.y = nan;
         if (kind == 3) bad.velocity_D.x = nan;
-        if (kind == 4) bad.sample_age_s = nan;
-        if (kind == 5) bad.is_unreadable = true;
-        const SafeForce out = chain.step(bad, kind == 6 ? nan : kind == 7 ? -1.0 : tick_s);
+        if (kind == 4) bad.is_unreadable = true;
+        const SafeForce out = chain.step(bad, kind == 5 ? nan : kind == 6 ? -1.0 : tick_s);
         EXPECT_EQ(out.force_D, Force{}) << kind;
         EXPECT_EQ(out.torques, JointTorques{});
         EXPECT_EQ(out.limit, Limit::fault);
@@ -32,31 +31,6 @@ TEST(ForceChain, NotFiniteIsZeroThisTickAndAFaultUntilTheOperatorClearsIt) {
         EXPECT_EQ(chain.state(), ForceState::armed);
         EXPECT_EQ(chain.status().fault, Fault::none);
     }
-}
-
-TEST(ForceChain, OldSamplesStopForceWithinFiveMillisecondsAndAreAFaultAfterTwenty) {
-    ForceChain chain = live_chain();
-    (void)settled(chain, {2.0, 0.0});
-    ChainInput input = wanting({2.0, 0.0});
-    for (int ms = 0; ms < 20; ++ms) {
-        input.sample_age_s = 1e-3 * ms;
-        const SafeForce out = chain.step(input, tick_s);
-        if (ms < 3) {
-            EXPECT_NEAR(out.force_D.x, 2.0, 0.01);
-        }
-        if (ms >= 3) {
-            EXPECT_EQ(out.limit, Limit::late);
-        }
-        if (ms >= 4) {
-            EXPECT_EQ(out.force_D, Force{});
-        }
-        EXPECT_EQ(chain.state(), ForceState::live);
-    }
-    input.sample_age_s = 0.02;
-    (void)chain.step(input, tick_s);
-    EXPECT_EQ(chain.status().fault, Fault::samples_late);
-    (void)chain.step(wanting({2.0, 0.0}), tick_s);
-    EXPECT_EQ(chain.state(), ForceState::armed);
 }
 
 TEST(ForceChain, AFastHandIsOnlyBraked) {

@@ -57,7 +57,6 @@ ChainInput any_input() {
     if (is_odd()) input.p_D = {any_double(), any_double()};
     input.velocity_D =
         is_odd() ? Velocity{any_double(), any_double()} : Velocity{ordinary(1.2), ordinary(1.2)};
-    if (is_odd()) input.sample_age_s = any_double();
     input.is_wanted = !is_odd();
     input.is_fading = is_odd();
     input.is_stopped = is_odd() && is_odd();

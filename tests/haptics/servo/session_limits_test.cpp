@@ -78,13 +78,11 @@ class Session {
 
   private:
     void disturb(StepInput& input) {
-        input.sample_age_s = random_() % 300 == 0 ? 0.004 : 0.0;
         input.commands.is_emergency_stop = random_() % 50'000 == 0;
         if (random_() % 2000 == 0) input.angles.reset();
         if (random_() % 3000 == 0) input.angles = JointAngles{2.0, 1.0};
         if (random_() % 20'000 == 0) input.angles = JointAngles{NAN, 1.0};
         if (random_() % 1000 == 0) ++input.commands.faults_cleared;
-        if (random_() % 3000 == 0) ++input.device_setups;
     }
 
     void check(JointTorques torques) {
