@@ -53,6 +53,9 @@ std::vector<CaptureAction> CaptureSequence::step(double now_s, const CaptureInpu
         case State::settling:
             settle(in);
             break;
+        case State::locking:  // orders travel with the next request
+            if (in.has_frame || !abilities_.has_exposure_lock) begin_sharpening();
+            break;
         case State::sharpening:
             sharpen(in);
             break;
@@ -114,11 +117,12 @@ bool CaptureSequence::is_steady(const FrameQuality& quality) {
 void CaptureSequence::settle(const CaptureInputs& in) {
     const bool is_light_steady = in.has_frame && is_steady(in.quality);
     const bool is_settled = in.loops.is_exposure_settled.value_or(is_light_steady);
-    if (is_settled || elapsed_s() >= limits_.settle_s) begin_sharpening();
+    if (!is_settled && elapsed_s() < limits_.settle_s) return;
+    if (abilities_.has_exposure_lock) order(CaptureAction::lock_exposure);
+    enter(State::locking);
 }
 
 void CaptureSequence::begin_sharpening() {
-    if (abilities_.has_exposure_lock) order(CaptureAction::lock_exposure);
     settled_brightness_ = steady_brightness_;
     enter(State::sharpening);
     first_still_s_.reset();

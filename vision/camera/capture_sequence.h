@@ -1,10 +1,10 @@
 // When to order what from a camera: find it, start it, notice that it died, take a still. A state
 // machine on the time that it is told; it orders, the caller carries out (stream_camera.h).
 //
-//   absent -> opening -> starting -> previewing -> focusing -> settling -> sharpening -> starting
-//                ^            |            |           (still asked for)        |
-//                +-- pausing <+------------+------------------------------------+  refused, or
-//                silent
+//   absent -> opening -> starting -> previewing -> focusing -> settling -> locking -> sharpening
+//                ^                    (still asked for)                                    |
+//                |              starting again, with the preview <-------------------------+
+//                +-- pausing: from everywhere, when the camera refuses or is silent
 //
 // Threads: one caller. Deterministic. O(1) a step.
 #pragma once
@@ -96,6 +96,7 @@ class CaptureSequence {
         previewing,
         focusing,
         settling,
+        locking,
         sharpening,
     };
 

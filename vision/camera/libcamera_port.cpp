@@ -120,13 +120,16 @@ Result<CameraAbilities> LibcameraPort::open(const std::string& id) {
 Result<void> LibcameraPort::start(const StreamPlan& plan) {
     running_.reset();
     if (!cameras_->open) return failure("no camera is open");
-    auto stream = LibcameraStream::start(cameras_->open, plan);
+    auto stream = LibcameraStream::start(cameras_->open, plan, orders_);
     if (!stream) return tl::unexpected(stream.error());
     running_ = std::move(*stream);
     return {};
 }
 
+/// An order may come with a new stream right behind it, before any request could carry it.
 void LibcameraPort::order(LoopOrder order) {
+    std::erase(orders_, order);
+    orders_.push_back(order);
     if (running_) running_->order(order);
 }
 
@@ -140,6 +143,7 @@ std::optional<TakenFrame> LibcameraPort::take() {
 
 void LibcameraPort::close() {
     running_.reset();
+    orders_.clear();
     cameras_->release();
 }
 

@@ -36,6 +36,7 @@ class LibcameraPort : public CameraPort {
     explicit LibcameraPort(std::unique_ptr<Cameras> cameras);
 
     std::unique_ptr<Cameras> cameras_;
+    std::vector<LoopOrder> orders_;             // in force: a new stream is told them again
     std::unique_ptr<LibcameraStream> running_;  // after cameras_: goes first
 };
 

@@ -65,13 +65,15 @@ LibcameraStream::~LibcameraStream() {
 }
 
 Result<std::unique_ptr<LibcameraStream>> LibcameraStream::start(
-    std::shared_ptr<libcamera::Camera> camera, const StreamPlan& plan) {
+    std::shared_ptr<libcamera::Camera> camera, const StreamPlan& plan,
+    const std::vector<LoopOrder>& orders) {
     std::unique_ptr<LibcameraStream> stream(new LibcameraStream(std::move(camera)));
     if (auto done = stream->configure(plan); !done) return tl::unexpected(done.error());
     if (auto done = stream->prepare_buffers(); !done) return tl::unexpected(done.error());
     stream->camera_->requestCompleted.connect(stream.get(), &LibcameraStream::has_completed);
     if (stream->camera_->start() != 0) return failure("the camera does not start");
     stream->is_started_ = true;
+    for (const LoopOrder order : orders) stream->order(order);
     for (const auto& request : stream->requests_) stream->queue(*request);
     return stream;
 }

@@ -18,7 +18,8 @@ class LibcameraStream {
   public:
     /// Configures, starts and asks for frames. `camera` is acquired and stays so while this lives.
     [[nodiscard]] static Result<std::unique_ptr<LibcameraStream>> start(
-        std::shared_ptr<libcamera::Camera> camera, const StreamPlan& plan);
+        std::shared_ptr<libcamera::Camera> camera, const StreamPlan& plan,
+        const std::vector<LoopOrder>& orders);
     ~LibcameraStream();
     LibcameraStream(const LibcameraStream&) = delete;
     LibcameraStream(LibcameraStream&&) = delete;
