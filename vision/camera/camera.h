@@ -9,7 +9,7 @@
 namespace touchline {
 
 /// A picture taken. The frame is as the camera gave it, so that the user of it decides how much of
-/// it to decode: to_bgr(frame, reduced_size(frame.size, 1'000'000)) for outlines, all for a zoom.
+/// it to decode: to_bgr(frame, quick_size(frame.size, 1'000'000)) for outlines, all for a zoom.
 struct Still {
     CameraFrame frame;
     FrameQuality quality;

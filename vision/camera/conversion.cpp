@@ -26,11 +26,15 @@ tl::unexpected<Error> damaged(tjhandle decoder) {
     return failure(std::string("the camera's frame is damaged: ") + tjGetErrorStr2(decoder));
 }
 
+cv::Size divided(cv::Size size, int by) {
+    return {(size.width + by - 1) / by, (size.height + by - 1) / by};
+}
+
 /// The smallest of full, half, quarter and eighth size that is not below the wanted one: those are
 /// the transforms that libjpeg-turbo has vector code for.
 cv::Size decoded_size(cv::Size size, cv::Size wanted) {
     for (const int by : {8, 4, 2}) {
-        const cv::Size reduced((size.width + by - 1) / by, (size.height + by - 1) / by);
+        const cv::Size reduced = divided(size, by);
         if (reduced.width >= wanted.width && reduced.height >= wanted.height) return reduced;
     }
     return size;
@@ -139,6 +143,14 @@ cv::Size reduced_size(cv::Size size, std::int64_t pixels) {
     if (scaled(size.height) < 1) return {most(size.width), 1};
     if (scaled(size.width) < 1) return {1, most(size.height)};
     return {scaled(size.width), scaled(size.height)};
+}
+
+cv::Size quick_size(cv::Size size, std::int64_t pixels) {
+    for (const int by : {1, 2, 4}) {
+        const cv::Size reduced = divided(size, by);
+        if (std::int64_t{reduced.width} * reduced.height <= pixels) return reduced;
+    }
+    return divided(size, 8);
 }
 
 Result<cv::Mat> to_bgr(const CameraFrame& frame, cv::Size wanted) {

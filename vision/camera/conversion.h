@@ -14,6 +14,10 @@ namespace touchline {
 /// least 1.
 [[nodiscard]] cv::Size reduced_size(cv::Size size, std::int64_t pixels);
 
+/// The largest of whole, half, quarter and eighth (sides rounded up) with at most so many pixels,
+/// else the eighth: a JPEG is decoded to these without resampling, which costs as much again.
+[[nodiscard]] cv::Size quick_size(cv::Size size, std::int64_t pixels);
+
 /// 8-bit BGR of exactly the wanted size, which has no side longer than the frame's. Fails, with one
 /// line, where bytes are missing, the JPEG is damaged, cut short or of another size than the frame.
 /// O(bytes + pixels of the frame).

@@ -65,8 +65,9 @@ void StreamCamera::read_frame(CaptureInputs& in, CameraView& view) {
     std::optional<TakenFrame> taken = port_->take();
     if (!taken) return;
     const bool is_still = taken->is_still || sequence_.is_still_running();
-    const auto pixels = to_bgr(
-        taken->frame, reduced_size(taken->frame.size, is_still ? judged_pixels : preview_pixels));
+    const cv::Size size = taken->frame.size;
+    const auto pixels = to_bgr(taken->frame, is_still ? quick_size(size, judged_pixels)
+                                                      : reduced_size(size, preview_pixels));
     if (!pixels) return;
     in.has_frame = true;
     in.is_frame_still = taken->is_still;

@@ -18,6 +18,7 @@ struct EdgePoint {
 struct Chain {
     std::vector<EdgePoint> points;
     bool is_closed = false;
+    double width_px = 0;  // where the line stands for a drawn stroke; else 0
 };
 
 [[nodiscard]] inline double distance(const cv::Point2d& a, const cv::Point2d& b) {

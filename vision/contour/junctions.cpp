@@ -224,6 +224,7 @@ Chain JunctionSet::walked(EndId start) {
     while (in != kNobody && !is_walked_[chain_of(in)]) {
         Chain& arm = arms_[chain_of(in)];
         is_walked_[chain_of(in)] = true;
+        line.width_px = std::max(line.width_px, arm.width_px);
         if (arm.is_closed) {
             return std::move(arm);
         }

@@ -31,7 +31,6 @@ constexpr double near_frame_px = 8.0;
 constexpr double least_area = 0.10;  // of the picture; below it is too small, ...
 constexpr double speck_area = 0.03;  // ... and below that no page
 
-constexpr int dark_level = 50;  // the brightest twentieth of the picture
 constexpr int clipped_level = 250;
 constexpr double most_clipped_frame = 0.4;
 constexpr double most_clipped_page = 0.6;
@@ -148,23 +147,6 @@ CaptureTrouble where_it_leaves(const Judged& page, cv::Size size) {
     return most == up ? CaptureTrouble::too_far_up : CaptureTrouble::too_far_down;
 }
 
-/// The level that this share of the pixels is below.
-int level_at(const cv::Mat1b& light, const cv::Mat1b& mask, double share) {
-    std::array<int, 256> counts{};
-    int total = 0;
-    for (int y = 0; y < light.rows; ++y)
-        for (int x = 0; x < light.cols; ++x) {
-            if (mask(y, x) == 0) continue;
-            ++counts[light(y, x)];
-            ++total;
-        }
-    int level = 0;
-    for (int below = counts[0]; level < 255 && below <= share * total;
-         below += counts[static_cast<std::size_t>(level)])
-        ++level;
-    return level;
-}
-
 CaptureTrouble light_on(const cv::Mat1b& light, const Quad& corners) {
     std::vector<cv::Point> polygon(corners.begin(), corners.end());
     cv::Mat1b page(light.size(), std::uint8_t{0});
@@ -180,9 +162,7 @@ CaptureTrouble light_on(const cv::Mat1b& light, const Quad& corners) {
 
 PageSearch find_page(const cv::Mat& bgr) {
     const cv::Mat1b coarse = page_light(bgr, size_for(bgr.size(), coarse_pixels), coarse_sigma_px);
-    const cv::Mat1b everywhere(coarse.size(), 255);
-    if (level_at(coarse, everywhere, 0.95) < dark_level)
-        return {std::nullopt, CaptureTrouble::too_dark};
+    if (is_too_dark(coarse)) return {std::nullopt, CaptureTrouble::too_dark};
     const cv::Mat1b light = page_light(bgr, size_for(bgr.size(), fine_pixels), fine_sigma_px);
     std::optional<Judged> best;
     for (const Judged& candidate : best_candidates(coarse)) {

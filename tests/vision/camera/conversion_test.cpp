@@ -116,5 +116,14 @@ TEST(Conversion, ReducedSizeKeepsTheShapeAndTheBound) {
     EXPECT_EQ(reduced_size({3, 65535}, 1000), cv::Size(1, 1000));
 }
 
+TEST(Conversion, QuickSizeIsAPowerOfTwoBelowTheBound) {
+    EXPECT_EQ(quick_size({4000, 3000}, 1'000'000), cv::Size(1000, 750));
+    EXPECT_EQ(quick_size({1001, 751}, 1'000'000), cv::Size(1001, 751));
+    EXPECT_EQ(quick_size({1601, 1201}, 1'000'000), cv::Size(801, 601));
+    EXPECT_EQ(quick_size({16000, 12000}, 1000), cv::Size(2000, 1500));
+    const CameraFrame frame = testing::mjpeg_frame(testing::scene({1601, 1201}));
+    EXPECT_EQ(to_bgr(frame, cv::Size(801, 601))->size(), cv::Size(801, 601));
+}
+
 }  // namespace
 }  // namespace touchline

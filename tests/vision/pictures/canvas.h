@@ -1,0 +1,70 @@
+// Drawing test pictures with Cairo: what a vector program would make of them, anti-aliased.
+// Threads: one canvas, one thread.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <cairo.h>
+#include <opencv2/core.hpp>
+
+namespace touchline::testing {
+
+/// Points in picture pixels as Cairo counts them: (0, 0) is the corner of the first pixel.
+struct Polyline {
+    std::vector<cv::Point2d> points;
+    bool is_closed = false;
+};
+
+struct Font {
+    std::string family = "DejaVu Sans";
+    double size_px = 20.0;
+    bool is_bold = false;
+    bool is_italic = false;
+};
+
+class Canvas {
+  public:
+    /// All paper. Colours are BGR, 0..255, as everywhere in OpenCV.
+    Canvas(cv::Size size, const cv::Scalar& paper);
+    ~Canvas();
+    Canvas(const Canvas&) = delete;
+    Canvas& operator=(const Canvas&) = delete;
+
+    /// Filled by the even-odd rule, all together.
+    void fill(const std::vector<Polyline>& rings, const cv::Scalar& ink);
+
+    /// Round joins and caps, or mitred joins and butt caps.
+    void stroke(const std::vector<Polyline>& lines, double width_px, const cv::Scalar& ink,
+                bool is_round = true);
+
+    /// Baseline starts at `at`.
+    void write(const std::string& text, cv::Point2d at, const Font& font, const cv::Scalar& ink);
+
+    /// The outline of one text, as Cairo flattens it, baseline at `at`.
+    [[nodiscard]] std::vector<Polyline> outline_of(const std::string& text, cv::Point2d at,
+                                                   const Font& font);
+
+    [[nodiscard]] double width_of(const std::string& text, const Font& font);
+
+    /// 8-bit BGR.
+    [[nodiscard]] cv::Mat picture() const;
+
+  private:
+    void add(const std::vector<Polyline>& lines);
+    void use(const Font& font);
+    void use(const cv::Scalar& ink);
+
+    cv::Size size_;
+    cairo_surface_t* surface_;
+    cairo_t* pen_;
+};
+
+/// Part of an ellipse, degrees from the x axis towards y; closed when it goes all the way round.
+[[nodiscard]] Polyline arc(cv::Point2d centre, cv::Size2d radii, double from_deg = 0.0,
+                           double to_deg = 360.0);
+
+/// `line` turned about the origin, then scaled, then moved.
+[[nodiscard]] Polyline placed(const Polyline& line, cv::Point2d at, double scale, double angle_deg);
+
+}  // namespace touchline::testing

@@ -1,0 +1,70 @@
+#include "tests/vision/pictures/effects.h"
+
+#include "tests/app/decode/encoders.h"
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline::testing {
+namespace {
+
+cv::Mat through_jpeg(const cv::Mat& picture, int quality) {
+    Picture plain{picture.cols, picture.rows, {}};
+    const cv::Mat packed = picture.isContinuous() ? picture : picture.clone();
+    plain.bgr.assign(packed.datastart, packed.dataend);
+    encoders::JpegForm form;
+    form.quality = quality;
+    const Picture back = decode_picture(encoders::jpeg(plain, form)).value();
+    cv::Mat decoded(picture.size(), CV_8UC3);
+    std::copy(back.bgr.begin(), back.bgr.end(), decoded.ptr());
+    return decoded;
+}
+
+}  // namespace
+
+cv::Mat seen(const cv::Mat& picture, const Effects& effects) {
+    cv::Mat3f light;
+    picture.convertTo(light, CV_32F);
+    const auto shade = static_cast<float>(effects.shade);
+    for (int y = 0; y < light.rows; ++y) {
+        for (int x = 0; x < light.cols; ++x) {
+            const float across = static_cast<float>(x) / static_cast<float>(light.cols);
+            const float down = static_cast<float>(y) / static_cast<float>(light.rows);
+            light(y, x) *= 1.0F - shade * 0.5F * (across + down);
+        }
+    }
+    if (effects.blur_px > 0.0) {
+        cv::GaussianBlur(light, light, cv::Size(), effects.blur_px);
+    }
+    if (effects.noise_levels > 0.0) {
+        cv::RNG random(static_cast<std::uint64_t>(effects.seed) + 77U);
+        cv::Mat3f noise(light.size());
+        random.fill(noise, cv::RNG::NORMAL, 0.0, effects.noise_levels);
+        light += noise;
+    }
+    cv::Mat bytes;
+    light.convertTo(bytes, CV_8U);
+    return effects.jpeg_quality > 0 ? through_jpeg(bytes, effects.jpeg_quality) : bytes;
+}
+
+Effects effects_of_kind(int kind, int seed) {
+    switch (kind % 6) {
+        case 0:
+            return {.seed = seed};
+        case 1:
+            return {.blur_px = 1.2, .seed = seed};
+        case 2:
+            return {.noise_levels = 8.0, .seed = seed};
+        case 3:
+            return {.noise_levels = 2.0, .shade = 0.5, .seed = seed};
+        case 4:
+            return {.jpeg_quality = 50, .seed = seed};
+        default:
+            return {.blur_px = 0.8,
+                    .noise_levels = 4.0,
+                    .shade = 0.3,
+                    .jpeg_quality = 75,
+                    .seed = seed};
+    }
+}
+
+}  // namespace touchline::testing

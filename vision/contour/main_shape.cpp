@@ -1,0 +1,297 @@
+#include "vision/contour/main_shape.h"
+
+#include "vision/contour/gradient.h"
+#include "vision/contour/palette.h"
+#include "vision/contour/region_borders.h"
+#include "vision/contour/sampling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+constexpr int kCoarse_px = 160;  // longer side, for GrabCut
+constexpr double kFinePixels = 1.2e5;
+constexpr int kRounds = 2;
+constexpr double kLeastPart = 0.02;  // of the picture
+constexpr double kGreatestPart = 0.7;
+constexpr double kGreatestOnFrame = 0.3;    // of the outline
+constexpr double kGreatestLikeness = 0.55;  // of the colours inside and outside, 0 to 1
+constexpr double kLeastEdge = 1.6;  // mean gradient on the outline over the picture's middle one
+constexpr double kSnap_px = 5.0;    // of the fine copy: how far off the coarse outline may be
+
+/// A copy of at most `side_px` on its longer side.
+cv::Mat sized(const cv::Mat& picture, int side_px) {
+    const double scale =
+        std::min(1.0, static_cast<double>(side_px) / std::max(picture.cols, picture.rows));
+    cv::Mat copy;
+    cv::resize(
+        picture, copy,
+        {std::max(1, cvRound(picture.cols * scale)), std::max(1, cvRound(picture.rows * scale))},
+        0.0, 0.0, cv::INTER_AREA);
+    return copy;
+}
+
+/// How unlike the colours of the border each pixel is, grey levels, less far from the middle.
+cv::Mat1f salience(const LabPicture& lab) {
+    const int band = std::max(2, std::min(lab.cols, lab.rows) / 20);
+    LabPicture border(2 * band, lab.cols + lab.rows);
+    for (int i = 0; i < band; ++i) {
+        for (int x = 0; x < lab.cols; ++x) {
+            border(2 * i, x) = lab(i, x);
+            border(2 * i + 1, x) = lab(lab.rows - 1 - i, x);
+        }
+        for (int y = 0; y < lab.rows; ++y) {
+            border(2 * i, lab.cols + y) = lab(y, i);
+            border(2 * i + 1, lab.cols + y) = lab(y, lab.cols - 1 - i);
+        }
+    }
+    constexpr double kAnyNoise = 100.0;  // textured borders have colours too
+    std::vector<cv::Vec3f> colours = palette_of(border, kAnyNoise);
+    constexpr std::size_t kMostColours = 12;
+    colours.resize(std::min(colours.size(), kMostColours));
+    cv::Mat1f unlike(lab.size());
+    for (int y = 0; y < lab.rows; ++y) {
+        for (int x = 0; x < lab.cols; ++x) {
+            double nearest = 1e9;
+            for (const cv::Vec3f& colour : colours) {
+                nearest = std::min(nearest, cv::norm(lab(y, x) - colour));
+            }
+            const double u = (2.0 * x + 1.0) / lab.cols - 1.0;
+            const double v = (2.0 * y + 1.0) / lab.rows - 1.0;
+            unlike(y, x) = static_cast<float>(nearest * std::exp(-0.8 * (u * u + v * v)));
+        }
+    }
+    cv::GaussianBlur(unlike, unlike, cv::Size(), 2.0);
+    return unlike;
+}
+
+/// GrabCut's beginning: sure background at the border, probable object where it is salient.
+cv::Mat1b seeded_by_salience(const LabPicture& lab) {
+    const cv::Mat1f unlike = salience(lab);
+    const float limit = std::max(10.0F, 0.5F * quantile(unlike, 0.98));
+    cv::Mat1b seed(lab.size(), uchar{cv::GC_PR_BGD});
+    seed.setTo(cv::GC_PR_FGD, unlike > limit);
+    cv::rectangle(seed, cv::Rect({}, lab.size()), cv::GC_BGD, 2);
+    return seed;
+}
+
+cv::Mat1b seeded_by_spot(const LabPicture& lab, const cv::Point& spot) {
+    const double unit = std::min(lab.cols, lab.rows);
+    const auto radius = [&](double part) { return std::max(1, cvRound(part * unit)); };
+    cv::Mat1b seed(lab.size(), uchar{cv::GC_PR_BGD});
+    cv::circle(seed, spot, radius(0.18), cv::GC_PR_FGD, cv::FILLED);
+    cv::circle(seed, spot, radius(0.03), cv::GC_FGD, cv::FILLED);
+    cv::rectangle(seed, cv::Rect({}, lab.size()), cv::GC_BGD, 1);
+    return seed;
+}
+
+/// The same numbers on every call, whatever else used the thread's random state.
+class FixedRandomState {
+  public:
+    FixedRandomState() : before_(cv::theRNG().state) { cv::theRNG().state = 20051; }
+
+    ~FixedRandomState() { cv::theRNG().state = before_; }
+
+    FixedRandomState(const FixedRandomState&) = delete;
+    FixedRandomState& operator=(const FixedRandomState&) = delete;
+
+  private:
+    std::uint64_t before_;
+};
+
+/// The largest part of the object (or the one at the spot), holes filled; empty if there is none.
+cv::Mat1b one_part(const cv::Mat& object, const std::optional<cv::Point>& spot) {
+    cv::Mat1i label;
+    cv::Mat1i stats;
+    cv::Mat1d centres;
+    const int n = cv::connectedComponentsWithStats(object, label, stats, centres, 4, CV_32S);
+    int best = spot ? label(*spot) : 0;
+    for (int i = 1; i < n && !spot; ++i) {
+        if (best == 0 || stats(i, cv::CC_STAT_AREA) > stats(best, cv::CC_STAT_AREA)) {
+            best = i;
+        }
+    }
+    if (best == 0) {
+        return {};
+    }
+    cv::Mat outside = label != best;  // flooded from a frame round the picture; what stays is holes
+    cv::copyMakeBorder(outside, outside, 1, 1, 1, 1, cv::BORDER_CONSTANT, 255);
+    cv::floodFill(outside, {0, 0}, 128);
+    return cv::Mat(outside != 128)(cv::Rect({1, 1}, object.size())).clone();
+}
+
+cv::Mat1b cut_out(const cv::Mat& coarse, const std::optional<cv::Point>& spot) {
+    const LabPicture lab = to_lab(coarse);
+    cv::Mat mask = spot ? seeded_by_spot(lab, *spot) : seeded_by_salience(lab);
+    const int probable = cv::countNonZero(mask & 1);
+    if (probable < 20 || probable > static_cast<int>(0.9 * static_cast<double>(mask.total()))) {
+        return {};
+    }
+    const FixedRandomState fixed;
+    cv::Mat background;
+    cv::Mat foreground;
+    cv::grabCut(coarse, mask, {}, background, foreground, kRounds, cv::GC_INIT_WITH_MASK);
+    return one_part((mask & 1) * 255, spot);
+}
+
+/// Bhattacharyya coefficient of the colours inside and outside: 0 nothing in common, 1 the same.
+double likeness(const LabPicture& lab, const cv::Mat1b& inside) {
+    constexpr int kBins = 10;
+    std::array<std::vector<double>, 2> histogram{std::vector<double>(kBins * kBins * kBins, 0.0),
+                                                 std::vector<double>(kBins * kBins * kBins, 0.0)};
+    std::array<double, 2> sum{};
+    const auto cell = [](float value, float low, float size) {
+        return std::clamp(static_cast<int>((value - low) / size), 0, kBins - 1);
+    };
+    for (int y = 0; y < lab.rows; ++y) {
+        for (int x = 0; x < lab.cols; ++x) {
+            const cv::Vec3f& c = lab(y, x);
+            const int bin = (cell(c[0], 0.0F, 26.0F) * kBins + cell(c[1], -75.0F, 15.0F)) * kBins +
+                            cell(c[2], -75.0F, 15.0F);
+            const std::size_t side = inside(y, x) != 0 ? 1 : 0;
+            histogram[side][static_cast<std::size_t>(bin)] += 1.0;
+            sum[side] += 1.0;
+        }
+    }
+    double common = 0.0;
+    for (std::size_t i = 0; i < histogram[0].size(); ++i) {
+        common += std::sqrt(histogram[0][i] * histogram[1][i]);
+    }
+    return common / std::sqrt(std::max(1.0, sum[0] * sum[1]));
+}
+
+/// The longest ring round the mask, in its pixels; the frame closes what it cuts.
+Chain ring_round(const cv::Mat1b& mask) {
+    cv::Mat1f soft;
+    mask.convertTo(soft, CV_32F, 2.0 / 255.0);
+    cv::copyMakeBorder(soft, soft, 3, 3, 3, 3, cv::BORDER_CONSTANT, 0.0);
+    cv::GaussianBlur(soft, soft, cv::Size(), 1.0);
+    LabPicture levels(soft.size(), cv::Vec3f(0.0F, 0.0F, 0.0F));
+    cv::insertChannel(soft, levels, 0);
+    const cv::Mat1b map = cv::Mat((soft >= 1.0F) & 1);
+    Chain longest;
+    for (Chain& ring : region_borders(map, levels, {{0.0F, 0.0F, 0.0F}, {2.0F, 0.0F, 0.0F}})) {
+        if (ring.is_closed && length_of(ring) > length_of(longest)) {
+            longest = std::move(ring);
+        }
+    }
+    for (EdgePoint& point : longest.points) {
+        point.at.x = std::clamp(point.at.x - 3.0, -0.5, mask.cols - 0.5);
+        point.at.y = std::clamp(point.at.y - 3.0, -0.5, mask.rows - 0.5);
+    }
+    return longest;
+}
+
+void scale(Chain& ring, double x, double y) {
+    for (EdgePoint& point : ring.points) {
+        point.at = {(point.at.x + 0.5) * x - 0.5, (point.at.y + 0.5) * y - 0.5};
+    }
+}
+
+float strength_at(const cv::Mat1f& strength, const cv::Point2d& at) {
+    const cv::Point p(cvRound(at.x), cvRound(at.y));
+    return cv::Rect({}, strength.size()).contains(p) ? strength(p) : 0.0F;
+}
+
+bool is_on_frame(const cv::Point2d& at, cv::Size size) {
+    return at.x < 1.0 || at.y < 1.0 || at.x > size.width - 2.0 || at.y > size.height - 2.0;
+}
+
+/// Each point moves to the strongest edge along its normal, near before far; then neighbours agree.
+void snap(Chain& ring, const cv::Mat1f& strength) {
+    const auto n = static_cast<int>(ring.points.size());
+    const auto at = [&](int i) {
+        return ring.points[static_cast<std::size_t>((i % n + n) % n)].at;
+    };
+    std::vector<double> offset(ring.points.size(), 0.0);
+    std::vector<cv::Point2d> normal(ring.points.size());
+    for (int i = 0; i < n; ++i) {
+        const cv::Point2d along = at(i + 3) - at(i - 3);
+        const double length = std::max(1e-9, cv::norm(along));
+        const auto k = static_cast<std::size_t>(i);
+        normal[k] = {-along.y / length, along.x / length};
+        double best = 0.0;
+        for (double d = -kSnap_px; d <= kSnap_px && !is_on_frame(at(i), strength.size());
+             d += 0.5) {
+            const double near = std::exp(-0.5 * d * d / (0.25 * kSnap_px * kSnap_px));
+            const double value =
+                near * static_cast<double>(strength_at(strength, at(i) + d * normal[k]));
+            if (value > best) {
+                best = value;
+                offset[k] = d;
+            }
+        }
+    }
+    constexpr int kAgree = 7;  // points, middle one of
+    for (int i = 0; i < n; ++i) {
+        std::array<double, kAgree> around{};
+        for (int k = 0; k < kAgree; ++k) {
+            around[static_cast<std::size_t>(k)] =
+                offset[static_cast<std::size_t>((i + k - kAgree / 2 + n) % n)];
+        }
+        std::ranges::nth_element(around, around.begin() + kAgree / 2);
+        const auto k = static_cast<std::size_t>(i);
+        ring.points[k].at += around[kAgree / 2] * normal[k];
+    }
+}
+
+/// Strengths, and whether the outline lies on edges more than the picture does anywhere.
+bool is_on_edges(Chain& ring, const cv::Mat1f& strength) {
+    double sum = 0.0;
+    int on_frame = 0;
+    for (EdgePoint& point : ring.points) {
+        point.strength = static_cast<double>(strength_at(strength, point.at));
+        const bool is_frame = is_on_frame(point.at, strength.size());
+        on_frame += is_frame ? 1 : 0;
+        sum += is_frame ? 0.0 : point.strength;
+    }
+    const auto all = static_cast<double>(ring.points.size());
+    const double free = all - on_frame;
+    const auto middle = static_cast<double>(quantile(strength, 0.5));
+    return on_frame < kGreatestOnFrame * all && sum > kLeastEdge * std::max(0.5, middle) * free;
+}
+
+}  // namespace
+
+std::optional<Chain> main_shape(const cv::Mat& picture, std::optional<cv::Point2d> spot) {
+    constexpr int kLeast_px = 16;
+    if (std::min(picture.cols, picture.rows) < kLeast_px || picture.type() != CV_8UC3) {
+        return std::nullopt;
+    }
+    const cv::Mat coarse = sized(picture, kCoarse_px);
+    std::optional<cv::Point> coarse_spot;
+    if (spot) {
+        coarse_spot = cv::Point(
+            std::clamp(cvFloor(spot->x * coarse.cols / picture.cols), 0, coarse.cols - 1),
+            std::clamp(cvFloor(spot->y * coarse.rows / picture.rows), 0, coarse.rows - 1));
+    }
+    const cv::Mat1b object = cut_out(coarse, coarse_spot);
+    const double part =
+        object.empty() ? 0.0 : cv::countNonZero(object) / static_cast<double>(object.total());
+    if (part < kLeastPart || part > kGreatestPart ||
+        likeness(to_lab(coarse), object) > kGreatestLikeness) {
+        return std::nullopt;
+    }
+    const LabPicture fine = to_lab(reduced(picture, kFinePixels));
+    constexpr double kSmoothing_px = 1.5;
+    const cv::Mat1f strength = colour_gradient(fine, kSmoothing_px).strength;
+    Chain ring = ring_round(object);
+    scale(ring, static_cast<double>(fine.cols) / coarse.cols,
+          static_cast<double>(fine.rows) / coarse.rows);
+    ring = resampled(ring, 1.0);
+    snap(ring, strength);
+    ring = resampled(ring, 1.0);
+    if (!is_on_edges(ring, strength)) {
+        return std::nullopt;
+    }
+    scale(ring, static_cast<double>(picture.cols) / fine.cols,
+          static_cast<double>(picture.rows) / fine.rows);
+    return ring;
+}
+
+}  // namespace touchline

@@ -1,0 +1,127 @@
+#include "vision/contour/palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace touchline {
+namespace {
+
+constexpr int kBins = 32;       // along each axis
+constexpr float kBin = 8.0F;    // grey levels
+constexpr float kSame = 16.0F;  // colours that are nearer are one
+constexpr std::size_t kMost = 64;
+constexpr double kLeastPart = 0.0005;  // of the picture
+constexpr float kFlat = 6.0F;          // grey levels across two pixels
+
+struct Bin {
+    cv::Vec3f sum;
+    int count = 0;
+};
+
+int cell(float value, float low, float size, int n) {
+    return std::clamp(static_cast<int>((value - low) / size), 0, n - 1);
+}
+
+float squared(const cv::Vec3f& d) {
+    return d.dot(d);
+}
+
+std::size_t bin_of(const cv::Vec3f& lab) {
+    return static_cast<std::size_t>(
+        (cell(lab[0], 0.0F, kBin, kBins) * kBins + cell(lab[1], -128.0F, kBin, kBins)) * kBins +
+        cell(lab[2], -128.0F, kBin, kBins));
+}
+
+/// Colours of pixels that differ little across them both ways. In the middle of a line both sides
+/// are alike too, so thin lines count.
+std::vector<Bin> histogram(const LabPicture& lab, double noise) {
+    std::vector<Bin> bins(static_cast<std::size_t>(kBins * kBins * kBins));
+    const float flat = kFlat + 3.0F * static_cast<float>(noise);
+    for (int y = 1; y + 1 < lab.rows; ++y) {
+        for (int x = 1; x + 1 < lab.cols; ++x) {
+            if (squared(lab(y, x + 1) - lab(y, x - 1)) < flat * flat &&
+                squared(lab(y + 1, x) - lab(y - 1, x)) < flat * flat) {
+                Bin& bin = bins[bin_of(lab(y, x))];
+                bin.sum += lab(y, x);
+                ++bin.count;
+            }
+        }
+    }
+    return bins;
+}
+
+/// The mean of all filled bins within reach of `colour`.
+Bin around(const std::vector<Bin>& filled, const cv::Vec3f& colour) {
+    Bin all;
+    for (const Bin& bin : filled) {
+        if (squared(bin.sum * (1.0F / static_cast<float>(bin.count)) - colour) < kSame * kSame) {
+            all.sum += bin.sum;
+            all.count += bin.count;
+        }
+    }
+    return all;
+}
+
+cv::Vec3f mean_of(const Bin& bin) {
+    return bin.sum * (1.0F / static_cast<float>(bin.count));
+}
+
+}  // namespace
+
+std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
+    std::vector<Bin> filled = histogram(lab, noise);
+    std::erase_if(filled, [](const Bin& bin) { return bin.count == 0; });
+    if (filled.empty()) {
+        return {lab(lab.rows / 2, lab.cols / 2)};
+    }
+    std::ranges::stable_sort(filled, std::greater<>(), &Bin::count);
+    const double least = kLeastPart * static_cast<double>(lab.total());
+    std::vector<cv::Vec3f> palette;
+    while (!filled.empty() && palette.size() < kMost) {
+        Bin peak = around(filled, mean_of(filled.front()));
+        peak = around(filled, mean_of(peak));  // once uphill
+        if (peak.count == 0 || (peak.count < least && !palette.empty())) {
+            filled.erase(filled.begin());
+            if (filled.empty() || filled.front().count < least / 16.0) {
+                break;
+            }
+            continue;
+        }
+        const cv::Vec3f colour = mean_of(peak);
+        palette.push_back(colour);
+        std::erase_if(
+            filled, [&](const Bin& bin) { return squared(mean_of(bin) - colour) < kSame * kSame; });
+    }
+    return palette;
+}
+
+cv::Mat1b nearest_colours(const LabPicture& lab, const std::vector<cv::Vec3f>& palette) {
+    constexpr int kFine = 64;          // cells along each axis: a table of the nearest, made as
+    constexpr float kFineSize = 4.0F;  // asked for
+    constexpr uchar kUnknown = 255;
+    std::vector<uchar> table(static_cast<std::size_t>(kFine * kFine * kFine), kUnknown);
+    cv::Mat1b nearest(lab.size());
+    for (int y = 0; y < lab.rows; ++y) {
+        for (int x = 0; x < lab.cols; ++x) {
+            const cv::Vec3f& colour = lab(y, x);
+            const int l = cell(colour[0], 0.0F, kFineSize, kFine);
+            const int a = cell(colour[1], -128.0F, kFineSize, kFine);
+            const int b = cell(colour[2], -128.0F, kFineSize, kFine);
+            uchar& known = table[static_cast<std::size_t>((l * kFine + a) * kFine + b)];
+            if (known == kUnknown) {
+                const cv::Vec3f centre((static_cast<float>(l) + 0.5F) * kFineSize,
+                                       (static_cast<float>(a) + 0.5F) * kFineSize - 128.0F,
+                                       (static_cast<float>(b) + 0.5F) * kFineSize - 128.0F);
+                const auto best = std::ranges::min_element(
+                    palette, {}, [&](const cv::Vec3f& c) { return squared(c - centre); });
+                known = static_cast<uchar>(best - palette.begin());
+            }
+            nearest(y, x) = known;
+        }
+    }
+    return nearest;
+}
+
+}  // namespace touchline

@@ -1,0 +1,21 @@
+// Which pixel belongs to which colour, once the mixtures along edges and the specks are gone.
+// Threads: pure function.
+#pragma once
+
+#include "vision/contour/gradient.h"
+
+#include <vector>
+
+namespace touchline {
+
+/// For each pixel the place of its colour in the palette, as nearest_colours says, but:
+/// * a pixel at an edge whose colour is a mixture of two colours beside it belongs to the nearer of
+///   the two, though a third may look like it (black on white has grey edges);
+/// * regions (4-connected) of fewer than `least_px` pixels go to the neighbour with which they
+/// share
+///   most of their border.
+/// O(pixels).
+[[nodiscard]] cv::Mat1b region_map(const LabPicture& lab, const std::vector<cv::Vec3f>& palette,
+                                   int least_px);
+
+}  // namespace touchline

@@ -1,0 +1,298 @@
+#include "vision/contour/strokes.h"
+
+#include "vision/contour/centring.h"
+#include "vision/contour/corners.h"
+#include "vision/contour/junctions.h"
+#include "vision/contour/region_borders.h"
+#include "vision/contour/skeleton.h"
+#include "vision/contour/thinning.h"
+#include "vision/prepare/ink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+constexpr double kGradientOverStep = 0.4;      // as of a step smoothed with sigma 1 px
+constexpr int kLeastArea_px = 8;               // less ink is a speck
+constexpr double kLeastLengthOverWidth = 2.0;  // shorter is a dot
+constexpr double kLeastTailOverWidth = 1.0;    // what stands out of a wide shape less is its corner
+constexpr double kPictureBlur_px = 0.7;
+
+/// The ink, parted: strokes that become their middle line, shapes that become their outline.
+struct Parts {
+    cv::Mat1b strokes;
+    cv::Mat1b shapes;
+    cv::Mat1f depth;  // distance to the edge of the ink
+    cv::Mat1i piece;  // connected pieces of ink, from 1
+    int pieces = 0;
+};
+
+cv::Mat1f distance_inside(const cv::Mat& mask) {
+    cv::Mat1f depth;
+    cv::distanceTransform(mask, depth, cv::DIST_L2, 5);
+    return depth;
+}
+
+void drop_specks(cv::Mat1b& mask) {
+    cv::Mat1i label;
+    cv::Mat1i stats;
+    cv::Mat1d centres;
+    cv::connectedComponentsWithStats(mask, label, stats, centres, 8, CV_32S);
+    for (int y = 0; y < mask.rows; ++y) {
+        for (int x = 0; x < mask.cols; ++x) {
+            if (mask(y, x) != 0 && stats(label(y, x), cv::CC_STAT_AREA) < kLeastArea_px) {
+                mask(y, x) = 0;
+            }
+        }
+    }
+}
+
+/// What of the ink is wider than a stroke: everywhere that a disc of that width fits, and the
+/// corners round it; tails that stand out by more than a width stay strokes.
+cv::Mat1b wide_part(const cv::Mat1b& mask, const cv::Mat1f& depth, double greatest_width_px) {
+    const cv::Mat core = depth > 0.5 * greatest_width_px;
+    if (cv::countNonZero(core) == 0) {
+        return cv::Mat1b(mask.size(), uchar{0});
+    }
+    const cv::Mat1f from_core = distance_inside(~core);
+    cv::Mat wide = (from_core <= 0.5 * greatest_width_px + 1.0) & mask;
+    cv::Mat1i label;
+    const cv::Mat rest = mask & ~wide;
+    const int n = cv::connectedComponents(rest, label, 8, CV_32S);
+    std::vector<float> reach(static_cast<std::size_t>(n), 0.0F);
+    for (int y = 0; y < mask.rows; ++y) {
+        for (int x = 0; x < mask.cols; ++x) {
+            float& farthest = reach[static_cast<std::size_t>(label(y, x))];
+            farthest = std::max(farthest, from_core(y, x));
+        }
+    }
+    const double tail_px = (0.5 + kLeastTailOverWidth) * greatest_width_px;
+    for (int y = 0; y < mask.rows; ++y) {
+        for (int x = 0; x < mask.cols; ++x) {
+            if (label(y, x) != 0 &&
+                static_cast<double>(reach[static_cast<std::size_t>(label(y, x))]) < tail_px) {
+                wide.at<uchar>(y, x) = 255;
+            }
+        }
+    }
+    return wide;
+}
+
+Parts parted(const cv::Mat1b& ink, double greatest_width_px) {
+    Parts parts;
+    cv::Mat1b mask = ink.clone();
+    drop_specks(mask);
+    parts.depth = distance_inside(mask);
+    parts.shapes = wide_part(mask, parts.depth, greatest_width_px);
+    parts.strokes = cv::Mat(mask & ~parts.shapes);
+    parts.pieces = cv::connectedComponents(mask, parts.piece, 8, CV_32S);
+    return parts;
+}
+
+/// What was found in one connected piece of ink.
+struct Piece {
+    std::vector<std::size_t> arms;  // of the skeleton
+    std::vector<std::size_t> nodes;
+    std::vector<Chain> outlines;
+    double width_px = 0.0;
+    double length_px = 0.0;  // of the arms
+};
+
+double middle_width(const std::vector<Chain>& arms, const std::vector<std::size_t>& which,
+                    const cv::Mat1f& depth) {
+    std::vector<float> depths;
+    for (const std::size_t arm : which) {
+        for (const EdgePoint& point : arms[arm].points) {
+            depths.push_back(depth(cv::Point(cvRound(point.at.x), cvRound(point.at.y))));
+        }
+    }
+    if (depths.empty()) {
+        return 0.0;
+    }
+    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+    std::ranges::nth_element(depths, middle);
+    return std::max(1.0, 2.0 * static_cast<double>(*middle) - 1.0);
+}
+
+class StrokeTracer {
+  public:
+    StrokeTracer(const Ink& ink, double greatest_width_px)
+        : ink_(ink), parts_(parted(ink.mask, greatest_width_px)) {}
+
+    std::vector<Chain> run() {
+        skeleton_ =
+            skeleton_of(thinned(parts_.strokes, distance_inside(parts_.strokes)), parts_.depth);
+        std::vector<Piece> pieces = sorted_into_pieces();
+        dots_become_shapes(pieces);
+        for (Chain& outline : outlines()) {
+            const int piece = piece_at(outline.points.front().at);
+            pieces[static_cast<std::size_t>(piece)].outlines.push_back(std::move(outline));
+        }
+        std::vector<Chain> lines;
+        for (Piece& piece : pieces) {
+            std::vector<Chain> network = assembled(piece);
+            std::ranges::move(network, std::back_inserter(lines));
+        }
+        return lines;
+    }
+
+  private:
+    /// The piece of ink at a place or right beside it.
+    int piece_at(const cv::Point2d& at) const {
+        for (const double dy : {0.0, -1.0, 1.0}) {
+            for (const double dx : {0.0, -1.0, 1.0}) {
+                const cv::Point p(cvRound(at.x + dx), cvRound(at.y + dy));
+                if (cv::Rect({}, parts_.piece.size()).contains(p) && parts_.piece(p) != 0) {
+                    return parts_.piece(p);
+                }
+            }
+        }
+        return 0;
+    }
+
+    std::vector<Piece> sorted_into_pieces() const {
+        std::vector<Piece> pieces(static_cast<std::size_t>(parts_.pieces));
+        for (std::size_t i = 0; i < skeleton_.arms.size(); ++i) {
+            pieces[piece_of_arm(i)].arms.push_back(i);
+            pieces[piece_of_arm(i)].length_px += length_of(skeleton_.arms[i]);
+        }
+        for (std::size_t i = 0; i < skeleton_.nodes.size(); ++i) {
+            pieces[piece_of_arm(chain_of(skeleton_.nodes[i].front()))].nodes.push_back(i);
+        }
+        for (Piece& piece : pieces) {
+            piece.width_px = middle_width(skeleton_.arms, piece.arms, parts_.depth);
+        }
+        return pieces;
+    }
+
+    std::size_t piece_of_arm(std::size_t arm) const {
+        const std::vector<EdgePoint>& points = skeleton_.arms[arm].points;
+        return static_cast<std::size_t>(piece_at(points[points.size() / 2].at));
+    }
+
+    void dots_become_shapes(std::vector<Piece>& pieces) {
+        std::vector<uchar> is_dot(pieces.size(), 0);
+        for (std::size_t i = 1; i < pieces.size(); ++i) {
+            Piece& piece = pieces[i];
+            if (piece.length_px < kLeastLengthOverWidth * piece.width_px) {
+                is_dot[i] = 1;
+                piece.arms.clear();
+                piece.nodes.clear();
+            }
+        }
+        for (int y = 0; y < parts_.shapes.rows; ++y) {
+            for (int x = 0; x < parts_.shapes.cols; ++x) {
+                if (is_dot[static_cast<std::size_t>(parts_.piece(y, x))] != 0) {
+                    parts_.shapes(y, x) = 255;
+                }
+            }
+        }
+    }
+
+    /// Borders of the shapes, where the darkness is 1: a picture of two colours, 0 and 2.
+    std::vector<Chain> outlines() const {
+        if (cv::countNonZero(parts_.shapes) == 0) {
+            return {};
+        }
+        LabPicture levels(ink_.darkness.size(), cv::Vec3f(0.0F, 0.0F, 0.0F));
+        cv::insertChannel(ink_.darkness, levels, 0);
+        const cv::Mat1b map = cv::Mat(parts_.shapes & 1);
+        return region_borders(map, levels, {{0.0F, 0.0F, 0.0F}, {2.0F, 0.0F, 0.0F}});
+    }
+
+    std::vector<Chain> assembled(const Piece& piece) const {
+        std::vector<Chain> lines;
+        std::vector<EndId> place(2 * skeleton_.arms.size(), 0);  // of a skeleton's end among lines
+        std::vector<bool> is_free;
+        for (const std::size_t arm : piece.arms) {
+            place[front_of(arm)] = front_of(lines.size());
+            place[back_of(arm)] = back_of(lines.size());
+            lines.push_back(skeleton_.arms[arm]);
+            lines.back().width_px = piece.width_px;
+            is_free.insert(is_free.end(), 2, !lines.back().is_closed);
+        }
+        const std::size_t strokes = lines.size();
+        lines.insert(lines.end(), piece.outlines.begin(), piece.outlines.end());
+        JunctionSet junctions(0.75 * piece.width_px + 0.5, std::max(4.0, 1.5 * piece.width_px));
+        for (const std::size_t node : piece.nodes) {
+            std::vector<EndId> ends;
+            for (const EndId end : skeleton_.nodes[node]) {
+                ends.push_back(place[end]);
+                is_free[place[end]] = false;
+            }
+            if (ends.size() == 2) {
+                junctions.add_joint(ends[0], ends[1]);
+            } else {
+                const Chain& first = lines[chain_of(ends[0])];
+                junctions.add_cluster(
+                    ends, is_back(ends[0]) ? first.points.back().at : first.points.front().at);
+            }
+        }
+        meet_outlines(lines, strokes, is_free, junctions);
+        std::vector<Chain> network = junctions.assembled(std::move(lines));
+        for (Chain& line : network) {
+            line = finished(std::move(line));
+        }
+        return network;
+    }
+
+    /// Free ends of strokes that stop at a wide shape meet its outline.
+    static void meet_outlines(const std::vector<Chain>& lines, std::size_t strokes,
+                              const std::vector<bool>& is_free, JunctionSet& junctions) {
+        for (EndId end = 0; end < 2 * strokes; ++end) {
+            const Chain& line = lines[chain_of(end)];
+            if (!is_free[end]) {
+                continue;
+            }
+            const cv::Point2d at = is_back(end) ? line.points.back().at : line.points.front().at;
+            double nearest_px = line.width_px + 2.0;
+            std::optional<PointRef> host;
+            for (std::size_t c = strokes; c < lines.size(); ++c) {
+                for (std::size_t i = 0; i < lines[c].points.size(); ++i) {
+                    const double d = distance(lines[c].points[i].at, at);
+                    if (d < nearest_px) {
+                        nearest_px = d;
+                        host = PointRef{c, i};
+                    }
+                }
+            }
+            if (host) {
+                junctions.add_meeting(end, *host);
+            }
+        }
+    }
+
+    Chain finished(Chain line) const {
+        if (line.width_px > 0.0) {
+            line = centred(line, ink_.darkness);
+        }
+        const double width_px = line.width_px;
+        line = with_sharp_corners(line, kPictureBlur_px + 0.15 * width_px);
+        line.width_px = width_px;
+        const cv::Rect frame({}, ink_.contrast.size());
+        for (EdgePoint& point : line.points) {
+            const cv::Point p(std::clamp(cvRound(point.at.x), 0, frame.width - 1),
+                              std::clamp(cvRound(point.at.y), 0, frame.height - 1));
+            point.strength = kGradientOverStep * static_cast<double>(ink_.contrast(p));
+        }
+        return line;
+    }
+
+    const Ink& ink_;
+    Parts parts_;
+    Skeleton skeleton_;
+};
+
+}  // namespace
+
+std::vector<Chain> stroke_lines(const LabPicture& lab, double noise, double greatest_width_px) {
+    const Ink ink = ink_of(lab, noise);
+    return StrokeTracer(ink, greatest_width_px).run();
+}
+
+}  // namespace touchline

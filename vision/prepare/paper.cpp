@@ -1,0 +1,170 @@
+#include "vision/prepare/paper.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace touchline {
+namespace {
+
+using Terms = Paper::Terms;
+using Weights = std::array<Terms, 3>;
+
+constexpr int kPlaces = 20;         // along each side: where the paper is looked at
+constexpr int kSamples = 7;         // along each side of a place
+constexpr int kTries = 120;         // of random surfaces; 1 in 10 hits at 70 % paper
+constexpr double kSamePaper = 9.0;  // grey levels between a place and the surface
+
+/// One place: where it is, and the middle colour there.
+struct Place {
+    Terms terms;
+    cv::Vec3f colour;
+};
+
+Terms terms_at(double x, double y) {
+    return {1.0, x, y, x * x, x * y, y * y};
+}
+
+cv::Vec3f colour_at(const Weights& weights, const Terms& terms) {
+    return {static_cast<float>(weights[0].dot(terms)), static_cast<float>(weights[1].dot(terms)),
+            static_cast<float>(weights[2].dot(terms))};
+}
+
+using Samples = std::array<float, kSamples * kSamples>;
+
+float middle(Samples& values) {
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    return values[values.size() / 2];
+}
+
+Place place_at(const LabPicture& lab, int column, int row) {
+    std::array<Samples, 3> values{};
+    std::size_t n = 0;
+    for (int j = 0; j < kSamples; ++j) {
+        for (int i = 0; i < kSamples; ++i, ++n) {
+            const int x = (column * kSamples + i) * lab.cols / (kPlaces * kSamples);
+            const int y = (row * kSamples + j) * lab.rows / (kPlaces * kSamples);
+            for (int c = 0; c < 3; ++c) {
+                values[static_cast<std::size_t>(c)][n] = lab(y, x)[c];
+            }
+        }
+    }
+    return {terms_at((2.0 * column + 1.0) / kPlaces - 1.0, (2.0 * row + 1.0) / kPlaces - 1.0),
+            {middle(values[0]), middle(values[1]), middle(values[2])}};
+}
+
+Weights fitted(const std::vector<const Place*>& places) {
+    cv::Matx<double, Paper::kTerms, Paper::kTerms> normal =
+        cv::Matx<double, Paper::kTerms, Paper::kTerms>::zeros();
+    std::array<Terms, 3> right{};
+    for (const Place* place : places) {
+        normal += place->terms * place->terms.t();
+        for (int c = 0; c < 3; ++c) {
+            right[static_cast<std::size_t>(c)] +=
+                static_cast<double>(place->colour[c]) * place->terms;
+        }
+    }
+    // A little stiffness: few places in one corner do not bend the surface out of all bounds.
+    constexpr double kStiffness = 1e-3;
+    for (int i = 1; i < Paper::kTerms; ++i) {
+        normal(i, i) += kStiffness * static_cast<double>(places.size());
+    }
+    const auto inverse = normal.inv(cv::DECOMP_CHOLESKY);
+    return {inverse * right[0], inverse * right[1], inverse * right[2]};
+}
+
+std::vector<const Place*> agreeing(const std::vector<Place>& places, const Weights& weights) {
+    std::vector<const Place*> agree;
+    for (const Place& place : places) {
+        if (cv::norm(place.colour - colour_at(weights, place.terms)) < kSamePaper) {
+            agree.push_back(&place);
+        }
+    }
+    return agree;
+}
+
+/// Random sixes for uneven light, single places for flat paper, which needs no luck; then all that
+/// agree with the best.
+std::vector<const Place*> most_agreeing(const std::vector<Place>& places) {
+    std::uint64_t state = 0x9E3779B97F4A7C15U;
+    const auto random_place = [&] {
+        state = state * 6364136223846793005U + 1442695040888963407U;
+        return &places[static_cast<std::size_t>((state >> 33U) % places.size())];
+    };
+    std::vector<const Place*> best;
+    const auto consider = [&](const std::vector<const Place*>& chosen) {
+        std::vector<const Place*> agree = agreeing(places, fitted(chosen));
+        if (agree.size() > best.size()) {
+            best = std::move(agree);
+        }
+    };
+    for (std::size_t i = 0; i < places.size(); i += 5) {
+        consider({&places[i]});
+    }
+    for (int i = 0; i < kTries; ++i) {
+        std::vector<const Place*> chosen(Paper::kTerms);
+        std::ranges::generate(chosen, random_place);
+        consider(chosen);
+    }
+    for (int pass = 0; pass < 3; ++pass) {
+        best = agreeing(places, fitted(best));
+    }
+    return best;
+}
+
+}  // namespace
+
+Paper::Paper(const LabPicture& lab) : size_(lab.size()) {
+    std::vector<Place> places;
+    for (int row = 0; row < kPlaces; ++row) {
+        for (int column = 0; column < kPlaces; ++column) {
+            places.push_back(place_at(lab, column, row));
+        }
+    }
+    const std::vector<const Place*> agree = most_agreeing(places);
+    weights_ = fitted(agree);
+    part_ = static_cast<double>(agree.size()) / static_cast<double>(places.size());
+}
+
+void Paper::fill_row(int row, std::vector<cv::Vec3f>& colours) const {
+    colours.resize(static_cast<std::size_t>(size_.width));
+    const double y = (2.0 * row + 1.0) / size_.height - 1.0;
+    cv::Vec3f constant;
+    cv::Vec3f linear;
+    cv::Vec3f square;
+    for (int c = 0; c < 3; ++c) {
+        const Terms& w = weights_[static_cast<std::size_t>(c)];
+        constant[c] = static_cast<float>(w[0] + w[2] * y + w[5] * y * y);
+        linear[c] = static_cast<float>(w[1] + w[4] * y);
+        square[c] = static_cast<float>(w[3]);
+    }
+    const float step = 2.0F / static_cast<float>(size_.width);
+    for (std::size_t column = 0; column < colours.size(); ++column) {
+        const float x = (static_cast<float>(column) + 0.5F) * step - 1.0F;
+        for (int c = 0; c < 3; ++c) {
+            colours[column][c] = constant[c] + x * (linear[c] + x * square[c]);
+        }
+    }
+}
+
+LabPicture evenly_lit(const LabPicture& lab, const Paper& paper) {
+    // L and light: L + 16 (stretched) goes with the cube root of the light, and so do a and b.
+    constexpr float kBlack = 16.0F * 2.55F;
+    constexpr float kLeast = 0.25F;  // of the light in the middle; darker is black for good
+    std::vector<cv::Vec3f> colours;
+    paper.fill_row(lab.rows / 2, colours);
+    const float middle = colours[colours.size() / 2][0] + kBlack;
+    LabPicture lit(lab.size());
+    for (int row = 0; row < lab.rows; ++row) {
+        paper.fill_row(row, colours);
+        for (int column = 0; column < lab.cols; ++column) {
+            const float here = colours[static_cast<std::size_t>(column)][0] + kBlack;
+            const float gain = middle / std::max(here, kLeast * middle);
+            const cv::Vec3f& from = lab(row, column);
+            lit(row, column) = {(from[0] + kBlack) * gain - kBlack, from[1] * gain, from[2] * gain};
+        }
+    }
+    return lit;
+}
+
+}  // namespace touchline

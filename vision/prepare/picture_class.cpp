@@ -1,0 +1,168 @@
+#include "vision/prepare/picture_class.h"
+
+#include "vision/prepare/text_boxes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+constexpr double kCopyPixels = 2e5;
+
+// Texture: on half the copy.
+constexpr double kEdge_px = 1.0;   // Gaussian sigma for the edges of shapes
+constexpr double kSlow_px = 1.75;  // and for what changes between them
+constexpr int kNearEdge_px = 11;   // across, where an edge still shows at kSlow_px
+constexpr double kEdge = 5.0;      // grey levels per pixel, at least
+constexpr double kEdgeOverStrongest = 0.18;
+constexpr double kStill = 1.5;         // less is flat
+constexpr double kSlow = 1.0;          // more than a lamp's shade, less than a face's roundness
+constexpr double kSignificance = 5.0;  // x gradient noise
+
+// Decisions; what lies to either side is in README.md.
+constexpr double kTextured = 0.015;  // of the open parts: a photo
+constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
+constexpr double kRestless = 0.6;    // of all pixels change: grass, not a pattern
+constexpr double kPen_part = 0.025;  // of the diagonal: the widest stroke of a pen
+constexpr double kThin = 0.7;        // of the ink: drawn with a pen
+constexpr double kMuchPaper = 0.7;
+constexpr double kMuchInk = 0.3;
+constexpr double kClear = 4.0;  // ink over the paper's own spots
+constexpr double kText = 0.5;   // of the ink
+constexpr int kLeastLines = 3;
+constexpr int kLeastLetters = 25;
+
+double part_of(const cv::Mat& mask, double whole) {
+    return whole > 0.0 ? cv::countNonZero(mask) / whole : 0.0;
+}
+
+/// What changes away from edges, how much is away from edges, and how much changes at all.
+void measure_texture(const LabPicture& copy, PictureFeatures& features) {
+    LabPicture half;
+    cv::resize(copy, half, {std::max(1, copy.cols / 2), std::max(1, copy.rows / 2)}, 0.0, 0.0,
+               cv::INTER_AREA);
+    const double noise = 0.5 * features.noise;
+    const cv::Mat1f edges = colour_gradient(half, kEdge_px).strength;
+    const cv::Mat1f slow = colour_gradient(half, kSlow_px).strength;
+    const double edge = std::max({kEdge, 2.0 * kSignificance * gradient_noise(noise, kEdge_px),
+                                  kEdgeOverStrongest * static_cast<double>(quantile(edges, 0.98))});
+    cv::Mat near_edge = edges >= edge;
+    cv::dilate(near_edge, near_edge, cv::Mat::ones(kNearEdge_px, kNearEdge_px, CV_8U));
+    const double least = std::max(kSlow, kSignificance * gradient_noise(noise, kSlow_px));
+    const cv::Mat changing = slow > least;
+    const cv::Mat open = ~near_edge;
+    const auto all = static_cast<double>(half.total());
+    features.open_part = part_of(open, all);
+    features.texture = part_of(changing & open, cv::countNonZero(open));
+    features.changing_part =
+        part_of(edges > std::max(kStill, kSignificance * gradient_noise(noise, kEdge_px)), all);
+}
+
+/// How much of the ink is within half a pen's width of the paper.
+double thin_part(const cv::Mat1b& mask, double pen_px) {
+    cv::Mat1f depth;
+    cv::distanceTransform(mask, depth, cv::DIST_L2, 3);
+    const cv::Mat away = depth <= 0.5 * pen_px;
+    cv::Mat1f from_core;
+    cv::distanceTransform(away, from_core, cv::DIST_L2, 3);
+    const cv::Mat thin = (from_core > 0.5 * pen_px + 2.0) & mask;
+    return part_of(thin, cv::countNonZero(mask));
+}
+
+/// The middle ink's contrast over that of the paper's spots (9 of 10 are fainter).
+double clearness(const Ink& ink) {
+    std::vector<float> inked;
+    std::vector<float> bare;
+    cv::Mat near_ink;
+    cv::dilate(ink.mask, near_ink, cv::Mat::ones(5, 5, CV_8U));
+    for (int y = 0; y < ink.mask.rows; y += 2) {
+        for (int x = 0; x < ink.mask.cols; x += 2) {
+            if (ink.mask(y, x) != 0) {
+                inked.push_back(ink.contrast(y, x));
+            } else if (near_ink.at<uchar>(y, x) == 0) {
+                bare.push_back(ink.contrast(y, x));
+            }
+        }
+    }
+    if (inked.empty() || bare.empty()) {
+        return 0.0;
+    }
+    const auto rank = [](std::vector<float>& values, double part) {
+        const auto at = values.begin() +
+                        static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+        std::nth_element(values.begin(), at, values.end());
+        return static_cast<double>(*at);
+    };
+    return rank(inked, 0.5) / std::max(1.0, rank(bare, 0.9));
+}
+
+void measure_ink(const LabPicture& copy, PictureFeatures& features) {
+    const Ink ink = ink_of(copy, features.noise);
+    const auto inked = static_cast<double>(cv::countNonZero(ink.mask));
+    features.paper_part = ink.paper_part;
+    features.ink_part = inked / static_cast<double>(copy.total());
+    features.thin_part = thin_part(ink.mask, kPen_part * std::hypot(copy.cols, copy.rows));
+    features.clearness = clearness(ink);
+    const PageLayout layout = page_layout(ink);
+    features.text_lines = static_cast<int>(layout.lines.size());
+    double in_text = 0.0;
+    for (const TextLine& line : layout.lines) {
+        features.letters += line.letters;
+        in_text += cv::countNonZero(ink.mask(line.box));
+    }
+    features.text_part = inked > 0.0 ? in_text / inked : 0.0;
+}
+
+ClassDecision decided(const PictureFeatures& f) {
+    const bool is_paper = f.paper_part >= kMuchPaper && f.ink_part <= kMuchInk;
+    if (is_paper && f.text_part >= kText && f.text_lines >= kLeastLines &&
+        f.letters >= kLeastLetters && f.clearness >= kClear) {
+        return {PictureClass::text_page,
+                "This looks like a page of text: about " + std::to_string(f.text_lines) +
+                    " lines of letters.",
+                f};
+    }
+    const bool is_textured = f.open_part >= kLeastOpen
+                                 ? f.texture > kTextured
+                                 : (f.changing_part > kRestless && f.clearness < 2.0 * kClear);
+    if (is_paper && f.thin_part >= kThin && f.clearness >= kClear &&
+        (!is_textured || f.clearness >= 2.0 * kClear)) {
+        return {PictureClass::line_art, "This looks like a drawing: thin lines on plain paper.", f};
+    }
+    if (is_textured) {
+        return {PictureClass::photo,
+                "This looks like a photo: colours change everywhere, not only at edges.", f};
+    }
+    return {PictureClass::diagram,
+            "This looks like a logo or a diagram: areas of even colour with clear edges.", f};
+}
+
+}  // namespace
+
+ClassDecision class_of(const cv::Mat& picture) {
+    const LabPicture copy = to_lab(reduced(picture, kCopyPixels));
+    PictureFeatures features;
+    features.noise = noise_of(copy);
+    measure_texture(copy, features);
+    measure_ink(copy, features);
+    return decided(features);
+}
+
+std::string name_of(PictureClass picture_class) {
+    switch (picture_class) {
+        case PictureClass::photo:
+            return "photo";
+        case PictureClass::diagram:
+            return "diagram";
+        case PictureClass::line_art:
+            return "drawing";
+        case PictureClass::text_page:
+            return "text page";
+    }
+    return "";
+}
+
+}  // namespace touchline

@@ -1,0 +1,194 @@
+#include "vision/prepare/text_boxes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+constexpr int kLeastHeight_px = 4;
+constexpr double kGreatestHeight = 0.12;     // of the picture's height: larger marks are no text
+constexpr double kLongestOverHeight = 14.0;  // of one mark: letters of a word may touch
+constexpr double kGapOverHeight = 1.6;       // between marks of one line
+constexpr double kHeightRatio = 2.6;         // a capital beside a small letter
+constexpr double kOverlap = 0.45;            // of the heights of neighbours
+constexpr double kOffBase = 0.17;            // of the letter height: on the base line
+constexpr double kOnBase = 0.62;             // part of the marks that are
+constexpr int kLeastMarks = 3;
+constexpr double kFigurePart = 0.0015;  // of the picture: smaller boxes are specks
+
+struct Mark {
+    cv::Rect box;
+    int area_px = 0;
+};
+
+/// Sets of marks, by union and find.
+class Groups {
+  public:
+    explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+    std::size_t of(std::size_t i) {
+        while (parent_[i] != i) {
+            parent_[i] = parent_[parent_[i]];
+            i = parent_[i];
+        }
+        return i;
+    }
+
+    void unite(std::size_t a, std::size_t b) {
+        const std::size_t first = std::min(of(a), of(b));
+        parent_[std::max(of(a), of(b))] = first;
+    }
+
+  private:
+    std::vector<std::size_t> parent_;
+};
+
+std::vector<Mark> marks_of(const cv::Mat1b& mask) {
+    cv::Mat labels;
+    cv::Mat1i stats;
+    cv::Mat1d centres;
+    const int n = cv::connectedComponentsWithStats(mask, labels, stats, centres, 8, CV_32S);
+    std::vector<Mark> marks;
+    for (int i = 1; i < n; ++i) {
+        marks.push_back({{stats(i, cv::CC_STAT_LEFT), stats(i, cv::CC_STAT_TOP),
+                          stats(i, cv::CC_STAT_WIDTH), stats(i, cv::CC_STAT_HEIGHT)},
+                         stats(i, cv::CC_STAT_AREA)});
+    }
+    return marks;
+}
+
+bool may_be_letters(const Mark& mark, const cv::Size& page) {
+    return mark.box.height >= kLeastHeight_px && mark.box.height <= kGreatestHeight * page.height &&
+           mark.box.width <= kLongestOverHeight * mark.box.height && mark.area_px >= 6;
+}
+
+bool are_neighbours(const cv::Rect& a, const cv::Rect& b) {
+    const int low = std::min(a.height, b.height);
+    const int high = std::max(a.height, b.height);
+    const int overlap = std::min(a.br().y, b.br().y) - std::max(a.y, b.y);
+    const int gap = std::max(a.x, b.x) - std::min(a.br().x, b.br().x);
+    return high <= kHeightRatio * low && overlap >= kOverlap * low && gap <= kGapOverHeight * high;
+}
+
+Groups lines_among(const std::vector<Mark>& letters) {
+    Groups groups(letters.size());
+    std::vector<std::size_t> order(letters.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return letters[i].box.x; });
+    int widest = 0;
+    int tallest = 0;
+    for (const Mark& mark : letters) {
+        widest = std::max(widest, mark.box.width);
+        tallest = std::max(tallest, mark.box.height);
+    }
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const cv::Rect& here = letters[order[k]].box;
+        const int reach = here.br().x + static_cast<int>(kGapOverHeight * tallest);
+        for (std::size_t j = k + 1; j < order.size() && letters[order[j]].box.x <= reach; ++j) {
+            if (are_neighbours(here, letters[order[j]].box)) {
+                groups.unite(order[k], order[j]);
+            }
+        }
+    }
+    return groups;
+}
+
+double middle_of(std::vector<double> values) {
+    std::ranges::nth_element(values,
+                             values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+    return values[values.size() / 2];
+}
+
+/// Whether most marks stand on one straight line: its slope is the middle one between marks that
+/// are some way apart.
+bool stands_on_base_line(const std::vector<cv::Rect>& boxes) {
+    std::vector<double> heights;
+    std::vector<double> slopes;
+    for (const cv::Rect& box : boxes) {
+        heights.push_back(box.height);
+    }
+    const double height = middle_of(heights);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (std::size_t j = i + 1; j < boxes.size() && slopes.size() < 4000; ++j) {
+            const double run = boxes[j].x - boxes[i].x;
+            if (std::abs(run) > 3.0 * height) {
+                slopes.push_back((boxes[j].br().y - boxes[i].br().y) / run);
+            }
+        }
+    }
+    const double slope = slopes.empty() ? 0.0 : middle_of(slopes);
+    std::vector<double> bases;
+    for (const cv::Rect& box : boxes) {
+        bases.push_back(box.br().y - slope * box.x);
+    }
+    const double base = middle_of(bases);
+    const auto standing = std::ranges::count_if(
+        bases, [&](double b) { return std::abs(b - base) <= std::max(1.01, kOffBase * height); });
+    return static_cast<double>(standing) >= kOnBase * static_cast<double>(boxes.size());
+}
+
+void merge_overlapping(std::vector<cv::Rect>& boxes) {
+    for (bool has_merged = true; has_merged;) {
+        has_merged = false;
+        for (std::size_t i = 0; i < boxes.size() && !has_merged; ++i) {
+            for (std::size_t j = i + 1; j < boxes.size() && !has_merged; ++j) {
+                if ((boxes[i] & boxes[j]).area() > 0) {
+                    boxes[i] |= boxes[j];
+                    boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(j));
+                    has_merged = true;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+
+PageLayout page_layout(const Ink& ink) {
+    const cv::Size page = ink.mask.size();
+    std::vector<Mark> letters;
+    std::vector<Mark> others;
+    for (const Mark& mark : marks_of(ink.mask)) {
+        (may_be_letters(mark, page) ? letters : others).push_back(mark);
+    }
+    constexpr std::size_t kMostMarks = 20000;  // beyond it, grain: not a page
+    if (letters.size() > kMostMarks) {
+        return {};
+    }
+    Groups groups = lines_among(letters);
+    std::vector<std::vector<cv::Rect>> rows(letters.size());
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        rows[groups.of(i)].push_back(letters[i].box);
+    }
+    PageLayout layout;
+    std::vector<cv::Rect> rest;
+    for (const std::vector<cv::Rect>& row : rows) {
+        if (static_cast<int>(row.size()) >= kLeastMarks && stands_on_base_line(row)) {
+            TextLine line{row.front(), static_cast<int>(row.size())};
+            for (const cv::Rect& box : row) {
+                line.box |= box;
+            }
+            layout.lines.push_back(line);
+        } else {
+            rest.insert(rest.end(), row.begin(), row.end());
+        }
+    }
+    for (const Mark& mark : others) {
+        rest.push_back(mark.box);
+    }
+    std::erase_if(rest, [&](const cv::Rect& box) {
+        return box.area() < kFigurePart * page.area() || std::min(box.width, box.height) < 3;
+    });
+    merge_overlapping(rest);
+    layout.figures = std::move(rest);
+    std::ranges::sort(layout.lines, [](const TextLine& a, const TextLine& b) {
+        return std::pair(a.box.y, a.box.x) < std::pair(b.box.y, b.box.x);
+    });
+    return layout;
+}
+
+}  // namespace touchline

@@ -1,0 +1,26 @@
+// Where the lines of text of a page are, and what else is on it. The words come with reading (OCR).
+// Threads: pure functions.
+#pragma once
+
+#include "vision/prepare/ink.h"
+
+#include <vector>
+
+namespace touchline {
+
+struct TextLine {
+    cv::Rect box;
+    int letters = 0;  // separate marks: about the number of letters
+};
+
+struct PageLayout {
+    std::vector<TextLine> lines;    // from the top, then from the left
+    std::vector<cv::Rect> figures;  // what is neither text nor a speck, overlapping boxes merged
+};
+
+/// Boxes in pixels of the ink. A line of text is a row of marks of like height on one straight
+/// base line, at least three of them, near to each other as letters and words are. Slant up to
+/// about 10 degrees. Letters need 5 pixels of height. O(pixels + marks log marks).
+[[nodiscard]] PageLayout page_layout(const Ink& ink);
+
+}  // namespace touchline
