@@ -34,15 +34,17 @@ class Dice {
 /// Brownian clouds: random fields of falling size and strength.
 cv::Mat clouds(std::mt19937& random, cv::Size size, double strength) {
     cv::RNG rng(random());
-    cv::Mat sum(size, CV_32FC3, cv::Scalar::all(0));
+    cv::Mat sum(size / 4, CV_32FC3, cv::Scalar::all(0));
     for (int cells = 3; cells < size.width / 6; cells *= 2) {
         cv::Mat small(cells * size.height / size.width + 1, cells, CV_32FC3);
         rng.fill(small, cv::RNG::NORMAL, 0.0, strength * 3.0 / cells);
         cv::Mat large;
-        cv::resize(small, large, size, 0, 0, cv::INTER_LINEAR);
+        cv::resize(small, large, sum.size(), 0, 0, cv::INTER_LINEAR);
         sum += large;
     }
-    return sum;
+    cv::Mat out;
+    cv::resize(sum, out, size, 0, 0, cv::INTER_LINEAR);
+    return out;
 }
 
 /// Wood: streaks along x, and a colour.
@@ -145,11 +147,14 @@ void lay(const cv::Mat& page, const Quad& corners, cv::Mat& table) {
     cv::add(table, change, table, cv::noArray(), CV_8U);
 }
 
+/// The same in all channels.
 void add_noise(cv::Mat& bgr, std::mt19937& random, double levels) {
     cv::RNG rng(random());
-    cv::Mat noise(bgr.size(), CV_32FC3);
+    cv::Mat noise(bgr.size(), CV_32FC1);
     rng.fill(noise, cv::RNG::NORMAL, 0.0, levels);
-    bgr += noise;
+    cv::Mat three;
+    cv::merge(std::vector<cv::Mat>{noise, noise, noise}, three);
+    cv::add(bgr, three, bgr, cv::noArray(), bgr.type());
 }
 
 cv::Mat to_8_bit(const cv::Mat& picture) {
@@ -213,10 +218,7 @@ PagePhoto page_photo(unsigned seed, const Hardship& hardship) {
     lay(page, photo.corners, photo.bgr);
     add_shade(photo.bgr, hardship.shade, dice.between(0, 2 * CV_PI));
     cv::GaussianBlur(photo.bgr, photo.bgr, {}, hardship.blur_px);
-    cv::Mat noisy;
-    photo.bgr.convertTo(noisy, CV_32FC3);
-    add_noise(noisy, random, hardship.noise_levels);
-    photo.bgr = to_8_bit(noisy);
+    add_noise(photo.bgr, random, hardship.noise_levels);
     return photo;
 }
 
@@ -292,12 +294,13 @@ void add_shade(cv::Mat& bgr, double shade, double angle_rad) {
     const cv::Point2d along(std::cos(angle_rad), std::sin(angle_rad));
     const double reach = std::abs(along.x) * bgr.cols / 2.0 + std::abs(along.y) * bgr.rows / 2.0;
     cv::Mat light(bgr.size(), CV_32FC3);
-    for (int y = 0; y < bgr.rows; ++y)
-        for (int x = 0; x < bgr.cols; ++x) {
-            const double t =
-                (cv::Point2d(x - bgr.cols / 2.0, y - bgr.rows / 2.0).dot(along) / reach + 1) / 2;
-            light.at<cv::Vec3f>(y, x) = cv::Vec3f::all(static_cast<float>(1.0 - shade * t));
-        }
+    for (int y = 0; y < bgr.rows; ++y) {
+        auto* row = light.ptr<cv::Vec3f>(y);
+        const double t_left = ((y - bgr.rows / 2.0) * along.y - bgr.cols / 2.0 * along.x) / reach;
+        for (int x = 0; x < bgr.cols; ++x)
+            row[x] = cv::Vec3f::all(
+                static_cast<float>(1.0 - shade * 0.5 * (t_left + x * along.x / reach + 1.0)));
+    }
     cv::multiply(bgr, light, bgr, 1.0, bgr.type());
 }
 
