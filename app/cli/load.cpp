@@ -1,7 +1,6 @@
 #include "app/cli/load.h"
 
 #include "app/decode/map_svg.h"
-#include "app/session/session.h"
 
 #include <algorithm>
 #include <atomic>
@@ -69,11 +68,6 @@ Result<TactileMap> load_drawing(const std::string& path, int detail) {
                                    path, detail));
     }
     return map;
-}
-
-Result<Scene> build_felt_scene(const TactileMap& map, const DeviceProfile& profile) {
-    const CurveOptions curves{.resample = true, .device_step_m = encoder_step_m(profile)};
-    return build_scene(map, curves, proxy_radius_m);
 }
 
 Result<LoadedPicture> load_picture_or_map(const std::string& path, int detail, const Area& area) {

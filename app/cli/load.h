@@ -5,8 +5,6 @@
 #include "app/decode/picture.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
-#include "haptics/collision/scene.h"
-#include "haptics/pantograph/profile.h"
 #include "vision/contour/trace.h"
 
 #include <string>
@@ -31,9 +29,6 @@ struct LoadedPicture {
 
 /// A map, its outlines above `detail` left out.
 [[nodiscard]] Result<TactileMap> load_drawing(const std::string& path, int detail);
-
-/// A map as the kiosk and its tours feel it. O(N log N).
-[[nodiscard]] Result<Scene> build_felt_scene(const TactileMap& map, const DeviceProfile& profile);
 
 /// A map, its outlines above `detail` left out, with its own drawing as the picture; or a picture,
 /// traced. Every map loaded gets a version of its own.

@@ -4,6 +4,7 @@
 #include "app/cli/names.h"
 #include "app/decode/files.h"
 #include "app/gallery/gallery.h"
+#include "app/servo/scene_order.h"
 #include "haptics/servo/replay.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ Result<std::shared_ptr<const Scene>> scene_of(const RecordedMap& map,
         return failure(fmt::format("{} is not the picture that was felt", path));
     }
     felt->version = map.version;
-    return build_felt_scene(*felt, profile).map([](Scene scene) {
+    return build_scene(*felt, felt_order(profile, map.detail)).map([](Scene scene) {
         return std::make_shared<const Scene>(std::move(scene));
     });
 }

@@ -4,6 +4,7 @@
 #include "app/cli/load.h"
 #include "app/decode/png_writer.h"
 #include "app/screen/tour_figure.h"
+#include "app/servo/scene_order.h"
 #include "app/session/session.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
@@ -137,7 +138,7 @@ Result<void> run_tour(const TourArguments& arguments) {
     map->version = 1;
     const Result<Picture> picture = read_picture(arguments.input);
     if (!picture) return tl::unexpected(picture.error());
-    const Result<Scene> scene = build_felt_scene(*map, default_profile());
+    const Result<Scene> scene = build_scene(*map, felt_order(default_profile()));
     if (!scene) return failure(fmt::format("{}: {}", arguments.input, scene.error().line));
 
     const TourRun run = take_tour(*map, *scene);

@@ -2,7 +2,7 @@
 
 #include "app/cli/load.h"
 #include "app/gallery/gallery.h"
-#include "haptics/collision/scene.h"
+#include "app/servo/scene_order.h"
 #include "haptics/pantograph/profile.h"
 
 #include <filesystem>
@@ -30,7 +30,8 @@ std::string gallery_file(const std::filesystem::path& path) {
 Result<LoadedScene> load_scene(const std::string& path, int detail, const DeviceProfile& profile) {
     auto loaded = load_picture_or_map(path, detail, Area{});
     if (!loaded) return tl::unexpected(loaded.error());
-    auto scene = build_felt_scene(loaded->map, profile);
+    const SceneOrder order = felt_order(profile, detail);
+    auto scene = build_scene(loaded->map, order);
     if (!scene) return failure(fmt::format("{}: {}", path, scene.error().line));
     LoadedScene result;
     result.facts = {title_of(loaded->map, path), static_cast<int>(loaded->map.outlines.size()),
@@ -39,7 +40,7 @@ Result<LoadedScene> load_scene(const std::string& path, int detail, const Device
     const RecordedMap recorded{loaded->map.version, gallery_file(path), detail,
                                hash_of(loaded->map)};
     result.felt = {result.shown.scene, std::make_shared<const TactileMap>(std::move(loaded->map)),
-                   felt_order(profile, detail), recorded};
+                   order, recorded};
     result.shown.picture =
         std::make_shared<const Canvas>(canvas_of(loaded->picture, longest_picture_px));
     return result;

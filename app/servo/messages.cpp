@@ -1,7 +1,5 @@
 #include "app/servo/messages.h"
 
-#include "app/session/session.h"
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -66,20 +64,6 @@ std::string line_of(const Message& message) {
         line.begin(), line.end(),
         [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
     return line;
-}
-
-SceneOrder felt_order(const DeviceProfile& profile, int detail) {
-    return {encoder_step_m(profile), proxy_radius_m, 1, detail};
-}
-
-std::optional<CurveOptions> curve_options(const SceneOrder& order) {
-    const bool is_sound = order.device_step_m >= 1e-7 && order.device_step_m <= 0.01 &&
-                          order.radius_m >= 0.0 && order.radius_m <= 0.02 && order.resample <= 1;
-    if (!is_sound) return std::nullopt;
-    CurveOptions options;
-    options.resample = order.resample == 1;
-    options.device_step_m = order.device_step_m;
-    return options;
 }
 
 Result<std::pair<Descriptor, Descriptor>> socket_pair() {

@@ -3,11 +3,10 @@
 // Threads: any, each socket's side by one at a time.
 #pragma once
 
+#include "app/servo/scene_order.h"
 #include "app/servo/sealed_memory.h"
 #include "config/types/calibration.h"
 #include "config/types/result.h"
-#include "haptics/curve/curve_set.h"
-#include "haptics/pantograph/profile.h"
 
 #include <cstdint>
 #include <optional>
@@ -22,14 +21,6 @@ namespace touchline {
 /// map that cannot be felt, a recording that was kept. say: what the person at the handle is to do
 /// now. home: what homing found of this unit. That the servo runs shows in its beats.
 enum class MessageKind : std::uint32_t { region, scene, keep, failed, notice, say, home };
-
-/// How a scene is built of a map, the same on both sides.
-struct SceneOrder {
-    double device_step_m = 1e-4;  // 1e-7 ... 0.01
-    double radius_m = 0.0;        // 0 ... 0.02
-    std::uint32_t resample = 0;   // 0 or 1
-    std::int32_t detail = 0;      // that the map was made with, for the black box
-};
 
 /// Of a Calibration, what lasts.
 struct HomeFound {
@@ -56,12 +47,6 @@ struct Message {
 
 /// The line, control characters as blanks.
 [[nodiscard]] std::string line_of(const Message& message);
-
-/// As the kiosk has its pictures felt.
-[[nodiscard]] SceneOrder felt_order(const DeviceProfile& profile, int detail);
-
-/// Nothing for an order out of range.
-[[nodiscard]] std::optional<CurveOptions> curve_options(const SceneOrder& order);
 
 /// Two ends of one socket, closed on exec.
 [[nodiscard]] Result<std::pair<Descriptor, Descriptor>> socket_pair();

@@ -21,16 +21,6 @@ tl::unexpected<Error> memory_failure(const std::string& what) {
     return failure(what + ": " + std::strerror(errno));
 }
 
-bool write_all(int descriptor, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-    return true;
-}
-
 Result<Mapping> map(const Descriptor& descriptor, std::size_t size, int protection) {
     void* const start =
         ::mmap(nullptr, size, protection, MAP_SHARED | MAP_POPULATE, descriptor.number(), 0);
@@ -53,10 +43,6 @@ std::size_t sealed_size(const Descriptor& descriptor, int seals) {
 
 }  // namespace
 
-Descriptor::~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-}
-
 Mapping::~Mapping() {
     if (start_ != nullptr) ::munmap(start_, size_);
 }
@@ -64,7 +50,7 @@ Mapping::~Mapping() {
 Result<Descriptor> seal(std::span<const std::byte> bytes) {
     Descriptor memory(::memfd_create("touchline-map", MFD_CLOEXEC | MFD_ALLOW_SEALING));
     if (!memory.is_open()) return memory_failure("no memory for the map");
-    if (!write_all(memory.number(), bytes)) return memory_failure("no memory for the map");
+    if (!write_all(memory, bytes)) return memory_failure("no memory for the map");
     if (::fcntl(memory.number(), F_ADD_SEALS, all_seals) != 0) {
         return memory_failure("the map cannot be sealed");
     }

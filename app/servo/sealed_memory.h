@@ -3,6 +3,7 @@
 // Threads: values; each by one thread at a time.
 #pragma once
 
+#include "app/decode/descriptor.h"
 #include "config/types/result.h"
 #include "haptics/servo/exchange.h"
 
@@ -13,30 +14,6 @@
 #include <utility>
 
 namespace touchline {
-
-/// A file descriptor, closed with its owner.
-class Descriptor {
-  public:
-    explicit Descriptor(int number = -1) : number_(number) {}
-
-    ~Descriptor();
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-
-    Descriptor& operator=(Descriptor&& other) noexcept {
-        std::swap(number_, other.number_);
-        return *this;
-    }
-
-    [[nodiscard]] int number() const { return number_; }
-
-    [[nodiscard]] bool is_open() const { return number_ >= 0; }
-
-  private:
-    int number_;
-};
 
 /// A copy of the bytes in memory that nobody can write, grow or shrink. At least one byte.
 [[nodiscard]] Result<Descriptor> seal(std::span<const std::byte> bytes);

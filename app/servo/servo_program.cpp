@@ -28,8 +28,10 @@ constexpr int look_ms = 50;                  // how often the ends are looked fo
 constexpr rlim_t longest_turn_us = 100'000;  // of the real-time thread without a sleep
 
 /// Nothing of a visitor's picture is left behind on a crash, and what malloc has it keeps, so that
-/// building a scene never gives locked memory back and asks for it again.
+/// building a scene never gives locked memory back and asks for it again. A file that may grow no
+/// more is a failed write, as on a full disk, and not the end.
 void harden() {
+    (void)signal(SIGXFSZ, SIG_IGN);
     const rlimit none{0, 0};
     (void)setrlimit(RLIMIT_CORE, &none);
     (void)prctl(PR_SET_DUMPABLE, 0UL, 0UL, 0UL, 0UL);
@@ -60,13 +62,11 @@ struct BuiltScene {
 
 Result<BuiltScene> scene_of(const Arrival& arrival) {
     try {
-        const auto options = curve_options(arrival.message.scene);
-        if (!options) return failure("the order for a scene is out of range");
         const auto memory = map_sealed(arrival.attached);
         if (!memory) return tl::unexpected(memory.error());
         const auto map = map_of(memory->bytes());
         if (!map) return tl::unexpected(map.error());
-        auto scene = build_scene(*map, *options, arrival.message.scene.radius_m);
+        auto scene = build_scene(*map, arrival.message.scene);
         if (!scene) return tl::unexpected(scene.error());
         return BuiltScene{
             std::make_shared<const Scene>(std::move(*scene)),

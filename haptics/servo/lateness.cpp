@@ -19,8 +19,13 @@ void LatenessHistogram::add(std::int64_t late_ns) {
 }
 
 std::uint64_t LatenessHistogram::count() const {
+    return count_below(bins);
+}
+
+std::uint64_t LatenessHistogram::count_below(std::size_t late_us) const {
     std::uint64_t sum = 0;
-    for (const auto& bin : counts_) sum += bin.load(std::memory_order_relaxed);
+    for (std::size_t i = 0; i < std::min(late_us, bins); ++i)
+        sum += counts_[i].load(std::memory_order_relaxed);
     return sum;
 }
 

@@ -19,6 +19,9 @@ class LatenessHistogram {
 
     [[nodiscard]] std::uint64_t count() const;
 
+    /// Of the ticks that began less than so many us late, 0 to 10000. O(bins).
+    [[nodiscard]] std::uint64_t count_below(std::size_t late_us) const;
+
     /// The smallest lateness, in us, that no more than 1 - share of the ticks exceed; 0 <= share <=
     /// 1; 0 without ticks; 10000 stands for that and more. O(bins).
     [[nodiscard]] int quantile_us(double share) const;

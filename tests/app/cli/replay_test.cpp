@@ -4,6 +4,7 @@
 #include "app/cli/load.h"
 #include "app/decode/files.h"
 #include "app/gallery/gallery.h"
+#include "app/servo/scene_order.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/recording.h"
 #include "haptics/servo/servo_loop.h"
@@ -31,7 +32,7 @@ Recording record_fish(bool as_visitors) {
     TactileMap map = load_drawing(gallery_folder() + "/" + fish, 3).value();
     map.version = 5;
     const auto scene =
-        std::make_shared<const Scene>(build_felt_scene(map, default_profile()).value());
+        std::make_shared<const Scene>(build_scene(map, felt_order(default_profile())).value());
     std::vector<WaypointPath::Waypoint> way{{0.0, {0.05, 0.038}}, {0.8, {0.05, 0.038}}};
     for (int i = 1; i < 10; ++i)
         way.push_back({0.8 + 0.3 * i, {0.03 * std::sin(1.3 * i), 0.02 * std::cos(2.1 * i)}});

@@ -3,14 +3,18 @@
 #include "app/decode/files.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/servo/rigs.h"
+#include "tests/sim/fault_lines.h"
 
-#include <chrono>
+#include <csignal>
 #include <filesystem>
+#include <random>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -91,6 +95,59 @@ TEST_F(BlackBoxFiles, WhatCannotBeWrittenIsOneLineAndTheServoGoesOn) {
     EXPECT_EQ(told_[0].find('\n'), std::string::npos);
     EXPECT_EQ(exchange_.report().force.fault, Fault::none);
     fs::create_directories(folder_);
+}
+
+/// Files of this process may grow to so many bytes and no more, while it lives.
+class FullDisk {
+  public:
+    explicit FullDisk(rlim_t bytes_left) : before_(std::signal(SIGXFSZ, SIG_IGN)) {
+        const rlimit limit{bytes_left, RLIM_INFINITY};
+        EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+    }
+
+    ~FullDisk() {
+        const rlimit limit{RLIM_INFINITY, RLIM_INFINITY};
+        (void)setrlimit(RLIMIT_FSIZE, &limit);
+        std::signal(SIGXFSZ, before_);
+    }
+
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+  private:
+    void (*before_)(int);
+};
+
+TEST_F(BlackBoxFiles, AFullDiskIsOneLineLeavesNoHalfFileAndTheServoGoesOn) {
+    std::mt19937 random(6);
+    for (std::uint64_t seed = 0; seed < fault_runs(20); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        for (int i = 0; i < 100; ++i) tick();
+        const int descriptors = open_descriptors(getpid());
+        const int ticks = now_;
+        {
+            const FullDisk disk(random() % 20'000);
+            box_.keep();
+            ASSERT_NO_FATAL_FAILURE(tick_until_told());
+        }
+        EXPECT_NE(told_.back().find("is the disk full?"), std::string::npos) << told_.back();
+        EXPECT_EQ(told_.back().find('\n'), std::string::npos);
+        EXPECT_EQ(files(), 0);
+        EXPECT_EQ(open_descriptors(getpid()), descriptors);
+        EXPECT_EQ(exchange_.report().force.fault, Fault::none);
+        EXPECT_GT(now_, ticks);
+        tell({"servo",
+              "disk full",
+              seed,
+              {},
+              "force goes on, no recording is kept: is the disk full?",
+              {},
+              true,
+              {}});
+    }
+    box_.keep();
+    tick_until_told();
+    EXPECT_EQ(files(), 1);
 }
 
 }  // namespace

@@ -95,14 +95,16 @@ TEST(Messages, NonsenseCountsAsGone) {
 }
 
 TEST(Messages, OrdersOutOfRangeBuildNothing) {
-    EXPECT_TRUE(curve_options({}).has_value());
-    EXPECT_TRUE(curve_options({1e-4, 0.001, 1, 0})->resample);
+    TactileMap map;
+    map.outlines.emplace_back().points = {{-0.05, 0.0}, {0.0, 0.001}, {0.05, 0.0}};
+    EXPECT_TRUE(build_scene(map, SceneOrder{}).has_value());
+    EXPECT_TRUE(build_scene(map, SceneOrder{1e-4, 0.001, 1, 0}).has_value());
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {nan, -1.0, 1.0, std::numeric_limits<double>::infinity()}) {
-        EXPECT_FALSE(curve_options({bad, 0.0, 0, 0}).has_value());
-        EXPECT_FALSE(curve_options({1e-4, bad, 0, 0}).has_value());
+        EXPECT_FALSE(build_scene(map, SceneOrder{bad, 0.0, 0, 0}).has_value());
+        EXPECT_FALSE(build_scene(map, SceneOrder{1e-4, bad, 0, 0}).has_value());
     }
-    EXPECT_FALSE(curve_options({1e-4, 0.0, 2, 0}).has_value());
+    EXPECT_FALSE(build_scene(map, SceneOrder{1e-4, 0.0, 2, 0}).has_value());
 }
 
 TEST(Restart, WaitsLongerWithEveryDeathAndStartsOverAfterAGoodMinute) {

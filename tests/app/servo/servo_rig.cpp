@@ -2,7 +2,9 @@
 //
 //   servo_rig SOCKET BOARD         the servo
 //   servo_rig SOCKET usb DEVICE    the servo with a board on the USB, whatever its tier
-//   servo_rig kiosk BOARD          the kiosk, until SIGTERM
+//   servo_rig kiosk BOARD          the kiosk, until SIGTERM; SIGUSR1: keeps a recording; SIGUSR2:
+//   its
+//                                  main thread hangs for 0.8 s
 #include "app/servo/servo_process.h"
 #include "app/servo/servo_program.h"
 #include "app/servo/usb_device.h"
@@ -96,11 +98,13 @@ FeltPicture line_picture() {
     return {line_scene(0.0), std::make_shared<const TactileMap>(std::move(map)), {}, {}};
 }
 
-std::atomic<bool> is_end_asked{false};
+std::atomic<bool> is_end_asked{false}, is_recording_asked{false}, is_hang_asked{false};
 
 int run_kiosk(const std::string& program, const std::string& board_path) {
     FakeBoard& board = fake_board(board_path);
     std::signal(SIGTERM, [](int) { is_end_asked = true; });
+    std::signal(SIGUSR1, [](int) { is_recording_asked = true; });
+    std::signal(SIGUSR2, [](int) { is_hang_asked = true; });
     ServoProcess servo({program, {board_path}, [&board] { return zero_by_guard(board); }});
     servo.feel(line_picture());
     MonotonicClock clock;
@@ -108,7 +112,9 @@ int run_kiosk(const std::string& program, const std::string& board_path) {
         (void)servo.latest();
         const std::string notice = servo.take_notice();
         if (!notice.empty()) std::fprintf(stderr, "%s\n", notice.c_str());
-        clock.sleep_until(clock.now_ns() + 16'000'000);
+        if (is_recording_asked.exchange(false)) servo.keep_recording();
+        const bool hangs = is_hang_asked.exchange(false);
+        clock.sleep_until(clock.now_ns() + (hangs ? 800'000'000 : 16'000'000));
     }
     servo.stop();
     return 0;

@@ -27,7 +27,7 @@ FeltPicture line_at(double y_m, std::uint64_t version) {
     map.outlines.push_back(line);
     map.version = version;
     const SceneOrder order{};
-    auto scene = build_scene(map, curve_options(order).value(), order.radius_m).value();
+    auto scene = build_scene(map, order).value();
     return {std::make_shared<const Scene>(std::move(scene)),
             std::make_shared<const TactileMap>(std::move(map)),
             order,

@@ -19,6 +19,8 @@ TEST(LatenessHistogram, QuantilesAreThoseOfWhatWasAdded) {
     EXPECT_EQ(histogram.quantile_us(0.99), 990);
     EXPECT_EQ(histogram.quantile_us(1.0), 1000);
     EXPECT_EQ(histogram.quantile_us(0.0), 1);
+    EXPECT_EQ(histogram.count_below(1), 0U);
+    EXPECT_EQ(histogram.count_below(101), 100U);
 }
 
 TEST(LatenessHistogram, EarlyIsInTimeAndVeryLateIsInTheLastBin) {

@@ -1,6 +1,12 @@
 #include "haptics/servo/real_time.h"
 
+#include "haptics/servo/servo.h"
+#include "tests/haptics/servo/rigs.h"
+
+#include <functional>
+#include <memory>
 #include <string>
+#include <thread>
 
 #include <grp.h>
 #include <gtest/gtest.h>
@@ -40,28 +46,48 @@ TEST(RealTimeTier, EachHasWordsThatBeginWithItsLetter) {
     }
 }
 
-/// In a process of its own: as nobody, where this may change who it is, and without the right to
-/// real-time priority in any case.
-int tier_of_an_ordinary_user() {
+/// As nobody, where this may change who it is, and without the right to real-time priority in any
+/// case.
+bool become_ordinary() {
+    const rlimit none{0, 0};
+    constexpr unsigned nobody = 65534;
+    if (setrlimit(RLIMIT_RTPRIO, &none) != 0) return false;
+    return geteuid() != 0 ||
+           (setgroups(0, nullptr) == 0 && setresgid(nobody, nobody, nobody) == 0 &&
+            setresuid(nobody, nobody, nobody) == 0);
+}
+
+/// What `ask` says in a process of an ordinary user.
+int told_by_an_ordinary_user(const std::function<int()>& ask) {
     const pid_t child = fork();
-    if (child == 0) {
-        const rlimit none{0, 0};
-        constexpr unsigned nobody = 65534;
-        bool is_ordinary = setrlimit(RLIMIT_RTPRIO, &none) == 0;
-        if (geteuid() == 0) {
-            is_ordinary = is_ordinary && setgroups(0, nullptr) == 0 &&
-                          setresgid(nobody, nobody, nobody) == 0 &&
-                          setresuid(nobody, nobody, nobody) == 0;
-        }
-        _exit(is_ordinary ? static_cast<int>(become_real_time(MemoryLock::as_touched)) : 99);
-    }
+    if (child == 0) _exit(become_ordinary() ? ask() : 99);
     int status = 0;
     waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 TEST(RealTimeTier, OfAnOrdinaryUserIsC) {
-    EXPECT_EQ(tier_of_an_ordinary_user(), static_cast<int>(RealTimeTier::best_effort));
+    EXPECT_EQ(told_by_an_ordinary_user(
+                  [] { return static_cast<int>(become_real_time(MemoryLock::as_touched)); }),
+              static_cast<int>(RealTimeTier::best_effort));
+}
+
+TEST(RealTimeTier, OfAServoWithMotorsThatAnOrdinaryUserStartsIsNoBetterThanC) {
+    const int tier = told_by_an_ordinary_user([] {
+        Servo servo;
+        ServoOptions options;
+        options.has_motors = true;
+        const Position above{0.0, 0.01};
+        const auto started =
+            servo.start(std::make_unique<PlacedDevice>(above), default_profile(), options);
+        if (!started) return 98;
+        while (servo.latest().ticks < 10) std::this_thread::yield();
+        return static_cast<int>(servo.tier());
+    });
+    // D where this machine has been too busy meanwhile.
+    EXPECT_TRUE(tier == static_cast<int>(RealTimeTier::best_effort) ||
+                tier == static_cast<int>(RealTimeTier::too_late))
+        << tier;
 }
 
 }  // namespace

@@ -163,6 +163,7 @@ class Run {
         if (!rig_->driver->open()) return;
         rig_->tick_for(0.02, push_);
         result_.has_reopened = rig_->tick(push_).has_value() && rig_->is_written;
+        result_.reopened_s = rig_->time.now_s - seen_s_;
     }
 
     FaultKind kind_;
@@ -182,6 +183,16 @@ class Run {
 
 std::span<const FaultKind> fault_kinds() {
     return kinds;
+}
+
+std::string words_of(BoardState state, bool is_position_doubtful) {
+    constexpr std::array names{"closed", "ready", "resyncing", "jumped", "lost"};
+    const std::string name = names[static_cast<std::size_t>(state)];
+    return is_position_doubtful && state != BoardState::jumped ? name + ", place doubtful" : name;
+}
+
+std::string words_of(const FaultRun& run) {
+    return words_of(run.worst, run.is_position_doubtful);
 }
 
 FaultRun run_fault(const FaultKind& kind, std::uint64_t seed) {

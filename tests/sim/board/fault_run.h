@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace touchline {
@@ -29,6 +30,7 @@ struct FaultRun {
     double recovery_s = 0.0;     // from the fault until angles came and torque went again
     bool has_recovered = false;  // by itself; else with another driver, once plugged in again
     bool has_reopened = false;   // after `lost`
+    double reopened_s = 0.0;     // from the fault, the plug put back at once
     BoardState worst = BoardState::ready;
     bool is_position_doubtful = false;
     double largest_error_counts =
@@ -36,6 +38,10 @@ struct FaultRun {
     bool is_broken = false;     // the board was told what it must not be
     bool is_left_zero = false;  // after stop
 };
+
+/// The worst state, for a table.
+[[nodiscard]] std::string words_of(BoardState state, bool is_position_doubtful);
+[[nodiscard]] std::string words_of(const FaultRun& run);
 
 /// Opens, moves a hand and pushes for 0.1 s, has the fault, goes on for up to 5 s, stops.
 [[nodiscard]] FaultRun run_fault(const FaultKind& kind, std::uint64_t seed);

@@ -7,7 +7,6 @@
 #include "tests/sim/umockdev/mocked_board.h"
 #include "tests/sim/umockdev/usb_rig.h"
 
-#include <cstdlib>
 #include <memory>
 #include <span>
 #include <string>
@@ -239,37 +238,6 @@ TEST_F(UsbBoardsTest, AnotherProgramStopsABoardThatWasLeftPulling) {
     }
     EXPECT_GT(norm(held(board)), 0.06);
     EXPECT_TRUE(zero_torque(open()));
-    EXPECT_EQ(held(board), JointTorques{});
-}
-
-/// Each fault of the transfers, many times over one connection.
-TEST_F(UsbBoardsTest, EveryFaultOfATransferIsOvercome) {
-    using Cause = void (*)(UsbFaults&);
-    const std::pair<const char*, Cause> causes[] = {
-        {"stall, out", [](UsbFaults& faults) { faults.stalls_out = 1; }},
-        {"hanging send", [](UsbFaults& faults) { faults.drops_out = 1; }},
-        {"short send", [](UsbFaults& faults) { faults.short_out = 1; }},
-        {"lost reply", [](UsbFaults& faults) { faults.lost_in = 1; }},
-        {"garbled reply", [](UsbFaults& faults) { faults.garbled_in = 1; }},
-        {"duplicate reply", [](UsbFaults& faults) { faults.doubled_in = 1; }},
-        {"zero-length packet", [](UsbFaults& faults) { faults.empty_in = 1; }},
-        {"stall, in", [](UsbFaults& faults) { faults.stalls_in = 1; }},
-    };
-    MockedBoard board(mocked_, {});
-    Drive drive(open());
-    ASSERT_TRUE(drive.driver.open().has_value());
-    const int rounds = std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr ? 100 : 5;
-    for (int round = 0; round < rounds; ++round) {
-        for (const auto& [name, cause] : causes) {
-            ASSERT_TRUE(drive.tick_until_good(push)) << name;
-            board.with([&](BoardEmulator&, UsbFaults& faults) { cause(faults); });
-            for (int k = 0; k < 20; ++k) (void)drive.tick(push);
-            ASSERT_TRUE(drive.tick_until_good(push)) << name << " in round " << round;
-        }
-    }
-    board.with(
-        [](BoardEmulator& emulator, UsbFaults&) { EXPECT_FALSE(emulator.firmware().is_broken()); });
-    EXPECT_TRUE(drive.driver.stop());
     EXPECT_EQ(held(board), JointTorques{});
 }
 

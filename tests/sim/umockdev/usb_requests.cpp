@@ -140,6 +140,8 @@ bool UsbRequests::is_under_way(std::uint64_t id) const {
 
 void UsbRequests::deliver() {
     while (auto packet = board_.take_packet()) spoil(std::move(packet->bytes));
+    if (board_.now_s() >= held_until_s_)
+        for (; !held_back_.empty(); held_back_.pop_front()) ready_.push_back(held_back_.front());
     while (!ready_.empty() && !listening_.empty() && !is_in_halted_) {
         const auto next = std::find_if(listening_.begin(), listening_.end(), [&](auto id) {
             return urbs_[id].endpoint == board_in_endpoint;
@@ -159,6 +161,8 @@ void UsbRequests::deliver() {
 
 void UsbRequests::spoil(PacketBytes packet) {
     if (take_one(faults.lost_in)) return;
+    if (take_one(faults.late_in)) held_until_s_ = board_.now_s() + faults.late_s;
+    if (board_.now_s() < held_until_s_) return held_back_.push_back(std::move(packet));
     if (take_one(faults.empty_in)) ready_.emplace_back();
     if (take_one(faults.doubled_in)) ready_.push_back(packet);
     if (take_one(faults.garbled_in))
@@ -180,6 +184,7 @@ void UsbRequests::finish(std::uint64_t id, int status, const PacketBytes& data, 
 void UsbRequests::end_all(int status) {
     listening_.clear();
     ready_.clear();
+    held_back_.clear();
     for (const auto& [id, urb] : urbs_)
         if (std::find(done_.begin(), done_.end(), id) == done_.end()) finish(id, status, {}, 0, 0);
 }

@@ -23,7 +23,9 @@ struct UsbFaults {
     int drops_out = 0;     // OUT transfers that hang until they are given up
     int short_out = 0;     // OUT transfers of which only 4 bytes get through
     int lost_in = 0;       // packets that never come
-    int garbled_in = 0;    // packets with flipped bits
+    int late_in = 0;       // packets that come late_s later, and all after them
+    double late_s = 0.0;
+    int garbled_in = 0;  // packets with flipped bits
     int doubled_in = 0;
     int empty_in = 0;  // empty packets before the real one
     int stalls_in = 0;
@@ -63,6 +65,8 @@ class UsbRequests {
     std::deque<std::uint64_t> listening_;  // IN transfers that wait
     std::deque<PacketBytes> ready_;        // packets that nobody waits for
     std::deque<std::uint64_t> done_;
+    std::deque<PacketBytes> held_back_;  // until held_until_s_
+    double held_until_s_ = 0.0;
     bool is_out_halted_ = false, is_in_halted_ = false;
 };
 

@@ -1,0 +1,124 @@
+// A kiosk and its servo as real processes with a fake board, for tests that kill them. Nothing here
+// judges how fast the machine is: limits are far away.
+#pragma once
+
+#include "config/types/steady_clock.h"
+#include "tests/app/servo/fake_board.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+
+namespace touchline {
+
+inline constexpr int longest_wait_ms = 60'000;
+
+/// Until the condition holds, or a minute has passed.
+[[nodiscard]] inline bool wait_until(const std::function<bool()>& condition) {
+    for (int i = 0; i < longest_wait_ms; ++i) {
+        if (condition()) return true;
+        poll(nullptr, 0, 1);
+    }
+    return false;
+}
+
+class ProcessRig : public testing::Test {
+  protected:
+    ProcessRig()
+        : path_(testing::TempDir() + "board-" + std::to_string(getpid())),
+          board_(make_fake_board(path_)) {
+        // The servos of dead kiosks are ours.
+        prctl(PR_SET_CHILD_SUBREAPER, 1UL, 0UL, 0UL, 0UL);
+    }
+
+    ~ProcessRig() override {
+        if (kiosk_ != 0) end_kiosk(SIGKILL);
+        if (board_.owner != 0) kill(board_.owner, SIGKILL);
+        while (waitpid(-1, nullptr, 0) > 0) {
+        }
+        std::filesystem::remove(path_);
+        std::filesystem::remove(words_path());
+    }
+
+    void start_kiosk() {
+        std::string program = TOUCHLINE_SERVO_RIG;
+        std::string mode = "kiosk";
+        char* const words[] = {program.data(), mode.data(), path_.data(), nullptr};
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, words_path().c_str(),
+                                         O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0600);
+        ASSERT_EQ(posix_spawn(&kiosk_, program.c_str(), &actions, nullptr, words, environ), 0);
+        posix_spawn_file_actions_destroy(&actions);
+        words_read_ = 0;
+    }
+
+    /// Its status.
+    int end_kiosk(int signal) {
+        kill(kiosk_, signal);
+        kill(kiosk_, SIGCONT);
+        int status = 0;
+        waitpid(std::exchange(kiosk_, 0), &status, 0);
+        return status;
+    }
+
+    /// What kiosk and servo said since this was last asked.
+    [[nodiscard]] std::string new_words() {
+        std::ifstream file(words_path());
+        const std::string all{std::istreambuf_iterator<char>(file), {}};
+        return all.substr(std::min(std::exchange(words_read_, all.size()), all.size()));
+    }
+
+    /// Lifts the handle until force is armed, then presses until there is torque; again where the
+    /// scene came late or force was held off for a moment.
+    [[nodiscard]] bool press() {
+        for (int i = 0; i < 20 && board_.is_torque_on == 0; ++i) {
+            board_.is_pressed = 0;
+            if (!wait_for_ticks(800)) return false;
+            board_.is_pressed = 1;
+            if (!wait_for_ticks(200)) return false;
+        }
+        return board_.is_torque_on == 1;
+    }
+
+    [[nodiscard]] bool wait_for_ticks(std::uint64_t count) {
+        const std::uint64_t from = board_.reads;
+        return wait_until([&] { return board_.reads > from + count; });
+    }
+
+    /// A servo of this number or a later one, with torque on.
+    [[nodiscard]] bool press_on_servo(int number) {
+        return wait_until([&] { return board_.opened >= number && board_.reads > 0; }) && press();
+    }
+
+    /// Milliseconds until the torque is zero after `act`.
+    double ms_to_zero(const std::function<void()>& act) {
+        const std::int64_t start_ns = steady_now_ns();
+        act();
+        EXPECT_TRUE(wait_until([&] { return board_.is_torque_on == 0; }));
+        board_.is_pressed = 0;  // above the line when the next scene comes: that is the side it has
+        return 1e-6 * static_cast<double>(board_.zeroed_ns - start_ns);
+    }
+
+    [[nodiscard]] std::string words_path() const { return path_ + ".words"; }
+
+    std::string path_;
+    FakeBoard& board_;
+    pid_t kiosk_ = 0;
+
+  private:
+    std::size_t words_read_ = 0;
+};
+
+}  // namespace touchline
