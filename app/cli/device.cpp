@@ -5,6 +5,7 @@
 #include "app/device/procedures.h"
 #include "haptics/device/usb_boards.h"
 #include "haptics/device/usb_pantograph.h"
+#include "haptics/servo/lateness.h"
 
 #include <atomic>
 #include <csignal>
@@ -80,8 +81,10 @@ Result<void> probe(TakenUnit& unit, std::ostream& out) {
     if (auto opened = board.open(); !opened) return opened;
     MonotonicClock clock;
     TickSchedule schedule(clock.now_ns(), 1'000'000);
+    LatenessHistogram lateness;
     for (int i = 0; i < asked && !is_stop_wanted; ++i) {
         clock.sleep_until(schedule.due_ns());
+        lateness.add(clock.now_ns() - schedule.due_ns());
         (void)board.read_angles(schedule.due_s());
         (void)board.write_torques({});
         schedule.finish(clock.now_ns());
@@ -93,6 +96,11 @@ Result<void> probe(TakenUnit& unit, std::ostream& out) {
         unit.board.found.serial, report.replies, asked, report.late, report.lost_replies,
         report.wrong_packets + report.unconfigured, unit.profile,
         plugs(board.frame().calibration()));
+    out << fmt::format(
+        "This computer began the ticks {} us late (half of them less), {} us (all but 1 %), {} us "
+        "(the worst); {} were left out.\n",
+        lateness.quantile_us(0.5), lateness.quantile_us(0.99), lateness.quantile_us(1.0),
+        schedule.missed());
     if (report.state != BoardState::lost) return {};
     return failure("the board was unplugged or gave up; plug it in and try again");
 }

@@ -2,6 +2,8 @@
 
 #include "tests/sim/allocated_bytes.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -38,6 +40,13 @@ int open_descriptors(int pid, Sockets sockets) {
 
 Holdings Holdings::now(Sockets sockets) {
     return {open_descriptors(getpid(), sockets), allocated_bytes()};
+}
+
+std::string test_name(std::string_view fault) {
+    std::string name(fault);
+    const auto is_other = [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); };
+    std::replace_if(name.begin(), name.end(), is_other, '_');
+    return name;
 }
 
 void tell(const FaultLine& line) {

@@ -40,6 +40,9 @@ struct FaultLine {
     Holdings left;  // more than before the run
 };
 
+/// A fault's name as GoogleTest takes one.
+[[nodiscard]] std::string test_name(std::string_view fault);
+
 /// Adds a line to the file that TOUCHLINE_FAULT_LINES names, if it does.
 void tell(const FaultLine& line);
 

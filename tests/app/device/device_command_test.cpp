@@ -96,6 +96,7 @@ TEST_F(DeviceCommand, ListProbeAndStopTellOfTheBoard) {
     EXPECT_NE(out_.str().find(BoardTruth{}.serial), std::string::npos);
     ASSERT_TRUE(run(DeviceAction::probe).has_value());
     EXPECT_NE(out_.str().find("answers to 1000 questions"), std::string::npos);
+    EXPECT_NE(out_.str().find("began the ticks"), std::string::npos);
     ASSERT_TRUE(run(DeviceAction::stop).has_value());
     EXPECT_NE(out_.str().find("confirmed zero torque"), std::string::npos);
     EXPECT_EQ(held(board), JointTorques{});

@@ -7,13 +7,8 @@
 
 #include <atomic>
 #include <cstdint>
-#include <cstdlib>
-#include <fstream>
-#include <string>
 
-#include <fcntl.h>
 #include <signal.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -41,22 +36,5 @@ struct FakeBoard {
     /// Whoever held it last is gone.
     [[nodiscard]] bool is_free() const { return owner == 0 || kill(owner, 0) != 0; }
 };
-
-/// Mapped for as long as the process lives.
-inline FakeBoard& fake_board(const std::string& path) {
-    const int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
-    void* const start =
-        mmap(nullptr, sizeof(FakeBoard), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-    if (file < 0 || start == MAP_FAILED) std::abort();
-    close(file);
-    return *static_cast<FakeBoard*>(start);
-}
-
-/// A new one, all zero.
-inline FakeBoard& make_fake_board(const std::string& path) {
-    std::ofstream(path, std::ios::binary)
-        .write(std::string(sizeof(FakeBoard), '\0').data(), sizeof(FakeBoard));
-    return fake_board(path);
-}
 
 }  // namespace touchline

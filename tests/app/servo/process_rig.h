@@ -4,13 +4,16 @@
 
 #include "config/types/steady_clock.h"
 #include "tests/app/servo/fake_board.h"
+#include "tests/app/servo/mapped_file.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <random>
 #include <string>
 #include <utility>
 
@@ -37,7 +40,7 @@ class ProcessRig : public testing::Test {
   protected:
     ProcessRig()
         : path_(testing::TempDir() + "board-" + std::to_string(getpid())),
-          board_(make_fake_board(path_)) {
+          board_(make_mapped<FakeBoard>(path_)) {
         // The servos of dead kiosks are ours.
         prctl(PR_SET_CHILD_SUBREAPER, 1UL, 0UL, 0UL, 0UL);
     }
@@ -102,6 +105,26 @@ class ProcessRig : public testing::Test {
         return wait_until([&] { return board_.opened >= number && board_.reads > 0; }) && press();
     }
 
+    /// Torque is on, at a moment that the seed chooses; by a servo that was not there before where
+    /// one died.
+    void be_pressed(std::uint64_t seed) {
+        constexpr int most_deaths = 2;  // of servos, for after each a kiosk waits twice as long
+        if (kiosk_ != 0 && deaths_ == most_deaths) {
+            EXPECT_EQ(end_kiosk(SIGTERM), 0);
+        }
+        if (kiosk_ == 0) {
+            deaths_ = 0;
+            next_servo_ = board_.opened + 1;
+            start_kiosk();
+        }
+        ASSERT_TRUE(press_on_servo(next_servo_));
+        std::mt19937_64 random(seed);
+        (void)wait_for_ticks(random() % 20);
+        ASSERT_TRUE(press());
+    }
+
+    [[nodiscard]] static bool is_there(int process) { return kill(process, 0) == 0; }
+
     /// Milliseconds until the torque is zero after `act`.
     double ms_to_zero(const std::function<void()>& act) {
         const std::int64_t start_ns = steady_now_ns();
@@ -116,6 +139,8 @@ class ProcessRig : public testing::Test {
     std::string path_;
     FakeBoard& board_;
     pid_t kiosk_ = 0;
+    int deaths_ = 0;      // of its servos
+    int next_servo_ = 0;  // as the board counts them
 
   private:
     std::size_t words_read_ = 0;

@@ -10,6 +10,7 @@
 #include "app/servo/usb_device.h"
 #include "haptics/servo/tick_clock.h"
 #include "tests/app/servo/fake_board.h"
+#include "tests/app/servo/mapped_file.h"
 #include "tests/haptics/servo/rigs.h"
 
 #include <algorithm>
@@ -101,7 +102,7 @@ FeltPicture line_picture() {
 std::atomic<bool> is_end_asked{false}, is_recording_asked{false}, is_hang_asked{false};
 
 int run_kiosk(const std::string& program, const std::string& board_path) {
-    FakeBoard& board = fake_board(board_path);
+    FakeBoard& board = mapped<FakeBoard>(board_path);
     std::signal(SIGTERM, [](int) { is_end_asked = true; });
     std::signal(SIGUSR1, [](int) { is_recording_asked = true; });
     std::signal(SIGUSR2, [](int) { is_hang_asked = true; });
@@ -141,7 +142,7 @@ int main(int argc, char** argv) {
         });
     }
     if (std::string(argv[1]) == "kiosk") return run_kiosk(argv[0], argv[2]);
-    FakeBoard& board = fake_board(argv[2]);
+    FakeBoard& board = mapped<FakeBoard>(argv[2]);
     return run_servo_program(std::stoi(argv[1]),
                              [&board](const Opening&) { return open_fake_device(board); });
 }

@@ -3,14 +3,20 @@
 #include "tests/sim/board/fault_run.h"
 #include "tests/sim/fault_lines.h"
 
-#include <algorithm>
 #include <map>
+#include <ostream>
 #include <string>
 #include <string_view>
 
 #include <gtest/gtest.h>
 
 namespace touchline {
+
+/// As GoogleTest shows it.
+void PrintTo(const FaultKind& kind, std::ostream* out) {
+    *out << kind.name;
+}
+
 namespace {
 
 constexpr double tick_s = 1e-3;
@@ -97,14 +103,7 @@ TEST_P(FaultMatrix, EndsInZeroTorqueAndFindsBack) {
 
 INSTANTIATE_TEST_SUITE_P(Every, FaultMatrix,
                          testing::ValuesIn(fault_kinds().begin(), fault_kinds().end()),
-                         [](const auto& kind) {
-                             std::string name(kind.param.name);
-                             const auto is_other = [](char c) {
-                                 return !std::isalnum(static_cast<unsigned char>(c));
-                             };
-                             std::replace_if(name.begin(), name.end(), is_other, '_');
-                             return name;
-                         });
+                         [](const auto& kind) { return test_name(kind.param.name); });
 
 TEST(FaultMatrixItself, SameSeedsGiveTheSameRuns) {
     for (const FaultKind& kind : fault_kinds()) {

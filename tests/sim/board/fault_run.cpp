@@ -136,25 +136,11 @@ class Run {
         result_.has_recovered = good_ticks_ > 0;
         rig_->time.now_s += rig_tick_s;
         result_.is_broken = rig_->board.firmware().is_broken();
-        result_.zero_s = time_to_zero();
+        rig_->board.advance_to(rig_->time.now_s);
+        result_.zero_s = time_to_zero(rig_->board.told_torques(), seen_s_).value_or(never_s);
         if (rig_->driver->report().state == BoardState::lost) reopen();
         rig_->driver->stop();
         result_.is_left_zero = rig_->held() == JointTorques{};
-    }
-
-    /// From when the fault could be seen to the first zero after it; 0 where there was zero
-    /// already.
-    double time_to_zero() {
-        rig_->board.advance_to(rig_->time.now_s);
-        const auto& changes = rig_->board.told_torques();
-        JointTorques held;
-        for (const TorqueChange& change : changes) {
-            if (change.at_s > seen_s_ && held == JointTorques{}) return 0.0;
-            if (change.at_s > seen_s_ && change.torques == JointTorques{})
-                return change.at_s - seen_s_;
-            held = change.torques;
-        }
-        return held == JointTorques{} ? 0.0 : never_s;
     }
 
     void reopen() {
@@ -183,6 +169,18 @@ class Run {
 
 std::span<const FaultKind> fault_kinds() {
     return kinds;
+}
+
+std::optional<double> time_to_zero(const std::vector<TorqueChange>& changes, double from_s,
+                                   double within_s) {
+    JointTorques held;
+    for (const TorqueChange& change : changes) {
+        const double after_s = change.at_s - from_s;
+        if (after_s > within_s || (after_s > 0.0 && held == JointTorques{})) break;
+        held = change.torques;
+        if (after_s > 0.0 && held == JointTorques{}) return after_s;
+    }
+    return held == JointTorques{} ? std::optional(0.0) : std::nullopt;
 }
 
 std::string words_of(BoardState state, bool is_position_doubtful) {

@@ -6,9 +6,11 @@
 #include "tests/sim/board/emulated_link.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace touchline {
 
@@ -38,6 +40,11 @@ struct FaultRun {
     bool is_broken = false;     // the board was told what it must not be
     bool is_left_zero = false;  // after stop
 };
+
+/// From a moment to the first zero after it; 0 where there was zero already, none where torque went
+/// on, or for longer than within_s.
+[[nodiscard]] std::optional<double> time_to_zero(const std::vector<TorqueChange>& changes,
+                                                 double from_s, double within_s = never_s);
 
 /// The worst state, for a table.
 [[nodiscard]] std::string words_of(BoardState state, bool is_position_doubtful);

@@ -3,6 +3,7 @@
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/servo/rigs.h"
 #include "tests/sim/board/board_rig.h"
+#include "tests/sim/board/fault_run.h"
 
 #include <algorithm>
 #include <array>
@@ -169,7 +170,10 @@ class Run {
         loop.run(clock, tick_ns, end);
         // A servo that is cut gives its device back.
         if (kind_.event == LoopEvent::kiosk_dies) rig_->driver->stop();
-        if (has_fault) result_.zero_s = time_to_zero();
+        if (!has_fault) return;
+        rig_->time.now_s += 1e-3;  // what was told last arrives
+        rig_->board.advance_to(rig_->time.now_s);
+        result_.zero_s = time_to_zero(rig_->board.told_torques(), seen_s_, within_s);
     }
 
     void press_another_servo() {
@@ -221,20 +225,6 @@ class Run {
         const bool was_in_fault = result_.fault != Fault::none;
         if (is_on && was_off_ && was_in_fault && since_start_s() < lifted_s)
             result_.was_pushed_before_arm = true;
-    }
-
-    /// From when the fault could be seen to zero torque; none where torque went on.
-    [[nodiscard]] std::optional<double> time_to_zero() {
-        rig_->time.now_s += 1e-3;  // what was told last arrives
-        rig_->board.advance_to(rig_->time.now_s);
-        JointTorques held;
-        for (const TorqueChange& change : rig_->board.told_torques()) {
-            const double after_s = change.at_s - seen_s_;
-            if (after_s > within_s || (after_s > 0.0 && held == JointTorques{})) break;
-            held = change.torques;
-            if (after_s > 0.0 && held == JointTorques{}) return after_s;
-        }
-        return held == JointTorques{} ? std::optional(0.0) : std::nullopt;
     }
 
     static constexpr double within_s = 0.2;  // later zeros are the hand's, lifted

@@ -4,15 +4,21 @@
 #include "tests/sim/fault_lines.h"
 #include "tests/sim/loop/loop_fault_run.h"
 
-#include <algorithm>
 #include <limits>
 #include <map>
+#include <ostream>
 #include <string>
 #include <string_view>
 
 #include <gtest/gtest.h>
 
 namespace touchline {
+
+/// As GoogleTest shows it.
+void PrintTo(const LoopFaultKind& kind, std::ostream* out) {
+    *out << kind.name;
+}
+
 namespace {
 
 constexpr double tick_s = 1e-3;
@@ -85,14 +91,7 @@ TEST_P(LoopFaults, EndInZeroTorqueAreSaidAndForceComesBackArmed) {
 
 INSTANTIATE_TEST_SUITE_P(Every, LoopFaults,
                          testing::ValuesIn(loop_fault_kinds().begin(), loop_fault_kinds().end()),
-                         [](const auto& kind) {
-                             std::string name(kind.param.name);
-                             const auto is_other = [](char c) {
-                                 return !std::isalnum(static_cast<unsigned char>(c));
-                             };
-                             std::replace_if(name.begin(), name.end(), is_other, '_');
-                             return name;
-                         });
+                         [](const auto& kind) { return test_name(kind.param.name); });
 
 }  // namespace
 }  // namespace touchline
