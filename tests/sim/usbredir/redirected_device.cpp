@@ -1,7 +1,6 @@
-#include "tests/sim/usbredir/redirected_board.h"
+#include "tests/sim/usbredir/redirected_device.h"
 
 #include "config/types/steady_clock.h"
-#include "tests/sim/board/usb_function.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -10,6 +9,7 @@
 
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -17,8 +17,8 @@ namespace {
 
 constexpr int poll_ms = 1;
 
-RedirectedBoard& self(void* board) {
-    return *static_cast<RedirectedBoard*>(board);
+RedirectedDevice& self(void* device) {
+    return *static_cast<RedirectedDevice*>(device);
 }
 
 std::span<const std::uint8_t> span_of(const std::uint8_t* data, int size) {
@@ -26,6 +26,19 @@ std::span<const std::uint8_t> span_of(const std::uint8_t* data, int size) {
 }
 
 /// What the descriptors say, in the words of usbredir.
+usb_redir_interface_info_header interfaces_of(const PacketBytes& configuration) {
+    usb_redir_interface_info_header info{};
+    for (std::size_t at = 0; at < configuration.size(); at += configuration[at]) {
+        if (configuration[at + 1] != 4) continue;
+        const std::size_t index = info.interface_count++;
+        info.interface[index] = configuration[at + 2];
+        info.interface_class[index] = configuration[at + 5];
+        info.interface_subclass[index] = configuration[at + 6];
+        info.interface_protocol[index] = configuration[at + 7];
+    }
+    return info;
+}
+
 usb_redir_ep_info_header endpoints_of(const PacketBytes& configuration) {
     usb_redir_ep_info_header info{};
     std::memset(info.type, usb_redir_type_invalid, sizeof info.type);
@@ -46,11 +59,20 @@ usb_redir_ep_info_header endpoints_of(const PacketBytes& configuration) {
 
 }  // namespace
 
-RedirectedBoard::RedirectedBoard(BoardEmulator& board, int socket, int unplug_after_writes)
-    : board_(board),
-      socket_(socket),
-      writes_until_unplugged_(unplug_after_writes),
-      parser_(usbredirparser_create()) {
+int listen_at(const char* path) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::strncpy(address.sun_path, path, sizeof address.sun_path - 1);
+    const int listener = socket(AF_UNIX, SOCK_STREAM, 0);
+    unlink(path);
+    const bool is_listening =
+        bind(listener, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0 &&
+        listen(listener, 1) == 0;
+    return is_listening ? listener : -1;
+}
+
+RedirectedDevice::RedirectedDevice(RedirectedFunction& function, int socket)
+    : function_(function), socket_(socket), parser_(usbredirparser_create()) {
     set_callbacks();
     std::uint32_t capabilities[USB_REDIR_CAPS_SIZE] = {};
     for (const int capability :
@@ -63,111 +85,106 @@ RedirectedBoard::RedirectedBoard(BoardEmulator& board, int socket, int unplug_af
     flush();
 }
 
-RedirectedBoard::~RedirectedBoard() {
+RedirectedDevice::~RedirectedDevice() {
     usbredirparser_destroy(parser_);
     close(socket_);
 }
 
-void RedirectedBoard::serve() {
-    const double start_s = 1e-9 * static_cast<double>(steady_now_ns()) - board_.now_s();
-    while (board_.is_plugged()) {
+void RedirectedDevice::serve() {
+    while (function_.is_plugged()) {
         pollfd wanted{socket_, POLLIN, 0};
         const int ready = poll(&wanted, 1, poll_ms);
-        board_.advance_to(1e-9 * static_cast<double>(steady_now_ns()) - start_s);
+        function_.advance_to(1e-9 * static_cast<double>(steady_now_ns()));
         if (ready > 0 && usbredirparser_do_read(parser_) == usbredirparser_read_io_error) return;
         deliver();
         flush();
     }
 }
 
-void RedirectedBoard::set_callbacks() {
+void RedirectedDevice::set_callbacks() {
     parser_->priv = this;
     parser_->log_func = [](void*, int level, const char* line) {
         if (level <= usbredirparser_warning) std::fprintf(stderr, "usbredir: %s\n", line);
     };
-    parser_->read_func = [](void* board, std::uint8_t* bytes, int size) {
+    parser_->read_func = [](void* device, std::uint8_t* bytes, int size) {
         const ssize_t got =
-            recv(self(board).socket_, bytes, static_cast<std::size_t>(size), MSG_DONTWAIT);
+            recv(self(device).socket_, bytes, static_cast<std::size_t>(size), MSG_DONTWAIT);
         if (got > 0) return static_cast<int>(got);
         return got < 0 && errno == EAGAIN ? 0 : -1;
     };
-    parser_->write_func = [](void* board, std::uint8_t* bytes, int size) {
+    parser_->write_func = [](void* device, std::uint8_t* bytes, int size) {
         return static_cast<int>(
-            send(self(board).socket_, bytes, static_cast<std::size_t>(size), MSG_NOSIGNAL));
+            send(self(device).socket_, bytes, static_cast<std::size_t>(size), MSG_NOSIGNAL));
     };
-    parser_->hello_func = [](void* board, usb_redir_hello_header*) { self(board).connect(); };
+    parser_->hello_func = [](void* device, usb_redir_hello_header*) { self(device).connect(); };
     parser_->reset_func = [](void*) {};
-    parser_->set_configuration_func = [](void* board, std::uint64_t id,
+    parser_->set_configuration_func = [](void* device, std::uint64_t id,
                                          usb_redir_set_configuration_header* header) {
         usb_redir_configuration_status_header status{usb_redir_success, header->configuration};
-        usbredirparser_send_configuration_status(self(board).parser_, id, &status);
+        usbredirparser_send_configuration_status(self(device).parser_, id, &status);
     };
-    parser_->get_configuration_func = [](void* board, std::uint64_t id) {
+    parser_->get_configuration_func = [](void* device, std::uint64_t id) {
         usb_redir_configuration_status_header status{usb_redir_success, 1};
-        usbredirparser_send_configuration_status(self(board).parser_, id, &status);
+        usbredirparser_send_configuration_status(self(device).parser_, id, &status);
     };
-    parser_->set_alt_setting_func = [](void* board, std::uint64_t id,
+    parser_->set_alt_setting_func = [](void* device, std::uint64_t id,
                                        usb_redir_set_alt_setting_header* header) {
         usb_redir_alt_setting_status_header status{usb_redir_success, header->interface,
                                                    header->alt};
-        usbredirparser_send_alt_setting_status(self(board).parser_, id, &status);
+        usbredirparser_send_alt_setting_status(self(device).parser_, id, &status);
     };
-    parser_->get_alt_setting_func = [](void* board, std::uint64_t id,
+    parser_->get_alt_setting_func = [](void* device, std::uint64_t id,
                                        usb_redir_get_alt_setting_header* header) {
         usb_redir_alt_setting_status_header status{usb_redir_success, header->interface, 0};
-        usbredirparser_send_alt_setting_status(self(board).parser_, id, &status);
+        usbredirparser_send_alt_setting_status(self(device).parser_, id, &status);
     };
     // The kernel listens for changes of the serial lines; the board never tells of one.
     parser_->start_interrupt_receiving_func =
-        [](void* board, std::uint64_t id, usb_redir_start_interrupt_receiving_header* header) {
+        [](void* device, std::uint64_t id, usb_redir_start_interrupt_receiving_header* header) {
             usb_redir_interrupt_receiving_status_header status{usb_redir_success, header->endpoint};
-            usbredirparser_send_interrupt_receiving_status(self(board).parser_, id, &status);
+            usbredirparser_send_interrupt_receiving_status(self(device).parser_, id, &status);
         };
-    parser_->stop_interrupt_receiving_func = [](void* board, std::uint64_t id,
+    parser_->stop_interrupt_receiving_func = [](void* device, std::uint64_t id,
                                                 usb_redir_stop_interrupt_receiving_header* header) {
         usb_redir_interrupt_receiving_status_header status{usb_redir_success, header->endpoint};
-        usbredirparser_send_interrupt_receiving_status(self(board).parser_, id, &status);
+        usbredirparser_send_interrupt_receiving_status(self(device).parser_, id, &status);
     };
-    parser_->control_packet_func = [](void* board, std::uint64_t id,
+    parser_->control_packet_func = [](void* device, std::uint64_t id,
                                       usb_redir_control_packet_header* header, std::uint8_t* data,
                                       int size) {
-        self(board).control(id, *header, span_of(data, size));
-        usbredirparser_free_packet_data(self(board).parser_, data);
+        self(device).control(id, *header, span_of(data, size));
+        usbredirparser_free_packet_data(self(device).parser_, data);
     };
-    parser_->bulk_packet_func = [](void* board, std::uint64_t id,
+    parser_->bulk_packet_func = [](void* device, std::uint64_t id,
                                    usb_redir_bulk_packet_header* header, std::uint8_t* data,
                                    int size) {
-        self(board).bulk(id, *header, span_of(data, size));
-        usbredirparser_free_packet_data(self(board).parser_, data);
+        self(device).bulk(id, *header, span_of(data, size));
+        usbredirparser_free_packet_data(self(device).parser_, data);
     };
-    parser_->cancel_data_packet_func = [](void* board, std::uint64_t id) {
-        self(board).cancel(id);
+    parser_->cancel_data_packet_func = [](void* device, std::uint64_t id) {
+        self(device).cancel(id);
     };
 }
 
-void RedirectedBoard::connect() {
-    usb_redir_interface_info_header interfaces{};
-    interfaces.interface_count = 2;
-    interfaces.interface[1] = 1;
-    interfaces.interface_class[0] = interfaces.interface_subclass[0] = 2;
-    interfaces.interface_class[1] = 0x0a;
+void RedirectedDevice::connect() {
+    usb_redir_interface_info_header interfaces = interfaces_of(function_.configuration());
     usbredirparser_send_interface_info(parser_, &interfaces);
-    usb_redir_ep_info_header endpoints = endpoints_of(configuration_descriptor(board_));
+    usb_redir_ep_info_header endpoints = endpoints_of(function_.configuration());
     usbredirparser_send_ep_info(parser_, &endpoints);
-    const PacketBytes device = device_descriptor(board_);
+    const PacketBytes device = function_.device();
     const auto word = [&](std::size_t at) {
         return static_cast<std::uint16_t>(device[at] | device[at + 1] << 8);
     };
-    usb_redir_device_connect_header header{
-        usb_redir_speed_full, device[4], device[5], device[6], word(8), word(10), word(12)};
+    usb_redir_device_connect_header header{function_.speed(), device[4], device[5], device[6],
+                                           word(8),           word(10),  word(12)};
     usbredirparser_send_device_connect(parser_, &header);
 }
 
-void RedirectedBoard::control(std::uint64_t id, const usb_redir_control_packet_header& header,
-                              std::span<const std::uint8_t> data) {
+void RedirectedDevice::control(std::uint64_t id, const usb_redir_control_packet_header& header,
+                               std::span<const std::uint8_t> data) {
     const UsbRequest request{header.requesttype, header.request, header.value, header.index,
                              header.length};
-    auto said = answer(board_, request, data);
+    auto said = function_.control(request, data);
     usb_redir_control_packet_header reply = header;
     reply.status = said ? usb_redir_success : usb_redir_stall;
     const bool is_in = (header.requesttype & 0x80) != 0;
@@ -181,21 +198,21 @@ void RedirectedBoard::control(std::uint64_t id, const usb_redir_control_packet_h
     usbredirparser_send_control_packet(parser_, id, &reply, nullptr, 0);
 }
 
-void RedirectedBoard::bulk(std::uint64_t id, const usb_redir_bulk_packet_header& header,
-                           std::span<const std::uint8_t> data) {
-    if (header.endpoint == board_in_endpoint) {
+void RedirectedDevice::bulk(std::uint64_t id, const usb_redir_bulk_packet_header& header,
+                            std::span<const std::uint8_t> data) {
+    if ((header.endpoint & 0x80) != 0) {
         listening_.push_back({id, header});
-        board_.host_listens(true);
+        function_.listens(true);
         return;
     }
-    if (writes_until_unplugged_ > 0 && --writes_until_unplugged_ == 0) return board_.unplug();
-    board_.host_sends(data);
+    function_.sends(data);
+    if (!function_.is_plugged()) return;
     usb_redir_bulk_packet_header reply = header;
     reply.status = usb_redir_success;
     usbredirparser_send_bulk_packet(parser_, id, &reply, nullptr, 0);
 }
 
-void RedirectedBoard::cancel(std::uint64_t id) {
+void RedirectedDevice::cancel(std::uint64_t id) {
     const auto found = std::find_if(listening_.begin(), listening_.end(),
                                     [&](const Listening& one) { return one.id == id; });
     if (found == listening_.end()) return;
@@ -203,26 +220,26 @@ void RedirectedBoard::cancel(std::uint64_t id) {
     reply.status = usb_redir_cancelled;
     reply.length = reply.length_high = 0;
     listening_.erase(found);
-    if (listening_.empty()) board_.host_listens(false);
+    if (listening_.empty()) function_.listens(false);
     usbredirparser_send_bulk_packet(parser_, id, &reply, nullptr, 0);
 }
 
-void RedirectedBoard::deliver() {
+void RedirectedDevice::deliver() {
     while (!listening_.empty()) {
-        auto packet = board_.take_packet();
-        if (!packet) return;
         usb_redir_bulk_packet_header reply = listening_.front().header;
+        const std::size_t most_bytes = reply.length | std::size_t{reply.length_high} << 16U;
+        auto packet = function_.take(most_bytes);
+        if (!packet) return;
         reply.status = usb_redir_success;
-        reply.length = static_cast<std::uint16_t>(packet->bytes.size());
-        reply.length_high = 0;
-        usbredirparser_send_bulk_packet(parser_, listening_.front().id, &reply,
-                                        packet->bytes.data(),
-                                        static_cast<int>(packet->bytes.size()));
+        reply.length = static_cast<std::uint16_t>(packet->size());
+        reply.length_high = static_cast<std::uint16_t>(packet->size() >> 16U);
+        usbredirparser_send_bulk_packet(parser_, listening_.front().id, &reply, packet->data(),
+                                        static_cast<int>(packet->size()));
         listening_.pop_front();
     }
 }
 
-void RedirectedBoard::flush() {
+void RedirectedDevice::flush() {
     while (usbredirparser_has_data_to_write(parser_) && usbredirparser_do_write(parser_) == 0) {
     }
 }

@@ -1,0 +1,90 @@
+// redirected_board SOCKET [UNPLUG_AFTER_WRITES]: an emulated 2diy gen 3.1 for QEMU's usb-redir
+// device, which connects to the unix socket. After that many writes the plug is pulled, once, and
+// put back when QEMU connects again. Ends when QEMU has gone; says on stdout what torque the board
+// was left with.
+#include "tests/sim/board/board_rig.h"
+#include "tests/sim/usbredir/redirected_device.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include <sys/socket.h>
+
+namespace {
+
+using namespace touchline;
+
+/// The board, with a plug that goes at a certain write.
+class BoardFunction : public RedirectedFunction {
+  public:
+    BoardFunction(BoardEmulator& board, int unplug_after_writes)
+        : board_(board), writes_until_unplugged_(unplug_after_writes) {}
+
+    [[nodiscard]] std::uint8_t speed() const override { return usb_redir_speed_full; }
+
+    [[nodiscard]] PacketBytes device() const override { return device_descriptor(board_); }
+
+    [[nodiscard]] PacketBytes configuration() const override {
+        return configuration_descriptor(board_);
+    }
+
+    [[nodiscard]] std::optional<PacketBytes> control(const UsbRequest& request,
+                                                     std::span<const std::uint8_t> data) override {
+        return answer(board_, request, data);
+    }
+
+    void listens(bool is_listening) override { board_.host_listens(is_listening); }
+
+    void sends(std::span<const std::uint8_t> data) override {
+        if (writes_until_unplugged_ > 0 && --writes_until_unplugged_ == 0) return board_.unplug();
+        board_.host_sends(data);
+    }
+
+    [[nodiscard]] std::optional<PacketBytes> take(std::size_t /*most_bytes*/) override {
+        auto packet = board_.take_packet();
+        return packet ? std::optional(std::move(packet->bytes)) : std::nullopt;
+    }
+
+    void advance_to(double now_s) override {
+        if (!start_s_) start_s_ = now_s - board_.now_s();
+        board_.advance_to(now_s - *start_s_);
+    }
+
+    [[nodiscard]] bool is_plugged() const override { return board_.is_plugged(); }
+
+  private:
+    BoardEmulator& board_;
+    int writes_until_unplugged_;
+    std::optional<double> start_s_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2 || argc > 3) {
+        std::fputs("usage: redirected_board SOCKET [UNPLUG_AFTER_WRITES]\n", stderr);
+        return 2;
+    }
+    const int listener = touchline::listen_at(argv[1]);
+    if (listener < 0) {
+        std::perror("redirected_board");
+        return 1;
+    }
+    touchline::BoardEmulator board({}, touchline::resting_hand(touchline::default_profile()));
+    int unplug_after = argc > 2 ? std::atoi(argv[2]) : 0;
+    for (;;) {
+        BoardFunction function(board, unplug_after);
+        touchline::RedirectedDevice(function, accept(listener, nullptr, nullptr)).serve();
+        if (board.is_plugged()) break;
+        unplug_after = 0;
+        std::puts("unplugged");
+        board.plug();
+    }
+    const auto& changes = board.told_torques();
+    const auto left = changes.empty() ? touchline::JointTorques{} : changes.back().torques;
+    std::printf("left with %.4f %.4f N m after %zu changes; set up %llu times\n", left.x, left.y,
+                changes.size(), static_cast<unsigned long long>(board.firmware().set_ups()));
+    return left == touchline::JointTorques{} ? 0 : 1;
+}

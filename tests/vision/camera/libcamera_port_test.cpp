@@ -1,0 +1,22 @@
+// libcamera itself, on a machine that may have a camera or none: it starts, lists, and refuses what
+// is not there. With a camera it is run in tests/system/camera.
+#include "vision/camera/libcamera_port.h"
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+TEST(LibcameraPortTest, StartsListsAndRefusesWhatIsNotThere) {
+    const auto port = LibcameraPort::create();
+    ASSERT_TRUE(port) << port.error().line;
+    EXPECT_FALSE((*port)->open("no such camera"));
+    EXPECT_FALSE((*port)->start({}));
+    EXPECT_FALSE((*port)->take());
+    (*port)->order(LoopOrder::lock_exposure);
+    (*port)->request_still();
+    (*port)->close();
+}
+
+}  // namespace
+}  // namespace touchline

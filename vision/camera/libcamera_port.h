@@ -1,0 +1,43 @@
+// Cameras through libcamera 0.0.3 (Debian 12): USB cameras of the UVC class, which have one stream
+// and neither focus nor a report of their exposure there, and those of boards with an image
+// processor, which have more. Frames arrive on libcamera's own thread and wait here, the newest
+// only. Threads: one caller; one object in a process, which libcamera demands.
+#pragma once
+
+#include "vision/camera/camera_port.h"
+
+#include <memory>
+
+namespace touchline {
+
+class LibcameraStream;
+
+class LibcameraPort : public CameraPort {
+  public:
+    /// Fails where libcamera does not start; no camera at all is no failure.
+    [[nodiscard]] static Result<std::unique_ptr<LibcameraPort>> create();
+    ~LibcameraPort() override;
+    LibcameraPort(const LibcameraPort&) = delete;
+    LibcameraPort(LibcameraPort&&) = delete;
+    LibcameraPort& operator=(const LibcameraPort&) = delete;
+    LibcameraPort& operator=(LibcameraPort&&) = delete;
+
+    [[nodiscard]] std::vector<CameraName> list() override;
+    [[nodiscard]] Result<CameraAbilities> open(const std::string& id) override;
+    [[nodiscard]] Result<void> start(const StreamPlan& plan) override;
+    void order(LoopOrder order) override;
+    void request_still() override;
+    [[nodiscard]] std::optional<TakenFrame> take() override;
+    void close() override;
+
+  private:
+    struct Cameras;
+
+    explicit LibcameraPort(std::unique_ptr<Cameras> cameras);
+
+    std::unique_ptr<Cameras> cameras_;
+    std::vector<LoopOrder> orders_;             // in force: a new stream is told them again
+    std::unique_ptr<LibcameraStream> running_;  // after cameras_: goes first
+};
+
+}  // namespace touchline

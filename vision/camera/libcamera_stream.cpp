@@ -1,0 +1,206 @@
+#include "vision/camera/libcamera_stream.h"
+
+#include <algorithm>
+
+#include <libcamera/control_ids.h>
+#include <libcamera/formats.h>
+#include <sys/mman.h>
+
+namespace touchline {
+namespace {
+
+namespace controls = libcamera::controls;
+using libcamera::StreamRole;
+
+constexpr unsigned int buffers_wanted = 4;
+
+libcamera::PixelFormat format_of(PixelFormat format) {
+    switch (format) {
+        case PixelFormat::yuyv:
+            return libcamera::formats::YUYV;
+        case PixelFormat::mjpeg:
+            return libcamera::formats::MJPEG;
+        case PixelFormat::nv12:
+            return libcamera::formats::NV12;
+        case PixelFormat::bgr:
+            break;  // no camera offers it here
+    }
+    return {};
+}
+
+PixelFormat format_of(const libcamera::PixelFormat& format) {
+    if (format == libcamera::formats::MJPEG) return PixelFormat::mjpeg;
+    return format == libcamera::formats::NV12 ? PixelFormat::nv12 : PixelFormat::yuyv;
+}
+
+void set_mode(libcamera::StreamConfiguration& stream, const StreamMode& mode) {
+    stream.pixelFormat = format_of(mode.format);
+    stream.size = {static_cast<unsigned int>(mode.size.width),
+                   static_cast<unsigned int>(mode.size.height)};
+    stream.bufferCount = buffers_wanted;
+}
+
+LoopReport loops_of(const libcamera::ControlList& told) {
+    LoopReport report;
+    if (const auto state = told.get(controls::AfState))
+        report.is_focused = *state == controls::AfStateFocused;
+    report.is_exposure_settled = told.get(controls::AeLocked);
+    return report;
+}
+
+}  // namespace
+
+LibcameraStream::LibcameraStream(std::shared_ptr<libcamera::Camera> camera)
+    : camera_(std::move(camera)), allocator_(camera_), orders_(controls::controls) {}
+
+LibcameraStream::~LibcameraStream() {
+    // After this no thread of libcamera is in has_completed().
+    if (is_started_) camera_->stop();
+    camera_->requestCompleted.disconnect(this);
+    requests_.clear();
+    for (const auto& [buffer, planes] : mappings_)
+        for (const Mapping& plane : planes) munmap(plane.start, plane.size_bytes);
+    if (configuration_)
+        for (const auto& stream : *configuration_) allocator_.free(stream.stream());
+}
+
+Result<std::unique_ptr<LibcameraStream>> LibcameraStream::start(
+    std::shared_ptr<libcamera::Camera> camera, const StreamPlan& plan,
+    const std::vector<LoopOrder>& orders) {
+    std::unique_ptr<LibcameraStream> stream(new LibcameraStream(std::move(camera)));
+    if (auto done = stream->configure(plan); !done) return tl::unexpected(done.error());
+    if (auto done = stream->prepare_buffers(); !done) return tl::unexpected(done.error());
+    stream->camera_->requestCompleted.connect(stream.get(), &LibcameraStream::has_completed);
+    if (stream->camera_->start() != 0) return failure("the camera does not start");
+    stream->is_started_ = true;
+    for (const LoopOrder order : orders) stream->order(order);
+    for (const auto& request : stream->requests_) stream->queue(*request);
+    return stream;
+}
+
+Result<void> LibcameraStream::configure(const StreamPlan& plan) {
+    libcamera::StreamRoles roles{StreamRole::Viewfinder};
+    if (plan.still) roles.push_back(StreamRole::StillCapture);
+    configuration_ = camera_->generateConfiguration(roles);
+    if (!configuration_ || configuration_->size() != roles.size())
+        return failure("the camera does not give the streams that it offered");
+    set_mode(configuration_->at(0), plan.preview);
+    if (plan.still) set_mode(configuration_->at(1), *plan.still);
+    if (configuration_->validate() == libcamera::CameraConfiguration::Invalid ||
+        camera_->configure(configuration_.get()) != 0) {
+        configuration_.reset();
+        return failure("the camera refuses the size that it offered");
+    }
+    return {};
+}
+
+Result<void> LibcameraStream::prepare_buffers() {
+    for (const auto& stream : *configuration_) {
+        if (allocator_.allocate(stream.stream()) < 0)
+            return failure("there is no memory for the camera's frames");
+        for (const auto& buffer : allocator_.buffers(stream.stream()))
+            if (auto done = map(*buffer); !done) return done;
+    }
+    const auto& previews = allocator_.buffers(configuration_->at(0).stream());
+    for (std::size_t i = 0; i < previews.size(); ++i) {
+        auto request = camera_->createRequest(i);
+        if (!request) return failure("the camera takes no requests");
+        requests_.push_back(std::move(request));
+    }
+    return {};
+}
+
+Result<void> LibcameraStream::map(const libcamera::FrameBuffer& buffer) {
+    for (const auto& plane : buffer.planes()) {
+        Mapping mapping;
+        mapping.size_bytes = std::size_t{plane.offset} + plane.length;
+        void* start = mmap(nullptr, mapping.size_bytes, PROT_READ, MAP_SHARED, plane.fd.get(), 0);
+        if (start == MAP_FAILED) return failure("the camera's frames cannot be read");
+        mapping.start = static_cast<std::uint8_t*>(start);
+        mapping.bytes = mapping.start + plane.offset;
+        mappings_[&buffer].push_back(mapping);
+    }
+    return {};
+}
+
+/// Called by libcamera, on its thread.
+void LibcameraStream::has_completed(libcamera::Request* request) {
+    if (request->status() != libcamera::Request::RequestComplete) return;
+    const std::lock_guard lock(mutex_);
+    completed_.push_back(request);
+}
+
+void LibcameraStream::order(LoopOrder order) {
+    switch (order) {
+        case LoopOrder::lock_exposure:
+            orders_.set(controls::AeEnable, false);
+            break;
+        case LoopOrder::free_exposure:
+            orders_.set(controls::AeEnable, true);
+            break;
+        case LoopOrder::focus_once:
+            orders_.set(controls::AfMode, std::int32_t{controls::AfModeAuto});
+            orders_.set(controls::AfTrigger, std::int32_t{controls::AfTriggerStart});
+            break;
+        case LoopOrder::focus_freely:
+            orders_.set(controls::AfMode, std::int32_t{controls::AfModeContinuous});
+            break;
+    }
+}
+
+/// The request asks for the buffer of its number; a still uses the first of its stream, and no
+/// second is asked for before it came.
+void LibcameraStream::queue(libcamera::Request& request) {
+    request.reuse();
+    const auto* preview = configuration_->at(0).stream();
+    const auto& buffers = allocator_.buffers(configuration_->at(0).stream());
+    request.addBuffer(preview, buffers[request.cookie()].get());
+    if (is_still_wanted_ && configuration_->size() > 1) {
+        auto* still = configuration_->at(1).stream();
+        request.addBuffer(still, allocator_.buffers(still).front().get());
+        is_still_wanted_ = false;
+    }
+    request.controls().merge(orders_);
+    orders_.clear();
+    camera_->queueRequest(&request);
+}
+
+TakenFrame LibcameraStream::copy_of(const libcamera::Request& request) const {
+    const bool is_still = request.buffers().size() > 1;
+    const libcamera::StreamConfiguration& wanted = configuration_->at(is_still ? 1 : 0);
+    const libcamera::FrameBuffer& buffer = *request.buffers().at(wanted.stream());
+    TakenFrame taken;
+    taken.is_still = is_still;
+    taken.frame = {format_of(wanted.pixelFormat),
+                   {static_cast<int>(wanted.size.width), static_cast<int>(wanted.size.height)},
+                   wanted.stride,
+                   {}};
+    if (buffer.metadata().status != libcamera::FrameMetadata::FrameSuccess) return taken;
+    const auto& planes = mappings_.at(&buffer);
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        const std::size_t used =
+            std::min<std::size_t>(buffer.metadata().planes()[i].bytesused, planes[i].size_bytes);
+        taken.frame.bytes.insert(taken.frame.bytes.end(), planes[i].bytes, planes[i].bytes + used);
+    }
+    return taken;
+}
+
+/// Frames that nobody took in time go back unseen, but a still is never passed over.
+std::optional<TakenFrame> LibcameraStream::take() {
+    std::vector<libcamera::Request*> completed;
+    {
+        const std::lock_guard lock(mutex_);
+        completed.swap(completed_);
+    }
+    if (completed.empty()) return std::nullopt;
+    const auto still = std::find_if(completed.begin(), completed.end(), [](const auto* request) {
+        return request->buffers().size() > 1;
+    });
+    libcamera::Request& chosen = still == completed.end() ? *completed.back() : **still;
+    TakenFrame taken = copy_of(chosen);
+    taken.loops = loops_of(chosen.metadata());
+    for (libcamera::Request* request : completed) queue(*request);
+    return taken;
+}
+
+}  // namespace touchline

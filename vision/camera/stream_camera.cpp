@@ -1,0 +1,135 @@
+#include "vision/camera/stream_camera.h"
+
+#include "vision/camera/quality.h"
+#include "vision/camera/stream_choice.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+/// Stills are judged at the size that outlines are found at: a blur that this hides does no harm.
+constexpr std::int64_t judged_pixels = std::int64_t{1024} * 768;
+
+}  // namespace
+
+StreamCamera::StreamCamera(std::unique_ptr<CameraPort> port, const CaptureLimits& limits)
+    : port_(std::move(port)), limits_(limits), sequence_(limits) {}
+
+StreamCamera::~StreamCamera() {
+    port_->close();
+}
+
+void StreamCamera::choose(const std::string& id) {
+    if (id == wanted_id_) return;
+    wanted_id_ = id;
+    if (id.empty() || id == id_) return;
+    port_->close();
+    id_.clear();
+    abilities_.reset();
+    has_given_up_ = has_given_up_ || sequence_.is_still_pending();
+    sequence_ = CaptureSequence(limits_);
+}
+
+/// The one in use, while it is there; else the wanted one, or any if none is.
+bool StreamCamera::is_present() {
+    const std::vector<CameraName> cameras = port_->list();
+    const auto has = [&](const std::string& id) {
+        return std::any_of(cameras.begin(), cameras.end(),
+                           [&](const CameraName& camera) { return camera.id == id; });
+    };
+    if (!id_.empty()) return has(id_);
+    if (cameras.empty() || !(wanted_id_.empty() || has(wanted_id_))) return false;
+    id_ = wanted_id_.empty() ? cameras.front().id : wanted_id_;
+    return true;
+}
+
+CameraView StreamCamera::step(double now_s) {
+    CameraView view;
+    view.has_given_up = std::exchange(has_given_up_, false);
+    CaptureInputs in;
+    in.is_present = is_present();
+    if (std::exchange(has_just_opened_, false)) in.opened = abilities_;
+    in.has_refused = std::exchange(has_refused_, false);
+    in.is_still_wanted = std::exchange(is_still_wanted_, false);
+    if (abilities_ && in.is_present) read_frame(in, view);
+    for (const CaptureAction action : sequence_.step(now_s, in)) carry_out(action, view);
+    view.condition = sequence_.condition();
+    if (!in.is_present) id_.clear();  // any camera may be the next
+    return view;
+}
+
+/// A frame that cannot be read counts as none: where all are so, the stream is as good as dead.
+void StreamCamera::read_frame(CaptureInputs& in, CameraView& view) {
+    std::optional<TakenFrame> taken = port_->take();
+    if (!taken) return;
+    const bool is_still = taken->is_still || sequence_.is_still_running();
+    const cv::Size size = taken->frame.size;
+    const auto pixels = to_bgr(taken->frame, is_still ? quick_size(size, judged_pixels)
+                                                      : reduced_size(size, preview_pixels));
+    if (!pixels) return;
+    in.has_frame = true;
+    in.is_frame_still = taken->is_still;
+    in.loops = taken->loops;
+    in.quality = quality_ = measure_quality(*pixels);
+    frame_ = std::move(taken->frame);
+    if (!is_still) view.preview = *pixels;
+}
+
+void StreamCamera::carry_out(CaptureAction action, CameraView& view) {
+    switch (action) {
+        case CaptureAction::open: {
+            auto opened = port_->open(id_);
+            has_just_opened_ = opened && preview_mode(*opened);
+            has_refused_ = !has_just_opened_;
+            if (has_just_opened_) abilities_ = std::move(*opened);
+            break;
+        }
+        case CaptureAction::start_preview:
+            start(false);
+            break;
+        case CaptureAction::start_still:
+            start(true);
+            break;
+        case CaptureAction::request_still:
+            port_->request_still();
+            break;
+        case CaptureAction::focus:
+            port_->order(LoopOrder::focus_once);
+            break;
+        case CaptureAction::lock_exposure:
+            port_->order(LoopOrder::lock_exposure);
+            break;
+        case CaptureAction::free_loops:
+            if (abilities_->has_exposure_lock) port_->order(LoopOrder::free_exposure);
+            if (abilities_->has_focus_lock) port_->order(LoopOrder::focus_freely);
+            break;
+        case CaptureAction::keep:
+            best_.frame = std::move(frame_);
+            best_.quality = quality_;
+            break;
+        case CaptureAction::deliver:
+            best_.is_blurred = sequence_.is_blurred();
+            best_.is_clipped = sequence_.is_clipped();
+            view.still = std::exchange(best_, {});
+            break;
+        case CaptureAction::give_up:
+            view.has_given_up = true;
+            break;
+        case CaptureAction::close:
+            port_->close();
+            abilities_.reset();
+            break;
+    }
+}
+
+void StreamCamera::start(bool is_still) {
+    const StreamMode preview = *preview_mode(*abilities_);
+    const StreamMode still = *still_mode(*abilities_);
+    StreamPlan plan{is_still ? still : preview, std::nullopt};
+    if (abilities_->has_two_streams) plan.still = still;
+    has_refused_ = !port_->start(plan).has_value() || has_refused_;
+}
+
+}  // namespace touchline

@@ -1,0 +1,51 @@
+// A camera that streams, behind a port: carries out what the capture sequence orders.
+// Threads: one caller.
+#pragma once
+
+#include "vision/camera/camera.h"
+
+#include <memory>
+
+namespace touchline {
+
+class StreamCamera : public Camera {
+  public:
+    explicit StreamCamera(std::unique_ptr<CameraPort> port, const CaptureLimits& limits = {});
+    ~StreamCamera() override;
+    StreamCamera(const StreamCamera&) = delete;
+    StreamCamera(StreamCamera&&) = delete;
+    StreamCamera& operator=(const StreamCamera&) = delete;
+    StreamCamera& operator=(StreamCamera&&) = delete;
+
+    [[nodiscard]] std::vector<CameraName> list() override { return port_->list(); }
+
+    void choose(const std::string& id) override;
+
+    [[nodiscard]] std::optional<CameraAbilities> abilities() const override { return abilities_; }
+
+    void want_still() override { is_still_wanted_ = true; }
+
+    [[nodiscard]] CameraView step(double now_s) override;
+
+  private:
+    [[nodiscard]] bool is_present();
+    void read_frame(CaptureInputs& in, CameraView& view);
+    void carry_out(CaptureAction action, CameraView& view);
+    void start(bool is_still);
+
+    std::unique_ptr<CameraPort> port_;
+    CaptureLimits limits_;
+    CaptureSequence sequence_;
+    std::string wanted_id_;
+    std::string id_;  // of the camera in use, or to be opened
+    std::optional<CameraAbilities> abilities_;
+    bool has_just_opened_ = false;
+    bool has_refused_ = false;
+    bool is_still_wanted_ = false;
+    bool has_given_up_ = false;  // a still of the camera before
+    CameraFrame frame_;          // of this step
+    FrameQuality quality_;
+    Still best_;
+};
+
+}  // namespace touchline

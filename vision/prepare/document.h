@@ -1,0 +1,34 @@
+// From a camera's picture of a table to the page that lies there, as a scanner would give it.
+//
+// picture -> find_page -> aspect, snapped -> rectified, <= 1 megapixel -> evenly_lit
+//
+// Threads: pure functions.
+#pragma once
+
+#include "config/settings/stand.h"
+#include "vision/prepare/capture_trouble.h"
+
+#include <cstdint>
+#include <optional>
+
+#include <opencv2/core.hpp>
+
+namespace touchline {
+
+enum class PaperFormat : std::uint8_t { other, a4, letter };
+
+struct Document {
+    cv::Mat page;  // 8-bit BGR, at most a megapixel; empty when there is trouble
+    PaperFormat format = PaperFormat::other;
+    CaptureTrouble trouble = CaptureTrouble::none;
+};
+
+/// Of an 8-bit BGR picture of at least 64 x 64. A megapixel or two are enough: more are averaged
+/// away. O(pixels).
+[[nodiscard]] Document document_in(const cv::Mat& bgr);
+
+/// The same under a calibrated stand: nothing is searched, the bed is the page. The only trouble
+/// here is the light.
+[[nodiscard]] Document document_on(const cv::Mat& bgr, const StandSettings& stand);
+
+}  // namespace touchline
