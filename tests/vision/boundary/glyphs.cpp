@@ -62,8 +62,9 @@ const std::vector<std::string>& picture_characters() {
 TruthScene pictogram_scene(int i, cv::Size size) {
     const auto n = static_cast<int>(picture_characters().size());
     Canvas canvas({400, 400}, {0, 0, 0});
-    canvas.fill(glyph(picture_characters()[static_cast<std::size_t>(i % n)], {}, {200.0, 200.0}, 380.0),
-                {255, 255, 255});
+    canvas.fill(
+        glyph(picture_characters()[static_cast<std::size_t>(i % n)], {}, {200.0, 200.0}, 380.0),
+        {255, 255, 255});
     cv::Mat1b silhouette;
     cv::cvtColor(canvas.picture(), silhouette, cv::COLOR_BGR2GRAY);
     const PhotoScene scene = photo_of(silhouette, 100 + i, size);

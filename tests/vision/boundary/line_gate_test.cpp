@@ -1,6 +1,6 @@
 // Sixteen letters as a camera may see them: lines within a quarter of a pixel of the truth.
-#include "tests/vision/boundary/line_truth.h"
 #include "tests/vision/boundary/glyphs.h"
+#include "tests/vision/boundary/line_truth.h"
 #include "tests/vision/pictures/effects.h"
 #include "vision/contour/photo_lines.h"
 
