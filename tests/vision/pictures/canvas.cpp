@@ -69,6 +69,29 @@ void Canvas::write(const std::string& text, cv::Point2d at, const Font& font,
     cairo_show_text(pen_, text.c_str());
 }
 
+std::vector<Polyline> Canvas::outline_of(const std::string& text, cv::Point2d at,
+                                         const Font& font) {
+    use(font);
+    cairo_new_path(pen_);
+    cairo_move_to(pen_, at.x, at.y);
+    cairo_text_path(pen_, text.c_str());
+    cairo_path_t* path = cairo_copy_path_flat(pen_);
+    std::vector<Polyline> rings;
+    for (int i = 0; i < path->num_data; i += path->data[i].header.length) {
+        const cairo_path_data_t* data = &path->data[i];
+        if (data->header.type == CAIRO_PATH_MOVE_TO) {
+            rings.push_back({{}, true});
+        }
+        if (data->header.type != CAIRO_PATH_CLOSE_PATH) {
+            rings.back().points.emplace_back(data[1].point.x, data[1].point.y);
+        }
+    }
+    cairo_path_destroy(path);
+    cairo_new_path(pen_);
+    std::erase_if(rings, [](const Polyline& ring) { return ring.points.size() < 3; });
+    return rings;
+}
+
 double Canvas::width_of(const std::string& text, const Font& font) {
     use(font);
     cairo_text_extents_t extents;

@@ -41,6 +41,10 @@ class Canvas {
     /// Baseline starts at `at`.
     void write(const std::string& text, cv::Point2d at, const Font& font, const cv::Scalar& ink);
 
+    /// The outline of one text, as Cairo flattens it, baseline at `at`.
+    [[nodiscard]] std::vector<Polyline> outline_of(const std::string& text, cv::Point2d at,
+                                                   const Font& font);
+
     [[nodiscard]] double width_of(const std::string& text, const Font& font);
 
     /// 8-bit BGR.
