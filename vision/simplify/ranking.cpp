@@ -7,7 +7,8 @@
 namespace touchline {
 namespace {
 
-constexpr double kLength_mm = 40.0;  // a stroke that is felt as one of the picture's main lines
+constexpr double kLength_mm =
+    150.0;  // about once round a thing of a hand's size: longer counts little more
 constexpr double kOpen = 2.0 / 3.0;
 constexpr double kInside = 0.7;
 

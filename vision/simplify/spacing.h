@@ -50,7 +50,12 @@ class SpacedLines {
 
     void add(Fit fit);
 
-    [[nodiscard]] std::size_t size() const { return lines_.size(); }
+    /// Whether a line comes nearer than `reach_mm` to a place.
+    [[nodiscard]] bool has_near(cv::Point2d p, double reach_mm) const {
+        return nearest(p, reach_mm).has_value();
+    }
+
+    [[nodiscard]] const SpacingScale& scale() const { return scale_; }
 
     /// The lines in the order of adding; a foot is a fixed point of both lines, bit for bit.
     [[nodiscard]] std::vector<Chain> lines() const;

@@ -154,7 +154,7 @@ TEST(Spacing, ACrossingIsOpenedAndAMeetingIsAFoot) {
         crossings += fit->crossings_opened;
         spaced.add(std::move(*fit));
     }
-    ASSERT_EQ(spaced.size(), 3U);
+    ASSERT_EQ(spaced.lines().size(), 3U);
     EXPECT_EQ(crossings, 2);  // from either side
     std::vector<double> ends;
     for (std::size_t i : {1U, 2U}) {

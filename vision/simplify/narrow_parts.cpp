@@ -1,0 +1,180 @@
+#include "vision/simplify/narrow_parts.h"
+
+#include "vision/contour/iso_rings.h"
+#include "vision/contour/junctions.h"
+#include "vision/contour/skeleton.h"
+#include "vision/contour/thinning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+constexpr double kLeastCell_mm = 0.2;
+constexpr double kPinReach_cells = 3.0;
+
+/// Of every cell within a mask to the nearest beyond it, in cells.
+cv::Mat1f distances(const cv::Mat& mask) {
+    cv::Mat1f result;
+    cv::distanceTransform(mask, result, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    return result;
+}
+
+/// Cells over a ring; masks are 255 inside.
+class Raster {
+  public:
+    Raster(const Chain& ring, double gap_mm)
+        : cell_mm_(std::max(gap_mm / 32.0, kLeastCell_mm)),
+          radius_cells_(0.5 * gap_mm / cell_mm_),
+          rim_(static_cast<int>(std::ceil(2.0 * radius_cells_)) + 2) {
+        cv::Point2d high = ring.points.front().at;
+        low_ = high;
+        for (const EdgePoint& p : ring.points) {
+            low_ = {std::min(low_.x, p.at.x), std::min(low_.y, p.at.y)};
+            high = {std::max(high.x, p.at.x), std::max(high.y, p.at.y)};
+        }
+        size_ = {static_cast<int>((high.x - low_.x) / cell_mm_) + 2 * rim_ + 1,
+                 static_cast<int>((high.y - low_.y) / cell_mm_) + 2 * rim_ + 1};
+    }
+
+    cv::Mat filled(const Chain& ring) const {
+        constexpr int kShift = 8;
+        std::vector<cv::Point> corners;
+        for (const EdgePoint& p : ring.points) {
+            const cv::Point2d at =
+                ((p.at - low_) / cell_mm_ + cv::Point2d(rim_, rim_)) * (1 << kShift);
+            corners.emplace_back(static_cast<int>(std::lround(at.x)),
+                                 static_cast<int>(std::lround(at.y)));
+        }
+        cv::Mat1b mask(size_, uchar{0});
+        cv::fillPoly(mask, std::vector{corners}, cv::Scalar(255), cv::LINE_8, kShift);
+        return mask;
+    }
+
+    /// What is narrower than a gap taken away; but what is no deeper than that stays, if asked for.
+    cv::Mat opened(const cv::Mat& mask, bool keeps_shallow) const {
+        const cv::Mat core = distances(mask) > radius_cells_;
+        if (cv::countNonZero(core) == 0) {
+            return cv::Mat1b(mask.size(), uchar{0});
+        }
+        const cv::Mat1f from_core = distances(255 - core);
+        const cv::Mat bold = from_core <= radius_cells_;
+        const cv::Mat narrow = mask & (255 - bold);
+        return keeps_shallow ? mask & (bold | shallow(narrow, from_core)) : mask & bold;
+    }
+
+    cv::Mat closed(const cv::Mat& mask, bool keeps_shallow) const {
+        return 255 - opened(255 - mask, keeps_shallow);
+    }
+
+    /// Round a mask and its holes, in millimetres.
+    std::vector<Chain> outlines(const cv::Mat& mask) const {
+        cv::Mat1f soft;
+        mask.convertTo(soft, CV_32F, 1.0 / 255.0);
+        cv::GaussianBlur(soft, soft, {}, 1.0);
+        return in_mm(iso_rings(soft, 0.5F));
+    }
+
+    /// Of a mask's pieces, lines that go on through their junctions being one, in millimetres.
+    std::vector<Chain> middle_lines(const cv::Mat& mask) const {
+        const cv::Mat1f depth = distances(mask);
+        Skeleton skeleton = skeleton_of(thinned(mask, depth), depth);
+        JunctionSet junctions(radius_cells_, 2.0 * radius_cells_);
+        for (const std::vector<EndId>& ends : skeleton.nodes) {
+            if (ends.size() == 2) {
+                junctions.add_joint(ends[0], ends[1]);
+                continue;
+            }
+            const Chain& first = skeleton.arms[chain_of(ends[0])];
+            junctions.add_cluster(
+                ends, is_back(ends[0]) ? first.points.back().at : first.points.front().at);
+        }
+        return in_mm(junctions.assembled(std::move(skeleton.arms)));
+    }
+
+    double pin_reach_mm() const { return kPinReach_cells * cell_mm_; }
+
+  private:
+    std::vector<Chain> in_mm(std::vector<Chain> lines) const {
+        for (Chain& line : lines) {
+            for (EdgePoint& p : line.points) {
+                p.at = low_ + (p.at - cv::Point2d(rim_, rim_)) * cell_mm_;
+                p.is_fixed = false;
+            }
+        }
+        return lines;
+    }
+
+    /// The pieces of a mask that reach no further than a gap beyond what is bold.
+    cv::Mat shallow(const cv::Mat& narrow, const cv::Mat1f& from_core) const {
+        cv::Mat1i piece;
+        const int pieces = cv::connectedComponents(narrow, piece, 8, CV_32S);
+        std::vector<double> reach(static_cast<std::size_t>(pieces), 0.0);
+        for (auto [p, r] = std::pair(piece.begin(), from_core.begin()); p != piece.end();
+             ++p, ++r) {
+            double& most = reach[static_cast<std::size_t>(*p)];
+            most = std::max(most, static_cast<double>(*r));
+        }
+        cv::Mat1b result(narrow.size(), uchar{0});
+        auto out = result.begin();
+        for (const int p : piece) {
+            const bool is_kept = p > 0 && reach[static_cast<std::size_t>(p)] <= 3.0 * radius_cells_;
+            *out++ = is_kept ? 255 : 0;
+        }
+        return result;
+    }
+
+    double cell_mm_;
+    double radius_cells_;
+    int rim_;
+    cv::Point2d low_;
+    cv::Size size_;
+};
+
+/// Strengths and fixed points of the ring that it came from.
+Chain with_points_of(const Chain& from, double pin_reach_mm, Chain line) {
+    const auto nearest = [](std::vector<EdgePoint>& points, cv::Point2d p) {
+        return std::ranges::min_element(
+            points, {}, [&](const EdgePoint& other) { return distance(other.at, p); });
+    };
+    std::vector<EdgePoint> points = from.points;
+    for (EdgePoint& p : line.points) {
+        p.strength = nearest(points, p.at)->strength;
+    }
+    for (const EdgePoint& corner : from.points) {
+        if (corner.is_fixed) {
+            const auto near = nearest(line.points, corner.at);
+            if (distance(near->at, corner.at) < pin_reach_mm) {
+                *near = corner;
+            }
+        }
+    }
+    return line;
+}
+
+}  // namespace
+
+std::vector<Chain> parted_where_narrow(const Chain& ring, double gap_mm, Narrow first) {
+    const Raster raster(ring, gap_mm);
+    const cv::Mat mask = raster.filled(ring);
+    const cv::Mat start = first == Narrow::parts ? mask : raster.closed(mask, false);
+    const cv::Mat bold = raster.opened(start, true);
+    const cv::Mat full = first == Narrow::parts ? raster.closed(bold, true) : bold;
+    std::vector<Chain> lines = raster.outlines(full);
+    for (const cv::Mat& narrow : {cv::Mat(start - bold), cv::Mat(full - bold)}) {
+        std::ranges::move(raster.middle_lines(narrow), std::back_inserter(lines));
+    }
+    std::ranges::stable_sort(lines, [](const Chain& a, const Chain& b) {
+        return std::pair(a.is_closed, length_of(a)) > std::pair(b.is_closed, length_of(b));
+    });
+    for (Chain& line : lines) {
+        line = with_points_of(ring, raster.pin_reach_mm(), std::move(line));
+    }
+    return lines;
+}
+
+}  // namespace touchline

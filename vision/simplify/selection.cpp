@@ -1,0 +1,156 @@
+#include "vision/simplify/selection.h"
+
+#include "vision/simplify/loops.h"
+#include "vision/simplify/narrow_parts.h"
+#include "vision/simplify/surroundings.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr double kLargeRegion = 0.03;  // of the area
+constexpr double kOuterShare = 0.25;   // of a line whose other side looks into the picture
+constexpr double kFinestStep_mm = 0.2;
+constexpr double kCoarsestStep_mm = 0.5;
+constexpr double kBold = 1.1;  // gaps: so that smoothing leaves a gap
+
+/// A ring with what is too narrow of it as single lines, the longest last.
+std::vector<Candidate> narrow_as_lines(const Chain& ring, double gap_mm, Narrow first,
+                                       const ShapingScale& scale) {
+    std::vector<Candidate> result;
+    for (const Chain& part : parted_where_narrow(ring, kBold * gap_mm, first)) {
+        result.push_back({shaped(part, scale), !part.is_closed, !part.is_closed});
+    }
+    std::ranges::reverse(result);
+    return result;
+}
+
+}  // namespace
+
+Selection::Selection(const DetailLimits& limits, cv::Size2d area_mm)
+    : limits_(limits),
+      area_mm_(area_mm),
+      scale_{std::clamp(limits.gap_mm / 16.0, kFinestStep_mm, kCoarsestStep_mm),
+             limits.tolerance_mm, limits.least_feature_mm},
+      spaced_(area_mm, limits.gap_mm, scale_.step_mm) {}
+
+bool Selection::is_full() const {
+    return static_cast<int>(strokes_.size()) >= limits_.strokes ||
+           line_mm_ + limits_.least_stroke_mm > limits_.line_mm;
+}
+
+void Selection::add(const RankedLine& ranked, std::size_t number) {
+    constexpr double kCoarsest_mm = 50.0;
+    ShapingScale scale = scale_;
+    while (may_be_shown(ranked) && add_at(scale, ranked.line, number) && strokes_.empty() &&
+           scale.tolerance_mm < kCoarsest_mm) {
+        scale.tolerance_mm *= 1.5;
+        scale.least_feature_mm *= 1.5;
+    }
+}
+
+bool Selection::may_be_shown(const RankedLine& ranked) const {
+    const bool is_outer = ranked.outer_share >= kOuterShare;
+    switch (limits_.inner) {
+        case InnerLines::none:
+            return is_outer;
+        case InnerLines::large_regions:
+            return is_outer ||
+                   held_area(ranked.line) >= kLargeRegion * area_mm_.width * area_mm_.height;
+        default:
+            return true;
+    }
+}
+
+/// Adds the line at a scale. True: some of it was too long to be added.
+bool Selection::add_at(const ShapingScale& scale, const Chain& line, std::size_t number) {
+    bool is_too_long = false;
+    for (const Chain& part : without_self_crossings(shaped(line, scale), limits_.least_stroke_mm)) {
+        const bool needs_parting = part.is_closed && too_near_itself(part, spaced_.scale());
+        const bool was_too_long =
+            needs_parting ? add_ring(scale, part, number) : add_all({{part, false, false}}, number);
+        is_too_long = is_too_long || was_too_long;
+    }
+    return is_too_long;
+}
+
+/// A ring that comes too near to itself is cut there, or parted where it is narrow, in one of two
+/// ways: whichever shows most of it.
+bool Selection::add_ring(const ShapingScale& scale, const Chain& ring, std::size_t number) {
+    Selection best = *this;
+    const bool is_too_long = best.add_all({{ring, false, false}}, number);
+    for (const Narrow first : {Narrow::parts, Narrow::bays}) {
+        Selection parted = *this;
+        parted.add_all(narrow_as_lines(ring, limits_.gap_mm, first, scale), number);
+        if (worth(parted, ring) > worth(best, ring)) {
+            best = std::move(parted);
+        }
+    }
+    *this = std::move(best);
+    return is_too_long;
+}
+
+/// Adds candidates, the last first. True: some of it was too long.
+bool Selection::add_all(std::vector<Candidate> open, std::size_t number) {
+    bool is_too_long = false;
+    while (!open.empty() && !is_full()) {
+        const Candidate candidate = std::move(open.back());
+        open.pop_back();
+        is_too_long = !add_longest(candidate, number, open) || is_too_long;
+    }
+    return is_too_long;
+}
+
+/// How much of a line a way of adding it shows: the share of its points that a finger meets
+/// something within a gap of, less for each further piece to be found.
+double Selection::worth(const Selection& after, const Chain& line) const {
+    constexpr double kPieces = 0.1;  // all that there may be
+    const auto shown = std::ranges::count_if(line.points, [&](const EdgePoint& p) {
+        return after.spaced_.has_near(p.at, limits_.gap_mm);
+    });
+    const auto pieces = static_cast<double>(after.strokes_.size() - strokes_.size());
+    return static_cast<double>(shown) / static_cast<double>(line.points.size()) -
+           kPieces * pieces / limits_.strokes;
+}
+
+/// Adds the longest stretch of a candidate that fits, what is left to `open`. False: too long.
+bool Selection::add_longest(const Candidate& candidate, std::size_t number,
+                            std::vector<Candidate>& open) {
+    std::optional<Fit> fit = spaced_.fit(candidate);
+    const double length_mm = fit ? length_of(fit->line) : 0.0;
+    if (length_mm < limits_.least_stroke_mm) {
+        return true;
+    }
+    if (line_mm_ + length_mm > limits_.line_mm) {
+        return false;
+    }
+    std::ranges::move(fit->rest, std::back_inserter(open));
+    fit->rest.clear();
+    crossings_opened_ += fit->crossings_opened;
+    line_mm_ += length_mm;
+    strokes_.push_back({number, length_mm});
+    spaced_.add(std::move(*fit));
+    return true;
+}
+
+Selection selected(const std::vector<RankedLine>& order, DetailLimits limits, cv::Size2d area_mm) {
+    for (int attempts = 0;; ++attempts) {
+        Selection selection(limits, area_mm);
+        for (std::size_t i = 0; i < order.size() && !selection.is_full(); ++i) {
+            selection.add(order[i], i);
+        }
+        constexpr int kMostAttempts = 9;
+        if (!selection.strokes().empty() || order.empty() || attempts == kMostAttempts) {
+            return selection;
+        }
+        if (limits.inner != InnerLines::all) {
+            limits.inner = InnerLines::all;  // nothing lies outside
+        } else {
+            limits.least_stroke_mm *= 0.5;
+        }
+    }
+}
+
+}  // namespace touchline

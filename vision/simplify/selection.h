@@ -1,0 +1,65 @@
+// One detail being filled with lines, the best first. Lengths in millimetres.
+// Threads: one object, one thread.
+#pragma once
+
+#include "vision/simplify/detail_limits.h"
+#include "vision/simplify/ranking.h"
+#include "vision/simplify/shaping.h"
+#include "vision/simplify/spacing.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace touchline {
+
+/// An outline to be.
+struct Stroke {
+    std::size_t line = 0;  // of the ranked ones, which it came from
+    double length_mm = 0.0;
+};
+
+/// A value: a copy is another way to go on.
+class Selection {
+  public:
+    Selection(const DetailLimits& limits, cv::Size2d area_mm);
+
+    /// Nothing more goes in, by number or by length of line.
+    [[nodiscard]] bool is_full() const;
+
+    /// Adds what of a line may be shown. The first is always kept: where it alone is longer than
+    /// all lines may be, it is taken at coarser and coarser scales.
+    void add(const RankedLine& ranked, std::size_t number);
+
+    /// In the order of adding, as `lines`.
+    [[nodiscard]] const std::vector<Stroke>& strokes() const { return strokes_; }
+
+    [[nodiscard]] std::vector<Chain> lines() const { return spaced_.lines(); }
+
+    [[nodiscard]] double line_mm() const { return line_mm_; }
+
+    [[nodiscard]] int crossings_opened() const { return crossings_opened_; }
+
+  private:
+    [[nodiscard]] bool may_be_shown(const RankedLine& ranked) const;
+    bool add_at(const ShapingScale& scale, const Chain& line, std::size_t number);
+    bool add_ring(const ShapingScale& scale, const Chain& ring, std::size_t number);
+    bool add_all(std::vector<Candidate> open, std::size_t number);
+    bool add_longest(const Candidate& candidate, std::size_t number, std::vector<Candidate>& open);
+    [[nodiscard]] double worth(const Selection& after, const Chain& line) const;
+
+    DetailLimits limits_;
+    cv::Size2d area_mm_;
+    ShapingScale scale_;
+    SpacedLines spaced_;
+    std::vector<Stroke> strokes_;
+    double line_mm_ = 0.0;
+    int crossings_opened_ = 0;
+};
+
+/// The lines of a detail out of all, best first. Where nothing lies outside, lines inside count
+/// too; where none is long enough, the least length is halved until one is. Empty only if `order`
+/// is.
+[[nodiscard]] Selection selected(const std::vector<RankedLine>& order, DetailLimits limits,
+                                 cv::Size2d area_mm);
+
+}  // namespace touchline
