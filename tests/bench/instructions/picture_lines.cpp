@@ -1,7 +1,7 @@
-// What valgrind --tool=callgrind counts: the way from pixels to lines, once for a drawing of one
+// What valgrind --tool=callgrind counts: the way from pixels to a map, once for a drawing of one
 // megapixel and once for a photo. Each dump is named after what it holds. Without valgrind the
 // requests do nothing and nothing is written.
-#include "vision/contour/photo_lines.h"
+#include "vision/simplify/trace.h"
 
 #include <cmath>
 #include <cstdio>
@@ -12,8 +12,8 @@
 
 /// The counted function: neither inlined nor cloned, and its name is not mangled.
 extern "C" [[gnu::noipa]] void touchline_picture_lines(const cv::Mat& picture,
-                                                       touchline::PhotoLines& lines) {
-    lines = touchline::photo_lines(picture, 116.0).value();
+                                                       touchline::TactileMap& map) {
+    map = touchline::trace_outlines(picture, {.area = {}, .detail = 5}).value().map;
 }
 
 namespace {
@@ -63,14 +63,14 @@ cv::Mat photo() {
 }
 
 void count(const cv::Mat& picture, const char* name) {
-    touchline::PhotoLines lines;
-    touchline_picture_lines(picture, lines);  // what is built once only is not counted
+    touchline::TactileMap map;
+    touchline_picture_lines(picture, map);  // what is built once only is not counted
     CALLGRIND_START_INSTRUMENTATION;
     CALLGRIND_ZERO_STATS;
-    touchline_picture_lines(picture, lines);
+    touchline_picture_lines(picture, map);
     CALLGRIND_DUMP_STATS_AT(name);
     CALLGRIND_STOP_INSTRUMENTATION;
-    if (lines.chains.size() < 12) {
+    if (map.outlines.size() < 12) {
         std::fputs("what is counted is no work: hardly any lines were found\n", stderr);
         std::exit(EXIT_FAILURE);
     }

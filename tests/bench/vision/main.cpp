@@ -1,6 +1,7 @@
 // Accuracy against time: of detectors on marked pictures, of the whole way at several sizes.
 #include "tests/bench/vision/detectors.h"
 #include "tests/bench/vision/pictures.h"
+#include "tests/bench/vision/still.h"
 #include "tests/vision/boundary/boundary_score.h"
 #include "tests/vision/boundary/degraded.h"
 #include "tests/vision/boundary/glyphs.h"
@@ -25,6 +26,8 @@ namespace {
 using testing::boundary_counts;
 using testing::BoundaryCounts;
 using testing::BoundarySweep;
+
+constexpr int kStageRuns = 21;
 
 double cpu_ms() {
     return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -148,7 +151,12 @@ int run(const std::string& results, const std::string& photos) {
     std::ofstream sizes(results + "/sizes.csv");
     fmt::print(sizes, "megapixels,rms_mm,hausdorff_mm,ms\n");
     score_sizes(sizes);
-    return scores && repeats && sizes ? EXIT_SUCCESS : EXIT_FAILURE;
+    std::ofstream stages(results + "/stages.csv");
+    fmt::print(stages, "stage,least_ms,median_ms\n");
+    for (const StageTime& time : still_stages(kStageRuns)) {
+        fmt::print(stages, "{},{:.1f},{:.1f}\n", time.stage, time.least_ms, time.median_ms);
+    }
+    return scores && repeats && sizes && stages ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace
