@@ -11,7 +11,7 @@ count_steps() {
     rm -f "$dumps"
     # A profile of the whole run would hold lines and calls; only the sums of each dump are read.
     valgrind --tool=callgrind --instr-atstart=no --toggle-collect=touchline_servo_step \
-        --toggle-collect=touchline_picture_lines \
+        --toggle-collect=touchline_picture_map \
         --combine-dumps=yes --dump-line=no --dump-instr=no --callgrind-out-file="$dumps" "$@" \
         "${words[@]}" >"$log" 2>&1 || {
         cat "$log" >&2

@@ -1,13 +1,13 @@
 #include "tests/vision/simplify/truth_pictures.h"
 
+#include "tests/vision/pictures/canvas.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <utility>
 
-#include <cairo.h>
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
@@ -54,26 +54,11 @@ void spoil(cv::Mat3b& picture, cv::RNG& random) {
 }
 
 std::vector<Ring> glyph_rings(const std::string& font, const std::string& letter, double size) {
-    const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
-        cairo_image_surface_create(CAIRO_FORMAT_A8, 8, 8), &cairo_surface_destroy);
-    const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(surface.get()),
-                                                                     &cairo_destroy);
-    cairo_select_font_face(context.get(), font.c_str(), CAIRO_FONT_SLANT_NORMAL,
-                           CAIRO_FONT_WEIGHT_BOLD);
-    cairo_set_font_size(context.get(), size);
-    cairo_set_tolerance(context.get(), 0.05);
-    cairo_text_path(context.get(), letter.c_str());
-    const std::unique_ptr<cairo_path_t, decltype(&cairo_path_destroy)> path(
-        cairo_copy_path_flat(context.get()), &cairo_path_destroy);
+    const Font bold{.family = font, .size_px = size, .is_bold = true};
     std::vector<Ring> rings;
-    for (int i = 0; i < path->num_data; i += path->data[i].header.length) {
-        const cairo_path_data_t* data = &path->data[i];
-        if (data->header.type == CAIRO_PATH_MOVE_TO) rings.emplace_back();
-        if (data->header.type != CAIRO_PATH_CLOSE_PATH) {
-            rings.back().emplace_back(data[1].point.x, data[1].point.y);
-        }
+    for (const Polyline& ring : Canvas({8, 8}, {}).outline_of(letter, {}, bold)) {
+        rings.push_back(ring.points);
     }
-    std::erase_if(rings, [](const Ring& ring) { return ring.size() < 3; });
     return rings;
 }
 

@@ -11,8 +11,8 @@
 #include <valgrind/callgrind.h>
 
 /// The counted function: neither inlined nor cloned, and its name is not mangled.
-extern "C" [[gnu::noipa]] void touchline_picture_lines(const cv::Mat& picture,
-                                                       touchline::TactileMap& map) {
+extern "C" [[gnu::noipa]] void touchline_picture_map(const cv::Mat& picture,
+                                                     touchline::TactileMap& map) {
     map = touchline::trace_outlines(picture, {.area = {}, .detail = 5}).value().map;
 }
 
@@ -64,10 +64,10 @@ cv::Mat photo() {
 
 void count(const cv::Mat& picture, const char* name) {
     touchline::TactileMap map;
-    touchline_picture_lines(picture, map);  // what is built once only is not counted
+    touchline_picture_map(picture, map);  // what is built once only is not counted
     CALLGRIND_START_INSTRUMENTATION;
     CALLGRIND_ZERO_STATS;
-    touchline_picture_lines(picture, map);
+    touchline_picture_map(picture, map);
     CALLGRIND_DUMP_STATS_AT(name);
     CALLGRIND_STOP_INSTRUMENTATION;
     if (map.outlines.size() < 12) {
