@@ -24,6 +24,7 @@ constexpr double kSignificance = 5.0;  // x gradient noise
 
 // Decisions; what lies to either side is in README.md.
 constexpr double kTextured = 0.013;  // of the open parts: a photo
+constexpr double kMuchOpen = 0.3;    // less: the picture is full of edges, and less texture tells
 constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
 constexpr double kRestless = 0.6;    // of all pixels change: grass, not a pattern
 constexpr double kPen_part = 0.025;  // of the diagonal: the widest stroke of a pen
@@ -125,8 +126,9 @@ ClassDecision decided(const PictureFeatures& f) {
                     " lines of letters.",
                 f};
     }
+    const double textured = kTextured * std::min(1.0, f.open_part / kMuchOpen);
     const bool is_textured = f.open_part >= kLeastOpen
-                                 ? f.texture > kTextured
+                                 ? f.texture > textured
                                  : (f.changing_part > kRestless && f.clearness < 2.0 * kClear);
     if (is_paper && f.thin_part >= kThin && f.clearness >= kClear &&
         (!is_textured || f.clearness >= 2.0 * kClear)) {
