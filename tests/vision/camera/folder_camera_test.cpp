@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
+#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -27,7 +28,9 @@ Result<cv::Mat> read_file(const fs::path& file) {
 
 class FolderCameraTest : public ::testing::Test {
   protected:
-    FolderCameraTest() : folder_(fs::path(::testing::TempDir()) / "touchline_folder_camera") {
+    FolderCameraTest()
+        : folder_(fs::path(::testing::TempDir()) /
+                  ("touchline-camera-" + std::to_string(::getpid()))) {
         fs::remove_all(folder_);
         fs::create_directories(folder_);
     }
