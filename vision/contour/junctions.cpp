@@ -142,7 +142,7 @@ void JunctionSet::place(Junction& junction) {
     if (is_moved) {
         junction.at = crossing_of(rays, junction.at);
     }
-    join_through(junction);
+    join_through(junction.arms, rays);
     pin_arms(junction, is_moved);
 }
 
@@ -165,26 +165,29 @@ cv::Point2d JunctionSet::crossing_of(const std::vector<Ray>& rays, cv::Point2d o
     return distance(crossing, otherwise) <= 2.0 * blur_px_ + 1.0 ? crossing : otherwise;
 }
 
-void JunctionSet::join_through(const Junction& junction) {
-    std::vector<EndId> open = junction.arms;
-    while (open.size() >= 2) {
-        double best = kStraightOn;
-        std::pair<std::size_t, std::size_t> pair{0, 0};
-        for (std::size_t i = 0; i < open.size(); ++i) {
-            for (std::size_t j = i + 1; j < open.size(); ++j) {
-                const double angle = turn(ray_of(open[i]), ray_of(open[j]));
-                if (angle < best) {
-                    best = angle;
-                    pair = {i, j};
-                }
+void JunctionSet::join_through(const std::vector<EndId>& ends, const std::vector<Ray>& rays) {
+    struct Pair {
+        double angle;
+        std::size_t i, j;
+    };
+
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        for (std::size_t j = i + 1; j < ends.size(); ++j) {
+            const double angle = turn(rays[i], rays[j]);
+            if (angle < kStraightOn) {
+                pairs.push_back({angle, i, j});
             }
         }
-        if (pair.second == 0) {
-            return;
+    }
+    std::ranges::stable_sort(pairs, {}, &Pair::angle);
+    std::vector<bool> is_joined(ends.size(), false);
+    for (const Pair& pair : pairs) {
+        if (!is_joined[pair.i] && !is_joined[pair.j]) {
+            join(ends[pair.i], ends[pair.j]);
+            is_joined[pair.i] = true;
+            is_joined[pair.j] = true;
         }
-        join(open[pair.first], open[pair.second]);
-        open.erase(open.begin() + static_cast<std::ptrdiff_t>(pair.second));
-        open.erase(open.begin() + static_cast<std::ptrdiff_t>(pair.first));
     }
 }
 

@@ -28,7 +28,7 @@ class JunctionSet {
 
     /// The outlines. Each end at a junction becomes the junction's point, fixed, bit for bit the
     /// same for all; arms that continue each other within 30 degrees run through it. O(points +
-    /// junctions).
+    /// arms squared of each junction).
     [[nodiscard]] std::vector<Chain> assembled(std::vector<Chain> lines);
 
     /// Junctions, after `assembled`.
@@ -50,7 +50,7 @@ class JunctionSet {
     void cut(std::size_t host, const std::vector<Cut>& cuts);
     void place(Junction& junction);
     void pin_arms(const Junction& junction, bool is_moved);
-    void join_through(const Junction& junction);
+    void join_through(const std::vector<EndId>& ends, const std::vector<Ray>& rays);
     [[nodiscard]] cv::Point2d crossing_of(const std::vector<Ray>& rays,
                                           cv::Point2d otherwise) const;
     [[nodiscard]] Ray ray_of(EndId end) const;

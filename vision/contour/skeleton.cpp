@@ -181,7 +181,9 @@ class Tracer {
             const std::size_t b = root(arm.to);
             const double width_px = nodes_[a].depth + nodes_[b].depth;
             const double limit = (a == b ? kLoopOverWidth : kBridgeOverWidth) * width_px;
-            if (length(arm) > limit) {
+            // The nodes as they are by now: many short bridges in a row do not make one node.
+            const bool is_far = a != b && distance(nodes_[a].centre(), nodes_[b].centre()) > limit;
+            if (length(arm) > limit || is_far) {
                 continue;
             }
             arm.is_dropped = true;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <opencv2/imgproc.hpp>
@@ -135,21 +136,51 @@ class Raster {
     cv::Size size_;
 };
 
-/// Strengths and fixed points of the ring that it came from.
-Chain with_points_of(const Chain& from, double pin_reach_mm, Chain line) {
-    const auto nearest = [](std::vector<EdgePoint>& points, cv::Point2d p) {
-        return std::ranges::min_element(
-            points, {}, [&](const EdgePoint& other) { return distance(other.at, p); });
-    };
-    std::vector<EdgePoint> points = from.points;
-    for (EdgePoint& p : line.points) {
-        p.strength = nearest(points, p.at)->strength;
+/// The points of one line, which has to stay, to ask which is nearest.
+class Points {
+  public:
+    Points(const Chain& line, double cell_mm) : line_(line), grid_({line}, extent(line), cell_mm) {}
+
+    /// Index of the nearest within reach.
+    std::optional<std::size_t> nearest(cv::Point2d p, double reach_mm) const {
+        std::optional<std::size_t> best;
+        double least_mm = reach_mm;
+        grid_.near(p, reach_mm, [&](const PointRef& ref) {
+            const double apart_mm = distance(line_.points[ref.index].at, p);
+            if (apart_mm < least_mm) {
+                least_mm = apart_mm;
+                best = ref.index;
+            }
+        });
+        return best;
     }
-    for (const EdgePoint& corner : from.points) {
+
+  private:
+    static cv::Size extent(const Chain& line) {
+        cv::Size size(1, 1);
+        for (const EdgePoint& p : line.points) {
+            size.width = std::max(size.width, static_cast<int>(std::ceil(p.at.x)));
+            size.height = std::max(size.height, static_cast<int>(std::ceil(p.at.y)));
+        }
+        return size;
+    }
+
+    const Chain& line_;
+    PointGrid grid_;
+};
+
+/// Strengths and fixed points of the ring that it came from.
+Chain with_points_of(const Chain& ring, const Points& of_ring, double gap_mm, double pin_reach_mm,
+                     Chain line) {
+    for (EdgePoint& p : line.points) {
+        const auto near = of_ring.nearest(p.at, gap_mm);
+        p.strength = ring.points[near.value_or(0)].strength;
+    }
+    const Points of_line(line, gap_mm);
+    for (const EdgePoint& corner : ring.points) {
         if (corner.is_fixed) {
-            const auto near = nearest(line.points, corner.at);
-            if (distance(near->at, corner.at) < pin_reach_mm) {
-                *near = corner;
+            if (const auto near = of_line.nearest(corner.at, pin_reach_mm)) {
+                line.points[*near] = corner;
             }
         }
     }
@@ -171,8 +202,9 @@ std::vector<Chain> parted_where_narrow(const Chain& ring, double gap_mm, Narrow 
     std::ranges::stable_sort(lines, [](const Chain& a, const Chain& b) {
         return std::pair(a.is_closed, length_of(a)) > std::pair(b.is_closed, length_of(b));
     });
+    const Points of_ring(ring, gap_mm);
     for (Chain& line : lines) {
-        line = with_points_of(ring, raster.pin_reach_mm(), std::move(line));
+        line = with_points_of(ring, of_ring, gap_mm, raster.pin_reach_mm(), std::move(line));
     }
     return lines;
 }

@@ -14,6 +14,8 @@ constexpr double kLargeRegion = 0.03;  // of the area
 constexpr double kOuterShare = 0.25;   // of a line whose other side looks into the picture
 constexpr double kFinestStep_mm = 0.2;
 constexpr double kCoarsestStep_mm = 0.5;
+constexpr double kLengths =
+    3.0;                       // of all lines: a longer ring is a maze, and parting shows no more
 constexpr double kBold = 1.1;  // gaps: so that smoothing leaves a gap
 
 /// A ring with what is too narrow of it as single lines, the longest last.
@@ -68,7 +70,8 @@ bool Selection::may_be_shown(const RankedLine& ranked) const {
 bool Selection::add_at(const ShapingScale& scale, const Chain& line, std::size_t number) {
     bool is_too_long = false;
     for (const Chain& part : without_self_crossings(shaped(line, scale), limits_.least_stroke_mm)) {
-        const bool needs_parting = part.is_closed && too_near_itself(part, spaced_.scale());
+        const bool needs_parting = part.is_closed && length_of(part) < kLengths * limits_.line_mm &&
+                                   too_near_itself(part, spaced_.scale());
         const bool was_too_long =
             needs_parting ? add_ring(scale, part, number) : add_all({{part, false, false}}, number);
         is_too_long = is_too_long || was_too_long;

@@ -2,7 +2,6 @@
 
 #include "tests/vision/camera/frames.h"
 #include "vision/camera/conversion.h"
-#include "vision/contour/gradient.h"
 #include "vision/contour/main_shape.h"
 #include "vision/contour/photo_lines.h"
 #include "vision/prepare/picture_class.h"
@@ -77,7 +76,7 @@ class Stages {
 };
 
 cv::Mat decoded(const CameraFrame& still) {
-    return to_bgr(still, quick_size(still.size, 2 * kWorking_pixels)).value();
+    return to_bgr(still, quick_size(still.size, kWorking_pixels)).value();
 }
 
 }  // namespace
@@ -86,18 +85,17 @@ std::vector<StageTime> still_stages(int runs) {
     const CameraFrame still = testing::mjpeg_frame(generated(), 90);
     Stages stages;
     for (int run = 0; run < runs; ++run) {
-        const cv::Mat large = stages.time("JPEG, decoded reduced", [&] { return decoded(still); });
-        const cv::Mat small = stages.time(
-            "to a megapixel", [&] { return reduced(large, static_cast<double>(kWorking_pixels)); });
+        const cv::Mat small =
+            stages.time("JPEG decoded at a quarter", [&] { return decoded(still); });
         stages.time("what kind of picture", [&] { return class_of(small); });
         stages.time("a photo's lines", [&] { return photo_lines(small, 112.0); });
         stages.time("a photo's main shape", [&] { return main_shape(small, std::nullopt); });
         const Found found = find_lines(small, {}).value();
         for (int detail = 1; detail <= 5; ++detail) {
-            stages.time(fmt::format("simplified, detail {}", detail),
+            stages.time(fmt::format("simplified to detail {}", detail),
                         [&] { return trace_lines(found, {.area = {}, .detail = detail}); });
         }
-        stages.time("all, JPEG to map at detail 3",
+        stages.time("all: JPEG to map at detail 3",
                     [&] { return trace_outlines(decoded(still), {}); });
     }
     return stages.all();

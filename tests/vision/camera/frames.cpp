@@ -97,7 +97,7 @@ CameraFrame mjpeg_frame(const cv::Mat& bgr, int quality) {
 CameraFrame without_tables(CameraFrame mjpeg) {
     constexpr std::array<std::uint8_t, 18> avi1{0xff, 0xe0, 0, 16, 'A', 'V', 'I', '1'};
     std::vector<std::uint8_t>& in = mjpeg.bytes;
-    std::vector<std::uint8_t> out{0xff, 0xd8};
+    std::vector<std::uint8_t> out(in.begin(), in.begin() + 2);
     out.insert(out.end(), avi1.begin(), avi1.end());
     std::size_t at = 2;
     while (in[at + 1] != 0xda) {

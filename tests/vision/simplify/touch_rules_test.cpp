@@ -133,7 +133,7 @@ TEST_P(TouchRulesOfKind, HoldOnTheSmallArea) {
 }
 
 TEST_P(TouchRulesOfKind, HoldOnALargeArea) {
-    judge_all({0.180, 0.120}, GetParam(), 5 * kEverySo);
+    judge_all({0.180, 0.120}, GetParam(), kEverySo);
 }
 
 INSTANTIATE_TEST_SUITE_P(TouchRules, TouchRulesOfKind, ::testing::Range(0, kKinds));
