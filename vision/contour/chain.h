@@ -17,12 +17,16 @@ struct EdgePoint {
     cv::Vec2f to_light{0.0F, 0.0F};
 };
 
+/// What a line is of: an edge or a stroke; the many short lines inside it; letters in a row; a
+/// picture on a page of text.
+enum class LineOf { edge, texture, text, figure };
+
 /// Closed: the last point joins the first, which is not repeated.
 struct Chain {
     std::vector<EdgePoint> points;
     bool is_closed = false;
-    double width_px = 0;            // where the line stands for a drawn stroke; else 0
-    bool is_textured_area = false;  // stands for the many short lines inside it
+    double width_px = 0;  // where the line stands for a drawn stroke; else 0
+    LineOf of = LineOf::edge;
 };
 
 [[nodiscard]] inline double distance(const cv::Point2d& a, const cv::Point2d& b) {

@@ -228,6 +228,7 @@ Chain JunctionSet::walked(EndId start) {
         Chain& arm = arms_[chain_of(in)];
         is_walked_[chain_of(in)] = true;
         line.width_px = std::max(line.width_px, arm.width_px);
+        line.of = arm.of;
         if (arm.is_closed) {
             return std::move(arm);
         }

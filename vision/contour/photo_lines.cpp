@@ -120,7 +120,7 @@ void find(const GradientField& field, const Hysteresis& limits, double px_per_mm
     found.specks_dropped = drop_specks(found.chains, shortest_px);
     const double blur_px = std::hypot(found.smoothing_px, kPictureBlur_px);
     for (Chain& chain : found.chains) {
-        if (!chain.is_textured_area) {
+        if (chain.of != LineOf::texture) {
             chain = with_sharp_corners(chain, blur_px);
         }
     }

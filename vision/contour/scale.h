@@ -12,7 +12,7 @@ namespace touchline {
 /// (photos, where finer edges are texture).
 [[nodiscard]] double smoothing_for(const LabPicture& lab, double noise);
 
-/// high = 2 x the 75th percentile of the gradient, at most 0.6 x the 98th; low = 0.4 high. Never
+/// high = 0.45 x the 98th percentile of the gradient, at most 3 x the 75th; low = 0.4 high. Never
 /// below six times what noise leaves in the gradient, nor below what rounding to 8 bits leaves.
 [[nodiscard]] Hysteresis thresholds_for(const GradientField& field, double noise, double sigma_px);
 

@@ -53,7 +53,7 @@ class TextureMap {
                 p.at.y = std::min(cell_px_ * (p.at.y + 0.5), picture_.height * 1.0) - 0.5;
                 p.strength = lines.strength / static_cast<double>(lines.points);
             }
-            ring.is_textured_area = true;
+            ring.of = LineOf::texture;
         }
         return rings;
     }

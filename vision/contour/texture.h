@@ -16,7 +16,7 @@ struct TextureScale {
 /// Where short lines are so dense that their mean spacing is below `spacing_px` (their length per
 /// area, smoothed over about 1.5 spacings, above 1 / spacing), over an area of at least
 /// smallest_px^2 and at most half the picture, and eight of them or more lie there with most of
-/// their length: those lines go, and a closed line round the area (`is_textured_area`, strength:
+/// their length: those lines go, and a closed line round the area (`LineOf::texture`, strength:
 /// their mean) comes last. Holes in an area are not drawn. All other lines stay as they are, in
 /// order. O(points + pixels / spacing^2).
 [[nodiscard]] std::vector<Chain> with_textures_outlined(std::vector<Chain> chains, cv::Size picture,

@@ -26,7 +26,9 @@ Chain box_around(const cv::Rect& box, double strength) {
              {{high.x, low.y}, strength, true},
              {high, strength, true},
              {{low.x, high.y}, strength, true}},
-            true};
+            true,
+            0.0,
+            LineOf::figure};
 }
 
 std::vector<Chain> page_lines(const LabPicture& lab, double noise) {
@@ -37,7 +39,8 @@ std::vector<Chain> page_lines(const LabPicture& lab, double noise) {
         lines.push_back({{{{text.box.x - 0.5, middle}, 1.0, true},
                           {{text.box.x + text.box.width - 0.5, middle}, 1.0, true}},
                          false,
-                         static_cast<double>(text.box.height)});
+                         static_cast<double>(text.box.height),
+                         LineOf::text});
     }
     for (const cv::Rect& figure : page.figures) {
         lines.push_back(box_around(figure, 1.0));

@@ -42,6 +42,19 @@ std::string where(std::string_view place) {
     return fmt::format("{} the {}", place == "middle" ? "in" : is_side ? "on" : "at", place);
 }
 
+std::string kind_of(LineOf of, bool is_closed) {
+    switch (of) {
+        case LineOf::texture:
+            return "rough area";
+        case LineOf::text:
+            return "line of text";
+        case LineOf::figure:
+            return "figure";
+        default:
+            return is_closed ? "closed line" : "line";
+    }
+}
+
 double diagonal_of(const Outline& outline) {
     const Extent extent = extent_of(outline);
     return std::hypot(extent.high.x - extent.low.x, extent.high.y - extent.low.y);
@@ -65,10 +78,11 @@ std::string_view place_of(const Outline& outline, const Area& area) {
     return names[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
 }
 
-void label_by_place(TactileMap& map) {
+void label_by_place(TactileMap& map, const std::vector<LineOf>& of) {
     std::map<std::string, int> uses;
-    for (Outline& outline : map.outlines) {
-        const std::string kind = outline.is_closed ? "closed line" : "line";
+    for (std::size_t i = 0; i < map.outlines.size(); ++i) {
+        Outline& outline = map.outlines[i];
+        const std::string kind = kind_of(of[i], outline.is_closed);
         const std::string_view place = place_of(outline, map.area);
         const int number = ++uses[fmt::format("{}, {}", kind, place)];
         outline.label = number == 1 ? fmt::format("{}, {}", kind, place)
@@ -88,16 +102,22 @@ std::string words_for(const TactileMap& map, const SimplifyReport& report, int d
     if (map.outlines.empty()) {
         return "There is no line here.";
     }
+    constexpr std::array<std::string_view, 3> kEffort{"simple", "of medium difficulty", "complex"};
     std::string words = fmt::format("{}, {} centimetres of line, {}.", counted(report.parts),
                                     static_cast<int>(std::lround(0.1 * report.line_mm)),
-                                    word_of(report.complexity));
+                                    kEffort[static_cast<std::size_t>(report.complexity)]);
     const Outline& largest = *std::ranges::max_element(map.outlines, {}, diagonal_of);
     words += fmt::format(" {} lies {}.", report.parts == 1 ? "It" : "The largest",
                          where(place_of(largest, map.area)));
+    if (report.frames_dropped > 0) {
+        words += " A frame around the picture is left out.";
+    }
     if (report.left_out > 0 && detail < kMostDetail) {
         words += " More lines are shown at a higher detail.";
-    } else if (report.left_out > 0) {
+    } else if (report.left_out > 0 && report.is_full) {
         words += " There are more lines than a hand can follow; zoom in.";
+    } else if (report.left_out > 0) {
+        words += " Some lines are too small or too close together; zoom in.";
     }
     return words;
 }

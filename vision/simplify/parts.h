@@ -15,8 +15,8 @@ namespace touchline {
 [[nodiscard]] std::string_view place_of(const Outline& outline, const Area& area);
 
 /// Labels all outlines by kind and place: "closed line, upper left"; the second of a kind and place
-/// is "closed line 2, upper left".
-void label_by_place(TactileMap& map);
+/// is "closed line 2, upper left". `of`: what each is of.
+void label_by_place(TactileMap& map, const std::vector<LineOf>& of);
 
 /// How hard the map is to take in, from the strokes and the length of line that a detail allows.
 [[nodiscard]] Complexity complexity_of(int parts, double line_mm, const Area& area);

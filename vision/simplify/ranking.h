@@ -14,7 +14,7 @@ struct RankedLine {
     double outer_share = 0.0;  // 0..1, see surroundings.h
 };
 
-/// Salience = length x contrast x closure x place: length 1 - exp(-length / 40 mm); contrast
+/// Salience = length x contrast x closure x place: length 1 - exp(-length / 150 mm); contrast
 /// r / (1 + r), r = mean strength / high; closure 1 for a closed line, 2/3 for an open one (a
 /// finger can lose it); place 1 outside ... 0.7 inside. Sorted by falling salience, ties keep their
 /// order. `outer_shares`: one for each line.

@@ -16,14 +16,18 @@ namespace {
 
 constexpr double kSmallBreak_mm = 4.0;
 
+/// A drawn frame is a stroke, or has an outer and an inner edge; one ring beside the rim alone is
+/// the outer line of a thing that fills the picture.
 int drop_frames(std::vector<Chain>& lines, const cv::Rect2d& picture_mm) {
-    const auto frames =
-        std::ranges::count_if(lines, [&](const Chain& line) { return is_frame(line, picture_mm); });
-    if (frames == static_cast<std::ptrdiff_t>(lines.size())) {
+    const auto is_around = [&](const Chain& line) { return is_frame(line, picture_mm); };
+    const auto rings = std::ranges::count_if(lines, is_around);
+    const bool is_stroke = std::ranges::any_of(
+        lines, [&](const Chain& line) { return line.width_px > 0.0 && is_around(line); });
+    if ((!is_stroke && rings < 2) || rings == static_cast<std::ptrdiff_t>(lines.size())) {
         return 0;  // a frame around nothing is the picture
     }
-    std::erase_if(lines, [&](const Chain& line) { return is_frame(line, picture_mm); });
-    return static_cast<int>(frames);
+    std::erase_if(lines, is_around);
+    return static_cast<int>(rings);
 }
 
 Outline outline_of(const Chain& line, const Area& area) {
@@ -55,17 +59,19 @@ int lowest_detail(int strokes, double line_mm, int detail, const Area& area) {
 void fill(TactileMap& map, const Selection& selection, const std::vector<RankedLine>& order,
           int detail) {
     const std::vector<Chain> lines = selection.lines();
+    std::vector<LineOf> of;
     double line_mm = 0.0;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const Stroke& stroke = selection.strokes()[i];
         Outline outline = outline_of(lines[i], map.area);
         line_mm += stroke.length_mm;
+        of.push_back(order[stroke.line].line.of);
         outline.weight = order[stroke.line].salience;
         outline.detail = lowest_detail(static_cast<int>(i) + 1, line_mm, detail, map.area);
         outline.id = "outline-" + std::to_string(i + 1);
         map.outlines.push_back(std::move(outline));
     }
-    label_by_place(map);
+    label_by_place(map, of);
 }
 
 }  // namespace
@@ -97,6 +103,8 @@ Simplified simplified(const PictureLines& found, const Area& area, int detail, c
     for (const Stroke& stroke : selection.strokes()) {
         is_shown[stroke.line] = true;
     }
+    report.lines = static_cast<int>(order.size());
+    report.is_full = selection.is_full();
     report.left_out = static_cast<int>(std::ranges::count(is_shown, false));
     report.words = words_for(map, report, detail);
     return result;

@@ -29,10 +29,13 @@ Result<void> check(const cv::Mat& picture) {
 }
 
 Result<void> check(const Area& area) {
-    constexpr double kLargest_m = 10.0;
-    const auto is_size = [](double metres) { return metres > 1e-3 && metres <= kLargest_m; };
+    constexpr double kSmallest_m = 1e-3;
+    constexpr double kLargest_m = 1.0;
+    const auto is_size = [](double metres) {
+        return metres >= kSmallest_m && metres <= kLargest_m;
+    };
     if (!is_size(area.width_m) || !is_size(area.height_m)) {
-        return failure("the drawing area must be between 1 mm and 10 m on each side");
+        return failure("the drawing area must be between 1 mm and 1 m on each side");
     }
     return {};
 }
@@ -48,10 +51,15 @@ Result<void> check(const TraceOptions& options) {
     return check(options.area);
 }
 
-std::string nothing_found(const cv::Mat& picture) {
+std::string nothing_found(const cv::Mat& picture, const PhotoLines& found) {
     if (picture.total() <= 64) {
         return "no outline found, because the picture is only " + size_of(picture) +
                " pixels; use a larger one";
+    }
+    if (found.specks_dropped > 0) {
+        return "no outline found, because all that is in the picture is too small for a finger; "
+               "use a "
+               "larger area, or a closer picture";
     }
     return "no outline found, because nothing in the picture stands out from its background; use "
            "a picture with more contrast";
@@ -63,11 +71,10 @@ std::string warning_for(const TraceReport& report) {
                std::to_string(report.found.lines_found) + " lines in the grain only the " +
                std::to_string(report.outlines) + " strongest are used";
     }
-    const int all = report.outlines + report.simplified.left_out;
     constexpr int kCrowd = 100;  // lines: more than any detail shows
     return report.simplified.left_out < kCrowd
                ? ""
-               : "the picture has " + std::to_string(all) +
+               : "the picture has " + std::to_string(report.simplified.lines) +
                      " lines, more than can be felt; only the " + std::to_string(report.outlines) +
                      " strongest are used";
 }
@@ -90,10 +97,12 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
         Result<ClassLines> lines =
             class_lines(small, decision.picture_class, longer_side_mm, options.edge_model);
         if (!lines) return tl::unexpected(lines.error());
-        if (lines->found.chains.empty()) return failure(nothing_found(picture));
+        if (lines->found.chains.empty()) return failure(nothing_found(picture, lines->found));
         if (lines->picture_class != decision.picture_class) {
             decision.picture_class = lines->picture_class;
-            decision.reason = "It could only be taken as a photo.";
+            decision.reason = options.edge_model != nullptr
+                                  ? "The network that was given told its lines, as of a photo."
+                                  : "It could only be taken as a photo.";
         }
         PhotoLines& found = lines->found;
         std::vector<Chain> chains = std::exchange(found.chains, {});

@@ -68,7 +68,7 @@ void clip(const Chain& line, cv::Size2d size, std::vector<Chain>& parts) {
                             }));
         points.push_back(points.front());
     }
-    Chain part{{}, false, line.width_px};
+    Chain part{{}, false, line.width_px, line.of};
     const auto finish = [&] {
         if (part.points.size() > 1) {
             parts.push_back(part);

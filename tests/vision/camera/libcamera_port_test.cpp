@@ -2,6 +2,8 @@
 // is not there. With a camera it is run in tests/system/camera.
 #include "vision/camera/libcamera_port.h"
 
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 namespace touchline {
@@ -10,6 +12,10 @@ namespace {
 TEST(LibcameraPortTest, StartsListsAndRefusesWhatIsNotThere) {
     const auto port = LibcameraPort::create();
     ASSERT_TRUE(port) << port.error().line;
+    if (!std::filesystem::exists("/dev/video0") && !std::filesystem::exists("/dev/media0")) {
+        EXPECT_TRUE((*port)->list().empty());
+    }
+    for (const CameraName& camera : (*port)->list()) EXPECT_FALSE(camera.id.empty());
     EXPECT_FALSE((*port)->open("no such camera"));
     EXPECT_FALSE((*port)->start({}));
     EXPECT_FALSE((*port)->take());

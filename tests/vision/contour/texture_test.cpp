@@ -101,12 +101,12 @@ TEST(Texture, ManyShortLinesCloseTogetherBecomeOneOutlineRoundThem) {
     lines.push_back(grass({500, 50, 20, 20}, 30.0, 18.0)[0]);  // a short one on its own
     const std::vector<Chain> after = with_textures_outlined(lines, kPicture, kScale);
     EXPECT_LT(after.size(), lines.size() / 10);
-    EXPECT_EQ(std::ranges::count(after, true, &Chain::is_textured_area), 1);
+    EXPECT_EQ(std::ranges::count(after, LineOf::texture, &Chain::of), 1);
     EXPECT_TRUE(std::ranges::any_of(after, [](const Chain& c) { return length_of(c) == 579.0; }));
     EXPECT_TRUE(std::ranges::any_of(
         after, [](const Chain& c) { return c.points.front().at == cv::Point2d(500, 50); }));
     const Chain& outline = after.back();
-    EXPECT_TRUE(outline.is_textured_area);
+    EXPECT_EQ(outline.of, LineOf::texture);
     EXPECT_TRUE(outline.is_closed);
     EXPECT_NEAR(area_within(outline), meadow.area(), 0.25 * meadow.area());
     for (const EdgePoint& p : outline.points) {
@@ -118,7 +118,7 @@ TEST(Texture, ManyShortLinesCloseTogetherBecomeOneOutlineRoundThem) {
 TEST(Texture, AtTheFrameTheOutlineRunsAlongIt) {
     const std::vector<Chain> after =
         with_textures_outlined(grass({0, 200, 250, 200}, 6.0, 18.0), kPicture, kScale);
-    ASSERT_TRUE(after.back().is_textured_area);
+    ASSERT_EQ(after.back().of, LineOf::texture);
     double left = 1e9;
     double bottom = -1e9;
     for (const EdgePoint& p : after.back().points) {
@@ -140,7 +140,7 @@ RC_GTEST_PROP(Texture, SparseLongFewOrSmallIsNoTexture, ()) {
     const std::vector<Chain> after = with_textures_outlined(lines, kPicture, kScale);
     RC_ASSERT(after.size() == lines.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        RC_ASSERT(!after[i].is_textured_area);
+        RC_ASSERT(after[i].of == LineOf::edge);
         RC_ASSERT(after[i].points.size() == lines[i].points.size());
         RC_ASSERT(after[i].points.front().at == lines[i].points.front().at);
     }

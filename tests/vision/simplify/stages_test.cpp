@@ -205,10 +205,10 @@ TEST(Parts, PlacesAndWords) {
     add({-0.045, 0.035}, true);
     add({0.0, 0.0}, false);
     add({0.05, -0.035}, false);
-    label_by_place(map);
+    label_by_place(map, {LineOf::edge, LineOf::edge, LineOf::text, LineOf::edge});
     EXPECT_EQ(map.outlines[0].label, "closed line, upper left");
     EXPECT_EQ(map.outlines[1].label, "closed line 2, upper left");
-    EXPECT_EQ(map.outlines[2].label, "line, middle");
+    EXPECT_EQ(map.outlines[2].label, "line of text, middle");
     EXPECT_EQ(map.outlines[3].label, "line, lower right");
     SimplifyReport report;
     report.parts = 4;

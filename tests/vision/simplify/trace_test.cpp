@@ -2,6 +2,7 @@
 
 #include "config/types/map_frame.h"
 #include "tests/vision/contour/shapes.h"
+#include "tests/vision/pictures/canvas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <set>
 
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 namespace touchline::testing {
 namespace {
@@ -135,6 +137,39 @@ TEST(Trace, EveryPointReadsBackFromItsMillimetres) {
     }
 }
 
+/// Rings ever closer, to the pixels' own limit: junctions everywhere.
+cv::Mat1b zone_plate(int side) {
+    cv::Mat1b picture(side, side);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const double r2 = std::pow(x - side / 2, 2) + std::pow(y - side / 2, 2);
+            picture(y, x) = cv::saturate_cast<uchar>(127.0 + 127.0 * std::sin(r2 / 300.0));
+        }
+    }
+    return picture;
+}
+
+/// Walls between cells, at random open to the right or below: one ring comes near to itself
+/// everywhere.
+cv::Mat1b maze(int cells) {
+    constexpr int kCell = 12;
+    cv::RNG random(5);
+    cv::Mat1b picture(cells * kCell + 4, cells * kCell + 4, uchar{255});
+    for (int row = 0; row <= cells; ++row) {
+        for (int column = 0; column <= cells; ++column) {
+            const cv::Point corner(column * kCell, row * kCell);
+            const bool is_across = random.uniform(0, 2) == 0;
+            if (column < cells && (row == 0 || row == cells || is_across)) {
+                picture(cv::Rect(corner.x, corner.y, kCell + 4, 4)) = 0;
+            }
+            if (row < cells && (column == 0 || column == cells || !is_across)) {
+                picture(cv::Rect(corner.x, corner.y, 4, kCell + 4)) = 0;
+            }
+        }
+    }
+    return picture;
+}
+
 TEST(Trace, OddPicturesAreAMapOrOneLineWhateverTheirClass) {
     cv::Mat1b wide(1, 65535, uchar{255});
     wide.colRange(20000, 40000) = 0;
@@ -150,6 +185,8 @@ TEST(Trace, OddPicturesAreAMapOrOneLineWhateverTheirClass) {
                                         half,
                                         cv::Mat1b(200, 300, uchar{128}),
                                         noise({301, 200}, 3),
+                                        zone_plate(1000),
+                                        maze(60),
                                         noise({2, 2}, 1)};
     for (const cv::Mat& picture : pictures) {
         for (const auto picture_class : {PictureClass::photo, PictureClass::diagram,
@@ -171,6 +208,37 @@ TEST(Trace, OddPicturesAreAMapOrOneLineWhateverTheirClass) {
             }
         }
     }
+}
+
+TEST(Trace, AThingThatFillsThePictureIsNoFrame) {
+    cv::Mat3b picture(400, 400, cv::Vec3b::all(240));
+    cv::rectangle(picture, {8, 8}, {391, 391}, cv::Scalar::all(30), cv::FILLED);
+    cv::circle(picture, {200, 200}, 60, cv::Scalar::all(240), cv::FILLED, cv::LINE_AA);
+    for (const int detail : {1, 3, 5}) {
+        const auto trace = trace_outlines(picture, {.area = {}, .detail = detail});
+        ASSERT_TRUE(trace);
+        EXPECT_EQ(trace->report.simplified.frames_dropped, 0);
+        EXPECT_GT(trace->report.simplified.line_mm, 250.0) << detail;
+    }
+    cv::rectangle(picture, {12, 12}, {387, 387}, cv::Scalar::all(240), cv::FILLED);
+    cv::circle(picture, {200, 200}, 60, cv::Scalar::all(30), cv::FILLED, cv::LINE_AA);
+    const auto framed = trace_outlines(picture, {.area = {}, .detail = 1});
+    ASSERT_TRUE(framed);
+    EXPECT_GT(framed->report.simplified.frames_dropped, 0);
+    EXPECT_NE(framed->report.simplified.words.find("A frame around the picture is left out."),
+              std::string::npos);
+}
+
+TEST(Trace, PartsOfAPageSayWhatTheyAre) {
+    Canvas page({600, 800}, {255, 255, 255});
+    for (int line = 0; line < 12; ++line) {
+        page.write("felt lines need words beside them", {60.0, 80.0 + 28.0 * line},
+                   {.size_px = 22.0}, {0, 0, 0});
+    }
+    const auto trace =
+        trace_outlines(page.picture(), {.area = {}, .picture_class = PictureClass::text_page});
+    ASSERT_TRUE(trace);
+    EXPECT_EQ(trace->map.outlines.front().label.rfind("line of text", 0), 0U);
 }
 
 TEST(Trace, TheClassIsSaidAndCanBeChosen) {
