@@ -128,8 +128,16 @@ void score_sizes(std::ofstream& csv) {
     }
 }
 
+bool write_stages(const std::string& results) {
+    std::ofstream stages(results + "/stages.csv");
+    fmt::print(stages, "stage,least_ms,median_ms\n");
+    for (const StageTime& time : still_stages(kStageRuns)) {
+        fmt::print(stages, "{},{:.1f},{:.1f}\n", time.stage, time.least_ms, time.median_ms);
+    }
+    return stages.good();
+}
+
 int run(const std::string& results, const std::string& photos) {
-    cv::setNumThreads(1);
     std::vector<std::pair<std::string, std::vector<MarkedPicture>>> sets;
     sets.emplace_back("pictograms", made_pictures());
     if (!photos.empty()) {
@@ -151,12 +159,7 @@ int run(const std::string& results, const std::string& photos) {
     std::ofstream sizes(results + "/sizes.csv");
     fmt::print(sizes, "megapixels,rms_mm,hausdorff_mm,ms\n");
     score_sizes(sizes);
-    std::ofstream stages(results + "/stages.csv");
-    fmt::print(stages, "stage,least_ms,median_ms\n");
-    for (const StageTime& time : still_stages(kStageRuns)) {
-        fmt::print(stages, "{},{:.1f},{:.1f}\n", time.stage, time.least_ms, time.median_ms);
-    }
-    return scores && repeats && sizes && stages ? EXIT_SUCCESS : EXIT_FAILURE;
+    return scores && repeats && sizes && write_stages(results) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace
@@ -164,8 +167,13 @@ int run(const std::string& results, const std::string& photos) {
 
 int main(int argc, char** argv) {
     if (argc < 2 || argc > 3) {
-        fmt::print(stderr, "usage: vision_bench RESULTS [FOLDER OF MARKED PHOTOS]\n");
+        fmt::print(stderr, "usage: vision_bench RESULTS [--stages | FOLDER OF MARKED PHOTOS]\n");
         return 2;
     }
-    return touchline::bench::run(argv[1], argc > 2 ? argv[2] : "");
+    cv::setNumThreads(1);
+    const std::string what = argc > 2 ? argv[2] : "";
+    if (what == "--stages") {
+        return touchline::bench::write_stages(argv[1]) ? EXIT_SUCCESS : EXIT_FAILURE;
+    }
+    return touchline::bench::run(argv[1], what);
 }
