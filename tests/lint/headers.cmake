@@ -4,6 +4,7 @@
 
 # Our static libraries of a folder and those below it.
 function(libraries_below folder result)
+  set(found)  # a function begins with the variables of its caller
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   get_property(subfolders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
   foreach(target IN LISTS targets)
