@@ -1,6 +1,7 @@
 #include "app/decode/files.h"
 
 #include "app/decode/one_line.h"
+#include "app/process/descriptor.h"
 
 #include <cerrno>
 #include <filesystem>
@@ -15,49 +16,15 @@
 namespace touchline {
 namespace {
 
-class Descriptor {
-  public:
-    explicit Descriptor(int number) noexcept : number_(number) {}
-
-    Descriptor(const Descriptor&) = delete;
-    Descriptor(Descriptor&&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    Descriptor& operator=(Descriptor&&) = delete;
-
-    ~Descriptor() {
-        if (is_open()) ::close(number_);
-    }
-
-    [[nodiscard]] int number() const noexcept { return number_; }
-
-    [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
-
-    /// Some file systems report a failed write only here.
-    [[nodiscard]] bool close() noexcept { return ::close(std::exchange(number_, -1)) == 0; }
-
-  private:
-    int number_;
-};
-
 tl::unexpected<Error> file_failure(const std::string& path, std::string_view what) {
     const std::string why = std::generic_category().message(errno);
     return failure(fmt::format("{}: {}: {}", one_line(path), what, why));
 }
 
-bool write_all(int descriptor, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-    return true;
-}
-
 Result<void> write_straight(const std::string& path, std::span<const std::byte> bytes) {
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
     if (!file.is_open()) return file_failure(path, "cannot be opened for writing");
-    if (!write_all(file.number(), bytes)) return file_failure(path, "cannot be written");
+    if (!write_all(file, bytes)) return file_failure(path, "cannot be written");
     return {};
 }
 
@@ -85,8 +52,8 @@ Result<void> write_beside_and_rename(const std::string& path, const std::string&
     std::string temporary;
     Descriptor file(create_beside(target, temporary));
     if (!file.is_open()) return file_failure(path, "cannot be created; choose another folder");
-    const bool is_whole = write_all(file.number(), bytes) && ::fsync(file.number()) == 0 &&
-                          file.close() && ::rename(temporary.c_str(), target.c_str()) == 0;
+    const bool is_whole = write_all(file, bytes) && ::fsync(file.number()) == 0 && file.close() &&
+                          ::rename(temporary.c_str(), target.c_str()) == 0;
     if (!is_whole) {
         const auto error = file_failure(path, "cannot be written; is the disk full?");
         ::unlink(temporary.c_str());

@@ -28,7 +28,7 @@ struct WorkerLimits {
         case WorkerKind::raster:
             return {64 * MiB, 512 * MiB, 4, 200 * MiB, 6.0, false};
         case WorkerKind::document:
-            return {128 * MiB, 1024 * MiB, 15, 200 * MiB, 20.0, false};
+            return {128 * MiB, 1024 * MiB, 15, 200 * MiB, 20.0, true};  // Pango matches fonts so
         case WorkerKind::ocr:
             return {200 * MiB, 1024 * MiB, 30, 16 * MiB, 40.0, false};
         case WorkerKind::speech:

@@ -1,5 +1,7 @@
 #include "app/sandbox/sandbox.h"
 
+#include "app/sandbox/worker.h"
+
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -14,8 +16,6 @@
 namespace touchline {
 namespace {
 
-constexpr int out_of_memory = 70;  // exit status
-
 Result<void> refused(const std::string& step) {
     return failure("the sandbox cannot be entered: " + step + ": " + std::strerror(errno));
 }
@@ -28,7 +28,7 @@ Result<void> set_limit(__rlimit_resource_t what, const char* name, rlim_t soft, 
 
 /// The C++ library would end by a signal that the filter does not know.
 [[noreturn]] void end_at_once() {
-    _exit(out_of_memory);
+    _exit(worker_out_of_memory);
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ constexpr std::array plain_calls{SCMP_SYS(read),
                                  SCMP_SYS(sched_getaffinity)};
 
 /// Tried by fontconfig, by GLib and by iconv, which then go on without.
-constexpr std::array files_of_libraries{SCMP_SYS(openat), SCMP_SYS(access), SCMP_SYS(readlink),
-                                        SCMP_SYS(statx),  SCMP_SYS(statfs), SCMP_SYS(getcwd)};
+constexpr std::array files_of_libraries{SCMP_SYS(openat), SCMP_SYS(readlink), SCMP_SYS(statx),
+                                        SCMP_SYS(statfs), SCMP_SYS(getcwd)};
 
 struct Release {
     void operator()(void* filter) const { seccomp_release(filter); }
@@ -53,6 +53,8 @@ class Filter {
   public:
     Filter() : filter_(seccomp_init(SCMP_ACT_KILL_PROCESS)) {
         if (!filter_) error_ = -ENOMEM;
+        // For the threads that a library has started while it was prepared, too.
+        if (error_ == 0) error_ = seccomp_attr_set(filter_.get(), SCMP_FLTATR_CTL_TSYNC, 1);
     }
 
     template <class... Conditions>
@@ -104,6 +106,10 @@ Result<void> filter_calls(WorkerKind kind) {
     allow_memory_without_code(filter);
     if (kind != WorkerKind::raster) {
         for (const int call : files_of_libraries) filter.rule(SCMP_ACT_ERRNO(EACCES), call);
+        // Asked of every font, also of those that were loaded before: it seems to be there.
+        filter.rule(SCMP_ACT_ERRNO(0), SCMP_SYS(access));
+        filter.rule(SCMP_ACT_ERRNO(EACCES), SCMP_SYS(newfstatat),
+                    SCMP_A3(SCMP_CMP_MASKED_EQ, AT_EMPTY_PATH, 0));
     }
     limits_of(kind).has_threads ? allow_threads(filter) : refuse_threads(filter);
     return filter.load();

@@ -3,7 +3,7 @@
 // Threads: any, each socket's side by one at a time.
 #pragma once
 
-#include "app/servo/sealed_memory.h"
+#include "app/servo/shared_region.h"
 #include "config/types/calibration.h"
 #include "config/types/result.h"
 #include "haptics/curve/curve_set.h"

@@ -1,0 +1,54 @@
+// A file descriptor with an owner. Threads: values; each by one thread at a time.
+#pragma once
+
+#include <cerrno>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include <unistd.h>
+
+namespace touchline {
+
+/// Closed with its owner.
+class Descriptor {
+  public:
+    explicit Descriptor(int number = -1) noexcept : number_(number) {}
+
+    ~Descriptor() {
+        if (is_open()) ::close(number_);
+    }
+
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(number_, other.number_);
+        return *this;
+    }
+
+    [[nodiscard]] int number() const noexcept { return number_; }
+
+    [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
+
+    /// Open before. Some file systems report a failed write only here.
+    [[nodiscard]] bool close() noexcept { return ::close(std::exchange(number_, -1)) == 0; }
+
+  private:
+    int number_;
+};
+
+/// All of it, or false with the reason in errno. Waits.
+[[nodiscard]] inline bool write_all(const Descriptor& file, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file.number(), bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+}  // namespace touchline
