@@ -17,6 +17,9 @@ Result<Picture> read_webp(Bytes bytes);
 Result<Picture> read_tiff(Bytes bytes);
 Result<Picture> read_svg(Bytes bytes);
 
+/// What libraries would tell a terminal is told nobody.
+void silence_libraries();
+
 /// Within max_picture_pixels, and width x height x bytes_per_pixel within max_picture_bytes?
 [[nodiscard]] Result<void> check_size(std::string_view format, std::uint64_t width,
                                       std::uint64_t height, std::uint64_t bytes_per_pixel);

@@ -3,6 +3,7 @@
 #include "app/decode/files.h"
 #include "app/decode/formats.h"
 #include "app/decode/one_line.h"
+#include "app/decode/signature.h"
 
 #include <algorithm>
 #include <array>
@@ -35,33 +36,22 @@ tl::unexpected<Error> damaged(std::string_view format, std::string_view detail) 
 
 namespace {
 
-bool starts_with(Bytes bytes, std::string_view magic, std::size_t offset = 0) {
-    if (bytes.size() < offset + magic.size()) return false;
-    return std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<long>(offset),
-                      [](char c, std::byte b) { return static_cast<std::byte>(c) == b; });
-}
-
-bool is_svg(Bytes bytes) {
-    constexpr std::size_t prologue_bytes = 4096;  // declaration, DOCTYPE, comments
-    const auto head = bytes.first(std::min(bytes.size(), prologue_bytes));
-    std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    const auto first = text.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos || text[first] != '<') return false;
-    return text.find("<svg") != std::string_view::npos ||
-           text.find(":svg") != std::string_view::npos;
-}
-
 Result<Picture> read_by_signature(Bytes bytes) {
-    using namespace std::string_view_literals;
     if (bytes.empty()) return failure("the file is empty; copy it again");
-    if (starts_with(bytes, "\x89PNG\r\n\x1a\n"sv)) return read_png(bytes);
-    if (starts_with(bytes, "\xff\xd8\xff"sv)) return read_jpeg(bytes);
-    if (starts_with(bytes, "RIFF"sv) && starts_with(bytes, "WEBP"sv, 8)) return read_webp(bytes);
-    for (const auto magic : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}) {
-        if (starts_with(bytes, magic)) return read_tiff(bytes);
+    switch (format_of(bytes)) {
+        case FileFormat::png:
+            return read_png(bytes);
+        case FileFormat::jpeg:
+            return read_jpeg(bytes);
+        case FileFormat::webp:
+            return read_webp(bytes);
+        case FileFormat::tiff:
+            return read_tiff(bytes);
+        case FileFormat::svg:
+            return read_svg(bytes);
+        case FileFormat::unknown:
+            break;
     }
-    if (is_svg(bytes)) return read_svg(bytes);
     return failure(
         "the file is none of PNG, JPEG, WebP, TIFF and SVG, by its first bytes; "
         "save the picture as PNG or JPEG");

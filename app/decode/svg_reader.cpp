@@ -99,4 +99,10 @@ Result<Picture> read_svg(Bytes bytes) {
     return picture;
 }
 
+void silence_libraries() {
+    g_log_set_writer_func(
+        [](GLogLevelFlags, const GLogField*, gsize, gpointer) { return G_LOG_WRITER_HANDLED; },
+        nullptr, nullptr);
+}
+
 }  // namespace touchline::decode

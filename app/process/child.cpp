@@ -1,8 +1,10 @@
-#include "app/servo/child.h"
+#include "app/process/child.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstring>
 
+#include <fcntl.h>
 #include <sched.h>
 #include <signal.h>
 #include <spawn.h>
@@ -17,15 +19,16 @@ extern "C" {
 namespace touchline {
 namespace {
 
-constexpr int socket_over_there = 3;
-
-/// How the child begins: its socket as number 3, no other descriptor, signals as usual.
+/// How the child begins: what it is handed, no other descriptor, signals as usual.
 class SpawnOrder {
   public:
-    explicit SpawnOrder(int socket) {
+    SpawnOrder(std::span<const Descriptor* const> handed, StandardStreams streams) {
         posix_spawn_file_actions_init(&actions_);
-        posix_spawn_file_actions_adddup2(&actions_, socket, socket_over_there);
-        posix_spawn_file_actions_addclosefrom_np(&actions_, socket_over_there + 1);
+        if (streams == StandardStreams::nothing) {
+            for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+                posix_spawn_file_actions_addopen(&actions_, stream, "/dev/null", O_RDWR, 0);
+        }
+        hand(handed);
         posix_spawnattr_init(&attributes_);
         sigset_t none;
         sigemptyset(&none);
@@ -33,7 +36,7 @@ class SpawnOrder {
         sigfillset(&all);
         posix_spawnattr_setsigmask(&attributes_, &none);
         posix_spawnattr_setsigdefault(&attributes_, &all);
-        const sched_param ordinary{};  // the guard's own priority is not for its child
+        const sched_param ordinary{};  // a thread's own priority is not for its child
         posix_spawnattr_setschedpolicy(&attributes_, SCHED_OTHER);
         posix_spawnattr_setschedparam(&attributes_, &ordinary);
         posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
@@ -56,39 +59,54 @@ class SpawnOrder {
     }
 
   private:
+    /// Copied above all of them first: one that is moved down might close another.
+    void hand(std::span<const Descriptor* const> handed) {
+        int above = Child::first_handed + static_cast<int>(handed.size());
+        for (const Descriptor* one : handed) above = std::max(above, one->number() + 1);
+        int copy = above;
+        for (const Descriptor* one : handed)
+            posix_spawn_file_actions_adddup2(&actions_, one->number(), copy++);
+        int number = Child::first_handed;
+        for (int from = above; from < copy; ++from)
+            posix_spawn_file_actions_adddup2(&actions_, from, number++);
+        posix_spawn_file_actions_addclosefrom_np(&actions_, number);
+    }
+
     posix_spawn_file_actions_t actions_{};
     posix_spawnattr_t attributes_{};
 };
 
 }  // namespace
 
+std::string describe(const ChildEnd& end) {
+    if (end.signal != 0) return "signal " + std::to_string(end.signal);
+    return "exit status " + std::to_string(end.status);
+}
+
 Result<Child> Child::start(const std::string& program, const std::vector<std::string>& arguments,
-                           const Descriptor& socket) {
-    std::vector<std::string> texts{program, std::to_string(socket_over_there)};
+                           std::span<const Descriptor* const> handed, StandardStreams streams) {
+    std::vector<std::string> texts{program};
     texts.insert(texts.end(), arguments.begin(), arguments.end());
     std::vector<char*> words;
     for (std::string& text : texts) words.push_back(text.data());
     words.push_back(nullptr);
     pid_t pid = 0;
-    if (const int error = SpawnOrder(socket.number()).spawn(pid, program, words); error != 0) {
-        return failure("the servo program " + program +
-                       " cannot be started: " + std::strerror(error));
-    }
+    if (const int error = SpawnOrder(handed, streams).spawn(pid, program, words); error != 0)
+        return failure("the program " + program + " cannot be started: " + std::strerror(error));
     Descriptor pidfd(pidfd_open(pid, 0));
     if (!pidfd.is_open()) {
         ::kill(pid, SIGKILL);
         (void)waitpid(pid, nullptr, 0);
-        return failure("this kernel is too old to watch over the servo: it lacks pidfd");
+        return failure("this kernel is too old to watch over a process: it lacks pidfd");
     }
     return Child(pid, std::move(pidfd));
 }
 
-std::string Child::reap() {
+ChildEnd Child::reap() {
     int status = 0;
-    if (waitpid(pid_, &status, 0) != pid_) return "unknown";
-    if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));
-    const int code = WEXITSTATUS(status);
-    return code == 0 ? std::string() : "exit status " + std::to_string(code);
+    if (waitpid(pid_, &status, 0) != pid_) return {-1, 0};
+    if (WIFSIGNALED(status)) return {0, WTERMSIG(status)};
+    return {WEXITSTATUS(status), 0};
 }
 
 void Child::kill() const {

@@ -1,0 +1,67 @@
+// touchline-decode: started by the kiosk for one page of one file. It shuts itself in, and only
+// then reads the first byte.
+#include "app/decode/decode_page.h"
+#include "app/process/descriptor.h"
+#include "app/sandbox/sandbox.h"
+#include "app/sandbox/worker.h"
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+Result<std::vector<std::byte>> read_input(const WorkerLimits& limits) {
+    struct stat status {};
+
+    if (::fstat(worker_input, &status) != 0 || !S_ISREG(status.st_mode))
+        return failure("the file cannot be read");
+    if (static_cast<std::size_t>(status.st_size) > limits.input_bytes)
+        return failure("the file is larger than " + std::to_string(limits.input_bytes >> 20U) +
+                       " MiB; save it smaller");
+    std::vector<std::byte> bytes(static_cast<std::size_t>(status.st_size));
+    std::size_t got = 0;
+    while (got < bytes.size()) {
+        const ssize_t read =
+            ::pread(worker_input, bytes.data() + got, bytes.size() - got, static_cast<off_t>(got));
+        if (read <= 0) return failure("the file cannot be read");
+        got += static_cast<std::size_t>(read);
+    }
+    return bytes;
+}
+
+/// 0: answered.
+int answer(const PageOrder& order) {
+    const auto page = read_input(limits_of(order.kind)).and_then([&order](const auto& bytes) {
+        return decode_page(bytes, order);
+    });
+    const auto bytes = answer_of(page);
+    if (!bytes) return 1;
+    const Descriptor output(worker_output);
+    return write_all(output, *bytes) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace touchline
+
+int main(int argc, char** argv) {
+    using namespace touchline;
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    const auto order = order_of(arguments);
+    if (!order) {
+        std::fprintf(stderr, "touchline-decode: the kiosk starts it by itself; use 'touchline'\n");
+        return 2;
+    }
+    try {
+        prepare_libraries(order->kind);
+        if (!enter_sandbox(order->kind)) _exit(worker_refused_to_start);
+        _exit(answer(*order));  // no library's farewell, which may want what it may not
+    } catch (const std::bad_alloc&) {
+        _exit(worker_out_of_memory);
+    }
+}

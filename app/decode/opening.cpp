@@ -1,0 +1,57 @@
+#include "app/decode/opening.h"
+
+#include "app/decode/files.h"
+#include "app/decode/one_line.h"
+#include "app/decode/page_order.h"
+#include "app/process/memory.h"
+#include "app/process/places.h"
+#include "app/sandbox/worker.h"
+
+namespace touchline {
+namespace {
+
+constexpr std::size_t most_answer_bytes = std::size_t{256} << 20U;
+
+std::string words_of(WorkerEnd end) {
+    switch (end) {
+        case WorkerEnd::not_started:
+            return "the part of Touchline that opens files cannot be started safely here; "
+                   "have it installed anew";
+        case WorkerEnd::out_of_time:
+            return "the file takes too long to open; save it smaller or simpler";
+        case WorkerEnd::out_of_memory:
+            return "the file needs too much memory; save it smaller";
+        case WorkerEnd::done:
+        case WorkerEnd::crashed:
+        case WorkerEnd::no_answer:
+            return "the file is damaged or harmful; choose another one";
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Page> open_page(std::span<const std::byte> bytes, int page) {
+    if (bytes.empty()) return failure("the file is empty; copy it again");
+    const auto input = sealed_copy(bytes);
+    if (!input) return tl::unexpected(input.error());
+    PageOrder order;
+    order.kind = kind_of(bytes);
+    order.page = page;
+    const auto outcome =
+        run_worker({companion("touchline-decode"), arguments_of(order), order.kind}, *input);
+    if (outcome.end != WorkerEnd::done) return failure(words_of(outcome.end));
+    const auto answer = map_sealed(outcome.output, most_answer_bytes);
+    if (!answer) return failure(words_of(WorkerEnd::no_answer));
+    return page_of(answer->bytes());
+}
+
+Result<Page> open_page_of(const std::string& path, int page) {
+    const auto bytes = read_file(path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    auto opened = open_page(*bytes, page);
+    if (!opened) return failure(one_line(path) + ": " + opened.error().line);
+    return opened;
+}
+
+}  // namespace touchline

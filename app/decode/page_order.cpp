@@ -1,0 +1,44 @@
+#include "app/decode/page_order.h"
+
+#include "app/decode/page.h"
+#include "app/decode/signature.h"
+
+#include <charconv>
+
+namespace touchline {
+namespace {
+
+constexpr int least_dpi = 30;
+constexpr int most_dpi = 600;
+
+/// The whole text is a number in these bounds.
+bool read_number(const std::string& text, int least, int most, int& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() && number >= least &&
+           number <= most;
+}
+
+}  // namespace
+
+WorkerKind kind_of(std::span<const std::byte> bytes) {
+    return format_of(bytes) == FileFormat::svg ? WorkerKind::document : WorkerKind::raster;
+}
+
+std::vector<std::string> arguments_of(const PageOrder& order) {
+    return {std::to_string(static_cast<int>(order.kind)), std::to_string(order.page),
+            std::to_string(order.dpi)};
+}
+
+Result<PageOrder> order_of(std::span<const std::string> arguments) {
+    PageOrder order;
+    int kind = 0;
+    const bool is_read = arguments.size() == 3 &&
+                         read_number(arguments[0], 0, worker_kind_count - 1, kind) &&
+                         read_number(arguments[1], 1, max_pages, order.page) &&
+                         read_number(arguments[2], least_dpi, most_dpi, order.dpi);
+    if (!is_read) return failure("not what the kiosk starts it with");
+    order.kind = static_cast<WorkerKind>(kind);
+    return order;
+}
+
+}  // namespace touchline

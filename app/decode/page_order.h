@@ -1,0 +1,28 @@
+// Which page is wanted of a document, and which worker may open it.
+// Threads: values and pure functions.
+#pragma once
+
+#include "app/sandbox/limits.h"
+#include "config/types/result.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+struct PageOrder {
+    WorkerKind kind = WorkerKind::raster;
+    int page = 1;   // 1 ... max_pages
+    int dpi = 150;  // of documents without pixels of their own, 30 ... 600
+};
+
+/// By the first bytes: what is drawn (SVG, PDF) needs more libraries than what is pixels.
+[[nodiscard]] WorkerKind kind_of(std::span<const std::byte> bytes);
+
+/// For the command line of touchline-decode; order_of() reads the same back.
+[[nodiscard]] std::vector<std::string> arguments_of(const PageOrder& order);
+[[nodiscard]] Result<PageOrder> order_of(std::span<const std::string> arguments);
+
+}  // namespace touchline
