@@ -20,6 +20,9 @@ bool is_visitors(const Volume& volume) {
 
 /// Is there something on it that a visitor would expect to be read?
 bool is_promising(const Volume& volume) {
+    // Ours are the rules that ignore what is not mounted; ignored by others, it is not for
+    // visitors.
+    if (volume.is_ignored && mount_options(volume.file_system)) return false;
     return is_visitors(volume) && !volume.is_partitioned && volume.usage != "other" &&
            volume.usage != "raid";
 }

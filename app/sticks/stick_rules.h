@@ -24,8 +24,9 @@ struct Volume {
     std::uint64_t detected_us = 0;   // when the drive's medium came
     std::vector<std::string> roots;  // where it is mounted
     std::uint64_t bytes = 0;         // 0: a reader without a card
-    bool is_of_system = false;       // or to be ignored
-    bool is_partitioned = false;     // holds volumes instead of files
+    bool is_of_system = false;
+    bool is_ignored = false;      // by the machine's udev rules
+    bool is_partitioned = false;  // holds volumes instead of files
 };
 
 enum class OrderKind : std::uint8_t { mount, unmount };

@@ -49,7 +49,8 @@ std::vector<Volume> volumes_of(const BusObjects& objects) {
         volume.file_system = get<std::string>(*block, "IdType");
         volume.detected_us = get<std::uint64_t>(*drive, "TimeMediaDetected");
         volume.bytes = get<std::uint64_t>(*block, "Size");
-        volume.is_of_system = get<bool>(*block, "HintSystem") || get<bool>(*block, "HintIgnore");
+        volume.is_of_system = get<bool>(*block, "HintSystem");
+        volume.is_ignored = get<bool>(*block, "HintIgnore");
         volume.is_partitioned = find(interfaces, "PartitionTable") != nullptr;
         if (const BusProperties* const files = find(interfaces, "Filesystem"); files != nullptr)
             volume.roots = roots_of(*files);

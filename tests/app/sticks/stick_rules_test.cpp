@@ -99,13 +99,14 @@ TEST_F(StickRulesTest, EachFileSystemHasItsOptions) {
 }
 
 TEST_F(StickRulesTest, WhatIsNoVisitorsIsNeitherMountedNorTold) {
-    std::vector<Volume> all(6, first);
+    std::vector<Volume> all(7, first);
     all[0].bus = "ata";
     all[1].bus = "";
     all[2].is_of_system = true;
     all[3].drive = "";
     all[4].bytes = 0;
     all[5].is_partitioned = true;
+    all[6].is_ignored = true;
     const auto step = rules.on_volumes(all);
     EXPECT_TRUE(step.orders.empty());
     EXPECT_TRUE(step.events.empty());
@@ -237,6 +238,9 @@ TEST_F(StickRulesTest, WhatCannotBeReadIsOneSentence) {
     blank.file_system = "";
     EXPECT_NE(sentence(stick("sdb1", "one", 10, "hfsplus")).find("FAT or exFAT"),
               std::string::npos);
+    Volume ignored = stick("sdb1", "one", 10, "hfsplus");
+    ignored.is_ignored = true;  // by the udev rules that are installed
+    EXPECT_NE(sentence(ignored).find("FAT or exFAT"), std::string::npos);
     EXPECT_NE(sentence(locked).find("password"), std::string::npos);
     EXPECT_NE(sentence(blank).find("cannot be read"), std::string::npos);
 }
