@@ -1,6 +1,6 @@
 // A stick as the kiosk reads it: by touchline-import, which can be left behind where a broken stick
 // holds it for ever. The kiosk itself touches no path of a stick.
-// Threads: one at a time; it must outlive the calls' processes, which may die with it.
+// Threads: one at a time. A call's process dies with the thread that called.
 #pragma once
 
 #include "app/process/child.h"

@@ -26,7 +26,7 @@ Piece first_piece(std::string_view text) {
     if (bytes == 0) return {text.substr(0, 1), -1};
     UChar32 character = 0;
     std::size_t next = 0;
-    U8_NEXT_UNSAFE(text.data(), next, character);
+    U8_NEXT_UNSAFE(text, next, character);
     return {text.substr(0, bytes), character};
 }
 

@@ -36,7 +36,7 @@ StickEntry picture(std::string folder, std::string name) {
 class StickImportTest : public testing::Test {
   protected:
     StickFolder stick;
-    StickImport import{TOUCHLINE_IMPORT};
+    StickImport import{TOUCHLINE_IMPORT, {60.0, 60.0}};
 };
 
 TEST_F(StickImportTest, ListsAndReads) {
@@ -114,7 +114,8 @@ TEST_F(StickImportTest, AProgramThatIsMissingOrLiesIsOneRefusal) {
 TEST_F(StickImportTest, OneThatNeverEndsIsEnded) {
     StickImport hanging(TOUCHLINE_LYING_IMPORT, {0.05, 0.05});
     EXPECT_EQ(hanging.read(stick.root(), picture("", "hang")).error(), StickRefusal::out_of_time);
-    EXPECT_EQ(hanging.left_behind(), 0U);
+    for (int i = 0; hanging.left_behind() > 0 && i < 1000; ++i) (void)hanging.list(stick.root());
+    EXPECT_EQ(hanging.left_behind(), 0U);  // where the machine is busy it takes a while to die
 }
 
 /// A hundred thousand files: the list is there, within little memory.

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <poll.h>
@@ -19,9 +20,9 @@
 
 namespace touchline {
 
-/// Asked again and again until it is so, at most some ten seconds.
+/// Asked again and again until it is so, at most some thirty seconds.
 [[nodiscard]] inline bool becomes(const std::function<bool()>& is_so) {
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < 15000; ++i) {
         if (is_so()) return true;
         (void)::poll(nullptr, 0, 2);
     }
@@ -30,7 +31,8 @@ namespace touchline {
 
 class MockedUdisks {
   public:
-    MockedUdisks() {
+    /// `mock`: the path of udisks_mock.py.
+    explicit MockedUdisks(std::string mock) : mock_(std::move(mock)) {
         ::setenv("DBUS_SYSTEM_BUS_ADDRESS", address().c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
         start_bus();
     }
@@ -67,9 +69,8 @@ class MockedUdisks {
     /// `plugged`: what is there from the start, as JSON: lists of what the mock's Plug takes.
     void start_service(const std::string& plugged = "[]") {
         service_.emplace(
-            start("/usr/bin/python3",
-                  {"-m", "dbusmock", "--system", "--parameters", R"({"plugged": )" + plugged + "}",
-                   "--template", TOUCHLINE_SOURCE_DIR "/tests/app/sticks/udisks_mock.py"}));
+            start("/usr/bin/python3", {"-m", "dbusmock", "--system", "--parameters",
+                                       R"({"plugged": )" + plugged + "}", "--template", mock_}));
         is_up_ = is_up_ && becomes([this] { return has_owner(); });
     }
 
@@ -136,6 +137,7 @@ class MockedUdisks {
         return sdbus::createProxy(*control_, "org.freedesktop.UDisks2", "/org/freedesktop/UDisks2");
     }
 
+    std::string mock_;
     StickFolder folder_;
     std::optional<Child> bus_;
     std::optional<Child> service_;

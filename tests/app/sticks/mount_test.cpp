@@ -46,7 +46,7 @@ class MountedStick : public testing::Test {
     StickFolder mount_point;
     StickFolder desk;
     fs::path image = desk.path() / "image";
-    StickImport import{TOUCHLINE_IMPORT, {2.0, 2.0}};
+    StickImport import{TOUCHLINE_IMPORT, {60.0, 60.0}};
 };
 
 TEST_F(MountedStick, IsReadWithoutChangingAByte) {
@@ -145,7 +145,7 @@ TEST_F(MountedStick, PulledOutInTheMidstIsOneRefusalAndTheNextWorks) {
 
 TEST_F(MountedStick, OneThatHoldsTheImportForEverIsLeftBehind) {
     if (!may_mount()) return;
-    StickImport hasty(TOUCHLINE_IMPORT, {0.1, 0.1});
+    StickImport hasty(TOUCHLINE_IMPORT, {1.0, 60.0});
     HungStick hung(mount_point.path());
     ASSERT_TRUE(hung.is_mounted());
     EXPECT_EQ(hasty.list(mount_point.root()).error(), StickRefusal::out_of_time);

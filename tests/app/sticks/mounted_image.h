@@ -14,7 +14,7 @@ namespace touchline {
 
 /// The kernel's loop devices and mounts are root's.
 [[nodiscard]] inline bool may_mount() {
-    return ::geteuid() == 0;
+    return ::geteuid() == 0 && ::access("/dev/loop-control", W_OK) == 0;
 }
 
 /// True where the command ended well.

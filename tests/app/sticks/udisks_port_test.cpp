@@ -44,7 +44,7 @@ class UdisksPortTest : public testing::Test {
         });
     }
 
-    MockedUdisks udisks;
+    MockedUdisks udisks{TOUCHLINE_SOURCE_DIR "/tests/app/sticks/udisks_mock.py"};
     UdisksPort port;
     std::int64_t now_ns = 0;
     Lines unexpected;
