@@ -30,6 +30,9 @@ StickRefusal refusal_of(int error) {
         case ENXIO:  // a socket
         case EISDIR:
             return StickRefusal::no_file;
+        case EACCES:
+        case EPERM:
+            return StickRefusal::locked;
         case ENODEV:
         case ENOTCONN:  // a file system in user space that ended
         case ESHUTDOWN:

@@ -20,6 +20,9 @@ std::string_view why(StickRefusal refusal) {
             return " cannot be read because the stick was pulled out or is damaged; put it in "
                    "again "
                    "or try another stick";
+        case StickRefusal::locked:
+            return " is locked for the user who saved it; copy it to a stick formatted as FAT or "
+                   "exFAT";
         case StickRefusal::out_of_time:
             return " takes too long to read; put the stick in again or try another one";
         case StickRefusal::not_started:

@@ -16,11 +16,12 @@ enum class StickRefusal : std::uint8_t {
     too_large,
     empty,
     unreadable,  // an error of the stick or its file system
+    locked,      // for another user, as ext4 and NTFS can
     out_of_time,
     not_started,  // the importing program is missing, or cannot be shut in
 };
 
-inline constexpr int stick_refusal_count = 8;
+inline constexpr int stick_refusal_count = 9;
 
 /// One sentence: file, why, what to do. `name` as names.h makes it for who gets the sentence; empty
 /// for the stick as a whole.

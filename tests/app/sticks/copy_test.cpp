@@ -112,6 +112,16 @@ TEST_F(StickCopy, AFileThatGrowsOrShrinksMeanwhileIsRefused) {
     EXPECT_EQ(refusal("", "a.png"), StickRefusal::unreadable);
 }
 
+TEST_F(StickCopy, AFileThatIsLockedIsToldSo) {
+    stick.file("a.png");
+    fs::permissions(stick.path() / "a.png", fs::perms::none);
+    const bool is_root = ::geteuid() == 0;
+    ASSERT_TRUE(!is_root || ::seteuid(65534) == 0);  // whom permissions do bind
+    const StickRefusal why = refusal("", "a.png");
+    ASSERT_TRUE(!is_root || ::seteuid(0) == 0);
+    EXPECT_EQ(why, StickRefusal::locked);
+}
+
 TEST_F(StickCopy, TimeHasAnEnd) {
     stick.file("a.png", std::string(600'000, 'a'));
     int asked = 0;
@@ -127,7 +137,7 @@ TEST(StickErrno, SaysWhatItMeans) {
     EXPECT_EQ(refusal_of(ELOOP), StickRefusal::no_file);
     EXPECT_EQ(refusal_of(EXDEV), StickRefusal::no_file);
     EXPECT_EQ(refusal_of(ENOENT), StickRefusal::no_such_file);
-    EXPECT_EQ(refusal_of(EACCES), StickRefusal::unreadable);
+    EXPECT_EQ(refusal_of(EACCES), StickRefusal::locked);
 }
 
 }  // namespace
