@@ -21,23 +21,25 @@ bool read_number(const std::string& text, int least, int most, int& number) {
 }  // namespace
 
 WorkerKind kind_of(std::span<const std::byte> bytes) {
-    return format_of(bytes) == FileFormat::svg ? WorkerKind::document : WorkerKind::raster;
+    const FileFormat format = format_of(bytes);
+    const bool is_drawn = format == FileFormat::svg || format == FileFormat::pdf;
+    return is_drawn ? WorkerKind::document : WorkerKind::raster;
+}
+
+std::string program_for(WorkerKind kind) {
+    return kind == WorkerKind::document ? "touchline-decode-document" : "touchline-decode";
 }
 
 std::vector<std::string> arguments_of(const PageOrder& order) {
-    return {std::to_string(static_cast<int>(order.kind)), std::to_string(order.page),
-            std::to_string(order.dpi)};
+    return {std::to_string(order.page), std::to_string(order.dpi)};
 }
 
 Result<PageOrder> order_of(std::span<const std::string> arguments) {
     PageOrder order;
-    int kind = 0;
-    const bool is_read = arguments.size() == 3 &&
-                         read_number(arguments[0], 0, worker_kind_count - 1, kind) &&
-                         read_number(arguments[1], 1, max_pages, order.page) &&
-                         read_number(arguments[2], least_dpi, most_dpi, order.dpi);
+    const bool is_read = arguments.size() == 2 &&
+                         read_number(arguments[0], 1, max_pages, order.page) &&
+                         read_number(arguments[1], least_dpi, most_dpi, order.dpi);
     if (!is_read) return failure("not what the kiosk starts it with");
-    order.kind = static_cast<WorkerKind>(kind);
     return order;
 }
 

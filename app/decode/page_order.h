@@ -13,7 +13,6 @@
 namespace touchline {
 
 struct PageOrder {
-    WorkerKind kind = WorkerKind::raster;
     int page = 1;   // 1 ... max_pages
     int dpi = 150;  // of documents without pixels of their own, 30 ... 600
 };
@@ -21,7 +20,10 @@ struct PageOrder {
 /// By the first bytes: what is drawn (SVG, PDF) needs more libraries than what is pixels.
 [[nodiscard]] WorkerKind kind_of(std::span<const std::byte> bytes);
 
-/// For the command line of touchline-decode; order_of() reads the same back.
+/// The program that opens files of a kind.
+[[nodiscard]] std::string program_for(WorkerKind kind);
+
+/// For that program's command line; order_of() reads the same back.
 [[nodiscard]] std::vector<std::string> arguments_of(const PageOrder& order);
 [[nodiscard]] Result<PageOrder> order_of(std::span<const std::string> arguments);
 
