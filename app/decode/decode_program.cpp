@@ -35,9 +35,9 @@ Result<std::vector<std::byte>> read_input(const WorkerLimits& limits) {
 }
 
 /// 0: answered.
-int answer(const Decoder& decoder, const PageOrder& order) {
-    const auto page = read_input(limits_of(decoder.kind)).and_then([&](const auto& bytes) {
-        return decoder.decode(bytes, order);
+int answer(const Decoder& decoder, const Work& work) {
+    const auto page = read_input(limits_of(work.kind)).and_then([&](const auto& bytes) {
+        return decoder.decode(bytes, work.order);
     });
     const auto bytes = answer_of(page);
     if (!bytes) return 1;
@@ -45,11 +45,11 @@ int answer(const Decoder& decoder, const PageOrder& order) {
     return write_all(output, *bytes) ? 0 : 1;
 }
 
-Result<void> shut_in(const Decoder& decoder) {
-    if (decoder.prepare == nullptr) return enter_sandbox(decoder.kind);
-    return allow_only_reading_the_system().and_then([&decoder] {
+Result<void> shut_in(const Decoder& decoder, WorkerKind kind) {
+    if (decoder.prepare == nullptr) return enter_sandbox(kind);
+    return allow_only_reading_the_system().and_then([&decoder, kind] {
         decoder.prepare();
-        return enter_sandbox(decoder.kind);
+        return enter_sandbox(kind);
     });
 }
 
@@ -57,14 +57,14 @@ Result<void> shut_in(const Decoder& decoder) {
 
 void run_decode_program(const Decoder& decoder, int argc, char** argv) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
-    const auto order = order_of(arguments);
-    if (!order) {
+    const auto work = work_in(arguments);
+    if (!work) {
         std::fprintf(stderr, "%s: the kiosk starts it by itself; use 'touchline'\n", argv[0]);
         _exit(2);
     }
     try {
-        if (!shut_in(decoder)) _exit(worker_refused_to_start);
-        _exit(answer(decoder, *order));  // no library's farewell, which may want what it may not
+        if (!shut_in(decoder, work->kind)) _exit(worker_refused_to_start);
+        _exit(answer(decoder, *work));  // no library's farewell, which may want what it may not
     } catch (const std::bad_alloc&) {
         _exit(worker_out_of_memory);
     }

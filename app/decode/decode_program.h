@@ -11,7 +11,6 @@
 namespace touchline {
 
 struct Decoder {
-    WorkerKind kind = WorkerKind::raster;
     void (*prepare)() = nullptr;  // before it is shut in; only the system's files can be read
     Result<Page> (*decode)(std::span<const std::byte> bytes, const PageOrder& order) = nullptr;
 };

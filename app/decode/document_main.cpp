@@ -4,5 +4,5 @@
 
 int main(int argc, char** argv) {
     using namespace touchline;
-    run_decode_program({WorkerKind::document, prepare_documents, decode_document}, argc, argv);
+    run_decode_program({prepare_documents, decode_document}, argc, argv);
 }

@@ -61,7 +61,4 @@ void compose_over_white(std::vector<std::uint8_t>& bgra);
 /// The picture upright, from the orientation that EXIF and TIFF share (1 ... 8; else as it is).
 [[nodiscard]] Picture upright(Picture picture, int orientation);
 
-/// The orientation in an APP1 segment of a JPEG, 1 where there is none.
-[[nodiscard]] int exif_orientation(Bytes app1);
-
 }  // namespace touchline::decode

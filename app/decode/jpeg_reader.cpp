@@ -74,7 +74,6 @@ class Decoder : public jpeg_decompress_struct {
         progress = &progress_;
         mem->max_memory_to_use = static_cast<long>(max_library_bytes);
         jpeg_mem_src(this, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
-        jpeg_save_markers(this, JPEG_APP0 + 1, 0xffff);
         jpeg_read_header(this, TRUE);
     }
 
@@ -109,15 +108,6 @@ void inks_to_bgr(const std::uint8_t* cmyk, std::size_t pixels, bool is_inverted,
     }
 }
 
-int orientation_of(const Decoder& decoder) {
-    for (const auto* marker = decoder.marker_list; marker != nullptr; marker = marker->next) {
-        const int orientation =
-            exif_orientation(std::as_bytes(std::span(marker->data, marker->data_length)));
-        if (orientation != 1) return orientation;
-    }
-    return 1;
-}
-
 bool read_rows(Decoder& decoder, bool has_inks, Picture& picture) {
     const std::size_t width = decoder.output_width;
     std::vector<std::uint8_t> ink_row(has_inks ? 4 * width : 0);
@@ -143,7 +133,6 @@ Result<Picture> read_jpeg(Bytes bytes) {
     }
     if (std::uint64_t{decoder.image_width} * decoder.image_height > max_jpeg_pixels)
         return too_large("JPEG", decoder.image_width, decoder.image_height);
-    const int orientation = orientation_of(decoder);  // the markers are gone at the end
     const unsigned by = reduction(decoder.image_width, decoder.image_height);
     const bool has_inks =
         decoder.jpeg_color_space == JCS_CMYK || decoder.jpeg_color_space == JCS_YCCK;
@@ -163,7 +152,7 @@ Result<Picture> read_jpeg(Bytes bytes) {
     if (!read_rows(decoder, has_inks, picture))
         return damaged("JPEG", decoder.errors.message.data());
     if (decoder.errors.is_cut_short) return damaged("JPEG", "the file ends before the picture");
-    return upright(std::move(picture), orientation);
+    return picture;
 }
 
 }  // namespace touchline::decode

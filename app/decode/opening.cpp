@@ -37,7 +37,7 @@ Result<Page> open_page(std::span<const std::byte> bytes, const PageOrder& order)
     if (!input) return tl::unexpected(input.error());
     const WorkerKind kind = kind_of(bytes);
     const auto outcome =
-        run_worker({companion(program_for(kind)), arguments_of(order), kind}, *input);
+        run_worker({companion(program_for(kind)), arguments_of({kind, order}), kind}, *input);
     if (outcome.end != WorkerEnd::done) return failure(words_of(outcome.end));
     const auto answer = map_sealed(outcome.output, most_answer_bytes);
     if (!answer) return failure(words_of(WorkerEnd::no_answer));

@@ -21,26 +21,36 @@ bool read_number(const std::string& text, int least, int most, int& number) {
 }  // namespace
 
 WorkerKind kind_of(std::span<const std::byte> bytes) {
-    const FileFormat format = format_of(bytes);
-    const bool is_drawn = format == FileFormat::svg || format == FileFormat::pdf;
-    return is_drawn ? WorkerKind::document : WorkerKind::raster;
+    switch (format_of(bytes)) {
+        case FileFormat::svg:
+        case FileFormat::pdf:
+            return WorkerKind::document;
+        case FileFormat::heif:
+            return WorkerKind::film;
+        default:
+            return WorkerKind::raster;
+    }
 }
 
 std::string program_for(WorkerKind kind) {
     return kind == WorkerKind::document ? "touchline-decode-document" : "touchline-decode";
 }
 
-std::vector<std::string> arguments_of(const PageOrder& order) {
-    return {std::to_string(order.page), std::to_string(order.dpi)};
+std::vector<std::string> arguments_of(const Work& work) {
+    return {std::to_string(static_cast<int>(work.kind)), std::to_string(work.order.page),
+            std::to_string(work.order.dpi)};
 }
 
-Result<PageOrder> order_of(std::span<const std::string> arguments) {
-    PageOrder order;
-    const bool is_read = arguments.size() == 2 &&
-                         read_number(arguments[0], 1, max_pages, order.page) &&
-                         read_number(arguments[1], least_dpi, most_dpi, order.dpi);
+Result<Work> work_in(std::span<const std::string> arguments) {
+    Work work;
+    int kind = 0;
+    const bool is_read = arguments.size() == 3 &&
+                         read_number(arguments[0], 0, worker_kind_count - 1, kind) &&
+                         read_number(arguments[1], 1, max_pages, work.order.page) &&
+                         read_number(arguments[2], least_dpi, most_dpi, work.order.dpi);
     if (!is_read) return failure("not what the kiosk starts it with");
-    return order;
+    work.kind = static_cast<WorkerKind>(kind);
+    return work;
 }
 
 }  // namespace touchline

@@ -1,5 +1,6 @@
 #include "app/decode/decoding.h"
 #include "app/decode/formats.h"
+#include "app/decode/metadata.h"
 #include "app/decode/signature.h"
 
 #include <utility>
@@ -32,12 +33,27 @@ Result<Picture> read_pixels(Bytes bytes) {
     }
 }
 
+/// TIFF's reader and libheif turn a picture themselves.
+bool is_turned_by_its_reader(FileFormat format) {
+    return format == FileFormat::tiff || format == FileFormat::heif;
+}
+
+Page page_of(Picture picture, Metadata metadata, FileFormat format) {
+    convert_to_srgb(metadata.colour_profile, picture);
+    Page page;
+    page.picture = is_turned_by_its_reader(format)
+                       ? std::move(picture)
+                       : upright(std::move(picture), metadata.orientation);
+    page.told.area = told_area(page.picture);
+    page.told.title = std::move(metadata.title);
+    page.told.description = std::move(metadata.description);
+    return page;
+}
+
 Result<Page> read_raster(Bytes bytes, const PageOrder& order) {
     if (order.page != 1) return failure("the file has one page only");
-    return read_pixels(bytes).map([](Picture picture) {
-        Page page;
-        page.picture = std::move(picture);
-        return page;
+    return read_pixels(bytes).map([bytes](Picture picture) {
+        return page_of(std::move(picture), metadata_of(bytes), format_of(bytes));
     });
 }
 

@@ -4,5 +4,5 @@
 
 int main(int argc, char** argv) {
     using namespace touchline;
-    run_decode_program({WorkerKind::raster, nullptr, decode_raster}, argc, argv);
+    run_decode_program({nullptr, decode_raster}, argc, argv);
 }

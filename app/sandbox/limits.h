@@ -7,11 +7,12 @@
 
 namespace touchline {
 
-/// raster: one picture. document: SVG and PDF. ocr: words in a picture. speech: text to sound, for
-/// as long as the kiosk lives.
-enum class WorkerKind : std::uint8_t { raster, document, ocr, speech };
+/// raster: one picture. film: one picture of a film's codec (HEIC, AVIF), which has threads and
+/// waits for them for ever where it gets none. document: SVG and PDF. ocr: words in a picture.
+/// speech: text to sound, for as long as the kiosk lives.
+enum class WorkerKind : std::uint8_t { raster, film, document, ocr, speech };
 
-inline constexpr int worker_kind_count = 4;
+inline constexpr int worker_kind_count = 5;
 
 struct WorkerLimits {
     std::size_t input_bytes = 0;  // of the file
@@ -32,6 +33,13 @@ struct WorkerLimits {
                     .cpu_s = 4,
                     .file_bytes = 200 * MiB,
                     .deadline_s = 6.0};
+        case WorkerKind::film:
+            return {.input_bytes = 64 * MiB,
+                    .address_space_bytes = 1024 * MiB,  // a stack a thread
+                    .cpu_s = 8,
+                    .file_bytes = 200 * MiB,
+                    .deadline_s = 10.0,
+                    .has_threads = true};
         case WorkerKind::document:
             return {.input_bytes = 128 * MiB,
                     .address_space_bytes = 1024 * MiB,

@@ -1,6 +1,7 @@
 // Shuts itself in and then tries one act.
 //
-//   sandbox_probe STEPS KIND ACT    STEPS: all, files (Landlock alone), calls (seccomp alone), none,
+//   sandbox_probe STEPS KIND ACT    STEPS: all, files (Landlock alone), calls (seccomp alone),
+//   none,
 //                                   system (only reading the system's files)
 //
 // Exit status: 0 the act worked, 1 it was refused, 2 usage, 3 the sandbox could not be entered.

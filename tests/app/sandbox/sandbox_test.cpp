@@ -100,8 +100,8 @@ TEST_P(Sandbox, LandlockAloneDeniesEveryActOnFiles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Sandbox,
-                         testing::Values(WorkerKind::raster, WorkerKind::document, WorkerKind::ocr,
-                                         WorkerKind::speech));
+                         testing::Values(WorkerKind::raster, WorkerKind::film, WorkerKind::document,
+                                         WorkerKind::ocr, WorkerKind::speech));
 
 TEST_F(SandboxAlone, WhileLibrariesArePreparedOnlyTheSystemIsRead) {
     for (const Act& act : acts()) {
