@@ -2,7 +2,7 @@
 
 #include "app/decode/files.h"
 #include "app/decode/one_line.h"
-#include "app/decode/page_order.h"
+#include "app/decode/picture.h"
 #include "app/process/memory.h"
 #include "app/process/places.h"
 #include "app/sandbox/worker.h"
@@ -31,27 +31,29 @@ std::string words_of(WorkerEnd end) {
 
 }  // namespace
 
-Result<Page> open_page(std::span<const std::byte> bytes, int page) {
+Result<Page> open_page(std::span<const std::byte> bytes, const PageOrder& order) {
     if (bytes.empty()) return failure("the file is empty; copy it again");
     const auto input = sealed_copy(bytes);
     if (!input) return tl::unexpected(input.error());
-    PageOrder order;
-    order.kind = kind_of(bytes);
-    order.page = page;
+    const WorkerKind kind = kind_of(bytes);
     const auto outcome =
-        run_worker({companion("touchline-decode"), arguments_of(order), order.kind}, *input);
+        run_worker({companion(program_for(kind)), arguments_of({kind, order}), kind}, *input);
     if (outcome.end != WorkerEnd::done) return failure(words_of(outcome.end));
     const auto answer = map_sealed(outcome.output, most_answer_bytes);
     if (!answer) return failure(words_of(WorkerEnd::no_answer));
     return page_of(answer->bytes());
 }
 
-Result<Page> open_page_of(const std::string& path, int page) {
+Result<Page> open_page_of(const std::string& path, const PageOrder& order) {
     const auto bytes = read_file(path);
     if (!bytes) return tl::unexpected(bytes.error());
-    auto opened = open_page(*bytes, page);
+    auto opened = open_page(*bytes, order);
     if (!opened) return failure(one_line(path) + ": " + opened.error().line);
     return opened;
+}
+
+Result<Picture> read_picture(const std::string& path) {
+    return open_page_of(path).map([](Page page) { return std::move(page.picture); });
 }
 
 }  // namespace touchline

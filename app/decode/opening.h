@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/decode/page.h"
-#include "app/process/descriptor.h"
+#include "app/decode/page_order.h"
 
 #include <span>
 #include <string>
@@ -11,9 +11,9 @@
 namespace touchline {
 
 /// A page of a document. Fails with one line: why, and what to do.
-[[nodiscard]] Result<Page> open_page(std::span<const std::byte> bytes, int page = 1);
+[[nodiscard]] Result<Page> open_page(std::span<const std::byte> bytes, const PageOrder& order = {});
 
 /// The same of a file; errors start with its name.
-[[nodiscard]] Result<Page> open_page_of(const std::string& path, int page = 1);
+[[nodiscard]] Result<Page> open_page_of(const std::string& path, const PageOrder& order = {});
 
 }  // namespace touchline

@@ -14,13 +14,15 @@ namespace touchline {
 namespace {
 
 constexpr std::uint32_t magic = 0x47'50'4c'54;  // "TLPG"
-constexpr std::uint16_t layout = 1;
-constexpr std::uint16_t refusal_kind = 0;
-constexpr std::uint16_t page_kind = 1;
+constexpr std::uint16_t layout = 2;
+constexpr std::uint8_t refusal_kind = 0;
+constexpr std::uint8_t page_kind = 1;
+constexpr std::size_t box_bytes = 8;
 constexpr std::size_t header_bytes = 32;
 constexpr std::size_t crc_at = 28;
 
 static_assert(std::endian::native == std::endian::little);
+static_assert(sizeof(WordBox) == box_bytes);
 
 std::uint32_t checksum(const PageHeaderBytes& bytes) {
     const auto* const first = reinterpret_cast<const Bytef*>(bytes.data());
@@ -33,12 +35,13 @@ void fields(File& file, Header& h) {
     file.number(h.magic);
     file.number(h.layout);
     file.number(h.kind);
+    file.number(h.reduction);
     file.number(h.width);
     file.number(h.height);
     file.number(h.number);
     file.number(h.count);
     file.number(h.dpi);
-    file.number(h.reduction);
+    file.number(h.boxes);
     file.number(h.map_bytes);
     file.number(h.crc);
 }
@@ -46,13 +49,14 @@ void fields(File& file, Header& h) {
 struct RawHeader {
     std::uint32_t magic = touchline::magic;
     std::uint16_t layout = touchline::layout;
-    std::uint16_t kind = page_kind;
+    std::uint8_t kind = page_kind;
+    std::uint8_t reduction = 1;
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::uint16_t number = 1;
     std::uint16_t count = 1;
     std::uint16_t dpi = 0;
-    std::uint16_t reduction = 1;
+    std::uint16_t boxes = 0;
     std::uint32_t map_bytes = 0;
     std::uint32_t crc = 0;
 };
@@ -108,11 +112,12 @@ Result<PageHeader> header_in(const PageHeaderBytes& bytes, std::size_t answer_by
     const bool is_empty = raw.width == 0 && raw.height == 0;
     const bool is_numbered = raw.number >= 1 && raw.number <= raw.count && raw.count <= max_pages;
     const bool is_reduced = raw.reduction <= 8 && std::has_single_bit(raw.reduction);
-    if (!is_ours || !(is_empty || fits_a_page(raw.width, raw.height)) || !is_numbered ||
-        !is_reduced)
+    if (!is_ours || !(is_empty || fits_a_picture(raw.width, raw.height)) || !is_numbered ||
+        !is_reduced || raw.boxes > max_word_boxes)
         return no_page();
     const std::uint64_t pixels = std::uint64_t{raw.width} * raw.height;
-    if (header_bytes + 3 * pixels + raw.map_bytes != answer_bytes) return no_page();
+    if (header_bytes + 3 * pixels + box_bytes * raw.boxes + raw.map_bytes != answer_bytes)
+        return no_page();
     return PageHeader{raw.kind == refusal_kind,
                       raw.width,
                       raw.height,
@@ -120,6 +125,7 @@ Result<PageHeader> header_in(const PageHeaderBytes& bytes, std::size_t answer_by
                       raw.count,
                       raw.dpi,
                       raw.reduction,
+                      raw.boxes,
                       raw.map_bytes};
 }
 
@@ -130,8 +136,21 @@ RawHeader header_of(const Page& page) {
     header.number = static_cast<std::uint16_t>(page.number);
     header.count = static_cast<std::uint16_t>(page.count);
     header.dpi = static_cast<std::uint16_t>(page.dpi);
-    header.reduction = static_cast<std::uint16_t>(std::lround(1.0 / page.picture.scale));
+    header.reduction = static_cast<std::uint8_t>(std::lround(1.0 / page.picture.scale));
+    header.boxes = static_cast<std::uint16_t>(page.words.size());
     return header;
+}
+
+/// Fails unless every box is inside the picture and holds a pixel.
+Result<std::vector<WordBox>> boxes_in(std::span<const std::byte> bytes, const PageHeader& header) {
+    std::vector<WordBox> boxes(header.boxes);
+    if (!boxes.empty()) std::memcpy(boxes.data(), bytes.data(), bytes.size());
+    for (const WordBox& box : boxes) {
+        const bool is_inside = box.left < box.right && box.top < box.bottom &&
+                               box.right <= header.width && box.bottom <= header.height;
+        if (!is_inside) return no_page();
+    }
+    return boxes;
 }
 
 TactileMap refusal_of(const std::string& line) {
@@ -152,6 +171,8 @@ Result<std::vector<std::byte>> answer_of(const Result<Page>& page) {
     if (page) {
         const auto pixels = std::as_bytes(std::span(page->picture.bgr));
         answer.insert(answer.end(), pixels.begin(), pixels.end());
+        const auto boxes = std::as_bytes(std::span(page->words));
+        answer.insert(answer.end(), boxes.begin(), boxes.end());
     }
     answer.insert(answer.end(), map->begin(), map->end());
     return answer;
@@ -168,10 +189,12 @@ Result<Page> page_of(std::span<const std::byte> answer) {
     std::copy_n(answer.begin(), header_bytes, first.begin());
     const auto header = verified(Untrusted(first), answer.size());
     if (!header) return tl::unexpected(header.error());
-    const auto pixels =
-        answer.subspan(header_bytes, answer.size() - header_bytes - header->map_bytes);
+    const std::size_t words_bytes = box_bytes * header->boxes;
+    const auto pixels = answer.subspan(
+        header_bytes, answer.size() - header_bytes - words_bytes - header->map_bytes);
+    auto words = boxes_in(answer.subspan(header_bytes + pixels.size(), words_bytes), *header);
     auto map = map_of(answer.last(header->map_bytes));
-    if (!map) return no_page();
+    if (!map || !words) return no_page();
     if (header->is_refusal)
         return failure(map->description.empty() ? "the file cannot be opened"
                                                 : one_line(map->description));
@@ -182,6 +205,7 @@ Result<Page> page_of(std::span<const std::byte> answer) {
     std::memcpy(page.picture.bgr.data(), pixels.data(), pixels.size());
     page.picture.scale = 1.0 / header->reduction;
     page.told = std::move(*map);
+    page.words = std::move(*words);
     page.number = header->number;
     page.count = header->count;
     page.dpi = header->dpi;

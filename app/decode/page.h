@@ -1,9 +1,10 @@
 // One page of what a stranger brought, as it crosses from the worker that decoded it: a header of
-// 32 bytes, pixels, a map. Nobody who reads it trusts it.
+// 32 bytes, pixels, boxes of words, a map. Nobody who reads it trusts it.
 //
-//   header  magic u32, layout u16, kind u16, width u32, height u32, number u16, count u16, dpi u16,
-//           reduction u16, bytes of the map u32, CRC-32 of the 28 bytes before u32
+//   header  magic u32, layout u16, kind u8, reduction u8, width u32, height u32, number u16,
+//           count u16, dpi u16, boxes u16, bytes of the map u32, CRC-32 of the 28 bytes before u32
 //   pixels  3 bytes each (blue, green, red), rows from the top, no padding
+//   boxes   4 u16 each: left, top, right, bottom in pixels, the right and lower end not within
 //   map     config/types/map_bytes.h
 //
 // Little-endian. No offsets and no strides: one size fits a given header. Threads: pure functions.
@@ -23,23 +24,29 @@
 
 namespace touchline {
 
+/// Pixels that show words, from (left, top) to before (right, bottom).
+struct WordBox {
+    std::uint16_t left = 0;
+    std::uint16_t top = 0;
+    std::uint16_t right = 0;   // > left, within the picture
+    std::uint16_t bottom = 0;  // > top
+
+    friend bool operator==(const WordBox&, const WordBox&) = default;
+};
+
 struct Page {
-    Picture picture;  // none where the file gives outlines
-    TactileMap told;  // what the file says of itself: title, description, labels, outlines
-    int number = 1;   // 1 ... count
+    Picture picture;
+    /// What the file says of itself: title, description, labels; outlines where it is a line
+    /// drawing. Its area has the picture's proportions.
+    TactileMap told;
+    std::vector<WordBox> words;  // not to be felt as lines
+    int number = 1;              // 1 ... count
     int count = 1;
     int dpi = 0;  // 0: not known
 };
 
-inline constexpr std::uint32_t max_page_side_px = 10'000;
-inline constexpr std::uint64_t max_page_pixels = std::uint64_t{40} << 20U;
 inline constexpr int max_pages = 200;
-
-/// Width and height within the two above?
-[[nodiscard]] constexpr bool fits_a_page(std::uint64_t width, std::uint64_t height) {
-    return width >= 1 && height >= 1 && width <= max_page_side_px && height <= max_page_side_px &&
-           width * height <= max_page_pixels;
-}
+inline constexpr std::size_t max_word_boxes = 5000;
 
 /// What a worker answers: a page, or one line that says why there is none.
 [[nodiscard]] Result<std::vector<std::byte>> answer_of(const Result<Page>& page);
@@ -58,6 +65,7 @@ struct PageHeader {
     int count = 1;
     int dpi = 0;
     int reduction = 1;  // pixels of the file per pixel here: 1, 2, 4 or 8
+    std::uint16_t boxes = 0;
     std::uint32_t map_bytes = 0;
 };
 

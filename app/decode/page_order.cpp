@@ -21,24 +21,36 @@ bool read_number(const std::string& text, int least, int most, int& number) {
 }  // namespace
 
 WorkerKind kind_of(std::span<const std::byte> bytes) {
-    return format_of(bytes) == FileFormat::svg ? WorkerKind::document : WorkerKind::raster;
+    switch (format_of(bytes)) {
+        case FileFormat::svg:
+        case FileFormat::pdf:
+            return WorkerKind::document;
+        case FileFormat::heif:
+            return WorkerKind::film;
+        default:
+            return WorkerKind::raster;
+    }
 }
 
-std::vector<std::string> arguments_of(const PageOrder& order) {
-    return {std::to_string(static_cast<int>(order.kind)), std::to_string(order.page),
-            std::to_string(order.dpi)};
+std::string program_for(WorkerKind kind) {
+    return kind == WorkerKind::document ? "touchline-decode-document" : "touchline-decode";
 }
 
-Result<PageOrder> order_of(std::span<const std::string> arguments) {
-    PageOrder order;
+std::vector<std::string> arguments_of(const Work& work) {
+    return {std::to_string(static_cast<int>(work.kind)), std::to_string(work.order.page),
+            std::to_string(work.order.dpi)};
+}
+
+Result<Work> work_in(std::span<const std::string> arguments) {
+    Work work;
     int kind = 0;
     const bool is_read = arguments.size() == 3 &&
                          read_number(arguments[0], 0, worker_kind_count - 1, kind) &&
-                         read_number(arguments[1], 1, max_pages, order.page) &&
-                         read_number(arguments[2], least_dpi, most_dpi, order.dpi);
+                         read_number(arguments[1], 1, max_pages, work.order.page) &&
+                         read_number(arguments[2], least_dpi, most_dpi, work.order.dpi);
     if (!is_read) return failure("not what the kiosk starts it with");
-    order.kind = static_cast<WorkerKind>(kind);
-    return order;
+    work.kind = static_cast<WorkerKind>(kind);
+    return work;
 }
 
 }  // namespace touchline

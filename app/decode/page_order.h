@@ -13,16 +13,24 @@
 namespace touchline {
 
 struct PageOrder {
-    WorkerKind kind = WorkerKind::raster;
     int page = 1;   // 1 ... max_pages
     int dpi = 150;  // of documents without pixels of their own, 30 ... 600
 };
 
-/// By the first bytes: what is drawn (SVG, PDF) needs more libraries than what is pixels.
+/// By the first bytes: what is drawn (SVG, PDF) needs more libraries than what is pixels, and what
+/// a film's codec made needs threads.
 [[nodiscard]] WorkerKind kind_of(std::span<const std::byte> bytes);
 
-/// For the command line of touchline-decode; order_of() reads the same back.
-[[nodiscard]] std::vector<std::string> arguments_of(const PageOrder& order);
-[[nodiscard]] Result<PageOrder> order_of(std::span<const std::string> arguments);
+/// The program that opens files of a kind.
+[[nodiscard]] std::string program_for(WorkerKind kind);
+
+/// What a worker is told on its command line; work_in() reads the same back.
+struct Work {
+    WorkerKind kind = WorkerKind::raster;
+    PageOrder order;
+};
+
+[[nodiscard]] std::vector<std::string> arguments_of(const Work& work);
+[[nodiscard]] Result<Work> work_in(std::span<const std::string> arguments);
 
 }  // namespace touchline

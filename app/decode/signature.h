@@ -8,7 +8,22 @@
 
 namespace touchline {
 
-enum class FileFormat : std::uint8_t { unknown, png, jpeg, webp, tiff, svg };
+/// office: a document of a word processor, in any of its forms. archive: other files packed.
+enum class FileFormat : std::uint8_t {
+    unknown,
+    png,
+    jpeg,
+    webp,
+    tiff,
+    gif,
+    bmp,
+    pnm,
+    heif,
+    svg,
+    pdf,
+    office,
+    archive
+};
 
 [[nodiscard]] FileFormat format_of(std::span<const std::byte> bytes);
 

@@ -57,9 +57,9 @@ Result<void> enter_sandbox(WorkerKind kind) {
     if (prctl(PR_SET_PDEATHSIG, SIGKILL, 0UL, 0UL, 0UL) != 0) return refused("death signal");
     if (prctl(PR_SET_DUMPABLE, 0UL, 0UL, 0UL, 0UL) != 0) return refused("tracing");
     if (close_range(worker_descriptors, ~0U, 0) != 0) return refused("descriptors");
-    return limit_resources(limits_of(kind)).and_then(deny_files).and_then([kind] {
-        return filter_calls(kind);
-    });
+    return limit_resources(limits_of(kind))
+        .and_then([kind] { return deny_files(kind); })
+        .and_then([kind] { return filter_calls(kind); });
 }
 
 }  // namespace touchline

@@ -11,6 +11,7 @@
 #include <sched.h>
 #include <seccomp.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 
 namespace touchline {
 namespace {
@@ -40,9 +41,9 @@ constexpr std::array plain_calls{SCMP_SYS(read),
                                  SCMP_SYS(rt_sigprocmask),
                                  SCMP_SYS(sched_getaffinity)};
 
-/// Tried by fontconfig, by GLib and by iconv, which then go on without.
-constexpr std::array files_of_libraries{SCMP_SYS(openat), SCMP_SYS(readlink), SCMP_SYS(statx),
-                                        SCMP_SYS(statfs), SCMP_SYS(getcwd)};
+/// Tried by fontconfig, by GLib, by libexiv2 and by iconv, which then go on without.
+constexpr std::array files_of_libraries{SCMP_SYS(readlink), SCMP_SYS(statx), SCMP_SYS(statfs),
+                                        SCMP_SYS(getcwd), SCMP_SYS(getdents64)};
 
 struct Release {
     void operator()(void* filter) const { seccomp_release(filter); }
@@ -87,8 +88,33 @@ void allow_threads(Filter& filter) {
     filter.rule(SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3));  // its flags lie in memory
     filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(clone),
                 SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD | CLONE_VM, CLONE_THREAD | CLONE_VM));
+    filter.rule(SCMP_ACT_ERRNO(EPERM),
+                SCMP_SYS(rt_sigaction));  // of the C library, before the first
+    filter.rule(SCMP_ACT_ERRNO(0), SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_EQ, PR_SET_NAME));
     filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(set_robust_list));
     filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(rseq));
+}
+
+/// What Landlock leaves to read can be opened for reading; nothing can be opened for writing.
+void allow_reading_fonts(Filter& filter) {
+    constexpr int changes = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND | O_PATH | O_TMPFILE;
+    filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(openat),
+                SCMP_A2(SCMP_CMP_MASKED_EQ, changes & ~O_DIRECTORY, 0));
+    filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, F_SETFD));
+    for (const int change : {O_WRONLY, O_RDWR, O_CREAT})
+        filter.rule(SCMP_ACT_ERRNO(EACCES), SCMP_SYS(openat),
+                    SCMP_A2(SCMP_CMP_MASKED_EQ, static_cast<scmp_datum_t>(change),
+                            static_cast<scmp_datum_t>(change)));
+}
+
+void refuse_what_libraries_try(Filter& filter, const WorkerLimits& limits) {
+    for (const int call : files_of_libraries) filter.rule(SCMP_ACT_ERRNO(EACCES), call);
+    // Asked of every font, also of those that were loaded before: it seems to be there.
+    filter.rule(SCMP_ACT_ERRNO(0), SCMP_SYS(access));
+    filter.rule(SCMP_ACT_ERRNO(EACCES), SCMP_SYS(newfstatat),
+                SCMP_A3(SCMP_CMP_MASKED_EQ, AT_EMPTY_PATH, 0));
+    limits.reads_fonts ? allow_reading_fonts(filter)
+                       : filter.rule(SCMP_ACT_ERRNO(EACCES), SCMP_SYS(openat));
 }
 
 void refuse_threads(Filter& filter) {
@@ -104,14 +130,9 @@ Result<void> filter_calls(WorkerKind kind) {
     filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(newfstatat),
                 SCMP_A3(SCMP_CMP_MASKED_EQ, AT_EMPTY_PATH, AT_EMPTY_PATH));
     allow_memory_without_code(filter);
-    if (kind != WorkerKind::raster) {
-        for (const int call : files_of_libraries) filter.rule(SCMP_ACT_ERRNO(EACCES), call);
-        // Asked of every font, also of those that were loaded before: it seems to be there.
-        filter.rule(SCMP_ACT_ERRNO(0), SCMP_SYS(access));
-        filter.rule(SCMP_ACT_ERRNO(EACCES), SCMP_SYS(newfstatat),
-                    SCMP_A3(SCMP_CMP_MASKED_EQ, AT_EMPTY_PATH, 0));
-    }
-    limits_of(kind).has_threads ? allow_threads(filter) : refuse_threads(filter);
+    const WorkerLimits limits = limits_of(kind);
+    refuse_what_libraries_try(filter, limits);
+    limits.has_threads ? allow_threads(filter) : refuse_threads(filter);
     return filter.load();
 }
 

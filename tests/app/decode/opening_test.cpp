@@ -1,8 +1,7 @@
 // Real files through the real worker.
 #include "app/decode/opening.h"
 
-#include "app/decode/page_order.h"
-#include "app/decode/picture.h"
+#include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/encoders.h"
 
 #include <cstdlib>
@@ -54,7 +53,7 @@ TEST(Opening, ARefusalIsTheDecodersOwnLine) {
     ASSERT_FALSE(page.has_value());
     EXPECT_EQ(page.error().line, decode_picture(text).error().line);
     EXPECT_FALSE(open_page({}).has_value());
-    EXPECT_FALSE(open_page(encoders::png(encoders::test_picture()), 2).has_value());
+    EXPECT_FALSE(open_page(encoders::png(encoders::test_picture()), {2}).has_value());
 }
 
 TEST(Opening, LeavesNothingBehind) {

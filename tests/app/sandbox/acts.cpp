@@ -56,10 +56,14 @@ long start_process() {
 
 }  // namespace
 
+long read_system_file() {
+    return call(SYS_openat, AT_FDCWD, "/usr/bin/env", O_RDONLY);
+}
+
 const std::vector<Act>& acts() {
     static const std::vector<Act> all{
         {"open", [] { return call(SYS_open, a_file, O_RDONLY); }, true},
-        {"openat", [] { return call(SYS_openat, AT_FDCWD, a_file, O_RDONLY); }, true},
+        {"openat", [] { return call(SYS_openat, AT_FDCWD, a_file, O_RDONLY); }, true, true},
         {"create", [] { return call(SYS_openat, AT_FDCWD, a_new_file, O_CREAT | O_WRONLY, 0600); },
          true},
         {"mkdir", [] { return call(SYS_mkdir, a_new_file, 0700); }, true},

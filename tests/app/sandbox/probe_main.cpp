@@ -1,6 +1,8 @@
 // Shuts itself in and then tries one act.
 //
-//   sandbox_probe STEPS KIND ACT    STEPS: all, files (Landlock alone), calls (seccomp alone), none
+//   sandbox_probe STEPS KIND ACT    STEPS: all, files (Landlock alone), calls (seccomp alone),
+//   none,
+//                                   system (only reading the system's files)
 //
 // Exit status: 0 the act worked, 1 it was refused, 2 usage, 3 the sandbox could not be entered.
 #include "app/sandbox/sandbox.h"
@@ -18,7 +20,8 @@ namespace {
 
 Result<void> enter(const std::string& steps, WorkerKind kind) {
     if (steps == "all") return enter_sandbox(kind);
-    if (steps == "files") return deny_files();
+    if (steps == "files") return deny_files(kind);
+    if (steps == "system") return allow_only_reading_the_system();
     if (steps == "calls") return filter_calls(kind);
     return {};
 }
@@ -49,6 +52,7 @@ int try_act(const std::string& name) {
     if (name == "allocate") return allocate();
     if (name == "write much") return write_much();
     if (name == "nothing") return 0;
+    if (name == "read system file") return read_system_file() >= 0 ? 0 : 1;
     for (const Act& act : acts())
         if (act.name == name) return act.run() >= 0 ? 0 : 1;
     return 2;

@@ -1,12 +1,11 @@
-// touchline-decode: started by the kiosk for one page of one file. It shuts itself in, and only
-// then reads the first byte.
-#include "app/decode/decode_page.h"
+#include "app/decode/decode_program.h"
+
 #include "app/process/descriptor.h"
 #include "app/sandbox/sandbox.h"
 #include "app/sandbox/worker.h"
 
 #include <cstdio>
-#include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -36,9 +35,9 @@ Result<std::vector<std::byte>> read_input(const WorkerLimits& limits) {
 }
 
 /// 0: answered.
-int answer(const PageOrder& order) {
-    const auto page = read_input(limits_of(order.kind)).and_then([&order](const auto& bytes) {
-        return decode_page(bytes, order);
+int answer(const Decoder& decoder, const Work& work) {
+    const auto page = read_input(limits_of(work.kind)).and_then([&](const auto& bytes) {
+        return decoder.decode(bytes, work.order);
     });
     const auto bytes = answer_of(page);
     if (!bytes) return 1;
@@ -46,22 +45,29 @@ int answer(const PageOrder& order) {
     return write_all(output, *bytes) ? 0 : 1;
 }
 
-}  // namespace
-}  // namespace touchline
+Result<void> shut_in(const Decoder& decoder, WorkerKind kind) {
+    if (decoder.prepare == nullptr) return enter_sandbox(kind);
+    return allow_only_reading_the_system().and_then([&decoder, kind] {
+        decoder.prepare();
+        return enter_sandbox(kind);
+    });
+}
 
-int main(int argc, char** argv) {
-    using namespace touchline;
+}  // namespace
+
+void run_decode_program(const Decoder& decoder, int argc, char** argv) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
-    const auto order = order_of(arguments);
-    if (!order) {
-        std::fprintf(stderr, "touchline-decode: the kiosk starts it by itself; use 'touchline'\n");
-        return 2;
+    const auto work = work_in(arguments);
+    if (!work) {
+        std::fprintf(stderr, "%s: the kiosk starts it by itself; use 'touchline'\n", argv[0]);
+        _exit(2);
     }
     try {
-        prepare_libraries(order->kind);
-        if (!enter_sandbox(order->kind)) _exit(worker_refused_to_start);
-        _exit(answer(*order));  // no library's farewell, which may want what it may not
+        if (!shut_in(decoder, work->kind)) _exit(worker_refused_to_start);
+        _exit(answer(decoder, *work));  // no library's farewell, which may want what it may not
     } catch (const std::bad_alloc&) {
         _exit(worker_out_of_memory);
     }
 }
+
+}  // namespace touchline
