@@ -90,9 +90,9 @@ Result<void> allow_calls() {
 }  // namespace
 
 Result<void> shut_in(const Descriptor& root, std::size_t most_bytes) {
-    constexpr std::size_t MiB = std::size_t{1} << 20U;
+    constexpr std::size_t most_memory_bytes = std::size_t{256} << 20U;
     WorkerLimits limits;
-    limits.address_space_bytes = 256 * MiB;
+    limits.address_space_bytes = most_memory_bytes;
     limits.cpu_s = 10;
     limits.file_bytes = most_bytes;
     return die_with_parent()

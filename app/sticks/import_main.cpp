@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     std::set_terminate(end_at_once);
     const int status = touchline::run_import({argv + 1, argv + argc});
     if (status == 2)
-        std::fprintf(stderr, "touchline-import: the kiosk starts it by itself; use 'touchline'\n");
+        (void)std::fprintf(stderr,
+                           "touchline-import: the kiosk starts it by itself; use 'touchline'\n");
     _exit(status);  // no library's farewell, which may want what it may not
 }

@@ -17,8 +17,9 @@ namespace touchline {
 
 class StickFolder {
   public:
-    StickFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "stick-XXXXXX").string();
+    explicit StickFolder(
+        const std::filesystem::path& parent = std::filesystem::temp_directory_path()) {
+        std::string pattern = (parent / "stick-XXXXXX").string();
         path_ = ::mkdtemp(pattern.data());
         std::filesystem::permissions(path_, std::filesystem::perms(0755));
     }
