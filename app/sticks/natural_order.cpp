@@ -11,8 +11,8 @@ namespace touchline {
 NaturalOrder::NaturalOrder() {
     UErrorCode error = U_ZERO_ERROR;
     collator_.reset(icu::Collator::createInstance(icu::Locale::getRoot(), error));
-    if (U_SUCCESS(error)) collator_->setAttribute(UCOL_NUMERIC_COLLATION, UCOL_ON, error);
-    if (U_FAILURE(error)) std::abort();
+    if (U_SUCCESS(error) != 0) collator_->setAttribute(UCOL_NUMERIC_COLLATION, UCOL_ON, error);
+    if (U_FAILURE(error) != 0) std::abort();
     (void)key_of("warm 1");
 }
 

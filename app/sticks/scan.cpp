@@ -119,8 +119,8 @@ class Scan {
         return 0;
     }
 
-    void add(const Descriptor& folder, const dirent64& entry, FirstNames& files,
-             FirstNames* folders) {
+    static void add(const Descriptor& folder, const dirent64& entry, FirstNames& files,
+                    FirstNames* folders) {
         const std::string_view name = entry.d_name;
         if (is_left_out(name) || !is_file_name(name)) return;
         // First what costs nothing: most names are neither.

@@ -162,12 +162,13 @@ TEST_F(UdisksPortTest, ManyPlugsLeaveNothingBehind) {
         const std::filesystem::directory_iterator all("/proc/self/fd");
         return std::distance(begin(all), end(all));
     };
-    const auto before = count_descriptors();
+    std::ptrdiff_t before = 0;
     for (std::uint64_t i = 1; i <= 100; ++i) {
         udisks.plug("sdb1", "one", "vfat", i);
         ASSERT_EQ(news(1), Lines{"ready /media/sdb1"});
         udisks.pull("sdb1", "one");
         ASSERT_EQ(news(1), Lines{"gone /media/sdb1"});
+        if (i == 10) before = count_descriptors();  // libraries keep some from their first use
     }
     EXPECT_EQ(count_descriptors(), before);
 }
