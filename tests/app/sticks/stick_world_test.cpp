@@ -56,8 +56,12 @@ class World {
 
     void answer(std::size_t which, bool tells_volumes_first) {
         if (orders_.empty()) return;
-        const StickOrder order = orders_[which % orders_.size()];
-        orders_.erase(orders_.begin() + static_cast<long>(which % orders_.size()));
+        // Those of one device in the order in which they were given.
+        const std::string& device = orders_[which % orders_.size()].object;
+        const auto next = std::find_if(orders_.begin(), orders_.end(),
+                                       [&device](const auto& one) { return one.object == device; });
+        const StickOrder order = *next;
+        orders_.erase(next);
         Partition* const partition = find(order.object);
         const bool is_mounted = partition != nullptr && !partition->volume.roots.empty();
         std::function<void()> answer;
@@ -264,11 +268,13 @@ void act(World& world) {
 }
 
 RC_GTEST_PROP(StickWorld, WhateverComesTheVisitorHearsATrueStory, ()) {
-    World world;
-    const int acts = *rc::gen::inRange(1, 120);
-    for (int i = 0; i < acts; ++i) act(world);
-    world.settle();
-    world.check_settled();
+    for (int histories = 0; histories < 20; ++histories) {
+        World world;
+        const int acts = *rc::gen::inRange(1, 120);
+        for (int i = 0; i < acts; ++i) act(world);
+        world.settle();
+        world.check_settled();
+    }
 }
 
 /// A swap in less than a second, and five hundred plugs: nothing piles up, the last one is offered.
