@@ -3,9 +3,13 @@
 #include "app/decode/files.h"
 #include "app/decode/one_line.h"
 #include "app/decode/picture.h"
+#include "app/decode/side_car.h"
 #include "app/process/memory.h"
 #include "app/process/places.h"
 #include "app/sandbox/worker.h"
+
+#include <filesystem>
+#include <system_error>
 
 namespace touchline {
 namespace {
@@ -44,11 +48,26 @@ Result<Page> open_page(std::span<const std::byte> bytes, const PageOrder& order)
     return page_of(answer->bytes());
 }
 
+namespace {
+
+/// Beside pictures there is seldom a text; one that cannot be read is none.
+void add_side_car(const std::string& path, Page& page) {
+    std::error_code error;
+    const std::string beside = side_car_of(path);
+    const auto size = std::filesystem::file_size(beside, error);
+    if (error || size > max_side_car_bytes) return;
+    const auto text = read_file(beside);
+    if (text) tell({reinterpret_cast<const char*>(text->data()), text->size()}, page.told);
+}
+
+}  // namespace
+
 Result<Page> open_page_of(const std::string& path, const PageOrder& order) {
     const auto bytes = read_file(path);
     if (!bytes) return tl::unexpected(bytes.error());
     auto opened = open_page(*bytes, order);
     if (!opened) return failure(one_line(path) + ": " + opened.error().line);
+    add_side_car(path, *opened);
     return opened;
 }
 

@@ -13,7 +13,8 @@ namespace touchline {
 /// A page of a document. Fails with one line: why, and what to do.
 [[nodiscard]] Result<Page> open_page(std::span<const std::byte> bytes, const PageOrder& order = {});
 
-/// The same of a file; errors start with its name.
+/// The same of a file, with what stands in a text beside it (side_car.h); errors start with its
+/// name.
 [[nodiscard]] Result<Page> open_page_of(const std::string& path, const PageOrder& order = {});
 
 }  // namespace touchline

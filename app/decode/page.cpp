@@ -153,6 +153,16 @@ Result<std::vector<WordBox>> boxes_in(std::span<const std::byte> bytes, const Pa
     return boxes;
 }
 
+/// What is spoken and shown of a map is one line each, of a length that can be listened to.
+void clean_texts(TactileMap& map) {
+    constexpr std::size_t longest_name = 200;
+    constexpr std::size_t longest_description = 4000;
+    map.title = one_spaced(map.title, longest_name);
+    map.description = one_spaced(map.description, longest_description);
+    for (Label& label : map.labels) label.text = one_spaced(label.text, longest_name);
+    for (Outline& outline : map.outlines) outline.label = one_spaced(outline.label, longest_name);
+}
+
 TactileMap refusal_of(const std::string& line) {
     TactileMap map;
     map.description = line;
@@ -205,6 +215,7 @@ Result<Page> page_of(std::span<const std::byte> answer) {
     std::memcpy(page.picture.bgr.data(), pixels.data(), pixels.size());
     page.picture.scale = 1.0 / header->reduction;
     page.told = std::move(*map);
+    clean_texts(page.told);
     page.words = std::move(*words);
     page.number = header->number;
     page.count = header->count;

@@ -57,11 +57,6 @@ std::vector<PopplerRectangle> image_boxes(PopplerPage* page) {
     return boxes;
 }
 
-/// A box of the structure tree has its y from the lower edge.
-PopplerRectangle from_above(const PopplerRectangle& box, double page_height) {
-    return {box.x1, page_height - box.y2, box.x2, page_height - box.y1};
-}
-
 bool is_heading(PopplerStructureElementKind kind) {
     return kind == POPPLER_STRUCTURE_ELEMENT_HEADING ||
            (kind >= POPPLER_STRUCTURE_ELEMENT_HEADING_1 &&
@@ -71,25 +66,18 @@ bool is_heading(PopplerStructureElementKind kind) {
 }  // namespace
 
 std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page) {
-    double width = 0.0;
-    double height = 0.0;
-    poppler_page_get_size(page, &width, &height);
     std::vector<PdfText> figures;
     StructureWalk walk(poppler_page_get_index(page), [&](PopplerStructureElement* element) {
         if (poppler_structure_element_get_kind(element) == POPPLER_STRUCTURE_ELEMENT_FIGURE) {
-            PdfText figure{taken(poppler_structure_element_get_alt_text(element)), {}};
-            PopplerRectangle box{};
-            if (poppler_structure_element_get_bounding_box(element, &box) != FALSE)
-                figure.box = from_above(box, height);
-            figures.push_back(std::move(figure));
+            figures.push_back({taken(poppler_structure_element_get_alt_text(element)), {}});
         }
         return true;
     });
     walk.walk(document);
-    // Where the tree does not say where a figure is, the images do, if there are as many.
+    // poppler gives no box of a figure; the images do, if there are as many.
     const auto boxes = image_boxes(page);
     for (std::size_t i = 0; boxes.size() == figures.size() && i < figures.size(); ++i)
-        if (figures[i].box.x2 <= figures[i].box.x1) figures[i].box = boxes[i];
+        figures[i].box = boxes[i];
     std::erase_if(figures, [](const PdfText& figure) { return figure.text.empty(); });
     return figures;
 }

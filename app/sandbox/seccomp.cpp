@@ -41,9 +41,10 @@ constexpr std::array plain_calls{SCMP_SYS(read),
                                  SCMP_SYS(rt_sigprocmask),
                                  SCMP_SYS(sched_getaffinity)};
 
-/// Tried by fontconfig, by GLib, by libexiv2 and by iconv, which then go on without.
-constexpr std::array files_of_libraries{SCMP_SYS(readlink), SCMP_SYS(statx), SCMP_SYS(statfs),
-                                        SCMP_SYS(getcwd), SCMP_SYS(getdents64)};
+/// Tried by fontconfig, GLib, libexiv2, iconv and sorting, which then go on without.
+constexpr std::array files_of_libraries{SCMP_SYS(readlink),   SCMP_SYS(statx),
+                                        SCMP_SYS(statfs),     SCMP_SYS(getcwd),
+                                        SCMP_SYS(getdents64), SCMP_SYS(sysinfo)};
 
 struct Release {
     void operator()(void* filter) const { seccomp_release(filter); }

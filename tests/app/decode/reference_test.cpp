@@ -95,7 +95,7 @@ const std::vector<Form> forms{
     {"zip.tiff", "-compress zip", ""},
     {"fax.tiff", "-monochrome -compress group4", ""},
     {"bits.tiff", "-monochrome", ""},
-    {"palette.tiff", "-colors 50 -type palette", ""},
+    {"palette.tiff", "-colors 50 -type palette", "", 1, 0.5},
     {"plain.jpg", "-quality 90", "", most_of_lossy, mean_of_lossy},
     {"grey.jpg", "-colorspace gray", "", most_of_lossy, mean_of_lossy},
     {"progressive.jpg", "-interlace plane", "", most_of_lossy, mean_of_lossy},
