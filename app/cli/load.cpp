@@ -1,13 +1,14 @@
 #include "app/cli/load.h"
 
+#include "app/cli/page_map.h"
 #include "app/decode/map_svg.h"
+#include "app/decode/opening.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cctype>
 
 #include <fmt/core.h>
-#include <opencv2/core.hpp>
 
 namespace touchline {
 namespace {
@@ -17,23 +18,17 @@ std::uint64_t next_version() {
     return ++last;
 }
 
-/// The decoded pixels as vision takes them; no copy.
-cv::Mat view_of(Picture& picture) {
-    return {picture.height, picture.width, CV_8UC3, picture.bgr.data()};
+Error of_file(const std::string& path, const Error& error) {
+    return {fmt::format("{}: {}", path, error.line)};
 }
 
-Result<Trace> trace(Picture& picture, const std::string& path, const TraceOptions& options) {
-    return trace_outlines(view_of(picture), options).map_error([&path](const Error& error) {
-        return Error{fmt::format("{}: {}", path, error.line)};
-    });
-}
-
-Result<LoadedPicture> load_shown_drawing(const std::string& path, int detail) {
-    Result<TactileMap> map = load_drawing(path, detail);
-    if (!map) return tl::unexpected(map.error());
-    map->version = next_version();
-    return read_picture(path).map([&map](Picture picture) {
-        return LoadedPicture{std::move(*map), std::move(picture), {}};
+Result<LoadedPicture> load_page(Page page, int detail, const Area& area) {
+    if (!page.told.outlines.empty())
+        return drawn_lines(page, detail).map([&page](TactileMap map) {
+            return LoadedPicture{std::move(map), std::move(page.picture), {}};
+        });
+    return trace_page(page, {area, detail}).map([&page](Trace found) {
+        return LoadedPicture{std::move(found.map), std::move(page.picture), found.report.warning};
     });
 }
 
@@ -49,8 +44,11 @@ bool is_map_name(const std::string& path) {
 }
 
 Result<Trace> trace_picture(const std::string& path, const TraceOptions& options) {
-    return read_picture(path).and_then(
-        [&](Picture picture) { return trace(picture, path, options); });
+    const auto page = open_page_of(path);
+    if (!page) return tl::unexpected(page.error());
+    return trace_page(*page, options).map_error([&path](const Error& error) {
+        return of_file(path, error);
+    });
 }
 
 Result<TactileMap> load_map(const std::string& path, bool as_picture) {
@@ -61,23 +59,18 @@ Result<TactileMap> load_map(const std::string& path, bool as_picture) {
 Result<TactileMap> load_drawing(const std::string& path, int detail) {
     Result<TactileMap> map = read_map_svg(path);
     if (!map) return map;
-    std::erase_if(map->outlines,
-                  [detail](const Outline& outline) { return outline.detail > detail; });
-    if (map->outlines.empty()) {
-        return failure(fmt::format("{}: no outline is shown at detail {}; choose a higher detail",
-                                   path, detail));
-    }
-    return map;
+    return shown_at(std::move(*map), detail).map_error([&path](const Error& error) {
+        return of_file(path, error);
+    });
 }
 
-Result<LoadedPicture> load_picture_or_map(const std::string& path, int detail, const Area& area) {
-    if (is_map_name(path)) return load_shown_drawing(path, detail);
-    Result<Picture> picture = read_picture(path);
-    if (!picture) return tl::unexpected(picture.error());
-    Result<Trace> found = trace(*picture, path, {area, detail});
-    if (!found) return tl::unexpected(found.error());
-    found->map.version = next_version();
-    return LoadedPicture{std::move(found->map), std::move(*picture), found->report.warning};
+Result<LoadedPicture> load_picture(const std::string& path, int detail, const Area& area) {
+    auto page = open_page_of(path);
+    if (!page) return tl::unexpected(page.error());
+    auto loaded = load_page(std::move(*page), detail, area);
+    if (!loaded) return tl::unexpected(of_file(path, loaded.error()));
+    loaded->map.version = next_version();
+    return loaded;
 }
 
 }  // namespace touchline

@@ -20,7 +20,7 @@ struct LoadedPicture {
 /// True for a name that ends in .svg, which is a map to every command but `trace`.
 [[nodiscard]] bool is_map_name(const std::string& path);
 
-/// Reads and traces a picture.
+/// Opens a picture by a worker and traces it.
 [[nodiscard]] Result<Trace> trace_picture(const std::string& path, const TraceOptions& options);
 
 /// The map of a file: read as it is, or traced with the defaults of `trace`. `as_picture` makes an
@@ -30,9 +30,9 @@ struct LoadedPicture {
 /// A map, its outlines above `detail` left out.
 [[nodiscard]] Result<TactileMap> load_drawing(const std::string& path, int detail);
 
-/// A map, its outlines above `detail` left out, with its own drawing as the picture; or a picture,
-/// traced. Every map loaded gets a version of its own.
-[[nodiscard]] Result<LoadedPicture> load_picture_or_map(const std::string& path, int detail,
-                                                        const Area& area);
+/// A picture with what is felt of it: the lines of a file that is a line drawing (every map is
+/// one), else traced. Every map loaded gets a version of its own.
+[[nodiscard]] Result<LoadedPicture> load_picture(const std::string& path, int detail,
+                                                 const Area& area);
 
 }  // namespace touchline

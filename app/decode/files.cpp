@@ -1,7 +1,7 @@
 #include "app/decode/files.h"
 
-#include "app/decode/descriptor.h"
 #include "app/decode/one_line.h"
+#include "app/process/descriptor.h"
 
 #include <cerrno>
 #include <filesystem>

@@ -1,8 +1,10 @@
 // Private to app/decode: one reader per format, and what they share. Every reader may throw
-// std::bad_alloc; decode_picture catches it.
+// std::bad_alloc; without_exceptions() catches it.
 #pragma once
 
-#include "app/decode/picture.h"
+#include "app/decode/page.h"
+#include "app/decode/page_order.h"
+#include "app/decode/signature.h"
 
 #include <cstdint>
 #include <string_view>
@@ -11,26 +13,52 @@ namespace touchline::decode {
 
 using Bytes = std::span<const std::byte>;
 
+/// What libjpeg and libtiff may take beside the pixels, each.
+constexpr std::uint64_t max_library_bytes = std::uint64_t{256} << 20U;
+
 Result<Picture> read_png(Bytes bytes);
 Result<Picture> read_jpeg(Bytes bytes);
 Result<Picture> read_webp(Bytes bytes);
 Result<Picture> read_tiff(Bytes bytes);
-Result<Picture> read_svg(Bytes bytes);
+Result<Picture> read_gif(Bytes bytes);
+Result<Picture> read_bmp(Bytes bytes);
+Result<Picture> read_pnm(Bytes bytes);
+Result<Picture> read_heif(Bytes bytes);
+Result<Page> read_svg(Bytes bytes, const PageOrder& order);
+Result<Page> read_pdf(Bytes bytes, const PageOrder& order);
 
-/// Within max_picture_pixels, and width x height x bytes_per_pixel within max_picture_bytes?
+/// A picture of this size; fails beyond the limits of picture.h, before anything is allocated.
 [[nodiscard]] Result<void> check_size(std::string_view format, std::uint64_t width,
-                                      std::uint64_t height, std::uint64_t bytes_per_pixel);
+                                      std::uint64_t height);
+
+/// "the FORMAT picture has W x H pixels, more than ...; save it smaller".
+[[nodiscard]] tl::unexpected<Error> too_large(std::string_view format, std::uint64_t width,
+                                              std::uint64_t height);
 
 /// "the FORMAT picture is cut short or damaged (DETAIL); ...", for what a library reports.
 [[nodiscard]] tl::unexpected<Error> damaged(std::string_view format, std::string_view detail);
+
+/// What to do with a file that is none of the formats.
+[[nodiscard]] tl::unexpected<Error> not_a_picture(FileFormat format);
+
+/// What `read` gives; a line where it throws, or where there are no bytes.
+[[nodiscard]] Result<Page> without_exceptions(Result<Page> (*read)(Bytes bytes,
+                                                                   const PageOrder& order),
+                                              Bytes bytes, const PageOrder& order);
+
+/// Metres of a page's `told` map a pixel of its picture: any page then has an area below a metre.
+constexpr double told_m_per_px = 1e-4;
+
+/// The area of `told` for a picture of this size.
+[[nodiscard]] Area told_area(const Picture& picture);
+
+/// A place in pixels from the upper left corner, in `told`.
+[[nodiscard]] Position told_place(const Picture& picture, double x_px, double y_px);
 
 /// Four bytes a pixel (blue, green, red, straight alpha) become three, over white, in place.
 void compose_over_white(std::vector<std::uint8_t>& bgra);
 
 /// The picture upright, from the orientation that EXIF and TIFF share (1 ... 8; else as it is).
 [[nodiscard]] Picture upright(Picture picture, int orientation);
-
-/// The orientation in an APP1 segment of a JPEG, 1 where there is none.
-[[nodiscard]] int exif_orientation(Bytes app1);
 
 }  // namespace touchline::decode

@@ -1,5 +1,6 @@
 #include "app/decode/formats.h"
 
+#include <algorithm>
 #include <array>
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h needs FILE
@@ -71,9 +72,8 @@ class Decoder : public jpeg_decompress_struct {
     void open(Bytes bytes) {
         jpeg_create_decompress(this);
         progress = &progress_;
-        mem->max_memory_to_use = static_cast<long>(max_picture_bytes);
+        mem->max_memory_to_use = static_cast<long>(max_library_bytes);
         jpeg_mem_src(this, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
-        jpeg_save_markers(this, JPEG_APP0 + 1, 0xffff);
         jpeg_read_header(this, TRUE);
     }
 
@@ -86,7 +86,11 @@ class Decoder : public jpeg_decompress_struct {
 /// The divisor of both sides: 1, 2, 4 or 8.
 unsigned reduction(std::uint64_t width, std::uint64_t height) {
     std::uint64_t by = 1;
-    while (by < 8 && width * height / (by * by) > max_full_jpeg_pixels) by *= 2;
+    const auto is_too_large = [&] {
+        return width * height / (by * by) > max_full_jpeg_pixels ||
+               std::max(width, height) / by >= max_picture_side_px;
+    };
+    while (by < 8 && is_too_large()) by *= 2;
     return static_cast<unsigned>(by);
 }
 
@@ -102,15 +106,6 @@ void inks_to_bgr(const std::uint8_t* cmyk, std::size_t pixels, bool is_inverted,
             bgr[channel] = static_cast<std::uint8_t>(passed / 255U);
         }
     }
-}
-
-int orientation_of(const Decoder& decoder) {
-    for (const auto* marker = decoder.marker_list; marker != nullptr; marker = marker->next) {
-        const int orientation =
-            exif_orientation(std::as_bytes(std::span(marker->data, marker->data_length)));
-        if (orientation != 1) return orientation;
-    }
-    return 1;
 }
 
 bool read_rows(Decoder& decoder, bool has_inks, Picture& picture) {
@@ -136,11 +131,8 @@ Result<Picture> read_jpeg(Bytes bytes) {
     if (!run(decoder.errors, [&] { decoder.open(bytes); })) {
         return damaged("JPEG", decoder.errors.message.data());
     }
-    // One byte a pixel here: the pixels alone; the buffer is measured after the reduction.
-    if (auto fits = check_size("JPEG", decoder.image_width, decoder.image_height, 1); !fits) {
-        return tl::unexpected(fits.error());
-    }
-    const int orientation = orientation_of(decoder);  // the markers are gone at the end
+    if (std::uint64_t{decoder.image_width} * decoder.image_height > max_jpeg_pixels)
+        return too_large("JPEG", decoder.image_width, decoder.image_height);
     const unsigned by = reduction(decoder.image_width, decoder.image_height);
     const bool has_inks =
         decoder.jpeg_color_space == JCS_CMYK || decoder.jpeg_color_space == JCS_YCCK;
@@ -150,6 +142,8 @@ Result<Picture> read_jpeg(Bytes bytes) {
     if (!run(decoder.errors, [&] { jpeg_start_decompress(&decoder); })) {
         return damaged("JPEG", decoder.errors.message.data());
     }
+    if (auto fits = check_size("JPEG", decoder.output_width, decoder.output_height); !fits)
+        return tl::unexpected(fits.error());
     Picture picture{static_cast<int>(decoder.output_width),
                     static_cast<int>(decoder.output_height),
                     {},
@@ -158,7 +152,7 @@ Result<Picture> read_jpeg(Bytes bytes) {
     if (!read_rows(decoder, has_inks, picture))
         return damaged("JPEG", decoder.errors.message.data());
     if (decoder.errors.is_cut_short) return damaged("JPEG", "the file ends before the picture");
-    return upright(std::move(picture), orientation);
+    return picture;
 }
 
 }  // namespace touchline::decode

@@ -38,6 +38,21 @@ constexpr std::size_t max_map_points = 4'000'000;
 /// than max_map_points. Entities of a DOCTYPE are never expanded. O(text + points).
 [[nodiscard]] Result<TactileMap> parse_map_svg(std::string_view text);
 
+/// The lines of an SVG that anybody drew, if lines are all that it looks like: strokes, and fills
+/// that hide nothing drawn before. It is fitted in `area`, centred, proportions kept; one that is
+/// small enough and in millimetres already is taken as parse_map_svg does. Fails for whatever
+/// needs its pixels to be looked at: pictures, <use>, style sheets, fills that cover. O(text +
+/// points + shapes squared).
+[[nodiscard]] Result<TactileMap> parse_line_drawing(std::string_view text, const Area& area);
+
+/// Title and description of an SVG, white space collapsed; empty where it has none.
+struct SvgWords {
+    std::string title;
+    std::string description;
+};
+
+[[nodiscard]] SvgWords words_of_svg(std::string_view text);
+
 /// read_file and parse_map_svg; errors start with the path.
 [[nodiscard]] Result<TactileMap> read_map_svg(const std::string& path);
 

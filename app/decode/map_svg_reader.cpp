@@ -1,6 +1,8 @@
 #include "app/decode/files.h"
 #include "app/decode/map_svg.h"
 #include "app/decode/one_line.h"
+#include "app/decode/svg_look.h"
+#include "app/decode/svg_nodes.h"
 #include "app/decode/svg_scanner.h"
 #include "app/decode/svg_shapes.h"
 
@@ -17,64 +19,16 @@ namespace touchline {
 namespace decode {
 namespace {
 
-constexpr int max_nesting = 100;  // drawing programs nest groups ten deep
-
-std::string_view local_name(const pugi::xml_node& element) {
-    const std::string_view name = element.name();
-    const auto colon = name.find(':');
-    return colon == std::string_view::npos ? name : name.substr(colon + 1);
-}
-
-pugi::xml_node child_named(const pugi::xml_node& parent, std::string_view name) {
-    return parent.find_child([&](const pugi::xml_node& child) {
-        return child.type() == pugi::node_element && local_name(child) == name;
-    });
-}
-
-/// Appends words, one blank between them.
-void append_words(std::string& text, std::string_view more) {
-    constexpr std::string_view space = " \t\r\n";
-    for (auto begin = more.find_first_not_of(space); begin != std::string_view::npos;) {
-        const auto end = std::min(more.find_first_of(space, begin), more.size());
-        if (!text.empty()) text += ' ';
-        text += more.substr(begin, end - begin);
-        begin = more.find_first_not_of(space, end);
-    }
-}
-
-/// All text inside an element. Walked without recursion: nesting comes from the file.
-std::string text_of(pugi::xml_node element) {
-    struct Collector : pugi::xml_tree_walker {
-        bool for_each(pugi::xml_node& node) override {
-            const bool is_text =
-                node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
-            if (is_text) append_words(text, node.value());
-            return true;
-        }
-
-        std::string text;
-    } collector;
-
-    element.traverse(collector);
-    return std::move(collector.text);
-}
-
-bool is_hidden(const pugi::xml_node& element) {
-    if (std::string_view(element.attribute("display").value()) == "none") return true;
-    std::string style = element.attribute("style").value();
-    std::erase_if(style, [](char c) { return c == ' ' || c == '\t' || c == '\n'; });
-    return style.find("display:none") != std::string::npos;
-}
-
 /// Left-to-right walk over the document, collecting outlines and labels.
 class MapReader {
   public:
     explicit MapReader(const ViewBox& box) : box_(box) { map_.area = area_of(box); }
 
-    Result<TactileMap> read(const pugi::xml_node& root) {
+    Result<TactileMap> read(const pugi::xml_node& root, const Affine& to_view_box = {}) {
         map_.title = text_of(child_named(root, "title"));
         map_.description = text_of(child_named(root, "desc"));
-        if (auto walked = walk(root, Affine{}, 0); !walked) return tl::unexpected(walked.error());
+        if (auto walked = walk(root, to_view_box, 0); !walked)
+            return tl::unexpected(walked.error());
         if (map_.outlines.empty()) {
             return failure("the map holds no outline; draw at least one <path>");
         }
@@ -221,9 +175,9 @@ Result<ViewBox> view_box_in(const pugi::xml_node& root) {
     return ViewBox{*x, *y, *width, *height};
 }
 
-Result<TactileMap> parse(std::string_view text) {
+/// The root element; null, with the reason, for what is no SVG.
+Result<pugi::xml_node> root_in(std::string_view text, pugi::xml_document& document) {
     if (text.empty()) return failure("the map is empty; copy it again");
-    pugi::xml_document document;
     const auto parsed = document.load_buffer(text.data(), text.size());
     if (!parsed) {
         return failure(fmt::format("the map is no XML: {} at byte {}; save it again as SVG",
@@ -231,9 +185,50 @@ Result<TactileMap> parse(std::string_view text) {
     }
     const pugi::xml_node root = child_named(document, "svg");
     if (!root) return failure("the map is XML but no SVG; save it again as SVG");
-    const auto box = view_box_in(root);
+    return root;
+}
+
+Result<TactileMap> parse(std::string_view text) {
+    pugi::xml_document document;
+    const auto root = root_in(text, document);
+    if (!root) return tl::unexpected(root.error());
+    const auto box = view_box_in(*root);
     if (!box) return tl::unexpected(box.error());
-    return MapReader(*box).read(root);
+    return MapReader(*box).read(*root);
+}
+
+/// Drawn in millimetres, and no larger than the area?
+bool is_at_size(const pugi::xml_node& root, const ViewBox& box, const Area& area) {
+    const std::string_view width = root.attribute("width").value();
+    const bool is_in_mm = width.ends_with("mm") &&
+                          parse_svg_length(width.substr(0, width.size() - 2)) == box.width_mm;
+    return is_in_mm && box.width_mm <= 1000.0 * area.width_m + 1e-9 &&
+           box.height_mm <= 1000.0 * area.height_m + 1e-9;
+}
+
+/// Where the root has no viewBox, its sides in pixels are one.
+Result<ViewBox> drawn_box_in(const pugi::xml_node& root) {
+    if (root.attribute("viewBox")) return view_box_in(root);
+    const auto width = parse_svg_length(root.attribute("width").value());
+    const auto height = parse_svg_length(root.attribute("height").value());
+    if (!width || !height || !(*width > 0.0) || !(*height > 0.0))
+        return failure("the drawing has no size");
+    return ViewBox{0.0, 0.0, *width, *height};
+}
+
+Result<TactileMap> parse_drawing(std::string_view text, const Area& area) {
+    pugi::xml_document document;
+    const auto root = root_in(text, document);
+    if (!root) return tl::unexpected(root.error());
+    const auto box = drawn_box_in(*root);
+    if (!box) return tl::unexpected(box.error());
+    if (!is_line_drawing(*root, *box)) return failure("the drawing is more than lines");
+    if (is_at_size(*root, *box, area)) return MapReader(*box).read(*root);
+    const double scale =
+        std::min(1000.0 * area.width_m / box->width_mm, 1000.0 * area.height_m / box->height_mm);
+    const Affine fit{scale, 0.0, 0.0, scale, -scale * box->x0_mm, -scale * box->y0_mm};
+    const ViewBox fitted{0.0, 0.0, scale * box->width_mm, scale * box->height_mm};
+    return MapReader(fitted).read(*root, fit);
 }
 
 }  // namespace
@@ -245,6 +240,22 @@ Result<TactileMap> parse_map_svg(std::string_view text) {
     } catch (const std::exception& problem) {
         return failure("the map cannot be read: " + one_line(problem.what()));
     }
+}
+
+Result<TactileMap> parse_line_drawing(std::string_view text, const Area& area) {
+    try {
+        return decode::parse_drawing(text, area);
+    } catch (const std::exception& problem) {
+        return failure("the drawing cannot be read: " + one_line(problem.what()));
+    }
+}
+
+SvgWords words_of_svg(std::string_view text) {
+    pugi::xml_document document;
+    const auto root = decode::root_in(text, document);
+    if (!root) return {};
+    return {decode::text_of(decode::child_named(*root, "title")),
+            decode::text_of(decode::child_named(*root, "desc"))};
 }
 
 Result<TactileMap> read_map_svg(const std::string& path) {

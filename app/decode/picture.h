@@ -1,13 +1,11 @@
-// Pictures in memory from the formats that visitors bring: PNG, JPEG, WebP, TIFF and SVG, through
-// libpng, libjpeg-turbo, libwebp, libtiff and librsvg. Bytes in, a plain value out, so that exactly
-// this code can move into a sandboxed worker. Threads: any; no state is kept.
+// A picture in memory, and what it may measure.
+// Threads: a value.
 #pragma once
 
 #include "config/types/result.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -22,10 +20,17 @@ struct Picture {
 };
 
 /// A header that claims more is refused before anything is allocated for it.
-constexpr std::uint64_t max_picture_pixels = 100'000'000;
+constexpr std::uint64_t max_picture_pixels = std::uint64_t{40} << 20U;
+constexpr std::uint64_t max_picture_side_px = 10'000;
 
-/// The pixel buffer of a decoder, and what libjpeg and libtiff may take beside it, each.
-constexpr std::uint64_t max_picture_bytes = std::uint64_t{256} << 20U;
+/// Within the two above, with a pixel at least?
+[[nodiscard]] constexpr bool fits_a_picture(std::uint64_t width, std::uint64_t height) {
+    return width >= 1 && height >= 1 && width <= max_picture_side_px &&
+           height <= max_picture_side_px && width * height <= max_picture_pixels;
+}
+
+/// What is decoded smaller may have more in its file.
+constexpr std::uint64_t max_jpeg_pixels = 200'000'000;
 
 /// A JPEG with more pixels is decoded at 1/2, 1/4 or 1/8 of its size: outlines for touch need one
 /// megapixel, and the reduced transform costs less time and memory.
@@ -34,13 +39,8 @@ constexpr std::uint64_t max_full_jpeg_pixels = 24'000'000;
 /// An SVG read as a picture is drawn with its longer side this many pixels long.
 constexpr int svg_longer_side_px = 1600;
 
-/// The picture in these bytes; the format is told by the first bytes, never by a name. Transparency
-/// lies over white, 16 bits become 8, grey, palettes and CMYK become BGR, an orientation in EXIF or
-/// TIFF is applied, a TIFF gives its first page. Fails with one line for anything empty, unknown,
-/// animated, cut short, damaged or too large. O(bytes + pixels).
-[[nodiscard]] Result<Picture> decode_picture(std::span<const std::byte> bytes);
-
-/// read_file and decode_picture; errors start with the path.
+/// The first page of a file as a picture, opened by a worker (opening.h); errors start with the
+/// path.
 [[nodiscard]] Result<Picture> read_picture(const std::string& path);
 
 }  // namespace touchline

@@ -32,8 +32,7 @@ Result<Picture> read_png(Bytes bytes) {
     constexpr std::size_t header_end = 24;  // signature 8, IHDR's length and name 8, two sides 8
     if (bytes.size() < header_end) return damaged("PNG", "the header is missing");
     // Looked at here because libpng calls a large header merely invalid.
-    if (auto fits = check_size("PNG", big_endian_32(bytes, 16), big_endian_32(bytes, 20), 3);
-        !fits) {
+    if (auto fits = check_size("PNG", big_endian_32(bytes, 16), big_endian_32(bytes, 20)); !fits) {
         return tl::unexpected(fits.error());
     }
 
@@ -43,7 +42,7 @@ Result<Picture> read_png(Bytes bytes) {
     }
     const bool has_alpha = (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
     const std::size_t channels = has_alpha ? 4 : 3;
-    if (auto fits = check_size("PNG", image.width, image.height, channels); !fits) {
+    if (auto fits = check_size("PNG", image.width, image.height); !fits) {
         return tl::unexpected(fits.error());
     }
     image.format = has_alpha ? PNG_FORMAT_BGRA : PNG_FORMAT_BGR;

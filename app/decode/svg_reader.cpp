@@ -1,12 +1,14 @@
 // An SVG as a picture of pixels. librsvg opens no other file as long as it is told of no base
 // address; scripts, animation and network do not exist in it, and it bounds its own nesting.
 #include "app/decode/formats.h"
+#include "app/decode/map_svg.h"
+#include "app/decode/white_sheet.h"
+#include "config/types/map_limits.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
-#include <cairo.h>
 #include <librsvg/rsvg.h>
 
 namespace touchline::decode {
@@ -16,10 +18,6 @@ struct Release {
     void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
 
     void operator()(GError* error) const { g_error_free(error); }
-
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-
-    void operator()(cairo_t* context) const { cairo_destroy(context); }
 };
 
 template <class T>
@@ -50,16 +48,16 @@ Size drawn_size(RsvgHandle* handle) {
     return {side(width), side(height)};
 }
 
-/// cairo's RGB24 is one number a pixel, blue lowest.
-void copy_rows(cairo_surface_t* surface, Picture& picture) {
-    cairo_surface_flush(surface);
-    const unsigned char* row = cairo_image_surface_get_data(surface);
-    const int stride = cairo_image_surface_get_stride(surface);
-    std::uint8_t* to = picture.bgr.data();
-    for (int y = 0; y < picture.height; ++y, row += stride) {
-        const unsigned char* from = row;
-        for (int x = 0; x < picture.width; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
-    }
+/// Its lines, where lines are what it is made of; else what it says of itself.
+TactileMap told_by(std::string_view text, const Picture& picture) {
+    auto drawing = parse_line_drawing(text, Area{});
+    if (drawing && point_count(*drawing) <= MapLimits::points) return std::move(*drawing);
+    TactileMap told;
+    told.area = told_area(picture);
+    SvgWords words = words_of_svg(text);
+    told.title = std::move(words.title);
+    told.description = std::move(words.description);
+    return told;
 }
 
 tl::unexpected<Error> told(const Owned<GError>& error) {
@@ -68,35 +66,30 @@ tl::unexpected<Error> told(const Owned<GError>& error) {
 
 }  // namespace
 
-Result<Picture> read_svg(Bytes bytes) {
+Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
+    if (order.page != 1) return failure("the file has one page only");
     GError* problem = nullptr;
     const Owned<RsvgHandle> handle(rsvg_handle_new_from_data(
         reinterpret_cast<const guint8*>(bytes.data()), bytes.size(), &problem));
     if (handle == nullptr) return told(Owned<GError>(problem));
     const Size size = drawn_size(handle.get());
     if (auto fits = check_size("SVG", static_cast<std::uint64_t>(size.width),
-                               static_cast<std::uint64_t>(size.height), 4);
+                               static_cast<std::uint64_t>(size.height));
         !fits) {
         return tl::unexpected(fits.error());
     }
-    const Owned<cairo_surface_t> surface(
-        cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height));
-    const Owned<cairo_t> context(cairo_create(surface.get()));
-    cairo_set_source_rgb(context.get(), 1.0, 1.0, 1.0);
-    cairo_paint(context.get());
+    const WhiteSheet sheet(size.width, size.height);
     const RsvgRectangle whole{0.0, 0.0, static_cast<double>(size.width),
                               static_cast<double>(size.height)};
-    if (rsvg_handle_render_document(handle.get(), context.get(), &whole, &problem) == 0) {
+    if (rsvg_handle_render_document(handle.get(), sheet.context(), &whole, &problem) == 0)
         return told(Owned<GError>(problem));
-    }
-    if (cairo_status(context.get()) != CAIRO_STATUS_SUCCESS) {
-        return damaged("SVG", cairo_status_to_string(cairo_status(context.get())));
-    }
-    Picture picture{size.width, size.height, {}};
-    picture.bgr.resize(std::size_t{3} * static_cast<std::size_t>(size.width) *
-                       static_cast<std::size_t>(size.height));
-    copy_rows(surface.get(), picture);
-    return picture;
+    return sheet.picture().map([&bytes](Picture picture) {
+        Page page;
+        page.picture = std::move(picture);
+        page.told =
+            told_by({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, page.picture);
+        return page;
+    });
 }
 
 }  // namespace touchline::decode

@@ -79,7 +79,7 @@ struct Close {
 std::unique_ptr<TIFF, Close> open(Source& source) {
     const std::unique_ptr<TIFFOpenOptions, Close> options(TIFFOpenOptionsAlloc());
     if (options == nullptr) return nullptr;
-    TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(max_picture_bytes));
+    TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(max_library_bytes));
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_first_error, &source);
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), drop_warning, nullptr);
     return std::unique_ptr<TIFF, Close>(
@@ -113,7 +113,7 @@ Result<Picture> read_tiff(Bytes bytes) {
     std::uint32_t height = 0;
     TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
     TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
-    if (auto fits = check_size("TIFF", width, height, 4); !fits) {
+    if (auto fits = check_size("TIFF", width, height); !fits) {
         return tl::unexpected(fits.error());
     }
     std::uint16_t orientation = ORIENTATION_TOPLEFT;

@@ -35,8 +35,7 @@ Result<Picture> read_webp(Bytes bytes) {
     const int channels = has_alpha ? 4 : 3;
     const auto width = static_cast<std::uint64_t>(config.input.width);
     const auto height = static_cast<std::uint64_t>(config.input.height);
-    if (auto fits = check_size("WebP", width, height, static_cast<std::uint64_t>(channels));
-        !fits) {
+    if (auto fits = check_size("WebP", width, height); !fits) {
         return tl::unexpected(fits.error());
     }
     Picture picture{config.input.width, config.input.height, {}};

@@ -28,7 +28,7 @@ std::string gallery_file(const std::filesystem::path& path) {
 }  // namespace
 
 Result<LoadedScene> load_scene(const std::string& path, int detail, const DeviceProfile& profile) {
-    auto loaded = load_picture_or_map(path, detail, Area{});
+    auto loaded = load_picture(path, detail, Area{});
     if (!loaded) return tl::unexpected(loaded.error());
     const SceneOrder order = felt_order(profile, detail);
     auto scene = build_scene(loaded->map, order);

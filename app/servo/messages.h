@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/servo/scene_order.h"
-#include "app/servo/sealed_memory.h"
+#include "app/servo/shared_region.h"
 #include "config/types/calibration.h"
 #include "config/types/result.h"
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "app/servo/messages.h"
-#include "app/servo/sealed_memory.h"
+#include "app/servo/shared_region.h"
 #include "haptics/servo/exchange.h"
 
 #include <atomic>

@@ -1,6 +1,6 @@
 #include "app/servo/servo_process.h"
 
-#include "app/servo/child.h"
+#include "app/process/child.h"
 #include "app/servo/restart.h"
 #include "app/servo/servo_line.h"
 #include "config/types/map_bytes.h"
@@ -86,7 +86,9 @@ class ServoProcess::Guard {
             line.note(sockets ? region.error().line : sockets.error().line);
             return;
         }
-        auto child = Child::start(options_.program, options_.arguments, sockets->second);
+        std::vector<std::string> words{std::to_string(Child::first_handed)};  // its socket
+        words.insert(words.end(), options_.arguments.begin(), options_.arguments.end());
+        auto child = Child::start(options_.program, words, std::array{&sockets->second});
         sockets->second = Descriptor{};
         if (!child) {
             line.note(child.error().line);
@@ -102,9 +104,9 @@ class ServoProcess::Guard {
         hear_the_rest(*connection);
         line.disconnect();
         const std::int64_t dead_ns = steady_now_ns();
-        const std::string how = child->reap();
+        const ChildEnd end = child->reap();
         const bool has_run = connection->region.channel().servo_beats.load() != 0;
-        if (!how.empty() && has_run) zero(how, dead_ns);
+        if (!end.is_good() && has_run) zero(describe(end), dead_ns);
     }
 
     /// Beats and looks until the child is dead.
@@ -211,7 +213,7 @@ void ServoProcess::set(const ServoCommands& commands) {
 void ServoProcess::feel(const FeltPicture& picture) {
     if (!guard_) return;
     const auto bytes = bytes_of(*picture.map);
-    auto sealed = bytes ? seal(*bytes) : Result<Descriptor>(tl::unexpected(bytes.error()));
+    auto sealed = bytes ? sealed_copy(*bytes) : Result<Descriptor>(tl::unexpected(bytes.error()));
     if (sealed) {
         guard_->line.feel(std::move(*sealed), picture.order, picture.recorded.gallery_file);
     } else {

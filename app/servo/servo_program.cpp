@@ -2,7 +2,7 @@
 
 #include "app/servo/black_box.h"
 #include "app/servo/messages.h"
-#include "app/servo/sealed_memory.h"
+#include "app/servo/shared_region.h"
 #include "config/types/map_bytes.h"
 #include "config/types/steady_clock.h"
 #include "haptics/collision/scene.h"
@@ -23,6 +23,7 @@ namespace touchline {
 namespace {
 
 constexpr std::int64_t longest_absence_ns = 2'000'000'000;
+constexpr std::size_t most_map_bytes = std::size_t{64} << 20U;
 constexpr int hello_ms = 5000;
 constexpr int look_ms = 50;                  // how often the ends are looked for that wake nobody
 constexpr rlim_t longest_turn_us = 100'000;  // of the real-time thread without a sleep
@@ -62,7 +63,7 @@ struct BuiltScene {
 
 Result<BuiltScene> scene_of(const Arrival& arrival) {
     try {
-        const auto memory = map_sealed(arrival.attached);
+        const auto memory = map_sealed(arrival.attached, most_map_bytes);
         if (!memory) return tl::unexpected(memory.error());
         const auto map = map_of(memory->bytes());
         if (!map) return tl::unexpected(map.error());

@@ -4,6 +4,7 @@
 #include "app/decode/files.h"
 #include "app/decode/formats.h"
 #include "app/decode/png_writer.h"
+#include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/encoders.h"
 
 #include <algorithm>

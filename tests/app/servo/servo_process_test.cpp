@@ -1,8 +1,8 @@
 // The servo as a real process, and a kiosk around it: what is asked of both, and what a servo makes
 // of a kiosk that is mad or gone. What kills them is in process_fault_test.cpp.
-#include "app/servo/child.h"
+#include "app/process/child.h"
 #include "app/servo/messages.h"
-#include "app/servo/sealed_memory.h"
+#include "app/servo/shared_region.h"
 #include "config/types/map_bytes.h"
 #include "tests/app/servo/process_rig.h"
 
@@ -40,7 +40,8 @@ TEST_F(ServoProcess, TheGuardZeroesABoardThatDidNotConfirmItAtTheEnd) {
 TEST_F(ServoProcess, AKioskGoneMadNeitherCrashesTheServoNorLeavesTorque) {
     auto sockets = socket_pair().value();
     auto region = SharedRegion::create().value();
-    auto child = Child::start(TOUCHLINE_SERVO_RIG, {path_}, sockets.second).value();
+    auto child =
+        Child::start(TOUCHLINE_SERVO_RIG, {"3", path_}, std::array{&sockets.second}).value();
     sockets.second = Descriptor{};
     ASSERT_TRUE(send(sockets.first, message_of(MessageKind::region), &region.descriptor()));
     ASSERT_TRUE(wait_until([&] { return board_.reads > 100; }));
@@ -62,18 +63,19 @@ TEST_F(ServoProcess, AKioskGoneMadNeitherCrashesTheServoNorLeavesTorque) {
     sockets.first = Descriptor{};
     pollfd waiting{child.pidfd().number(), POLLIN, 0};
     ASSERT_EQ(poll(&waiting, 1, longest_wait_ms), 1);
-    EXPECT_EQ(child.reap(), "");
+    EXPECT_TRUE(child.reap().is_good());
     EXPECT_EQ(board_.is_torque_on, 0);
 }
 
 TEST_F(ServoProcess, ServoWithoutAKioskEnds) {
     auto sockets = socket_pair().value();
-    auto child = Child::start(TOUCHLINE_SERVO_RIG, {path_}, sockets.second).value();
+    auto child =
+        Child::start(TOUCHLINE_SERVO_RIG, {"3", path_}, std::array{&sockets.second}).value();
     sockets.second = Descriptor{};
     sockets.first = Descriptor{};
     pollfd waiting{child.pidfd().number(), POLLIN, 0};
     ASSERT_EQ(poll(&waiting, 1, longest_wait_ms), 1);
-    EXPECT_EQ(child.reap(), "exit status 1");
+    EXPECT_EQ(child.reap(), (ChildEnd{1, 0}));
     EXPECT_EQ(board_.opened, 0);
 }
 

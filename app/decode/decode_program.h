@@ -1,0 +1,21 @@
+// The whole of a worker's program: started by the kiosk for one page of one file, it shuts itself
+// in, and only then reads the first byte.
+#pragma once
+
+#include "app/decode/page.h"
+#include "app/decode/page_order.h"
+
+#include <cstddef>
+#include <span>
+
+namespace touchline {
+
+struct Decoder {
+    void (*prepare)() = nullptr;  // before it is shut in; only the system's files can be read
+    Result<Page> (*decode)(std::span<const std::byte> bytes, const PageOrder& order) = nullptr;
+};
+
+/// main() of a worker. Does not return.
+[[noreturn]] void run_decode_program(const Decoder& decoder, int argc, char** argv);
+
+}  // namespace touchline

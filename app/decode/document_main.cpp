@@ -1,0 +1,8 @@
+// touchline-decode-document: what is drawn, with the libraries that this takes.
+#include "app/decode/decode_program.h"
+#include "app/decode/decoding.h"
+
+int main(int argc, char** argv) {
+    using namespace touchline;
+    run_decode_program({prepare_documents, decode_document}, argc, argv);
+}

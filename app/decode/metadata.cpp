@@ -1,0 +1,104 @@
+#include "app/decode/metadata.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+
+#include <exiv2/exiv2.hpp>
+
+namespace touchline::decode {
+namespace {
+
+constexpr std::size_t longest_text = 4000;
+
+/// Programs and cameras fill the field in by themselves.
+bool is_of_a_machine(const std::string& text) {
+    constexpr std::array<std::string_view, 8> beginnings{
+        "OLYMPUS DIGITAL", "SONY DSC", "MINOLTA DIGITAL", "KONICA MINOLTA",
+        "Created with",    "CREATOR:", "LEAD Tech",       "SAMSUNG"};
+    return std::any_of(beginnings.begin(), beginnings.end(),
+                       [&text](std::string_view beginning) { return text.starts_with(beginning); });
+}
+
+std::string cleaned(std::string text) {
+    text.resize(std::min({text.find('\0'), text.size(), longest_text}));
+    const auto last = text.find_last_not_of(" \t\r\n");
+    text.resize(last == std::string::npos ? 0 : last + 1);
+    return is_of_a_machine(text) ? std::string() : text;
+}
+
+/// A text in several languages: the one that is for all, else the first.
+std::string text_of(const Exiv2::Value& value) {
+    const auto* const languages = dynamic_cast<const Exiv2::LangAltValue*>(&value);
+    if (languages == nullptr) return cleaned(value.toString());
+    const auto common = languages->value_.find("x-default");
+    if (common != languages->value_.end()) return cleaned(common->second);
+    return languages->value_.empty() ? std::string() : cleaned(languages->value_.begin()->second);
+}
+
+template <class Data, class Key>
+std::string find_text(const Data& data, const char* name) {
+    const auto found = data.findKey(Key(name));
+    return found == data.end() ? std::string() : text_of(found->value());
+}
+
+std::string first_of(std::initializer_list<std::string> texts) {
+    for (const std::string& text : texts)
+        if (!text.empty()) return text;
+    return {};
+}
+
+void read_texts(const Exiv2::Image& image, Metadata& metadata) {
+    const auto exif = [&](const char* name) {
+        return find_text<Exiv2::ExifData, Exiv2::ExifKey>(image.exifData(), name);
+    };
+    const auto iptc = [&](const char* name) {
+        return find_text<Exiv2::IptcData, Exiv2::IptcKey>(image.iptcData(), name);
+    };
+    const auto xmp = [&](const char* name) {
+        return find_text<Exiv2::XmpData, Exiv2::XmpKey>(image.xmpData(), name);
+    };
+    const bool is_png = image.mimeType() == "image/png";
+    metadata.title = first_of({xmp("Xmp.dc.title"), iptc("Iptc.Application2.Headline"),
+                               iptc("Iptc.Application2.ObjectName")});
+    metadata.description = first_of(
+        {xmp("Xmp.iptc.AltTextAccessibility"), xmp("Xmp.iptc.ExtDescrAccessibility"),
+         xmp("Xmp.dc.description"), iptc("Iptc.Application2.Caption"),
+         exif("Exif.Image.ImageDescription"), is_png ? cleaned(image.comment()) : std::string()});
+}
+
+void read_orientation(const Exiv2::Image& image, Metadata& metadata) {
+    const auto found = image.exifData().findKey(Exiv2::ExifKey("Exif.Image.Orientation"));
+    if (found == image.exifData().end() || found->count() == 0) return;
+    const auto orientation = static_cast<int>(found->toLong());
+    if (orientation >= 1 && orientation <= 8) metadata.orientation = orientation;
+}
+
+void read_profile(Exiv2::Image& image, Metadata& metadata) {
+    if (!image.iccProfileDefined()) return;
+    const Exiv2::DataBuf* const profile = image.iccProfile();
+    if (profile == nullptr || profile->size_ <= 0) return;
+    metadata.colour_profile.assign(profile->pData_, profile->pData_ + profile->size_);
+}
+
+}  // namespace
+
+Metadata metadata_of(Bytes bytes) {
+    Metadata metadata;
+    try {
+        Exiv2::LogMsg::setLevel(Exiv2::LogMsg::mute);
+        const auto image = Exiv2::ImageFactory::open(
+            reinterpret_cast<const Exiv2::byte*>(bytes.data()), static_cast<long>(bytes.size()));
+        image->readMetadata();
+        read_orientation(*image, metadata);
+        read_profile(*image, metadata);
+        read_texts(*image, metadata);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception&) {
+        return metadata;  // what was read until then
+    }
+    return metadata;
+}
+
+}  // namespace touchline::decode

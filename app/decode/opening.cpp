@@ -1,0 +1,78 @@
+#include "app/decode/opening.h"
+
+#include "app/decode/files.h"
+#include "app/decode/one_line.h"
+#include "app/decode/picture.h"
+#include "app/decode/side_car.h"
+#include "app/process/memory.h"
+#include "app/process/places.h"
+#include "app/sandbox/worker.h"
+
+#include <filesystem>
+#include <system_error>
+
+namespace touchline {
+namespace {
+
+constexpr std::size_t most_answer_bytes = std::size_t{256} << 20U;
+
+std::string words_of(WorkerEnd end) {
+    switch (end) {
+        case WorkerEnd::not_started:
+            return "the part of Touchline that opens files cannot be started safely here; "
+                   "have it installed anew";
+        case WorkerEnd::out_of_time:
+            return "the file takes too long to open; save it smaller or simpler";
+        case WorkerEnd::out_of_memory:
+            return "the file needs too much memory; save it smaller";
+        case WorkerEnd::done:
+        case WorkerEnd::crashed:
+        case WorkerEnd::no_answer:
+            return "the file is damaged or harmful; choose another one";
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Page> open_page(std::span<const std::byte> bytes, const PageOrder& order) {
+    if (bytes.empty()) return failure("the file is empty; copy it again");
+    const auto input = sealed_copy(bytes);
+    if (!input) return tl::unexpected(input.error());
+    const WorkerKind kind = kind_of(bytes);
+    const auto outcome =
+        run_worker({companion(program_for(kind)), arguments_of({kind, order}), kind}, *input);
+    if (outcome.end != WorkerEnd::done) return failure(words_of(outcome.end));
+    const auto answer = map_sealed(outcome.output, most_answer_bytes);
+    if (!answer) return failure(words_of(WorkerEnd::no_answer));
+    return page_of(answer->bytes());
+}
+
+namespace {
+
+/// Beside pictures there is seldom a text; one that cannot be read is none.
+void add_side_car(const std::string& path, Page& page) {
+    std::error_code error;
+    const std::string beside = side_car_of(path);
+    const auto size = std::filesystem::file_size(beside, error);
+    if (error || size > max_side_car_bytes) return;
+    const auto text = read_file(beside);
+    if (text) tell({reinterpret_cast<const char*>(text->data()), text->size()}, page.told);
+}
+
+}  // namespace
+
+Result<Page> open_page_of(const std::string& path, const PageOrder& order) {
+    const auto bytes = read_file(path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    auto opened = open_page(*bytes, order);
+    if (!opened) return failure(one_line(path) + ": " + opened.error().line);
+    add_side_car(path, *opened);
+    return opened;
+}
+
+Result<Picture> read_picture(const std::string& path) {
+    return open_page_of(path).map([](Page page) { return std::move(page.picture); });
+}
+
+}  // namespace touchline

@@ -1,0 +1,20 @@
+// Files of strangers as the kiosk opens them: by a worker that can do nothing else.
+// Threads: any, each call by itself; a call waits for its worker, at most its deadline.
+#pragma once
+
+#include "app/decode/page.h"
+#include "app/decode/page_order.h"
+
+#include <span>
+#include <string>
+
+namespace touchline {
+
+/// A page of a document. Fails with one line: why, and what to do.
+[[nodiscard]] Result<Page> open_page(std::span<const std::byte> bytes, const PageOrder& order = {});
+
+/// The same of a file, with what stands in a text beside it (side_car.h); errors start with its
+/// name.
+[[nodiscard]] Result<Page> open_page_of(const std::string& path, const PageOrder& order = {});
+
+}  // namespace touchline

@@ -1,0 +1,36 @@
+// Which page is wanted of a document, and which worker may open it.
+// Threads: values and pure functions.
+#pragma once
+
+#include "app/sandbox/limits.h"
+#include "config/types/result.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+struct PageOrder {
+    int page = 1;   // 1 ... max_pages
+    int dpi = 150;  // of documents without pixels of their own, 30 ... 600
+};
+
+/// By the first bytes: what is drawn (SVG, PDF) needs more libraries than what is pixels, and what
+/// a film's codec made needs threads.
+[[nodiscard]] WorkerKind kind_of(std::span<const std::byte> bytes);
+
+/// The program that opens files of a kind.
+[[nodiscard]] std::string program_for(WorkerKind kind);
+
+/// What a worker is told on its command line; work_in() reads the same back.
+struct Work {
+    WorkerKind kind = WorkerKind::raster;
+    PageOrder order;
+};
+
+[[nodiscard]] std::vector<std::string> arguments_of(const Work& work);
+[[nodiscard]] Result<Work> work_in(std::span<const std::string> arguments);
+
+}  // namespace touchline

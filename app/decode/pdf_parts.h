@@ -1,0 +1,47 @@
+// Private to app/decode: what a page of a PDF holds beside its pixels. Places are points of 1/72
+// inch from the upper left corner of the page. Threads: one document, one thread.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <poppler.h>
+
+namespace touchline::decode {
+
+struct GlibRelease {
+    void operator()(gpointer object) const { g_object_unref(object); }
+
+    void operator()(gchar* text) const { g_free(text); }
+
+    void operator()(GError* error) const { g_error_free(error); }
+
+    void operator()(GBytes* bytes) const { g_bytes_unref(bytes); }
+
+    void operator()(PopplerRectangle* rectangles) const { g_free(rectangles); }
+
+    void operator()(PopplerStructureElementIter* at) const {
+        poppler_structure_element_iter_free(at);
+    }
+};
+
+template <class T>
+using GlibOwned = std::unique_ptr<T, GlibRelease>;
+
+/// Text with the box that it is in; an empty box where the document does not say.
+struct PdfText {
+    std::string text;
+    PopplerRectangle box{};  // y1 above y2
+};
+
+/// The words of a page, those that stand close in one line together.
+[[nodiscard]] std::vector<PdfText> texts_of(PopplerPage* page);
+
+/// The figures of a page with what their author wrote for those who cannot see them.
+[[nodiscard]] std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page);
+
+/// The first heading of a page; empty where none is marked.
+[[nodiscard]] std::string heading_of(PopplerDocument* document, PopplerPage* page);
+
+}  // namespace touchline::decode

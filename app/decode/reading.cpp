@@ -1,0 +1,70 @@
+// What all readers share: limits, and the words for what they refuse.
+#include "app/decode/formats.h"
+#include "app/decode/one_line.h"
+
+#include <exception>
+#include <new>
+
+#include <fmt/format.h>
+
+namespace touchline::decode {
+
+Result<void> check_size(std::string_view format, std::uint64_t width, std::uint64_t height) {
+    if (width == 0 || height == 0) return damaged(format, "it has no pixels");
+    if (fits_a_picture(width, height)) return {};
+    return too_large(format, width, height);
+}
+
+tl::unexpected<Error> too_large(std::string_view format, std::uint64_t width,
+                                std::uint64_t height) {
+    return failure(
+        fmt::format("the {} picture has {} x {} pixels, more than {} megapixels or {} on a side; "
+                    "save it smaller",
+                    format, width, height, max_picture_pixels >> 20U, max_picture_side_px));
+}
+
+tl::unexpected<Error> damaged(std::string_view format, std::string_view detail) {
+    return failure(
+        fmt::format("the {} {} is cut short or damaged ({}); copy it again or save it anew", format,
+                    format == "PDF" ? "document" : "picture",
+                    detail.empty() ? "its data make no sense" : one_line(detail)));
+}
+
+tl::unexpected<Error> not_a_picture(FileFormat format) {
+    switch (format) {
+        case FileFormat::office:
+            return failure(
+                "the file is an office document, which cannot be opened here; save it as PDF");
+        case FileFormat::archive:
+            return failure(
+                "the file is an archive of other files; unpack it on your computer and copy "
+                "the pictures");
+        default:
+            return failure(
+                "the file is no picture that is known here, by its first bytes; "
+                "save it as PNG, JPEG or PDF");
+    }
+}
+
+Area told_area(const Picture& picture) {
+    return {told_m_per_px * picture.width, told_m_per_px * picture.height};
+}
+
+Position told_place(const Picture& picture, double x_px, double y_px) {
+    return {told_m_per_px * (x_px - picture.width / 2.0),
+            told_m_per_px * (picture.height / 2.0 - y_px)};
+}
+
+Result<Page> without_exceptions(Result<Page> (*read)(Bytes bytes, const PageOrder& order),
+                                Bytes bytes, const PageOrder& order) {
+    try {
+        if (bytes.empty()) return failure("the file is empty; copy it again");
+        return read(bytes, order);
+    } catch (const std::bad_alloc&) {
+        return failure("not enough memory for the file; save it smaller");
+    } catch (const std::exception& problem) {
+        return failure("the file cannot be read: " + one_line(problem.what()));
+    }
+}
+
+}  // namespace touchline::decode

@@ -1,0 +1,85 @@
+#include "app/decode/signature.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace touchline {
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+bool starts_with(Bytes bytes, std::string_view magic, std::size_t offset = 0) {
+    if (bytes.size() < offset + magic.size()) return false;
+    return std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<long>(offset),
+                      [](char c, std::byte b) { return static_cast<std::byte>(c) == b; });
+}
+
+bool is_svg(Bytes bytes) {
+    constexpr std::size_t prologue_bytes = 4096;  // declaration, DOCTYPE, comments
+    const auto head = bytes.first(std::min(bytes.size(), prologue_bytes));
+    std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    const auto first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos || text[first] != '<') return false;
+    return text.find("<svg") != std::string_view::npos ||
+           text.find(":svg") != std::string_view::npos;
+}
+
+/// ISO 14496-12: the first box tells which brands of reader can read the file.
+bool is_heif(Bytes bytes) {
+    if (!starts_with(bytes, "ftyp", 4)) return false;
+    const auto head = bytes.first(std::min<std::size_t>(bytes.size(), 64));
+    const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
+    for (const std::string_view brand :
+         {"heic", "heix", "heim", "heis", "hevc", "mif1", "msf1", "avif", "avis"})
+        if (text.find(brand, 8) != std::string_view::npos) return true;
+    return false;
+}
+
+bool is_pnm(Bytes bytes) {
+    return bytes.size() > 2 && bytes[0] == std::byte{'P'} && bytes[1] >= std::byte{'1'} &&
+           bytes[1] <= std::byte{'6'} &&
+           std::string_view(" \t\r\n").find(static_cast<char>(bytes[2])) != std::string_view::npos;
+}
+
+/// PDF's first line may stand behind some bytes of a mail program.
+bool is_pdf(Bytes bytes) {
+    const auto head = bytes.first(std::min<std::size_t>(bytes.size(), 1024));
+    const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
+    return text.find("%PDF-") != std::string_view::npos;
+}
+
+/// A ZIP of an office program names its parts first.
+FileFormat packed_format(Bytes bytes) {
+    const auto head = bytes.first(std::min<std::size_t>(bytes.size(), 256));
+    const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
+    for (const std::string_view part :
+         {"[Content_Types].xml", "_rels/.rels", "mimetypeapplication/vnd.oasis", "docProps/"})
+        if (text.find(part) != std::string_view::npos) return FileFormat::office;
+    return FileFormat::archive;
+}
+
+}  // namespace
+
+FileFormat format_of(Bytes bytes) {
+    using namespace std::string_view_literals;
+    if (starts_with(bytes, "\x89PNG\r\n\x1a\n"sv)) return FileFormat::png;
+    if (starts_with(bytes, "\xff\xd8\xff"sv)) return FileFormat::jpeg;
+    if (starts_with(bytes, "RIFF"sv) && starts_with(bytes, "WEBP"sv, 8)) return FileFormat::webp;
+    for (const auto magic : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}) {
+        if (starts_with(bytes, magic)) return FileFormat::tiff;
+    }
+    if (starts_with(bytes, "GIF87a"sv) || starts_with(bytes, "GIF89a"sv)) return FileFormat::gif;
+    if (is_heif(bytes)) return FileFormat::heif;
+    if (is_pnm(bytes)) return FileFormat::pnm;
+    if (starts_with(bytes, "BM"sv) && starts_with(bytes, "\0\0\0\0"sv, 6)) return FileFormat::bmp;
+    if (starts_with(bytes, "PK\3\4"sv)) return packed_format(bytes);
+    if (starts_with(bytes, "\xd0\xcf\x11\xe0"sv) || starts_with(bytes, "{\\rtf"sv))
+        return FileFormat::office;
+    if (starts_with(bytes, "Rar!"sv) || starts_with(bytes, "7z\xbc\xaf"sv))
+        return FileFormat::archive;
+    if (is_pdf(bytes)) return FileFormat::pdf;
+    return is_svg(bytes) ? FileFormat::svg : FileFormat::unknown;
+}
+
+}  // namespace touchline

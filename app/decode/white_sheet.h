@@ -1,0 +1,34 @@
+// Private to app/decode: a white sheet that libraries draw on, and its pixels.
+// Threads: one sheet, one thread.
+#pragma once
+
+#include "app/decode/picture.h"
+
+#include <memory>
+
+#include <cairo.h>
+
+namespace touchline::decode {
+
+class WhiteSheet {
+  public:
+    /// Sizes within the limits of picture.h.
+    WhiteSheet(int width, int height);
+
+    [[nodiscard]] cairo_t* context() const { return context_.get(); }
+
+    /// What is on it; fails when cairo gave up.
+    [[nodiscard]] Result<Picture> picture() const;
+
+  private:
+    struct Release {
+        void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+
+        void operator()(cairo_t* context) const { cairo_destroy(context); }
+    };
+
+    std::unique_ptr<cairo_surface_t, Release> surface_;
+    std::unique_ptr<cairo_t, Release> context_;
+};
+
+}  // namespace touchline::decode

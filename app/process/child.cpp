@@ -1,0 +1,116 @@
+#include "app/process/child.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sched.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+// This C library forgets to say so itself.
+extern "C" {
+#include <sys/pidfd.h>
+}
+
+namespace touchline {
+namespace {
+
+/// How the child begins: what it is handed, no other descriptor, signals as usual.
+class SpawnOrder {
+  public:
+    SpawnOrder(std::span<const Descriptor* const> handed, StandardStreams streams) {
+        posix_spawn_file_actions_init(&actions_);
+        if (streams == StandardStreams::nothing) {
+            for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+                posix_spawn_file_actions_addopen(&actions_, stream, "/dev/null", O_RDWR, 0);
+        }
+        hand(handed);
+        posix_spawnattr_init(&attributes_);
+        sigset_t none;
+        sigemptyset(&none);
+        sigset_t all;
+        sigfillset(&all);
+        posix_spawnattr_setsigmask(&attributes_, &none);
+        posix_spawnattr_setsigdefault(&attributes_, &all);
+        const sched_param ordinary{};  // a thread's own priority is not for its child
+        posix_spawnattr_setschedpolicy(&attributes_, SCHED_OTHER);
+        posix_spawnattr_setschedparam(&attributes_, &ordinary);
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
+                                                   POSIX_SPAWN_SETSCHEDULER);
+    }
+
+    ~SpawnOrder() {
+        posix_spawnattr_destroy(&attributes_);
+        posix_spawn_file_actions_destroy(&actions_);
+    }
+
+    SpawnOrder(const SpawnOrder&) = delete;
+    SpawnOrder(SpawnOrder&&) = delete;
+    SpawnOrder& operator=(const SpawnOrder&) = delete;
+    SpawnOrder& operator=(SpawnOrder&&) = delete;
+
+    /// The error's number, 0 where there was none.
+    int spawn(pid_t& pid, const std::string& program, std::vector<char*>& words) const {
+        return posix_spawn(&pid, program.c_str(), &actions_, &attributes_, words.data(), environ);
+    }
+
+  private:
+    /// Copied above all of them first: one that is moved down might close another.
+    void hand(std::span<const Descriptor* const> handed) {
+        int above = Child::first_handed + static_cast<int>(handed.size());
+        for (const Descriptor* one : handed) above = std::max(above, one->number() + 1);
+        int copy = above;
+        for (const Descriptor* one : handed)
+            posix_spawn_file_actions_adddup2(&actions_, one->number(), copy++);
+        int number = Child::first_handed;
+        for (int from = above; from < copy; ++from)
+            posix_spawn_file_actions_adddup2(&actions_, from, number++);
+        posix_spawn_file_actions_addclosefrom_np(&actions_, number);
+    }
+
+    posix_spawn_file_actions_t actions_{};
+    posix_spawnattr_t attributes_{};
+};
+
+}  // namespace
+
+std::string describe(const ChildEnd& end) {
+    if (end.signal != 0) return "signal " + std::to_string(end.signal);
+    return "exit status " + std::to_string(end.status);
+}
+
+Result<Child> Child::start(const std::string& program, const std::vector<std::string>& arguments,
+                           std::span<const Descriptor* const> handed, StandardStreams streams) {
+    std::vector<std::string> texts{program};
+    texts.insert(texts.end(), arguments.begin(), arguments.end());
+    std::vector<char*> words;
+    for (std::string& text : texts) words.push_back(text.data());
+    words.push_back(nullptr);
+    pid_t pid = 0;
+    if (const int error = SpawnOrder(handed, streams).spawn(pid, program, words); error != 0)
+        return failure("the program " + program + " cannot be started: " + std::strerror(error));
+    Descriptor pidfd(pidfd_open(pid, 0));
+    if (!pidfd.is_open()) {
+        ::kill(pid, SIGKILL);
+        (void)waitpid(pid, nullptr, 0);
+        return failure("this kernel is too old to watch over a process: it lacks pidfd");
+    }
+    return Child(pid, std::move(pidfd));
+}
+
+ChildEnd Child::reap() {
+    int status = 0;
+    if (waitpid(pid_, &status, 0) != pid_) return {-1, 0};
+    if (WIFSIGNALED(status)) return {0, WTERMSIG(status)};
+    return {WEXITSTATUS(status), 0};
+}
+
+void Child::kill() const {
+    (void)pidfd_send_signal(pidfd_.number(), SIGKILL, nullptr, 0);
+}
+
+}  // namespace touchline

@@ -1,0 +1,63 @@
+// A process as its parent holds it.
+// Threads: one at a time; the thread that starts the child must outlive it, for the child may die
+// with that thread.
+#pragma once
+
+#include "app/process/descriptor.h"
+#include "config/types/result.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace touchline {
+
+/// How a process ended: its exit status, or the signal that it died of.
+struct ChildEnd {
+    int status = 0;
+    int signal = 0;
+
+    [[nodiscard]] bool is_good() const { return status == 0 && signal == 0; }
+
+    friend bool operator==(const ChildEnd&, const ChildEnd&) = default;
+};
+
+/// "exit status 1", "signal 9".
+[[nodiscard]] std::string describe(const ChildEnd& end);
+
+/// What a child has as its standard input, output and errors: ours, or nothing.
+enum class StandardStreams : std::uint8_t { ours, nothing };
+
+class Child {
+  public:
+    /// Runs `program arguments...`. Of this process's descriptors it gets `handed`, as
+    /// first_handed, first_handed + 1, ..., and the standard ones.
+    [[nodiscard]] static Result<Child> start(const std::string& program,
+                                             const std::vector<std::string>& arguments,
+                                             std::span<const Descriptor* const> handed,
+                                             StandardStreams streams = StandardStreams::ours);
+
+    static constexpr int first_handed = 3;
+
+    /// Readable as soon as the child is dead, its descriptors closed.
+    [[nodiscard]] const Descriptor& pidfd() const { return pidfd_; }
+
+    /// Once it is dead.
+    [[nodiscard]] ChildEnd reap();
+
+    /// SIGKILL.
+    void kill() const;
+
+    [[nodiscard]] pid_t pid() const { return pid_; }
+
+  private:
+    Child(pid_t pid, Descriptor pidfd) : pid_(pid), pidfd_(std::move(pidfd)) {}
+
+    pid_t pid_;
+    Descriptor pidfd_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,20 @@
+// Where the program and its companions lie.
+// Threads: any, as long as nothing in the program changes its environment.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace touchline {
+
+/// Of the environment; empty where there is none.
+[[nodiscard]] std::string environment(const char* name);
+
+/// The folder that this program was started from, links followed; empty where the system does not
+/// tell.
+[[nodiscard]] std::filesystem::path own_folder();
+
+/// Another program of Touchline: in TOUCHLINE_PROGRAMS where that is set, else beside this one.
+[[nodiscard]] std::string companion(const std::string& name);
+
+}  // namespace touchline

@@ -1,0 +1,67 @@
+// What a worker may take of the machine, by what it is for.
+// Threads: constant data.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace touchline {
+
+/// raster: one picture. film: one picture of a film's codec (HEIC, AVIF), which has threads and
+/// waits for them for ever where it gets none. document: SVG and PDF. ocr: words in a picture.
+/// speech: text to sound, for as long as the kiosk lives.
+enum class WorkerKind : std::uint8_t { raster, film, document, ocr, speech };
+
+inline constexpr int worker_kind_count = 5;
+
+struct WorkerLimits {
+    std::size_t input_bytes = 0;  // of the file
+    std::size_t address_space_bytes = 0;
+    unsigned cpu_s = 0;          // 0: no end; the process dies a second later
+    std::size_t file_bytes = 0;  // that it can make its output grow to
+    double deadline_s = 0.0;     // of the whole work, by the clock on the wall; 0: none
+    bool has_threads = false;    // a codec needs them
+    bool reads_fonts = false;    // the system's, while it draws
+};
+
+[[nodiscard]] constexpr WorkerLimits limits_of(WorkerKind kind) {
+    constexpr std::size_t MiB = std::size_t{1} << 20U;
+    switch (kind) {
+        case WorkerKind::raster:
+            return {.input_bytes = 64 * MiB,
+                    .address_space_bytes = 512 * MiB,
+                    .cpu_s = 4,
+                    .file_bytes = 200 * MiB,
+                    .deadline_s = 6.0};
+        case WorkerKind::film:
+            return {.input_bytes = 64 * MiB,
+                    .address_space_bytes = 1024 * MiB,  // a stack a thread
+                    .cpu_s = 8,
+                    .file_bytes = 200 * MiB,
+                    .deadline_s = 10.0,
+                    .has_threads = true};
+        case WorkerKind::document:
+            return {.input_bytes = 128 * MiB,
+                    .address_space_bytes = 1024 * MiB,
+                    .cpu_s = 15,
+                    .file_bytes = 200 * MiB,
+                    .deadline_s = 20.0,
+                    .has_threads = true,  // Pango matches fonts so
+                    .reads_fonts = true};
+        case WorkerKind::ocr:
+            return {.input_bytes = 200 * MiB,
+                    .address_space_bytes = 1024 * MiB,
+                    .cpu_s = 30,
+                    .file_bytes = 16 * MiB,
+                    .deadline_s = 40.0};
+        case WorkerKind::speech:
+            return {.input_bytes = MiB,
+                    .address_space_bytes = 256 * MiB,
+                    .cpu_s = 0,
+                    .file_bytes = 64 * MiB,
+                    .deadline_s = 0.0};
+    }
+    return {};
+}
+
+}  // namespace touchline

@@ -1,0 +1,65 @@
+#include "app/sandbox/sandbox.h"
+
+#include "app/sandbox/worker.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <string>
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+Result<void> refused(const std::string& step) {
+    return failure("the sandbox cannot be entered: " + step + ": " + std::strerror(errno));
+}
+
+Result<void> set_limit(__rlimit_resource_t what, const char* name, rlim_t soft, rlim_t hard) {
+    const rlimit limit{soft, hard};
+    if (setrlimit(what, &limit) != 0) return refused(name);
+    return {};
+}
+
+/// The C++ library would end by a signal that the filter does not know.
+[[noreturn]] void end_at_once() {
+    _exit(worker_out_of_memory);
+}
+
+}  // namespace
+
+Result<void> limit_resources(const WorkerLimits& limits) {
+    const auto set = [](__rlimit_resource_t what, const char* name, rlim_t most) {
+        return set_limit(what, name, most, most);
+    };
+    const auto cpu = [&limits]() -> Result<void> {
+        if (limits.cpu_s == 0) return {};
+        return set_limit(RLIMIT_CPU, "processor time", limits.cpu_s, limits.cpu_s + 1);
+    };
+    return set(RLIMIT_AS, "memory", limits.address_space_bytes)
+        .and_then(cpu)
+        .and_then([&] { return set(RLIMIT_FSIZE, "size of files", limits.file_bytes); })
+        .and_then([&] { return set(RLIMIT_NOFILE, "files", worker_descriptors + 3); })
+        .and_then([&] { return set(RLIMIT_CORE, "core dumps", 0); })
+        .and_then([&]() -> Result<void> {
+            if (limits.has_threads) return {};
+            return set(RLIMIT_NPROC, "processes", 0);
+        });
+}
+
+Result<void> enter_sandbox(WorkerKind kind) {
+    std::set_terminate(end_at_once);
+    if (prctl(PR_SET_PDEATHSIG, SIGKILL, 0UL, 0UL, 0UL) != 0) return refused("death signal");
+    if (prctl(PR_SET_DUMPABLE, 0UL, 0UL, 0UL, 0UL) != 0) return refused("tracing");
+    if (close_range(worker_descriptors, ~0U, 0) != 0) return refused("descriptors");
+    return limit_resources(limits_of(kind))
+        .and_then([kind] { return deny_files(kind); })
+        .and_then([kind] { return filter_calls(kind); });
+}
+
+}  // namespace touchline

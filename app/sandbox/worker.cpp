@@ -1,0 +1,64 @@
+#include "app/sandbox/worker.h"
+
+#include "app/process/child.h"
+#include "app/process/memory.h"
+#include "config/types/steady_clock.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+
+#include <poll.h>
+#include <sys/stat.h>
+
+namespace touchline {
+namespace {
+
+/// False when the time is up.
+bool wait_for_end(const Child& child, double deadline_s) {
+    const std::int64_t end_ns = steady_now_ns() + std::llround(1e9 * deadline_s);
+    pollfd dead{child.pidfd().number(), POLLIN, 0};
+    for (;;) {
+        const double left_ms = 1e-6 * static_cast<double>(end_ns - steady_now_ns());
+        const int wait_ms = deadline_s > 0.0 ? static_cast<int>(std::max(0.0, left_ms)) : -1;
+        const int found = ::poll(&dead, 1, wait_ms);
+        if (found > 0) return true;
+        if (found == 0 || errno != EINTR) return false;
+    }
+}
+
+WorkerEnd end_of(const ChildEnd& end) {
+    if (end.signal == SIGXCPU || end.signal == SIGKILL) return WorkerEnd::out_of_time;
+    if (end.signal != 0) return WorkerEnd::crashed;
+    if (end.status == worker_refused_to_start) return WorkerEnd::not_started;
+    if (end.status == worker_out_of_memory) return WorkerEnd::out_of_memory;
+    return end.status == 0 ? WorkerEnd::done : WorkerEnd::crashed;
+}
+
+bool is_empty(const Descriptor& memory) {
+    struct stat status {};
+
+    return ::fstat(memory.number(), &status) != 0 || status.st_size <= 0;
+}
+
+}  // namespace
+
+WorkerOutcome run_worker(const WorkerOrder& order, const Descriptor& input) {
+    auto output = fresh_memory();
+    if (!output) return {WorkerEnd::out_of_memory, Descriptor{}};
+    const std::array<const Descriptor*, 2> handed{&input, &*output};
+    auto child = Child::start(order.program, order.arguments, handed, StandardStreams::nothing);
+    if (!child) return {WorkerEnd::not_started, Descriptor{}};
+    const bool has_ended = wait_for_end(*child, limits_of(order.kind).deadline_s);
+    if (!has_ended) child->kill();
+    const ChildEnd how = child->reap();
+    const WorkerEnd end = has_ended ? end_of(how) : WorkerEnd::out_of_time;
+    if (end != WorkerEnd::done) return {end, Descriptor{}};
+    // Only now: while the worker lived it could have had the memory mapped for writing.
+    if (is_empty(*output) || !seal(*output)) return {WorkerEnd::no_answer, Descriptor{}};
+    return {WorkerEnd::done, std::move(*output)};
+}
+
+}  // namespace touchline

@@ -1,0 +1,31 @@
+// Which files of a stick are offered, by name alone. What a file really is, its first bytes tell
+// the process that opens it.
+// Threads: pure functions. O(n).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace touchline {
+
+/// picture: one image. document: pages or vectors. office: listed so that one sentence can ask for
+/// a PDF of it; it is not opened.
+enum class StickFileKind : std::uint8_t { picture, document, office };
+
+inline constexpr int stick_file_kind_count = 3;
+
+/// By the ending, of any case; none for what is not offered.
+[[nodiscard]] std::optional<StickFileKind> kind_of_name(std::string_view name);
+
+/// Hidden files and folders, and those that systems put on sticks for themselves.
+[[nodiscard]] bool is_left_out(std::string_view name);
+
+/// A text that describes a file lies beside it: "boat.txt" for "boat.jpg".
+[[nodiscard]] std::string side_car_of(std::string_view name);
+
+/// What to do with an office file: one sentence for screen and voice.
+[[nodiscard]] std::string_view office_sentence();
+
+}  // namespace touchline

@@ -1,0 +1,118 @@
+#include "app/sticks/import.h"
+
+#include "app/process/memory.h"
+#include "app/sandbox/limits.h"
+#include "app/sticks/import_program.h"
+#include "config/types/steady_clock.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <poll.h>
+#include <sys/stat.h>
+
+namespace touchline {
+namespace {
+
+using Refused = tl::unexpected<StickRefusal>;
+
+/// After SIGKILL: longer than this only where the kernel itself waits for the stick.
+constexpr double killed_s = 0.5;
+
+/// False when the time is up.
+bool is_dead_within(const Child& child, double seconds) {
+    const std::int64_t end_ns = steady_now_ns() + std::llround(1e9 * seconds);
+    for (;;) {
+        pollfd dead{child.pidfd().number(), POLLIN, 0};
+        const double left_ms = 1e-6 * static_cast<double>(end_ns - steady_now_ns());
+        const int found = ::poll(&dead, 1, static_cast<int>(std::max(0.0, std::ceil(left_ms))));
+        if (found > 0) return true;
+        if (found == 0 || errno != EINTR) return false;
+    }
+}
+
+StickRefusal refusal_of_end(const ChildEnd& end) {
+    const int refusal = end.status - first_refusal_status;
+    if (end.signal == 0 && refusal >= 0 && refusal < stick_refusal_count)
+        return static_cast<StickRefusal>(refusal);
+    return end.status == 127 ? StickRefusal::not_started : StickRefusal::unreadable;
+}
+
+bool is_empty(const Descriptor& memory) {
+    struct stat status {};
+
+    return ::fstat(memory.number(), &status) != 0 || status.st_size <= 0;
+}
+
+}  // namespace
+
+std::size_t most_bytes_of(StickFileKind kind) {
+    return limits_of(kind == StickFileKind::picture ? WorkerKind::raster : WorkerKind::document)
+        .input_bytes;
+}
+
+StickImport::StickImport(std::string program, ImportDeadlines deadlines)
+    : program_(std::move(program)), deadlines_(deadlines) {}
+
+Result<StickListing, StickRefusal> StickImport::list(const std::string& root) {
+    const auto answer = run({"list", root}, deadlines_.list_s);
+    if (!answer) return Refused(answer.error());
+    const auto mapping = map_sealed(*answer, most_listing_bytes);
+    if (!mapping) return Refused(StickRefusal::unreadable);
+    auto listing = listing_of(mapping->bytes());
+    if (!listing) return Refused(StickRefusal::unreadable);
+    return std::move(*listing);
+}
+
+Result<Descriptor, StickRefusal> StickImport::read(const std::string& root,
+                                                   const StickEntry& entry) {
+    return copy(root, entry, entry.name, most_bytes_of(entry.kind));
+}
+
+Result<Descriptor, StickRefusal> StickImport::read_side_car(const std::string& root,
+                                                            const StickEntry& entry) {
+    return copy(root, entry, side_car_of(entry.name), most_side_car_bytes);
+}
+
+Result<Descriptor, StickRefusal> StickImport::copy(const std::string& root, const StickEntry& entry,
+                                                   const std::string& name,
+                                                   std::size_t most_bytes) {
+    return run({"read", root, entry.folder, name, std::to_string(most_bytes)}, deadlines_.read_s);
+}
+
+Result<Descriptor, StickRefusal> StickImport::run(const std::vector<std::string>& words,
+                                                  double deadline_s) {
+    reap_dead();
+    auto output = fresh_memory();
+    if (!output) return Refused(StickRefusal::not_started);
+    const std::array<const Descriptor*, 1> handed{&*output};
+    auto child = Child::start(program_, words, handed, StandardStreams::nothing);
+    if (!child) return Refused(StickRefusal::not_started);
+    if (!is_dead_within(*child, deadline_s)) {
+        child->kill();
+        if (is_dead_within(*child, killed_s)) {
+            (void)child->reap();
+        } else {
+            left_behind_.push_back(std::move(*child));
+        }
+        return Refused(StickRefusal::out_of_time);
+    }
+    const ChildEnd end = child->reap();
+    if (!end.is_good()) return Refused(refusal_of_end(end));
+    // Only now: while it lived it could have had the memory mapped for writing.
+    if (is_empty(*output) || !seal(*output)) return Refused(StickRefusal::unreadable);
+    return std::move(*output);
+}
+
+void StickImport::reap_dead() {
+    const auto alive = std::partition(left_behind_.begin(), left_behind_.end(),
+                                      [](const Child& child) { return !is_dead_within(child, 0); });
+    for (auto dead = alive; dead != left_behind_.end(); ++dead) (void)dead->reap();
+    left_behind_.erase(alive, left_behind_.end());
+}
+
+}  // namespace touchline

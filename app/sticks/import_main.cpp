@@ -1,0 +1,26 @@
+// touchline-import: started by the kiosk for one list or one file of a stick. It shuts itself in,
+// and only then reads the first name.
+#include "app/sticks/import_program.h"
+
+#include <cstdio>
+#include <exception>
+
+#include <unistd.h>
+
+namespace {
+
+/// The C++ library would end by a signal that is not allowed.
+[[noreturn]] void end_at_once() {
+    _exit(touchline::first_refusal_status + static_cast<int>(touchline::StickRefusal::unreadable));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::set_terminate(end_at_once);
+    const int status = touchline::run_import({argv + 1, argv + argc});
+    if (status == 2)
+        (void)std::fprintf(stderr,
+                           "touchline-import: the kiosk starts it by itself; use 'touchline'\n");
+    _exit(status);  // no library's farewell, which may want what it may not
+}

@@ -1,0 +1,69 @@
+#include "app/sticks/import_program.h"
+
+#include "app/sticks/beneath.h"
+#include "app/sticks/copy.h"
+#include "app/sticks/fence.h"
+#include "app/sticks/listing.h"
+#include "app/sticks/scan.h"
+#include "config/types/steady_clock.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+
+#include <fcntl.h>
+
+namespace touchline {
+namespace {
+
+/// A list that takes longer is told as far as it got: the first page is heard within two seconds.
+constexpr std::int64_t list_time_ns = 1'500'000'000;
+
+constexpr int wrong_words = 2;
+
+int status_of(StickRefusal refusal) {
+    return first_refusal_status + static_cast<int>(refusal);
+}
+
+std::optional<std::size_t> number_of(const std::string& word) {
+    std::size_t value = 0;
+    const char* const end = word.data() + word.size();
+    const auto [at, error] = std::from_chars(word.data(), end, value);
+    if (error != std::errc() || at != end) return std::nullopt;
+    return value;
+}
+
+int list(const Descriptor& root, const Descriptor& output) {
+    const NaturalOrder order;
+    if (!shut_in(root, most_listing_bytes)) return status_of(StickRefusal::not_started);
+    ScanLimits limits;
+    limits.is_time_up = [end_ns = steady_now_ns() + list_time_ns] {
+        return steady_now_ns() > end_ns;
+    };
+    const auto listing = scan_stick(root, order, limits);
+    if (!listing) return status_of(listing.error());
+    return write_all(output, bytes_of(*listing)) ? 0 : status_of(StickRefusal::unreadable);
+}
+
+int read(const Descriptor& root, const Descriptor& output, const std::vector<std::string>& words) {
+    const auto most_bytes = number_of(words[4]);
+    if (!most_bytes) return wrong_words;
+    if (!shut_in(root, *most_bytes)) return status_of(StickRefusal::not_started);
+    const auto copied = copy_from_stick(root, words[2], words[3], output, {*most_bytes});
+    return copied ? 0 : status_of(copied.error());
+}
+
+}  // namespace
+
+int run_import(const std::vector<std::string>& words) {
+    const bool is_list = words.size() == 2 && words[0] == "list";
+    const bool is_read = words.size() == 5 && words[0] == "read";
+    if (!is_list && !is_read) return wrong_words;
+    const Descriptor output(import_output);
+    const Descriptor root(::open(words[1].c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    if (!root.is_open()) return status_of(errno == ENOENT ? StickRefusal::gone : refusal_of(errno));
+    return is_list ? list(root, output) : read(root, output, words);
+}
+
+}  // namespace touchline

@@ -1,0 +1,15 @@
+// Which way sticks are known from, by the operator's settings.
+// Threads: one.
+#pragma once
+
+#include "app/sticks/stick_port.h"
+#include "config/settings/sticks.h"
+
+#include <memory>
+
+namespace touchline {
+
+/// The watched folder where the settings name one, else udisks2.
+[[nodiscard]] std::unique_ptr<StickPort> open_stick_port(const StickSettings& settings);
+
+}  // namespace touchline

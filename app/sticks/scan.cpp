@@ -1,0 +1,156 @@
+#include "app/sticks/scan.h"
+
+#include "app/sticks/beneath.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <utility>
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+
+namespace touchline {
+namespace {
+
+/// The first few names in natural order of any number.
+class FirstNames {
+  public:
+    FirstNames(const NaturalOrder& order, std::size_t most) : order_(order), most_(most) {}
+
+    void add(std::string_view name) {
+        ++count_;
+        if (most_ == 0) return;
+        std::pair keyed{order_.key_of(name), std::string(name)};
+        if (first_.size() == most_) {
+            if (keyed.first >= first_.front().first) return;
+            std::pop_heap(first_.begin(), first_.end());
+            first_.pop_back();
+        }
+        first_.push_back(std::move(keyed));
+        std::push_heap(first_.begin(), first_.end());
+    }
+
+    [[nodiscard]] bool is_empty() const { return first_.empty(); }
+
+    [[nodiscard]] std::size_t beyond() const { return count_ - first_.size(); }
+
+    /// In order. The object is empty then.
+    std::vector<std::string> take() {
+        std::sort_heap(first_.begin(), first_.end());
+        std::vector<std::string> names;
+        for (auto& [key, name] : first_) names.push_back(std::move(name));
+        first_.clear();
+        return names;
+    }
+
+  private:
+    const NaturalOrder& order_;
+    std::size_t most_;
+    std::size_t count_ = 0;
+    std::vector<std::pair<std::string, std::string>> first_;  // a heap of (key, name), last on top
+};
+
+enum class EntryType : std::uint8_t { file, folder, other };
+
+EntryType type_of(const Descriptor& folder, const dirent64& entry) {
+    if (entry.d_type == DT_REG) return EntryType::file;
+    if (entry.d_type == DT_DIR) return EntryType::folder;
+    if (entry.d_type != DT_UNKNOWN) return EntryType::other;
+
+    const Descriptor seen = open_beneath(folder, entry.d_name, O_PATH);
+
+    struct stat status {};
+
+    if (!seen.is_open() || ::fstat(seen.number(), &status) != 0) return EntryType::other;
+    if (S_ISREG(status.st_mode)) return EntryType::file;
+    return S_ISDIR(status.st_mode) ? EntryType::folder : EntryType::other;
+}
+
+class Scan {
+  public:
+    Scan(const NaturalOrder& order, const ScanLimits& limits) : order_(order), limits_(limits) {}
+
+    Result<StickListing, StickRefusal> run(const Descriptor& root) {
+        FirstNames folders(order_, limits_.most_folders);
+        // The handed descriptor's place in the folder is its owner's.
+        const Descriptor open_root = open_beneath(root, ".", O_DIRECTORY);
+        if (!open_root.is_open()) return tl::unexpected(refusal_of(errno));
+        const int error = read_folder(open_root, "", &folders);
+        if (error != 0 && listing_.entries.empty() && folders.is_empty())
+            return tl::unexpected(refusal_of(error));
+        if (folders.beyond() > 0) listing_.is_whole = false;
+        for (const std::string& name : folders.take()) {
+            const Descriptor folder = open_beneath(root, name, O_DIRECTORY);
+            if (!folder.is_open() || read_folder(folder, name, nullptr) != 0)
+                listing_.is_whole = false;
+            if (is_over_) break;
+        }
+        return std::move(listing_);
+    }
+
+  private:
+    /// errno where an error came before the folder's end; what was read until then counts.
+    int read_folder(const Descriptor& folder, const std::string& name, FirstNames* folders) {
+        FirstNames files(order_, most_listed - listing_.entries.size());
+        const int error = read_names(folder, files, folders);
+        if (error != 0) listing_.is_whole = false;
+        listing_.not_listed += static_cast<std::uint32_t>(files.beyond());
+        for (std::string& file : files.take()) {
+            const auto kind = kind_of_name(file);
+            if (kind) listing_.entries.push_back({*kind, name, std::move(file)});
+        }
+        return error;
+    }
+
+    int read_names(const Descriptor& folder, FirstNames& files, FirstNames* folders) {
+        alignas(dirent64) std::array<char, 32768> buffer{};
+        while (!is_over()) {
+            const ssize_t got = ::getdents64(folder.number(), buffer.data(), buffer.size());
+            if (got <= 0) return got == 0 ? 0 : errno;
+            for (std::size_t at = 0; at < static_cast<std::size_t>(got);) {
+                const auto& entry = *reinterpret_cast<const dirent64*>(buffer.data() + at);
+                at += entry.d_reclen;
+                ++names_;
+                add(folder, entry, files, folders);
+            }
+        }
+        return 0;
+    }
+
+    static void add(const Descriptor& folder, const dirent64& entry, FirstNames& files,
+                    FirstNames* folders) {
+        const std::string_view name = entry.d_name;
+        if (is_left_out(name) || !is_file_name(name)) return;
+        // First what costs nothing: most names are neither.
+        const bool may_be_file = kind_of_name(name).has_value();
+        if (!may_be_file && folders == nullptr) return;
+        const EntryType type = type_of(folder, entry);
+        if (type == EntryType::file && may_be_file) files.add(name);
+        if (type == EntryType::folder && folders != nullptr) folders->add(name);
+    }
+
+    bool is_over() {
+        if (!is_over_ && (names_ > limits_.most_names || limits_.is_time_up())) {
+            is_over_ = true;
+            listing_.is_whole = false;
+        }
+        return is_over_;
+    }
+
+    const NaturalOrder& order_;
+    const ScanLimits& limits_;
+    StickListing listing_;
+    std::size_t names_ = 0;
+    bool is_over_ = false;
+};
+
+}  // namespace
+
+Result<StickListing, StickRefusal> scan_stick(const Descriptor& root, const NaturalOrder& order,
+                                              const ScanLimits& limits) {
+    return Scan(order, limits).run(root);
+}
+
+}  // namespace touchline

@@ -1,0 +1,31 @@
+// The files of a stick: its root and one level of folders. Memory does not grow with the stick:
+// only the names that may be listed are kept.
+// Threads: any, each call by itself; a call waits for the stick.
+#pragma once
+
+#include "app/process/descriptor.h"
+#include "app/sticks/listing.h"
+#include "app/sticks/natural_order.h"
+#include "app/sticks/refusal.h"
+
+#include <cstddef>
+#include <functional>
+
+namespace touchline {
+
+/// What a scan may take; beyond, the listing says that it is not whole.
+struct ScanLimits {
+    std::size_t most_folders = 500;    // the first in natural order
+    std::size_t most_names = 200'000;  // of all folders together, also of what is not listed
+    std::function<bool()> is_time_up = [] { return false; };  // asked every few hundred names
+};
+
+/// Regular files of known endings; links, FIFOs, sockets, devices, hidden files and what systems
+/// leave behind are passed over. A folder that cannot be read is passed over too, and the listing
+/// is not whole. Fails only where the root itself cannot be read, with errno's words. O(n log k)
+/// for n names and k listed.
+[[nodiscard]] Result<StickListing, StickRefusal> scan_stick(const Descriptor& root,
+                                                            const NaturalOrder& order,
+                                                            const ScanLimits& limits);
+
+}  // namespace touchline

@@ -1,0 +1,265 @@
+#include "app/sticks/stick_rules.h"
+
+#include "app/sticks/mount_options.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+/// Of one stick; a table with hundreds of partitions is no stick that anybody brought in good
+/// faith.
+constexpr std::size_t most_tries = 4;
+
+bool is_visitors(const Volume& volume) {
+    return (volume.bus == "usb" || volume.bus == "sdio") && !volume.is_of_system &&
+           !volume.drive.empty() && volume.bytes > 0;
+}
+
+/// Is there something on it that a visitor would expect to be read?
+bool is_promising(const Volume& volume) {
+    // Ours are the rules that ignore what is not mounted; ignored by others, it is not for
+    // visitors.
+    if (volume.is_ignored && mount_options(volume.file_system)) return false;
+    return is_visitors(volume) && !volume.is_partitioned && volume.usage != "other" &&
+           volume.usage != "raid";
+}
+
+std::string sentence_for(const Volume& volume) {
+    if (volume.usage == "crypto")
+        return "The stick is locked with a password and cannot be read here; bring one without";
+    if (volume.usage == "filesystem" && !mount_options(volume.file_system))
+        return "The stick is in a format that is not read here; bring one formatted as FAT or "
+               "exFAT";
+    return "The stick cannot be read; put it in again or try another one";
+}
+
+/// "sdb2" before "sdb10".
+auto place_of(const Volume& volume) {
+    return std::tuple(volume.object.size(), volume.object);
+}
+
+/// The newest stick's first volume.
+bool is_better(const Volume& a, const Volume& b) {
+    if (a.detected_us != b.detected_us) return a.detected_us > b.detected_us;
+    if (a.drive != b.drive) return a.drive > b.drive;
+    return place_of(a) < place_of(b);
+}
+
+}  // namespace
+
+StickStep StickRules::on_volumes(std::vector<Volume> all) {
+    all_ = std::move(all);
+    if (coming_ && (find(coming_->first) == nullptr || is_mounted(*coming_))) coming_.reset();
+    if (leaving_ && !is_mounted(*leaving_)) leaving_.reset();
+    apply_answers();
+    forget_absent();
+    if (std::exchange(is_first_, false)) begin_anew();
+    return decide();
+}
+
+StickStep StickRules::on_vanished(const std::string& object) {
+    std::erase_if(all_, [&object](const Volume& volume) { return volume.object == object; });
+    if (order_ && order_->object == object) order_.reset();
+    if (coming_ && coming_->first == object) coming_.reset();
+    forget_absent();
+    return decide();
+}
+
+void StickRules::on_mounted(std::uint64_t number, const std::string& object,
+                            const std::string& root) {
+    ours_.emplace(object, root);
+    if (!order_ || order_->number != number) return;  // the volumes will tell what became of it
+    order_.reset();
+    coming_.emplace(object, root);
+    apply_answers();
+}
+
+void StickRules::on_mount_failed(std::uint64_t number, bool is_mounted_already) {
+    if (!order_ || order_->number != number) return;
+    const Volume* const volume = find(order_->object);
+    if (!is_mounted_already && volume != nullptr) spend(volume->object, volume->drive);
+    order_.reset();
+}
+
+void StickRules::on_unmounted(std::uint64_t number, bool is_done) {
+    if (!order_ || order_->number != number) return;
+    std::erase_if(ours_, [this, is_done](const Mount& mount) {
+        if (mount.first != order_->object) return false;
+        if (is_done) leaving_ = mount;
+        return true;
+    });
+    order_.reset();
+    apply_answers();
+}
+
+StickStep StickRules::on_session_ended() {
+    offer_.reset();  // nobody is there to be told
+    for (const Volume& volume : all_) spend(volume.object, volume.drive);
+    for (const Volume& volume : all_) told_.insert(volume.drive);
+    return decide();
+}
+
+void StickRules::on_service_lost() {
+    if (order_ && order_->kind == OrderKind::mount) unknown_ = order_->object;
+    order_.reset();
+    coming_.reset();
+    leaving_.reset();
+    is_first_ = true;
+}
+
+const Volume* StickRules::find(const std::string& object) const {
+    const auto found = std::find_if(all_.begin(), all_.end(), [&object](const Volume& volume) {
+        return volume.object == object;
+    });
+    return found == all_.end() ? nullptr : &*found;
+}
+
+bool StickRules::is_mounted(const Mount& mount) const {
+    const Volume* const volume = find(mount.first);
+    return volume != nullptr &&
+           std::count(volume->roots.begin(), volume->roots.end(), mount.second) > 0;
+}
+
+bool StickRules::can_be_read(const Volume& volume) const {
+    const auto tries = std::count_if(spent_.begin(), spent_.end(), [&volume](const auto& spent) {
+        return spent.second == volume.drive;
+    });
+    return is_promising(volume) && volume.usage == "filesystem" &&
+           mount_options(volume.file_system).has_value() &&
+           !spent_.contains({volume.object, volume.drive}) &&
+           static_cast<std::size_t>(tries) < most_tries;
+}
+
+const Volume* StickRules::best() const {
+    const Volume* best = nullptr;
+    for (const Volume& volume : all_)
+        if (can_be_read(volume) && (best == nullptr || is_better(volume, *best))) best = &volume;
+    return best;
+}
+
+/// What an answer has told is true, though the volumes may tell it later.
+void StickRules::apply_answers() {
+    for (Volume& volume : all_) {
+        if (coming_ && coming_->first == volume.object && !is_mounted(*coming_))
+            volume.roots.push_back(coming_->second);
+        if (leaving_ && leaving_->first == volume.object)
+            std::erase(volume.roots, leaving_->second);
+    }
+}
+
+/// The first volumes since udisks2 runs.
+void StickRules::begin_anew() {
+    for (const Volume& volume : all_) {
+        if (volume.roots.empty()) continue;
+        const Mount mount{volume.object, volume.roots.front()};
+        if (unknown_ == volume.object) ours_.insert(mount);
+        if (ours_.contains(mount) || (offer_ && offer_->object == volume.object)) continue;
+        spend(volume.object, volume.drive);
+        told_.insert(volume.drive);
+    }
+    unknown_.reset();
+}
+
+void StickRules::forget_absent() {
+    std::erase_if(spent_, [this](const auto& spent) {
+        const Volume* const volume = find(spent.first);
+        return volume == nullptr || volume->drive != spent.second;
+    });
+    std::erase_if(ours_, [this](const Mount& mount) { return !is_mounted(mount); });
+    std::erase_if(told_, [this](const std::string& drive) {
+        return std::none_of(all_.begin(), all_.end(),
+                            [&drive](const Volume& volume) { return volume.drive == drive; });
+    });
+}
+
+StickStep StickRules::decide() {
+    StickStep step;
+    check_offer(step);
+    const Volume* const wanted = best();
+    const bool is_newer = offer_ && wanted != nullptr && wanted->drive != offer_->drive &&
+                          wanted->detected_us > offer_->detected_us;
+    if (is_newer) withdraw(step);
+    // A stick that is slow to mount does not keep a newer one waiting.
+    if (order_ && order_->kind == OrderKind::mount && wanted != nullptr &&
+        wanted->object != order_->object) {
+        order_.reset();
+    }
+    if (order_) return step;
+    if (const Mount* const mount = superfluous(wanted); mount != nullptr) {
+        give({OrderKind::unmount, 0, mount->first, "", ""}, step);
+    } else if (!offer_ && wanted != nullptr) {
+        mount_or_offer(*wanted, step);
+    } else if (!offer_) {
+        refuse_what_cannot_be_read(step);
+    }
+    return step;
+}
+
+/// Is what the visitor was offered still there?
+void StickRules::check_offer(StickStep& step) {
+    if (!offer_) return;
+    const Volume* const volume = find(offer_->object);
+    const bool is_there = volume != nullptr && volume->drive == offer_->drive;
+    if (is_there && is_mounted({offer_->object, offer_->root})) return;
+    if (is_there) {
+        // Somebody unmounted it, and so wants to pull it out.
+        spend(offer_->object, offer_->drive);
+        told_.insert(offer_->drive);
+    }
+    withdraw(step);
+}
+
+void StickRules::withdraw(StickStep& step) {
+    step.events.push_back({StickNews::gone, offer_->root, ""});
+    offer_.reset();
+}
+
+void StickRules::give(StickOrder order, StickStep& step) {
+    order.number = ++last_number_;
+    order_ = order;
+    step.orders.push_back(std::move(order));
+}
+
+/// What we mounted and nobody needs.
+const StickRules::Mount* StickRules::superfluous(const Volume* wanted) const {
+    const auto found = std::find_if(ours_.begin(), ours_.end(), [this, wanted](const Mount& mount) {
+        const bool is_offered = offer_ && offer_->object == mount.first;
+        const bool is_wanted = !offer_ && wanted != nullptr && wanted->object == mount.first;
+        return !is_offered && !is_wanted;
+    });
+    return found == ours_.end() ? nullptr : &*found;
+}
+
+void StickRules::mount_or_offer(const Volume& volume, StickStep& step) {
+    if (volume.roots.empty()) {
+        give({OrderKind::mount, 0, volume.object, volume.file_system,
+              mount_options(volume.file_system).value_or("")},
+             step);
+        return;
+    }
+    offer_ = Offer{volume.object, volume.drive, volume.roots.front(), volume.detected_us};
+    step.events.push_back({StickNews::ready, offer_->root, ""});
+}
+
+void StickRules::spend(const std::string& object, const std::string& drive) {
+    spent_.emplace(object, drive);
+}
+
+/// Once for each stick, when none of its volumes is left to be tried.
+void StickRules::refuse_what_cannot_be_read(StickStep& step) {
+    const auto tell = [this, &step](const Volume& volume) {
+        if (told_.insert(volume.drive).second)
+            step.events.push_back({StickNews::refused, "", sentence_for(volume)});
+    };
+    std::vector<const Volume*> left;
+    for (const Volume& volume : all_)
+        if (is_promising(volume)) left.push_back(&volume);
+    std::sort(left.begin(), left.end(),
+              [](const Volume* a, const Volume* b) { return is_better(*a, *b); });
+    for (const Volume* volume : left) tell(*volume);
+}
+
+}  // namespace touchline

@@ -1,0 +1,114 @@
+// Which volume of which stick is mounted, when, and what the visitor hears of it: a state machine
+// without a bus.
+// Threads: a value.
+#pragma once
+
+#include "app/sticks/stick_port.h"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace touchline {
+
+/// A block device as udisks2 tells of it, with what it says of the drive.
+struct Volume {
+    std::string object;              // its name on the bus
+    std::string drive;               // the same of its drive
+    std::string bus;                 // that the drive is on: "usb", "sdio", ...
+    std::string usage;               // "filesystem", "crypto", ""
+    std::string file_system;         // by its kernel name
+    std::uint64_t detected_us = 0;   // when the drive's medium came
+    std::vector<std::string> roots;  // where it is mounted
+    std::uint64_t bytes = 0;         // 0: a reader without a card
+    bool is_of_system = false;
+    bool is_ignored = false;      // by the machine's udev rules
+    bool is_partitioned = false;  // holds volumes instead of files
+};
+
+enum class OrderKind : std::uint8_t { mount, unmount };
+
+/// For udisks2. `number` tells the answers of two orders apart.
+struct StickOrder {
+    OrderKind kind = OrderKind::mount;
+    std::uint64_t number = 0;
+    std::string object;
+    std::string file_system;  // of what is mounted
+    std::string options;
+};
+
+/// What is to be done. An order's answer is to be told to the rules, and after each answer all
+/// volumes anew.
+struct StickStep {
+    std::vector<StickOrder> orders;
+    std::vector<StickEvent> events;
+};
+
+/// Each call is one thing that happened. One order at a time, and what next is decided only from
+/// volumes that were told after its answer. What is mounted when the first volumes are told was so
+/// before us: the operator's, not a visitor's, and left alone.
+class StickRules {
+  public:
+    /// All block devices that there are now.
+    [[nodiscard]] StickStep on_volumes(std::vector<Volume> all);
+
+    /// This one has just gone; what comes next under its name is another.
+    [[nodiscard]] StickStep on_vanished(const std::string& object);
+
+    /// It is mounted on `root` now.
+    void on_mounted(std::uint64_t number, const std::string& object, const std::string& root);
+    /// Not by us: it may have been mounted already, which the next volumes will tell.
+    void on_mount_failed(std::uint64_t number, bool is_mounted_already);
+    void on_unmounted(std::uint64_t number, bool is_done);
+
+    /// The visitor is done: what we mounted is unmounted, and what is there is not offered again.
+    [[nodiscard]] StickStep on_session_ended();
+
+    /// udisks2 ended. What is mounted stays; what was ordered will not be answered.
+    void on_service_lost();
+
+  private:
+    /// A volume of a stick, and one of its roots.
+    using Mount = std::pair<std::string, std::string>;
+
+    /// What the visitor was told to be ready.
+    struct Offer {
+        std::string object;
+        std::string drive;
+        std::string root;
+        std::uint64_t detected_us = 0;
+    };
+
+    [[nodiscard]] const Volume* find(const std::string& object) const;
+    [[nodiscard]] bool is_mounted(const Mount& mount) const;
+    [[nodiscard]] bool can_be_read(const Volume& volume) const;
+    [[nodiscard]] const Volume* best() const;
+    void apply_answers();
+    void begin_anew();
+    void forget_absent();
+    [[nodiscard]] StickStep decide();
+    void check_offer(StickStep& step);
+    void withdraw(StickStep& step);
+    void give(StickOrder order, StickStep& step);
+    [[nodiscard]] const Mount* superfluous(const Volume* wanted) const;
+    void mount_or_offer(const Volume& volume, StickStep& step);
+    void refuse_what_cannot_be_read(StickStep& step);
+    void spend(const std::string& object, const std::string& drive);
+
+    std::vector<Volume> all_;
+    std::optional<Offer> offer_;
+    std::optional<StickOrder> order_;     // not answered yet
+    std::optional<Mount> coming_;         // was mounted, though volumes may not tell it yet
+    std::optional<Mount> leaving_;        // was unmounted, though volumes may still tell it
+    std::optional<std::string> unknown_;  // an object whose mounting nobody will answer any more
+    std::set<Mount> ours_;                // what our orders have mounted
+    std::set<std::pair<std::string, std::string>> spent_;  // object and drive: not tried again
+    std::set<std::string> told_;                           // drives that were refused or let go
+    std::uint64_t last_number_ = 0;
+    bool is_first_ = true;  // no volumes were told yet, or none since udisks2 began anew
+};
+
+}  // namespace touchline

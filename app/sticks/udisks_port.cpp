@@ -1,0 +1,211 @@
+#include "app/sticks/udisks_port.h"
+
+#include "app/sticks/udisks_volumes.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <sdbus-c++/sdbus-c++.h>
+
+namespace touchline {
+namespace {
+
+constexpr std::int64_t try_again_ns = 5'000'000'000;
+constexpr std::uint64_t answer_us = 30'000'000;  // a slow stick takes its time to be mounted
+constexpr const char* service = "org.freedesktop.UDisks2";
+constexpr const char* main_object = "/org/freedesktop/UDisks2";
+constexpr const char* object_manager = "org.freedesktop.DBus.ObjectManager";
+constexpr const char* file_system = "org.freedesktop.UDisks2.Filesystem";
+constexpr const char* changes =
+    "type='signal',sender='org.freedesktop.UDisks2',interface='org.freedesktop.DBus.Properties',"
+    "member='PropertiesChanged'";
+constexpr const char* owners =
+    "type='signal',sender='org.freedesktop.DBus',interface='org.freedesktop.DBus',"
+    "member='NameOwnerChanged',arg0='org.freedesktop.UDisks2'";
+
+constexpr const char* already_mounted = "org.freedesktop.UDisks2.Error.AlreadyMounted";
+
+/// False where the message holds something else. Nothing may be thrown through the bus's library.
+template <class... Values>
+bool is_read(sdbus::Message& message, Values&... values) {
+    try {
+        (message >> ... >> values);
+        return true;
+    } catch (const sdbus::Error&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+/// The connection, and what comes over it, in its order.
+class UdisksPort::Bus {
+  public:
+    /// Throws sdbus::Error where there is no bus.
+    explicit Bus(UdisksPort& port) : port_(port), bus_(sdbus::createSystemBusConnection()) {
+        main_ = sdbus::createProxy(*bus_, service, main_object);
+        main_->registerSignalHandler(object_manager, "InterfacesAdded",
+                                     [this](sdbus::Signal&) { ask(); });
+        main_->registerSignalHandler(object_manager, "InterfacesRemoved",
+                                     [this](sdbus::Signal& signal) { on_removed(signal); });
+        main_->finishRegistration();
+        changes_ = bus_->addMatch(changes, [this](sdbus::Message&) { ask(); });
+        owners_ = bus_->addMatch(owners, [this](sdbus::Message& message) { on_owner(message); });
+        ask();
+    }
+
+    /// What has come. Throws sdbus::Error where the bus is gone.
+    void process() {
+        while (bus_->processPendingRequest()) {
+        }
+        for (const std::uint64_t number : answered_) proxies_.erase(number);
+        answered_.clear();
+    }
+
+    /// An order that cannot be given is one that failed.
+    void give(const StickOrder& order) {
+        try {
+            send(order);
+        } catch (const sdbus::Error&) {
+            if (order.kind == OrderKind::mount) port_.rules_.on_mount_failed(order.number, false);
+            if (order.kind == OrderKind::unmount) port_.rules_.on_unmounted(order.number, false);
+        }
+    }
+
+  private:
+    void send(const StickOrder& order) {
+        auto proxy = sdbus::createProxy(*bus_, service, order.object);
+        const bool is_mount = order.kind == OrderKind::mount;
+        auto call = proxy->createMethodCall(file_system, is_mount ? "Mount" : "Unmount");
+        BusProperties options{{"auth.no_user_interaction", sdbus::Variant(true)}};
+        if (is_mount) {
+            options.emplace("fstype", sdbus::Variant(order.file_system));
+            options.emplace("options", sdbus::Variant(order.options));
+        } else {
+            options.emplace("force", sdbus::Variant(true));  // nothing was written
+        }
+        call << options;
+        proxy->callMethod(
+            call,
+            [this, order](sdbus::MethodReply& reply, const sdbus::Error* error) {
+                on_answer(order, reply, error);
+            },
+            answer_us);
+        proxies_.emplace(order.number, std::move(proxy));
+    }
+
+    /// All volumes. What is asked meanwhile is asked once more after the answer.
+    void ask() {
+        is_stale_ = true;
+        if (is_asking_) return;
+        is_asking_ = true;
+        is_stale_ = false;
+        auto call = main_->createMethodCall(object_manager, "GetManagedObjects");
+        main_->callMethod(call, [this](sdbus::MethodReply& reply, const sdbus::Error* error) {
+            is_asking_ = false;
+            on_objects(reply, error);
+            if (is_stale_) ask();
+        });
+    }
+
+    void on_objects(sdbus::MethodReply& reply, const sdbus::Error* error) {
+        BusObjects objects;
+        port_.is_watching_ = error == nullptr && is_read(reply, objects);
+        if (!port_.is_watching_) return;
+        port_.carry_out(port_.rules_.on_volumes(volumes_of(objects)));
+    }
+
+    void on_removed(sdbus::Signal& signal) {
+        sdbus::ObjectPath object;
+        std::vector<std::string> interfaces;
+        if (!is_read(signal, object, interfaces)) return;
+        for (const std::string& one : interfaces)
+            if (one == "org.freedesktop.UDisks2.Block")
+                port_.carry_out(port_.rules_.on_vanished(object));
+        ask();
+    }
+
+    void on_owner(sdbus::Message& message) {
+        std::string name;
+        std::string before;
+        std::string now;
+        if (!is_read(message, name, before, now)) return;
+        if (!before.empty()) port_.lose_service();
+        if (!now.empty()) ask();
+    }
+
+    void on_answer(const StickOrder& order, sdbus::MethodReply& reply, const sdbus::Error* error) {
+        StickRules& rules = port_.rules_;
+        if (order.kind == OrderKind::unmount) {
+            rules.on_unmounted(order.number, error == nullptr);
+        } else if (std::string root; error == nullptr && is_read(reply, root)) {
+            rules.on_mounted(order.number, order.object, root);
+        } else {
+            const bool is_mounted = error != nullptr && error->getName() == already_mounted;
+            rules.on_mount_failed(order.number, is_mounted);
+        }
+        answered_.push_back(order.number);
+        ask();
+    }
+
+    UdisksPort& port_;
+    std::unique_ptr<sdbus::IConnection> bus_;
+    std::unique_ptr<sdbus::IProxy> main_;
+    std::map<std::uint64_t, std::unique_ptr<sdbus::IProxy>> proxies_;  // of orders under way
+    std::vector<std::uint64_t> answered_;  // whose proxies are not needed any more
+    sdbus::Slot changes_;
+    sdbus::Slot owners_;
+    bool is_asking_ = false;
+    bool is_stale_ = false;
+};
+
+UdisksPort::UdisksPort() = default;
+UdisksPort::~UdisksPort() = default;
+
+std::vector<StickEvent> UdisksPort::poll(std::int64_t now_ns) {
+    try {
+        if (!bus_) connect(now_ns);
+        if (bus_) bus_->process();
+    } catch (const sdbus::Error&) {
+        bus_.reset();
+        lose_service();
+    }
+    return std::exchange(events_, {});
+}
+
+void UdisksPort::end_session() {
+    events_.clear();
+    try {
+        carry_out(rules_.on_session_ended());
+    } catch (const sdbus::Error&) {
+        bus_.reset();
+        lose_service();
+    }
+}
+
+bool UdisksPort::is_watching() const {
+    return is_watching_;
+}
+
+void UdisksPort::connect(std::int64_t now_ns) {
+    if (now_ns < next_try_ns_) return;
+    next_try_ns_ = now_ns + try_again_ns;
+    bus_ = std::make_unique<Bus>(*this);
+}
+
+void UdisksPort::carry_out(const StickStep& step) {
+    for (const StickOrder& order : step.orders)
+        if (bus_) bus_->give(order);
+    events_.insert(events_.end(), step.events.begin(), step.events.end());
+}
+
+void UdisksPort::lose_service() {
+    is_watching_ = false;
+    rules_.on_service_lost();
+}
+
+}  // namespace touchline

@@ -1,0 +1,44 @@
+// Sticks as udisks2 tells of them on the system's bus, mounted and unmounted by it. Where it is
+// absent or begins anew, it is waited for.
+// Threads: one, which calls poll().
+#pragma once
+
+#include "app/sticks/stick_port.h"
+#include "app/sticks/stick_rules.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace touchline {
+
+class UdisksPort final : public StickPort {
+  public:
+    /// Takes no look at the bus yet.
+    UdisksPort();
+    ~UdisksPort() override;
+    UdisksPort(const UdisksPort&) = delete;
+    UdisksPort(UdisksPort&&) = delete;
+    UdisksPort& operator=(const UdisksPort&) = delete;
+    UdisksPort& operator=(UdisksPort&&) = delete;
+
+    [[nodiscard]] std::vector<StickEvent> poll(std::int64_t now_ns) override;
+    /// The stick is unmounted by the polls that follow.
+    void end_session() override;
+    [[nodiscard]] bool is_watching() const override;
+
+  private:
+    class Bus;
+
+    void connect(std::int64_t now_ns);
+    void carry_out(const StickStep& step);
+    void lose_service();
+
+    std::unique_ptr<Bus> bus_;  // none where there is no bus
+    StickRules rules_;
+    std::vector<StickEvent> events_;
+    std::int64_t next_try_ns_ = 0;
+    bool is_watching_ = false;
+};
+
+}  // namespace touchline

@@ -1,0 +1,103 @@
+// A worker that lies, as its input says: what a captured decoder could do. In the place of
+// touchline-decode (TOUCHLINE_PROGRAMS), shut in like it.
+#include "app/decode/page.h"
+#include "app/process/descriptor.h"
+#include "app/sandbox/sandbox.h"
+#include "app/sandbox/worker.h"
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+Page honest_page() {
+    Page page;
+    page.picture = {2, 1, {1, 2, 3, 4, 5, 6}, 1.0};
+    page.told.title = "honest";
+    return page;
+}
+
+void put(const Bytes& bytes) {
+    const Descriptor output(worker_output);
+    (void)write_all(output, bytes);
+    _exit(0);
+}
+
+/// The text after "liar ", which makes the input a file of no format.
+std::string lie() {
+    std::array<char, 64> text{};
+    const ssize_t size = pread(worker_input, text.data(), text.size() - 1, 0);
+    if (size < 0) _exit(9);
+    const std::string whole(text.data());
+    return whole.substr(std::min<std::size_t>(whole.find(' ') + 1, whole.size()));
+}
+
+void tell_lie(const std::string& lie) {
+    Bytes answer = answer_of(honest_page()).value();
+    if (lie == "honest") put(answer);
+    if (lie == "wrong magic") answer[0] ^= std::byte{1}, put(answer);
+    if (lie == "wrong sum") answer[28] ^= std::byte{1}, put(answer);
+    if (lie == "huge header") answer[10] = answer[14] = std::byte{0x20}, put(answer);
+    if (lie == "short") answer.pop_back(), put(answer);
+    if (lie == "long") answer.resize(answer.size() + 1), put(answer);
+    if (lie == "second header")
+        answer.insert(answer.end(), answer.begin(), answer.end()), put(answer);
+    if (lie == "header alone") answer.resize(32), put(answer);
+    if (lie == "half a header") answer.resize(16), put(answer);
+    if (lie == "noise") put(Bytes(1000, std::byte{0xa5}));
+    if (lie == "hole") _exit(ftruncate(worker_output, 100'000'000) == 0 ? 0 : 1);
+    if (lie == "nothing") _exit(0);
+    if (lie == "status") _exit(3);
+    if (lie == "abort") raise(SIGSEGV);
+    if (lie == "crash") {
+        const volatile std::uintptr_t nowhere = 8;
+        *reinterpret_cast<volatile int*>(nowhere) = 1;
+    }
+    if (lie == "fork") _exit(fork() == 0 ? 0 : 1);
+    if (lie == "connect") _exit(socket(AF_INET, SOCK_STREAM, 0));
+    if (lie == "shout") {
+        const std::string line(1U << 20U, '!');
+        for (int i = 0; i < 1000; ++i) (void)!write(2, line.data(), line.size());
+        put(answer);
+    }
+    if (lie == "fill") {
+        const Bytes block(std::size_t{1} << 20U);
+        const Descriptor output(worker_output);
+        for (int i = 0; i < 1000; ++i) (void)write_all(output, block);
+        _exit(0);
+    }
+    if (lie == "eat") {
+        std::vector<Bytes> eaten;
+        for (;;) eaten.emplace_back(std::size_t{64} << 20U, std::byte{1});
+    }
+    if (lie == "spin")
+        for (volatile bool goes_on = true; goes_on;) {
+        }
+    if (lie == "sleep")
+        for (;;) pause();
+    _exit(8);
+}
+
+}  // namespace
+}  // namespace touchline
+
+int main() {
+    using namespace touchline;
+    try {
+        if (!enter_sandbox(WorkerKind::raster)) _exit(worker_refused_to_start);
+        tell_lie(lie());
+    } catch (const std::bad_alloc&) {
+        _exit(worker_out_of_memory);
+    }
+}

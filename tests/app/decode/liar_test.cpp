@@ -1,0 +1,159 @@
+// Workers that lie, bombs and noise: the kiosk gets a page or one line, keeps its memory, and keeps
+// nothing of the worker.
+#include "app/decode/opening.h"
+#include "tests/app/decode/encoders.h"
+#include "tests/app/decode/files_of_formats.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+namespace touchline {
+namespace {
+
+using encoders::Bytes;
+
+bool is_one_sentence(const std::string& line) {
+    return line.size() > 10 && std::none_of(line.begin(), line.end(), [](char c) {
+               return static_cast<unsigned char>(c) < 0x20;
+           });
+}
+
+int open_descriptors() {
+    int count = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
+        ++count;
+    return count;
+}
+
+bool has_a_child() {
+    return waitpid(-1, nullptr, WNOHANG) != -1;
+}
+
+long resident_kB() {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;) {
+        long kB = 0;
+        if (word == "VmRSS:" && status >> kB) return kB;
+    }
+    return 0;
+}
+
+/// As long as it lives the liar stands in the decoder's place.
+class LiarInPlace {
+  public:
+    LiarInPlace() { setenv("TOUCHLINE_PROGRAMS", TOUCHLINE_LIARS, 1); }
+
+    ~LiarInPlace() { setenv("TOUCHLINE_PROGRAMS", programs_.c_str(), 1); }
+
+    LiarInPlace(const LiarInPlace&) = delete;
+    LiarInPlace& operator=(const LiarInPlace&) = delete;
+
+  private:
+    std::string programs_ = std::getenv("TOUCHLINE_PROGRAMS");
+};
+
+Result<Page> told(const std::string& lie) {
+    return open_page(encoders::bytes_of("liar " + lie));
+}
+
+TEST(Liar, IsBelievedOnlyWhenItIsHonest) {
+    const LiarInPlace liar;
+    const auto page = told("honest");
+    ASSERT_TRUE(page.has_value()) << page.error().line;
+    EXPECT_EQ(page->told.title, "honest");
+}
+
+class Lies : public testing::TestWithParam<const char*> {};
+
+TEST_P(Lies, EndInOneSentenceAndLeaveNothing) {
+    const LiarInPlace liar;
+    (void)told("honest");
+    const int descriptors = open_descriptors();
+    const long before_kB = resident_kB();
+    const auto page = told(GetParam());
+    ASSERT_FALSE(page.has_value());
+    EXPECT_TRUE(is_one_sentence(page.error().line)) << page.error().line;
+    EXPECT_EQ(open_descriptors(), descriptors);
+    EXPECT_FALSE(has_a_child());
+    EXPECT_LT(resident_kB() - before_kB, 1024);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Lies,
+                         testing::Values("wrong magic", "wrong sum", "huge header", "short", "long",
+                                         "second header", "header alone", "half a header", "noise",
+                                         "hole", "nothing", "status", "abort", "crash", "fork",
+                                         "connect", "fill", "eat", "spin", "sleep"));
+
+/// Its errors go nowhere, however many.
+TEST(Liar, ShoutsUnheard) {
+    const LiarInPlace liar;
+    EXPECT_TRUE(told("shout").has_value());
+}
+
+struct Bomb {
+    std::string name;
+    Bytes bytes;
+};
+
+TEST(Bombs, AreRefusedWithoutHarm) {
+    for (const auto& [name, bytes] : bombs()) {
+        SCOPED_TRACE(name);
+        (void)open_page(encoders::bytes_of("warm"));
+        const long before_kB = resident_kB();
+        const auto start = std::chrono::steady_clock::now();
+        const auto page = open_page(bytes);
+        const std::chrono::duration<double, std::milli> took =
+            std::chrono::steady_clock::now() - start;
+        ASSERT_FALSE(page.has_value());
+        EXPECT_TRUE(is_one_sentence(page.error().line)) << page.error().line;
+        EXPECT_LT(resident_kB() - before_kB, 1024);
+        std::printf("%s: %.1f ms: %s\n", name.c_str(), took.count(), page.error().line.c_str());
+    }
+}
+
+/// Few a day; as many as the environment says for the hazard table.
+int count_of(const char* name, int a_day) {
+    const char* const wished = std::getenv(name);
+    return wished != nullptr ? std::atoi(wished) : a_day;
+}
+
+TEST(Mutations, AreAPageOrOneSentence) {
+    const int count = count_of("TOUCHLINE_MUTATIONS", 10);
+    for (const auto& [name, bytes] : files_of_formats()) {
+        std::mt19937 random(2026);
+        int opened = 0;
+        for (int i = 0; i < count; ++i) {
+            const auto page = open_page(mutated(bytes, random));
+            opened += page ? 1 : 0;
+            ASSERT_TRUE(page.has_value() || is_one_sentence(page.error().line)) << name;
+        }
+        std::printf("%s: %d of %d opened\n", name.c_str(), opened, count);
+        std::fflush(stdout);
+    }
+}
+
+/// Of a file, however often: no descriptor, no zombie, no memory.
+TEST(Opening, ManyDocumentsLeaveNothing) {
+    const int count = count_of("TOUCHLINE_DOCUMENTS", 200);
+    const Bytes file = encoders::png(encoders::test_picture());
+    for (int i = 0; i < 20; ++i) (void)open_page(file);
+    const int descriptors = open_descriptors();
+    const long before_kB = resident_kB();
+    for (int i = 0; i < count; ++i) ASSERT_TRUE(open_page(file).has_value()) << i;
+    EXPECT_EQ(open_descriptors(), descriptors);
+    EXPECT_FALSE(has_a_child());
+    EXPECT_LT(resident_kB() - before_kB, 1024);
+}
+
+}  // namespace
+}  // namespace touchline

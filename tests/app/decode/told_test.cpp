@@ -1,0 +1,198 @@
+// What is written for those who cannot see a picture survives its opening.
+#include "app/cli/page_map.h"
+#include "app/decode/files.h"
+#include "app/decode/one_line.h"
+#include "app/decode/side_car.h"
+#include "tests/app/decode/decoding_here.h"
+#include "tests/app/decode/files_of_formats.h"
+
+#include <filesystem>
+#include <string>
+
+#include <exiv2/exiv2.hpp>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+using encoders::Bytes;
+
+TactileMap told_of(const Bytes& bytes) {
+    const auto page = decode_page(bytes);
+    EXPECT_TRUE(page.has_value()) << page.error().line;
+    return page ? page->told : TactileMap{};
+}
+
+/// The file with metadata put in by libexiv2.
+template <class Change>
+Bytes with_metadata(const Bytes& bytes, const Change& change) {
+    auto image = Exiv2::ImageFactory::open(reinterpret_cast<const Exiv2::byte*>(bytes.data()),
+                                           static_cast<long>(bytes.size()));
+    image->readMetadata();
+    change(*image);
+    image->writeMetadata();
+    Exiv2::BasicIo& io = image->io();
+    io.open();
+    const Exiv2::DataBuf written = io.read(static_cast<long>(io.size()));
+    Bytes changed(static_cast<std::size_t>(written.size_));
+    std::memcpy(changed.data(), written.pData_, changed.size());
+    return changed;
+}
+
+std::vector<Bytes> pictures() {
+    const Picture picture = encoders::test_picture();
+    return {encoders::jpeg(picture), encoders::png(picture)};
+}
+
+TEST(Told, ExifDescriptionIsTheDescription) {
+    for (const Bytes& picture : pictures())
+        EXPECT_EQ(told_of(with_metadata(picture,
+                                        [](Exiv2::Image& image) {
+                                            image.exifData()["Exif.Image.ImageDescription"] =
+                                                "A dog on a beach";
+                                        }))
+                      .description,
+                  "A dog on a beach");
+}
+
+TEST(Told, WhatACameraWritesByItselfIsNone) {
+    EXPECT_EQ(told_of(with_metadata(pictures()[0],
+                                    [](Exiv2::Image& image) {
+                                        image.exifData()["Exif.Image.ImageDescription"] =
+                                            "OLYMPUS DIGITAL CAMERA         ";
+                                    }))
+                  .description,
+              "");
+}
+
+TEST(Told, AltTextOfXmpWinsOverACaption) {
+    for (const Bytes& picture : pictures()) {
+        const TactileMap told = told_of(with_metadata(picture, [](Exiv2::Image& image) {
+            image.exifData()["Exif.Image.ImageDescription"] = "IMG 20";
+            image.xmpData()["Xmp.dc.title"] = "lang=\"x-default\" The beach";
+            image.xmpData()["Xmp.dc.description"] = "lang=\"x-default\" My holidays";
+            // An older libexiv2 does not know its type.
+            const auto alt_text = Exiv2::Value::create(Exiv2::langAlt);
+            alt_text->read("lang=\"x-default\" A dog that runs to the left");
+            image.xmpData().add(Exiv2::XmpKey("Xmp.iptc.AltTextAccessibility"), alt_text.get());
+        }));
+        EXPECT_EQ(told.title, "The beach");
+        EXPECT_EQ(told.description, "A dog that runs to the left");
+    }
+}
+
+TEST(Told, IptcCaptionIsTheDescription) {
+    const TactileMap told = told_of(with_metadata(pictures()[0], [](Exiv2::Image& image) {
+        image.iptcData()["Iptc.Application2.Caption"] = "A dog";
+        image.iptcData()["Iptc.Application2.ObjectName"] = "Beach";
+    }));
+    EXPECT_EQ(told.title, "Beach");
+    EXPECT_EQ(told.description, "A dog");
+}
+
+TEST(Told, SvgTitleAndDescription) {
+    const TactileMap told = told_of(encoders::bytes_of(
+        R"(<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><title>Fish
+           </title><desc>A fish</desc><rect width="5" height="5"/><rect x="1" width="5" height="5"/></svg>)"));
+    EXPECT_EQ(told.title, "Fish");
+    EXPECT_EQ(told.description, "A fish");
+    EXPECT_TRUE(told.outlines.empty());  // one covers the other
+}
+
+TEST(Told, TaggedPdfGivesHeadingFigureAndWordsOfEachPage) {
+    const Bytes pdf = tagged_pdf({"Fish", "Bird"}, "A black box");
+    for (int number = 1; number <= 2; ++number) {
+        const auto page = decode_page(pdf, {number, 72});
+        ASSERT_TRUE(page.has_value()) << page.error().line;
+        const std::string word = number == 1 ? "Fish" : "Bird";
+        EXPECT_EQ(page->number, number);
+        EXPECT_EQ(page->count, 2);
+        EXPECT_EQ(page->told.title, word);
+        EXPECT_EQ(page->told.description, "A black box");
+        ASSERT_EQ(page->told.labels.size(), 2U);
+        EXPECT_EQ(page->told.labels[0].text, "A black box");
+        // Centre (230, 50) points from below, of 300 x 200; a pixel is 1e-4 m.
+        EXPECT_NEAR(page->told.labels[0].place.x, 80e-4, 2e-4);
+        EXPECT_NEAR(page->told.labels[0].place.y, -50e-4, 2e-4);
+        EXPECT_EQ(page->told.labels[1].text, word);
+        ASSERT_EQ(page->words.size(), 1U);
+        EXPECT_NEAR(page->words[0].left, 72, 3);
+        EXPECT_NEAR(page->words[0].bottom, 50, 10);
+    }
+    const auto beyond = decode_page(pdf, {3, 72});
+    ASSERT_FALSE(beyond.has_value());
+    EXPECT_EQ(beyond.error().line, "the document has 2 pages; choose one of them");
+}
+
+TEST(Told, PdfIsAsLargeAsAskedFor) {
+    const Bytes pdf = tagged_pdf({"Fish"}, "");
+    EXPECT_EQ(decode_page(pdf, {1, 72})->picture.width, 300);
+    EXPECT_EQ(decode_page(pdf, {1, 144})->picture.width, 600);
+    EXPECT_EQ(decode_page(pdf, {1, 144})->dpi, 144);
+}
+
+TEST(Told, WordsAreNotFelt) {
+    const auto page = decode_page(tagged_pdf({"Fish"}, ""), {1, 150});
+    ASSERT_TRUE(page.has_value());
+    const WordBox word = page->words.at(0);
+    const auto darkest = [&word](const Picture& picture) {
+        int found = 255;
+        for (int y = word.top; y < word.bottom; ++y)
+            for (int x = word.left; x < word.right; ++x)
+                found = std::min<int>(found,
+                                      picture.bgr[3 * (static_cast<std::size_t>(y) *
+                                                           static_cast<std::size_t>(picture.width) +
+                                                       static_cast<std::size_t>(x))]);
+        return found;
+    };
+    EXPECT_LT(darkest(page->picture), 50);
+    EXPECT_EQ(darkest(without_words(*page)), 255);
+}
+
+TEST(Told, LabelsLieWhereTheyLieInTheTracedMap) {
+    const auto page = decode_page(tagged_pdf({"Fish"}, "A black box"), {1, 150});
+    ASSERT_TRUE(page.has_value());
+    const auto trace = trace_page(*page, {});
+    ASSERT_TRUE(trace.has_value()) << trace.error().line;
+    EXPECT_EQ(trace->map.title, "Fish");
+    ASSERT_EQ(trace->map.labels.size(), 2U);
+    // The figure's own outline is around its label.
+    const Position label = trace->map.labels[0].place;
+    double nearest_m = 1.0;
+    for (const Outline& outline : trace->map.outlines)
+        for (const Position p : outline.points)
+            nearest_m = std::min(nearest_m, std::abs(p.x - label.x) + std::abs(p.y - label.y));
+    EXPECT_LT(nearest_m, 0.02);
+}
+
+TEST(SideCar, FirstLineIsTheTitle) {
+    TactileMap told;
+    tell("\xef\xbb\xbf\n The fish\r\nA fish that\nswims\n", told);
+    EXPECT_EQ(told.title, "The fish");
+    EXPECT_EQ(told.description, "A fish that swims");
+    TactileMap short_one;
+    tell("A fish\n", short_one);
+    EXPECT_EQ(short_one.title, "");
+    EXPECT_EQ(short_one.description, "A fish");
+}
+
+TEST(SideCar, WhatIsNoTextChangesNothing) {
+    TactileMap told;
+    told.description = "before";
+    tell(std::string("a\0b", 3), told);
+    tell(" \n ", told);
+    tell(std::string(max_side_car_bytes + 1, 'a'), told);
+    EXPECT_EQ(told.description, "before");
+    EXPECT_EQ(side_car_of("/a/fish.png"), "/a/fish.txt");
+}
+
+TEST(OneSpaced, HidesNothing) {
+    EXPECT_EQ(one_spaced("  a\n\tb \x1b[2J c\u202eevil\u200b ", 100), "a b [2J c evil");
+    EXPECT_EQ(one_spaced(std::string(50, 'a'), 10), std::string(10, 'a') + "...");
+    EXPECT_EQ(one_spaced("", 10), "");
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,73 @@
+// Shuts itself in and then tries one act.
+//
+//   sandbox_probe STEPS KIND ACT    STEPS: all, files (Landlock alone), calls (seccomp alone),
+//   none,
+//                                   system (only reading the system's files)
+//
+// Exit status: 0 the act worked, 1 it was refused, 2 usage, 3 the sandbox could not be entered.
+#include "app/sandbox/sandbox.h"
+#include "tests/app/sandbox/acts.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+Result<void> enter(const std::string& steps, WorkerKind kind) {
+    if (steps == "all") return enter_sandbox(kind);
+    if (steps == "files") return deny_files(kind);
+    if (steps == "system") return allow_only_reading_the_system();
+    if (steps == "calls") return filter_calls(kind);
+    return {};
+}
+
+[[noreturn]] void spin() {
+    for (volatile bool goes_on = true; goes_on;) {
+    }
+    _exit(0);
+}
+
+/// Gigabytes, touched.
+int allocate() {
+    constexpr std::size_t block = std::size_t{64} << 20U;
+    std::vector<std::vector<char>> blocks;
+    for (int i = 0; i < 64; ++i) blocks.emplace_back(block, 'x');
+    return 0;
+}
+
+int write_much() {
+    const std::vector<char> block(std::size_t{1} << 20U, 'x');
+    for (int i = 0; i < 1024; ++i)
+        if (write(worker_output, block.data(), block.size()) < 0) return 1;
+    return 0;
+}
+
+int try_act(const std::string& name) {
+    if (name == "spin") spin();
+    if (name == "allocate") return allocate();
+    if (name == "write much") return write_much();
+    if (name == "nothing") return 0;
+    if (name == "read system file") return read_system_file() >= 0 ? 0 : 1;
+    for (const Act& act : acts())
+        if (act.name == name) return act.run() >= 0 ? 0 : 1;
+    return 2;
+}
+
+}  // namespace
+}  // namespace touchline
+
+int main(int argc, char** argv) {
+    using namespace touchline;
+    if (argc != 4) return 2;
+    const auto entered = enter(argv[1], static_cast<WorkerKind>(std::atoi(argv[2])));
+    if (!entered) {
+        std::fprintf(stderr, "%s\n", entered.error().line.c_str());
+        return 3;
+    }
+    _exit(try_act(argv[3]));
+}

@@ -1,0 +1,135 @@
+// Everything that a captured worker might try, tried from inside.
+#include "app/sandbox/sandbox.h"
+
+#include "tests/app/sandbox/acts.h"
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How the probe ended.
+struct Ending {
+    int status = -1;  // exit status; -1: by a signal
+    int signal = 0;
+
+    friend bool operator==(const Ending&, const Ending&) = default;
+};
+
+constexpr Ending worked{0, 0};
+constexpr Ending was_refused{1, 0};
+constexpr Ending was_killed{-1, SIGSYS};
+
+Ending probe(const std::string& steps, WorkerKind kind, std::string_view act) {
+    const std::string kind_text = std::to_string(static_cast<int>(kind));
+    const std::string act_text(act);
+    const pid_t pid = fork();
+    if (pid == 0) {
+        const int memory = memfd_create("probe", 0);
+        dup2(memory, worker_input);
+        dup2(memory, worker_output);
+        execl(TOUCHLINE_SANDBOX_PROBE, "probe", steps.c_str(), kind_text.c_str(), act_text.c_str(),
+              nullptr);
+        _exit(127);
+    }
+    int status = 0;
+    waitpid(pid, &status, 0);
+    if (WIFSIGNALED(status)) return {-1, WTERMSIG(status)};
+    return {WEXITSTATUS(status), 0};
+}
+
+class SandboxAlone : public testing::Test {
+  protected:
+    SandboxAlone() {
+        const fs::path folder =
+            fs::temp_directory_path() / ("touchline-sandbox-" + std::to_string(getpid()));
+        fs::create_directories(folder);
+        fs::current_path(folder);  // the probe's too
+        std::ofstream("victim") << "whole";
+    }
+
+    ~SandboxAlone() override {
+        const fs::path folder = fs::current_path();
+        fs::current_path(folder.parent_path());
+        fs::remove_all(folder);
+    }
+};
+
+class Sandbox : public SandboxAlone, public testing::WithParamInterface<WorkerKind> {};
+
+TEST_P(Sandbox, LetsAWorkerThatTriesNothingLive) {
+    EXPECT_EQ(probe("all", GetParam(), "nothing"), worked);
+}
+
+TEST_P(Sandbox, EveryActIsDenied) {
+    for (const Act& act : acts()) {
+        const Ending ending = probe("all", GetParam(), act.name);
+        EXPECT_TRUE(ending == was_killed || ending == was_refused)
+            << act.name << ": " << ending.status << ' ' << ending.signal;
+        EXPECT_EQ(fs::file_size("victim"), 5U) << act.name;
+        EXPECT_FALSE(fs::exists("must-not-exist")) << act.name;
+    }
+}
+
+TEST_P(Sandbox, TheFilterOfCallsAloneDeniesEveryAct) {
+    for (const Act& act : acts()) {
+        if (act.is_reading && limits_of(GetParam()).reads_fonts) continue;
+        const Ending ending = probe("calls", GetParam(), act.name);
+        EXPECT_TRUE(ending == was_killed || ending == was_refused) << act.name;
+    }
+}
+
+TEST_P(Sandbox, LandlockAloneDeniesEveryActOnFiles) {
+    for (const Act& act : acts()) {
+        if (!act.is_of_files) continue;
+        EXPECT_EQ(probe("files", GetParam(), act.name), was_refused) << act.name;
+    }
+    EXPECT_EQ(probe("files", GetParam(), "read system file"), was_refused);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Sandbox,
+                         testing::Values(WorkerKind::raster, WorkerKind::film, WorkerKind::document,
+                                         WorkerKind::ocr, WorkerKind::speech));
+
+TEST_F(SandboxAlone, WhileLibrariesArePreparedOnlyTheSystemIsRead) {
+    for (const Act& act : acts()) {
+        if (!act.is_of_files || act.name == "exec") continue;
+        EXPECT_EQ(probe("system", WorkerKind::document, act.name), was_refused) << act.name;
+    }
+    EXPECT_EQ(probe("system", WorkerKind::document, "read system file"), worked);
+}
+
+/// Or the tests above would prove nothing.
+TEST_F(SandboxAlone, WithoutItTheActsWork) {
+    for (const char* act : {"open", "openat", "stat", "socket", "unix socket", "fork",
+                            "memory with code", "data made code", "memfd", "duplicate"}) {
+        EXPECT_EQ(probe("none", WorkerKind::raster, act), worked) << act;
+    }
+}
+
+TEST_F(SandboxAlone, MemoryHasAnEnd) {
+    EXPECT_EQ(probe("all", WorkerKind::raster, "allocate"), (Ending{70, 0}));
+}
+
+TEST_F(SandboxAlone, TheOutputHasAnEnd) {
+    EXPECT_EQ(probe("all", WorkerKind::raster, "write much"), (Ending{-1, SIGXFSZ}));
+}
+
+TEST_F(SandboxAlone, ProcessorTimeHasAnEnd) {
+    EXPECT_EQ(probe("all", WorkerKind::raster, "spin"), (Ending{-1, SIGXCPU}));
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,165 @@
+#include "app/sticks/scan.h"
+
+#include "tests/app/sticks/stick_folder.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <sys/un.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+StickListing scan(const StickFolder& stick, const ScanLimits& limits = {}) {
+    const auto listing = scan_stick(stick.open(), NaturalOrder(), limits);
+    EXPECT_TRUE(listing.has_value());
+    return listing.value_or(StickListing{});
+}
+
+/// "folder/name" of each.
+std::vector<std::string> paths_of(const StickListing& listing) {
+    std::vector<std::string> paths;
+    for (const StickEntry& entry : listing.entries)
+        paths.push_back(entry.folder.empty() ? entry.name : entry.folder + "/" + entry.name);
+    return paths;
+}
+
+using Paths = std::vector<std::string>;
+
+TEST(StickScan, ListsTheRootThenOneLevelOfFoldersInNaturalOrder) {
+    const StickFolder stick;
+    for (const char* name :
+         {"boat 10.png", "boat 9.png", "notes.txt", "letter.docx", ".hidden.png"})
+        stick.file(name);
+    for (const char* name :
+         {"day 10", "day 2", "day 2/deeper", ".Trash", "System Volume Information"})
+        stick.folder(name);
+    for (const char* name : {"day 10/a.png", "day 2/c.pdf", "day 2/b.jpg", "day 2/deeper/no.png",
+                             ".Trash/no.png", "System Volume Information/no.png"})
+        stick.file(name);
+    const StickListing listing = scan(stick);
+    EXPECT_EQ(paths_of(listing), (Paths{"boat 9.png", "boat 10.png", "letter.docx", "day 2/b.jpg",
+                                        "day 2/c.pdf", "day 10/a.png"}));
+    EXPECT_EQ(listing.entries[2].kind, StickFileKind::office);
+    EXPECT_EQ(listing.not_listed, 0U);
+    EXPECT_TRUE(listing.is_whole);
+}
+
+TEST(StickScan, PassesOverEverythingThatIsNoFile) {
+    const StickFolder stick;
+    const StickFolder elsewhere;
+    elsewhere.file("secret.png");
+    stick.file("boat.png");
+    fs::create_symlink("/etc/passwd", stick.path() / "link.png");
+    fs::create_symlink("loop.png", stick.path() / "loop.png");
+    fs::create_directory_symlink(elsewhere.path(), stick.path() / "linked");
+    fs::create_directory_symlink("..", stick.path() / "up");
+    stick.folder("folder.png");
+    ASSERT_EQ(::mkfifo((stick.path() / "pipe.png").c_str(), 0644), 0);
+    const Descriptor socket(::socket(AF_UNIX, SOCK_STREAM, 0));
+    sockaddr_un address{AF_UNIX, {}};
+    std::strncpy(address.sun_path, (stick.path() / "socket.png").c_str(),
+                 sizeof(address.sun_path) - 1);
+    ASSERT_EQ(::bind(socket.number(), reinterpret_cast<sockaddr*>(&address), sizeof(address)), 0);
+    if (::geteuid() == 0) {
+        ASSERT_EQ(::mknod((stick.path() / "tty.png").c_str(), S_IFCHR | 0644, makedev(5, 0)), 0);
+        ASSERT_EQ(::mknod((stick.path() / "disk.png").c_str(), S_IFBLK | 0644, makedev(7, 0)), 0);
+    }
+    const StickListing listing = scan(stick);
+    EXPECT_EQ(paths_of(listing), Paths{"boat.png"});
+    EXPECT_TRUE(listing.is_whole);
+}
+
+TEST(StickScan, HostileNamesAreListedAsTheyAre) {
+    const StickFolder stick;
+    const Paths names{"-rf.png",      "%s.png",        "a\nb.png", "\x1b[2J.png",
+                      "\xff\xfe.png", "\u202egnp.png", "..a.png",  std::string(251, 'w') + ".png"};
+    for (const std::string& name : names) stick.file(name);
+    const StickListing listing = scan(stick);
+    EXPECT_EQ(listing.entries.size(), names.size() - 1);  // "..a.png" is hidden
+    for (const StickEntry& entry : listing.entries)
+        EXPECT_NE(std::find(names.begin(), names.end(), entry.name), names.end());
+    EXPECT_TRUE(listing_of(bytes_of(listing)).has_value());
+}
+
+TEST(StickScan, ShowsTheFirstFiveHundredAndCountsTheRest) {
+    const StickFolder stick;
+    stick.files("f", 700);
+    stick.folder("more");
+    stick.file("more/a.png");
+    const StickListing listing = scan(stick);
+    ASSERT_EQ(listing.entries.size(), most_listed);
+    EXPECT_EQ(listing.entries[10].name, "f10.png");
+    EXPECT_EQ(listing.entries[499].name, "f499.png");
+    EXPECT_EQ(listing.not_listed, 201U);
+    EXPECT_TRUE(listing.is_whole);
+}
+
+TEST(StickScan, LooksIntoNoMoreFoldersThanItMay) {
+    const StickFolder stick;
+    for (const char* name : {"1", "2", "3"}) {
+        stick.folder(name);
+        stick.file(std::string(name) + "/a.png");
+    }
+    ScanLimits limits;
+    limits.most_folders = 2;
+    const StickListing listing = scan(stick, limits);
+    EXPECT_EQ(paths_of(listing), (Paths{"1/a.png", "2/a.png"}));
+    EXPECT_FALSE(listing.is_whole);
+}
+
+TEST(StickScan, EndsWithWhatItHasWhenTimeOrNamesAreUp) {
+    const StickFolder stick;
+    stick.files("f", 3000);
+    stick.folder("later");
+    stick.file("later/a.png");
+    ScanLimits few;
+    few.most_names = 100;  // the first block of names holds more
+    const StickListing part = scan(stick, few);
+    EXPECT_FALSE(part.is_whole);
+    EXPECT_FALSE(part.entries.empty());
+    EXPECT_LT(part.entries.size() + part.not_listed, 3000U);
+    ScanLimits none;
+    none.is_time_up = [] { return true; };
+    const StickListing nothing = scan(stick, none);
+    EXPECT_TRUE(nothing.entries.empty());
+    EXPECT_FALSE(nothing.is_whole);
+}
+
+TEST(StickScan, AFolderThatCannotBeReadIsPassedOver) {
+    const StickFolder stick;
+    for (const char* name : {"shut", "open"}) stick.folder(name);
+    for (const char* name : {"shut/a.png", "open/a.png"}) stick.file(name);
+    fs::permissions(stick.path() / "shut", fs::perms::none);
+    const bool is_root = ::geteuid() == 0;
+    ASSERT_TRUE(!is_root || ::seteuid(65534) == 0);  // whom permissions do bind
+    const StickListing listing = scan(stick);
+    ASSERT_TRUE(!is_root || ::seteuid(0) == 0);
+    fs::permissions(stick.path() / "shut", fs::perms::owner_all);
+    EXPECT_EQ(paths_of(listing), Paths{"open/a.png"});
+    EXPECT_FALSE(listing.is_whole);
+}
+
+TEST(StickScan, DeepFoldersEndAfterOneLevel) {
+    const StickFolder stick;
+    std::string deep = "d";
+    for (int i = 0; i < 100; ++i) deep += "/d";
+    stick.folder(deep);
+    stick.file(deep + "/a.png");
+    stick.file("d/b.png");
+    EXPECT_EQ(paths_of(scan(stick)), Paths{"d/b.png"});
+}
+
+TEST(StickScan, ARootThatIsGoneIsRefused) {
+    const Descriptor nothing(::open("/dev/null", O_PATH | O_CLOEXEC));
+    EXPECT_FALSE(scan_stick(nothing, NaturalOrder(), {}).has_value());
+}
+
+}  // namespace
+}  // namespace touchline

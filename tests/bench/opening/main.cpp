@@ -1,0 +1,81 @@
+// Stages from the bytes of a file to what is felt, the least and the median of some runs:
+//
+//   opening_bench RUNS FILE...
+#include "app/cli/page_map.h"
+#include "app/decode/files.h"
+#include "app/decode/opening.h"
+#include "app/servo/scene_order.h"
+#include "config/types/steady_clock.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace touchline {
+namespace {
+
+class Stage {
+  public:
+    template <class Work>
+    auto time(const Work& work) {
+        const auto start_ns = steady_now_ns();
+        auto result = work();
+        times_ms_.push_back(1e-6 * static_cast<double>(steady_now_ns() - start_ns));
+        return result;
+    }
+
+    std::string words() {
+        if (times_ms_.empty()) return "-";
+        std::sort(times_ms_.begin(), times_ms_.end());
+        return fmt::format("{:.1f} ({:.1f})", times_ms_.front(), times_ms_[times_ms_.size() / 2]);
+    }
+
+  private:
+    std::vector<double> times_ms_;
+};
+
+/// What a worker takes that finds nothing to do.
+std::string start_of(int runs) {
+    Stage start;
+    const std::vector<std::byte> nothing(1);
+    for (int i = 0; i < runs; ++i) (void)start.time([&] { return open_page(nothing); });
+    return start.words();
+}
+
+bool measure(const std::string& path, int runs) {
+    const auto bytes = read_file(path);
+    if (!bytes) return false;
+    Stage open;
+    Stage trace;
+    Stage scene;
+    int width = 0;
+    int height = 0;
+    for (int i = 0; i < runs; ++i) {
+        const auto page = open.time([&] { return open_page(*bytes); });
+        if (!page) return false;
+        width = page->picture.width;
+        height = page->picture.height;
+        const auto traced = trace.time([&] { return trace_page(*page, {}); });
+        if (!traced) continue;
+        (void)scene.time([&] { return build_scene(traced->map, felt_order(default_profile())); });
+    }
+    fmt::print("| {} | {} x {} | {} | {} | {} |\n", path.substr(path.rfind('/') + 1), width, height,
+               open.words(), trace.words(), scene.words());
+    return true;
+}
+
+}  // namespace
+}  // namespace touchline
+
+int main(int argc, char** argv) {
+    if (argc < 3) return 2;
+    const int runs = std::atoi(argv[1]);
+    fmt::print("worker's start, to a refusal: {} ms\n\n", touchline::start_of(10 * runs));
+    fmt::print("| file | pixels | opened, ms | traced, ms | scene, ms |\n|---|---|---|---|---|\n");
+    bool is_done = true;
+    for (int i = 2; i < argc; ++i) is_done = touchline::measure(argv[i], runs) && is_done;
+    return is_done ? 0 : 1;
+}

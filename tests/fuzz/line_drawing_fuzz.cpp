@@ -1,0 +1,26 @@
+// Any text is a line drawing within its area and limits, or one clear line.
+#include "app/decode/map_svg.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace touchline;
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    const auto map = parse_line_drawing(text, Area{});
+    (void)words_of_svg(text);
+    if (!map) {
+        if (map.error().line.empty() || map.error().line.find('\n') != std::string::npos) abort();
+        return 0;
+    }
+    if (map->outlines.empty() || !(map->area.width_m <= Area{}.width_m + 1e-9)) abort();
+    for (const Outline& outline : map->outlines) {
+        if (outline.points.size() < 2) abort();
+        for (const Position p : outline.points)
+            if (!is_finite(p)) abort();
+    }
+    return 0;
+}

@@ -1,0 +1,41 @@
+// Any answer of a worker is a sound page or one clear line; behind a checksum that is made right.
+#include "app/decode/page.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <zlib.h>
+
+namespace {
+
+bool is_one_line(const std::string& line) {
+    return !line.empty() && line.find('\n') == std::string::npos;
+}
+
+bool is_sound(const touchline::Page& page) {
+    const auto width = static_cast<std::size_t>(page.picture.width);
+    const auto height = static_cast<std::size_t>(page.picture.height);
+    if (page.picture.bgr.size() != 3 * width * height) return false;
+    for (const touchline::WordBox& box : page.words)
+        if (box.left >= box.right || box.right > width || box.bottom > height) return false;
+    return page.number >= 1 && page.number <= page.count;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    constexpr std::size_t crc_at = 28;
+    std::vector<std::uint8_t> bytes(data, data + size);
+    if (size >= crc_at + 4) {
+        const auto crc = static_cast<std::uint32_t>(crc32(0, bytes.data(), crc_at));
+        std::memcpy(&bytes[crc_at], &crc, sizeof crc);
+    }
+    const auto page = touchline::page_of(std::as_bytes(std::span(bytes)));
+    if (page ? !is_sound(*page) : !is_one_line(page.error().line)) abort();
+    return 0;
+}

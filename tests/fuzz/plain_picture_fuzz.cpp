@@ -1,0 +1,28 @@
+// The readers of BMP and PNM, which are ours: any bytes are a picture or one clear line.
+#include "app/decode/formats.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <string>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace touchline;
+    const std::span bytes(reinterpret_cast<const std::byte*>(data), size);
+    if (bytes.size() < 3 || bytes.size() > 65536) return 0;
+    const bool is_bmp = format_of(bytes) == FileFormat::bmp;
+    const bool is_pnm = format_of(bytes) == FileFormat::pnm;
+    if (!is_bmp && !is_pnm) return 0;
+    // A large picture of few bytes is honest, and only slow here.
+    const auto picture = is_bmp ? decode::read_bmp(bytes) : decode::read_pnm(bytes);
+    if (!picture) {
+        if (picture.error().line.empty() || picture.error().line.find('\n') != std::string::npos)
+            abort();
+        return 0;
+    }
+    if (picture->bgr.size() !=
+        3 * static_cast<std::size_t>(picture->width) * static_cast<std::size_t>(picture->height))
+        abort();
+    return 0;
+}

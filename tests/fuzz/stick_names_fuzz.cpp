@@ -1,0 +1,61 @@
+// Any bytes are a name that can be shown, said, logged and put in order without harm.
+#include "app/sticks/file_kind.h"
+#include "app/sticks/names.h"
+#include "app/sticks/natural_order.h"
+#include "config/types/utf8.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+namespace touchline {
+namespace {
+
+void demand(bool is_so) {
+    if (!is_so) abort();
+}
+
+bool is_plain(char c) {
+    return c >= ' ' && c <= '~';
+}
+
+/// Neither a control character of C0 or C1 nor one that turns the direction of text.
+void demand_harmless(const std::string& text) {
+    demand(is_utf8(text));
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        demand(byte >= 0x20 && byte != 0x7f);
+        const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
+        demand(byte != 0xc2 || next >= 0xa0);
+        const auto last = i + 2 < text.size() ? static_cast<unsigned char>(text[i + 2]) : 0U;
+        const bool is_turning = byte == 0xe2 && ((next == 0x80 && last >= 0xaa && last <= 0xae) ||
+                                                 (next == 0x81 && last >= 0xa6 && last <= 0xa9));
+        demand(!is_turning);
+    }
+}
+
+}  // namespace
+}  // namespace touchline
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace touchline;
+    static const NaturalOrder order;
+    const std::string name(reinterpret_cast<const char*>(data), size);
+    const std::string shown = shown_name(name);
+    demand_harmless(shown);
+    demand(shown.size() <= shown_columns * 4 * 4);  // a letter and three accents, four bytes each
+    const std::string spoken = spoken_name(name);
+    demand_harmless(spoken);
+    demand(!spoken.empty() && spoken.size() <= spoken_characters * 4);
+    demand(spoken.find_first_of("<>[]{}&%$\\/") == std::string::npos);
+    const std::string logged = logged_name(name);
+    demand(logged.size() <= logged_bytes + 3);
+    demand(std::all_of(logged.begin(), logged.end(), is_plain));
+    demand(order.key_of(name).size() > size);
+    demand(side_car_of(name).ends_with(".txt"));
+    if (is_left_out(name)) return 0;
+    (void)kind_of_name(name);
+    return 0;
+}
