@@ -179,6 +179,8 @@ Result<std::vector<std::byte>> answer_of(const Result<Page>& page) {
     const PageHeaderBytes first = bytes_of(header);
     std::vector<std::byte> answer(first.begin(), first.end());
     if (page) {
+        answer.reserve(first.size() + page->picture.bgr.size() + box_bytes * page->words.size() +
+                       map->size());
         const auto pixels = std::as_bytes(std::span(page->picture.bgr));
         answer.insert(answer.end(), pixels.begin(), pixels.end());
         const auto boxes = std::as_bytes(std::span(page->words));
