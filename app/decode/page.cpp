@@ -213,8 +213,8 @@ Result<Page> page_of(std::span<const std::byte> answer) {
     Page page;
     page.picture.width = static_cast<int>(header->width);
     page.picture.height = static_cast<int>(header->height);
-    page.picture.bgr.resize(pixels.size());
-    std::memcpy(page.picture.bgr.data(), pixels.data(), pixels.size());
+    const auto* const first_pixel = reinterpret_cast<const std::uint8_t*>(pixels.data());
+    page.picture.bgr.assign(first_pixel, first_pixel + pixels.size());
     page.picture.scale = 1.0 / header->reduction;
     page.told = std::move(*map);
     clean_texts(page.told);
