@@ -179,6 +179,8 @@ Result<std::vector<std::byte>> answer_of(const Result<Page>& page) {
     const PageHeaderBytes first = bytes_of(header);
     std::vector<std::byte> answer(first.begin(), first.end());
     if (page) {
+        answer.reserve(first.size() + page->picture.bgr.size() + box_bytes * page->words.size() +
+                       map->size());
         const auto pixels = std::as_bytes(std::span(page->picture.bgr));
         answer.insert(answer.end(), pixels.begin(), pixels.end());
         const auto boxes = std::as_bytes(std::span(page->words));
@@ -211,8 +213,8 @@ Result<Page> page_of(std::span<const std::byte> answer) {
     Page page;
     page.picture.width = static_cast<int>(header->width);
     page.picture.height = static_cast<int>(header->height);
-    page.picture.bgr.resize(pixels.size());
-    std::memcpy(page.picture.bgr.data(), pixels.data(), pixels.size());
+    const auto* const first_pixel = reinterpret_cast<const std::uint8_t*>(pixels.data());
+    page.picture.bgr.assign(first_pixel, first_pixel + pixels.size());
     page.picture.scale = 1.0 / header->reduction;
     page.told = std::move(*map);
     clean_texts(page.told);

@@ -16,6 +16,14 @@
 namespace touchline {
 namespace {
 
+/// The sanitizers map terabytes, start threads and make calls that no worker may. Their builds test
+/// what the workers do, not how they are shut in, and are never installed.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool is_sanitized = true;
+#else
+constexpr bool is_sanitized = false;
+#endif
+
 Result<void> refused(const std::string& step) {
     return failure("the sandbox cannot be entered: " + step + ": " + std::strerror(errno));
 }
@@ -41,7 +49,8 @@ Result<void> limit_resources(const WorkerLimits& limits) {
         if (limits.cpu_s == 0) return {};
         return set_limit(RLIMIT_CPU, "processor time", limits.cpu_s, limits.cpu_s + 1);
     };
-    return set(RLIMIT_AS, "memory", limits.address_space_bytes)
+    const rlim_t memory = is_sanitized ? RLIM_INFINITY : limits.address_space_bytes;
+    return set(RLIMIT_AS, "memory", memory)
         .and_then(cpu)
         .and_then([&] { return set(RLIMIT_FSIZE, "size of files", limits.file_bytes); })
         .and_then([&] { return set(RLIMIT_NOFILE, "files", worker_descriptors + 3); })
@@ -59,7 +68,7 @@ Result<void> enter_sandbox(WorkerKind kind) {
     if (close_range(worker_descriptors, ~0U, 0) != 0) return refused("descriptors");
     return limit_resources(limits_of(kind))
         .and_then([kind] { return deny_files(kind); })
-        .and_then([kind] { return filter_calls(kind); });
+        .and_then([kind] { return is_sanitized ? Result<void>{} : filter_calls(kind); });
 }
 
 }  // namespace touchline

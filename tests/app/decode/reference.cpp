@@ -38,7 +38,8 @@ FileFormat format_at(const std::string& path) {
 std::string command_for(const std::string& path, const Page& like) {
     const int width = like.picture.width;
     const int height = like.picture.height;
-    constexpr auto to_ppm = "-background white -alpha remove -alpha off -depth 8 ppm:- 2>/dev/null";
+    constexpr auto to_ppm =
+        "-background white -alpha remove -alpha off +set comment -depth 8 ppm:- 2>/dev/null";
     switch (format_at(path)) {
         case FileFormat::svg:
             return fmt::format("rsvg-convert -w {} -h {} '{}' 2>/dev/null | convert png:- {}",
@@ -105,7 +106,7 @@ Tolerance tolerance_for(const std::string& path) {
         case FileFormat::heif:
             return {3, 0.5};
         default:
-            return {0, 0.0};
+            return {1, 0.25};  // what is transparent is rounded by everybody in his own way
     }
 }
 
