@@ -21,9 +21,6 @@ constexpr int done = 0;
 constexpr int unusable_input = 1;
 constexpr int wrong_usage = 2;
 
-constexpr double smallest_area_m = 1e-3;
-constexpr double largest_area_m = 1.0;
-
 /// "116x84", millimetres.
 std::string parse_area(const std::string& text, Area& area) {
     double width_mm = 0.0;
@@ -34,10 +31,8 @@ std::string parse_area(const std::string& text, Area& area) {
     const auto height = has_x ? std::from_chars(after + 1, last, height_mm)
                               : std::from_chars_result{nullptr, std::errc::invalid_argument};
     area = {width_mm / 1000.0, height_mm / 1000.0};
-    const bool is_usable = height.ec == std::errc{} && height.ptr == last &&
-                           area.width_m >= smallest_area_m && area.height_m >= smallest_area_m &&
-                           area.width_m <= largest_area_m && area.height_m <= largest_area_m;
-    return is_usable ? "" : fmt::format("{} is no area; write millimetres, like 116x84", text);
+    const bool is_area = height.ec == std::errc{} && height.ptr == last && is_usable(area);
+    return is_area ? "" : fmt::format("{} is no area; write millimetres, like 116x84", text);
 }
 
 /// "auto" or a level >= 0, fractions allowed.

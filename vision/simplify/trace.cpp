@@ -29,12 +29,7 @@ Result<void> check(const cv::Mat& picture) {
 }
 
 Result<void> check(const Area& area) {
-    constexpr double kSmallest_m = 1e-3;
-    constexpr double kLargest_m = 1.0;
-    const auto is_size = [](double metres) {
-        return metres >= kSmallest_m && metres <= kLargest_m;
-    };
-    if (!is_size(area.width_m) || !is_size(area.height_m)) {
+    if (!is_usable(area)) {
         return failure("the drawing area must be between 1 mm and 1 m on each side");
     }
     return {};
@@ -80,6 +75,15 @@ std::string warning_for(const TraceReport& report) {
 }
 
 }  // namespace
+
+bool is_usable(const Area& area) {
+    constexpr double kSmallest_m = 1e-3;
+    constexpr double kLargest_m = 1.0;
+    const auto is_size = [](double metres) {
+        return metres >= kSmallest_m && metres <= kLargest_m;
+    };
+    return is_size(area.width_m) && is_size(area.height_m);
+}
 
 Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
     if (const Result<void> usable = check(picture); !usable) return tl::unexpected(usable.error());

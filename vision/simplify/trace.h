@@ -47,6 +47,9 @@ struct Found {
     PhotoLines report;  // without its chains
 };
 
+/// 1 mm to 1 m on each side; false for NaN.
+[[nodiscard]] bool is_usable(const Area& area);
+
 /// Decides what kind of picture it is, unless the options do, and finds its lines. 8-bit, BGR or
 /// grey, already composed over white; of the options only area, class and model count.
 /// Errors: an empty or unsupported matrix, an area out of range, no line found, a model that fails.

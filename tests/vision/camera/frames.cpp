@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <stdexcept>
 
 #include <opencv2/imgproc.hpp>
@@ -97,17 +98,20 @@ CameraFrame mjpeg_frame(const cv::Mat& bgr, int quality) {
 CameraFrame without_tables(CameraFrame mjpeg) {
     constexpr std::array<std::uint8_t, 18> avi1{0xff, 0xe0, 0, 16, 'A', 'V', 'I', '1'};
     std::vector<std::uint8_t>& in = mjpeg.bytes;
-    std::vector<std::uint8_t> out(in.begin(), in.begin() + 2);
-    out.insert(out.end(), avi1.begin(), avi1.end());
+    std::vector<std::uint8_t> out;
+    const auto append = [&](std::size_t from, std::size_t count) {
+        std::copy_n(in.begin() + static_cast<std::ptrdiff_t>(from), count, std::back_inserter(out));
+    };
+    append(0, 2);
+    std::ranges::copy(avi1, std::back_inserter(out));
     std::size_t at = 2;
     while (in[at + 1] != 0xda) {
         const std::size_t length = 2 + (std::size_t{in[at + 2]} << 8U) + in[at + 3];
         const bool is_dropped = in[at + 1] == 0xc4 || in[at + 1] == 0xe0;
-        const auto from = in.begin() + static_cast<std::ptrdiff_t>(at);
-        if (!is_dropped) out.insert(out.end(), from, from + static_cast<std::ptrdiff_t>(length));
+        if (!is_dropped) append(at, length);
         at += length;
     }
-    out.insert(out.end(), in.begin() + static_cast<std::ptrdiff_t>(at), in.end());
+    append(at, in.size() - at);
     in = std::move(out);
     return mjpeg;
 }
