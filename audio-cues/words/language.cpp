@@ -1,6 +1,7 @@
 #include "audio-cues/words/language.h"
 
 #include <algorithm>
+#include <charconv>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -101,6 +102,13 @@ std::string Language::number(double value, int decimals) const {
         digits.replace(point, 1, text("decimal", "."));
     }
     return digits;
+}
+
+double Language::pace() const {
+    const std::string percent = text("pace", "100");
+    int value = 0;
+    (void)std::from_chars(percent.data(), percent.data() + percent.size(), value);
+    return value >= 50 && value <= 200 ? value / 100.0 : 1.0;
 }
 
 Result<std::vector<std::string>> languages_in(const std::string& folder) {

@@ -113,6 +113,8 @@ TEST(Language, EveryShippedOneNamesItselfAndItsVoice) {
     EXPECT_EQ(loaded("es").name(), "Español");
     EXPECT_EQ(loaded("fr").voice(), "fr-fr");
     EXPECT_EQ(loaded("en").voice(), "en");
+    EXPECT_EQ(loaded("en").pace(), 1.0);
+    EXPECT_EQ(loaded("fr").pace(), 1.05);
 }
 
 }  // namespace
