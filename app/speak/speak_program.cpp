@@ -11,12 +11,13 @@
 #include <span>
 #include <vector>
 
+#include <sys/uio.h>
 #include <unistd.h>
 
 namespace touchline {
 namespace {
 
-// Plain read() and write(), a packet each: a fence that lists calls need allow no others.
+// Plain read() and writev(), a packet each: a fence that lists calls need allow no others.
 
 /// Waits; nothing where the other side is gone, or what it sent is no order.
 std::optional<SpeakOrder> one_order(int socket) {
@@ -47,7 +48,8 @@ class Sender {
         piece_.count = static_cast<std::uint32_t>(samples.size());
         piece_.is_last = is_last ? 1 : 0;
         std::copy(samples.begin(), samples.end(), piece_.samples.begin());
-        return write(socket_, &piece_, sizeof piece_) == sizeof piece_;
+        const iovec packet{&piece_, sizeof piece_};
+        return writev(socket_, &packet, 1) == sizeof piece_;
     }
 
     int socket_;
