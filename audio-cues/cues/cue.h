@@ -1,0 +1,55 @@
+// The short sounds by name, and what plays one. Threads: values.
+#pragma once
+
+#include "config/types/vec2.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace touchline {
+
+/// In pairs of opposites, the first rising or brighter than the second.
+enum class Cue : std::uint8_t {
+    touch,  // a line is there
+    leave,
+    corner,  // the line turns
+    end,     // the line stops
+    label,   // a named spot
+    cross,   // to the other side, or to another line
+    finer,
+    coarser,
+    area_entered,
+    area_left,
+    key,      // a key was taken
+    refused,  // it means nothing here
+};
+
+inline constexpr std::size_t cue_count = 12;
+
+/// What a visitor hears of sounds, by one key: nothing but alerts; the short ones; these, the
+/// distance to the nearest line and, if chosen, the position tone.
+enum class CueAmount : std::uint8_t { none, cues, full };
+
+[[nodiscard]] constexpr CueAmount next_amount(CueAmount amount) {
+    return static_cast<CueAmount>((static_cast<int>(amount) + 1) % 3);
+}
+
+/// A cue at a place of the picture.
+struct CueAt {
+    Cue cue = Cue::touch;
+    double time_s = 0.0;  // when it happened, since the servo started
+    double pan = 0.0;     // -1 left ... 1 right
+    bool is_alert = false;
+};
+
+/// Half the width and height of the drawing area.
+struct CueArea {
+    double half_width_m = 0.058;
+    double half_height_m = 0.042;
+};
+
+/// -1 at the left rim of the area ... 1 at the right one, clamped; 0 for what is not finite.
+[[nodiscard]] double pan_of(Position place_W, const CueArea& area);
+
+}  // namespace touchline

@@ -1,0 +1,35 @@
+// From events to cues: a pure step. Threads: values and pure functions.
+#pragma once
+
+#include "audio-cues/cues/cue_table.h"
+
+#include <array>
+#include <optional>
+
+namespace touchline {
+
+struct CueState {
+    CueAmount amount = CueAmount::cues;
+    CueArea area;
+    double level = 0.0;  // last rendered, to tell finer from coarser
+    /// When each cue last sounded, by the servo's clock; before everything at first.
+    std::array<double, cue_count> last_s = [] {
+        std::array<double, cue_count> times{};
+        times.fill(-1e9);
+        return times;
+    }();
+};
+
+struct CueStep {
+    CueState state;
+    std::optional<CueAt> cue;
+};
+
+/// No cue where sounds are off, where the same sounded less than its `apart_s` ago, or where the
+/// level did not change. A kind that is none gives none. O(1).
+[[nodiscard]] CueStep cue_step(const CueState& state, const ContactEvent& event);
+
+/// The same for the screen; `time_s` by the servo's clock. Always in the middle.
+[[nodiscard]] CueStep cue_step(const CueState& state, ScreenEvent event, double time_s);
+
+}  // namespace touchline

@@ -1,0 +1,115 @@
+#include "audio-cues/cues/cue_table.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace touchline {
+namespace {
+
+constexpr Note held(double pitch_Hz, double length, Timbre timbre = Timbre::pure) {
+    return {pitch_Hz, pitch_Hz, length, 1.0, 0.0, timbre};
+}
+
+constexpr Note glide(double from_Hz, double to_Hz, double length) {
+    return {from_Hz, to_Hz, length, 1.0, 0.0, Timbre::pure};
+}
+
+constexpr Note struck(double pitch_Hz, double length, double decay, Timbre timbre) {
+    return {pitch_Hz, pitch_Hz, length, 1.0, decay, timbre};
+}
+
+constexpr Earcon one(const Note& note) {
+    return {{note, {}, {}}, 1};
+}
+
+constexpr Earcon two(const Note& first, const Note& second) {
+    return {{first, second, {}}, 2};
+}
+
+const std::array<CueRow, cue_count> cues{{
+    {Cue::touch, "touch", "a knock", one(struck(880.0, 0.06, 0.015, Timbre::hollow)), 0.6, 0.05},
+    {Cue::leave, "leave", "a lower, softer knock", one(struck(440.0, 0.06, 0.02, Timbre::hollow)),
+     0.4, 0.05},
+    {Cue::corner, "corner", "a bright tick", one(struck(1760.0, 0.05, 0.012, Timbre::bright)), 0.5,
+     0.05},
+    {Cue::end, "end", "a dull thud", one(struck(165.0, 0.12, 0.04, Timbre::bright)), 0.8, 0.2},
+    {Cue::label, "label", "a small bell", one(struck(1320.0, 0.22, 0.08, Timbre::bright)), 0.5,
+     0.3},
+    {Cue::cross, "cross", "a double tick",
+     two(struck(1175.0, 0.03, 0.01, Timbre::hollow), struck(1175.0, 0.03, 0.01, Timbre::hollow)),
+     0.4, 0.08},
+    {Cue::finer, "finer", "a quick slide up", one(glide(500.0, 900.0, 0.12)), 0.25, 0.3},
+    {Cue::coarser, "coarser", "a quick slide down", one(glide(900.0, 500.0, 0.12)), 0.25, 0.3},
+    {Cue::area_entered, "area entered", "two notes up", two(held(392.0, 0.08), held(523.0, 0.12)),
+     0.4, 0.5},
+    {Cue::area_left, "area left", "two notes down", two(held(523.0, 0.08), held(392.0, 0.12)), 0.5,
+     0.5},
+    {Cue::key, "key", "a short high tick", one(struck(2093.0, 0.03, 0.008, Timbre::pure)), 0.4,
+     0.0},
+    {Cue::refused, "refused", "a short low buzz", one(held(147.0, 0.15, Timbre::hollow)), 0.5, 0.0},
+}};
+
+constexpr std::array contacts{
+    EventRow{"the hand touches a line", Cue::touch},
+    EventRow{"it leaves the line", Cue::leave},
+    EventRow{"it passes a corner or a junction", Cue::corner},
+    EventRow{"it crosses a line", Cue::cross},
+    EventRow{"it comes to the end of a line", Cue::end},
+    EventRow{"the level changes: finer or coarser", std::nullopt},
+    EventRow{"it goes from one outline to another", Cue::cross},
+    EventRow{"it comes back into the picture", Cue::area_entered},
+    EventRow{"it leaves the picture", Cue::area_left},
+    EventRow{"it breaks through a wall that gave way", Cue::cross},
+};
+
+constexpr std::array<EventRow, screen_event_count> screens{{
+    {"a key is taken", Cue::key},
+    {"a key means nothing here", Cue::refused},
+    {"a list begins anew", Cue::area_left},
+    {"another picture is felt", Cue::area_entered},
+    {"a picture cannot be opened", Cue::refused},
+    {"the hand comes to a named spot", Cue::label},
+    {"force goes off by itself", Cue::refused, true},
+}};
+
+std::string rows_as_markdown(std::span<const EventRow> rows) {
+    std::string text;
+    for (const EventRow& row : rows) {
+        text += fmt::format("| {} | {}{} |\n", row.event,
+                            row.cue ? row_of(*row.cue).name : "finer, coarser",
+                            row.is_alert ? ", always" : "");
+    }
+    return text;
+}
+
+}  // namespace
+
+std::span<const CueRow> cue_table() {
+    return cues;
+}
+
+const CueRow& row_of(Cue cue) {
+    return cues[static_cast<std::size_t>(cue)];
+}
+
+std::span<const EventRow> contact_rows() {
+    return contacts;
+}
+
+std::span<const EventRow> screen_rows() {
+    return screens;
+}
+
+std::string cues_as_markdown() {
+    std::string text = "| what happens | sound |\n|---|---|\n";
+    text += rows_as_markdown(contacts) + rows_as_markdown(screens);
+    text += "\n| sound | like | ms |\n|---|---|---|\n";
+    for (const CueRow& row : cues) {
+        text += fmt::format("| {} | {} | {:.0f} |\n", row.name, row.sound,
+                            1000.0 * length_s(row.earcon));
+    }
+    return text;
+}
+
+}  // namespace touchline

@@ -1,0 +1,69 @@
+// Where a hand is and where something is, as sound and as words of a clock face.
+// Threads: pure functions.
+#pragma once
+
+#include "audio-cues/cues/cue.h"
+#include "audio-cues/synth/continuous_voice.h"
+
+#include <optional>
+
+namespace touchline {
+
+/// Nearer than this the pulses are as quick as they get, further than that as slow.
+inline constexpr double near_m = 0.001;
+inline constexpr double far_m = 0.030;
+inline constexpr double quick_Hz = 12.0;
+inline constexpr double slow_Hz = 1.5;
+
+/// Pulses as a car gives them while it is parked: from slow_Hz at far_m to quick_Hz at near_m, each
+/// halving of the distance a like step quicker. Silence on the line (`distance_m` <= 0), beyond
+/// far_m and where there is no line (infinite or NaN).
+[[nodiscard]] ContinuousTone distance_tone(double distance_m);
+
+/// The pitch of a place: 220 Hz at the lower rim of the area, two octaves more at the upper one.
+[[nodiscard]] double pitch_Hz_of(Position place_W, const CueArea& area);
+
+/// Left and right by pan, down and up by pitch.
+[[nodiscard]] ContinuousTone position_tone(Position place_W, const CueArea& area);
+
+/// Pulses from where the target lies: pan by its direction, quicker when it is near, higher when it
+/// lies away from the visitor, lower when towards. Silence nearer than near_m: it is reached.
+[[nodiscard]] ContinuousTone sonar_tone(Position hand_W, Position target_W);
+
+/// What a visitor chose to hear all the time.
+struct ContinuousChoice {
+    CueAmount amount = CueAmount::cues;
+    bool has_position_tone = false;
+    std::optional<Position> target_W;  // asked for: before all else, whatever the amount
+};
+
+/// The one continuous sound: target, else the position tone, else the distance.
+[[nodiscard]] ContinuousTone continuous_tone(const ContinuousChoice& choice, Position hand_W,
+                                             double distance_m, const CueArea& area);
+
+/// 12 is away from the visitor, 3 is right.
+struct ClockFace {
+    int hour = 12;        // 1 ... 12
+    int distance_mm = 0;  // to 5 mm; 0: there
+};
+
+/// From `hand_W` to `target_W`; nothing for what is not finite.
+[[nodiscard]] std::optional<ClockFace> clock_face(Position hand_W, Position target_W);
+
+/// The nine places of the area.
+enum class Place : std::uint8_t {
+    upper_left,
+    top,
+    upper_right,
+    left,
+    middle,
+    right,
+    lower_left,
+    bottom,
+    lower_right
+};
+
+/// By thirds of the area; what is outside counts to the nearest.
+[[nodiscard]] Place place_of(Position place_W, const CueArea& area);
+
+}  // namespace touchline

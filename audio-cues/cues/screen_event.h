@@ -1,0 +1,21 @@
+// What happens at the keys and on the screen that is worth a sound. Threads: a plain value.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace touchline {
+
+enum class ScreenEvent : std::uint8_t {
+    key_taken,
+    key_refused,    // it means nothing here
+    list_end,       // the list begins anew
+    picture_ready,  // another picture is felt
+    picture_failed,
+    label_reached,  // the hand came to a named spot
+    fault,          // force went off by itself
+};
+
+inline constexpr std::size_t screen_event_count = 7;
+
+}  // namespace touchline

@@ -1,0 +1,27 @@
+// Which frame sounds at which time. Threads: told() by the rendering thread, the rest by any.
+#pragma once
+
+#include "audio-cues/synth/frames.h"
+
+#include <atomic>
+#include <cstdint>
+
+namespace touchline {
+
+/// Two clocks drift and a device asks in bursts: what is told is smoothed, so that sounds keep the
+/// times between them.
+class FrameClock {
+  public:
+    /// The mixer is about to render `frame`, at `now_ns` of the monotonic clock.
+    void told(FrameTime frame, std::int64_t now_ns);
+
+    /// The frame to stamp what happened at `time_ns` with: a block later than the mixer was there,
+    /// so that it is not over yet. 0, which means now, before anything was told.
+    [[nodiscard]] FrameTime frame_at(std::int64_t time_ns) const;
+
+  private:
+    static constexpr std::int64_t nothing = INT64_MIN;
+    std::atomic<std::int64_t> start_ns_{nothing};  // when frame 0 would have been
+};
+
+}  // namespace touchline

@@ -1,0 +1,62 @@
+// The mixer's way to a device that may be missing, lost or busy. Threads: one, and the device's.
+#pragma once
+
+#include "audio-cues/output/frame_clock.h"
+#include "audio-cues/output/sound_device.h"
+#include "audio-cues/synth/mixer.h"
+
+#include <memory>
+#include <string>
+
+namespace touchline {
+
+class SoundOutput {
+  public:
+    /// The mixer must outlive the output. Nothing is opened yet. `clock_ns` is the monotonic clock.
+    SoundOutput(std::unique_ptr<SoundDevice> device, Mixer& mixer,
+                std::function<std::int64_t()> clock_ns);
+
+    ~SoundOutput() { device_->close(); }
+
+    SoundOutput(const SoundOutput&) = delete;
+    SoundOutput(SoundOutput&&) = delete;
+    SoundOutput& operator=(const SoundOutput&) = delete;
+    SoundOutput& operator=(SoundOutput&&) = delete;
+
+    /// Often, 60 times a second say. Opens the device; closes one that is gone or asked for nothing
+    /// during stall_s, and tries again every retry_s. Meanwhile the mixer renders to nowhere at its
+    /// pace, so that speech comes to its ends and everything else goes on.
+    void step();
+
+    /// Somebody hears it. The screen says where nobody does.
+    [[nodiscard]] bool is_working() const { return is_open_; }
+
+    /// Why not; empty where it works.
+    [[nodiscard]] const std::string& problem() const { return problem_; }
+
+    /// For time stamps of commands.
+    [[nodiscard]] const FrameClock& clock() const { return frame_clock_; }
+
+    static constexpr double stall_s = 0.5;
+    static constexpr double retry_s = 2.0;
+
+  private:
+    void open(std::int64_t now_ns);
+    void lose(std::int64_t now_ns, std::string problem);
+    void render_to_nowhere(std::int64_t now_ns);
+
+    std::unique_ptr<SoundDevice> device_;
+    Mixer& mixer_;
+    std::function<std::int64_t()> clock_ns_;
+    FrameClock frame_clock_;
+    bool is_open_ = false;
+    std::string problem_ = "Sound has not begun.";
+    bool was_tried_ = false;
+    std::int64_t tried_ns_ = 0;
+    FrameTime seen_frame_ = 0;     // that the device asked for
+    std::int64_t moved_ns_ = 0;    // when that last changed
+    FrameTime nowhere_frame_ = 0;  // where rendering to nowhere began
+    std::int64_t nowhere_ns_ = 0;
+};
+
+}  // namespace touchline

@@ -1,0 +1,53 @@
+#include "audio-cues/speech/espeak_engine.h"
+
+#include "audio-cues/speech/speech_text.h"
+
+#include <cstddef>
+
+#include <espeak-ng/speak_lib.h>
+
+namespace touchline {
+namespace {
+
+constexpr int piece_ms = 20;
+
+const SpeechSink* current_sink = nullptr;  // the library has one callback a process
+
+int take_samples(short* samples, int count, espeak_EVENT*) {
+    if (samples == nullptr || count <= 0 || current_sink == nullptr) return 0;
+    const bool goes_on = (*current_sink)({samples, static_cast<std::size_t>(count)});
+    return goes_on ? 0 : 1;
+}
+
+}  // namespace
+
+Result<EspeakEngine> EspeakEngine::start(const std::string& voice) {
+    const int found_Hz =
+        espeak_Initialize(AUDIO_OUTPUT_SYNCHRONOUS, piece_ms, nullptr, espeakINITIALIZE_DONT_EXIT);
+    if (found_Hz != rate_Hz) {
+        return failure("The speech engine does not start; install espeak-ng-data.");
+    }
+    espeak_SetSynthCallback(take_samples);
+    espeak_VOICE wanted{};
+    wanted.languages = voice.c_str();
+    if (espeak_SetVoiceByProperties(&wanted) != EE_OK) {
+        return failure("The speech engine has no voice " + voice + ".");
+    }
+    EspeakEngine engine;
+    // So that every file has been read: what a voice cannot read itself (here a Chinese character)
+    // it leaves to the English rules, as it does English words in other languages.
+    engine.speak("a 你", {}, [](std::span<const std::int16_t>) { return true; });
+    return engine;
+}
+
+void EspeakEngine::speak(const std::string& text, const EngineRate& rate, const SpeechSink& sink) {
+    const std::string plain = plain_text(text);
+    espeak_SetParameter(espeakRATE, rate.words_per_minute, 0);
+    espeak_SetParameter(espeakWORDGAP, rate.word_gap, 0);
+    current_sink = &sink;
+    espeak_Synth(plain.c_str(), plain.size() + 1, 0, POS_CHARACTER, 0,
+                 espeakCHARS_UTF8 | espeakENDPAUSE, nullptr, nullptr);
+    current_sink = nullptr;
+}
+
+}  // namespace touchline

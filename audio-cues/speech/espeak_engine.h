@@ -1,0 +1,35 @@
+// The voice itself, espeak-ng: text in, samples out. Strangers' texts reach its C code here, so it
+// runs in a process of its own (app/speak). Threads: one; one engine a process (its state is
+// global).
+#pragma once
+
+#include "audio-cues/speech/speech_rate.h"
+#include "config/types/result.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+
+namespace touchline {
+
+/// Gets samples at EspeakEngine::rate_Hz, full scale 32767; false stops the speech.
+using SpeechSink = std::function<bool(std::span<const std::int16_t>)>;
+
+class EspeakEngine {
+  public:
+    static constexpr int rate_Hz = 22050;
+
+    /// Reads all that the voice needs (a language of espeak-ng: "en", "fr-fr"). It speaks with no
+    /// audio device and never ends the process. One line where library or voice is missing.
+    [[nodiscard]] static Result<EspeakEngine> start(const std::string& voice);
+
+    /// Pieces of at most 20 ms, as they are made: 5 s take 6 ms. Returns after the last, or once
+    /// the sink said false. Markup and phonemes in the text are text; see plain_text().
+    void speak(const std::string& text, const EngineRate& rate, const SpeechSink& sink);
+
+  private:
+    EspeakEngine() = default;
+};
+
+}  // namespace touchline

@@ -1,0 +1,77 @@
+// What is said, what waits, and what was said: a pure state machine.
+// Threads: plain values; one thread's.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// hint: waits for its turn, and goes when anything else is said. text: cuts hints and older text.
+/// safety: must be heard; cuts all else, is cut by nothing, and one waits for the other.
+enum class SpeechPriority : std::uint8_t { hint, text, safety };
+
+struct Utterance {
+    std::string language;  // code, as of Language
+    std::string text;
+    SpeechPriority priority = SpeechPriority::text;
+};
+
+/// Of something that was said, for captions and tests.
+struct SpeechRecord {
+    double begin_s = 0.0;
+    std::string language;
+    std::string text;
+    bool was_interrupted = false;
+};
+
+/// What the voice has to do: first stop, where it is to, then begin.
+struct SpeechOrder {
+    bool stop = false;
+    std::optional<Utterance> begin;
+};
+
+/// Times never go back; `now_s` is any clock. Every call O(waiting).
+class SpeechQueue {
+  public:
+    [[nodiscard]] SpeechOrder say(const Utterance& utterance, double now_s);
+
+    /// A key was pressed: all but safety is cut and forgotten.
+    [[nodiscard]] SpeechOrder stop(double now_s);
+
+    /// The voice came to the end of what it was saying.
+    [[nodiscard]] SpeechOrder finished(double now_s);
+
+    /// Says again what was said last (the one being said, if any), as text.
+    [[nodiscard]] SpeechOrder repeat(double now_s);
+
+    /// The next call resumes. Whatever begins to be said ends a pause.
+    bool toggle_pause() { return is_paused_ = !is_paused_ && current_.has_value(); }
+
+    [[nodiscard]] bool is_paused() const { return is_paused_; }
+
+    /// What is being said now: the caption.
+    [[nodiscard]] const std::optional<Utterance>& current() const { return current_; }
+
+    /// The last 200 that ended, oldest first. Nothing of it is ever written to a file.
+    [[nodiscard]] const std::deque<SpeechRecord>& transcript() const { return transcript_; }
+
+    /// Nothing of a visitor stays.
+    void forget() { *this = SpeechQueue{}; }
+
+  private:
+    SpeechOrder begin_next(bool stop, double now_s);
+    void end_current(bool was_interrupted);
+
+    std::optional<Utterance> current_;
+    double begin_s_ = 0.0;
+    std::vector<Utterance> waiting_;  // of one priority first come, first said
+    std::optional<Utterance> last_;
+    std::deque<SpeechRecord> transcript_;
+    bool is_paused_ = false;
+};
+
+}  // namespace touchline

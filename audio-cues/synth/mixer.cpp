@@ -1,0 +1,141 @@
+#include "audio-cues/synth/mixer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace touchline {
+namespace {
+
+using Block = std::array<StereoFrame, block_frames>;
+
+constexpr float centre_gain = static_cast<float>(1.0 / std::numbers::sqrt2);
+
+}  // namespace
+
+void Mixer::render(std::span<StereoFrame> out) {
+    take_commands();
+    while (!out.empty()) {
+        apply_due();
+        const std::size_t count = frames_to_next(
+            std::min<std::size_t>(out.size(), static_cast<std::size_t>(block_frames)));
+        render_part(out.first(count));
+        frame_ += static_cast<FrameTime>(count);
+        out = out.subspan(count);
+    }
+    rendered_.store(frame_, std::memory_order_release);
+}
+
+/// Into `pending_`, those of one frame in the order in which they came.
+void Mixer::take_commands() {
+    while (pending_count_ < pending_.size()) {
+        const auto command = queue_.pop();
+        if (!command) return;
+        std::size_t place = pending_count_++;
+        for (; place > 0 && pending_[place - 1].frame > command->frame; --place) {
+            pending_[place] = pending_[place - 1];
+        }
+        pending_[place] = *command;
+    }
+}
+
+void Mixer::apply_due() {
+    std::size_t due = 0;
+    while (due < pending_count_ && pending_[due].frame <= frame_) {
+        std::visit([this](const auto& what) { apply(what); }, pending_[due++].what);
+    }
+    if (due == 0) return;
+    std::copy(pending_.begin() + static_cast<std::ptrdiff_t>(due),
+              pending_.begin() + static_cast<std::ptrdiff_t>(pending_count_), pending_.begin());
+    pending_count_ -= due;
+}
+
+std::size_t Mixer::frames_to_next(std::size_t most) const {
+    if (pending_count_ == 0) return most;
+    return std::min(most, static_cast<std::size_t>(pending_.front().frame - frame_));
+}
+
+void Mixer::apply(const PlayEarcon& play) {
+    for (PlayingVoice& playing : voices_) {
+        if (!playing.voice.is_over()) continue;
+        playing = {Voice(play.earcon, play.level, play.pan), play.is_alert};
+        return;
+    }
+    dropped_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void Mixer::apply(const SetBusLevel& set) {
+    const double level = std::isfinite(set.level) ? std::clamp(set.level, 0.0, 1.0) : 0.0;
+    levels_[static_cast<std::size_t>(set.bus)].go_to(level);
+}
+
+void Mixer::apply(const SetOutput& output) {
+    gain_.go_to(std::max(output.gain, 0.0));
+    cap_ = output.cap;
+    width_.go_to(output.is_mono ? 0.0 : 1.0);
+}
+
+void Mixer::render_speech(std::span<StereoFrame> bus) {
+    std::array<float, block_frames> mono;
+    const auto samples = std::span(mono).first(bus.size());
+    is_speech_sounding_ = speech_.read(samples, is_speech_paused_);
+    for (std::size_t i = 0; i < bus.size(); ++i) {
+        const float sample = centre_gain * samples[i];
+        bus[i] = {sample, sample};
+    }
+}
+
+void Mixer::render_voices(bool are_alerts, std::span<StereoFrame> bus) {
+    bool sounds = false;
+    for (PlayingVoice& playing : voices_) {
+        if (playing.is_alert != are_alerts || playing.voice.is_over()) continue;
+        playing.voice.add(bus, static_cast<double>(width_.value()));
+        sounds = true;
+    }
+    if (are_alerts) is_alert_sounding_ = sounds;
+}
+
+void Mixer::add_bus(Bus bus, std::span<const StereoFrame> frames, double duck_from, double duck_to,
+                    std::span<StereoFrame> out) {
+    Ramp& level = levels_[static_cast<std::size_t>(bus)];
+    const auto from = static_cast<float>(duck_from);
+    const float step = static_cast<float>(duck_to - duck_from) / static_cast<float>(out.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float gain = level.next() * (from + step * static_cast<float>(i + 1));
+        out[i].left += gain * frames[i].left;
+        out[i].right += gain * frames[i].right;
+    }
+}
+
+void Mixer::render_part(std::span<StereoFrame> out) {
+    std::array<Block, bus_count> buses{};
+    const auto bus = [&](Bus which) {
+        return std::span(buses[static_cast<std::size_t>(which)]).first(out.size());
+    };
+    render_speech(bus(Bus::speech));
+    render_voices(false, bus(Bus::earcon));
+    render_voices(true, bus(Bus::alert));
+    if (!continuous_.is_silent()) {
+        continuous_.add(bus(Bus::continuous), static_cast<double>(width_.value()));
+    }
+    const double seconds = static_cast<double>(out.size()) / frame_rate_Hz;
+    const double speech_from = under_speech_.gain();
+    const double alert_from = under_alert_.gain();
+    const double speech_to = under_speech_.step(is_speech_sounding_, seconds);
+    const double alert_to = under_alert_.step(is_alert_sounding_, seconds);
+
+    std::fill(out.begin(), out.end(), StereoFrame{});
+    add_bus(Bus::alert, bus(Bus::alert), 1.0, 1.0, out);
+    add_bus(Bus::speech, bus(Bus::speech), alert_from, alert_to, out);
+    add_bus(Bus::earcon, bus(Bus::earcon), alert_from, alert_to, out);
+    add_bus(Bus::continuous, bus(Bus::continuous), speech_from * alert_from, speech_to * alert_to,
+            out);
+    for (StereoFrame& frame : out) {
+        const float gain = gain_.next();
+        frame = {gain * frame.left, gain * frame.right};
+        (void)width_.next();
+    }
+    limiter_.process(out, cap_);
+}
+
+}  // namespace touchline

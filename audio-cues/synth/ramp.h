@@ -1,0 +1,58 @@
+// A gain that moves without a click. Threads: a plain value.
+#pragma once
+
+#include "audio-cues/synth/frames.h"
+
+#include <cmath>
+
+namespace touchline {
+
+/// Long enough for no click, short enough for no lag.
+inline constexpr double ramp_s = 0.005;
+
+/// From one value to another along 3t^2 - 2t^3, so that the slope is continuous at both ends.
+class Ramp {
+  public:
+    explicit Ramp(double value = 0.0, double length_s = ramp_s)
+        : from_(static_cast<float>(value)),
+          to_(from_),
+          step_(static_cast<float>(1.0 / (length_s * frame_rate_Hz))) {}
+
+    /// From where it is now. What is not finite counts as 0.
+    void go_to(double target) {
+        const float wanted = std::isfinite(target) ? static_cast<float>(target) : 0.0F;
+        if (wanted == to_) return;
+        from_ = value();
+        to_ = wanted;
+        progress_ = 0.0F;
+    }
+
+    /// At once: for a sound that begins here.
+    void start_at(double value) { *this = Ramp(value, 1.0 / (double(step_) * frame_rate_Hz)); }
+
+    [[nodiscard]] float value() const {
+        if (is_still()) return to_;
+        const float t = progress_;
+        return from_ + (to_ - from_) * t * t * (3.0F - 2.0F * t);
+    }
+
+    /// The value of the next frame.
+    float next() {
+        if (!is_still()) progress_ += step_;
+        return value();
+    }
+
+    [[nodiscard]] float target() const { return to_; }
+
+    [[nodiscard]] bool is_still() const { return progress_ >= 1.0F; }
+
+    [[nodiscard]] bool is_silent() const { return is_still() && to_ == 0.0F; }
+
+  private:
+    float from_;
+    float to_;
+    float step_;
+    float progress_ = 1.0F;
+};
+
+}  // namespace touchline

@@ -1,0 +1,101 @@
+#include "audio-cues/cues/guidance.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+TEST(Guidance, PulsesGetQuickerAsTheLineComesNearer) {
+    EXPECT_NEAR(distance_tone(far_m).pulse_Hz, slow_Hz, 1e-9);
+    EXPECT_NEAR(distance_tone(near_m).pulse_Hz, quick_Hz, 1e-9);
+    EXPECT_NEAR(distance_tone(near_m / 10.0).pulse_Hz, quick_Hz, 1e-9);
+    const double halving = distance_tone(0.01).pulse_Hz / distance_tone(0.02).pulse_Hz;
+    EXPECT_GT(halving, 1.3);
+    EXPECT_NEAR(distance_tone(0.005).pulse_Hz / distance_tone(0.01).pulse_Hz, halving, 1e-9);
+}
+
+TEST(Guidance, OnTheLineAndFarFromAnyIsSilence) {
+    for (const double distance_m : {0.0, -1.0, 0.0301, infinite, none}) {
+        EXPECT_EQ(distance_tone(distance_m).level, 0.0) << distance_m;
+    }
+    EXPECT_GT(distance_tone(0.0299).level, 0.0);
+}
+
+TEST(Guidance, ThePositionToneIsPanAndTwoOctaves) {
+    const CueArea area;
+    EXPECT_NEAR(pitch_Hz_of({0.0, -0.042}, area), 220.0, 1e-9);
+    EXPECT_NEAR(pitch_Hz_of({0.0, 0.0}, area), 440.0, 1e-9);
+    EXPECT_NEAR(pitch_Hz_of({0.0, 0.042}, area), 880.0, 1e-9);
+    EXPECT_NEAR(pitch_Hz_of({0.0, 0.1}, area), 880.0, 1e-9);
+    EXPECT_NEAR(pitch_Hz_of({0.0, none}, area), 440.0, 1e-9);
+    EXPECT_NEAR(position_tone({-0.029, 0.0}, area).pan, -0.5, 1e-12);
+    EXPECT_EQ(position_tone({1.0, 0.0}, area).pan, 1.0);
+    EXPECT_EQ(position_tone({none, 0.0}, area).pan, 0.0);
+    EXPECT_EQ(position_tone({0.0, 0.0}, area).pulse_Hz, 0.0);
+}
+
+TEST(Guidance, SonarTellsSideHeightAndDistance) {
+    const Position hand{0.01, 0.01};
+    const ContinuousTone right = sonar_tone(hand, {0.03, 0.01});
+    EXPECT_EQ(right.pan, 1.0);
+    EXPECT_NEAR(right.frequency_Hz, 660.0, 1e-9);
+    const ContinuousTone away = sonar_tone(hand, {0.01, 0.03});
+    EXPECT_EQ(away.pan, 0.0);
+    EXPECT_NEAR(away.frequency_Hz, 1320.0, 1e-9);
+    EXPECT_NEAR(sonar_tone(hand, {0.01, -0.03}).frequency_Hz, 330.0, 1e-9);
+    EXPECT_GT(sonar_tone(hand, {0.013, 0.01}).pulse_Hz, right.pulse_Hz);
+    EXPECT_EQ(sonar_tone(hand, {0.0105, 0.01}).level, 0.0) << "reached";
+    EXPECT_EQ(sonar_tone(hand, {none, 0.01}).level, 0.0);
+}
+
+TEST(Guidance, OneContinuousSoundAtATime) {
+    const CueArea area;
+    ContinuousChoice choice;
+    EXPECT_EQ(continuous_tone(choice, {0.0, 0.0}, 0.01, area).level, 0.0) << "cues only";
+    choice.amount = CueAmount::full;
+    EXPECT_GT(continuous_tone(choice, {0.0, 0.0}, 0.01, area).pulse_Hz, 0.0) << "the distance";
+    choice.has_position_tone = true;
+    EXPECT_EQ(continuous_tone(choice, {0.0, 0.042}, 0.01, area).frequency_Hz, 880.0);
+    choice.target_W = Position{0.02, 0.0};
+    EXPECT_EQ(continuous_tone(choice, {0.0, 0.0}, 0.01, area).pan, 1.0) << "the target";
+    choice.amount = CueAmount::none;
+    EXPECT_GT(continuous_tone(choice, {0.0, 0.0}, 0.01, area).level, 0.0) << "it was asked for";
+}
+
+TEST(Guidance, TheClockFaceHasTwelveAwayAndThreeRight) {
+    const auto hour = [](double x, double y) { return clock_face({0.0, 0.0}, {x, y})->hour; };
+    EXPECT_EQ(hour(0.0, 0.02), 12);
+    EXPECT_EQ(hour(0.01, 0.0173), 1);
+    EXPECT_EQ(hour(0.02, 0.0), 3);
+    EXPECT_EQ(hour(0.0, -0.02), 6);
+    EXPECT_EQ(hour(-0.02, 0.0), 9);
+    EXPECT_EQ(hour(-0.01, 0.0173), 11);
+    EXPECT_EQ(hour(-0.0001, 0.02), 12);
+    EXPECT_EQ(clock_face({0.01, 0.0}, {0.0, 0.0})->distance_mm, 10);
+    EXPECT_EQ(clock_face({0.0, 0.0}, {0.0, 0.0121})->distance_mm, 10);
+    EXPECT_EQ(clock_face({0.0, 0.0}, {0.0, 0.001})->distance_mm, 0);
+    EXPECT_FALSE(clock_face({0.0, 0.0}, {none, 0.0}));
+    EXPECT_FALSE(clock_face({0.0, 0.0}, {infinite, 0.0}));
+}
+
+TEST(Guidance, TheNinePlacesAreThirdsOfTheArea) {
+    const CueArea area;
+    EXPECT_EQ(place_of({-0.05, 0.04}, area), Place::upper_left);
+    EXPECT_EQ(place_of({0.0, 0.04}, area), Place::top);
+    EXPECT_EQ(place_of({0.05, 0.04}, area), Place::upper_right);
+    EXPECT_EQ(place_of({-0.05, 0.0}, area), Place::left);
+    EXPECT_EQ(place_of({0.0, 0.0}, area), Place::middle);
+    EXPECT_EQ(place_of({0.5, 0.0}, area), Place::right);
+    EXPECT_EQ(place_of({-0.05, -0.04}, area), Place::lower_left);
+    EXPECT_EQ(place_of({0.0, -0.04}, area), Place::bottom);
+    EXPECT_EQ(place_of({0.05, -0.04}, area), Place::lower_right);
+}
+
+}  // namespace
+}  // namespace touchline

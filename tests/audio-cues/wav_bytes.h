@@ -1,0 +1,14 @@
+// A WAV file as bytes. Threads: pure functions.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// 16-bit PCM, the samples of a frame side by side; with a chunk in it that nobody knows.
+[[nodiscard]] std::string wav_bytes(std::uint32_t rate_Hz, std::uint32_t channels,
+                                    const std::vector<int>& samples);
+
+}  // namespace touchline

@@ -1,0 +1,198 @@
+// The rules of audio-cues/words/README.md, on every catalogue.
+#include "app/session/fault_words.h"
+#include "app/session/status.h"
+#include "audio-cues/cues/cue_table.h"
+#include "tests/audio-cues/words/po_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+const std::string folder = TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue";
+
+const PoFile& english() {
+    static const PoFile file = read_po(folder + "/touchline.pot");
+    return file;
+}
+
+std::map<std::string, PoFile> translations() {
+    std::map<std::string, PoFile> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() == ".po") {
+            files[entry.path().stem().string()] = read_po(entry.path().string());
+        }
+    }
+    return files;
+}
+
+/// Every text that is said, with what it is for the message of a failure.
+std::vector<std::pair<std::string, std::string>> all_texts() {
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const auto& [key, entry] : english()) {
+        if (key.second.empty()) continue;
+        texts.emplace_back("en", key.second);
+        if (!entry.plural.empty()) texts.emplace_back("en", entry.plural);
+    }
+    for (const auto& [code, file] : translations()) {
+        for (const auto& [key, entry] : file) {
+            if (key.second.empty()) continue;
+            for (const std::string& said : entry.said) texts.emplace_back(code, said);
+        }
+    }
+    return texts;
+}
+
+/// In lower case, as far as ASCII goes, without stops; places are no words.
+std::vector<std::string> words_of_sentence(const std::string& sentence) {
+    std::vector<std::string> words;
+    std::istringstream stream(sentence);
+    for (std::string word; stream >> word;) {
+        std::string kept;
+        for (const char c : word) {
+            const bool is_letter = static_cast<unsigned char>(c) >= 0x80U ||
+                                   std::isalpha(static_cast<unsigned char>(c));
+            if (is_letter) kept += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        }
+        if (!kept.empty()) words.push_back(kept);
+    }
+    return words;
+}
+
+std::vector<std::string> sentences_of(const std::string& text) {
+    std::vector<std::string> sentences{""};
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        sentences.back() += text[i];
+        const bool is_stop = text[i] == '.' || text[i] == '!' || text[i] == '?';
+        if (is_stop && i + 1 < text.size() && text[i + 1] == ' ') sentences.emplace_back();
+    }
+    return sentences;
+}
+
+std::multiset<std::string> places_of(const std::string& text) {
+    std::multiset<std::string> places;
+    for (auto at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1)) {
+        places.insert(text.substr(at, 3));
+    }
+    return places;
+}
+
+TEST(Catalogue, EveryLanguageSaysEveryTextAndNoOther) {
+    ASSERT_GT(english().size(), 150U);
+    for (const char* code : {"de", "es", "fr"}) ASSERT_TRUE(translations().contains(code));
+    for (const auto& [code, file] : translations()) {
+        for (const auto& [key, entry] : english()) {
+            const auto found = file.find(key);
+            ASSERT_NE(found, file.end()) << code << " lacks: " << key.second;
+            EXPECT_EQ(found->second.plural, entry.plural) << code << ": " << key.second;
+            EXPECT_EQ(found->second.is_doubtful, false) << code << ": " << key.second;
+            EXPECT_EQ(found->second.said.size(), entry.plural.empty() ? 1U : 2U);
+            for (const auto& said : found->second.said) EXPECT_FALSE(said.empty()) << key.second;
+        }
+        for (const auto& [key, entry] : file) {
+            EXPECT_TRUE(english().contains(key))
+                << code << " says what English does not: " << key.second;
+        }
+    }
+}
+
+TEST(Catalogue, NoSentenceHasMoreThanFifteenWords) {
+    for (const auto& [code, text] : all_texts()) {
+        for (const std::string& sentence : sentences_of(text)) {
+            EXPECT_LE(words_of_sentence(sentence).size(), 15U) << code << ": " << sentence;
+        }
+    }
+}
+
+TEST(Catalogue, NothingIsSaidOfSeeingOrOfColours) {
+    const std::map<std::string, std::set<std::string>> barred{
+        {"en",
+         {"see", "seen", "look", "looks", "watch", "view", "visible", "red", "blue", "green",
+          "yellow", "white", "black", "colour"}},
+        {"de",
+         {"sehen", "sieht", "siehst", "schauen", "blick", "sichtbar", "rot", "blau", "grün", "gelb",
+          "weiß", "schwarz", "farbe"}},
+        {"fr",
+         {"voir", "voit", "voyez", "regarder", "regardez", "visible", "rouge", "bleu", "vert",
+          "jaune", "blanc", "noir", "couleur"}},
+        {"es",
+         {"ver", "vea", "mirar", "mire", "visible", "rojo", "azul", "verde", "amarillo", "blanco",
+          "negro", "color"}}};
+    for (const auto& [code, text] : all_texts()) {
+        const auto found = barred.find(code);
+        if (found == barred.end()) continue;
+        for (const std::string& word : words_of_sentence(text)) {
+            EXPECT_FALSE(found->second.contains(word)) << code << ": " << text;
+        }
+    }
+    EXPECT_EQ(words_of_sentence("Press it, then see {0}."),
+              (std::vector<std::string>{"press", "it", "then", "see"}));
+}
+
+TEST(Catalogue, PlacesStopsAndBlanksAreAsInEnglish) {
+    const auto stop_of = [](const std::string& text) {
+        return text.ends_with('.') ? (text.ends_with("...") ? "..." : ".") : "";
+    };
+    for (const auto& [code, file] : translations()) {
+        for (const auto& [key, entry] : file) {
+            if (key.second.empty()) continue;
+            for (const std::string& said : entry.said) {
+                EXPECT_EQ(places_of(said), places_of(key.second)) << code << ": " << said;
+                if (key.first != "decimal") {
+                    EXPECT_STREQ(stop_of(said), stop_of(key.second)) << code << ": " << said;
+                }
+                EXPECT_EQ(said.front() == ' ' || said.back() == ' ', false) << code << ": " << said;
+                EXPECT_EQ(said.find("  "), std::string::npos) << code << ": " << said;
+            }
+        }
+    }
+}
+
+/// What the program says today: by the functions that say it.
+TEST(Catalogue, HasAllThatKeysPanelAndFaultsSay) {
+    const auto expect = [](const std::string& context, std::string_view text) {
+        EXPECT_TRUE(english().contains({context, std::string(text)})) << context << ": " << text;
+    };
+    for (const KeyRow& row : key_table()) {
+        expect("key name", row.name);
+        expect("key", row.words);
+    }
+    for (std::size_t i = 1; i < fault_count; ++i) {
+        const FaultWords words = words_of(static_cast<Fault>(i));
+        for (const auto text : {words.what, words.why, words.what_to_do}) expect("fault", text);
+    }
+    expect("fault", "Exploring goes on without force.");
+    for (std::size_t i = 0; i < force_state_count; ++i) {
+        expect("force", words_of(static_cast<ForceState>(i)));
+    }
+    for (std::size_t i = 0; i < limit_count; ++i) {
+        const auto text = words_of(static_cast<Limit>(i));
+        if (!text.empty()) expect("force", text);
+    }
+    for (int i = 0; i < 4; ++i) expect("mode", words_of(static_cast<Mode>(i)));
+    for (int i = 0; i < 3; ++i) expect("contact", words_of(static_cast<ContactState>(i)));
+    for (int i = 0; i <= static_cast<int>(ContactEventKind::popped_through); ++i) {
+        expect("event", words_of(static_cast<ContactEventKind>(i)));
+    }
+    for (const StiffnessStep& step : stiffness_steps) expect("stiffness", step.name);
+    for (const CueRow& row : cue_table()) expect("sound", row.name);
+}
+
+TEST(Catalogue, HasTheLinesOfThePanel) {
+    const Status status = describe(Session{}, HandState{}, ForceStatus{}, "", std::nullopt);
+    for (const StatusLine& line : status.lines) {
+        EXPECT_TRUE(english().contains({"panel", line.name})) << line.name;
+    }
+    EXPECT_TRUE(english().contains({"panel", status.title}));
+    for (const char* text : {"none in the list", "Opening picture {0} ...", "{0} of {1}, {2}"}) {
+        EXPECT_TRUE(english().contains({"panel", text})) << text;
+    }
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,121 @@
+#include "audio-cues/words/language.h"
+
+#include "audio-cues/words/guidance_words.h"
+
+#include <clocale>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+Language loaded(const std::string& code) {
+    const auto language = Language::load(TOUCHLINE_CATALOGUES, code);
+    EXPECT_TRUE(language) << (language ? "" : language.error().line);
+    return language.value_or(Language());
+}
+
+TEST(Language, ThreeAtOnceSayTheirOwnWordsUnderAnyLocaleOfTheProcess) {
+    for (const char* locale : {"C", "C.UTF-8"}) {
+        ASSERT_NE(std::setlocale(LC_ALL, locale), nullptr);
+        const Language german = loaded("de");
+        const Language french = loaded("fr");
+        const Language spanish = loaded("es");
+        EXPECT_EQ(german.text("mode", "groove"), "Rille");
+        EXPECT_EQ(french.text("mode", "groove"), "rainure");
+        EXPECT_EQ(spanish.text("mode", "groove"), "surco");
+        EXPECT_EQ(Language().text("mode", "groove"), "groove");
+        EXPECT_STREQ(std::setlocale(LC_ALL, nullptr), locale) << "left as it was";
+    }
+}
+
+TEST(Language, TheContextTellsTwoWordsApart) {
+    const Language german = loaded("de");
+    EXPECT_EQ(german.text("force", "on"), "an");
+    EXPECT_EQ(german.text("key name", "Right"), "Rechts");
+    EXPECT_EQ(german.text("place", "left"), "links");
+}
+
+TEST(Language, WhatIsMissingIsSaidInEnglish) {
+    EXPECT_EQ(loaded("de").text("mode", "no such {0}", {"thing"}), "no such thing");
+    EXPECT_EQ(loaded("de").text("no such context", "wall"), "wall");
+}
+
+TEST(Language, PlacesAreFilledAndOthersStay) {
+    EXPECT_EQ(Language().text("", "{1} and {0}, {2} {x} {", {"a", "b"}), "b and a, {2} {x} {");
+    EXPECT_EQ(loaded("fr").text("panel", "{0} of {1}", {"2", "5"}), "2 sur 5");
+    EXPECT_EQ(Language().text("", "{0}", {"{1}", "b"}), "{1}")
+        << "what is filled in is not read again";
+}
+
+TEST(Language, CountsByItsOwnRule) {
+    const auto outlines = [](const Language& language, int count) {
+        return language.counted("count", "{0} outline", "{0} outlines", count);
+    };
+    EXPECT_EQ(outlines(Language(), 0), "0 outlines");
+    EXPECT_EQ(outlines(Language(), 1), "1 outline");
+    EXPECT_EQ(outlines(loaded("de"), 0), "0 Umrisse");
+    EXPECT_EQ(outlines(loaded("de"), 1), "1 Umriss");
+    EXPECT_EQ(outlines(loaded("fr"), 0), "0 contour");  // French: none is one
+    EXPECT_EQ(outlines(loaded("fr"), 2), "2 contours");
+    EXPECT_EQ(outlines(loaded("es"), 7), "7 contornos");
+}
+
+TEST(Language, NumbersHaveItsDecimalSign) {
+    EXPECT_EQ(Language().number(1.25, 1), "1.2");
+    EXPECT_EQ(loaded("de").number(1.26, 1), "1,3");
+    EXPECT_EQ(loaded("fr").number(-3.0, 0), "-3");
+}
+
+TEST(Language, GuidanceIsSaidInEveryLanguage) {
+    EXPECT_EQ(words_of(ClockFace{2, 30}, Language()), "3 centimetres, at 2 o’clock");
+    EXPECT_EQ(words_of(ClockFace{1, 10}, loaded("fr")), "1 centimètre, à une heure");
+    EXPECT_EQ(words_of(ClockFace{12, 5}, loaded("es")), "5 milímetros, a las 12");
+    EXPECT_EQ(words_of(ClockFace{1, 20}, loaded("de")), "2 Zentimeter, auf ein Uhr");
+    EXPECT_EQ(words_of(ClockFace{7, 0}, loaded("de")), "Sie sind da.");
+    EXPECT_EQ(words_of(Place::lower_right, loaded("es")), "abajo a la derecha");
+    EXPECT_EQ(words_of(Place::upper_left, Language()), "upper left");
+    EXPECT_EQ(words_of(CueAmount::none, loaded("de")), "Töne: keine");
+    EXPECT_EQ(words_of(Cue::touch, loaded("fr")), "toucher");
+}
+
+TEST(Language, AFileThatIsMissingOrNoneIsOneClearLine) {
+    for (const char* code : {"xx", "../de", "", "de.mo"}) {
+        const auto language = Language::load(TOUCHLINE_CATALOGUES, code);
+        ASSERT_FALSE(language);
+        EXPECT_EQ(language.error().line.find('\n'), std::string::npos);
+    }
+}
+
+TEST(Language, AFileMoreIsALanguageMore) {
+    std::string folder = testing::TempDir() + "languagesXXXXXX";
+    ASSERT_NE(mkdtemp(folder.data()), nullptr);
+    std::filesystem::copy_file(TOUCHLINE_CATALOGUES "/de.mo", folder + "/xy.mo");
+    std::ofstream(folder + "/no.mo") << "not a catalogue";
+    EXPECT_EQ(languages_in(folder).value(), (std::vector<std::string>{"en", "no", "xy"}));
+    const auto language = Language::load(folder, "xy");
+    ASSERT_TRUE(language) << language.error().line;
+    EXPECT_EQ(language->name(), "Deutsch");
+    EXPECT_EQ(language->code(), "xy");
+    EXPECT_FALSE(Language::load(folder, "no"));
+    std::filesystem::remove_all(folder);
+    EXPECT_FALSE(languages_in(folder));
+}
+
+TEST(Language, EveryShippedOneNamesItselfAndItsVoice) {
+    const auto codes = languages_in(TOUCHLINE_CATALOGUES);
+    ASSERT_TRUE(codes);
+    EXPECT_EQ(codes.value(), (std::vector<std::string>{"en", "de", "es", "fr"}));
+    EXPECT_EQ(loaded("de").name(), "Deutsch");
+    EXPECT_EQ(loaded("es").name(), "Español");
+    EXPECT_EQ(loaded("fr").voice(), "fr-fr");
+    EXPECT_EQ(loaded("en").voice(), "en");
+    EXPECT_EQ(loaded("en").pace(), 1.0);
+    EXPECT_EQ(loaded("fr").pace(), 1.05);
+}
+
+}  // namespace
+}  // namespace touchline
