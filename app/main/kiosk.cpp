@@ -9,6 +9,7 @@
 #include "app/screen/window.h"
 #include "app/session/session.h"
 #include "app/session/status.h"
+#include "app/sound/sound.h"
 #include "haptics/servo/loop_settings.h"
 #include "haptics/servo/servo.h"
 
@@ -73,6 +74,7 @@ class Kiosk {
         carry_out(start_session(static_cast<int>(files_.size()), loop.stiffness_N_per_m));
         run_frames();
         if (arguments_.measure_s && !is_end_asked) measure_without_window();
+        sound_.reset();  // it reads the servo's events
         servo_.client->stop();
         return {};
     }
@@ -91,10 +93,22 @@ class Kiosk {
         if (!servo) return tl::unexpected(servo.error());
         servo_ = std::move(*servo);
         if (!servo_.note.empty()) report(servo_.note);
+        start_sound();
         return {};
     }
 
-    void press(Key key) { carry_out(press_key(session_, key, servo_.client->latest().level)); }
+    void start_sound() {
+        SoundParts parts = sound_parts();
+        for (const std::string& problem : parts.problems) report(problem);
+        sound_ = std::make_unique<Sound>(
+            std::move(parts), [client = servo_.client.get()] { return client->next_event(); });
+    }
+
+    void press(Key key) {
+        const auto action = action_of(key);
+        sound_->key_down(action ? std::optional(action->action) : std::nullopt);
+        carry_out(press_key(session_, key, servo_.client->latest().level));
+    }
 
     /// The hand means to be where the pointer is, inside the drawing area.
     void lead_hand(PixelPoint place) {
@@ -110,6 +124,7 @@ class Kiosk {
         if (step.commands.feel) set_servo();
         if (step.commands.home_again) servo_.client->home_again();
         if (step.commands.keep_recording) servo_.client->keep_recording();
+        if (step.commands.sound) sound_->carry_out(*step.commands.sound);
         if (step.commands.quit) is_quitting_ = true;
     }
 
@@ -154,10 +169,6 @@ class Kiosk {
         if (!job_.valid() && session_.is_loading) start_job();
     }
 
-    void read_events() {
-        while (const auto event = servo_.client->next_event()) last_event_ = event;
-    }
-
     /// What befell the servo, for the log; its tier is in the panel too.
     void read_notices() {
         const std::string notice = servo_.client->take_notice();
@@ -172,12 +183,12 @@ class Kiosk {
     }
 
     void draw(std::int64_t time_ns) {
-        read_events();
         read_notices();
         led_ = paced(led_, pointer_, 1.0 / frame_rate_Hz);
         hand_->move_to(led_);
         const HandState& hand = servo_.client->latest();
         const ForceStatus force = servo_.client->force_status();
+        sound_->step({{session_, force, told_words_}, hand, shown_.scene.get()});
         const FrameContent content{status(hand, force), session_.shows_keys, session_.shows_boxes,
                                    hand, shown_};
         screen_->draw(content, window_->width_px(), window_->height_px(), time_ns);
@@ -235,7 +246,9 @@ class Kiosk {
 
     /// What the hand is, and how well its loop is in time: in a word where no force depends on it.
     [[nodiscard]] Status status(const HandState& hand, const ForceStatus& force) {
-        Status status = describe(session_, hand, force, hand_words(), last_event_);
+        Status status = describe(session_, hand, force, hand_words(), sound_->last_event());
+        status.lines.push_back({"Sound", sound_->words()});
+        if (status.message.empty()) status.message = sound_->problem();
         if (!told_words_.empty() && force.fault == Fault::none) status.message = told_words_;
         return status;
     }
@@ -252,12 +265,12 @@ class Kiosk {
     Position led_;      // where the hand means to be
     std::shared_ptr<MouseHand> hand_ = std::make_shared<MouseHand>(Position{});
     KioskServo servo_;
-    std::string told_words_;  // to the person at the handle
+    std::unique_ptr<Sound> sound_;  // dies before the servo whose events it reads
+    std::string told_words_;        // to the person at the handle
     RealTimeTier told_tier_ = RealTimeTier::best_effort;
     std::unique_ptr<Window> window_;
     std::unique_ptr<KioskScreen> screen_;  // dies before the window that has its OpenGL context
     Session session_;
-    std::optional<ContactEvent> last_event_;
     ShownScene shown_;
     std::future<Result<LoadedScene>> job_;
     std::uint64_t job_request_ = 0;

@@ -16,6 +16,23 @@ std::filesystem::path own_folder() {
     return error ? std::filesystem::path() : own.parent_path();
 }
 
+std::filesystem::path installed_place(const std::string& beside_program,
+                                      const std::string& source) {
+    const std::filesystem::path own = own_folder();
+    const std::filesystem::path installed = (own / beside_program).lexically_normal();
+    std::error_code error;
+    return !own.empty() && std::filesystem::exists(installed, error)
+               ? installed
+               : std::filesystem::path(source);
+}
+
+std::filesystem::path user_settings_folder() {
+    const std::string chosen = environment("XDG_CONFIG_HOME");
+    if (!chosen.empty()) return chosen;
+    const std::string home = environment("HOME");
+    return home.empty() ? std::filesystem::path("/etc") : std::filesystem::path(home) / ".config";
+}
+
 std::string companion(const std::string& name) {
     const std::string chosen = environment("TOUCHLINE_PROGRAMS");
     return ((chosen.empty() ? own_folder() : std::filesystem::path(chosen)) / name).string();

@@ -14,6 +14,14 @@ namespace touchline {
 /// tell.
 [[nodiscard]] std::filesystem::path own_folder();
 
+/// A file or folder that is installed with the program: `beside_program` from own_folder() where
+/// that exists, else `source`, where it was built from.
+[[nodiscard]] std::filesystem::path installed_place(const std::string& beside_program,
+                                                    const std::string& source);
+
+/// XDG_CONFIG_HOME, else .config of the user's home, else /etc.
+[[nodiscard]] std::filesystem::path user_settings_folder();
+
 /// Another program of Touchline: in TOUCHLINE_PROGRAMS where that is set, else beside this one.
 [[nodiscard]] std::string companion(const std::string& name);
 

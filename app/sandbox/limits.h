@@ -9,7 +9,7 @@ namespace touchline {
 
 /// raster: one picture. film: one picture of a film's codec (HEIC, AVIF), which has threads and
 /// waits for them for ever where it gets none. document: SVG and PDF. ocr: words in a picture.
-/// speech: text to sound, for as long as the kiosk lives.
+/// speech: one text to sound, for as long as somebody listens.
 enum class WorkerKind : std::uint8_t { raster, film, document, ocr, speech };
 
 inline constexpr int worker_kind_count = 5;
@@ -58,7 +58,7 @@ struct WorkerLimits {
             return {.input_bytes = MiB,
                     .address_space_bytes = 256 * MiB,
                     .cpu_s = 0,
-                    .file_bytes = 64 * MiB,
+                    .file_bytes = 0,  // it answers by its socket
                     .deadline_s = 0.0};
     }
     return {};

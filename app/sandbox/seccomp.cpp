@@ -55,6 +55,11 @@ class Filter {
   public:
     Filter() : filter_(seccomp_init(SCMP_ACT_KILL_PROCESS)) {
         if (!filter_) error_ = -ENOMEM;
+        // What is no call of this machine kills the process too, not just the thread that makes it.
+        if (error_ == 0) {
+            error_ =
+                seccomp_attr_set(filter_.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
+        }
         // For the threads that a library has started while it was prepared, too.
         if (error_ == 0) error_ = seccomp_attr_set(filter_.get(), SCMP_FLTATR_CTL_TSYNC, 1);
     }

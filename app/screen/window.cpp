@@ -25,7 +25,8 @@ Key key_of(int glfw_key) {
         std::pair{GLFW_KEY_LEFT, Key::left},       std::pair{GLFW_KEY_RIGHT, Key::right},
         std::pair{GLFW_KEY_UP, Key::up},           std::pair{GLFW_KEY_DOWN, Key::down},
         std::pair{GLFW_KEY_PAGE_UP, Key::page_up}, std::pair{GLFW_KEY_PAGE_DOWN, Key::page_down},
-        std::pair{GLFW_KEY_ESCAPE, Key::escape}};
+        std::pair{GLFW_KEY_ESCAPE, Key::escape},   std::pair{GLFW_KEY_F15, Key::f15},
+        std::pair{GLFW_KEY_F16, Key::f16}};
     for (const auto& [code, key] : named) {
         if (code == glfw_key) return key;
     }

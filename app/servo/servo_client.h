@@ -1,6 +1,7 @@
 // The servo as the kiosk sees it, wherever it runs: a thread of its own process for a simulated
 // device, a process for one with motors.
-// Threads: all calls from the kiosk's main thread; none of them waits for the servo but stop().
+// Threads: all calls from the kiosk's main thread but next_event(), which one other thread may call
+// until stop(); none of them waits for the servo but stop().
 #pragma once
 
 #include "app/servo/messages.h"
@@ -49,7 +50,7 @@ class ServoClient {
     /// Of the same tick.
     [[nodiscard]] virtual ForceStatus force_status() = 0;
 
-    /// As Servo::next_event().
+    /// As Servo::next_event(), of one thread.
     [[nodiscard]] virtual std::optional<ContactEvent> next_event() = 0;
 
     [[nodiscard]] virtual RealTimeTier tier() const = 0;

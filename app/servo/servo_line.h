@@ -1,7 +1,7 @@
 // The line between kiosk and servo process, on the kiosk's side: what was last told is told again
-// to every servo that is started. Threads: connect() and disconnect() from the guard, the rest from
-// the main thread; each call locks for as long as it takes to copy a value. The guard beats without
-// it.
+// to every servo that is started. Threads: connect() and disconnect() from the guard, next_event()
+// from any one, the rest from the main thread; each call locks for as long as it takes to copy a
+// value. The guard beats without it.
 #pragma once
 
 #include "app/servo/messages.h"

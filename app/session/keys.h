@@ -21,7 +21,9 @@ enum class Key : std::uint32_t {
     down,
     page_up,
     page_down,
-    escape
+    escape,
+    f15,  // some keypads with a socket for headphones send these
+    f16
 };
 
 enum class Action : std::uint8_t {
@@ -42,6 +44,18 @@ enum class Action : std::uint8_t {
     home_again,
     toggle_boxes,
     toggle_keys,
+    next_sounds,
+    toggle_speech,
+    repeat_speech,
+    stop_speech,
+    pause_speech,
+    slower_speech,
+    faster_speech,
+    softer_sound,
+    louder_sound,
+    next_language,
+    headphones_in,
+    headphones_out,
     quit,
 };
 

@@ -126,6 +126,19 @@ Step press_key(const Session& session, Key key, double felt_level) {
             return toggle(session, &Session::shows_boxes);
         case Action::toggle_keys:
             return toggle(session, &Session::shows_keys);
+        case Action::next_sounds:
+        case Action::toggle_speech:
+        case Action::repeat_speech:
+        case Action::stop_speech:
+        case Action::pause_speech:
+        case Action::slower_speech:
+        case Action::faster_speech:
+        case Action::softer_sound:
+        case Action::louder_sound:
+        case Action::next_language:
+        case Action::headphones_in:
+        case Action::headphones_out:
+            return {session, {.sound = pressed->action}};
         case Action::quit:
             return {session, {.quit = true}};
     }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -87,6 +88,7 @@ struct Commands {
     bool feel = false;            // hand level, stiffness, mode, pop-through and force to the servo
     bool keep_recording = false;  // of the last minute
     bool home_again = false;      // the handle's home is to be found anew
+    std::optional<Action> sound = std::nullopt;  // a key for sound or speech (app/sound)
     bool quit = false;
 };
 

@@ -12,8 +12,8 @@ namespace touchline {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> detail_words{"silhouette", "main parts", "parts",
-                                                       "details", "everything"};
+constexpr std::array<std::string_view, 5> details{"silhouette", "main parts", "parts", "details",
+                                                  "everything"};
 
 std::string picture_words(const Session& session) {
     if (session.picture_count == 0) return "none in the list";
@@ -22,7 +22,7 @@ std::string picture_words(const Session& session) {
 
 std::string detail_text(const Session& session) {
     const int detail = session.shown.detail;
-    return fmt::format("{} of 5, {}", detail, detail_words[static_cast<std::size_t>(detail - 1)]);
+    return fmt::format("{} of 5, {}", detail, detail_words(detail));
 }
 
 std::string reason_words(LevelTerm term) {
@@ -95,6 +95,10 @@ std::string message_words(const Session& session) {
 }
 
 }  // namespace
+
+std::string_view detail_words(int detail) {
+    return details[static_cast<std::size_t>(std::clamp(detail, 1, 5) - 1)];
+}
 
 std::string words_of(Mode mode) {
     switch (mode) {

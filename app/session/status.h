@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchline {
@@ -33,6 +34,9 @@ struct Status {
 [[nodiscard]] Status describe(const Session& session, const HandState& hand,
                               const ForceStatus& force, const std::string& hand_words,
                               const std::optional<ContactEvent>& last);
+
+/// "silhouette"; `detail` 1 ... 5.
+[[nodiscard]] std::string_view detail_words(int detail);
 
 [[nodiscard]] std::string words_of(Mode mode);
 [[nodiscard]] std::string words_of(ContactState state);

@@ -1,6 +1,8 @@
 #include "app/speak/speak_program.h"
 
-#include "app/speak/fence.h"
+#include "app/process/descriptor.h"
+#include "app/sandbox/sandbox.h"
+#include "app/sandbox/worker.h"
 #include "app/speak/messages.h"
 #include "audio-cues/speech/espeak_engine.h"
 #include "audio-cues/speech/resampler.h"
@@ -11,13 +13,14 @@
 #include <span>
 #include <vector>
 
+#include <fcntl.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
 namespace touchline {
 namespace {
 
-// Plain read() and writev(), a packet each: a fence that lists calls need allow no others.
+// Plain read() and writev(), a packet each: the sandbox allows no calls of sockets.
 
 /// Waits; nothing where the other side is gone, or what it sent is no order.
 std::optional<SpeakOrder> one_order(int socket) {
@@ -74,20 +77,30 @@ bool say(EspeakEngine& engine, const SpeakOrder& order, int socket) {
     return goes_on && sender.send(samples) && sender.finish();
 }
 
+int failed(const Error& error, int status) {
+    std::fprintf(stderr, "touchline-speak: %s\n", error.line.c_str());
+    return status;
+}
+
+/// The engine prints what it misses, and with it what somebody wrote; nor is a log to grow.
+bool silence_streams(const Descriptor& nowhere) {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (dup2(nowhere.number(), stream) < 0) return false;
+    return true;
+}
+
 }  // namespace
 
-int run_speak_program(int socket, const std::string& voice) {
+int run_speak_program(const std::string& voice) {
+    Descriptor nowhere(open("/dev/null", O_RDWR | O_CLOEXEC));
+    if (const auto fenced = allow_only_reading_the_system(); !fenced)
+        return failed(fenced.error(), worker_refused_to_start);
     auto engine = EspeakEngine::start(voice);
-    if (!engine) {
-        std::fprintf(stderr, "touchline-speak: %s\n", engine.error().line.c_str());
-        return 1;
-    }
-    if (const auto fenced = shut_in(); !fenced) {
-        std::fprintf(stderr, "touchline-speak: %s\n", fenced.error().line.c_str());
-        return 1;
-    }
-    const auto order = one_order(socket);
-    return order && say(*engine, *order, socket) ? 0 : 1;
+    if (!engine) return failed(engine.error(), 1);
+    if (!silence_streams(nowhere) || !nowhere.close()) return worker_refused_to_start;
+    if (!enter_sandbox(WorkerKind::speech)) return worker_refused_to_start;
+    const auto order = one_order(worker_input);
+    return order && say(*engine, *order, worker_input) ? 0 : 1;
 }
 
 }  // namespace touchline

@@ -1,6 +1,7 @@
 #include "app/speak/voice_process.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <utility>
 
@@ -39,7 +40,8 @@ bool VoiceProcess::start_process() {
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return false;
     Descriptor ours(ends[0]);
     const Descriptor theirs(ends[1]);
-    auto child = Child::start(program_, {wanted_voice_}, theirs);
+    const std::array<const Descriptor*, 1> handed{&theirs};
+    auto child = Child::start(program_, {wanted_voice_}, handed);
     if (!child) return false;
     child_.emplace(std::move(*child));
     socket_ = std::move(ours);

@@ -2,7 +2,7 @@
 // Threads: one; the process dies with the thread that starts it.
 #pragma once
 
-#include "app/servo/child.h"
+#include "app/process/child.h"
 #include "app/speak/messages.h"
 
 #include <cstdint>

@@ -28,7 +28,7 @@ int third_of(double value, double half) {
 }  // namespace
 
 ContinuousTone distance_tone(double distance_m) {
-    if (!(distance_m > 0.0 && distance_m <= far_m)) return {};
+    if (!(distance_m > on_line_m && distance_m <= far_m)) return {};
     return {.frequency_Hz = 440.0,
             .level = continuous_level,
             .pulse_Hz = pulse_Hz_of(distance_m),

@@ -9,15 +9,18 @@
 
 namespace touchline {
 
-/// Nearer than this the pulses are as quick as they get, further than that as slow.
+/// Nearer than near_m the pulses are as quick as they get; at far_m they are as slow, and beyond it
+/// there are none, so that most of a picture's empty ground is quiet. On the line, within
+/// on_line_m, there are none either: the hand feels it.
+inline constexpr double on_line_m = 0.0005;
 inline constexpr double near_m = 0.001;
-inline constexpr double far_m = 0.030;
+inline constexpr double far_m = 0.015;
 inline constexpr double quick_Hz = 12.0;
 inline constexpr double slow_Hz = 1.5;
 
 /// Pulses as a car gives them while it is parked: from slow_Hz at far_m to quick_Hz at near_m, each
-/// halving of the distance a like step quicker. Silence on the line (`distance_m` <= 0), beyond
-/// far_m and where there is no line (infinite or NaN).
+/// halving of the distance a like step quicker. Silence on the line, beyond far_m and where there
+/// is no line (infinite or NaN).
 [[nodiscard]] ContinuousTone distance_tone(double distance_m);
 
 /// The pitch of a place: 220 Hz at the lower rim of the area, two octaves more at the upper one.

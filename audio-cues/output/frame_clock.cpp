@@ -29,7 +29,7 @@ FrameTime FrameClock::frame_at(std::int64_t time_ns) const {
     const std::int64_t since_ns = time_ns - start_ns;
     const FrameTime frame =
         since_ns / second_ns * frame_rate_Hz + since_ns % second_ns * frame_rate_Hz / second_ns;
-    return frame + block_frames;
+    return frame + lead_frames;
 }
 
 }  // namespace touchline

@@ -6,6 +6,12 @@
 
 #include <espeak-ng/speak_lib.h>
 
+/// In place of libpcaudio's: the engine would look for a sound device though it is to play nothing,
+/// and connect to the user's sound server by a thread of its own.
+extern "C" void* create_audio_device_object(const char*, const char*, const char*) {
+    return nullptr;
+}
+
 namespace touchline {
 namespace {
 

@@ -155,7 +155,7 @@ struct ServoChannel {
 /// The tier that the channel tells; too_late where it tells none that there is.
 [[nodiscard]] RealTimeTier tier_of(const ServoChannel& channel);
 
-/// Threads: set(), feel(), report(), next_event() from one thread, the kiosk's; the rest from the
+/// Threads: set(), feel(), report() from the kiosk's, next_event() from any one; the rest from the
 /// servo's. Scenes are only ever freed by the kiosk's thread, once the servo has moved on to a
 /// later one.
 class ServoExchange {

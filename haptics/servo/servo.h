@@ -28,7 +28,7 @@ struct ServoOptions {
     bool watches_kiosk = false;  // force needs the heartbeat in the channel
 };
 
-/// Threads: all calls from one thread. None of them waits for the servo but start() and stop().
+/// Threads: one, next_event() also from one other. Only start() and stop() wait for the servo.
 class Servo {
   public:
     Servo();

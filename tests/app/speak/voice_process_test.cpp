@@ -5,7 +5,6 @@
 
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -157,22 +156,6 @@ TEST(VoiceProcess, AProcessThatIsSilentTooLongIsStartedAnew) {
     EXPECT_EQ(voice.restarts(), 1);
     receive(voice, samples, static_cast<std::size_t>(-1));
     EXPECT_EQ(samples, expected("en", long_text(), quick));
-}
-
-TEST(VoiceProcess, IsShutIn) {
-    VoiceProcess voice(TOUCHLINE_SPEAK);
-    voice.begin("en", long_text(), quick);
-    std::vector<float> samples;
-    receive(voice, samples, 10000);
-    const std::string folder = "/proc/" + std::to_string(voice.pid());
-    std::string status;
-    std::getline(std::ifstream(folder + "/status"), status, '\0');
-    EXPECT_NE(status.find("NoNewPrivs:\t1"), std::string::npos);
-    std::string limits;
-    std::getline(std::ifstream(folder + "/limits"), limits, '\0');
-    EXPECT_NE(limits.find("Max open files            4                    4"), std::string::npos)
-        << limits;
-    EXPECT_NE(limits.find("Max file size             0                    0"), std::string::npos);
 }
 
 }  // namespace

@@ -14,17 +14,18 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 TEST(Guidance, PulsesGetQuickerAsTheLineComesNearer) {
     EXPECT_NEAR(distance_tone(far_m).pulse_Hz, slow_Hz, 1e-9);
     EXPECT_NEAR(distance_tone(near_m).pulse_Hz, quick_Hz, 1e-9);
-    EXPECT_NEAR(distance_tone(near_m / 10.0).pulse_Hz, quick_Hz, 1e-9);
-    const double halving = distance_tone(0.01).pulse_Hz / distance_tone(0.02).pulse_Hz;
+    EXPECT_NEAR(distance_tone(near_m * 0.6).pulse_Hz, quick_Hz, 1e-9);
+    const double halving = distance_tone(0.006).pulse_Hz / distance_tone(0.012).pulse_Hz;
     EXPECT_GT(halving, 1.3);
-    EXPECT_NEAR(distance_tone(0.005).pulse_Hz / distance_tone(0.01).pulse_Hz, halving, 1e-9);
+    EXPECT_NEAR(distance_tone(0.003).pulse_Hz / distance_tone(0.006).pulse_Hz, halving, 1e-9);
 }
 
 TEST(Guidance, OnTheLineAndFarFromAnyIsSilence) {
-    for (const double distance_m : {0.0, -1.0, 0.0301, infinite, none}) {
+    for (const double distance_m : {0.0, -1.0, 0.0005, 0.0151, infinite, none}) {
         EXPECT_EQ(distance_tone(distance_m).level, 0.0) << distance_m;
     }
-    EXPECT_GT(distance_tone(0.0299).level, 0.0);
+    EXPECT_GT(distance_tone(0.0006).level, 0.0);
+    EXPECT_GT(distance_tone(0.0149).level, 0.0);
 }
 
 TEST(Guidance, ThePositionToneIsPanAndTwoOctaves) {

@@ -79,25 +79,31 @@ TEST(HandSound, LeftAndRightAreToldApart) {
     EXPECT_GT(side_dB(sound, found.back()), 6.0);
 }
 
-TEST(HandSound, NearAndFarAreToldApart) {
-    const HandRun run = across(fence({0.03}), 0.002, 0.029);
-    const auto sound = sound_of(run, CueAmount::full);
-    const auto rate_Hz = [&](double from_s, double to_s) {
-        const auto first = static_cast<std::size_t>(from_s * frame_rate_Hz);
-        const auto last = static_cast<std::size_t>(to_s * frame_rate_Hz);
-        int pulses = 0;
-        bool was_quiet = true;
-        for (std::size_t i = first; i + 240 < last; i += 240) {
-            const bool is_quiet = rms(left_of_stereo(std::span(sound).subspan(i, 240))) < 0.02;
-            pulses += was_quiet && !is_quiet ? 1 : 0;
-            was_quiet = is_quiet;
-        }
-        return pulses / (to_s - from_s);
-    };
-    // It stands 28 mm away for half a second, and comes to 5 mm within 0.6 s more.
-    const double far_Hz = rate_Hz(0.0, 0.6);
-    const double near_Hz = rate_Hz(0.85, 1.12);
+/// Pulses a second that a hand hears that sways between two distances from a line.
+double pulses_Hz(double nearest_m, double furthest_m) {
+    constexpr double line_x_m = 0.03;
+    std::vector<Position> way;
+    for (int i = 0; i < 50; ++i)
+        way.push_back({line_x_m - (i % 2 == 0 ? furthest_m : nearest_m), 0.0});
+    const auto run = follow(fence({line_x_m}), way, 0.01);
+    EXPECT_TRUE(run);
+    const auto sound = left_of_stereo(sound_of(*run, CueAmount::full));
+    int pulses = 0;
+    bool was_quiet = true;
+    for (std::size_t i = 0; i + 240 < sound.size(); i += 240) {
+        const bool is_quiet = rms(std::span(sound).subspan(i, 240)) < 0.02;
+        pulses += was_quiet && !is_quiet ? 1 : 0;
+        was_quiet = is_quiet;
+    }
+    return pulses / (1e-3 * static_cast<double>(run->handle.size()));
+}
+
+TEST(HandSound, NearAndFarAreToldApartAndWhatIsNeitherIsQuiet) {
+    const double far_Hz = pulses_Hz(0.012, 0.014);
+    const double near_Hz = pulses_Hz(0.004, 0.006);
+    EXPECT_GT(far_Hz, 1.0);
     EXPECT_GT(near_Hz, 1.8 * far_Hz) << near_Hz << " " << far_Hz;
+    EXPECT_EQ(pulses_Hz(0.020, 0.022), 0.0) << "beyond the range";
 }
 
 TEST(HandSound, EveryCueIsWithinABlockOfItsEvent) {

@@ -26,9 +26,8 @@ TEST(FrameClock, KeepsTheTimesBetweenSoundsThoughTheDeviceAsksInBursts) {
         if (block < 200) continue;
         const std::int64_t now_ns = 5000 * ms + frame * 1'000'000'000 / 48000;
         const auto late_frames = clock.frame_at(now_ns) - frame;
-        // A block later, less the mean of the jitter (2 ms): 32 frames, give or take a third of a
-        // ms.
-        EXPECT_NEAR(static_cast<double>(late_frames), 32.0, 24.0);
+        // By the lead, less the mean of the jitter (2 ms, 96 frames), give or take half a ms.
+        EXPECT_NEAR(static_cast<double>(late_frames), FrameClock::lead_frames - 96.0, 24.0);
     }
 }
 
@@ -40,21 +39,22 @@ TEST(FrameClock, FollowsADeviceWhoseSecondIsNotOurs) {
                    static_cast<std::int64_t>(static_cast<double>(frame) / 48000.0 * 1e9 / 1.0002));
     }
     const std::int64_t end_ns = static_cast<std::int64_t>(3600.0 * 1e9 / 1.0002);
-    EXPECT_NEAR(static_cast<double>(clock.frame_at(end_ns)), 3600.0 * 48000.0 + 128.0, 48.0);
+    EXPECT_NEAR(static_cast<double>(clock.frame_at(end_ns)),
+                3600.0 * 48000.0 + FrameClock::lead_frames, 48.0);
 }
 
 TEST(FrameClock, AfterAStandstillItBeginsAnew) {
     FrameClock clock;
     clock.told(0, 0);
     clock.told(480, 5010 * ms);
-    EXPECT_EQ(clock.frame_at(5010 * ms), 480 + block_frames);
+    EXPECT_EQ(clock.frame_at(5010 * ms), 480 + FrameClock::lead_frames);
 }
 
 TEST(FrameClock, IsExactAfterYears) {
     FrameClock clock;
     const FrameTime years = FrameTime{48000} * 86400 * 365 * 10;
     clock.told(years, 7 * ms);
-    EXPECT_EQ(clock.frame_at(7 * ms), years + block_frames);
+    EXPECT_EQ(clock.frame_at(7 * ms), years + FrameClock::lead_frames);
 }
 
 }  // namespace

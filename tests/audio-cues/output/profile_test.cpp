@@ -15,14 +15,14 @@ constexpr std::array kinds{OutputKind::headset, OutputKind::speaker};
 
 TEST(Profile, TheDefaultsKeepTheRules) {
     for (const OutputKind kind : kinds) {
-        const auto kept = check(default_profile(kind));
+        const auto kept = check(default_output(kind));
         EXPECT_TRUE(kept) << kept.error().line;
     }
 }
 
 TEST(Profile, VO1_StepsAreTenDecibelsAtMostOverEighteenAndTheirEndsAreTold) {
     for (const OutputKind kind : kinds) {
-        const OutputProfile profile = default_profile(kind);
+        const OutputProfile profile = default_output(kind);
         std::vector<double> levels_dB;
         std::size_t step = 0;
         EXPECT_TRUE(change_volume(profile, 0, -1).is_at_end);
@@ -44,8 +44,8 @@ TEST(Profile, VO1_StepsAreTenDecibelsAtMostOverEighteenAndTheirEndsAreTold) {
 }
 
 TEST(Profile, VO3_HeadsetAndSpeakerHaveTheirOwnLevelsAndTheMixerKeepsEachCap) {
-    const OutputProfile headset = default_profile(OutputKind::headset);
-    OutputProfile speaker = default_profile(OutputKind::speaker);
+    const OutputProfile headset = default_output(OutputKind::headset);
+    OutputProfile speaker = default_output(OutputKind::speaker);
     EXPECT_NE(output_of(headset, 3).gain, output_of(speaker, 3).gain);
     EXPECT_NE(output_of(headset, 3).cap, output_of(speaker, 3).cap);
     speaker.cap_dB = 80.0;
@@ -66,7 +66,7 @@ TEST(Profile, VO3_HeadsetAndSpeakerHaveTheirOwnLevelsAndTheMixerKeepsEachCap) {
 }
 
 TEST(Profile, ACalibratedOutputGivesSpeechItsLevel) {
-    OutputProfile profile = default_profile(OutputKind::headset);
+    OutputProfile profile = default_output(OutputKind::headset);
     const double before_dB = dB_of_gain(output_of(profile, default_volume(profile)).gain);
     EXPECT_EQ(level_dB_of(profile, default_volume(profile)), 65.0);
     EXPECT_NEAR(before_dB, 65.0 - 110.0 + 18.8, 1e-9);
@@ -76,7 +76,7 @@ TEST(Profile, ACalibratedOutputGivesSpeechItsLevel) {
 }
 
 TEST(Profile, VO4_ALoudRoomNeedsTwentyDecibelsMore) {
-    OutputProfile profile = default_profile(OutputKind::headset);
+    OutputProfile profile = default_output(OutputKind::headset);
     profile.ambient_dB = 60.0;
     EXPECT_TRUE(check(profile)) << "80 dB reach that";
     profile.ambient_dB = 61.0;
@@ -90,7 +90,7 @@ TEST(Profile, VO4_ALoudRoomNeedsTwentyDecibelsMore) {
 
 TEST(Profile, EveryRuleThatIsBrokenIsOneClearLine) {
     const auto broken = [](auto change) {
-        OutputProfile profile = default_profile(OutputKind::speaker);
+        OutputProfile profile = default_output(OutputKind::speaker);
         change(profile);
         const auto kept = check(profile);
         return !kept && !kept.error().line.empty() &&

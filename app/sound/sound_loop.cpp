@@ -1,0 +1,76 @@
+#include "app/sound/sound_loop.h"
+
+#include "config/types/steady_clock.h"
+
+#include <chrono>
+#include <utility>
+
+#include <signal.h>
+
+namespace touchline {
+namespace {
+
+constexpr int polls_between_looks = 16;  // 60 times a second, nearly
+
+void leave_signals_to_others() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
+std::optional<bool> ask(HeadphonePresence* source, double now_s) {
+    return source == nullptr ? std::nullopt : source->are_in(now_s);
+}
+
+}  // namespace
+
+SoundLoop::SoundLoop(Mixer& mixer, SoundWorld world, EventSource events)
+    : mixer_(mixer),
+      thread_([this, world = std::move(world), events = std::move(events)](
+                  const std::stop_token& stop) mutable { run(stop, std::move(world), events); }) {}
+
+SoundNews SoundLoop::news() const {
+    const std::lock_guard lock(mutex_);
+    return news_;
+}
+
+void SoundLoop::set(const CueSetting& setting) {
+    const std::lock_guard lock(mutex_);
+    setting_ = setting;
+}
+
+void SoundLoop::run(const std::stop_token& stop, SoundWorld world, const EventSource& events) {
+    leave_signals_to_others();
+    SoundOutput output(std::move(world.device), mixer_, steady_now_ns);
+    HandCues cues(mixer_, output.clock());
+    for (unsigned poll = 0; !stop.stop_requested(); ++poll) {
+        take_events(events, cues);
+        if (poll % polls_between_looks == 0) look_after(output, world);
+        std::this_thread::sleep_for(std::chrono::microseconds(poll_us));
+    }
+}
+
+void SoundLoop::take_events(const EventSource& events, HandCues& cues) {
+    while (const auto event = events()) {
+        CueSetting setting;
+        {
+            const std::lock_guard lock(mutex_);
+            setting = setting_;
+            news_.last_event = event;
+        }
+        cues.play(*event, setting);
+    }
+}
+
+void SoundLoop::look_after(SoundOutput& output, const SoundWorld& world) {
+    output.step();
+    const double now_s = 1e-9 * static_cast<double>(steady_now_ns());
+    const auto input = ask(world.input_switch.get(), now_s);
+    const auto jack = ask(world.jack_control.get(), now_s);
+    const std::lock_guard lock(mutex_);
+    news_.is_working = output.is_working();
+    news_.problem = output.problem();
+    news_.headphones = {std::nullopt, input, jack};
+}
+
+}  // namespace touchline

@@ -1,0 +1,62 @@
+// The thread of sound: contact events become cues within a millisecond, the device is opened and
+// looked after, headphones are asked about. Nothing of this waits for the screen, nor the screen
+// for it.
+// Threads: constructed, asked and ended by one thread; it runs one of its own.
+#pragma once
+
+#include "app/sound/hand_cues.h"
+#include "audio-cues/output/headphones.h"
+#include "audio-cues/output/sound_output.h"
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+namespace touchline {
+
+/// Where contact events come from; called from the loop's thread only.
+using EventSource = std::function<std::optional<ContactEvent>()>;
+
+/// What the outside of the machine looks like to sound; null where there is none of that kind.
+struct SoundWorld {
+    std::unique_ptr<SoundDevice> device;
+    std::unique_ptr<HeadphonePresence> input_switch;
+    std::unique_ptr<HeadphonePresence> jack_control;
+};
+
+/// What the loop found out.
+struct SoundNews {
+    std::optional<ContactEvent> last_event;
+    bool is_working = false;
+    std::string problem;          // why not; empty where it works
+    HeadphoneReports headphones;  // of the keypad none: that is a key
+};
+
+class SoundLoop {
+  public:
+    /// Begins at once. The mixer must outlive it. `world.device` is not null.
+    SoundLoop(Mixer& mixer, SoundWorld world, EventSource events);
+
+    [[nodiscard]] SoundNews news() const;
+
+    void set(const CueSetting& setting);
+
+    static constexpr int poll_us = 1000;
+
+  private:
+    void run(const std::stop_token& stop, SoundWorld world, const EventSource& events);
+    void take_events(const EventSource& events, HandCues& cues);
+    void look_after(SoundOutput& output, const SoundWorld& world);
+
+    Mixer& mixer_;
+    mutable std::mutex mutex_;  // of the two below; held while one is copied
+    CueSetting setting_;
+    SoundNews news_;
+    std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace touchline
