@@ -4,8 +4,15 @@
 
 #define SDL_MAIN_HANDLED
 #include <SDL2/SDL.h>
+#include <alsa/asoundlib.h>
 
 namespace touchline {
+namespace {
+
+/// ALSA prints a page of it for every card that is not there; SDL says what matters.
+void say_nothing(const char*, int, const char*, int, const char*, ...) {}
+
+}  // namespace
 
 void SdlDevice::fill(void* device, std::uint8_t* bytes, int count) {
     static_assert(sizeof(StereoFrame) == 2 * sizeof(float));
@@ -16,6 +23,7 @@ void SdlDevice::fill(void* device, std::uint8_t* bytes, int count) {
 
 Result<void> SdlDevice::open(FrameSource source) {
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+    snd_lib_error_set_handler(&say_nothing);
     // Begun anew each time: a driver that came back is looked for again.
     if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) {
         return failure(std::string("There is no sound: ") + SDL_GetError());

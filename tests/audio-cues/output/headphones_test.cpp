@@ -43,12 +43,16 @@ TEST(JackControl, KnowsTheNamesOfHeadphoneJacks) {
     }
 }
 
+using Switches = std::vector<CardSwitch>;
+
 TEST(JackControl, OneJackOfSeveralIsEnough) {
-    EXPECT_EQ(are_headphones_in(std::vector<CardSwitch>{}), std::nullopt);
-    EXPECT_EQ(are_headphones_in({{"Mic Jack", true}}), std::nullopt);
-    EXPECT_EQ(are_headphones_in({{"Headphone Jack", false}}), false);
-    EXPECT_EQ(are_headphones_in({{"Front Headphone Jack", true}, {"Headphone Jack", false}}), true);
-    EXPECT_EQ(are_headphones_in({{"Headphone Jack", false}, {"Mic Jack", true}}), false);
+    EXPECT_EQ(are_headphones_in(Switches{}), std::nullopt);
+    EXPECT_EQ(are_headphones_in(Switches{{"Mic Jack", true}}), std::nullopt);
+    EXPECT_EQ(are_headphones_in(Switches{{"Headphone Jack", false}}), false);
+    EXPECT_EQ(
+        are_headphones_in(Switches{{"Front Headphone Jack", true}, {"Headphone Jack", false}}),
+        true);
+    EXPECT_EQ(are_headphones_in(Switches{{"Headphone Jack", false}, {"Mic Jack", true}}), false);
 }
 
 TEST(JackControl, AsksFourTimesASecondAndTellsWhatItHeardLast) {
