@@ -1,8 +1,11 @@
 #include "app/process/child.h"
 #include "app/process/memory.h"
+#include "app/process/places.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -86,6 +89,28 @@ TEST(Child, TellsHowItEnded) {
     EXPECT_EQ(run("exit 3", false).second, (ChildEnd{3, 0}));
     EXPECT_EQ(run("kill -9 $$", false).second, (ChildEnd{0, 9}));
     EXPECT_FALSE(Child::start("/no/such/program", {}, {}).has_value());
+}
+
+TEST(Places, WhatIsInstalledBesideTheProgramComesBeforeWhatWasBuilt) {
+    const std::filesystem::path installed =
+        std::filesystem::temp_directory_path() / ("touchline-places-" + std::to_string(getpid()));
+    const std::string beside = std::filesystem::relative(installed, own_folder()).string();
+    EXPECT_EQ(installed_place(beside, "/built/from"), "/built/from");
+    std::filesystem::create_directories(installed);
+    EXPECT_TRUE(std::filesystem::equivalent(installed_place(beside, "/built/from"), installed));
+    std::filesystem::remove_all(installed);
+}
+
+TEST(Places, AUsersSettingsAreWhereTheSystemSaysElseInTheHomeElseTheMachines) {
+    // NOLINTBEGIN(concurrency-mt-unsafe)
+    setenv("XDG_CONFIG_HOME", "/settings", 1);
+    setenv("HOME", "/someone", 1);
+    EXPECT_EQ(user_settings_folder(), "/settings");
+    unsetenv("XDG_CONFIG_HOME");
+    EXPECT_EQ(user_settings_folder(), "/someone/.config");
+    unsetenv("HOME");
+    EXPECT_EQ(user_settings_folder(), "/etc");
+    // NOLINTEND(concurrency-mt-unsafe)
 }
 
 }  // namespace

@@ -127,10 +127,10 @@ TEST_F(SoundOutputTest, ACallerThatWasAwayIsNotMadeToRenderHours) {
     EXPECT_LE(mixer_.now() - before, frame_rate_Hz);
 }
 
-TEST_F(SoundOutputTest, StampsLieABlockAheadOfTheMixer) {
+TEST_F(SoundOutputTest, StampsFollowTheMixer) {
     steps(20);
     EXPECT_NEAR(static_cast<double>(output_.clock().frame_at(now_ns_)),
-                static_cast<double>(mixer_.now() + block_frames), 800.0);
+                static_cast<double>(mixer_.now() + FrameClock::lead_frames), 800.0);
 }
 
 }  // namespace
