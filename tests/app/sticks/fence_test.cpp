@@ -1,5 +1,5 @@
 // Everything that a captured import might try, tried from inside.
-#include "app/sticks/fence.h"
+#include "app/sticks/import_program.h"
 
 #include "app/sandbox/sandbox.h"
 #include "app/sticks/beneath.h"
