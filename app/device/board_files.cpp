@@ -1,9 +1,9 @@
 #include "app/device/board_files.h"
 
 #include "app/decode/files.h"
+#include "app/process/places.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -12,27 +12,6 @@ namespace touchline {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string environment(const char* name) {
-    // Nothing in the program changes its environment.
-    const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
-    return value != nullptr ? value : "";
-}
-
-fs::path installed_boards() {
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    const fs::path installed = program.parent_path() / TOUCHLINE_BOARDS_BESIDE_PROGRAM;
-    if (!error && fs::is_regular_file(installed, error)) return installed.lexically_normal();
-    return TOUCHLINE_BOARDS_SOURCE;
-}
-
-fs::path user_settings() {
-    const std::string chosen = environment("XDG_CONFIG_HOME");
-    if (!chosen.empty()) return chosen;
-    const std::string home = environment("HOME");
-    return home.empty() ? fs::path("/etc") : fs::path(home) / ".config";
-}
 
 Result<std::vector<UnitSettings>> read_units(const fs::path& file) {
     std::error_code error;
@@ -57,8 +36,9 @@ void put(std::vector<UnitSettings>& units, const UnitSettings& unit) {
 BoardFiles board_files() {
     const std::string boards = environment("TOUCHLINE_BOARDS");
     const std::string units = environment("TOUCHLINE_UNITS");
-    return {boards.empty() ? installed_boards() : fs::path(boards),
-            units.empty() ? user_settings() / "touchline" / "units.toml" : fs::path(units)};
+    return {boards.empty() ? installed_or(TOUCHLINE_BOARDS_BESIDE_PROGRAM, TOUCHLINE_BOARDS_SOURCE)
+                           : fs::path(boards),
+            units.empty() ? settings_folder() / "units.toml" : fs::path(units)};
 }
 
 Result<BoardSettings> read_board_files(const BoardFiles& files) {

@@ -2,9 +2,9 @@
 
 #include "app/decode/map_svg.h"
 #include "app/decode/one_line.h"
+#include "app/process/places.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <system_error>
@@ -55,16 +55,9 @@ Result<std::vector<GalleryEntry>> list_gallery(const std::string& folder) {
 }
 
 std::string gallery_folder() {
-    // Nothing in the program changes its environment.
-    const char* chosen = std::getenv("TOUCHLINE_GALLERY");  // NOLINT(concurrency-mt-unsafe)
-    if (chosen != nullptr && *chosen != 0) {
-        return chosen;
-    }
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    const fs::path installed = program.parent_path() / TOUCHLINE_GALLERY_BESIDE_PROGRAM;
-    if (!error && fs::is_directory(installed, error)) return installed.lexically_normal();
-    return TOUCHLINE_GALLERY_SOURCE;
+    const std::string chosen = environment("TOUCHLINE_GALLERY");
+    if (!chosen.empty()) return chosen;
+    return installed_or(TOUCHLINE_GALLERY_BESIDE_PROGRAM, TOUCHLINE_GALLERY_SOURCE).string();
 }
 
 }  // namespace touchline
