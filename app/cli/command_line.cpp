@@ -4,6 +4,7 @@
 #include "app/cli/device.h"
 #include "app/cli/feel.h"
 #include "app/cli/replay_command.h"
+#include "app/cli/settings_command.h"
 #include "app/cli/trace_command.h"
 #include "haptics/pantograph/profile.h"
 
@@ -127,6 +128,7 @@ class CommandLine {
         add_feel();
         add_tour();
         add_device();
+        add_settings();
     }
 
     int run(const std::vector<std::string>& arguments, const Programs& programs, std::ostream& out,
@@ -248,6 +250,18 @@ class CommandLine {
         add("stop", DeviceAction::stop, "Turn the motors off");
     }
 
+    void add_settings() {
+        settings_command_ = app_.add_subcommand("settings", "What an operator has set");
+        settings_command_->require_subcommand(1);
+        const auto add = [this](const char* name, SettingsAction action, const char* what) {
+            auto* command = settings_command_->add_subcommand(name, what);
+            command->callback([this, action] { settings_.action = action; });
+            command->add_option("file", settings_.file, "Else the file of this site");
+        };
+        add("check", SettingsAction::check, "Whether a file of settings can be used");
+        add("print", SettingsAction::print, "All settings, as they hold with it");
+    }
+
     int start(const Programs& programs, std::ostream& out, std::ostream& err) {
         if (trace_command_->parsed()) {
             return finish(run_trace(trace_).map([&err](const std::string& warning) {
@@ -262,6 +276,7 @@ class CommandLine {
         if (feel_command_->parsed()) return start_feel(out, err);
         if (tour_command_->parsed()) return finish(programs.tour(tour_), err);
         if (device_command_->parsed()) return start_device(out, err);
+        if (settings_command_->parsed()) return finish(run_settings(settings_, out), err);
         return programs.kiosk(kiosk_);
     }
 
@@ -305,12 +320,14 @@ class CommandLine {
     CLI::App* feel_command_ = nullptr;
     CLI::App* tour_command_ = nullptr;
     CLI::App* device_command_ = nullptr;
+    CLI::App* settings_command_ = nullptr;
     KioskArguments kiosk_;
     TourArguments tour_;
     TraceCommandOptions trace_;
     CurveCommandOptions curve_;
     FeelOptions feel_;
     DeviceCommandOptions device_;
+    SettingsCommandOptions settings_;
     ReplayOptions replay_;
     std::string area_;
     std::string class_;

@@ -2,6 +2,7 @@
 // address; scripts, animation and network do not exist in it, and it bounds its own nesting.
 #include "app/decode/formats.h"
 #include "app/decode/map_svg.h"
+#include "app/decode/svg_references.h"
 #include "app/decode/white_sheet.h"
 #include "config/types/map_limits.h"
 
@@ -68,6 +69,9 @@ tl::unexpected<Error> told(const Owned<GError>& error) {
 
 Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
     if (order.page != 1) return failure("the file has one page only");
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (drawn_again(text) > most_drawn_again)
+        return failure("the SVG picture repeats its parts too often; save it as PNG");
     GError* problem = nullptr;
     const Owned<RsvgHandle> handle(rsvg_handle_new_from_data(
         reinterpret_cast<const guint8*>(bytes.data()), bytes.size(), &problem));
@@ -83,11 +87,10 @@ Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
                               static_cast<double>(size.height)};
     if (rsvg_handle_render_document(handle.get(), sheet.context(), &whole, &problem) == 0)
         return told(Owned<GError>(problem));
-    return sheet.picture().map([&bytes](Picture picture) {
+    return sheet.picture().map([text](Picture picture) {
         Page page;
         page.picture = std::move(picture);
-        page.told =
-            told_by({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, page.picture);
+        page.told = told_by(text, page.picture);
         return page;
     });
 }

@@ -1,7 +1,6 @@
 // Landlock: nothing can be made, changed, removed or run, and nothing read but what is named. Asked
 // for exactly what Debian 12's kernel (ABI 2) knows, so that a newer kernel does not prove more
 // here than holds there.
-#include "app/process/descriptor.h"
 #include "app/sandbox/sandbox.h"
 
 #include <array>
@@ -32,36 +31,49 @@ constexpr std::array<const char*, 5> system_folders{"/usr", "/lib", "/etc/fonts"
 constexpr std::array<const char*, 3> font_folders{"/usr/share/fonts", "/usr/local/share/fonts",
                                                   "/usr/share/poppler"};
 
-Result<void> refused(const char* why) {
+tl::unexpected<Error> refused(const char* why) {
     return failure(std::string("the sandbox cannot be entered: Landlock: ") + why);
 }
 
-/// A folder that does not exist need not be read.
-bool allow_reading(int ruleset, const char* folder) {
-    const Descriptor place(::open(folder, O_PATH | O_CLOEXEC));
-    if (!place.is_open()) return errno == ENOENT;
-    landlock_path_beneath_attr rule{};
-    rule.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE;
-    if (::faccessat(place.number(), ".", F_OK, 0) == 0)
-        rule.allowed_access |= LANDLOCK_ACCESS_FS_READ_DIR;
-    rule.parent_fd = place.number();
-    return syscall(SYS_landlock_add_rule, ruleset, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) == 0;
-}
-
-Result<void> restrict_to_reading(Folders folders) {
+/// Nothing is allowed by it yet.
+Result<Descriptor> new_ruleset() {
     const long abi =
         syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
     if (abi < least_abi) return refused("this kernel has none, or an old one");
     landlock_ruleset_attr rules{};
     rules.handled_access_fs = all_rights_of_abi_2;
-    const Descriptor ruleset(
+    Descriptor ruleset(
         static_cast<int>(syscall(SYS_landlock_create_ruleset, &rules, sizeof(rules), 0)));
     if (!ruleset.is_open()) return refused(std::strerror(errno));
-    for (const char* folder : folders)
-        if (!allow_reading(ruleset.number(), folder)) return refused(folder);
+    return ruleset;
+}
+
+bool allow_reading(const Descriptor& ruleset, const Descriptor& place) {
+    landlock_path_beneath_attr rule{};
+    rule.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE;
+    if (::faccessat(place.number(), ".", F_OK, 0) == 0)
+        rule.allowed_access |= LANDLOCK_ACCESS_FS_READ_DIR;
+    rule.parent_fd = place.number();
+    return syscall(SYS_landlock_add_rule, ruleset.number(), LANDLOCK_RULE_PATH_BENEATH, &rule, 0) ==
+           0;
+}
+
+Result<void> obey(const Descriptor& ruleset) {
     const bool is_on = prctl(PR_SET_NO_NEW_PRIVS, 1UL, 0UL, 0UL, 0UL) == 0 &&
                        syscall(SYS_landlock_restrict_self, ruleset.number(), 0) == 0;
     return is_on ? Result<void>{} : refused(std::strerror(errno));
+}
+
+/// A folder that does not exist need not be read.
+Result<void> restrict_to_reading(Folders folders) {
+    const auto ruleset = new_ruleset();
+    if (!ruleset) return tl::unexpected(ruleset.error());
+    for (const char* folder : folders) {
+        const Descriptor place(::open(folder, O_PATH | O_CLOEXEC));
+        if (!place.is_open() && errno == ENOENT) continue;
+        if (!place.is_open() || !allow_reading(*ruleset, place)) return refused(folder);
+    }
+    return obey(*ruleset);
 }
 
 }  // namespace
@@ -72,6 +84,13 @@ Result<void> allow_only_reading_the_system() {
 
 Result<void> deny_files(WorkerKind kind) {
     return restrict_to_reading(limits_of(kind).reads_fonts ? Folders(font_folders) : Folders{});
+}
+
+Result<void> deny_files_but_beneath(const Descriptor& folder) {
+    const auto ruleset = new_ruleset();
+    if (!ruleset) return tl::unexpected(ruleset.error());
+    if (!allow_reading(*ruleset, folder)) return refused("the folder");
+    return obey(*ruleset);
 }
 
 }  // namespace touchline

@@ -24,7 +24,7 @@ constexpr bool is_sanitized = true;
 constexpr bool is_sanitized = false;
 #endif
 
-Result<void> refused(const std::string& step) {
+tl::unexpected<Error> refused(const std::string& step) {
     return failure("the sandbox cannot be entered: " + step + ": " + std::strerror(errno));
 }
 
@@ -37,6 +37,17 @@ Result<void> set_limit(__rlimit_resource_t what, const char* name, rlim_t soft, 
 /// The C++ library would end by a signal that the filter does not know.
 [[noreturn]] void end_at_once() {
     _exit(worker_out_of_memory);
+}
+
+Result<void> belong_to_parent() {
+    if (prctl(PR_SET_PDEATHSIG, SIGKILL, 0UL, 0UL, 0UL) != 0) return refused("death signal");
+    if (prctl(PR_SET_DUMPABLE, 0UL, 0UL, 0UL, 0UL) != 0) return refused("tracing");
+    return {};
+}
+
+Result<void> close_what_was_not_meant() {
+    if (close_range(worker_descriptors, ~0U, 0) != 0) return refused("descriptors");
+    return {};
 }
 
 }  // namespace
@@ -63,12 +74,18 @@ Result<void> limit_resources(const WorkerLimits& limits) {
 
 Result<void> enter_sandbox(WorkerKind kind) {
     std::set_terminate(end_at_once);
-    if (prctl(PR_SET_PDEATHSIG, SIGKILL, 0UL, 0UL, 0UL) != 0) return refused("death signal");
-    if (prctl(PR_SET_DUMPABLE, 0UL, 0UL, 0UL, 0UL) != 0) return refused("tracing");
-    if (close_range(worker_descriptors, ~0U, 0) != 0) return refused("descriptors");
-    return limit_resources(limits_of(kind))
+    return belong_to_parent()
+        .and_then(close_what_was_not_meant)
+        .and_then([kind] { return limit_resources(limits_of(kind)); })
         .and_then([kind] { return deny_files(kind); })
         .and_then([kind] { return is_sanitized ? Result<void>{} : filter_calls(kind); });
+}
+
+Result<void> enter_sandbox_beneath(const Descriptor& folder, const WorkerLimits& limits) {
+    return belong_to_parent()
+        .and_then([&limits] { return limit_resources(limits); })
+        .and_then([&folder] { return deny_files_but_beneath(folder); })
+        .and_then([] { return is_sanitized ? Result<void>{} : filter_calls_of_reading_beneath(); });
 }
 
 }  // namespace touchline

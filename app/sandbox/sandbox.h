@@ -4,6 +4,7 @@
 // Threads: the only one of its process.
 #pragma once
 
+#include "app/process/descriptor.h"
 #include "app/sandbox/limits.h"
 #include "config/types/result.h"
 
@@ -25,9 +26,16 @@ inline constexpr int worker_descriptors = 5;
 /// once; the line says which step failed.
 [[nodiscard]] Result<void> enter_sandbox(WorkerKind kind);
 
-/// The steps of enter_sandbox() that deny, singly, for their tests.
+/// The same for a process that reads the files below one folder, and no others, while it is shut
+/// in: it names them by openat2() alone. Its descriptors stay open.
+[[nodiscard]] Result<void> enter_sandbox_beneath(const Descriptor& folder,
+                                                 const WorkerLimits& limits);
+
+/// The steps of both that deny, singly, for their tests.
 [[nodiscard]] Result<void> limit_resources(const WorkerLimits& limits);
 [[nodiscard]] Result<void> deny_files(WorkerKind kind);
+[[nodiscard]] Result<void> deny_files_but_beneath(const Descriptor& folder);
 [[nodiscard]] Result<void> filter_calls(WorkerKind kind);
+[[nodiscard]] Result<void> filter_calls_of_reading_beneath();
 
 }  // namespace touchline

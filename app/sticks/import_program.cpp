@@ -1,8 +1,8 @@
 #include "app/sticks/import_program.h"
 
+#include "app/sandbox/sandbox.h"
 #include "app/sticks/beneath.h"
 #include "app/sticks/copy.h"
-#include "app/sticks/fence.h"
 #include "app/sticks/listing.h"
 #include "app/sticks/scan.h"
 #include "config/types/steady_clock.h"
@@ -55,6 +55,15 @@ int read(const Descriptor& root, const Descriptor& output, const std::vector<std
 }
 
 }  // namespace
+
+Result<void> shut_in(const Descriptor& root, std::size_t most_bytes) {
+    constexpr std::size_t most_memory_bytes = std::size_t{256} << 20U;
+    WorkerLimits limits;
+    limits.address_space_bytes = most_memory_bytes;
+    limits.cpu_s = 10;
+    limits.file_bytes = most_bytes;
+    return enter_sandbox_beneath(root, limits);
+}
 
 int run_import(const std::vector<std::string>& words) {
     const bool is_list = words.size() == 2 && words[0] == "list";

@@ -11,7 +11,7 @@ namespace {
 
 using encoders::Bytes;
 
-void add(Bytes& bytes, std::uint32_t value, std::size_t count) {
+void add(Bytes& bytes, std::uint64_t value, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
         bytes.push_back(static_cast<std::byte>(value >> (8 * i) & 0xffU));
 }

@@ -138,13 +138,22 @@ std::vector<NamedFile> bombs() {
             svg += fmt::format("<use href=\"#{}\"/>", static_cast<char>(id - 1));
         svg += "</g>";
     }
+    std::string laughs = "<!DOCTYPE svg [<!ENTITY a \"ha\">";
+    for (char name = 'b'; name <= 'z'; ++name) {
+        laughs += fmt::format("<!ENTITY {} \"", name);
+        for (int i = 0; i < 10; ++i) laughs += fmt::format("&{};", static_cast<char>(name - 1));
+        laughs += "\">";
+    }
+    laughs +=
+        R"(]><svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><text>&z;</text></svg>)";
     return {{"PNG of 3600 megapixels", png},
             {"GIF of 4295 megapixels", gif},
             {"BMP of 3600 megapixels", bmp},
             {"WebP of 268 megapixels", webp},
             {"JPEG of 3774 megapixels", jpeg},
             {"PPM of 3600 megapixels", encoders::bytes_of("P6 60000 60000 255\n")},
-            {"SVG of 10^25 uses", encoders::bytes_of(svg + "</svg>")}};
+            {"SVG of 10^25 uses", encoders::bytes_of(svg + "</svg>")},
+            {"SVG of 10^25 entities", encoders::bytes_of(laughs)}};
 }
 
 Bytes mutated(Bytes bytes, std::mt19937& random) {

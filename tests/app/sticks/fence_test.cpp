@@ -1,8 +1,7 @@
 // Everything that a captured import might try, tried from inside.
-#include "app/sticks/fence.h"
-
 #include "app/sandbox/sandbox.h"
 #include "app/sticks/beneath.h"
+#include "app/sticks/import_program.h"
 #include "tests/app/sandbox/acts.h"
 #include "tests/app/sticks/stick_folder.h"
 

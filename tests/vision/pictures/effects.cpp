@@ -1,5 +1,6 @@
 #include "tests/vision/pictures/effects.h"
 
+#include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/encoders.h"
 
 #include <opencv2/imgproc.hpp>

@@ -1,0 +1,25 @@
+// Settings as TOML, in and out. Threads: pure functions.
+#pragma once
+
+#include "config/settings/setting_rows.h"
+#include "config/types/result.h"
+
+#include <string>
+#include <string_view>
+
+namespace touchline {
+
+/// `base` with what the text of a file sets; `name` is that file's, for the error. Malformed, an
+/// unknown table or key, a value that is not allowed, or one that this layer may not set: one line
+/// with file, line, key and what is allowed, and nothing of the file holds. At most 1 MB.
+[[nodiscard]] Result<Settings> apply_settings(const Settings& base, std::string_view text,
+                                              std::string_view name, SettingLayer layer);
+
+/// Those that differ from `base`, as apply_settings() reads them back to the same bits; each with
+/// its help as a comment.
+[[nodiscard]] std::string settings_text(const Settings& settings, const Settings& base);
+
+/// All of them.
+[[nodiscard]] std::string settings_text(const Settings& settings);
+
+}  // namespace touchline

@@ -1,0 +1,73 @@
+// touchline settings, as a user types it.
+#include "app/cli/command_line.h"
+#include "config/settings/settings_text.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+struct Said {
+    int status;
+    std::string out;
+    std::string err;
+};
+
+class SettingsCommand : public testing::Test {
+  protected:
+    SettingsCommand() {
+        ::setenv("TOUCHLINE_SETTINGS", file.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    }
+
+    ~SettingsCommand() override {
+        ::unsetenv("TOUCHLINE_SETTINGS");  // NOLINT(concurrency-mt-unsafe)
+        std::filesystem::remove(file);
+    }
+
+    static Said say(const std::vector<std::string>& words) {
+        std::ostringstream out;
+        std::ostringstream err;
+        const int status = run_command_line(words, {}, out, err);
+        return {status, out.str(), err.str()};
+    }
+
+    std::string file = testing::TempDir() + "touchline-site-" + std::to_string(getpid()) + ".toml";
+};
+
+TEST_F(SettingsCommand, WithoutAFileTheProgramsOwnHold) {
+    const Said checked = say({"settings", "check"});
+    EXPECT_EQ(checked.status, 0);
+    EXPECT_EQ(checked.out, file + ": is not there; the program's own settings hold\n");
+    EXPECT_EQ(say({"settings", "print"}).out, settings_text(Settings{}));
+}
+
+TEST_F(SettingsCommand, AGoodFileIsCountedAndPrinted) {
+    std::ofstream(file) << "[feel]\nfriction = 0.2\nstiffness_N_per_m = 500\n";
+    EXPECT_EQ(say({"settings", "check"}).out, file + ": can be used; 1 of " +
+                                                  std::to_string(setting_rows().size()) +
+                                                  " settings differ from the program's own\n");
+    EXPECT_EQ(say({"settings", "check", file}).out, say({"settings", "check"}).out);
+    EXPECT_NE(say({"settings", "print"}).out.find("friction = 0.2\n"), std::string::npos);
+}
+
+TEST_F(SettingsCommand, AWrongOneIsOneLineAndAStatus) {
+    std::ofstream(file) << "[feel]\nfriction = 7\n";
+    for (const char* action : {"check", "print"}) {
+        const Said said = say({"settings", action, file});
+        EXPECT_EQ(said.status, 1);
+        EXPECT_EQ(said.out, "");
+        EXPECT_EQ(said.err,
+                  "touchline: " + file + ":2: 'feel.friction' must be a number from 0 to 1\n");
+    }
+    EXPECT_EQ(say({"settings", "check", "/nowhere/kiosk.toml"}).status, 1);
+    EXPECT_EQ(say({"settings"}).status, 2);
+}
+
+}  // namespace
+}  // namespace touchline
