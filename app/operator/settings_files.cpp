@@ -50,7 +50,8 @@ KeptSettings fall_back(const SettingsFiles& files, const std::string& why) {
 
 SettingsFiles settings_files() {
     const std::string chosen = environment("TOUCHLINE_SETTINGS");
-    const fs::path site = chosen.empty() ? user_settings_folder() / "touchline" / "kiosk.toml" : fs::path(chosen);
+    const fs::path site =
+        chosen.empty() ? user_settings_folder() / "touchline" / "kiosk.toml" : fs::path(chosen);
     return {site, fs::path(site).concat(".good")};
 }
 
