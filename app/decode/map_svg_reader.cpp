@@ -5,9 +5,11 @@
 #include "app/decode/svg_nodes.h"
 #include "app/decode/svg_scanner.h"
 #include "app/decode/svg_shapes.h"
+#include "app/decode/svg_words.h"
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -19,14 +21,22 @@ namespace touchline {
 namespace decode {
 namespace {
 
+/// A digit from 1 to 5, and nothing else.
+std::optional<int> grade_of(std::string_view text) {
+    if (text.size() != 1 || text[0] < '1' || text[0] > '5') return std::nullopt;
+    return text[0] - '0';
+}
+
 /// Left-to-right walk over the document, collecting outlines and labels.
 class MapReader {
   public:
-    explicit MapReader(const ViewBox& box) : box_(box) { map_.area = area_of(box); }
+    MapReader(const ViewBox& box, const LanguageTag& language) : box_(box), language_(language) {
+        map_.area = area_of(box);
+    }
 
     Result<TactileMap> read(const pugi::xml_node& root, const Affine& to_view_box = {}) {
-        map_.title = text_of(child_named(root, "title"));
-        map_.description = text_of(child_named(root, "desc"));
+        map_.title = words_in(root, "title", language_);
+        map_.description = words_in(root, "desc", language_);
         if (auto walked = walk(root, to_view_box, 0); !walked)
             return tl::unexpected(walked.error());
         if (map_.outlines.empty()) {
@@ -71,18 +81,16 @@ class MapReader {
     Result<void> take_outlines(const pugi::xml_node& element,
                                const std::vector<Subpath>& subpaths) {
         Outline common;
-        common.label = one_spaced(element.attribute("data-label").value());
-        if (common.label.empty()) common.label = text_of(child_named(element, "title"));
+        common.label = words_of_shape(element, language_);
         if (const auto weight = element.attribute("data-weight")) {
             const auto value = parse_svg_length(weight.value());
             if (!value || !(*value > 0.0)) return wrong(element, "data-weight must be above 0");
             common.weight = *value;
         }
         if (const auto detail = element.attribute("data-detail")) {
-            const std::string_view digit = detail.value();
-            const bool is_valid = digit.size() == 1 && digit[0] >= '1' && digit[0] <= '5';
-            if (!is_valid) return wrong(element, "data-detail must be 1, 2, 3, 4 or 5");
-            common.detail = digit[0] - '0';
+            const auto grade = grade_of(detail.value());
+            if (!grade) return wrong(element, "data-detail must be 1, 2, 3, 4 or 5");
+            common.detail = *grade;
         }
         for (const Subpath& subpath : subpaths) {
             Outline outline = common;
@@ -100,7 +108,7 @@ class MapReader {
     }
 
     Result<void> take_label(const pugi::xml_node& element, const Affine& transform) {
-        std::string text = text_of(element);
+        std::string text = words_of_text(element, language_);
         if (text.empty()) return {};
         const auto coordinate = [&](const char* name) -> std::optional<double> {
             const pugi::xml_attribute attribute = element.attribute(name);
@@ -123,12 +131,6 @@ class MapReader {
         return {};
     }
 
-    static std::string one_spaced(std::string_view text) {
-        std::string words;
-        append_words(words, text);
-        return words;
-    }
-
     std::string unique_id(const std::string& wished) {
         if (wished.empty()) return wished;
         std::string id = wished;
@@ -148,6 +150,7 @@ class MapReader {
     }
 
     ViewBox box_;
+    LanguageTag language_;
     TactileMap map_;
     std::size_t points_left_ = max_map_points;
     std::unordered_set<std::string> ids_;
@@ -188,13 +191,24 @@ Result<pugi::xml_node> root_in(std::string_view text, pugi::xml_document& docume
     return root;
 }
 
-Result<TactileMap> parse(std::string_view text) {
+Result<TactileMap> parse(std::string_view text, const LanguageTag& language) {
     pugi::xml_document document;
     const auto root = root_in(text, document);
     if (!root) return tl::unexpected(root.error());
     const auto box = view_box_in(*root);
     if (!box) return tl::unexpected(box.error());
-    return MapReader(*box).read(*root);
+    return MapReader(*box, language).read(*root);
+}
+
+Result<std::optional<int>> difficulty_in(std::string_view text) {
+    pugi::xml_document document;
+    const auto root = root_in(text, document);
+    if (!root) return tl::unexpected(root.error());
+    const auto attribute = root->attribute("data-difficulty");
+    if (!attribute) return std::nullopt;
+    const auto grade = grade_of(attribute.value());
+    if (!grade) return failure("the map's data-difficulty must be 1, 2, 3, 4 or 5; correct it");
+    return grade;
 }
 
 /// Drawn in millimetres, and no larger than the area?
@@ -223,20 +237,20 @@ Result<TactileMap> parse_drawing(std::string_view text, const Area& area) {
     const auto box = drawn_box_in(*root);
     if (!box) return tl::unexpected(box.error());
     if (!is_line_drawing(*root, *box)) return failure("the drawing is more than lines");
-    if (is_at_size(*root, *box, area)) return MapReader(*box).read(*root);
+    if (is_at_size(*root, *box, area)) return MapReader(*box, {}).read(*root);
     const double scale =
         std::min(1000.0 * area.width_m / box->width_mm, 1000.0 * area.height_m / box->height_mm);
     const Affine fit{scale, 0.0, 0.0, scale, -scale * box->x0_mm, -scale * box->y0_mm};
     const ViewBox fitted{0.0, 0.0, scale * box->width_mm, scale * box->height_mm};
-    return MapReader(fitted).read(*root, fit);
+    return MapReader(fitted, {}).read(*root, fit);
 }
 
 }  // namespace
 }  // namespace decode
 
-Result<TactileMap> parse_map_svg(std::string_view text) {
+Result<TactileMap> parse_map_svg(std::string_view text, const LanguageTag& language) {
     try {
-        return decode::parse(text);
+        return decode::parse(text, language);
     } catch (const std::exception& problem) {
         return failure("the map cannot be read: " + one_line(problem.what()));
     }
@@ -250,18 +264,22 @@ Result<TactileMap> parse_line_drawing(std::string_view text, const Area& area) {
     }
 }
 
+Result<std::optional<int>> difficulty_of_map_svg(std::string_view text) {
+    return decode::difficulty_in(text);
+}
+
 SvgWords words_of_svg(std::string_view text) {
     pugi::xml_document document;
     const auto root = decode::root_in(text, document);
     if (!root) return {};
-    return {decode::text_of(decode::child_named(*root, "title")),
-            decode::text_of(decode::child_named(*root, "desc"))};
+    return {decode::words_in(*root, "title", {}), decode::words_in(*root, "desc", {})};
 }
 
-Result<TactileMap> read_map_svg(const std::string& path) {
+Result<TactileMap> read_map_svg(const std::string& path, const LanguageTag& language) {
     const auto bytes = read_file(path);
     if (!bytes) return tl::unexpected(bytes.error());
-    auto map = parse_map_svg({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+    auto map =
+        parse_map_svg({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, language);
     if (!map) return failure(one_line(path) + ": " + map.error().line);
     return map;
 }

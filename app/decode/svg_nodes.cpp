@@ -1,6 +1,7 @@
 #include "app/decode/svg_nodes.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace touchline::decode {
 namespace {
@@ -38,8 +39,13 @@ void append_words(std::string& text, std::string_view more) {
 
 /// Walked without recursion: nesting comes from the file.
 std::string text_of(pugi::xml_node element) {
+    constexpr int nowhere = std::numeric_limits<int>::max();
+
     struct Collector : pugi::xml_tree_walker {
         bool for_each(pugi::xml_node& node) override {
+            if (depth() > told_depth) return true;  // inside a title
+            const std::string_view name = local_name(node);
+            told_depth = name == "title" || name == "desc" ? depth() : nowhere;
             const bool is_text =
                 node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
             if (is_text) append_words(text, node.value());
@@ -47,6 +53,7 @@ std::string text_of(pugi::xml_node element) {
         }
 
         std::string text;
+        int told_depth = nowhere;
     } collector;
 
     element.traverse(collector);

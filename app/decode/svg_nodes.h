@@ -20,7 +20,7 @@ constexpr int max_nesting = 100;  // drawing programs nest groups ten deep
 /// Appends words, one blank between them.
 void append_words(std::string& text, std::string_view more);
 
-/// All text inside an element.
+/// All text inside an element, but for the titles and descriptions of what is in it.
 [[nodiscard]] std::string text_of(pugi::xml_node element);
 
 /// An attribute, or the same in the style attribute, which wins; empty where neither is.

@@ -1,5 +1,6 @@
 #include "app/gallery/gallery.h"
 
+#include "app/decode/files.h"
 #include "app/decode/map_svg.h"
 #include "app/decode/one_line.h"
 #include "app/process/places.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace touchline {
@@ -28,14 +30,25 @@ Result<std::vector<std::string>> maps_in(const std::string& folder) {
     return paths;
 }
 
-Result<std::vector<GalleryEntry>> list(const std::string& folder) {
+Result<GalleryEntry> entry_of(const std::string& path, const LanguageTag& language) {
+    const auto bytes = read_file(path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const std::string_view text{reinterpret_cast<const char*>(bytes->data()), bytes->size()};
+    auto map = parse_map_svg(text, language);
+    if (!map) return failure(one_line(path) + ": " + map.error().line);
+    const auto difficulty = difficulty_of_map_svg(text);
+    if (!difficulty) return failure(one_line(path) + ": " + difficulty.error().line);
+    return GalleryEntry{path, std::move(map->title), std::move(map->description), *difficulty};
+}
+
+Result<std::vector<GalleryEntry>> list(const std::string& folder, const LanguageTag& language) {
     const auto paths = maps_in(folder);
     if (!paths) return tl::unexpected(paths.error());
     std::vector<GalleryEntry> entries;
     for (const std::string& path : *paths) {
-        auto map = read_map_svg(path);
-        if (!map) return tl::unexpected(map.error());
-        entries.push_back({path, std::move(map->title), std::move(map->description)});
+        auto entry = entry_of(path, language);
+        if (!entry) return tl::unexpected(entry.error());
+        entries.push_back(std::move(*entry));
     }
     if (entries.empty()) {
         return failure("the gallery " + one_line(folder) +
@@ -46,9 +59,10 @@ Result<std::vector<GalleryEntry>> list(const std::string& folder) {
 
 }  // namespace
 
-Result<std::vector<GalleryEntry>> list_gallery(const std::string& folder) {
+Result<std::vector<GalleryEntry>> list_gallery(const std::string& folder,
+                                               const LanguageTag& language) {
     try {
-        return list(folder);
+        return list(folder, language);
     } catch (const std::exception& problem) {
         return failure("the gallery cannot be read: " + one_line(problem.what()));
     }

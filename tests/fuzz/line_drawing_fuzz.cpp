@@ -1,4 +1,5 @@
-// Any text is a line drawing within its area and limits, or one clear line.
+// Any text is a line drawing within its area and limits, or one clear line; a language chooses
+// words and nothing else.
 #include "app/decode/map_svg.h"
 
 #include <cstddef>
@@ -12,6 +13,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     const auto map = parse_line_drawing(text, Area{});
     (void)words_of_svg(text);
+    (void)difficulty_of_map_svg(text);
+    const auto english = parse_map_svg(text);
+    const auto german = parse_map_svg(text, {"de"});
+    if (english.has_value() != german.has_value()) abort();
+    if (english && english->outlines.size() != german->outlines.size()) abort();
     if (!map) {
         if (map.error().line.empty() || map.error().line.find('\n') != std::string::npos) abort();
         return 0;

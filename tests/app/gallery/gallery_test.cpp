@@ -68,6 +68,24 @@ TEST_F(GalleryFolder, MissingEmptyAndBrokenAreOneLine) {
     EXPECT_TRUE(broken.error().line.starts_with(folder() + "/01-broken.svg: "));
 }
 
+TEST_F(GalleryFolder, SpeaksTheLanguageAndKnowsTheDifficulty) {
+    put("1.svg",
+        "<svg viewBox='0 0 9 9' data-difficulty='4'><title>Sea</title><title "
+        "xml:lang='fr'>Mer</title>"
+        "<path d='M1 1L2 2'/></svg>");
+    put("2.svg", smallest);
+    const auto entries = list_gallery(folder(), {"fr"}).value();
+    EXPECT_EQ(entries[0].title, "Mer");
+    EXPECT_EQ(entries[0].difficulty, 4);
+    EXPECT_EQ(entries[1].title, "T");
+    EXPECT_EQ(entries[1].difficulty, std::nullopt);
+    EXPECT_EQ(list_gallery(folder()).value()[0].title, "Sea");
+    put("3.svg", "<svg viewBox='0 0 9 9' data-difficulty='9'><path d='M1 1L2 2'/></svg>");
+    const auto broken = list_gallery(folder());
+    ASSERT_FALSE(broken);
+    EXPECT_TRUE(broken.error().line.starts_with(folder() + "/3.svg: ")) << broken.error().line;
+}
+
 TEST_F(GalleryFolder, TheEnvironmentChoosesAnother) {
     EXPECT_EQ(gallery_folder(), pictures);
     ::setenv("TOUCHLINE_GALLERY", folder().c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
