@@ -1,6 +1,7 @@
 // What the author of a tagged PDF wrote for those who cannot see its figures.
 #include "app/decode/pdf_parts.h"
 
+#include <cmath>
 #include <functional>
 
 namespace touchline::decode {
@@ -47,14 +48,18 @@ class StructureWalk {
     bool is_done_ = false;
 };
 
-/// Boxes of the page's pixel images, in the order of drawing.
-std::vector<PopplerRectangle> image_boxes(PopplerPage* page) {
-    std::vector<PopplerRectangle> boxes;
-    GList* const images = poppler_page_get_image_mapping(page);
-    for (const GList* at = images; at != nullptr; at = at->next)
-        boxes.push_back(static_cast<PopplerImageMapping*>(at->data)->area);
-    poppler_page_free_image_mapping(images);
-    return boxes;
+/// As the author's program wrote it, from the page's lower left corner; empty where it did not, or
+/// where the page is turned.
+PopplerRectangle written_box(PopplerStructureElement* element, PopplerPage* page) {
+    PopplerRectangle written{};
+    PopplerRectangle crop{};
+    double width_pt = 0.0;
+    double height_pt = 0.0;
+    if (poppler_structure_element_get_bounding_box(element, &written) == FALSE) return {};
+    poppler_page_get_crop_box(page, &crop);
+    poppler_page_get_size(page, &width_pt, &height_pt);
+    if (std::abs(crop.x2 - crop.x1 - width_pt) > 1.0) return {};
+    return {written.x1 - crop.x1, crop.y2 - written.y2, written.x2 - crop.x1, crop.y2 - written.y1};
 }
 
 bool is_heading(PopplerStructureElementKind kind) {
@@ -65,20 +70,28 @@ bool is_heading(PopplerStructureElementKind kind) {
 
 }  // namespace
 
+std::vector<PopplerRectangle> image_boxes(PopplerPage* page) {
+    std::vector<PopplerRectangle> boxes;
+    GList* const images = poppler_page_get_image_mapping(page);
+    for (const GList* at = images; at != nullptr; at = at->next)
+        boxes.push_back(static_cast<PopplerImageMapping*>(at->data)->area);
+    poppler_page_free_image_mapping(images);
+    return boxes;
+}
+
 std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page) {
     std::vector<PdfText> figures;
     StructureWalk walk(poppler_page_get_index(page), [&](PopplerStructureElement* element) {
-        if (poppler_structure_element_get_kind(element) == POPPLER_STRUCTURE_ELEMENT_FIGURE) {
-            figures.push_back({taken(poppler_structure_element_get_alt_text(element)), {}});
-        }
+        if (poppler_structure_element_get_kind(element) == POPPLER_STRUCTURE_ELEMENT_FIGURE)
+            figures.push_back({taken(poppler_structure_element_get_alt_text(element)),
+                               written_box(element, page)});
         return true;
     });
     walk.walk(document);
-    // poppler gives no box of a figure; the images do, if there are as many.
+    // Where no box is written the images give it, if there are as many.
     const auto boxes = image_boxes(page);
     for (std::size_t i = 0; boxes.size() == figures.size() && i < figures.size(); ++i)
-        figures[i].box = boxes[i];
-    std::erase_if(figures, [](const PdfText& figure) { return figure.text.empty(); });
+        if (!(figures[i].box.x1 < figures[i].box.x2)) figures[i].box = boxes[i];
     return figures;
 }
 

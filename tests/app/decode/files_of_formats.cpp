@@ -97,6 +97,26 @@ Bytes tagged_pdf(const std::vector<std::string>& texts, const std::string& alt) 
     return pdf.finish(1);
 }
 
+Bytes drawn_pdf(const std::vector<std::vector<DrawnImage>>& pages) {
+    std::string kids;
+    for (std::size_t i = 0; i < pages.size(); ++i) kids += fmt::format("{} 0 R ", 3 + 2 * i);
+    PdfWriter pdf;
+    pdf.add("<< /Type /Catalog /Pages 2 0 R >>");
+    pdf.add(fmt::format("<< /Type /Pages /Kids [ {}] /Count {} >>", kids, pages.size()));
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        std::string drawing;
+        for (const DrawnImage& image : pages[i])
+            drawing += fmt::format(
+                "q {} 0 0 {} {} {} cm BI /W 4 /H 4 /CS /G /BPC 8 /F /AHx ID "
+                "FFFFFFFFFF2020FFFF2020FFFFFFFFFF> EI Q\n",
+                image.width_pt, image.height_pt, image.x_pt, image.y_pt);
+        pdf.add(fmt::format(
+            "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 600 800] /Contents {} 0 R >>", 4 + 2 * i));
+        pdf.add(fmt::format("<< /Length {} >>\nstream\n{}endstream", drawing.size(), drawing));
+    }
+    return pdf.finish(1);
+}
+
 std::vector<NamedFile> files_of_formats() {
     const Picture picture = encoders::test_picture(48, 37);
     std::vector<NamedFile> files{
