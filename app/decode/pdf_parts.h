@@ -41,7 +41,8 @@ struct PdfText {
 /// The marked figures of a page with what their author wrote for those who cannot see them.
 [[nodiscard]] std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page);
 
-/// Boxes of the page's pixel images, in the order of drawing.
+/// Boxes of the page's pixel images, in the order of drawing. poppler 22.12 takes for the longer
+/// side that with more pixels: the box of an image that is drawn turned has its sides swapped.
 [[nodiscard]] std::vector<PopplerRectangle> image_boxes(PopplerPage* page);
 
 struct PageSize {

@@ -69,7 +69,7 @@ void tell_figures(const std::vector<PdfText>& figures, double scale, Page& page)
     }
 }
 
-/// Where pictures are, images and figures that are drawn of lines.
+/// Where pictures are.
 void add_figures(std::vector<PdfText> parts, PopplerPage* source, double scale, Page& page) {
     PageSize size;
     poppler_page_get_size(source, &size.width_pt, &size.height_pt);

@@ -1,7 +1,6 @@
 // What the author of a tagged PDF wrote for those who cannot see its figures.
 #include "app/decode/pdf_parts.h"
 
-#include <cmath>
 #include <functional>
 
 namespace touchline::decode {
@@ -48,20 +47,6 @@ class StructureWalk {
     bool is_done_ = false;
 };
 
-/// As the author's program wrote it, from the page's lower left corner; empty where it did not, or
-/// where the page is turned.
-PopplerRectangle written_box(PopplerStructureElement* element, PopplerPage* page) {
-    PopplerRectangle written{};
-    PopplerRectangle crop{};
-    double width_pt = 0.0;
-    double height_pt = 0.0;
-    if (poppler_structure_element_get_bounding_box(element, &written) == FALSE) return {};
-    poppler_page_get_crop_box(page, &crop);
-    poppler_page_get_size(page, &width_pt, &height_pt);
-    if (std::abs(crop.x2 - crop.x1 - width_pt) > 1.0) return {};
-    return {written.x1 - crop.x1, crop.y2 - written.y2, written.x2 - crop.x1, crop.y2 - written.y1};
-}
-
 bool is_heading(PopplerStructureElementKind kind) {
     return kind == POPPLER_STRUCTURE_ELEMENT_HEADING ||
            (kind >= POPPLER_STRUCTURE_ELEMENT_HEADING_1 &&
@@ -83,15 +68,14 @@ std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page) {
     std::vector<PdfText> figures;
     StructureWalk walk(poppler_page_get_index(page), [&](PopplerStructureElement* element) {
         if (poppler_structure_element_get_kind(element) == POPPLER_STRUCTURE_ELEMENT_FIGURE)
-            figures.push_back({taken(poppler_structure_element_get_alt_text(element)),
-                               written_box(element, page)});
+            figures.push_back({taken(poppler_structure_element_get_alt_text(element)), {}});
         return true;
     });
     walk.walk(document);
-    // Where no box is written the images give it, if there are as many.
+    // poppler gives no box of a figure; the images do, if there are as many.
     const auto boxes = image_boxes(page);
     for (std::size_t i = 0; boxes.size() == figures.size() && i < figures.size(); ++i)
-        if (!(figures[i].box.x1 < figures[i].box.x2)) figures[i].box = boxes[i];
+        figures[i].box = boxes[i];
     return figures;
 }
 

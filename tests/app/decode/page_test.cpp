@@ -50,6 +50,8 @@ TEST(Page, CrossesWhole) {
 TEST(Page, OfOutlinesHasNoPixels) {
     Page page = some_page();
     page.picture = {};
+    page.words.clear();
+    page.figures.clear();
     page.told.outlines.push_back({{{0.0, 0.0}, {0.01, 0.0}}, false, "a", "", 1.0, 1});
     const Page read = page_of(answer_of(page).value()).value();
     EXPECT_TRUE(read.picture.bgr.empty());

@@ -17,10 +17,10 @@
 namespace touchline {
 
 struct MadeUpDocument {
-    std::vector<int> figures;  // of each page
+    std::vector<int> figures = {};  // of each page
     int page_px = 4;
-    std::set<int> torn_pages;
-    std::set<std::pair<int, int>> empty_views;  // page, view
+    std::set<int> torn_pages = {};
+    std::set<std::pair<int, int>> empty_views = {};  // page, view
 };
 
 class MadeUpStages final : public Stages {
