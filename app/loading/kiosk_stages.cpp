@@ -23,8 +23,11 @@ std::uint64_t next_version() {
     return ++last;
 }
 
-Error of_file(const PictureFile& file, const Error& error) {
-    return {file.name + ": " + error.line};
+/// A page that has nothing to feel says which one it is.
+Error of_page(const PictureFile& file, const PagePlace& place, const Error& error) {
+    const std::string page =
+        place.page_count > 1 ? ", page " + std::to_string(place.page) : std::string();
+    return {file.name + page + ": " + error.line};
 }
 
 std::size_t bytes_of(const Page& page, const std::optional<Found>& lines, const Canvas& picture) {
@@ -92,19 +95,21 @@ Result<FoundPtr> KioskStages::find(const PictureFile& file, const PagePtr& page,
     const int views = view_count(*page);
     const PagePtr fine = fine_page(file, page, view);
     const PagePtr cut = view < views ? std::make_shared<const Page>(view_of(*fine, view)) : fine;
-    return found_in(cut, {page->number, page->count, view, views})
-        .map_error([&file](const Error& error) { return of_file(file, error); });
+    const PagePlace place{page->number, page->count, view, views};
+    return found_in(cut, place).map_error([&](const Error& error) {
+        return of_page(file, place, error);
+    });
 }
 
 Result<LoadedScene> KioskStages::build(const PictureFile& file, const FoundView& found,
                                        int detail) const {
     auto felt = felt_map(found, detail);
-    if (!felt) return tl::unexpected(of_file(file, felt.error()));
+    if (!felt) return tl::unexpected(of_page(file, found.place, felt.error()));
     TactileMap& map = felt->map;
     map.version = next_version();
     const SceneOrder order = felt_order(profile_, detail);
     auto scene = build_scene(map, order);
-    if (!scene) return tl::unexpected(of_file(file, scene.error()));
+    if (!scene) return tl::unexpected(of_page(file, found.place, scene.error()));
     LoadedScene result;
     result.facts = {map.title.empty() ? file.title : map.title,
                     static_cast<int>(map.outlines.size()), scene->curves.coarsest(),

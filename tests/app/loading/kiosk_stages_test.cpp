@@ -126,6 +126,16 @@ TEST(KioskStages, AMissingFileIsOneLineThatNamesIt) {
     EXPECT_EQ(page.error().line.find("/nowhere/none.png: "), 0U) << page.error().line;
 }
 
+TEST(KioskStages, APageWithNothingToFeelSaysWhichOneItIs) {
+    const KioskStages stages(default_profile());
+    const Document document(drawn_pdf({{{100, 100, 200, 200}}, {}}));
+    const auto page = stages.open(*document.file, 2);
+    ASSERT_TRUE(page.has_value()) << page.error().line;
+    const auto found = stages.find(*document.file, *page, 1);
+    ASSERT_FALSE(found.has_value());
+    EXPECT_EQ(found.error().line.find("a.pdf, page 2: "), 0U) << found.error().line;
+}
+
 TEST(KioskStages, WhatAWorkerSaysOfThePageNumberIsNotTakenForIt) {
     const KioskStages stages(default_profile());
     Page lie;
