@@ -5,7 +5,6 @@
 #include "app/decode/opening.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cctype>
 
 #include <fmt/core.h>
@@ -13,23 +12,8 @@
 namespace touchline {
 namespace {
 
-std::uint64_t next_version() {
-    static std::atomic<std::uint64_t> last{0};
-    return ++last;
-}
-
 Error of_file(const std::string& path, const Error& error) {
     return {fmt::format("{}: {}", path, error.line)};
-}
-
-Result<LoadedPicture> load_page(Page page, int detail, const Area& area) {
-    if (!page.told.outlines.empty())
-        return drawn_lines(page, detail).map([&page](TactileMap map) {
-            return LoadedPicture{std::move(map), std::move(page.picture), {}};
-        });
-    return trace_page(page, {area, detail}).map([&page](Trace found) {
-        return LoadedPicture{std::move(found.map), std::move(page.picture), found.report.warning};
-    });
 }
 
 }  // namespace
@@ -62,15 +46,6 @@ Result<TactileMap> load_drawing(const std::string& path, int detail) {
     return shown_at(std::move(*map), detail).map_error([&path](const Error& error) {
         return of_file(path, error);
     });
-}
-
-Result<LoadedPicture> load_picture(const std::string& path, int detail, const Area& area) {
-    auto page = open_page_of(path);
-    if (!page) return tl::unexpected(page.error());
-    auto loaded = load_page(std::move(*page), detail, area);
-    if (!loaded) return tl::unexpected(of_file(path, loaded.error()));
-    loaded->map.version = next_version();
-    return loaded;
 }
 
 }  // namespace touchline

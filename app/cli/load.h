@@ -2,7 +2,6 @@
 // Threads: any, each call by itself.
 #pragma once
 
-#include "app/decode/picture.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 #include "vision/simplify/trace.h"
@@ -10,12 +9,6 @@
 #include <string>
 
 namespace touchline {
-
-struct LoadedPicture {
-    TactileMap map;
-    Picture picture;      // as shown behind the outlines
-    std::string warning;  // one sentence, e.g. that outlines were cut to the budget; else empty
-};
 
 /// True for a name that ends in .svg, which is a map to every command but `trace`.
 [[nodiscard]] bool is_map_name(const std::string& path);
@@ -29,10 +22,5 @@ struct LoadedPicture {
 
 /// A map, its outlines above `detail` left out.
 [[nodiscard]] Result<TactileMap> load_drawing(const std::string& path, int detail);
-
-/// A picture with what is felt of it: the lines of a file that is a line drawing (every map is
-/// one), else traced. Every map loaded gets a version of its own.
-[[nodiscard]] Result<LoadedPicture> load_picture(const std::string& path, int detail,
-                                                 const Area& area);
 
 }  // namespace touchline

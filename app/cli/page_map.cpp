@@ -12,7 +12,7 @@ namespace {
 
 constexpr int beside_words_px = 3;  // soft edges of letters reach out of their box
 
-cv::Mat view_of(Picture& picture) {
+cv::Mat pixels_of(Picture& picture) {
     return {picture.height, picture.width, CV_8UC3, picture.bgr.data()};
 }
 
@@ -59,7 +59,7 @@ std::vector<Label> placed(std::vector<Label> labels, const Area& from, const Are
 
 Picture without_words(const Page& page) {
     Picture picture = page.picture;
-    cv::Mat bgr = view_of(picture);
+    cv::Mat bgr = pixels_of(picture);
     const cv::Rect whole(0, 0, bgr.cols, bgr.rows);
     for (const WordBox& word : page.words) {
         const cv::Rect box = grown(word, whole);
@@ -68,14 +68,24 @@ Picture without_words(const Page& page) {
     return picture;
 }
 
-Result<Trace> trace_page(const Page& page, const TraceOptions& options) {
+Result<Found> find_page_lines(const Page& page, const TraceOptions& options) {
     Picture picture = without_words(page);
-    auto trace = trace_outlines(view_of(picture), options);
+    return find_lines(pixels_of(picture), options);
+}
+
+Result<Trace> trace_page_lines(const Page& page, const Found& found, const TraceOptions& options) {
+    auto trace = trace_lines(found, options);
     if (!trace) return trace;
     trace->map.title = page.told.title;
     trace->map.description = page.told.description;
     trace->map.labels = placed(page.told.labels, page.told.area, options.area);
     return trace;
+}
+
+Result<Trace> trace_page(const Page& page, const TraceOptions& options) {
+    return find_page_lines(page, options).and_then([&](const Found& found) {
+        return trace_page_lines(page, found, options);
+    });
 }
 
 Result<TactileMap> shown_at(TactileMap map, int detail) {

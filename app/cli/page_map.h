@@ -9,8 +9,15 @@
 
 namespace touchline {
 
-/// The page's pixels, traced, its words left out; title, description and labels are the page's.
-/// Errors are trace_outlines()'s.
+/// The lines of the page's pixels, its words left out. Errors are find_lines()'s.
+[[nodiscard]] Result<Found> find_page_lines(const Page& page, const TraceOptions& options);
+
+/// The map of lines that were found on the page; title, description and labels are the page's.
+/// Errors are trace_lines()'s.
+[[nodiscard]] Result<Trace> trace_page_lines(const Page& page, const Found& found,
+                                             const TraceOptions& options);
+
+/// Both.
 [[nodiscard]] Result<Trace> trace_page(const Page& page, const TraceOptions& options);
 
 /// The page's own lines, those above `detail` left out. Fails where there are none.

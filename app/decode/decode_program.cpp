@@ -35,7 +35,7 @@ Result<std::vector<std::byte>> read_input(const WorkerLimits& limits) {
 }
 
 /// 0: answered.
-int answer(const Decoder& decoder, const Work& work) {
+int answer(const Decoder& decoder, const DecodeWork& work) {
     const auto page = read_input(limits_of(work.kind)).and_then([&](const auto& bytes) {
         return decoder.decode(bytes, work.order);
     });

@@ -14,7 +14,7 @@ namespace touchline {
 namespace {
 
 constexpr std::uint32_t magic = 0x47'50'4c'54;  // "TLPG"
-constexpr std::uint16_t layout = 2;
+constexpr std::uint8_t layout = 3;
 constexpr std::uint8_t refusal_kind = 0;
 constexpr std::uint8_t page_kind = 1;
 constexpr std::size_t box_bytes = 8;
@@ -34,6 +34,7 @@ template <class File, class Header>
 void fields(File& file, Header& h) {
     file.number(h.magic);
     file.number(h.layout);
+    file.number(h.figures);
     file.number(h.kind);
     file.number(h.reduction);
     file.number(h.width);
@@ -48,7 +49,8 @@ void fields(File& file, Header& h) {
 
 struct RawHeader {
     std::uint32_t magic = touchline::magic;
-    std::uint16_t layout = touchline::layout;
+    std::uint8_t layout = touchline::layout;
+    std::uint8_t figures = 0;
     std::uint8_t kind = page_kind;
     std::uint8_t reduction = 1;
     std::uint32_t width = 0;
@@ -113,10 +115,11 @@ Result<PageHeader> header_in(const PageHeaderBytes& bytes, std::size_t answer_by
     const bool is_numbered = raw.number >= 1 && raw.number <= raw.count && raw.count <= max_pages;
     const bool is_reduced = raw.reduction <= 8 && std::has_single_bit(raw.reduction);
     if (!is_ours || !(is_empty || fits_a_picture(raw.width, raw.height)) || !is_numbered ||
-        !is_reduced || raw.boxes > max_word_boxes)
+        !is_reduced || raw.boxes > max_word_boxes || raw.figures > max_figures)
         return no_page();
     const std::uint64_t pixels = std::uint64_t{raw.width} * raw.height;
-    if (header_bytes + 3 * pixels + box_bytes * raw.boxes + raw.map_bytes != answer_bytes)
+    const std::uint64_t boxes = std::uint64_t{raw.boxes} + raw.figures;
+    if (header_bytes + 3 * pixels + box_bytes * boxes + raw.map_bytes != answer_bytes)
         return no_page();
     return PageHeader{raw.kind == refusal_kind,
                       raw.width,
@@ -126,6 +129,7 @@ Result<PageHeader> header_in(const PageHeaderBytes& bytes, std::size_t answer_by
                       raw.dpi,
                       raw.reduction,
                       raw.boxes,
+                      raw.figures,
                       raw.map_bytes};
 }
 
@@ -138,12 +142,13 @@ RawHeader header_of(const Page& page) {
     header.dpi = static_cast<std::uint16_t>(page.dpi);
     header.reduction = static_cast<std::uint8_t>(std::lround(1.0 / page.picture.scale));
     header.boxes = static_cast<std::uint16_t>(page.words.size());
+    header.figures = static_cast<std::uint8_t>(page.figures.size());
     return header;
 }
 
 /// Fails unless every box is inside the picture and holds a pixel.
 Result<std::vector<WordBox>> boxes_in(std::span<const std::byte> bytes, const PageHeader& header) {
-    std::vector<WordBox> boxes(header.boxes);
+    std::vector<WordBox> boxes(std::size_t{header.boxes} + header.figures);
     if (!boxes.empty()) std::memcpy(boxes.data(), bytes.data(), bytes.size());
     for (const WordBox& box : boxes) {
         const bool is_inside = box.left < box.right && box.top < box.bottom &&
@@ -163,6 +168,25 @@ void clean_texts(TactileMap& map) {
     for (Outline& outline : map.outlines) outline.label = one_spaced(outline.label, longest_name);
 }
 
+/// What the map's bytes hold: the texts of the figures before its own labels.
+TactileMap crossing(const Page& page) {
+    TactileMap map = page.told;
+    std::vector<Label> texts;
+    for (const Figure& figure : page.figures) texts.push_back({figure.text, {}});
+    map.labels.insert(map.labels.begin(), texts.begin(), texts.end());
+    return map;
+}
+
+/// The boxes are those of the words, then those of the figures.
+void take_figures(std::vector<WordBox>& boxes, std::size_t count, Page& page) {
+    std::vector<Label>& labels = page.told.labels;
+    const std::size_t words = boxes.size() - count;
+    for (std::size_t i = 0; i < count; ++i)
+        page.figures.push_back({boxes[words + i], std::move(labels[i].text)});
+    labels.erase(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(count));
+    boxes.resize(words);
+}
+
 TactileMap refusal_of(const std::string& line) {
     TactileMap map;
     map.description = line;
@@ -172,18 +196,20 @@ TactileMap refusal_of(const std::string& line) {
 }  // namespace
 
 Result<std::vector<std::byte>> answer_of(const Result<Page>& page) {
-    const auto map = bytes_of(page ? page->told : refusal_of(page.error().line));
+    const auto map = bytes_of(page ? crossing(*page) : refusal_of(page.error().line));
     if (!map) return map;
     RawHeader header = page ? header_of(*page) : RawHeader{.kind = refusal_kind};
     header.map_bytes = static_cast<std::uint32_t>(map->size());
     const PageHeaderBytes first = bytes_of(header);
     std::vector<std::byte> answer(first.begin(), first.end());
     if (page) {
-        answer.reserve(first.size() + page->picture.bgr.size() + box_bytes * page->words.size() +
+        std::vector<WordBox> all = page->words;
+        for (const Figure& figure : page->figures) all.push_back(figure.box);
+        answer.reserve(first.size() + page->picture.bgr.size() + box_bytes * all.size() +
                        map->size());
         const auto pixels = std::as_bytes(std::span(page->picture.bgr));
         answer.insert(answer.end(), pixels.begin(), pixels.end());
-        const auto boxes = std::as_bytes(std::span(page->words));
+        const auto boxes = std::as_bytes(std::span(all));
         answer.insert(answer.end(), boxes.begin(), boxes.end());
     }
     answer.insert(answer.end(), map->begin(), map->end());
@@ -201,12 +227,12 @@ Result<Page> page_of(std::span<const std::byte> answer) {
     std::copy_n(answer.begin(), header_bytes, first.begin());
     const auto header = verified(Untrusted(first), answer.size());
     if (!header) return tl::unexpected(header.error());
-    const std::size_t words_bytes = box_bytes * header->boxes;
+    const std::size_t boxes_bytes = box_bytes * (std::size_t{header->boxes} + header->figures);
     const auto pixels = answer.subspan(
-        header_bytes, answer.size() - header_bytes - words_bytes - header->map_bytes);
-    auto words = boxes_in(answer.subspan(header_bytes + pixels.size(), words_bytes), *header);
+        header_bytes, answer.size() - header_bytes - boxes_bytes - header->map_bytes);
+    auto boxes = boxes_in(answer.subspan(header_bytes + pixels.size(), boxes_bytes), *header);
     auto map = map_of(answer.last(header->map_bytes));
-    if (!map || !words) return no_page();
+    if (!map || !boxes || map->labels.size() < header->figures) return no_page();
     if (header->is_refusal)
         return failure(map->description.empty() ? "the file cannot be opened"
                                                 : one_line(map->description));
@@ -218,7 +244,8 @@ Result<Page> page_of(std::span<const std::byte> answer) {
     page.picture.scale = 1.0 / header->reduction;
     page.told = std::move(*map);
     clean_texts(page.told);
-    page.words = std::move(*words);
+    take_figures(*boxes, header->figures, page);
+    page.words = std::move(*boxes);
     page.number = header->number;
     page.count = header->count;
     page.dpi = header->dpi;

@@ -1,11 +1,13 @@
 // One page of what a stranger brought, as it crosses from the worker that decoded it: a header of
-// 32 bytes, pixels, boxes of words, a map. Nobody who reads it trusts it.
+// 32 bytes, pixels, boxes of words and figures, a map. Nobody who reads it trusts it.
 //
-//   header  magic u32, layout u16, kind u8, reduction u8, width u32, height u32, number u16,
+//   header  magic u32, layout u8, figures u8, kind u8, reduction u8, width u32, height u32, number
+//   u16,
 //           count u16, dpi u16, boxes u16, bytes of the map u32, CRC-32 of the 28 bytes before u32
 //   pixels  3 bytes each (blue, green, red), rows from the top, no padding
-//   boxes   4 u16 each: left, top, right, bottom in pixels, the right and lower end not within
-//   map     config/types/map_bytes.h
+//   boxes   4 u16 each: left, top, right, bottom in pixels, the right and lower end not within;
+//           `boxes` of words, then one of each figure
+//   map     config/types/map_bytes.h; its first labels are what is written of each figure
 //
 // Little-endian. No offsets and no strides: one size fits a given header. Threads: pure functions.
 #pragma once
@@ -24,7 +26,7 @@
 
 namespace touchline {
 
-/// Pixels that show words, from (left, top) to before (right, bottom).
+/// Pixels that show words or a figure, from (left, top) to before (right, bottom).
 struct WordBox {
     std::uint16_t left = 0;
     std::uint16_t top = 0;
@@ -34,19 +36,29 @@ struct WordBox {
     friend bool operator==(const WordBox&, const WordBox&) = default;
 };
 
+/// A picture on a page that holds other things too.
+struct Figure {
+    WordBox box;
+    std::string text;  // its author's, for those who cannot see it; may be empty
+
+    friend bool operator==(const Figure&, const Figure&) = default;
+};
+
 struct Page {
     Picture picture;
     /// What the file says of itself: title, description, labels; outlines where it is a line
     /// drawing. Its area has the picture's proportions.
     TactileMap told;
-    std::vector<WordBox> words;  // not to be felt as lines
-    int number = 1;              // 1 ... count
+    std::vector<WordBox> words;   // not to be felt as lines
+    std::vector<Figure> figures;  // in reading order
+    int number = 1;               // 1 ... count
     int count = 1;
     int dpi = 0;  // 0: not known
 };
 
 inline constexpr int max_pages = 200;
 inline constexpr std::size_t max_word_boxes = 5000;
+inline constexpr std::size_t max_figures = 100;
 
 /// What a worker answers: a page, or one line that says why there is none.
 [[nodiscard]] Result<std::vector<std::byte>> answer_of(const Result<Page>& page);
@@ -66,6 +78,7 @@ struct PageHeader {
     int dpi = 0;
     int reduction = 1;  // pixels of the file per pixel here: 1, 2, 4 or 8
     std::uint16_t boxes = 0;
+    std::uint8_t figures = 0;
     std::uint32_t map_bytes = 0;
 };
 

@@ -36,13 +36,13 @@ std::string program_for(WorkerKind kind) {
     return kind == WorkerKind::document ? "touchline-decode-document" : "touchline-decode";
 }
 
-std::vector<std::string> arguments_of(const Work& work) {
+std::vector<std::string> arguments_of(const DecodeWork& work) {
     return {std::to_string(static_cast<int>(work.kind)), std::to_string(work.order.page),
             std::to_string(work.order.dpi)};
 }
 
-Result<Work> work_in(std::span<const std::string> arguments) {
-    Work work;
+Result<DecodeWork> work_in(std::span<const std::string> arguments) {
+    DecodeWork work;
     int kind = 0;
     const bool is_read = arguments.size() == 3 &&
                          read_number(arguments[0], 0, worker_kind_count - 1, kind) &&

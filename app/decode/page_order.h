@@ -25,12 +25,12 @@ struct PageOrder {
 [[nodiscard]] std::string program_for(WorkerKind kind);
 
 /// What a worker is told on its command line; work_in() reads the same back.
-struct Work {
+struct DecodeWork {
     WorkerKind kind = WorkerKind::raster;
     PageOrder order;
 };
 
-[[nodiscard]] std::vector<std::string> arguments_of(const Work& work);
-[[nodiscard]] Result<Work> work_in(std::span<const std::string> arguments);
+[[nodiscard]] std::vector<std::string> arguments_of(const DecodeWork& work);
+[[nodiscard]] Result<DecodeWork> work_in(std::span<const std::string> arguments);
 
 }  // namespace touchline

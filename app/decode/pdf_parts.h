@@ -38,8 +38,21 @@ struct PdfText {
 /// The words of a page, those that stand close in one line together.
 [[nodiscard]] std::vector<PdfText> texts_of(PopplerPage* page);
 
-/// The figures of a page with what their author wrote for those who cannot see them.
+/// The marked figures of a page with what their author wrote for those who cannot see them.
 [[nodiscard]] std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page);
+
+/// Boxes of the page's pixel images, in the order of drawing. poppler 22.12 takes for the longer
+/// side that with more pixels: the box of an image that is drawn turned has its sides swapped.
+[[nodiscard]] std::vector<PopplerRectangle> image_boxes(PopplerPage* page);
+
+struct PageSize {
+    double width_pt = 0.0;
+    double height_pt = 0.0;
+};
+
+/// Of images and figures the pictures, from the top of the page down: parts that touch are one;
+/// what is smaller than 1 cm, or fills the page, is none. At most max_figures.
+[[nodiscard]] std::vector<PdfText> pictures_in(std::vector<PdfText> parts, const PageSize& page);
 
 /// The first heading of a page; empty where none is marked.
 [[nodiscard]] std::string heading_of(PopplerDocument* document, PopplerPage* page);

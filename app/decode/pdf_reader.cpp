@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -33,15 +35,20 @@ std::uint16_t pixel(double value, int most) {
     return static_cast<std::uint16_t>(std::clamp(value, 0.0, static_cast<double>(most)));
 }
 
-/// Only boxes that hold a pixel of the page.
+/// Of points, as pixels; none where no pixel of the page is within.
+std::optional<WordBox> pixels_in(const PopplerRectangle& box, double scale,
+                                 const Picture& picture) {
+    const WordBox found{pixel(std::floor(scale * box.x1), picture.width),
+                        pixel(std::floor(scale * box.y1), picture.height),
+                        pixel(std::ceil(scale * box.x2), picture.width),
+                        pixel(std::ceil(scale * box.y2), picture.height)};
+    if (found.left < found.right && found.top < found.bottom) return found;
+    return std::nullopt;
+}
+
 void add_word_box(const PopplerRectangle& box, double scale, Page& page) {
-    const Picture& picture = page.picture;
-    const WordBox word{pixel(std::floor(scale * box.x1), picture.width),
-                       pixel(std::floor(scale * box.y1), picture.height),
-                       pixel(std::ceil(scale * box.x2), picture.width),
-                       pixel(std::ceil(scale * box.y2), picture.height)};
-    if (word.left < word.right && word.top < word.bottom && page.words.size() < max_word_boxes)
-        page.words.push_back(word);
+    const auto word = pixels_in(box, scale, page.picture);
+    if (word && page.words.size() < max_word_boxes) page.words.push_back(*word);
 }
 
 void add_label(const PdfText& text, double scale, Page& page) {
@@ -52,12 +59,24 @@ void add_label(const PdfText& text, double scale, Page& page) {
     if (is_on_page) page.told.labels.push_back({text.text, told_place(page.picture, x, y)});
 }
 
-void add_figures(const std::vector<PdfText>& figures, double scale, Page& page) {
+/// What is written of the figures.
+void tell_figures(const std::vector<PdfText>& figures, double scale, Page& page) {
     for (const PdfText& figure : figures) {
+        if (figure.text.empty()) continue;
         if (!page.told.description.empty()) page.told.description += ' ';
         page.told.description += figure.text;
         if (figure.box.x1 < figure.box.x2) add_label(figure, scale, page);
     }
+}
+
+/// Where pictures are.
+void add_figures(std::vector<PdfText> parts, PopplerPage* source, double scale, Page& page) {
+    PageSize size;
+    poppler_page_get_size(source, &size.width_pt, &size.height_pt);
+    for (const PopplerRectangle& image : image_boxes(source)) parts.push_back({"", image});
+    for (const PdfText& picture : pictures_in(std::move(parts), size))
+        if (const auto box = pixels_in(picture.box, scale, page.picture))
+            page.figures.push_back({*box, picture.text});
 }
 
 std::string title_of(PopplerDocument* document, PopplerPage* page) {
@@ -84,7 +103,9 @@ Result<Page> read_page(PopplerDocument* document, PopplerPage* source, const Pag
     page.picture = std::move(*picture);
     page.told.area = told_area(page.picture);
     page.told.title = title_of(document, source);
-    add_figures(figures_of(document, source), scale, page);
+    std::vector<PdfText> figures = figures_of(document, source);
+    tell_figures(figures, scale, page);
+    add_figures(std::move(figures), source, scale, page);
     for (const PdfText& text : texts_of(source)) {
         add_label(text, scale, page);
         add_word_box(text.box, scale, page);

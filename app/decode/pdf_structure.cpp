@@ -47,7 +47,14 @@ class StructureWalk {
     bool is_done_ = false;
 };
 
-/// Boxes of the page's pixel images, in the order of drawing.
+bool is_heading(PopplerStructureElementKind kind) {
+    return kind == POPPLER_STRUCTURE_ELEMENT_HEADING ||
+           (kind >= POPPLER_STRUCTURE_ELEMENT_HEADING_1 &&
+            kind <= POPPLER_STRUCTURE_ELEMENT_HEADING_6);
+}
+
+}  // namespace
+
 std::vector<PopplerRectangle> image_boxes(PopplerPage* page) {
     std::vector<PopplerRectangle> boxes;
     GList* const images = poppler_page_get_image_mapping(page);
@@ -57,20 +64,11 @@ std::vector<PopplerRectangle> image_boxes(PopplerPage* page) {
     return boxes;
 }
 
-bool is_heading(PopplerStructureElementKind kind) {
-    return kind == POPPLER_STRUCTURE_ELEMENT_HEADING ||
-           (kind >= POPPLER_STRUCTURE_ELEMENT_HEADING_1 &&
-            kind <= POPPLER_STRUCTURE_ELEMENT_HEADING_6);
-}
-
-}  // namespace
-
 std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page) {
     std::vector<PdfText> figures;
     StructureWalk walk(poppler_page_get_index(page), [&](PopplerStructureElement* element) {
-        if (poppler_structure_element_get_kind(element) == POPPLER_STRUCTURE_ELEMENT_FIGURE) {
+        if (poppler_structure_element_get_kind(element) == POPPLER_STRUCTURE_ELEMENT_FIGURE)
             figures.push_back({taken(poppler_structure_element_get_alt_text(element)), {}});
-        }
         return true;
     });
     walk.walk(document);
@@ -78,7 +76,6 @@ std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page) {
     const auto boxes = image_boxes(page);
     for (std::size_t i = 0; boxes.size() == figures.size() && i < figures.size(); ++i)
         figures[i].box = boxes[i];
-    std::erase_if(figures, [](const PdfText& figure) { return figure.text.empty(); });
     return figures;
 }
 

@@ -1,15 +1,22 @@
 #include "app/main/kiosk.h"
 
 #include "app/gallery/gallery.h"
+#include "app/loading/kiosk_stages.h"
+#include "app/loading/loader.h"
+#include "app/loading/thread_executor.h"
 #include "app/main/kiosk_servo.h"
-#include "app/main/loading.h"
+#include "app/main/picture_list.h"
 #include "app/main/pointer_pace.h"
+#include "app/main/stick_settings.h"
+#include "app/main/stick_shelf.h"
+#include "app/process/places.h"
 #include "app/screen/frame_limiter.h"
 #include "app/screen/kiosk_screen.h"
 #include "app/screen/window.h"
 #include "app/session/session.h"
 #include "app/session/status.h"
 #include "app/sound/sound.h"
+#include "app/sticks/open_stick_port.h"
 #include "haptics/servo/loop_settings.h"
 #include "haptics/servo/servo.h"
 
@@ -17,7 +24,6 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +40,8 @@ namespace {
 
 constexpr int frame_rate_Hz = 60;
 constexpr double viewing_distance_m = 0.6;  // a visitor stands at the handle
+constexpr std::size_t loading_threads = PlanLimits{}.jobs;
+constexpr std::int64_t patience_ns = 5'000'000'000;  // until sticks are missed
 
 std::atomic<bool> is_end_asked{false};
 
@@ -46,14 +54,24 @@ void report(const std::string& line) {
 }
 
 /// The files that were named, then the gallery. Without one the kiosk still shows the files.
-std::vector<std::string> files_to_show(std::vector<std::string> files) {
+std::vector<FilePtr> files_to_show(const std::vector<std::string>& named) {
+    std::vector<FilePtr> files;
+    for (const std::string& path : named) files.push_back(file_at(path));
     const auto gallery = list_gallery(gallery_folder());
     if (!gallery) {
         report(gallery.error().line);
         return files;
     }
-    for (const GalleryEntry& entry : *gallery) files.push_back(entry.path);
+    for (const GalleryEntry& entry : *gallery) files.push_back(file_at(entry.path));
     return files;
+}
+
+/// Settings that cannot be read are one line, and sticks are looked for as usual.
+std::unique_ptr<StickShelf> open_shelf() {
+    const auto settings = read_stick_settings();
+    if (!settings) report(settings.error().line);
+    return std::make_unique<StickShelf>(open_stick_port(settings.value_or(StickSettings{})),
+                                        companion("touchline-import"));
 }
 
 /// What the servo counted up to a moment.
@@ -65,16 +83,17 @@ struct ServoCount {
 class Kiosk {
   public:
     explicit Kiosk(const KioskArguments& arguments)
-        : arguments_(arguments), files_(files_to_show(arguments.files)) {}
+        : arguments_(arguments), list_(files_to_show(arguments.files)) {}
 
     Result<void> run() {
         auto opened = open();
         if (!opened) return opened;
         const LoopSettings loop = loop_settings(default_profile(), ServoOptions{}.period_s, 0.0);
-        carry_out(start_session(static_cast<int>(files_.size()), loop.stiffness_N_per_m));
+        carry_out(start_session(list_.size(), loop.stiffness_N_per_m));
         run_frames();
         if (arguments_.measure_s && !is_end_asked) measure_without_window();
         sound_.reset();  // it reads the servo's events
+        shelf_->end_session();
         servo_.client->stop();
         return {};
     }
@@ -94,6 +113,9 @@ class Kiosk {
         servo_ = std::move(*servo);
         if (!servo_.note.empty()) report(servo_.note);
         start_sound();
+        loader_ = std::make_unique<Loader>(std::make_shared<const KioskStages>(servo_.profile),
+                                           std::make_unique<ThreadExecutor>(loading_threads));
+        shelf_ = open_shelf();
         return {};
     }
 
@@ -121,6 +143,7 @@ class Kiosk {
 
     void carry_out(Step step) {
         session_ = std::move(step.session);
+        if (step.commands.load) load();
         if (step.commands.feel) set_servo();
         if (step.commands.home_again) servo_.client->home_again();
         if (step.commands.keep_recording) servo_.client->keep_recording();
@@ -142,31 +165,46 @@ class Kiosk {
         servo_.client->set(commands);
     }
 
-    /// One job at a time; what was asked for while it ran comes next, and only the last of it.
-    void start_job() {
-        const std::string path = files_[static_cast<std::size_t>(session_.picture)];
-        job_request_ = session_.request;
-        job_ = std::async(std::launch::async, load_scene, path, session_.detail, servo_.profile);
+    void load() {
+        if (session_.is_listed) wanted_ = list_.at(session_.picture);
+        const PagePlace& place = session_.place;
+        loader_->want(session_.request, {wanted_, place.page, place.view, session_.detail});
     }
 
-    void finish_job() {
-        if (job_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-        Result<LoadedScene> loaded = job_.get();
-        if (job_request_ != session_.request) return;
-        if (!loaded) {
-            report(loaded.error().line);
-            carry_out(picture_failed(session_, job_request_, loaded.error().line));
+    void take(Delivery delivery) {
+        if (delivery.request != session_.request) return;
+        if (!delivery.scene) {
+            const std::string& line = delivery.scene.error().line;
+            report(wanted_->is_private ? "a file of the stick cannot be felt" : line);
+            carry_out(picture_failed(session_, delivery.request, line, delivery.place));
             return;
         }
-        if (!loaded->facts.note.empty()) report(loaded->facts.note);
-        shown_ = std::move(loaded->shown);
-        servo_.client->feel(loaded->felt);
-        carry_out(picture_ready(session_, job_request_, loaded->facts));
+        const LoadedFacts& facts = delivery.scene->facts;
+        if (!facts.note.empty()) report(facts.note);
+        shown_ = delivery.scene->shown;
+        shown_file_ = wanted_;
+        servo_.client->feel(delivery.scene->felt);
+        carry_out(picture_ready(session_, delivery.request, facts));
     }
 
-    void update_job() {
-        if (job_.valid()) finish_job();
-        if (!job_.valid() && session_.is_loading) start_job();
+    /// A stick that came is what its owner wants; one that went takes nothing from the hand.
+    void put_stick(ShelfChange change) {
+        const bool has_come = !change.files.empty();
+        list_.put_stick(std::move(change.files));
+        carry_out(list_changed(
+            session_, {list_.size(), list_.place_of(wanted_), list_.place_of(shown_file_)}));
+        if (has_come) carry_out(choose_picture(session_, 0));
+        if (!change.sentence.empty()) carry_out(tell(session_, change.sentence));
+    }
+
+    void update_pictures(std::int64_t time_ns) {
+        for (Delivery& delivery : loader_->poll()) take(std::move(delivery));
+        if (auto change = shelf_->poll(time_ns)) put_stick(std::move(*change));
+        if (shelf_->is_watching()) watched_ns_ = time_ns;
+        if (!misses_sticks_ && time_ns - watched_ns_ > patience_ns) {
+            report("USB sticks are not offered: udisks2 does not answer");
+            misses_sticks_ = true;
+        }
     }
 
     /// What befell the servo, for the log; its tier is in the panel too.
@@ -203,11 +241,12 @@ class Kiosk {
 
     void run_frames() {
         const std::int64_t start_ns = now_ns();
+        watched_ns_ = start_ns;
         const ServoCount before = count();
         FrameLimiter limiter(start_ns, frame_rate_Hz);
         std::int64_t time_ns = start_ns;
         for (; goes_on(time_ns, start_ns); time_ns = now_ns()) {
-            update_job();
+            update_pictures(time_ns);
             draw(time_ns);
             window_->wait_until(limiter.finish_frame(now_ns()));
         }
@@ -260,7 +299,9 @@ class Kiosk {
     }
 
     KioskArguments arguments_;
-    std::vector<std::string> files_;
+    PictureList list_;
+    FilePtr wanted_;
+    FilePtr shown_file_;
     Position pointer_;  // where it is
     Position led_;      // where the hand means to be
     std::shared_ptr<MouseHand> hand_ = std::make_shared<MouseHand>(Position{});
@@ -272,8 +313,10 @@ class Kiosk {
     std::unique_ptr<KioskScreen> screen_;  // dies before the window that has its OpenGL context
     Session session_;
     ShownScene shown_;
-    std::future<Result<LoadedScene>> job_;
-    std::uint64_t job_request_ = 0;
+    std::unique_ptr<Loader> loader_;
+    std::unique_ptr<StickShelf> shelf_;
+    std::int64_t watched_ns_ = 0;  // when sticks were last looked for
+    bool misses_sticks_ = false;
     bool is_quitting_ = false;
 };
 

@@ -3,23 +3,16 @@
 // Threads: the one that holds the OpenGL context.
 #pragma once
 
-#include "app/screen/canvas.h"
 #include "app/screen/image_layer.h"
+#include "app/screen/shown_scene.h"
 #include "app/screen/stroke_renderer.h"
 #include "app/session/status.h"
 #include "config/types/hand_state.h"
-#include "haptics/collision/scene.h"
 
 #include <cstdint>
 #include <memory>
 
 namespace touchline {
-
-/// What is felt and seen; nothing before the first picture.
-struct ShownScene {
-    std::shared_ptr<const Scene> scene;
-    std::shared_ptr<const Canvas> picture;
-};
 
 struct FrameContent {
     Status status;

@@ -16,6 +16,10 @@ constexpr KeyRow row(Key key, Action action, std::string_view name, std::string_
 constexpr std::array table{
     row(Key::right, Action::next_picture, "Right", "next picture"),
     row(Key::left, Action::previous_picture, "Left", "previous picture"),
+    row(Key{'K'}, Action::next_view, "K", "next picture of the page, then the page as a whole"),
+    row(Key{'J'}, Action::previous_view, "J", "the picture of the page before"),
+    row(Key{'I'}, Action::next_page, "I", "next page"),
+    row(Key{'U'}, Action::previous_page, "U", "the page before"),
     KeyRow{Key{'1'}, Key{'5'}, Action::set_detail, "1 to 5",
            "detail: 1 silhouette, 2 main parts, 5 everything"},
     row(Key{'L'}, Action::toggle_level_automatic, "L", "level by hand speed, or fixed"),

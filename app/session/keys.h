@@ -29,6 +29,10 @@ enum class Key : std::uint32_t {
 enum class Action : std::uint8_t {
     next_picture,
     previous_picture,
+    next_view,
+    previous_view,
+    next_page,
+    previous_page,
     set_detail,  // argument 0 ... 4: detail 1 ... 5
     toggle_level_automatic,
     coarser_level,

@@ -7,14 +7,61 @@ namespace touchline {
 
 namespace {
 
-Step load(Session session, int picture, int detail) {
-    if (session.picture_count == 0) return {std::move(session), {}};
-    session.picture = (picture + session.picture_count) % session.picture_count;
-    session.detail = detail;
+/// What is wanted now, as a new job.
+Step load(Session session) {
+    if (session.picture_count == 0 && session.is_listed) return {std::move(session), {}};
     ++session.request;
     session.is_loading = true;
     session.message.clear();
     return {std::move(session), {.load = true}};
+}
+
+Step load_picture(Session session, int picture) {
+    if (session.picture_count == 0) return {std::move(session), {}};
+    session.picture = (picture + session.picture_count) % session.picture_count;
+    session.is_listed = true;
+    session.place = {};
+    return load(std::move(session));
+}
+
+/// The next (+1) or previous (-1) of the list; where the wanted one is no longer in it, the first
+/// or the last.
+Step step_picture(const Session& session, int change) {
+    if (session.is_listed) return load_picture(session, session.picture + change);
+    return load_picture(session, change > 0 ? 0 : -1);
+}
+
+Step load_detail(Session session, int detail) {
+    session.detail = detail;
+    return load(std::move(session));
+}
+
+Step tell_end(Session session, const char* line) {
+    session.message = line;
+    return {std::move(session), {}};
+}
+
+/// `view` of the page `change` pages on.
+Step step_page(Session session, int change, int view) {
+    const int page = session.place.page + change;
+    if (page < 1) return tell_end(std::move(session), "This is the first page.");
+    if (page > session.place.page_count)
+        return tell_end(std::move(session), "This is the last page.");
+    session.place = {page, session.place.page_count, view, 0};
+    return load(std::move(session));
+}
+
+/// Through the views of a page, and on to those of the next. While nobody knows how many there are
+/// every number may be one.
+Step step_view(Session session, int change) {
+    PagePlace& place = session.place;
+    const bool is_unknown = place.view_count == 0 && session.is_loading;
+    const int last = is_unknown ? last_view : std::max(place.view_count, 1);
+    const int view = std::min(place.view, last) + change;
+    if (view < 1) return step_page(std::move(session), -1, last_view);
+    if (view > last) return step_page(std::move(session), +1, 1);
+    place.view = view;
+    return load(std::move(session));
 }
 
 Step fix_level(Session session, double level) {
@@ -83,7 +130,7 @@ Step start_session(int picture_count, double loop_N_per_m) {
     Session session;
     session.stiffness = first_stiffness(loop_N_per_m);
     session.picture_count = picture_count;
-    Step step = load(std::move(session), 0, Session{}.detail);
+    Step step = load_picture(std::move(session), 0);
     step.commands.feel = true;
     return step;
 }
@@ -93,11 +140,19 @@ Step press_key(const Session& session, Key key, double felt_level) {
     if (!pressed) return {session, {}};
     switch (pressed->action) {
         case Action::next_picture:
-            return load(session, session.picture + 1, session.detail);
+            return step_picture(session, +1);
         case Action::previous_picture:
-            return load(session, session.picture - 1, session.detail);
+            return step_picture(session, -1);
+        case Action::next_view:
+            return step_view(session, +1);
+        case Action::previous_view:
+            return step_view(session, -1);
+        case Action::next_page:
+            return step_page(session, +1, 1);
+        case Action::previous_page:
+            return step_page(session, -1, 1);
         case Action::set_detail:
-            return load(session, session.picture, coarsest_detail + pressed->argument);
+            return load_detail(session, coarsest_detail + pressed->argument);
         case Action::toggle_level_automatic:
             return toggle_level_automatic(session, felt_level);
         case Action::coarser_level:
@@ -149,17 +204,45 @@ Step picture_ready(const Session& session, std::uint64_t request, const LoadedFa
     if (request != session.request) return {session, {}};
     Session next = session;
     next.is_loading = false;
-    next.message = facts.note;
-    next.shown = {session.picture + 1, session.detail, facts.title, facts.outline_count,
+    if (!facts.note.empty()) next.message = facts.note;  // what was told meanwhile stays
+    next.place = facts.place;
+    next.shown = {session.is_listed ? session.picture + 1 : 0,
+                  facts.place,
+                  session.detail,
+                  facts.title,
+                  facts.outline_count,
                   facts.coarsest_level};
     next.fixed_level = std::min(session.fixed_level, facts.coarsest_level);
     return {std::move(next), {.feel = true}};
 }
 
-Step picture_failed(const Session& session, std::uint64_t request, std::string line) {
+Step picture_failed(const Session& session, std::uint64_t request, std::string line,
+                    const PagePlace& place) {
     if (request != session.request) return {session, {}};
     Session next = session;
     next.is_loading = false;
+    next.message = std::move(line);
+    next.place.page_count = std::max(session.place.page_count, place.page_count);
+    next.place.view_count = std::max(session.place.view_count, place.view_count);
+    return {std::move(next), {}};
+}
+
+Step list_changed(const Session& session, const ListChange& change) {
+    Session next = session;
+    next.picture_count = change.picture_count;
+    next.is_listed = change.wanted.has_value();
+    next.picture = change.wanted.value_or(0);
+    if (session.shown.number > 0 || change.shown)
+        next.shown.number = change.shown ? *change.shown + 1 : 0;
+    return {std::move(next), {}};
+}
+
+Step choose_picture(const Session& session, int picture) {
+    return load_picture(session, picture);
+}
+
+Step tell(const Session& session, std::string line) {
+    Session next = session;
     next.message = std::move(line);
     return {std::move(next), {}};
 }

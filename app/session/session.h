@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/session/keys.h"
+#include "app/session/page_place.h"
 #include "config/types/hand_state.h"
 
 #include <algorithm>
@@ -54,7 +55,8 @@ inline constexpr int finest_detail = 5;
 
 /// The picture that is felt and shown.
 struct ShownPicture {
-    int number = 0;  // 1 ... picture_count; 0: none yet
+    int number = 0;  // 1 ... picture_count; 0: none yet, or no longer in the list
+    PagePlace place;
     int detail = 3;
     std::string title;
     int outline_count = 0;
@@ -62,9 +64,11 @@ struct ShownPicture {
 };
 
 struct Session {
-    int picture_count = 0;      // of the list
-    int picture = 0;            // wanted, from 0
-    int detail = 3;             // wanted, 1 ... 5
+    int picture_count = 0;  // of the list
+    int picture = 0;        // wanted, from 0
+    bool is_listed = true;  // false: the wanted one has left the list; what comes next is its first
+    PagePlace place;        // wanted, of the picture
+    int detail = 3;         // wanted, 1 ... 5
     std::uint64_t request = 0;  // number of the last loading job asked for
     bool is_loading = false;
     ShownPicture shown;
@@ -84,8 +88,8 @@ struct Session {
 
 /// What has to be done after a step.
 struct Commands {
-    bool load = false;            // session.picture at session.detail, as job session.request
-    bool feel = false;            // hand level, stiffness, mode, pop-through and force to the servo
+    bool load = false;  // picture, place and detail that are wanted, as job session.request
+    bool feel = false;  // hand level, stiffness, mode, pop-through and force to the servo
     bool keep_recording = false;  // of the last minute
     bool home_again = false;      // the handle's home is to be found anew
     std::optional<Action> sound = std::nullopt;  // a key for sound or speech (app/sound)
@@ -109,6 +113,7 @@ struct LoadedFacts {
     int outline_count = 0;
     int coarsest_level = 0;
     std::string note;  // one sentence worth telling; may be empty
+    PagePlace place = {1, 1, 1, 1};
 };
 
 /// Loading job `request` is done and its map is felt. A job that is no longer wanted changes
@@ -117,7 +122,25 @@ struct LoadedFacts {
                                  const LoadedFacts& facts);
 
 /// Loading job `request` failed: what was felt and shown before stays, and `line` says what
-/// happened.
-[[nodiscard]] Step picture_failed(const Session& session, std::uint64_t request, std::string line);
+/// happened. `place`: what is known of the document by now.
+[[nodiscard]] Step picture_failed(const Session& session, std::uint64_t request, std::string line,
+                                  const PagePlace& place = {});
+
+/// Another list of `picture_count` pictures; where the wanted and the shown one are in it, from 0,
+/// if they are.
+struct ListChange {
+    int picture_count = 0;
+    std::optional<int> wanted;
+    std::optional<int> shown;
+};
+
+/// What is felt stays.
+[[nodiscard]] Step list_changed(const Session& session, const ListChange& change);
+
+/// Asks for a picture of the list, from 0.
+[[nodiscard]] Step choose_picture(const Session& session, int picture);
+
+/// One sentence for the person, e.g. of a stick.
+[[nodiscard]] Step tell(const Session& session, std::string line);
 
 }  // namespace touchline

@@ -17,7 +17,16 @@ constexpr std::array<std::string_view, 5> details{"silhouette", "main parts", "p
 
 std::string picture_words(const Session& session) {
     if (session.picture_count == 0) return "none in the list";
+    if (session.shown.number == 0 && !session.shown.title.empty()) return "no longer in the list";
     return fmt::format("{} of {}", session.shown.number, session.picture_count);
+}
+
+/// Empty where there is one page that is felt as a whole.
+std::string page_words(const PagePlace& place) {
+    const std::string page = fmt::format("{} of {}", place.page, place.page_count);
+    if (place.view_count <= 1) return place.page_count > 1 ? page : "";
+    if (place.view == place.view_count) return page + ", the whole page";
+    return fmt::format("{}, picture {} of {}", page, place.view, place.view_count - 1);
 }
 
 std::string detail_text(const Session& session) {
@@ -90,8 +99,10 @@ std::string mode_words(const Session& session) {
 }
 
 std::string message_words(const Session& session) {
-    if (session.is_loading) return fmt::format("Opening picture {} ...", session.picture + 1);
-    return session.message;
+    if (!session.is_loading) return session.message;
+    const int page = session.place.page;
+    return page == 1 ? fmt::format("Opening picture {} ...", session.picture + 1)
+                     : fmt::format("Opening picture {}, page {} ...", session.picture + 1, page);
 }
 
 }  // namespace
@@ -155,7 +166,7 @@ std::string words_of(ContactEventKind kind) {
 Status describe(const Session& session, const HandState& hand, const ForceStatus& force,
                 const std::string& hand_words, const std::optional<ContactEvent>& last) {
     Status status;
-    status.title = session.shown.number > 0 ? session.shown.title : "No picture yet";
+    status.title = session.shown.title.empty() ? "No picture yet" : session.shown.title;
     status.lines = {
         {"Contact", words_of(hand.state)},
         {"Last", last ? words_of(last->kind) : "nothing yet"},
@@ -170,6 +181,8 @@ Status describe(const Session& session, const HandState& hand, const ForceStatus
         {"Hand", hand_words},
         {"Keys", "H lists them"},
     };
+    if (const std::string page = page_words(session.shown.place); !page.empty())
+        status.lines.insert(status.lines.end() - 2, {"Page", page});
     status.message =
         force.fault == Fault::none ? message_words(session) : announcement_of(force.fault);
     return status;

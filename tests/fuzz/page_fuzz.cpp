@@ -17,12 +17,19 @@ bool is_one_line(const std::string& line) {
     return !line.empty() && line.find('\n') == std::string::npos;
 }
 
+bool is_within(const touchline::WordBox& box, const touchline::Picture& picture) {
+    return box.left < box.right && box.right <= picture.width && box.top < box.bottom &&
+           box.bottom <= picture.height;
+}
+
 bool is_sound(const touchline::Page& page) {
     const auto width = static_cast<std::size_t>(page.picture.width);
     const auto height = static_cast<std::size_t>(page.picture.height);
     if (page.picture.bgr.size() != 3 * width * height) return false;
     for (const touchline::WordBox& box : page.words)
-        if (box.left >= box.right || box.right > width || box.bottom > height) return false;
+        if (!is_within(box, page.picture)) return false;
+    for (const touchline::Figure& figure : page.figures)
+        if (!is_within(figure.box, page.picture)) return false;
     return page.number >= 1 && page.number <= page.count;
 }
 

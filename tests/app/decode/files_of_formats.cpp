@@ -97,6 +97,42 @@ Bytes tagged_pdf(const std::vector<std::string>& texts, const std::string& alt) 
     return pdf.finish(1);
 }
 
+namespace {
+
+/// A dark square on white, as an inline image whose longer side has more pixels.
+std::string drawn(const DrawnImage& image) {
+    const int width = image.width_pt > image.height_pt ? 8 : 4;
+    const int height = image.height_pt > image.width_pt ? 8 : 4;
+    std::string pixels;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            pixels +=
+                std::min(x, width - 1 - x) >= width / 4 && std::min(y, height - 1 - y) >= height / 4
+                    ? "20"
+                    : "FF";
+    return fmt::format("q {} 0 0 {} {} {} cm BI /W {} /H {} /CS /G /BPC 8 /F /AHx ID {}> EI Q\n",
+                       image.width_pt, image.height_pt, image.x_pt, image.y_pt, width, height,
+                       pixels);
+}
+
+}  // namespace
+
+Bytes drawn_pdf(const std::vector<std::vector<DrawnImage>>& pages) {
+    std::string kids;
+    for (std::size_t i = 0; i < pages.size(); ++i) kids += fmt::format("{} 0 R ", 3 + 2 * i);
+    PdfWriter pdf;
+    pdf.add("<< /Type /Catalog /Pages 2 0 R >>");
+    pdf.add(fmt::format("<< /Type /Pages /Kids [ {}] /Count {} >>", kids, pages.size()));
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        std::string drawing;
+        for (const DrawnImage& image : pages[i]) drawing += drawn(image);
+        pdf.add(fmt::format(
+            "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 600 800] /Contents {} 0 R >>", 4 + 2 * i));
+        pdf.add(fmt::format("<< /Length {} >>\nstream\n{}endstream", drawing.size(), drawing));
+    }
+    return pdf.finish(1);
+}
+
 std::vector<NamedFile> files_of_formats() {
     const Picture picture = encoders::test_picture(48, 37);
     std::vector<NamedFile> files{

@@ -27,4 +27,16 @@ struct NamedFile {
 [[nodiscard]] encoders::Bytes tagged_pdf(const std::vector<std::string>& texts,
                                          const std::string& alt);
 
+/// Where a PDF's image lies, in points from the lower left corner.
+struct DrawnImage {
+    double x_pt = 0.0;
+    double y_pt = 0.0;
+    double width_pt = 0.0;
+    double height_pt = 0.0;
+};
+
+/// A PDF without tags, of pages of 600 x 800 points, each with these images: a dark square on
+/// white.
+[[nodiscard]] encoders::Bytes drawn_pdf(const std::vector<std::vector<DrawnImage>>& pages);
+
 }  // namespace touchline

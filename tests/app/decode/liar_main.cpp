@@ -64,6 +64,11 @@ void tell_lie(const std::string& lie) {
         const volatile std::uintptr_t nowhere = 8;
         *reinterpret_cast<volatile int*>(nowhere) = 1;
     }
+    if (lie == "figure outside") {
+        Page page = honest_page();
+        page.figures.push_back({{0, 0, 3, 1}, "beyond the edge"});
+        put(answer_of(page).value());
+    }
     if (lie == "fork") _exit(fork() == 0 ? 0 : 1);
     if (lie == "connect") _exit(socket(AF_INET, SOCK_STREAM, 0));
     if (lie == "shout") {

@@ -91,8 +91,9 @@ TEST_P(Lies, EndInOneSentenceAndLeaveNothing) {
 INSTANTIATE_TEST_SUITE_P(All, Lies,
                          testing::Values("wrong magic", "wrong sum", "huge header", "short", "long",
                                          "second header", "header alone", "half a header", "noise",
-                                         "hole", "nothing", "status", "abort", "crash", "fork",
-                                         "connect", "fill", "eat", "spin", "sleep"));
+                                         "figure outside", "hole", "nothing", "status", "abort",
+                                         "crash", "fork", "connect", "fill", "eat", "spin",
+                                         "sleep"));
 
 /// Its errors go nowhere, however many.
 TEST(Liar, ShoutsUnheard) {

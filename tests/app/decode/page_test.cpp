@@ -19,6 +19,8 @@ Page some_page() {
     page.told.title = "Fish";
     page.told.description = "A fish that swims to the left";
     page.told.labels.push_back({"fin", {0.01, 0.02}});
+    page.words = {{0, 0, 1, 1}};
+    page.figures = {{{0, 0, 2, 2}, "A boat"}, {{1, 1, 3, 2}, ""}};
     page.number = 2;
     page.count = 7;
     page.dpi = 150;
@@ -36,7 +38,10 @@ TEST(Page, CrossesWhole) {
     EXPECT_EQ(page.picture.height, 2);
     EXPECT_EQ(page.picture.scale, 0.25);
     EXPECT_EQ(page.told.title, "Fish");
-    EXPECT_EQ(page.told.labels.at(0).text, "fin");
+    ASSERT_EQ(page.told.labels.size(), 1U);
+    EXPECT_EQ(page.told.labels[0].text, "fin");
+    EXPECT_EQ(page.words, some_page().words);
+    EXPECT_EQ(page.figures, some_page().figures);
     EXPECT_EQ(page.number, 2);
     EXPECT_EQ(page.count, 7);
     EXPECT_EQ(page.dpi, 150);
@@ -45,6 +50,8 @@ TEST(Page, CrossesWhole) {
 TEST(Page, OfOutlinesHasNoPixels) {
     Page page = some_page();
     page.picture = {};
+    page.words.clear();
+    page.figures.clear();
     page.told.outlines.push_back({{{0.0, 0.0}, {0.01, 0.0}}, false, "a", "", 1.0, 1});
     const Page read = page_of(answer_of(page).value()).value();
     EXPECT_TRUE(read.picture.bgr.empty());
@@ -95,6 +102,29 @@ TEST(Page, SizesThatNobodyHasAreRefusedThoughTheSumIsRight) {
     EXPECT_FALSE(page_of(answer_of(page).value()).has_value());
     page.number = page.count = 0;
     EXPECT_FALSE(page_of(answer_of(page).value()).has_value());
+}
+
+TEST(Page, FiguresOutsideThePictureOrWithoutPixelsAreRefused) {
+    for (const WordBox box :
+         {WordBox{0, 0, 4, 1}, WordBox{0, 0, 1, 3}, WordBox{2, 0, 2, 1}, WordBox{0, 2, 1, 2}}) {
+        Page page = some_page();
+        page.figures[1].box = box;
+        EXPECT_FALSE(page_of(answer_of(page).value()).has_value()) << box.right;
+    }
+}
+
+TEST(Page, MoreFiguresThanMayBeAreRefused) {
+    Page page = some_page();
+    page.figures.assign(max_figures, {{0, 0, 1, 1}, ""});
+    EXPECT_EQ(page_of(answer_of(page).value())->figures.size(), max_figures);
+    page.figures.push_back(page.figures.front());
+    EXPECT_FALSE(page_of(answer_of(page).value()).has_value());
+}
+
+TEST(Page, TheTextOfAFigureIsOneLine) {
+    Page page = some_page();
+    page.figures[0].text = "A\n\x1b[2Jboat";
+    EXPECT_EQ(page_of(answer_of(page).value())->figures[0].text, "A [2Jboat");
 }
 
 TEST(Page, NoiseIsRefused) {

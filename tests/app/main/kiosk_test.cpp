@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -17,7 +18,12 @@ namespace fs = std::filesystem;
 
 class Kiosk : public testing::Test {
   protected:
-    void SetUp() override { fs::create_directories(folder_); }
+    /// With a folder for a stick: there is no bus here, which the kiosk would say.
+    void SetUp() override {
+        fs::create_directories(folder_ / "stick");
+        std::ofstream(folder_ / "sticks.toml")
+            << "watched_folder = '" << (folder_ / "stick").string() << "'\n";
+    }
 
     void TearDown() override { fs::remove_all(folder_); }
 
@@ -27,11 +33,12 @@ class Kiosk : public testing::Test {
     int run_script(const std::string& script, bool has_display = true) {
         const fs::path path = folder_ / "script.sh";
         std::ofstream(path) << "cd '" << folder_.string() << "'\n" << tools << script << '\n';
+        const std::string sticks = "TOUCHLINE_STICKS='" + (folder_ / "sticks.toml").string() + "' ";
         const std::string display = has_display
                                         ? "LP_NUM_THREADS=1 xvfb-run -a -s '-screen 0 1024x768x24' "
                                         : "env -u DISPLAY -u WAYLAND_DISPLAY ";
         const int status =
-            std::system((display + "timeout 240 bash '" + path.string() + "'").c_str());
+            std::system((sticks + display + "timeout 240 bash '" + path.string() + "'").c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
@@ -43,7 +50,8 @@ class Kiosk : public testing::Test {
     }
 
     fs::path folder_ = fs::path(testing::TempDir()) /
-                       testing::UnitTest::GetInstance()->current_test_info()->name();
+                       (std::to_string(getpid()) + "-" +
+                        testing::UnitTest::GetInstance()->current_test_info()->name());
 
   private:
     static constexpr const char* tools = "program='" TOUCHLINE_PROGRAM
@@ -102,6 +110,37 @@ TEST_F(Kiosk, ABadPictureIsOneLineAndTheSessionGoesOn) {
     const std::string words = text_of("err.txt");
     EXPECT_NE(words.find("bad.png"), std::string::npos);
     EXPECT_EQ(std::count(words.begin(), words.end(), '\n'), 1) << words;
+}
+
+TEST_F(Kiosk, WithoutABusIsOneLine) {
+    std::ofstream(folder_ / "sticks.toml") << "watched_folder = ''\n";
+    EXPECT_EQ(run_script("export DBUS_SYSTEM_BUS_ADDRESS=unix:path=/nowhere/bus; kiosk;"
+                         "wait_for sticks err.txt; keys Right q; finish"),
+              0);
+    const std::string words = text_of("err.txt");
+    EXPECT_NE(words.find("sticks are not offered"), std::string::npos) << words;
+    EXPECT_EQ(std::count(words.begin(), words.end(), '\n'), 1) << words;
+}
+
+TEST_F(Kiosk, AFileOfAStickIsNotNamedInTheLog) {
+    EXPECT_EQ(run_script("kiosk; keys b; echo 'not a picture' >stick/secret.png;"
+                         "wait_for 'stick cannot be felt' err.txt; keys Right;"
+                         "rm stick/secret.png; keys q; finish"),
+              0);
+    const std::string words = text_of("err.txt");
+    EXPECT_EQ(words.find("secret"), std::string::npos) << words;
+    EXPECT_EQ(std::count(words.begin(), words.end(), '\n'), 1) << words;
+}
+
+TEST_F(Kiosk, GoesThroughThePagesOfADocument) {
+    EXPECT_EQ(run_script("printf '%s' '<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400\" "
+                         "height=\"500\"><rect x=\"50\" y=\"60\" width=\"200\" height=\"300\" "
+                         "fill=\"none\" stroke=\"black\" stroke-width=\"6\"/></svg>' >page.svg &&"
+                         "rsvg-convert -f pdf -o book.pdf page.svg page.svg page.svg &&"
+                         "kiosk book.pdf; keys b; keys n n n v k j Right;"
+                         "kill -0 $pid || exit 9; keys q; finish"),
+              0);
+    EXPECT_EQ(text_of("err.txt"), "");
 }
 
 TEST_F(Kiosk, DrawsTheOutlinesOnTheScreen) {

@@ -1,8 +1,10 @@
 #include "app/session/session.h"
 
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -99,9 +101,15 @@ TEST(Session, EveryKeyInEveryStateKeepsTheStateSound) {
     }
 }
 
+bool turns_pages(Action action) {
+    return action == Action::next_view || action == Action::previous_view ||
+           action == Action::next_page || action == Action::previous_page;
+}
+
 TEST(Session, EveryKeyDoesTheSameInEveryState) {
     for (const Session& state : every_state()) {
         for (const Key key : every_key()) {
+            if (const auto turns = action_of(key); turns && turns_pages(turns->action)) continue;
             const Commands commands = press_key(state, key, felt).commands;
             const auto pressed = action_of(key);
             const bool loads = pressed && (pressed->action == Action::next_picture ||
@@ -127,6 +135,123 @@ TEST(Session, EveryKeyDoesTheSameInEveryState) {
             EXPECT_EQ(commands.quit, pressed && pressed->action == Action::quit);
         }
     }
+}
+
+/// The picture that is shown, as a document: page 2 of 3, its first of two pictures.
+Session document_session() {
+    const Session started = start_session(pictures).session;
+    return picture_ready(started, started.request, {"Book", 4, 6, "", {2, 3, 1, 3}}).session;
+}
+
+Session pressed(Session session, const std::string& keys) {
+    for (const char key : keys)
+        session = press_key(session, Key{static_cast<std::uint32_t>(key)}, felt).session;
+    return session;
+}
+
+TEST(Session, KGoesThroughPicturesPageAndPages) {
+    const Session book = document_session();
+    const PagePlace second{2, 3, 2, 3};
+    EXPECT_EQ(pressed(book, "K").place, second);
+    const PagePlace whole{2, 3, 3, 3};
+    EXPECT_EQ(pressed(book, "KK").place, whole);
+    const PagePlace next{3, 3, 1, 0};
+    EXPECT_EQ(pressed(book, "KKK").place, next);
+    const PagePlace before{1, 3, last_view, 0};
+    EXPECT_EQ(pressed(book, "J").place, before);
+    EXPECT_TRUE(press_key(book, Key{'K'}, felt).commands.load);
+}
+
+TEST(Session, NAndVGoByPages) {
+    const Session book = document_session();
+    const PagePlace next{3, 3, 1, 0};
+    const PagePlace before{1, 3, 1, 0};
+    EXPECT_EQ(pressed(book, "I").place, next);
+    EXPECT_EQ(pressed(book, "U").place, before);
+}
+
+TEST(Session, AtTheEndsOfADocumentNothingChangesAndASentenceSaysSo) {
+    const Session book = document_session();
+    for (const auto& [keys, line] :
+         {std::pair("NN", "This is the last page."), std::pair("VV", "This is the first page.")}) {
+        const Session at_end = pressed(book, std::string(1, keys[0]));
+        const Step step = press_key(at_end, Key{static_cast<std::uint32_t>(keys[1])}, felt);
+        EXPECT_FALSE(step.commands.load);
+        EXPECT_EQ(step.session.place, at_end.place);
+        EXPECT_EQ(step.session.message, line);
+    }
+    for (const char key : std::string("KJNV")) {
+        const Key pressed_key{static_cast<std::uint32_t>(key)};
+        const Step step = press_key(shown_session(), pressed_key, felt);  // one page, one view
+        EXPECT_FALSE(step.commands.load);
+        EXPECT_FALSE(step.session.message.empty());
+    }
+}
+
+TEST(Session, WhileAPageIsOpenedItsViewsAreBelieved) {
+    const Session book = pressed(document_session(), "I");
+    const PagePlace third{3, 3, 3, 0};
+    EXPECT_EQ(pressed(book, "KK").place, third);
+}
+
+TEST(Session, APageThatFailedIsPassedOver) {
+    Session book = pressed(document_session(), "U");
+    book = picture_failed(book, book.request, "torn", {1, 0, 1, 0}).session;
+    const PagePlace next{2, 3, 1, 0};
+    EXPECT_EQ(pressed(book, "I").place, next);
+    EXPECT_EQ(pressed(book, "K").place, next);
+}
+
+TEST(Session, AFailureTellsHowManyPagesThereAre) {
+    Session book = start_session(pictures).session;
+    book = picture_failed(book, book.request, "no outline", {1, 5, 1, 2}).session;
+    const PagePlace view{1, 5, 2, 2};
+    EXPECT_EQ(pressed(book, "K").place, view);
+    const PagePlace next{2, 5, 1, 0};
+    EXPECT_EQ(pressed(book, "I").place, next);
+}
+
+TEST(Session, AnotherPictureBeginsAtItsFirstPage) {
+    EXPECT_EQ(press_key(document_session(), Key::right, felt).session.place, PagePlace{});
+    EXPECT_EQ(pressed(document_session(), "K5").place, (PagePlace{2, 3, 2, 3}));
+}
+
+TEST(Session, AListThatChangesMovesNothing) {
+    const Session shown = shown_session();
+    const Step step = list_changed(shown, {pictures + 4, 4, 4});
+    EXPECT_FALSE(step.commands.load);
+    EXPECT_EQ(step.session.shown.number, 5);
+    EXPECT_EQ(step.session.picture, 4);
+    EXPECT_EQ(press_key(step.session, Key::right, felt).session.picture, 5);
+}
+
+TEST(Session, APictureThatLeftTheListIsStillFelt) {
+    const Session gone = list_changed(shown_session(), {2, std::nullopt, std::nullopt}).session;
+    EXPECT_EQ(gone.shown.number, 0);
+    EXPECT_EQ(gone.shown.title, "Fish");
+    EXPECT_TRUE(press_key(gone, Key{'5'}, felt).commands.load);
+    EXPECT_FALSE(press_key(gone, Key{'5'}, felt).session.is_listed);
+    EXPECT_EQ(press_key(gone, Key::right, felt).session.picture, 0);
+    EXPECT_EQ(press_key(gone, Key::left, felt).session.picture, 1);
+    EXPECT_TRUE(press_key(gone, Key::left, felt).session.is_listed);
+    Session again = press_key(gone, Key{'5'}, felt).session;
+    again = picture_ready(again, again.request, {"Fish", 9, 6, ""}).session;
+    EXPECT_EQ(again.shown.number, 0);
+}
+
+TEST(Session, AnEmptyListThatIsFilledCanBeChosenFrom) {
+    const Session filled =
+        list_changed(start_session(0).session, {2, std::nullopt, std::nullopt}).session;
+    const Step step = choose_picture(filled, 0);
+    EXPECT_TRUE(step.commands.load);
+    EXPECT_EQ(step.session.picture, 0);
+    EXPECT_TRUE(step.session.is_listed);
+}
+
+TEST(Session, WhatIsToldWhileAPictureLoadsStays) {
+    Session session = tell(start_session(pictures).session, "And 20 more.").session;
+    session = picture_ready(session, session.request, {"Fish", 4, 6, ""}).session;
+    EXPECT_EQ(session.message, "And 20 more.");
 }
 
 TEST(Session, ForceGoesOffAndOnAndFaultsAreClearedOneByOne) {
@@ -282,17 +407,24 @@ TEST(Session, AFixedLevelIsCutToWhatTheNewPictureHas) {
 RC_GTEST_PROP(Session, AnyRunOfKeysAndJobsKeepsTheStateSound, ()) {
     const auto keys = every_key();
     Session session = start_session(*rc::gen::inRange(0, 5)).session;
-    const auto moves = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 40));
+    const auto moves = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 60));
     for (const int move : moves) {
         const auto choice = static_cast<std::size_t>(move);
         if (choice < keys.size())
             session = press_key(session, keys[choice], move * 0.3).session;
-        else if (move % 2 == 0)
-            session = picture_ready(session, session.request, {"", 1, 4, ""}).session;
+        else if (move % 3 == 0)
+            session = picture_ready(session, session.request,
+                                    {"", 1, 4, "", {std::max(session.place.page, 1), 9, 1, 3}})
+                          .session;
+        else if (move % 3 == 1)
+            session = list_changed(session, {move % 5, std::nullopt, std::nullopt}).session;
         else
             session = picture_failed(session, session.request, "no").session;
         RC_ASSERT(session.fixed_level <= session.shown.coarsest_level);
         RC_ASSERT(session.picture >= 0);
+        RC_ASSERT(session.picture < std::max(session.picture_count, 1));
+        RC_ASSERT(session.place.page >= 1 && session.place.view >= 1);
+        RC_ASSERT(session.place.page <= std::max(session.place.page_count, 1));
         RC_ASSERT(session.stiffness < stiffness_steps.size());
     }
 }

@@ -39,6 +39,36 @@ TEST(Status, SaysContactLevelForceAndMode) {
     EXPECT_EQ(value_of(status, "Hand"), "mouse");
 }
 
+TEST(Status, SaysWhichPageAndWhichPictureOfIt) {
+    const auto page_of = [](const PagePlace& place) {
+        const Session started = start_session(3).session;
+        const LoadedFacts facts{"Book", 4, 6, "", place};
+        return value_of(
+            describe(picture_ready(started, started.request, facts).session, {}, {}, "mouse", {}),
+            "Page");
+    };
+    EXPECT_EQ(page_of({2, 7, 1, 4}), "2 of 7, picture 1 of 3");
+    EXPECT_EQ(page_of({2, 7, 4, 4}), "2 of 7, the whole page");
+    EXPECT_EQ(page_of({1, 1, 1, 2}), "1 of 1, picture 1 of 1");
+    EXPECT_EQ(page_of({2, 7, 1, 1}), "2 of 7");
+    EXPECT_EQ(page_of({1, 1, 1, 1}), "");
+}
+
+TEST(Status, SaysThatAPictureHasLeftTheList) {
+    const Session gone = list_changed(shown_session(), {2, std::nullopt, std::nullopt}).session;
+    const Status status = describe(gone, {}, {}, "mouse", {});
+    EXPECT_EQ(status.title, "Fish");
+    EXPECT_EQ(value_of(status, "Picture"), "no longer in the list");
+}
+
+TEST(Status, SaysWhichPageIsBeingOpened) {
+    Session session = start_session(3).session;
+    EXPECT_EQ(describe(session, {}, {}, "mouse", {}).message, "Opening picture 1 ...");
+    session = picture_ready(session, session.request, {"Book", 4, 6, "", {1, 7, 1, 1}}).session;
+    session = press_key(session, Key{'I'}, 0.0).session;
+    EXPECT_EQ(describe(session, {}, {}, "mouse", {}).message, "Opening picture 1, page 2 ...");
+}
+
 TEST(Status, SaysTheLastEventInWords) {
     const auto last_words = [](const std::optional<ContactEvent>& last) {
         return value_of(describe(shown_session(), {}, {}, "mouse", last), "Last");

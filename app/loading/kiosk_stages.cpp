@@ -1,0 +1,143 @@
+#include "app/loading/kiosk_stages.h"
+
+#include "app/cli/page_map.h"
+#include "app/decode/one_line.h"
+#include "app/decode/opening.h"
+#include "app/gallery/gallery.h"
+#include "app/loading/page_views.h"
+#include "app/screen/canvas.h"
+#include "app/servo/scene_order.h"
+
+#include <atomic>
+#include <filesystem>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+// More pixels than any screen shows.
+constexpr int longest_picture_px = 2000;
+
+std::uint64_t next_version() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+/// A page that has nothing to feel says which one it is.
+Error of_page(const PictureFile& file, const PagePlace& place, const Error& error) {
+    const std::string page =
+        place.page_count > 1 ? ", page " + std::to_string(place.page) : std::string();
+    return {file.name + page + ": " + error.line};
+}
+
+std::size_t bytes_of(const Page& page, const std::optional<Found>& lines, const Canvas& picture) {
+    std::size_t bytes = page.picture.bgr.size() + static_cast<std::size_t>(picture.stride()) *
+                                                      static_cast<std::size_t>(picture.height());
+    if (!lines) return bytes;
+    for (const Chain& chain : lines->lines.chains)
+        bytes += sizeof chain + chain.points.size() * sizeof chain.points.front();
+    return bytes;
+}
+
+Result<FoundPtr> found_in(PagePtr view, const PagePlace& place) {
+    FoundView found;
+    if (view->told.outlines.empty()) {
+        auto lines = find_page_lines(*view, {});
+        if (!lines) return tl::unexpected(lines.error());
+        found.lines = std::move(*lines);
+    }
+    found.picture = std::make_shared<const Canvas>(canvas_of(view->picture, longest_picture_px));
+    found.place = place;
+    found.bytes = bytes_of(*view, found.lines, *found.picture);
+    found.view = std::move(view);
+    return std::make_shared<const FoundView>(std::move(found));
+}
+
+/// The page, drawn as finely as the view needs it; the one that is there where that fails.
+PagePtr fine_page(const PictureFile& file, const PagePtr& page, int view) {
+    const int dpi = dpi_for(*page, view);
+    if (dpi <= page->dpi) return page;
+    auto finer = file.open({page->number, dpi});
+    if (!finer || finer->figures.size() != page->figures.size()) return page;
+    return std::make_shared<const Page>(std::move(*finer));
+}
+
+/// What is felt at a detail, and one sentence that may be worth telling.
+struct FeltMap {
+    TactileMap map;
+    std::string warning;
+};
+
+Result<FeltMap> felt_map(const FoundView& found, int detail) {
+    if (!found.lines)
+        return drawn_lines(*found.view, detail).map([](TactileMap map) {
+            return FeltMap{std::move(map), {}};
+        });
+    return trace_page_lines(*found.view, *found.lines, {Area{}, detail}).map([](Trace trace) {
+        return FeltMap{std::move(trace.map), std::move(trace.report.warning)};
+    });
+}
+
+}  // namespace
+
+KioskStages::KioskStages(DeviceProfile profile, WordReader reader)
+    : profile_(std::move(profile)), reader_(std::move(reader)) {}
+
+Result<PagePtr> KioskStages::open(const PictureFile& file, int page) const {
+    auto opened = file.open({page, PageOrder{}.dpi});
+    if (!opened) return tl::unexpected(opened.error());
+    if (opened->number != page)
+        return failure(file.name + ": this page could not be opened; choose another one");
+    return std::make_shared<const Page>(std::move(*opened));
+}
+
+Result<FoundPtr> KioskStages::find(const PictureFile& file, const PagePtr& page, int view) const {
+    const int views = view_count(*page);
+    const PagePtr fine = fine_page(file, page, view);
+    const PagePtr cut = view < views ? std::make_shared<const Page>(view_of(*fine, view)) : fine;
+    const PagePlace place{page->number, page->count, view, views};
+    return found_in(cut, place).map_error([&](const Error& error) {
+        return of_page(file, place, error);
+    });
+}
+
+Result<LoadedScene> KioskStages::build(const PictureFile& file, const FoundView& found,
+                                       int detail) const {
+    auto felt = felt_map(found, detail);
+    if (!felt) return tl::unexpected(of_page(file, found.place, felt.error()));
+    TactileMap& map = felt->map;
+    map.version = next_version();
+    const SceneOrder order = felt_order(profile_, detail);
+    auto scene = build_scene(map, order);
+    if (!scene) return tl::unexpected(of_page(file, found.place, scene.error()));
+    LoadedScene result;
+    result.facts = {map.title.empty() ? file.title : map.title,
+                    static_cast<int>(map.outlines.size()), scene->curves.coarsest(),
+                    std::move(felt->warning), found.place};
+    result.shown = {std::make_shared<const Scene>(std::move(*scene)), found.picture};
+    const RecordedMap recorded{map.version, file.gallery_file, detail, hash_of(map)};
+    result.felt = {result.shown.scene, std::make_shared<const TactileMap>(std::move(map)), order,
+                   recorded};
+    return result;
+}
+
+bool KioskStages::has_reading() const {
+    return static_cast<bool>(reader_);
+}
+
+FoundPtr KioskStages::reread(const FoundView& found) const {
+    auto read = reader_(*found.view);
+    if (!read) return nullptr;
+    return found_in(std::make_shared<const Page>(std::move(*read)), found.place).value_or(nullptr);
+}
+
+FilePtr file_at(const std::string& path) {
+    const std::filesystem::path name(path);
+    const bool is_of_gallery = name.parent_path() == gallery_folder();
+    return std::make_shared<const PictureFile>(
+        PictureFile{one_line(path), one_line(name.stem().string()),
+                    is_of_gallery ? name.filename().string() : "", false,
+                    [path](const PageOrder& order) { return open_page_of(path, order); }});
+}
+
+}  // namespace touchline

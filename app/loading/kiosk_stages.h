@@ -1,0 +1,39 @@
+// The stages as the kiosk has them: workers, vision, the scene for its device.
+// Threads: any, each call by itself.
+#pragma once
+
+#include "app/loading/stages.h"
+#include "haptics/pantograph/profile.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace touchline {
+
+/// Reads words in a page's pixels: the page with their boxes and labels added. Nothing where there
+/// are none. Takes seconds. From any thread, one call at a time.
+using WordReader = std::function<std::optional<Page>(const Page&)>;
+
+class KioskStages final : public Stages {
+  public:
+    /// `reader` may be empty: then nothing is read.
+    explicit KioskStages(DeviceProfile profile, WordReader reader = {});
+
+    [[nodiscard]] Result<PagePtr> open(const PictureFile& file, int page) const override;
+    [[nodiscard]] Result<FoundPtr> find(const PictureFile& file, const PagePtr& page,
+                                        int view) const override;
+    [[nodiscard]] Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
+                                            int detail) const override;
+    [[nodiscard]] bool has_reading() const override;
+    [[nodiscard]] FoundPtr reread(const FoundView& found) const override;
+
+  private:
+    DeviceProfile profile_;
+    WordReader reader_;
+};
+
+/// A file that somebody named, with the text beside it.
+[[nodiscard]] FilePtr file_at(const std::string& path);
+
+}  // namespace touchline

@@ -1,0 +1,214 @@
+#include "app/loading/load_plan.h"
+
+#include "app/loading/page_views.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace touchline {
+
+LoadPlan::LoadPlan(bool has_reading, PlanLimits limits)
+    : has_reading_(has_reading), limits_(limits) {}
+
+void LoadPlan::want(std::uint64_t request, const ViewOrder& order) {
+    wanted_ = order;
+    request_ = request;
+    is_owed_ = true;
+    is_felt_ = false;
+    tried_.clear();
+    std::stable_partition(kept_.begin(), kept_.end(), [&order](const Kept& kept) {
+        return is_page_of(kept, order) || is_view_of(kept, order);
+    });
+    forget_old();
+}
+
+std::vector<LoadJob> LoadPlan::start() {
+    std::vector<LoadJob> jobs;
+    while (running_.size() < limits_.jobs) {
+        auto job = next_job();
+        if (!job) break;
+        job->number = ++last_number_;
+        running_.push_back(*job);
+        jobs.push_back(std::move(*job));
+    }
+    return jobs;
+}
+
+std::optional<Delivery> LoadPlan::finish(std::uint64_t number, JobOutcome outcome) {
+    const auto at = std::find_if(running_.begin(), running_.end(),
+                                 [number](const LoadJob& job) { return job.number == number; });
+    if (at == running_.end()) return std::nullopt;
+    const LoadJob job = std::move(*at);
+    running_.erase(at);
+    if (auto* const scene = std::get_if<Result<LoadedScene>>(&outcome))
+        return answer(job, std::move(*scene));
+    if (const auto* const page = std::get_if<Result<PagePtr>>(&outcome)) {
+        if (!*page) return refuse(job, page->error());
+        keep({job.order.file, job.order.page, **page, nullptr});
+        return std::nullopt;
+    }
+    const auto& found = std::get<Result<FoundPtr>>(outcome);
+    if (!found) return refuse(job, found.error());
+    if (job.kind == JobKind::reread) {
+        keep_reread(job, *found);
+    } else {
+        keep({job.order.file, job.order.page, nullptr, *found});
+    }
+    return std::nullopt;
+}
+
+std::size_t LoadPlan::kept_bytes() const {
+    std::size_t bytes = 0;
+    for (const Kept& kept : kept_)
+        bytes += kept.page ? kept.page->picture.bgr.size() : kept.found->bytes;
+    return bytes;
+}
+
+LoadPlan::Step LoadPlan::step_of(const LoadJob& job) {
+    const bool is_of_page = job.kind == JobKind::open;
+    return {job.kind, job.order.file, job.order.page, is_of_page ? 0 : job.order.view};
+}
+
+bool LoadPlan::is_page_of(const Kept& kept, const ViewOrder& order) {
+    return kept.page && kept.file == order.file && kept.number == order.page;
+}
+
+bool LoadPlan::is_view_of(const Kept& kept, const ViewOrder& order) {
+    if (!kept.found || kept.file != order.file || kept.number != order.page) return false;
+    const PagePlace& place = kept.found->place;
+    return place.view == std::min(order.view, place.view_count);
+}
+
+const LoadPlan::Kept* LoadPlan::page_of(const ViewOrder& order) const {
+    const auto at = std::find_if(kept_.begin(), kept_.end(),
+                                 [&](const Kept& kept) { return is_page_of(kept, order); });
+    return at == kept_.end() ? nullptr : &*at;
+}
+
+const LoadPlan::Kept* LoadPlan::view_of(const ViewOrder& order) const {
+    const auto at = std::find_if(kept_.begin(), kept_.end(),
+                                 [&](const Kept& kept) { return is_view_of(kept, order); });
+    return at == kept_.end() ? nullptr : &*at;
+}
+
+PagePlace LoadPlan::place_of(const ViewOrder& order) const {
+    if (const Kept* const view = view_of(order)) return view->found->place;
+    const Kept* const page = page_of(order);
+    if (page == nullptr) return {order.page, 0, order.view, 0};
+    const int views = view_count(*page->page);
+    return {order.page, page->page->count, std::min(order.view, views), views};
+}
+
+/// On the way to the scene of an order, from what is kept.
+LoadJob LoadPlan::next_step(const ViewOrder& order) const {
+    LoadJob job;
+    job.order = order;
+    if (const Kept* const view = view_of(order)) {
+        job.kind = JobKind::build;
+        job.request = request_;
+        job.found = view->found;
+        job.order.view = view->found->place.view;
+    } else if (const Kept* const page = page_of(order)) {
+        job.kind = JobKind::find;
+        job.page = page->page;
+        job.order.view = std::min(order.view, view_count(*page->page));
+    }
+    return job;
+}
+
+std::vector<ViewOrder> LoadPlan::likely_next() const {
+    const PagePlace place = place_of(*wanted_);
+    const auto order = [this](int page, int view) {
+        return ViewOrder{wanted_->file, page, view, wanted_->detail};
+    };
+    std::vector<ViewOrder> orders;
+    if (place.view < place.view_count) orders.push_back(order(place.page, place.view + 1));
+    if (place.page < place.page_count) orders.push_back(order(place.page + 1, 1));
+    return orders;
+}
+
+std::optional<LoadJob> LoadPlan::next_job() {
+    if (!wanted_) return std::nullopt;
+    if (is_owed_) {
+        LoadJob job = next_step(*wanted_);
+        return is_running(job) ? std::nullopt : std::optional(std::move(job));
+    }
+    // In the background one at a time, so that what is wanted next finds a free place.
+    return running_.empty() ? background_job() : std::nullopt;
+}
+
+std::optional<LoadJob> LoadPlan::background_job() {
+    for (const ViewOrder& order : likely_next()) {
+        LoadJob job = next_step(order);
+        if (job.kind == JobKind::build) continue;
+        if (auto first = untried(std::move(job))) return first;
+    }
+    const Kept* const present = view_of(*wanted_);
+    if (!has_reading_ || !is_felt_ || present == nullptr || present->is_reread) return std::nullopt;
+    LoadJob job = next_step(*wanted_);
+    job.kind = JobKind::reread;
+    job.request = 0;
+    return untried(std::move(job));
+}
+
+std::optional<LoadJob> LoadPlan::untried(LoadJob job) {
+    const Step step = step_of(job);
+    if (std::find(tried_.begin(), tried_.end(), step) != tried_.end()) return std::nullopt;
+    tried_.push_back(step);
+    return job;
+}
+
+bool LoadPlan::is_running(const LoadJob& job) const {
+    return std::any_of(running_.begin(), running_.end(), [&job](const LoadJob& other) {
+        return step_of(other) == step_of(job) && other.request == job.request;
+    });
+}
+
+/// Is the job the next step of what is wanted? Also one that began in the background.
+bool LoadPlan::is_waited_for(const LoadJob& job) const {
+    return wanted_ && is_owed_ && step_of(next_step(*wanted_)) == step_of(job);
+}
+
+std::optional<Delivery> LoadPlan::refuse(const LoadJob& job, const Error& error) {
+    if (!is_waited_for(job)) return std::nullopt;
+    is_owed_ = false;
+    return Delivery{request_, tl::unexpected(error), place_of(*wanted_)};
+}
+
+std::optional<Delivery> LoadPlan::answer(const LoadJob& job, Result<LoadedScene> scene) {
+    if (!wanted_ || job.request != request_) return std::nullopt;
+    const Kept* const present = view_of(*wanted_);
+    const bool is_newest = present == nullptr || present->found == job.found;
+    const bool was_felt = is_felt_;
+    if (is_newest || !scene) is_owed_ = false;
+    if (!scene && was_felt) return std::nullopt;
+    is_felt_ = scene.has_value();
+    return Delivery{request_, std::move(scene), job.found->place, was_felt};
+}
+
+void LoadPlan::keep(Kept kept) {
+    kept_.push_front(std::move(kept));
+    forget_old();
+}
+
+void LoadPlan::keep_reread(const LoadJob& job, const FoundPtr& found) {
+    for (Kept& kept : kept_) {
+        if (kept.found != job.found) continue;
+        kept.is_reread = true;
+        if (found == nullptr) continue;
+        kept.found = found;
+        if (wanted_ && is_felt_ && is_view_of(kept, *wanted_)) is_owed_ = true;
+    }
+    forget_old();
+}
+
+/// The present page and view stay, however large.
+void LoadPlan::forget_old() {
+    for (auto at = kept_.end(); at != kept_.begin() && kept_bytes() > limits_.kept_bytes;) {
+        --at;
+        const bool is_present = wanted_ && (is_page_of(*at, *wanted_) || is_view_of(*at, *wanted_));
+        if (!is_present) at = kept_.erase(at);
+    }
+}
+
+}  // namespace touchline

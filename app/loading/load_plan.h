@@ -1,0 +1,124 @@
+// What is to be done next so that the picture that is wanted is felt soon, and the next one at
+// once: a state machine that knows no thread, clock or file.
+//
+//   want ──> open page ──> find lines ──> build scene ──> delivery
+//               │              │  kept: a change of detail goes on from here
+//               └──────────────┴─ of the next view and the next page, once the present one is felt
+//
+// Threads: one.
+#pragma once
+
+#include "app/loading/stages.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace touchline {
+
+struct ViewOrder {
+    FilePtr file;
+    int page = 1;
+    int view = 1;  // beyond the last: the last
+    int detail = 3;
+};
+
+enum class JobKind : std::uint8_t { open, find, build, reread };
+
+/// Work that can be done by itself, with all that it needs.
+struct LoadJob {
+    std::uint64_t number = 0;
+    JobKind kind = JobKind::open;
+    ViewOrder order;
+    std::uint64_t request = 0;  // of a scene to be built
+    PagePtr page;               // to find lines on
+    FoundPtr found;             // to build a scene of, or to read in
+};
+
+using JobOutcome = std::variant<Result<PagePtr>, Result<FoundPtr>, Result<LoadedScene>>;
+
+/// What a request came to. A second one for the same request is better than the first.
+struct Delivery {
+    std::uint64_t request = 0;
+    Result<LoadedScene> scene;
+    PagePlace place;  // as far as it is known, where there is no scene
+    bool is_better = false;
+};
+
+struct PlanLimits {
+    std::size_t jobs = 2;                              // at a time; one of them for what is wanted
+    std::size_t kept_bytes = std::size_t{192} << 20U;  // beyond the present page and view
+};
+
+class LoadPlan {
+  public:
+    LoadPlan(bool has_reading, PlanLimits limits);
+
+    /// Takes the place of what was wanted before. `request`: a new number.
+    void want(std::uint64_t request, const ViewOrder& order);
+
+    /// Jobs to be started now; each is to be finished once.
+    [[nodiscard]] std::vector<LoadJob> start();
+
+    /// How the job ended. Nothing where nobody waits for it.
+    [[nodiscard]] std::optional<Delivery> finish(std::uint64_t job, JobOutcome outcome);
+
+    [[nodiscard]] std::size_t kept_bytes() const;
+
+  private:
+    /// A page as opened, or a view with its lines.
+    struct Kept {
+        FilePtr file;
+        int number = 0;  // of the page, as it was asked for: a worker's word is not taken for it
+        PagePtr page;
+        FoundPtr found;
+        bool is_reread = false;
+    };
+
+    using KeptList = std::list<Kept>;
+
+    /// Which work it was, whatever was known when it was given out.
+    struct Step {
+        JobKind kind;
+        FilePtr file;
+        int page;
+        int view;
+
+        friend bool operator==(const Step&, const Step&) = default;
+    };
+
+    [[nodiscard]] static Step step_of(const LoadJob& job);
+    [[nodiscard]] static bool is_page_of(const Kept& kept, const ViewOrder& order);
+    [[nodiscard]] static bool is_view_of(const Kept& kept, const ViewOrder& order);
+    [[nodiscard]] const Kept* page_of(const ViewOrder& order) const;
+    [[nodiscard]] const Kept* view_of(const ViewOrder& order) const;
+    [[nodiscard]] PagePlace place_of(const ViewOrder& order) const;
+    [[nodiscard]] LoadJob next_step(const ViewOrder& order) const;
+    [[nodiscard]] std::vector<ViewOrder> likely_next() const;
+    [[nodiscard]] std::optional<LoadJob> next_job();
+    [[nodiscard]] std::optional<LoadJob> background_job();
+    [[nodiscard]] std::optional<LoadJob> untried(LoadJob job);
+    [[nodiscard]] bool is_running(const LoadJob& job) const;
+    [[nodiscard]] bool is_waited_for(const LoadJob& job) const;
+    std::optional<Delivery> refuse(const LoadJob& job, const Error& error);
+    std::optional<Delivery> answer(const LoadJob& job, Result<LoadedScene> scene);
+    void keep(Kept kept);
+    void keep_reread(const LoadJob& job, const FoundPtr& found);
+    void forget_old();
+
+    bool has_reading_;
+    PlanLimits limits_;
+    std::uint64_t last_number_ = 0;
+    std::optional<ViewOrder> wanted_;
+    std::uint64_t request_ = 0;
+    bool is_owed_ = false;     // an answer, or a better one
+    bool is_felt_ = false;     // the request has its first answer
+    std::vector<Step> tried_;  // in the background, since the request
+    std::vector<LoadJob> running_;
+    KeptList kept_;  // the last used first
+};
+
+}  // namespace touchline

@@ -1,0 +1,75 @@
+#include "app/loading/loader.h"
+
+#include <exception>
+#include <string>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+JobOutcome done(const Stages& stages, const LoadJob& job) {
+    const PictureFile& file = *job.order.file;
+    switch (job.kind) {
+        case JobKind::open:
+            return stages.open(file, job.order.page);
+        case JobKind::find:
+            return stages.find(file, job.page, job.order.view);
+        case JobKind::build:
+            return stages.build(file, *job.found, job.order.detail);
+        case JobKind::reread:
+            return Result<FoundPtr>(stages.reread(*job.found));
+    }
+    return Result<PagePtr>(PagePtr());
+}
+
+JobOutcome refused(JobKind kind, std::string line) {
+    switch (kind) {
+        case JobKind::open:
+            return Result<PagePtr>(failure(std::move(line)));
+        case JobKind::find:
+        case JobKind::reread:
+            return Result<FoundPtr>(failure(std::move(line)));
+        case JobKind::build:
+            break;
+    }
+    return Result<LoadedScene>(failure(std::move(line)));
+}
+
+/// Memory can run out anywhere; the visit goes on.
+JobOutcome safely_done(const Stages& stages, const LoadJob& job) {
+    try {
+        return done(stages, job);
+    } catch (const std::exception&) {
+        return refused(job.kind, job.order.file->name +
+                                     ": there is not enough memory for it now; choose another one");
+    }
+}
+
+}  // namespace
+
+Loader::Loader(std::shared_ptr<const Stages> stages, std::unique_ptr<Executor> executor,
+               PlanLimits limits)
+    : stages_(std::move(stages)),
+      plan_(stages_->has_reading(), limits),
+      executor_(std::move(executor)) {}
+
+void Loader::want(std::uint64_t request, const ViewOrder& order) {
+    plan_.want(request, order);
+    start_jobs();
+}
+
+std::vector<Delivery> Loader::poll() {
+    std::vector<Delivery> deliveries;
+    for (FinishedJob& job : executor_->take_finished())
+        if (auto delivery = plan_.finish(job.number, std::move(job.outcome)))
+            deliveries.push_back(std::move(*delivery));
+    start_jobs();
+    return deliveries;
+}
+
+void Loader::start_jobs() {
+    for (const LoadJob& job : plan_.start())
+        executor_->start(job.number, [stages = stages_, job] { return safely_done(*stages, job); });
+}
+
+}  // namespace touchline

@@ -1,0 +1,36 @@
+// Pictures on their way to the hand: the plan, the stages and where they are done.
+// Threads: one; no call waits.
+#pragma once
+
+#include "app/loading/executor.h"
+#include "app/loading/load_plan.h"
+#include "app/loading/stages.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace touchline {
+
+class Loader {
+  public:
+    Loader(std::shared_ptr<const Stages> stages, std::unique_ptr<Executor> executor,
+           PlanLimits limits = {});
+
+    /// As LoadPlan::want(), and begins at once.
+    void want(std::uint64_t request, const ViewOrder& order);
+
+    /// What became ready; to be called often, for it starts what comes next too.
+    [[nodiscard]] std::vector<Delivery> poll();
+
+    [[nodiscard]] std::size_t kept_bytes() const { return plan_.kept_bytes(); }
+
+  private:
+    void start_jobs();
+
+    std::shared_ptr<const Stages> stages_;
+    LoadPlan plan_;
+    std::unique_ptr<Executor> executor_;  // its jobs end before what they use
+};
+
+}  // namespace touchline

@@ -1,0 +1,103 @@
+#include "app/loading/page_views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace touchline {
+namespace {
+
+constexpr std::size_t longest_title_bytes = 80;
+
+const Figure* figure_of(const Page& page, int view) {
+    const auto index = static_cast<std::size_t>(view - 1);
+    return view >= 1 && index < page.figures.size() ? &page.figures[index] : nullptr;
+}
+
+int longer_side_px(const Page& page, int view) {
+    const Figure* const figure = figure_of(page, view);
+    if (figure == nullptr) return std::max(page.picture.width, page.picture.height);
+    return std::max(figure->box.right - figure->box.left, figure->box.bottom - figure->box.top);
+}
+
+Picture cut(const Picture& whole, const WordBox& box) {
+    Picture part;
+    part.width = box.right - box.left;
+    part.height = box.bottom - box.top;
+    part.scale = whole.scale;
+    const auto row = [&](int y) {
+        return whole.bgr.begin() + 3 * (std::ptrdiff_t{y} * whole.width + box.left);
+    };
+    part.bgr.reserve(3 * static_cast<std::size_t>(part.width) *
+                     static_cast<std::size_t>(part.height));
+    for (int y = box.top; y < box.bottom; ++y)
+        part.bgr.insert(part.bgr.end(), row(y), row(y) + std::ptrdiff_t{3} * part.width);
+    return part;
+}
+
+/// What of the word lies in the box, seen from its corner.
+std::optional<WordBox> within(const WordBox& word, const WordBox& box) {
+    const int left = std::max(word.left, box.left);
+    const int top = std::max(word.top, box.top);
+    const int right = std::min(word.right, box.right);
+    const int bottom = std::min(word.bottom, box.bottom);
+    if (left >= right || top >= bottom) return std::nullopt;
+    const auto moved = [](int value, int by) { return static_cast<std::uint16_t>(value - by); };
+    return WordBox{moved(left, box.left), moved(top, box.top), moved(right, box.left),
+                   moved(bottom, box.top)};
+}
+
+/// Labels of the page that lie in the box, but what is written of the whole figure.
+std::vector<Label> labels_in(const Page& page, const Figure& figure, double m_per_px) {
+    const double centre_x_px = (figure.box.left + figure.box.right) / 2.0;
+    const double centre_y_px = (figure.box.top + figure.box.bottom) / 2.0;
+    const Position centre{(centre_x_px - page.picture.width / 2.0) * m_per_px,
+                          (page.picture.height / 2.0 - centre_y_px) * m_per_px};
+    const double half_width_m = (figure.box.right - figure.box.left) * m_per_px / 2.0;
+    const double half_height_m = (figure.box.bottom - figure.box.top) * m_per_px / 2.0;
+    std::vector<Label> labels;
+    for (const Label& label : page.told.labels) {
+        const Position place{label.place.x - centre.x, label.place.y - centre.y};
+        const bool is_inside =
+            std::abs(place.x) <= half_width_m && std::abs(place.y) <= half_height_m;
+        if (is_inside && label.text != figure.text) labels.push_back({label.text, place});
+    }
+    return labels;
+}
+
+}  // namespace
+
+int view_count(const Page& page) {
+    return static_cast<int>(page.figures.size()) + 1;
+}
+
+int dpi_for(const Page& page, int view) {
+    const int longer_px = longer_side_px(page, view);
+    if (page.dpi <= 0 || longer_px <= 0 || longer_px >= least_view_px) return page.dpi;
+    const double wanted = std::ceil(static_cast<double>(page.dpi) * least_view_px / longer_px);
+    return static_cast<int>(std::min<double>(wanted, most_view_dpi));
+}
+
+Page view_of(const Page& page, int view) {
+    const Figure* const figure = figure_of(page, view);
+    if (figure == nullptr) return page;
+    const double m_per_px = page.told.area.width_m / page.picture.width;
+    Page part;
+    part.picture = cut(page.picture, figure->box);
+    part.told.area = {m_per_px * part.picture.width, m_per_px * part.picture.height};
+    part.told.title = figure->text.empty() || figure->text.size() > longest_title_bytes
+                          ? page.told.title
+                          : figure->text;
+    part.told.description = figure->text;
+    part.told.labels = labels_in(page, *figure, m_per_px);
+    for (const WordBox& word : page.words)
+        if (const auto inside = within(word, figure->box)) part.words.push_back(*inside);
+    part.number = page.number;
+    part.count = page.count;
+    part.dpi = page.dpi;
+    return part;
+}
+
+}  // namespace touchline

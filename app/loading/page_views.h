@@ -1,0 +1,25 @@
+// What of a page is felt by itself: each of its pictures, then the page as a whole.
+// Threads: pure functions.
+#pragma once
+
+#include "app/decode/page.h"
+
+namespace touchline {
+
+/// Pixels on the longer side of a view that a hand can follow; with fewer, the page is drawn again.
+inline constexpr int least_view_px = 600;
+inline constexpr int most_view_dpi = 600;
+
+/// Figures and the whole; 1 for a page without figures.
+[[nodiscard]] int view_count(const Page& page);
+
+/// At which the page is to be drawn for this view (1 ... view_count): page.dpi where that is fine
+/// enough, 0 where the page has pixels of its own only. The worker may give less.
+[[nodiscard]] int dpi_for(const Page& page, int view);
+
+/// The view as a page of its own: pixels cut out, words and labels that lie on it moved along. What
+/// is written of a figure is its description, and its title where it is short. The last view is the
+/// page as it is. O(pixels).
+[[nodiscard]] Page view_of(const Page& page, int view);
+
+}  // namespace touchline

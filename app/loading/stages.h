@@ -1,0 +1,81 @@
+// The way of a picture from its file to the hand, in stages that are worth keeping apart: what one
+// gives is kept (load_plan.h) and serves many times.
+// Threads: values that share what does not change.
+#pragma once
+
+#include "app/decode/page.h"
+#include "app/decode/page_order.h"
+#include "app/screen/shown_scene.h"
+#include "app/servo/servo_client.h"
+#include "app/session/session.h"
+#include "config/types/result.h"
+#include "vision/simplify/trace.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace touchline {
+
+/// A file of the list. Two of them are the same only if they are the same object.
+struct PictureFile {
+    std::string name;          // as sentences about it begin; fit to be shown
+    std::string title;         // where the file has none of its own
+    std::string gallery_file;  // its name there; empty: a visitor's
+    bool is_private = false;   // of a stick: no log may name it
+    /// A page of it. Errors are one line with the file's name. From any thread, at any time.
+    std::function<Result<Page>(const PageOrder&)> open;
+};
+
+using FilePtr = std::shared_ptr<const PictureFile>;
+using PagePtr = std::shared_ptr<const Page>;
+
+/// A view with its lines, for every detail.
+struct FoundView {
+    PagePtr view;
+    std::optional<Found> lines;  // none: the view's own outlines are felt
+    std::shared_ptr<const Canvas> picture;
+    PagePlace place;        // all of it known
+    std::size_t bytes = 0;  // about what it holds
+};
+
+using FoundPtr = std::shared_ptr<const FoundView>;
+
+struct LoadedScene {
+    ShownScene shown;
+    FeltPicture felt;
+    LoadedFacts facts;
+};
+
+/// Each call by itself, from any thread. Errors are one line with the file's name.
+class Stages {
+  public:
+    Stages() = default;
+    virtual ~Stages() = default;
+    Stages(const Stages&) = delete;
+    Stages(Stages&&) = delete;
+    Stages& operator=(const Stages&) = delete;
+    Stages& operator=(Stages&&) = delete;
+
+    /// Page 1 ... of a file. Waits for a worker.
+    [[nodiscard]] virtual Result<PagePtr> open(const PictureFile& file, int page) const = 0;
+
+    /// A view, 1 ... view_count(page), with its lines. May open the page again, drawn finer.
+    [[nodiscard]] virtual Result<FoundPtr> find(const PictureFile& file, const PagePtr& page,
+                                                int view) const = 0;
+
+    /// What is felt and shown at a detail. Milliseconds.
+    [[nodiscard]] virtual Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
+                                                    int detail) const = 0;
+
+    /// False: reread() would find nothing, ever.
+    [[nodiscard]] virtual bool has_reading() const = 0;
+
+    /// A second look that takes its time: the view with the words that were read in its pixels.
+    /// Null where there are none.
+    [[nodiscard]] virtual FoundPtr reread(const FoundView& found) const = 0;
+};
+
+}  // namespace touchline

@@ -1,0 +1,50 @@
+// The pictures of sticks as files of the list. Their bytes come through touchline-import.
+// Threads: any; one at a time reads, the others wait for it.
+#pragma once
+
+#include "app/loading/stages.h"
+#include "app/process/memory.h"
+#include "app/sticks/import.h"
+#include "app/sticks/listing.h"
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// The bytes of a file, and the text beside it if there is one.
+struct StickBytes {
+    std::string root;
+    StickEntry entry;
+    Mapping document;
+    std::optional<Mapping> side_car;
+};
+
+/// One for all sticks that come and go, so that a process that one of them holds is reaped later.
+/// The file read last stays in memory: the pages of a document come from one reading.
+class StickReader {
+  public:
+    explicit StickReader(const std::string& import_program) : import_(import_program) {}
+
+    [[nodiscard]] Result<StickListing, StickRefusal> list(const std::string& root);
+
+    [[nodiscard]] Result<std::shared_ptr<const StickBytes>, StickRefusal> read(
+        const std::string& root, const StickEntry& entry);
+
+  private:
+    std::optional<Mapping> side_car(const std::string& root, const StickEntry& entry);
+
+    std::mutex mutex_;  // of all below
+    StickImport import_;
+    std::shared_ptr<const StickBytes> last_;
+};
+
+/// A file for each entry, in its order. Office files are among them: opening one says what to do.
+[[nodiscard]] std::vector<FilePtr> files_of_stick(const std::shared_ptr<StickReader>& reader,
+                                                  const std::string& root,
+                                                  const StickListing& listing);
+
+}  // namespace touchline

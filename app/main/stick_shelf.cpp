@@ -1,0 +1,42 @@
+#include "app/main/stick_shelf.h"
+
+#include <chrono>
+#include <utility>
+
+namespace touchline {
+
+StickShelf::StickShelf(std::unique_ptr<StickPort> port, const std::string& import_program)
+    : port_(std::move(port)), reader_(std::make_shared<StickReader>(import_program)) {}
+
+std::optional<ShelfChange> StickShelf::poll(std::int64_t now_ns) {
+    std::optional<ShelfChange> change;
+    for (const StickEvent& event : port_->poll(now_ns))
+        if (auto newer = take(event)) change = std::move(newer);
+    if (listing_.valid() &&
+        listing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+        const Listed listed = listing_.get();
+        if (!is_due_ && !root_.empty()) change = shelved(listed);
+    }
+    if (is_due_ && !listing_.valid()) {
+        is_due_ = false;
+        listing_ = std::async(std::launch::async,
+                              [reader = reader_, root = root_] { return reader->list(root); });
+    }
+    return change;
+}
+
+std::optional<ShelfChange> StickShelf::take(const StickEvent& event) {
+    is_due_ = event.news == StickNews::ready;
+    root_ = is_due_ ? event.root : std::string();
+    if (is_due_) return std::nullopt;
+    return ShelfChange{{}, event.sentence};
+}
+
+ShelfChange StickShelf::shelved(const Listed& listed) const {
+    if (!listed) return {{}, sentence_of(listed.error(), "")};
+    const std::string nothing = nothing_sentence(*listed);
+    return {files_of_stick(reader_, root_, *listed),
+            nothing.empty() ? remainder_sentence(*listed) : nothing};
+}
+
+}  // namespace touchline

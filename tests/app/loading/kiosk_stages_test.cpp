@@ -1,0 +1,171 @@
+// The stages on real files, by real workers.
+#include "app/loading/kiosk_stages.h"
+
+#include "app/decode/files.h"
+#include "app/decode/opening.h"
+#include "app/gallery/gallery.h"
+#include "app/loading/page_views.h"
+#include "tests/app/decode/files_of_formats.h"
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+/// A document in memory, opened by a worker; counts how often, and how finely last.
+struct Document {
+    explicit Document(encoders::Bytes bytes)
+        : file(std::make_shared<const PictureFile>(
+              PictureFile{"a.pdf", "a", "", false, [this, bytes](const PageOrder& order) {
+                              ++opened;
+                              dpi = order.dpi;
+                              return open_page(bytes, order);
+                          }})) {}
+
+    std::atomic<int> opened{0};
+    std::atomic<int> dpi{0};
+    FilePtr file;
+};
+
+LoadedScene felt(const KioskStages& stages, const Document& document, int page, int view) {
+    const auto opened = stages.open(*document.file, page);
+    EXPECT_TRUE(opened.has_value()) << opened.error().line;
+    const auto found = stages.find(*document.file, *opened, view);
+    EXPECT_TRUE(found.has_value()) << found.error().line;
+    auto scene = stages.build(*document.file, **found, 3);
+    EXPECT_TRUE(scene.has_value()) << scene.error().line;
+    return std::move(*scene);
+}
+
+const encoders::Bytes& two_pages() {
+    static const encoders::Bytes pdf =
+        drawn_pdf({{{100, 500, 400, 200}, {100, 100, 100, 100}}, {{0, 0, 500, 500}}});
+    return pdf;
+}
+
+TEST(KioskStages, AFigureFillsTheAreaOfTheHand) {
+    const KioskStages stages(default_profile());
+    const Document document(two_pages());
+    const LoadedScene scene = felt(stages, document, 1, 1);
+    const PagePlace place{1, 2, 1, 3};
+    EXPECT_EQ(scene.facts.place, place);
+    EXPECT_EQ(scene.facts.title, "a");
+    EXPECT_EQ(document.opened, 1);
+    ASSERT_FALSE(scene.felt.map->outlines.empty());
+    // The dark square is half as wide as its picture, which is twice as wide as high: 116 mm.
+    double left_m = 1.0;
+    double right_m = -1.0;
+    for (const Outline& outline : scene.felt.map->outlines) {
+        for (const Position p : outline.points) {
+            left_m = std::min(left_m, p.x);
+            right_m = std::max(right_m, p.x);
+        }
+    }
+    EXPECT_NEAR(right_m - left_m, 0.058, 0.003);
+    EXPECT_NEAR(right_m + left_m, 0.0, 0.003);
+}
+
+TEST(KioskStages, ASmallFigureIsDrawnAgainFiner) {
+    const KioskStages stages(default_profile());
+    const Document document(two_pages());
+    const auto page = stages.open(*document.file, 1);
+    const auto found = stages.find(*document.file, *page, 2);
+    ASSERT_TRUE(found.has_value()) << found.error().line;
+    EXPECT_EQ(document.opened, 2);
+    // 100 points, rounded up at 150 dpi before: 209 pixels.
+    EXPECT_NEAR(document.dpi, 432, 3);
+    EXPECT_NEAR((*found)->view->picture.width, 600, 5);
+}
+
+TEST(KioskStages, ThePageAsAWholeComesLast) {
+    const KioskStages stages(default_profile());
+    const Document document(two_pages());
+    const LoadedScene scene = felt(stages, document, 1, 3);
+    EXPECT_EQ(scene.facts.place.view, 3);
+    EXPECT_GE(scene.facts.outline_count, 2);
+}
+
+TEST(KioskStages, ADetailCostsNoWorker) {
+    const KioskStages stages(default_profile());
+    const Document document(two_pages());
+    const auto page = stages.open(*document.file, 2);
+    const auto found = stages.find(*document.file, *page, 1);
+    const int opened = document.opened;
+    for (int detail = 1; detail <= 5; ++detail) {
+        const auto scene = stages.build(*document.file, **found, detail);
+        ASSERT_TRUE(scene.has_value());
+        EXPECT_EQ(scene->felt.recorded.detail, detail);
+    }
+    EXPECT_EQ(document.opened, opened);
+}
+
+TEST(KioskStages, AGalleryPictureIsFeltByItsOwnLines) {
+    const KioskStages stages(default_profile());
+    const FilePtr fish = file_at(gallery_folder() + "/06-fish.svg");
+    EXPECT_EQ(fish->gallery_file, "06-fish.svg");
+    const auto page = stages.open(*fish, 1);
+    ASSERT_TRUE(page.has_value()) << page.error().line;
+    const auto found = stages.find(*fish, *page, 1);
+    ASSERT_TRUE(found.has_value()) << found.error().line;
+    EXPECT_FALSE((*found)->lines.has_value());
+    const auto first = stages.build(*fish, **found, 3);
+    const auto second = stages.build(*fish, **found, 3);
+    ASSERT_TRUE(first.has_value() && second.has_value());
+    EXPECT_EQ(first->felt.recorded.hash, second->felt.recorded.hash);
+    EXPECT_NE(first->felt.map->version, second->felt.map->version);
+}
+
+TEST(KioskStages, AMissingFileIsOneLineThatNamesIt) {
+    const KioskStages stages(default_profile());
+    const auto page = stages.open(*file_at("/nowhere/none.png"), 1);
+    ASSERT_FALSE(page.has_value());
+    EXPECT_EQ(page.error().line.find("/nowhere/none.png: "), 0U) << page.error().line;
+}
+
+TEST(KioskStages, APageWithNothingToFeelSaysWhichOneItIs) {
+    const KioskStages stages(default_profile());
+    const Document document(drawn_pdf({{{100, 100, 200, 200}}, {}}));
+    const auto page = stages.open(*document.file, 2);
+    ASSERT_TRUE(page.has_value()) << page.error().line;
+    const auto found = stages.find(*document.file, *page, 1);
+    ASSERT_FALSE(found.has_value());
+    EXPECT_EQ(found.error().line.find("a.pdf, page 2: "), 0U) << found.error().line;
+}
+
+TEST(KioskStages, WhatAWorkerSaysOfThePageNumberIsNotTakenForIt) {
+    const KioskStages stages(default_profile());
+    Page lie;
+    lie.number = 2;
+    lie.count = 3;
+    const PictureFile file{"a.pdf", "a", "", false, [lie](const PageOrder&) { return lie; }};
+    EXPECT_FALSE(stages.open(file, 1).has_value());
+    EXPECT_TRUE(stages.open(file, 2).has_value());
+}
+
+TEST(KioskStages, WordsThatWereReadAreHeardAndNotFelt) {
+    const WordReader reader = [](const Page& page) -> std::optional<Page> {
+        Page read = page;
+        read.told.labels.push_back({"dark", {0.0, 0.0}});
+        return read;
+    };
+    const KioskStages stages(default_profile(), reader);
+    EXPECT_TRUE(stages.has_reading());
+    EXPECT_FALSE(KioskStages(default_profile()).has_reading());
+    const Document document(two_pages());
+    const auto page = stages.open(*document.file, 1);
+    const auto found = stages.find(*document.file, *page, 1);
+    const FoundPtr better = stages.reread(**found);
+    ASSERT_NE(better, nullptr);
+    EXPECT_EQ(better->place, (*found)->place);
+    const auto scene = stages.build(*document.file, *better, 3);
+    ASSERT_TRUE(scene.has_value());
+    ASSERT_EQ(scene->felt.map->labels.size(), 1U);
+    EXPECT_EQ(scene->felt.map->labels[0].text, "dark");
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,112 @@
+// Documents that are made up: how many pages, which views, what fails. Everything done is counted.
+// Threads: any.
+#pragma once
+
+#include "app/loading/page_views.h"
+#include "app/loading/stages.h"
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace touchline {
+
+struct MadeUpDocument {
+    std::vector<int> figures = {};  // of each page
+    int page_px = 4;
+    std::set<int> torn_pages = {};
+    std::set<std::pair<int, int>> empty_views = {};  // page, view
+};
+
+class MadeUpStages final : public Stages {
+  public:
+    /// `with_words`: where words can be read, page and view; none: nothing reads.
+    using Places = std::set<std::pair<int, int>>;
+
+    explicit MadeUpStages(std::vector<MadeUpDocument> documents,
+                          std::optional<Places> with_words = {})
+        : with_words_(std::move(with_words)) {
+        for (MadeUpDocument& document : documents) {
+            files_.push_back(std::make_shared<const PictureFile>(
+                PictureFile{std::to_string(files_.size()), "", "", false, {}}));
+            documents_.emplace(files_.back().get(), std::move(document));
+        }
+    }
+
+    [[nodiscard]] const std::vector<FilePtr>& files() const { return files_; }
+
+    [[nodiscard]] const MadeUpDocument& document(const FilePtr& file) const {
+        return documents_.at(file.get());
+    }
+
+    [[nodiscard]] Result<PagePtr> open(const PictureFile& file, int number) const override {
+        ++opened;
+        const MadeUpDocument& document = documents_.at(&file);
+        if (document.torn_pages.contains(number)) return failure("torn page");
+        Page page;
+        page.picture = {document.page_px, document.page_px, {}, 1.0};
+        page.picture.bgr.resize(3U * static_cast<std::size_t>(document.page_px * document.page_px));
+        const auto figures = document.figures.at(static_cast<std::size_t>(number - 1));
+        page.figures.resize(static_cast<std::size_t>(figures), {{0, 0, 2, 2}, ""});
+        page.number = number;
+        page.count = static_cast<int>(document.figures.size());
+        return std::make_shared<const Page>(std::move(page));
+    }
+
+    [[nodiscard]] Result<FoundPtr> find(const PictureFile& file, const PagePtr& page,
+                                        int view) const override {
+        ++found;
+        if (documents_.at(&file).empty_views.contains({page->number, view}))
+            return failure("empty view");
+        FoundView result;
+        result.view = page;
+        result.place = {page->number, page->count, view, view_count(*page)};
+        result.bytes = page->picture.bgr.size();
+        return std::make_shared<const FoundView>(std::move(result));
+    }
+
+    /// The title names file, page, view and detail; a '+' says that words were read.
+    [[nodiscard]] Result<LoadedScene> build(const PictureFile& file, const FoundView& view,
+                                            int detail) const override {
+        ++built;
+        LoadedScene scene;
+        scene.facts.title = title(file.name, view.place.page, view.place.view, detail) +
+                            (view.view->words.empty() ? "" : "+");
+        scene.facts.place = view.place;
+        return scene;
+    }
+
+    static std::string title(const std::string& file, int page, int view, int detail) {
+        return file + " " + std::to_string(page) + " " + std::to_string(view) + " " +
+               std::to_string(detail);
+    }
+
+    [[nodiscard]] bool has_reading() const override { return with_words_.has_value(); }
+
+    [[nodiscard]] FoundPtr reread(const FoundView& view) const override {
+        ++reread_count;
+        if (!with_words_->contains({view.place.page, view.place.view})) return nullptr;
+        FoundView better = view;
+        Page page = *view.view;
+        page.words.push_back({0, 0, 1, 1});
+        better.view = std::make_shared<const Page>(std::move(page));
+        return std::make_shared<const FoundView>(std::move(better));
+    }
+
+    mutable std::atomic<int> opened{0};
+    mutable std::atomic<int> found{0};
+    mutable std::atomic<int> built{0};
+    mutable std::atomic<int> reread_count{0};
+
+  private:
+    std::optional<Places> with_words_;
+    std::vector<FilePtr> files_;
+    std::map<const PictureFile*, MadeUpDocument> documents_;
+};
+
+}  // namespace touchline

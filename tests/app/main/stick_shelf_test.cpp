@@ -1,0 +1,177 @@
+// A stick's files in the list: a port that does as it is told, the real touchline-import, real
+// workers.
+#include "app/main/stick_shelf.h"
+
+#include "app/sticks/folder_port.h"
+#include "tests/app/decode/files_of_formats.h"
+#include "tests/app/sticks/stick_folder.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+/// What a test says happens.
+class ToldPort final : public StickPort {
+  public:
+    std::vector<StickEvent> poll(std::int64_t) override { return std::exchange(events, {}); }
+
+    void end_session() override { is_ended = true; }
+
+    [[nodiscard]] bool is_watching() const override { return true; }
+
+    std::vector<StickEvent> events;
+    bool is_ended = false;
+};
+
+std::string text_of(const encoders::Bytes& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+class StickShelfTest : public testing::Test {
+  protected:
+    void ready() { port->events.push_back({StickNews::ready, stick.root(), ""}); }
+
+    /// Waits for a change, which has to come.
+    ShelfChange change() {
+        for (;;) {
+            if (auto changed = shelf.poll(0)) return std::move(*changed);
+            std::this_thread::yield();
+        }
+    }
+
+    StickFolder stick;
+    ToldPort* port = new ToldPort;
+    StickShelf shelf{std::unique_ptr<StickPort>(port), TOUCHLINE_IMPORT};
+};
+
+TEST_F(StickShelfTest, AStickThatComesOffersItsFilesAndTakesThemAlong) {
+    stick.file("b10.png");
+    stick.file("b9.pdf");
+    stick.file("letter.docx");
+    EXPECT_FALSE(shelf.poll(0).has_value());
+    ready();
+    const ShelfChange come = change();
+    ASSERT_EQ(come.files.size(), 3U);
+    EXPECT_EQ(come.files[0]->name, "b9.pdf");
+    EXPECT_EQ(come.files[1]->title, "b10");
+    EXPECT_TRUE(come.files[2]->is_private);
+    EXPECT_EQ(come.sentence, "");
+    port->events.push_back({StickNews::gone, "", ""});
+    EXPECT_TRUE(change().files.empty());
+}
+
+TEST_F(StickShelfTest, ItsFilesAreOpenedWithTheTextBesideThem) {
+    stick.file("fish.pdf", text_of(drawn_pdf({{{100, 100, 200, 200}}, {}})));
+    stick.file("fish.txt", "The fish\nA fish that swims\n");
+    ready();
+    const ShelfChange come = change();
+    ASSERT_EQ(come.files.size(), 1U);
+    const auto page = come.files[0]->open({2, 72});
+    ASSERT_TRUE(page.has_value()) << page.error().line;
+    EXPECT_EQ(page->number, 2);
+    EXPECT_EQ(page->told.title, "The fish");
+    EXPECT_EQ(page->told.description, "A fish that swims");
+}
+
+TEST_F(StickShelfTest, ADocumentIsReadOnce) {
+    stick.file("fish.pdf", text_of(drawn_pdf({{}, {}, {}})));
+    ready();
+    const ShelfChange come = change();
+    ASSERT_TRUE(come.files.at(0)->open({1, 72}).has_value());
+    std::filesystem::remove(stick.path() / "fish.pdf");
+    EXPECT_TRUE(come.files.at(0)->open({3, 72}).has_value());
+}
+
+TEST_F(StickShelfTest, WhatCannotBeOpenedIsOneSentenceWithItsName) {
+    stick.file("a.docx", "office");
+    stick.file("b\n.png", "no picture");
+    stick.file("c.png", "gone soon");
+    ready();
+    const ShelfChange come = change();
+    ASSERT_EQ(come.files.size(), 3U);
+    std::filesystem::remove(stick.path() / "c.png");
+    for (const FilePtr& file : come.files) {
+        const auto page = file->open({1, 150});
+        ASSERT_FALSE(page.has_value());
+        const std::string& line = page.error().line;
+        EXPECT_EQ(line.find(file->name), 0U) << line;
+        EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+    }
+    EXPECT_NE(come.files[0]->open({1, 150}).error().line.find("PDF"), std::string::npos);
+}
+
+TEST_F(StickShelfTest, OneThatOffersNothingSaysWhatToDo) {
+    ready();
+    const ShelfChange come = change();
+    EXPECT_TRUE(come.files.empty());
+    EXPECT_NE(come.sentence.find("no picture"), std::string::npos);
+}
+
+TEST_F(StickShelfTest, ARefusedStickIsItsSentence) {
+    port->events.push_back({StickNews::refused, "", "The stick cannot be read."});
+    EXPECT_EQ(change().sentence, "The stick cannot be read.");
+}
+
+TEST_F(StickShelfTest, OneThatWasPulledOutWhileItWasListedOffersNothing) {
+    stick.file("a.png");
+    ready();
+    (void)shelf.poll(0);
+    port->events.push_back({StickNews::gone, "", ""});
+    EXPECT_TRUE(change().files.empty());
+    const StickFolder other;
+    other.file("other.png");
+    port->events.push_back({StickNews::ready, other.root(), ""});
+    const ShelfChange come = change();
+    ASSERT_EQ(come.files.size(), 1U);
+    EXPECT_EQ(come.files[0]->name, "other.png");
+}
+
+TEST_F(StickShelfTest, OneAfterTheOtherInOneMomentIsTheLast) {
+    stick.file("a.png");
+    const StickFolder other;
+    other.file("other.png");
+    ready();
+    port->events.push_back({StickNews::gone, "", ""});
+    port->events.push_back({StickNews::ready, other.root(), ""});
+    for (;;) {
+        const ShelfChange come = change();
+        if (come.files.empty()) continue;
+        EXPECT_EQ(come.files[0]->name, "other.png");
+        break;
+    }
+}
+
+TEST_F(StickShelfTest, TheEndOfTheSessionIsToldToThePort) {
+    shelf.end_session();
+    EXPECT_TRUE(port->is_ended);
+}
+
+TEST(StickShelfOfAFolder, OffersWhatIsPutThere) {
+    const StickFolder folder;
+    StickShelf shelf(std::make_unique<FolderPort>(folder.root()), TOUCHLINE_IMPORT);
+    std::int64_t now_ns = 0;
+    const auto next = [&] {
+        for (;;) {
+            now_ns += 1'000'000'000;
+            if (auto changed = shelf.poll(now_ns)) return std::move(*changed);
+            std::this_thread::yield();
+        }
+    };
+    (void)shelf.poll(now_ns);
+    folder.file("a.png");
+    ShelfChange come = next();
+    while (come.files.empty()) come = next();
+    EXPECT_EQ(come.files[0]->name, "a.png");
+    std::filesystem::remove(folder.path() / "a.png");
+    EXPECT_TRUE(next().files.empty());
+}
+
+}  // namespace
+}  // namespace touchline
