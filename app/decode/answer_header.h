@@ -1,0 +1,46 @@
+// The 32 bytes that begin every answer of a worker (page.h says which).
+// Threads: pure functions.
+#pragma once
+
+#include "config/types/result.h"
+#include "config/types/untrusted.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace touchline {
+
+using AnswerHeaderBytes = std::array<std::byte, 32>;
+
+/// refusal: the map's description says why. page: pixels, boxes and a map. words: boxes and a map,
+/// of pixels that the kiosk has.
+enum class AnswerKind : std::uint8_t { refusal, page, words };
+
+struct AnswerHeader {
+    AnswerKind kind = AnswerKind::page;
+    std::uint32_t width = 0;  // both 0: no pixels
+    std::uint32_t height = 0;
+    int number = 1;
+    int count = 1;
+    int dpi = 0;
+    int reduction = 1;  // pixels of the file per pixel here: 1, 2, 4 or 8
+    std::uint16_t boxes = 0;
+    std::uint32_t map_bytes = 0;
+};
+
+/// Bytes of the pixels that follow a header; a word box takes box_bytes.
+[[nodiscard]] std::size_t pixel_bytes(const AnswerHeader& header);
+
+inline constexpr std::size_t box_bytes = 8;
+inline constexpr int max_pages = 200;
+inline constexpr std::size_t max_word_boxes = 5000;
+
+[[nodiscard]] AnswerHeaderBytes bytes_of(const AnswerHeader& header);
+
+/// The only way into a header: fails unless every field is in its range and the whole is
+/// `answer_bytes` long.
+[[nodiscard]] Result<AnswerHeader> verified(const Untrusted<AnswerHeaderBytes>& header,
+                                            std::size_t answer_bytes);
+
+}  // namespace touchline
