@@ -1,5 +1,6 @@
 #include "app/decode/word_reader.h"
 
+#include "app/decode/without_shapes.h"
 #include "app/decode/word_gate.h"
 
 #include <algorithm>
@@ -22,11 +23,12 @@ constexpr double most_enlarged = 2.0;
 /// What tesseract goes by where it looks for the sizes of letters; a screen's or a page's.
 constexpr int pixels_per_inch = 150;
 
-struct PixRelease {
-    void operator()(Pix* pix) const { pixDestroy(&pix); }
-};
+/// A shape with more holes than any letter has is no letter: what is in it is looked at by itself.
+/// By its own limit (45) tesseract takes a ring for a letter with the words in it for holes.
+constexpr const char* most_holes_setting = "edges_children_count_limit";
+constexpr const char* most_holes = "5";
 
-using OwnedPix = std::unique_ptr<Pix, PixRelease>;
+using decode::OwnedPix;
 using OwnedText = std::unique_ptr<char[]>;
 
 /// As bright as the eye sees it. Null where memory ends.
@@ -132,7 +134,8 @@ Result<WordReader> WordReader::load(const ReadingOrder& order) {
     auto tesseract = std::make_unique<tesseract::TessBaseAPI>();
     const bool is_ready =
         tesseract->Init(nullptr, codes_of(order).c_str(), tesseract::OEM_LSTM_ONLY) == 0;
-    if (!is_ready) return missing(order.languages.front());
+    if (!is_ready || !tesseract->SetVariable(most_holes_setting, most_holes))
+        return missing(order.languages.front());
     tesseract->SetPageSegMode(tesseract::PSM_SPARSE_TEXT);
     return check_loaded(*tesseract, order).map([&tesseract] {
         return WordReader(std::move(tesseract));
@@ -141,9 +144,10 @@ Result<WordReader> WordReader::load(const ReadingOrder& order) {
 
 Result<FoundWords> WordReader::read(const Picture& picture) {
     const double scale = scale_for(picture);
-    const OwnedPix grey = scaled(grey_of(picture), scale);
+    OwnedPix grey = scaled(grey_of(picture), scale);
     if (grey == nullptr)
         return failure("the picture needs too much memory to be read; it is shown without words");
+    grey = decode::without_shapes(std::move(grey));
     tesseract_->SetImage(grey.get());
     tesseract_->SetSourceResolution(pixels_per_inch);
     if (tesseract_->Recognize(nullptr) != 0)
