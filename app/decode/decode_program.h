@@ -1,5 +1,4 @@
-// The whole of a worker's program: started by the kiosk for one page of one file, it shuts itself
-// in, and only then reads the first byte.
+// The whole of a program that decodes: started by the kiosk for one page of one file.
 #pragma once
 
 #include "app/decode/page.h"
@@ -15,7 +14,7 @@ struct Decoder {
     Result<Page> (*decode)(std::span<const std::byte> bytes, const PageOrder& order) = nullptr;
 };
 
-/// main() of a worker. Does not return.
+/// main() of a decoder. Does not return.
 [[noreturn]] void run_decode_program(const Decoder& decoder, int argc, char** argv);
 
 }  // namespace touchline

@@ -1,10 +1,12 @@
 // One page of what a stranger brought, as it crosses from the worker that decoded it: a header of
-// 32 bytes, pixels, boxes of words and figures, a map. Nobody who reads it trusts it.
+// 32 bytes (answer_header.h), pixels, boxes of words and figures, a map. Nobody who reads it trusts
+// it.
 //
-//   header  magic u32, layout u8, figures u8, kind u8, reduction u8, width u32, height u32, number
-//   u16,
-//           count u16, dpi u16, boxes u16, bytes of the map u32, CRC-32 of the 28 bytes before u32
-//   pixels  3 bytes each (blue, green, red), rows from the top, no padding
+//   header  magic u32, layout u8, figures u8, kind u8, reduction u8, width u32, height u32,
+//           number u16, count u16, dpi u16, boxes u16, bytes of the map u32, CRC-32 of the 28 bytes
+//           before u32
+//   pixels  3 bytes each (blue, green, red), rows from the top, no padding; none where the kind is
+//           "words" (found_words.h): the kiosk has them
 //   boxes   4 u16 each: left, top, right, bottom in pixels, the right and lower end not within;
 //           `boxes` of words, then one of each figure
 //   map     config/types/map_bytes.h; its first labels are what is written of each figure
@@ -12,12 +14,11 @@
 // Little-endian. No offsets and no strides: one size fits a given header. Threads: pure functions.
 #pragma once
 
+#include "app/decode/answer_header.h"
 #include "app/decode/picture.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
-#include "config/types/untrusted.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -56,35 +57,15 @@ struct Page {
     int dpi = 0;  // 0: not known
 };
 
-inline constexpr int max_pages = 200;
-inline constexpr std::size_t max_word_boxes = 5000;
-inline constexpr std::size_t max_figures = 100;
-
 /// What a worker answers: a page, or one line that says why there is none.
 [[nodiscard]] Result<std::vector<std::byte>> answer_of(const Result<Page>& page);
+
+/// The same of a page that is a picture and nothing else: what the worker that reads words is
+/// given.
+[[nodiscard]] Result<std::vector<std::byte>> answer_of(const Picture& picture);
 
 /// The page, or the worker's line, escaped and cut. Any bytes may be given; nothing is allocated
 /// beyond their number. O(bytes).
 [[nodiscard]] Result<Page> page_of(std::span<const std::byte> answer);
-
-using PageHeaderBytes = std::array<std::byte, 32>;
-
-struct PageHeader {
-    bool is_refusal = false;  // the map's description says why
-    std::uint32_t width = 0;  // both 0: no pixels
-    std::uint32_t height = 0;
-    int number = 1;
-    int count = 1;
-    int dpi = 0;
-    int reduction = 1;  // pixels of the file per pixel here: 1, 2, 4 or 8
-    std::uint16_t boxes = 0;
-    std::uint8_t figures = 0;
-    std::uint32_t map_bytes = 0;
-};
-
-/// The only way into a header: fails unless every field is in its range and the whole is
-/// `answer_bytes` long.
-[[nodiscard]] Result<PageHeader> verified(const Untrusted<PageHeaderBytes>& header,
-                                          std::size_t answer_bytes);
 
 }  // namespace touchline

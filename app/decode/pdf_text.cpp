@@ -1,5 +1,6 @@
 // Words with their boxes, from the text layer of a PDF.
 #include "app/decode/pdf_parts.h"
+#include "app/decode/text_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,6 @@ namespace touchline::decode {
 namespace {
 
 constexpr std::size_t most_texts = 2000;  // a page of a newspaper has 500 lines
-constexpr double widest_gap = 1.2;        // of a line's height, between words of one text
 
 bool is_finite(const PopplerRectangle& box) {
     return std::isfinite(box.x1) && std::isfinite(box.y1) && std::isfinite(box.x2) &&
@@ -20,11 +20,13 @@ PopplerRectangle ordered(const PopplerRectangle& box) {
             std::max(box.y1, box.y2)};
 }
 
+TextBox text_box(const PopplerRectangle& box) {
+    return {box.x1, box.y1, box.x2, box.y2};
+}
+
 void grow(PopplerRectangle& box, const PopplerRectangle& other) {
-    box.x1 = std::min(box.x1, other.x1);
-    box.y1 = std::min(box.y1, other.y1);
-    box.x2 = std::max(box.x2, other.x2);
-    box.y2 = std::max(box.y2, other.y2);
+    const TextBox both = around(text_box(box), text_box(other));
+    box = {both.left, both.top, both.right, both.bottom};
 }
 
 /// Puts characters together, in the order in which poppler reads them.
@@ -37,7 +39,7 @@ class TextJoiner {
             return;
         }
         if (!is_finite(box)) return;
-        if (!text_.text.empty() && !continues(box)) end();
+        if (!text_.text.empty() && !continues(text_box(text_.box), text_box(box))) end();
         if (text_.text.empty()) {
             text_.box = box;
         } else {
@@ -55,12 +57,6 @@ class TextJoiner {
     }
 
   private:
-    [[nodiscard]] bool continues(const PopplerRectangle& box) const {
-        const double height = std::max(text_.box.y2 - text_.box.y1, 1.0);
-        return box.x1 - text_.box.x2 < widest_gap * height && box.y1 < text_.box.y2 &&
-               box.y2 > text_.box.y1;
-    }
-
     void end() {
         if (!text_.text.empty() && texts_.size() < most_texts) texts_.push_back(text_);
         text_ = {};

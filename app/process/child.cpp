@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstring>
+#include <string_view>
 
 #include <fcntl.h>
 #include <sched.h>
@@ -54,8 +55,10 @@ class SpawnOrder {
     SpawnOrder& operator=(SpawnOrder&&) = delete;
 
     /// The error's number, 0 where there was none.
-    int spawn(pid_t& pid, const std::string& program, std::vector<char*>& words) const {
-        return posix_spawn(&pid, program.c_str(), &actions_, &attributes_, words.data(), environ);
+    int spawn(pid_t& pid, const std::string& program, std::vector<char*>& words,
+              std::vector<char*>& surroundings) const {
+        return posix_spawn(&pid, program.c_str(), &actions_, &attributes_, words.data(),
+                           surroundings.data());
     }
 
   private:
@@ -76,6 +79,29 @@ class SpawnOrder {
     posix_spawnattr_t attributes_{};
 };
 
+/// As C takes them: ended by nothing.
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+    std::vector<char*> pointers;
+    for (std::string& text : texts) pointers.push_back(text.data());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+bool is_of_one_name(std::string_view a, std::string_view b) {
+    return a.substr(0, a.find('=')) == b.substr(0, b.find('='));
+}
+
+/// Our environment, but for what `settings` says otherwise.
+std::vector<std::string> surroundings_with(const std::vector<std::string>& settings) {
+    std::vector<std::string> all = settings;
+    for (char** ours = environ; *ours != nullptr; ++ours) {
+        const bool is_replaced = std::ranges::any_of(
+            settings, [ours](const auto& setting) { return is_of_one_name(setting, *ours); });
+        if (!is_replaced) all.emplace_back(*ours);
+    }
+    return all;
+}
+
 }  // namespace
 
 std::string describe(const ChildEnd& end) {
@@ -84,14 +110,16 @@ std::string describe(const ChildEnd& end) {
 }
 
 Result<Child> Child::start(const std::string& program, const std::vector<std::string>& arguments,
-                           std::span<const Descriptor* const> handed, StandardStreams streams) {
+                           std::span<const Descriptor* const> handed, StandardStreams streams,
+                           const std::vector<std::string>& settings) {
     std::vector<std::string> texts{program};
     texts.insert(texts.end(), arguments.begin(), arguments.end());
-    std::vector<char*> words;
-    for (std::string& text : texts) words.push_back(text.data());
-    words.push_back(nullptr);
+    std::vector<char*> words = pointers_to(texts);
+    std::vector<std::string> around = surroundings_with(settings);
+    std::vector<char*> surroundings = pointers_to(around);
     pid_t pid = 0;
-    if (const int error = SpawnOrder(handed, streams).spawn(pid, program, words); error != 0)
+    if (const int error = SpawnOrder(handed, streams).spawn(pid, program, words, surroundings);
+        error != 0)
         return failure("the program " + program + " cannot be started: " + std::strerror(error));
     Descriptor pidfd(pidfd_open(pid, 0));
     if (!pidfd.is_open()) {

@@ -34,11 +34,13 @@ enum class StandardStreams : std::uint8_t { ours, nothing };
 class Child {
   public:
     /// Runs `program arguments...`. Of this process's descriptors it gets `handed`, as
-    /// first_handed, first_handed + 1, ..., and the standard ones.
+    /// first_handed, first_handed + 1, ..., and the standard ones; its environment is ours, but
+    /// for `settings` ("NAME=value").
     [[nodiscard]] static Result<Child> start(const std::string& program,
                                              const std::vector<std::string>& arguments,
                                              std::span<const Descriptor* const> handed,
-                                             StandardStreams streams = StandardStreams::ours);
+                                             StandardStreams streams = StandardStreams::ours,
+                                             const std::vector<std::string>& settings = {});
 
     static constexpr int first_handed = 3;
 

@@ -49,7 +49,9 @@ WorkerOutcome run_worker(const WorkerOrder& order, const Descriptor& input) {
     auto output = fresh_memory();
     if (!output) return {WorkerEnd::out_of_memory, Descriptor{}};
     const std::array<const Descriptor*, 2> handed{&input, &*output};
-    auto child = Child::start(order.program, order.arguments, handed, StandardStreams::nothing);
+    // OpenMP would start threads that a worker cannot have, and end the program for it.
+    auto child = Child::start(order.program, order.arguments, handed, StandardStreams::nothing,
+                              {"OMP_THREAD_LIMIT=1"});
     if (!child) return {WorkerEnd::not_started, Descriptor{}};
     const bool has_ended = wait_for_end(*child, limits_of(order.kind).deadline_s);
     if (!has_ended) child->kill();

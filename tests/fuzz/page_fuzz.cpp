@@ -1,5 +1,6 @@
-// Any answer of a worker is a sound page or one clear line; behind a checksum that is made right.
-#include "app/decode/page.h"
+// Any answer of a worker is a sound page, sound words or one clear line; behind a checksum that is
+// made right.
+#include "app/decode/found_words.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,24 @@ bool is_sound(const touchline::Page& page) {
     return page.number >= 1 && page.number <= page.count;
 }
 
+bool is_sound(const touchline::FoundWords& words) {
+    for (const touchline::WordBox& box : words.boxes)
+        if (box.left >= box.right || box.right > words.width || box.bottom > words.height)
+            return false;
+    return words.labels.size() <= words.boxes.size();
+}
+
+/// Of the picture that the header speaks of, so that the rest is looked at, too.
+touchline::Result<touchline::FoundWords> words_in(const std::vector<std::uint8_t>& bytes) {
+    std::int32_t width = 0;
+    std::int32_t height = 0;
+    if (bytes.size() >= 16) {
+        std::memcpy(&width, &bytes[8], sizeof width);
+        std::memcpy(&height, &bytes[12], sizeof height);
+    }
+    return touchline::words_of(std::as_bytes(std::span(bytes)), width, height);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -44,5 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     const auto page = touchline::page_of(std::as_bytes(std::span(bytes)));
     if (page ? !is_sound(*page) : !is_one_line(page.error().line)) abort();
+    const auto words = words_in(bytes);
+    if (words ? !is_sound(*words) : !is_one_line(words.error().line)) abort();
     return 0;
 }

@@ -1,16 +1,16 @@
-// A worker that lies, as its input says: what a captured decoder could do. In the place of
-// touchline-decode (TOUCHLINE_PROGRAMS), shut in like it.
-#include "app/decode/page.h"
+// A worker that lies, as its input says: what a captured decoder or reader could do. In the place
+// of touchline-decode or touchline-read (TOUCHLINE_PROGRAMS), shut in like it.
+#include "app/decode/found_words.h"
 #include "app/process/descriptor.h"
 #include "app/sandbox/sandbox.h"
 #include "app/sandbox/worker.h"
 
-#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <sys/socket.h>
@@ -28,24 +28,41 @@ Page honest_page() {
     return page;
 }
 
+/// In the picture that the test hands to a reader.
+FoundWords honest_words() {
+    return {20, 1, {{0, 0, 2, 1}}, {0.002, 0.0001}, {{"honest", {0.0, 0.0}}}};
+}
+
+FoundWords words_elsewhere() {
+    FoundWords words = honest_words();
+    words.width = 21;
+    return words;
+}
+
 void put(const Bytes& bytes) {
     const Descriptor output(worker_output);
     (void)write_all(output, bytes);
     _exit(0);
 }
 
-/// The text after "liar ", which makes the input a file of no format.
+/// The text after "liar ", which makes the input a file of no format; a reader has it in its
+/// pixels.
 std::string lie() {
-    std::array<char, 64> text{};
+    std::array<char, 128> text{};
     const ssize_t size = pread(worker_input, text.data(), text.size() - 1, 0);
     if (size < 0) _exit(9);
-    const std::string whole(text.data());
-    return whole.substr(std::min<std::size_t>(whole.find(' ') + 1, whole.size()));
+    const std::string whole(text.begin(), text.end());
+    const auto start = whole.find("liar ");
+    if (start == std::string::npos) _exit(9);
+    return {whole.c_str() + start + 5};
 }
 
-void tell_lie(const std::string& lie) {
-    Bytes answer = answer_of(honest_page()).value();
+void tell_lie(const std::string& lie, bool is_reader) {
+    const Bytes page = answer_of(Result<Page>(honest_page())).value();
+    Bytes answer = is_reader ? answer_of(Result<FoundWords>(honest_words())).value() : page;
     if (lie == "honest") put(answer);
+    if (lie == "a page") put(page);
+    if (lie == "elsewhere") put(answer_of(Result<FoundWords>(words_elsewhere())).value());
     if (lie == "wrong magic") answer[0] ^= std::byte{1}, put(answer);
     if (lie == "wrong sum") answer[28] ^= std::byte{1}, put(answer);
     if (lie == "huge header") answer[10] = answer[14] = std::byte{0x20}, put(answer);
@@ -97,11 +114,13 @@ void tell_lie(const std::string& lie) {
 }  // namespace
 }  // namespace touchline
 
-int main() {
+int main(int /*argc*/, char** argv) {
     using namespace touchline;
+    const bool is_reader = std::string_view(argv[0]).ends_with("read");
     try {
-        if (!enter_sandbox(WorkerKind::raster)) _exit(worker_refused_to_start);
-        tell_lie(lie());
+        if (!enter_sandbox(is_reader ? WorkerKind::ocr : WorkerKind::raster))
+            _exit(worker_refused_to_start);
+        tell_lie(lie(), is_reader);
     } catch (const std::bad_alloc&) {
         _exit(worker_out_of_memory);
     }

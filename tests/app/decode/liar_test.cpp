@@ -3,64 +3,20 @@
 #include "app/decode/opening.h"
 #include "tests/app/decode/encoders.h"
 #include "tests/app/decode/files_of_formats.h"
+#include "tests/app/decode/liar_in_place.h"
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <random>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 namespace touchline {
 namespace {
 
 using encoders::Bytes;
-
-bool is_one_sentence(const std::string& line) {
-    return line.size() > 10 && std::none_of(line.begin(), line.end(), [](char c) {
-               return static_cast<unsigned char>(c) < 0x20;
-           });
-}
-
-int open_descriptors() {
-    int count = 0;
-    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
-        ++count;
-    return count;
-}
-
-bool has_a_child() {
-    return waitpid(-1, nullptr, WNOHANG) != -1;
-}
-
-long resident_kB() {
-    std::ifstream status("/proc/self/status");
-    for (std::string word; status >> word;) {
-        long kB = 0;
-        if (word == "VmRSS:" && status >> kB) return kB;
-    }
-    return 0;
-}
-
-/// As long as it lives the liar stands in the decoder's place.
-class LiarInPlace {
-  public:
-    LiarInPlace() { setenv("TOUCHLINE_PROGRAMS", TOUCHLINE_LIARS, 1); }
-
-    ~LiarInPlace() { setenv("TOUCHLINE_PROGRAMS", programs_.c_str(), 1); }
-
-    LiarInPlace(const LiarInPlace&) = delete;
-    LiarInPlace& operator=(const LiarInPlace&) = delete;
-
-  private:
-    std::string programs_ = std::getenv("TOUCHLINE_PROGRAMS");
-};
 
 Result<Page> told(const std::string& lie) {
     return open_page(encoders::bytes_of("liar " + lie));

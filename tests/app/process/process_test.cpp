@@ -85,6 +85,21 @@ TEST(Child, IsHandedItsDescriptorsAndNoOther) {
     }
 }
 
+TEST(Child, HasOurEnvironmentButForItsSettings) {
+    setenv("TOUCHLINE_TEST_OURS", "kept", 1);
+    setenv("TOUCHLINE_TEST_BOTH", "old", 1);
+    const Descriptor output = fresh_memory().value();
+    const std::string script =
+        "printf '%s %s' \"$TOUCHLINE_TEST_OURS\" \"$TOUCHLINE_TEST_BOTH\" >&3";
+    Child child = Child::start("/bin/sh", {"-c", script}, std::array<const Descriptor*, 1>{&output},
+                               StandardStreams::nothing, {"TOUCHLINE_TEST_BOTH=new"})
+                      .value();
+    EXPECT_TRUE(child.reap().is_good());
+    std::array<char, 20> text{};
+    EXPECT_EQ(pread(output.number(), text.data(), text.size() - 1, 0), 8);
+    EXPECT_STREQ(text.data(), "kept new");
+}
+
 TEST(Child, TellsHowItEnded) {
     EXPECT_EQ(run("exit 3", false).second, (ChildEnd{3, 0}));
     EXPECT_EQ(run("kill -9 $$", false).second, (ChildEnd{0, 9}));

@@ -4,6 +4,7 @@
 #include "app/cli/page_map.h"
 #include "app/decode/files.h"
 #include "app/decode/opening.h"
+#include "app/decode/words_in_picture.h"
 #include "app/servo/scene_order.h"
 #include "config/types/steady_clock.h"
 
@@ -51,6 +52,8 @@ bool measure(const std::string& path, int runs) {
     Stage open;
     Stage trace;
     Stage scene;
+    Stage read;
+    std::size_t labels = 0;
     int width = 0;
     int height = 0;
     for (int i = 0; i < runs; ++i) {
@@ -58,12 +61,16 @@ bool measure(const std::string& path, int runs) {
         if (!page) return false;
         width = page->picture.width;
         height = page->picture.height;
+        if (needs_reading(*page)) {
+            const auto found = read.time([&] { return read_words(page->picture); });
+            if (found) labels = found->labels.size();
+        }
         const auto traced = trace.time([&] { return trace_page(*page, {}); });
         if (!traced) continue;
         (void)scene.time([&] { return build_scene(traced->map, felt_order(default_profile())); });
     }
-    fmt::print("| {} | {} x {} | {} | {} | {} |\n", path.substr(path.rfind('/') + 1), width, height,
-               open.words(), trace.words(), scene.words());
+    fmt::print("| {} | {} x {} | {} | {} | {} | {} | {} |\n", path.substr(path.rfind('/') + 1),
+               width, height, open.words(), trace.words(), scene.words(), read.words(), labels);
     return true;
 }
 
@@ -74,7 +81,9 @@ int main(int argc, char** argv) {
     if (argc < 3) return 2;
     const int runs = std::atoi(argv[1]);
     fmt::print("worker's start, to a refusal: {} ms\n\n", touchline::start_of(10 * runs));
-    fmt::print("| file | pixels | opened, ms | traced, ms | scene, ms |\n|---|---|---|---|---|\n");
+    fmt::print(
+        "| file | pixels | opened, ms | traced, ms | scene, ms | read, ms | labels "
+        "|\n|---|---|---|---|---|---|---|\n");
     bool is_done = true;
     for (int i = 2; i < argc; ++i) is_done = touchline::measure(argv[i], runs) && is_done;
     return is_done ? 0 : 1;

@@ -1,0 +1,68 @@
+#include "app/decode/found_words.h"
+
+#include "app/decode/answer_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+bool is_within(const Position& place, const Area& area) {
+    return std::abs(place.x) <= area.width_m / 2.0 && std::abs(place.y) <= area.height_m / 2.0;
+}
+
+/// Nothing but labels on the picture, each of a word at least.
+bool is_of_words(const TactileMap& map, std::size_t words) {
+    return map.outlines.empty() && map.labels.size() <= words &&
+           std::ranges::all_of(map.labels, [&map](const Label& label) {
+               return is_within(label.place, map.area) && !label.text.empty();
+           });
+}
+
+}  // namespace
+
+bool needs_reading(const Page& page) {
+    return !page.picture.bgr.empty() && page.words.empty() && page.told.outlines.empty();
+}
+
+Page with_words(Page page, const FoundWords& found) {
+    const bool is_of_this_page =
+        found.width == page.picture.width && found.height == page.picture.height;
+    if (!needs_reading(page) || !is_of_this_page) return page;
+    const double scale_x = page.told.area.width_m / found.area.width_m;
+    const double scale_y = page.told.area.height_m / found.area.height_m;
+    for (const Label& label : found.labels)
+        page.told.labels.push_back(
+            {label.text, {scale_x * label.place.x, scale_y * label.place.y}});
+    page.words = found.boxes;
+    return page;
+}
+
+Result<std::vector<std::byte>> answer_of(const Result<FoundWords>& found) {
+    if (!found) return decode::refusal(found.error().line);
+    AnswerHeader header;
+    header.kind = AnswerKind::words;
+    header.width = static_cast<std::uint32_t>(found->width);
+    header.height = static_cast<std::uint32_t>(found->height);
+    TactileMap map;
+    map.area = found->area;
+    map.labels = found->labels;
+    return decode::answer_with(header, {}, found->boxes, map);
+}
+
+Result<FoundWords> words_of(std::span<const std::byte> answer, int width, int height) {
+    auto parts = decode::parts_of(answer);
+    if (!parts) return tl::unexpected(parts.error());
+    const AnswerHeader& header = parts->header;
+    const bool is_of_this_picture = header.kind == AnswerKind::words &&
+                                    header.width == static_cast<std::uint32_t>(width) &&
+                                    header.height == static_cast<std::uint32_t>(height);
+    if (!is_of_this_picture || !is_of_words(parts->map, parts->boxes.size()))
+        return failure("the words in the picture could not be read safely; it is shown without");
+    return FoundWords{width, height, std::move(parts->boxes), parts->map.area,
+                      std::move(parts->map.labels)};
+}
+
+}  // namespace touchline

@@ -1,0 +1,33 @@
+// In which languages words are looked for in a picture.
+// Threads: values and pure functions.
+#pragma once
+
+#include "config/types/result.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace touchline {
+
+enum class Language : std::uint8_t { english, german, french, spanish };
+
+struct ReadingOrder {
+    /// At least one, the likeliest first. Each takes as long again as the first: ask for those that
+    /// the visitor speaks, not for all.
+    std::vector<Language> languages{Language::english};
+};
+
+/// "English"; for people.
+[[nodiscard]] std::string_view name_of(Language language);
+
+/// Of tesseract's data: "eng".
+[[nodiscard]] std::string_view code_of(Language language);
+
+/// What the worker that reads is told on its command line; reading_order_in() reads the same back.
+[[nodiscard]] std::vector<std::string> arguments_of(const ReadingOrder& order);
+[[nodiscard]] Result<ReadingOrder> reading_order_in(std::span<const std::string> arguments);
+
+}  // namespace touchline

@@ -1,0 +1,127 @@
+#include "app/decode/word_gate.h"
+
+#include "app/decode/formats.h"
+#include "app/decode/text_line.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace touchline::decode {
+namespace {
+
+// Measured on photos, drawings and pages of text: README.md.
+constexpr double least_confidence = 60.0;
+constexpr double least_of_a_long_word = 75.0;  // that stands for its line
+constexpr double least_of_a_short_word = 95.0;
+constexpr double least_of_a_letter = 85.0;  // in a line that another word stands for
+constexpr int letters_of_a_long_word = 4;
+constexpr int letters_of_a_word = 2;
+constexpr std::size_t most_labels = 2000;
+
+struct Signs {
+    int letters = 0;  // and digits
+    int others = 0;
+};
+
+/// Of the alphabets of Europe's west, U+00C0 to U+024F but for the signs of times and divided by.
+bool is_letter(std::string_view text, std::size_t at) {
+    const auto first = static_cast<unsigned char>(text[at]);
+    const auto second =
+        at + 1 < text.size() ? static_cast<unsigned char>(text[at + 1]) : std::uint8_t{0};
+    const bool is_ascii = (first >= '0' && first <= '9') || (first >= 'a' && first <= 'z') ||
+                          (first >= 'A' && first <= 'Z');
+    const bool is_sign = first == 0xc3 && (second == 0x97 || second == 0xb7);
+    return is_ascii || (first >= 0xc3 && first <= 0xc9 && !is_sign);
+}
+
+Signs signs_in(std::string_view text) {
+    Signs signs;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if ((static_cast<unsigned char>(text[at]) & 0xc0U) == 0x80U) continue;
+        ++(is_letter(text, at) ? signs.letters : signs.others);
+    }
+    return signs;
+}
+
+/// Good enough to show that its line is text.
+bool stands_for_its_line(const SeenWord& word) {
+    const Signs signs = signs_in(word.text);
+    if (signs.letters < letters_of_a_word || signs.letters <= signs.others) return false;
+    return word.confidence >=
+           (signs.letters >= letters_of_a_long_word ? least_of_a_long_word : least_of_a_short_word);
+}
+
+/// In a line that is text.
+bool is_a_word(const SeenWord& word) {
+    const int letters = signs_in(word.text).letters;
+    return letters > 0 &&
+           word.confidence >= (letters >= letters_of_a_word ? least_confidence : least_of_a_letter);
+}
+
+TextBox text_box(const WordBox& box) {
+    return {static_cast<double>(box.left), static_cast<double>(box.top),
+            static_cast<double>(box.right), static_cast<double>(box.bottom)};
+}
+
+class WordJoiner {
+  public:
+    WordJoiner(int width, int height) : picture_{width, height, {}, 1.0} {
+        found_.width = width;
+        found_.height = height;
+        found_.area = told_area(picture_);
+    }
+
+    void take(const SeenWord& word) {
+        const TextBox box = text_box(word.box);
+        const bool goes_on = !run_.empty() && !word.begins_line && continues(box_, box);
+        if (!goes_on) end();
+        box_ = run_.empty() ? box : around(box_, box);
+        run_.push_back(&word);
+    }
+
+    FoundWords finish() {
+        end();
+        return std::move(found_);
+    }
+
+  private:
+    void end() {
+        const bool is_text = std::ranges::any_of(
+            run_, [](const SeenWord* word) { return stands_for_its_line(*word); });
+        std::erase_if(run_, [](const SeenWord* word) { return !is_a_word(*word); });
+        if (is_text && found_.labels.size() < most_labels &&
+            found_.boxes.size() + run_.size() <= max_word_boxes)
+            keep();
+        run_.clear();
+    }
+
+    void keep() {
+        std::string text;
+        TextBox box = text_box(run_.front()->box);
+        for (const SeenWord* word : run_) {
+            if (!text.empty()) text += ' ';
+            text += word->text;
+            box = around(box, text_box(word->box));
+            found_.boxes.push_back(word->box);
+        }
+        found_.labels.push_back({text, told_place(picture_, (box.left + box.right) / 2.0,
+                                                  (box.top + box.bottom) / 2.0)});
+    }
+
+    Picture picture_;  // its size
+    FoundWords found_;
+    std::vector<const SeenWord*> run_;  // that stand close in one line
+    TextBox box_;                       // around them
+};
+
+}  // namespace
+
+FoundWords believed(std::span<const SeenWord> seen, int width, int height) {
+    WordJoiner joiner(width, height);
+    for (const SeenWord& word : seen) joiner.take(word);
+    return joiner.finish();
+}
+
+}  // namespace touchline::decode

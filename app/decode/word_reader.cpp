@@ -1,0 +1,159 @@
+#include "app/decode/word_reader.h"
+
+#include "app/decode/without_shapes.h"
+#include "app/decode/word_gate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <leptonica/allheaders.h>
+#include <tesseract/baseapi.h>
+
+namespace touchline {
+namespace {
+
+using decode::SeenWord;
+
+/// Letters of 10 pixels are read when they are drawn twice as large; time grows with the pixels.
+constexpr double wanted_pixels = 4e6;
+constexpr double most_enlarged = 2.0;
+
+/// What tesseract goes by where it looks for the sizes of letters; a screen's or a page's.
+constexpr int pixels_per_inch = 150;
+
+/// A shape with more holes than any letter has is no letter: what is in it is looked at by itself.
+/// By its own limit (45) tesseract takes a ring for a letter with the words in it for holes.
+constexpr const char* most_holes_setting = "edges_children_count_limit";
+constexpr const char* most_holes = "5";
+
+using decode::OwnedPix;
+using OwnedText = std::unique_ptr<char[]>;
+
+/// As bright as the eye sees it. Null where memory ends.
+OwnedPix grey_of(const Picture& picture) {
+    OwnedPix grey(pixCreateNoInit(picture.width, picture.height, 8));
+    if (grey == nullptr) return nullptr;
+    const std::uint8_t* at = picture.bgr.data();
+    for (int y = 0; y < picture.height; ++y) {
+        l_uint32* const line = pixGetData(grey.get()) + std::ptrdiff_t{y} * pixGetWpl(grey.get());
+        for (int x = 0; x < picture.width; ++x, at += 3) {
+            constexpr unsigned blue = 29;
+            constexpr unsigned green = 150;
+            constexpr unsigned red = 77;
+            const unsigned bright = (blue * at[0] + green * at[1] + red * at[2]) >> 8U;
+            SET_DATA_BYTE(line, x, static_cast<l_uint8>(bright));
+        }
+    }
+    return grey;
+}
+
+/// Pixels that are read per pixel of the picture.
+double scale_for(const Picture& picture) {
+    const double pixels = static_cast<double>(picture.width) * picture.height;
+    return std::min(most_enlarged, std::sqrt(wanted_pixels / pixels));
+}
+
+OwnedPix scaled(OwnedPix grey, double scale) {
+    if (grey == nullptr) return nullptr;
+    const auto factor = static_cast<float>(scale);
+    return OwnedPix(pixScale(grey.get(), factor, factor));
+}
+
+std::uint16_t pixel(double value, int most) {
+    return static_cast<std::uint16_t>(std::clamp(value, 0.0, static_cast<double>(most)));
+}
+
+/// Where `at` stands; a box without pixels where tesseract does not say.
+WordBox box_at(const tesseract::ResultIterator& at, double scale, const Picture& picture) {
+    int left = 0;
+    int top = 0;
+    int right = 0;
+    int bottom = 0;
+    if (!at.BoundingBox(tesseract::RIL_WORD, &left, &top, &right, &bottom)) return {};
+    return {pixel(std::floor(left / scale), picture.width),
+            pixel(std::floor(top / scale), picture.height),
+            pixel(std::ceil(right / scale), picture.width),
+            pixel(std::ceil(bottom / scale), picture.height)};
+}
+
+std::vector<SeenWord> words_seen(tesseract::TessBaseAPI& tesseract, double scale,
+                                 const Picture& picture) {
+    std::vector<SeenWord> seen;
+    const std::unique_ptr<tesseract::ResultIterator> at(tesseract.GetIterator());
+    if (at == nullptr) return seen;
+    bool begins_line = true;  // also where the line's first word is left out
+    do {
+        begins_line = begins_line || at->IsAtBeginningOf(tesseract::RIL_TEXTLINE);
+        if (at->Empty(tesseract::RIL_WORD)) continue;
+        const OwnedText text(at->GetUTF8Text(tesseract::RIL_WORD));
+        const WordBox box = box_at(*at, scale, picture);
+        if (text == nullptr || box.left >= box.right || box.top >= box.bottom) continue;
+        const double confidence = at->Confidence(tesseract::RIL_WORD);
+        seen.push_back({text.get(), confidence, box, std::exchange(begins_line, false)});
+    } while (at->Next(tesseract::RIL_WORD));
+    return seen;
+}
+
+std::string codes_of(const ReadingOrder& order) {
+    std::string codes;
+    for (const Language language : order.languages) {
+        if (!codes.empty()) codes += '+';
+        codes += code_of(language);
+    }
+    return codes;
+}
+
+tl::unexpected<Error> missing(Language language) {
+    return failure("words in pictures cannot be read in " + std::string(name_of(language)) +
+                   ": its data are missing; install the package tesseract-ocr-" +
+                   std::string(code_of(language)));
+}
+
+/// One that is missing is passed over by tesseract without a word, but for the first.
+Result<void> check_loaded(const tesseract::TessBaseAPI& tesseract, const ReadingOrder& order) {
+    std::vector<std::string> loaded;
+    tesseract.GetLoadedLanguagesAsVector(&loaded);
+    for (const Language language : order.languages)
+        if (std::ranges::count(loaded, code_of(language)) == 0) return missing(language);
+    return {};
+}
+
+}  // namespace
+
+WordReader::WordReader(std::unique_ptr<tesseract::TessBaseAPI> tesseract)
+    : tesseract_(std::move(tesseract)) {}
+
+WordReader::~WordReader() = default;
+WordReader::WordReader(WordReader&& other) noexcept = default;
+WordReader& WordReader::operator=(WordReader&& other) noexcept = default;
+
+Result<WordReader> WordReader::load(const ReadingOrder& order) {
+    setMsgSeverity(L_SEVERITY_NONE);
+    auto tesseract = std::make_unique<tesseract::TessBaseAPI>();
+    const bool is_ready =
+        tesseract->Init(nullptr, codes_of(order).c_str(), tesseract::OEM_LSTM_ONLY) == 0;
+    if (!is_ready || !tesseract->SetVariable(most_holes_setting, most_holes))
+        return missing(order.languages.front());
+    tesseract->SetPageSegMode(tesseract::PSM_SPARSE_TEXT);
+    return check_loaded(*tesseract, order).map([&tesseract] {
+        return WordReader(std::move(tesseract));
+    });
+}
+
+Result<FoundWords> WordReader::read(const Picture& picture) {
+    const double scale = scale_for(picture);
+    OwnedPix grey = scaled(grey_of(picture), scale);
+    if (grey == nullptr)
+        return failure("the picture needs too much memory to be read; it is shown without words");
+    grey = decode::without_shapes(std::move(grey));
+    tesseract_->SetImage(grey.get());
+    tesseract_->SetSourceResolution(pixels_per_inch);
+    if (tesseract_->Recognize(nullptr) != 0)
+        return failure("the words in the picture cannot be read; it is shown without them");
+    const auto seen = words_seen(*tesseract_, scale, picture);
+    return decode::believed(seen, picture.width, picture.height);
+}
+
+}  // namespace touchline

@@ -1,0 +1,15 @@
+// The words in a picture, read by a worker that can do nothing else (touchline-read).
+// Threads: any, each call by itself; a call waits for its worker, at most its deadline
+// (WorkerKind::ocr), so none that draws or speaks should make it.
+#pragma once
+
+#include "app/decode/found_words.h"
+#include "app/decode/reading_order.h"
+
+namespace touchline {
+
+/// The words that can be believed; none is no error. Fails with one line: why, and what comes of
+/// it. The picture holds at least one pixel.
+[[nodiscard]] Result<FoundWords> read_words(const Picture& picture, const ReadingOrder& order = {});
+
+}  // namespace touchline

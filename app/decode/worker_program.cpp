@@ -1,0 +1,69 @@
+#include "app/decode/worker_program.h"
+
+#include "app/decode/page.h"
+#include "app/process/descriptor.h"
+#include "app/sandbox/sandbox.h"
+#include "app/sandbox/worker.h"
+
+#include <cstdio>
+#include <new>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+Result<std::vector<std::byte>> read_input(const WorkerLimits& limits) {
+    struct stat status {};
+
+    if (::fstat(worker_input, &status) != 0 || !S_ISREG(status.st_mode))
+        return failure("the file cannot be read");
+    if (static_cast<std::size_t>(status.st_size) > limits.input_bytes)
+        return failure("the file is larger than " + std::to_string(limits.input_bytes >> 20U) +
+                       " MiB; save it smaller");
+    std::vector<std::byte> bytes(static_cast<std::size_t>(status.st_size));
+    std::size_t got = 0;
+    while (got < bytes.size()) {
+        const ssize_t read =
+            ::pread(worker_input, bytes.data() + got, bytes.size() - got, static_cast<off_t>(got));
+        if (read <= 0) return failure("the file cannot be read");
+        got += static_cast<std::size_t>(read);
+    }
+    return bytes;
+}
+
+/// 0: answered.
+int answer(const WorkerProgram& program) {
+    auto bytes = read_input(limits_of(program.kind)).and_then(program.work);
+    if (!bytes) bytes = answer_of(Result<Page>(failure(bytes.error().line)));
+    if (!bytes) return 1;
+    const Descriptor output(worker_output);
+    return write_all(output, *bytes) ? 0 : 1;
+}
+
+Result<void> shut_in(const WorkerProgram& program) {
+    if (!program.prepare) return enter_sandbox(program.kind);
+    return allow_only_reading_the_system().and_then([&program] {
+        program.prepare();
+        return enter_sandbox(program.kind);
+    });
+}
+
+}  // namespace
+
+void run_worker_program(const WorkerProgram& program) {
+    try {
+        if (!shut_in(program)) _exit(worker_refused_to_start);
+        _exit(answer(program));  // no library's farewell, which may want what it may not
+    } catch (const std::bad_alloc&) {
+        _exit(worker_out_of_memory);
+    }
+}
+
+void refuse_to_run(const char* program) {
+    std::fprintf(stderr, "%s: the kiosk starts it by itself; use 'touchline'\n", program);
+    _exit(2);
+}
+
+}  // namespace touchline

@@ -1,0 +1,54 @@
+// A liar in the place of the workers, and what it may not leave behind.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <sys/wait.h>
+
+namespace touchline {
+
+[[nodiscard]] inline bool is_one_sentence(const std::string& line) {
+    return line.size() > 10 && std::none_of(line.begin(), line.end(), [](char c) {
+               return static_cast<unsigned char>(c) < 0x20;
+           });
+}
+
+[[nodiscard]] inline int open_descriptors() {
+    int count = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
+        ++count;
+    return count;
+}
+
+[[nodiscard]] inline bool has_a_child() {
+    return waitpid(-1, nullptr, WNOHANG) != -1;
+}
+
+[[nodiscard]] inline long resident_kB() {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;) {
+        long kB = 0;
+        if (word == "VmRSS:" && status >> kB) return kB;
+    }
+    return 0;
+}
+
+/// As long as it lives the liar stands in the workers' place.
+class LiarInPlace {
+  public:
+    LiarInPlace() { setenv("TOUCHLINE_PROGRAMS", TOUCHLINE_LIARS, 1); }
+
+    ~LiarInPlace() { setenv("TOUCHLINE_PROGRAMS", programs_.c_str(), 1); }
+
+    LiarInPlace(const LiarInPlace&) = delete;
+    LiarInPlace& operator=(const LiarInPlace&) = delete;
+
+  private:
+    std::string programs_ = std::getenv("TOUCHLINE_PROGRAMS");
+};
+
+}  // namespace touchline
