@@ -43,7 +43,8 @@ TEST(SettingRows, OfATableAreNeighbours) {
     std::set<std::string_view> ended;
     std::string_view table;
     for (const SettingRow& row : setting_rows()) {
-        if (row.table != table) EXPECT_TRUE(ended.insert(row.table).second) << row.table;
+        const bool is_next = row.table == table || ended.insert(row.table).second;
+        EXPECT_TRUE(is_next) << row.table;
         table = row.table;
     }
 }
