@@ -82,9 +82,9 @@ void tell_lie(const std::string& lie, bool is_reader) {
         *reinterpret_cast<volatile int*>(nowhere) = 1;
     }
     if (lie == "figure outside") {
-        Page page = honest_page();
-        page.figures.push_back({{0, 0, 3, 1}, "beyond the edge"});
-        put(answer_of(page).value());
+        Page with_figure = honest_page();
+        with_figure.figures.push_back({{0, 0, 3, 1}, "beyond the edge"});
+        put(answer_of(with_figure).value());
     }
     if (lie == "fork") _exit(fork() == 0 ? 0 : 1);
     if (lie == "connect") _exit(socket(AF_INET, SOCK_STREAM, 0));
