@@ -78,6 +78,7 @@ TEST_F(Kiosk, RunsInAWindowToo) {
 
 TEST_F(Kiosk, EveryKeyLeavesItRunning) {
     EXPECT_EQ(run_script("kiosk; keys Right b h h 5 1 l Prior Next l Up Down m m m m p p Left;"
+                         "keys s s s v v a x z z comma period minus equal n n n n F16 F15 t;"
                          "kill -0 $pid || exit 9; keys q; finish"),
               0);
     EXPECT_EQ(text_of("err.txt"), "");
@@ -91,6 +92,32 @@ TEST_F(Kiosk, KeepsARecordingOnItsKeyThatRunsAgainTheSame) {
         << text_of("err.txt");
     EXPECT_NE(text_of("out.txt").find("the same, bit for bit"), std::string::npos)
         << text_of("out.txt");
+}
+
+/// What SDL writes to a file instead of a card.
+TEST_F(Kiosk, IsHeard) {
+    EXPECT_EQ(
+        run_script("export SDL_AUDIODRIVER=disk SDL_DISKAUDIOFILE=heard.raw; kiosk; keys Right n;"
+                   "for _ in $(seq 1000); do [ -e heard.raw ] && "
+                   "[ $(tr -d '\\0' <heard.raw | wc -c) -gt 100000 ] && break; sleep 0.1; done;"
+                   "[ $(tr -d '\\0' <heard.raw | wc -c) -gt 100000 ] || exit 9; keys q; finish"),
+        0);
+    EXPECT_EQ(text_of("err.txt"), "");
+}
+
+TEST_F(Kiosk, WithoutAnySoundItGoesOn) {
+    EXPECT_EQ(run_script("export SDL_AUDIODRIVER=none; kiosk; keys Right n s v b;"
+                         "kill -0 $pid || exit 9; keys q; finish"),
+              0);
+    EXPECT_EQ(text_of("err.txt"), "");
+}
+
+TEST_F(Kiosk, BadLevelsAreOneLineAndTheDefaultsCount) {
+    EXPECT_EQ(run_script("echo '[headset]' >loud.toml; echo 'cap_dB = 130' >>loud.toml;"
+                         "export TOUCHLINE_SOUND=loud.toml; kiosk; keys b; keys q; finish"),
+              0);
+    EXPECT_EQ(text_of("err.txt"),
+              "touchline: loud.toml:2: 'cap_dB' must be a number from 60 to 105, in dB\n");
 }
 
 TEST_F(Kiosk, LeavesNoCoreDump) {

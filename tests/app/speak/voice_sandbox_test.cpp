@@ -72,7 +72,7 @@ class VoiceSandbox : public testing::Test {
 };
 
 TEST_F(VoiceSandbox, EveryActOfACapturedVoiceIsDenied) {
-    ASSERT_GE(acts().size(), 38U);
+    ASSERT_GE(acts().size(), 39U);
     for (const Act& act : acts()) {
         const ChildEnd end = captured_by(act.name);
         EXPECT_TRUE(end == was_killed || end == was_refused) << act.name << ": " << describe(end);
