@@ -201,16 +201,17 @@ Result<void> measure_errors(const Folders& folders) {
     auto traced = gallery_curves(true, closed_outlines);
     if (!traced) return tl::unexpected(traced.error());
     const Set whole{"drawn",
-                    "closed outlines as the gallery draws them, not cut at pins",
+                    "closed outlines as the gallery draws its first pictures, not cut at pins",
                     std::move(*drawn),
                     6,
                     true,
                     false};
     for (const Set& set :
-         {Set{"pinned", "pieces between pins of the gallery's outlines, as the product cuts them",
+         {Set{"pinned",
+              "pieces between pins of the gallery's first outlines, as the product cuts them",
               std::move(*pinned), 5, false, true},
           whole,
-          Set{"traced", "closed outlines as the tracer finds them in the gallery's pixels",
+          Set{"traced", "closed outlines as the tracer finds them in those pictures' pixels",
               std::move(*traced), 6, true, false},
           noisy_of(whole)}) {
         if (auto written = measure(folders, set); !written) return written;

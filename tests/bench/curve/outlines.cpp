@@ -1,7 +1,6 @@
 #include "tests/bench/curve/outlines.h"
 
 #include "app/cli/load.h"
-#include "app/gallery/gallery.h"
 #include "haptics/curve/sampling.h"
 #include "tests/haptics/curve/uniform_points.h"
 
@@ -41,9 +40,17 @@ std::vector<Curve> pinned_pieces(const TactileMap& map) {
     return pieces;
 }
 
+Result<std::vector<GalleryEntry>> measured_pictures() {
+    constexpr std::size_t measured = 16;
+    auto entries = list_gallery(gallery_folder());
+    if (entries && entries->size() < measured) return failure("the gallery lacks pictures");
+    if (entries) entries->resize(measured);
+    return entries;
+}
+
 Result<std::vector<Curve>> gallery_curves(bool is_traced,
                                           std::vector<Curve> (*curves_of)(const TactileMap&)) {
-    const auto entries = list_gallery(gallery_folder());
+    const auto entries = measured_pictures();
     if (!entries) return tl::unexpected(entries.error());
     std::vector<Curve> all;
     for (const GalleryEntry& entry : *entries) {

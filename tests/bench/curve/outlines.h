@@ -2,6 +2,7 @@
 // that they begin with. Threads: any.
 #pragma once
 
+#include "app/gallery/gallery.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 
@@ -23,7 +24,11 @@ using Curve = std::vector<Position>;
 /// bend by 1 % of it.
 [[nodiscard]] std::vector<Curve> pinned_pieces(const TactileMap& map);
 
-/// Such curves of every picture of the gallery: as drawn, or as the tracer finds them in its
+/// The pictures that the bench measures: the gallery's first sixteen, so that its figures stay
+/// comparable when the gallery grows.
+[[nodiscard]] Result<std::vector<GalleryEntry>> measured_pictures();
+
+/// Such curves of every picture that is measured: as drawn, or as the tracer finds them in its
 /// pixels.
 [[nodiscard]] Result<std::vector<Curve>> gallery_curves(
     bool is_traced, std::vector<Curve> (*curves_of)(const TactileMap&));

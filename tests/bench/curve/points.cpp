@@ -1,6 +1,6 @@
 #include "app/decode/map_svg.h"
-#include "app/gallery/gallery.h"
 #include "haptics/pantograph/profile.h"
+#include "tests/bench/curve/outlines.h"
 #include "tests/bench/curve/sections.h"
 #include "tests/haptics/curve/uniform_points.h"
 
@@ -73,7 +73,8 @@ std::string words(const std::vector<Row>& rows, const Table& table) {
             row.picture, row.bisected);
     }
     return fmt::format(
-        "Resampled for the {}, whose encoders tell {:.3f} mm. The {} pictures keep {:.0f} segments "
+        "Resampled for the {}, whose encoders tell {:.3f} mm. The gallery's first {} pictures keep "
+        "{:.0f} segments "
         "in all, {:.2f} times "
         "the fewest uniform ones that stay within 0.05 mm of the data; the largest ratio is that "
         "of {}, {:.2f}. Below 1: "
@@ -86,7 +87,7 @@ std::string words(const std::vector<Row>& rows, const Table& table) {
 }  // namespace
 
 Result<void> measure_points(const Folders& folders) {
-    const auto entries = list_gallery(gallery_folder());
+    const auto entries = measured_pictures();
     if (!entries) return tl::unexpected(entries.error());
     std::vector<Row> rows;
     Table table{{"picture", "points in the map", "segments kept", "fewest uniform", "by bisection",

@@ -1,0 +1,170 @@
+// What a listener needs of the words of every shipped picture, in each of the four languages.
+#include "app/decode/files.h"
+#include "app/decode/map_svg.h"
+#include "tests/app/gallery/pictures.h"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr std::size_t longest_sentence_words = 15;
+constexpr std::size_t longest_name_words = 7;
+
+/// What nobody says to who cannot see: colours, and to look. Small letters, whole words.
+const std::map<std::string, std::set<std::string>> unfit_words{
+    {"en",
+     {"see", "sees", "seen", "saw", "view", "look", "looks", "looking", "watch", "red", "green",
+      "blue", "yellow", "black", "white", "brown", "grey", "colour"}},
+    {"fr", {"voir",     "voit",    "voyez", "vu",    "vue",     "vus",  "regarder",
+            "regardez", "regarde", "rouge", "vert",  "verte",   "bleu", "bleue",
+            "jaune",    "noir",    "noire", "blanc", "blanche", "gris"}},
+    {"de",
+     {"sehen", "sieht", "siehst", "gesehen", "schau", "schauen", "schaut", "blick", "blickt", "rot",
+      "grün", "blau", "gelb", "schwarz", "weiß", "braun", "grau"}},
+    {"es",
+     {"ver", "ve", "vea", "visto", "vista", "mira", "mirar", "mirando", "rojo", "roja", "verde",
+      "azul", "amarillo", "negro", "negra", "blanco", "blanca", "gris"}}};
+
+/// Small letters; marks at the ends of a word dropped; what has neither letter nor digit is no
+/// word.
+Words words_in(const std::string& sentence) {
+    Words words;
+    std::istringstream stream(sentence);
+    for (std::string word; stream >> word;) {
+        const auto is_mark = [](char c) {
+            return std::string_view(".,;:!?()").find(c) != std::string_view::npos;
+        };
+        while (!word.empty() && is_mark(word.back())) word.pop_back();
+        std::transform(word.begin(), word.end(), word.begin(), [](char c) {
+            return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        });
+        if (!word.empty()) words.push_back(word);
+    }
+    return words;
+}
+
+Words sentences_in(const std::string& text) {
+    Words sentences;
+    std::size_t begin = 0;
+    for (std::size_t end = 0; end < text.size(); ++end) {
+        if (text[end] != '.' && text[end] != '!' && text[end] != '?') continue;
+        sentences.push_back(text.substr(begin, end + 1 - begin));
+        begin = end + 1;
+    }
+    if (!words_in(text.substr(begin)).empty()) sentences.push_back(text.substr(begin));
+    return sentences;
+}
+
+void expect_fit(const std::string& text, const std::string& language) {
+    for (const std::string& word : words_in(text))
+        EXPECT_EQ(unfit_words.at(language).count(word), 0U) << word << " in: " << text;
+}
+
+/// The file with everything that is said in no language of its own replaced.
+std::string without_english(const std::string& text) {
+    const std::string gap = "nobody said it";
+    std::string made = std::regex_replace(text, std::regex("<title>[^<]*"), "<title>" + gap);
+    made = std::regex_replace(made, std::regex("<desc>[^<]*"), "<desc>" + gap);
+    return std::regex_replace(made, std::regex("[^<>]*</text>"), gap + "</text>");
+}
+
+/// Everything that a map says.
+Words said_by(const TactileMap& map) {
+    Words said{map.title, map.description};
+    for (const Outline& outline : map.outlines) said.push_back(outline.label);
+    for (const Label& label : map.labels) said.push_back(label.text);
+    return said;
+}
+
+class PictureWords : public testing::TestWithParam<std::string> {};
+
+TEST_P(PictureWords, EveryTextIsThereInTheLanguageItself) {
+    for (const ShippedPicture& picture : shipped_pictures()) {
+        const bool is_english = GetParam() == "en";
+        const auto map =
+            parse_map_svg(is_english ? picture.text : without_english(picture.text), {GetParam()});
+        ASSERT_TRUE(map) << map.error().line;
+        for (const std::string& text : said_by(*map)) {
+            EXPECT_FALSE(words_in(text).empty()) << picture.name;
+            EXPECT_NE(text, "nobody said it") << picture.name;
+        }
+    }
+}
+
+TEST_P(PictureWords, SentencesAreShortAndPlain) {
+    for (const auto& [name, text, map] : shipped_pictures({GetParam()})) {
+        SCOPED_TRACE(name);
+        const Words sentences = sentences_in(map.description);
+        EXPECT_GE(sentences.size(), 2U);
+        for (const std::string& sentence : sentences) {
+            EXPECT_LE(words_in(sentence).size(), longest_sentence_words) << sentence;
+            EXPECT_EQ(sentence.back(), '.') << sentence;
+        }
+        for (const std::string& said : said_by(map)) expect_fit(said, GetParam());
+    }
+}
+
+TEST_P(PictureWords, EveryPartHasAShortNameOfItsOwn) {
+    for (const auto& [name, text, map] : shipped_pictures({GetParam()})) {
+        SCOPED_TRACE(name);
+        std::set<std::string> used;
+        for (const std::string& part : part_names(map)) {
+            EXPECT_LE(words_in(part).size(), longest_name_words) << part;
+            EXPECT_TRUE(used.insert(part).second) << part;
+        }
+        for (const Label& label : map.labels)
+            EXPECT_LE(words_in(label.text).size(), longest_name_words) << label.text;
+        EXPECT_LE(words_in(map.title).size(), longest_name_words) << map.title;
+    }
+}
+
+TEST_P(PictureWords, EveryTitleIsDifferent) {
+    std::set<std::string> used;
+    for (const auto& [name, text, map] : shipped_pictures({GetParam()}))
+        EXPECT_TRUE(used.insert(map.title).second) << map.title;
+}
+
+INSTANTIATE_TEST_SUITE_P(Gallery, PictureWords, testing::Values("en", "fr", "de", "es"),
+                         [](const auto& language) { return language.param; });
+
+TEST(Pictures, ThereAreFortyAndEachIsAMapOfTheDrawingArea) {
+    const auto pictures = shipped_pictures();
+    EXPECT_GE(pictures.size(), 40U);
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        EXPECT_EQ(pictures[i].map.area, Area{}) << pictures[i].name;
+        const std::string number = std::to_string(100 + i + 1).substr(1);
+        EXPECT_TRUE(pictures[i].name.starts_with(number + "-")) << pictures[i].name;
+    }
+}
+
+TEST(Pictures, GradesRiseWithThePartsAndNoneIsEmpty) {
+    const std::map<int, std::size_t> most_parts{{1, 1}, {2, 4}, {3, 6}, {4, 9}, {5, 12}};
+    std::map<int, int> pictures_of;
+    for (const auto& [name, text, map] : shipped_pictures()) {
+        const auto grade = difficulty_of_map_svg(text).value();
+        ASSERT_TRUE(grade) << name;
+        EXPECT_LE(part_names(map).size(), most_parts.at(*grade)) << name;
+        ++pictures_of[*grade];
+    }
+    for (int grade = 1; grade <= 5; ++grade) EXPECT_GE(pictures_of[grade], 3) << grade;
+}
+
+/// Else run gallery_sheet, which also draws them all in one picture.
+TEST(Pictures, TheReadmeListsThem) {
+    const auto bytes = read_file(TOUCHLINE_SOURCE_DIR "/app/gallery/README.md").value();
+    const std::string readme(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string table = table_of_pictures();
+    EXPECT_NE(readme.find(table), std::string::npos) << table;
+}
+
+}  // namespace
+}  // namespace touchline
