@@ -8,32 +8,40 @@ namespace touchline {
 namespace {
 
 struct Words {
-    Language language;
+    WrittenLanguage language;
+    std::string_view iso;
     std::string_view code;
     std::string_view name;
 };
 
-constexpr std::array all{
-    Words{Language::english, "eng", "English"}, Words{Language::german, "deu", "German"},
-    Words{Language::french, "fra", "French"}, Words{Language::spanish, "spa", "Spanish"}};
+constexpr std::array all{Words{WrittenLanguage::english, "en", "eng", "English"},
+                         Words{WrittenLanguage::german, "de", "deu", "German"},
+                         Words{WrittenLanguage::french, "fr", "fra", "French"},
+                         Words{WrittenLanguage::spanish, "es", "spa", "Spanish"}};
 
-const Words& words_of(Language language) {
+const Words& words_of(WrittenLanguage language) {
     return all[static_cast<std::size_t>(language)];
 }
 
 }  // namespace
 
-std::string_view name_of(Language language) {
+std::string_view name_of(WrittenLanguage language) {
     return words_of(language).name;
 }
 
-std::string_view code_of(Language language) {
+WrittenLanguage written_language(std::string_view code) {
+    const auto* const found = std::ranges::find(all, code, &Words::iso);
+    return found == all.end() ? WrittenLanguage::english : found->language;
+}
+
+std::string_view code_of(WrittenLanguage language) {
     return words_of(language).code;
 }
 
 std::vector<std::string> arguments_of(const ReadingOrder& order) {
     std::vector<std::string> arguments;
-    for (const Language language : order.languages) arguments.emplace_back(code_of(language));
+    for (const WrittenLanguage language : order.languages)
+        arguments.emplace_back(code_of(language));
     return arguments;
 }
 

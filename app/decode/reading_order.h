@@ -12,19 +12,22 @@
 
 namespace touchline {
 
-enum class Language : std::uint8_t { english, german, french, spanish };
+enum class WrittenLanguage : std::uint8_t { english, german, french, spanish };
 
 struct ReadingOrder {
     /// At least one, the likeliest first. Each takes as long again as the first: ask for those that
     /// the visitor speaks, not for all.
-    std::vector<Language> languages{Language::english};
+    std::vector<WrittenLanguage> languages{WrittenLanguage::english};
 };
 
 /// "English"; for people.
-[[nodiscard]] std::string_view name_of(Language language);
+[[nodiscard]] std::string_view name_of(WrittenLanguage language);
+
+/// By its code of ISO 639 ("de"); English for one that cannot be read.
+[[nodiscard]] WrittenLanguage written_language(std::string_view code);
 
 /// Of tesseract's data: "eng".
-[[nodiscard]] std::string_view code_of(Language language);
+[[nodiscard]] std::string_view code_of(WrittenLanguage language);
 
 /// What the worker that reads is told on its command line; reading_order_in() reads the same back.
 [[nodiscard]] std::vector<std::string> arguments_of(const ReadingOrder& order);

@@ -98,14 +98,14 @@ std::vector<SeenWord> words_seen(tesseract::TessBaseAPI& tesseract, double scale
 
 std::string codes_of(const ReadingOrder& order) {
     std::string codes;
-    for (const Language language : order.languages) {
+    for (const WrittenLanguage language : order.languages) {
         if (!codes.empty()) codes += '+';
         codes += code_of(language);
     }
     return codes;
 }
 
-tl::unexpected<Error> missing(Language language) {
+tl::unexpected<Error> missing(WrittenLanguage language) {
     return failure("words in pictures cannot be read in " + std::string(name_of(language)) +
                    ": its data are missing; install the package tesseract-ocr-" +
                    std::string(code_of(language)));
@@ -115,7 +115,7 @@ tl::unexpected<Error> missing(Language language) {
 Result<void> check_loaded(const tesseract::TessBaseAPI& tesseract, const ReadingOrder& order) {
     std::vector<std::string> loaded;
     tesseract.GetLoadedLanguagesAsVector(&loaded);
-    for (const Language language : order.languages)
+    for (const WrittenLanguage language : order.languages)
         if (std::ranges::count(loaded, code_of(language)) == 0) return missing(language);
     return {};
 }

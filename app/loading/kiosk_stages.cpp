@@ -80,7 +80,7 @@ Result<FeltMap> felt_map(const FoundView& found, int detail) {
 
 }  // namespace
 
-KioskStages::KioskStages(DeviceProfile profile, WordReader reader)
+KioskStages::KioskStages(DeviceProfile profile, PageReader reader)
     : profile_(std::move(profile)), reader_(std::move(reader)) {}
 
 Result<PagePtr> KioskStages::open(const PictureFile& file, int page) const {

@@ -13,12 +13,12 @@ namespace touchline {
 
 /// Reads words in a page's pixels: the page with their boxes and labels added. Nothing where there
 /// are none. Takes seconds. From any thread, one call at a time.
-using WordReader = std::function<std::optional<Page>(const Page&)>;
+using PageReader = std::function<std::optional<Page>(const Page&)>;
 
 class KioskStages final : public Stages {
   public:
     /// `reader` may be empty: then nothing is read.
-    explicit KioskStages(DeviceProfile profile, WordReader reader = {});
+    explicit KioskStages(DeviceProfile profile, PageReader reader = {});
 
     [[nodiscard]] Result<PagePtr> open(const PictureFile& file, int page) const override;
     [[nodiscard]] Result<FoundPtr> find(const PictureFile& file, const PagePtr& page,
@@ -30,7 +30,7 @@ class KioskStages final : public Stages {
 
   private:
     DeviceProfile profile_;
-    WordReader reader_;
+    PageReader reader_;
 };
 
 /// A file that somebody named, with the text beside it.

@@ -3,6 +3,7 @@
 #include "app/gallery/gallery.h"
 #include "app/loading/kiosk_stages.h"
 #include "app/loading/loader.h"
+#include "app/loading/page_reader.h"
 #include "app/loading/thread_executor.h"
 #include "app/main/kiosk_servo.h"
 #include "app/main/picture_list.h"
@@ -113,8 +114,9 @@ class Kiosk {
         servo_ = std::move(*servo);
         if (!servo_.note.empty()) report(servo_.note);
         start_sound();
-        loader_ = std::make_unique<Loader>(std::make_shared<const KioskStages>(servo_.profile),
-                                           std::make_unique<ThreadExecutor>(loading_threads));
+        loader_ = std::make_unique<Loader>(
+            std::make_shared<const KioskStages>(servo_.profile, page_reader(spoken_)),
+            std::make_unique<ThreadExecutor>(loading_threads));
         shelf_ = open_shelf();
         return {};
     }
@@ -130,6 +132,7 @@ class Kiosk {
         const auto action = action_of(key);
         sound_->key_down(action ? std::optional(action->action) : std::nullopt);
         carry_out(press_key(session_, key, servo_.client->latest().level));
+        *spoken_ = written_language(sound_->language().code());
     }
 
     /// The hand means to be where the pointer is, inside the drawing area.
@@ -313,6 +316,9 @@ class Kiosk {
     std::unique_ptr<KioskScreen> screen_;  // dies before the window that has its OpenGL context
     Session session_;
     ShownScene shown_;
+    /// Words in pictures are read in the language that is spoken.
+    std::shared_ptr<std::atomic<WrittenLanguage>> spoken_ =
+        std::make_shared<std::atomic<WrittenLanguage>>(WrittenLanguage::english);
     std::unique_ptr<Loader> loader_;
     std::unique_ptr<StickShelf> shelf_;
     std::int64_t watched_ns_ = 0;  // when sticks were last looked for

@@ -61,6 +61,9 @@ class Sound {
 
     [[nodiscard]] const SoundChoice& choice() const { return choice_; }
 
+    /// That is spoken now.
+    [[nodiscard]] const Language& language() const;
+
     [[nodiscard]] const Speaker& speaker() const { return speaker_; }
 
     [[nodiscard]] Mixer& mixer() { return mixer_; }
@@ -72,7 +75,6 @@ class Sound {
     void follow_headphones();
     void follow_news(const SpokenState& now);
     void follow_hand(const SoundMoment& moment);
-    [[nodiscard]] const Language& language() const;
 
     SoundSettings settings_;
     Languages languages_;

@@ -144,7 +144,8 @@ TEST(FoundWords, LeaveAPageWithTextOfItsOwnAsItIs) {
 }
 
 TEST(ReadingOrder, CrossesTheCommandLine) {
-    const ReadingOrder order{{Language::spanish, Language::english, Language::german}};
+    const ReadingOrder order{
+        {WrittenLanguage::spanish, WrittenLanguage::english, WrittenLanguage::german}};
     EXPECT_EQ(arguments_of(order), (std::vector<std::string>{"spa", "eng", "deu"}));
     EXPECT_EQ(reading_order_in(arguments_of(order))->languages, order.languages);
     EXPECT_EQ(arguments_of({}), std::vector<std::string>{"eng"});

@@ -28,24 +28,24 @@ struct Look {
 };
 
 struct Sample {
-    Language language;
+    WrittenLanguage language;
     std::vector<std::string> lines;
 };
 
 const std::vector<Sample> samples{
-    {Language::english,
+    {WrittenLanguage::english,
      {"The heart pumps blood through", "the body. Left ventricle and",
       "right atrium are shown below.", "Population in 2021: 83 million",
       "Westport Harbour, North Sea"}},
-    {Language::german,
+    {WrittenLanguage::german,
      {"Das Herz pumpt Blut durch den", "Körper. Größe und Länge der",
       "Flüsse über tausend Kilometer", "Bevölkerung 2021: 83 Millionen",
       "München, Köln, Nürnberg"}},
-    {Language::french,
+    {WrittenLanguage::french,
      {"Le cœur pompe le sang à travers", "le corps. La forêt est située près",
       "de la frontière où il fait chaud", "Population en 2021: 67 millions",
       "Hôtel de ville, élève français"}},
-    {Language::spanish,
+    {WrittenLanguage::spanish,
      {"El corazón bombea la sangre por", "el cuerpo. La montaña más alta",
       "está en España según el mapa", "Población en 2021: 47 millones",
       "Río Duero, península, niño"}}};
@@ -191,7 +191,7 @@ class WithoutData : public testing::Test {
 };
 
 TEST_F(WithoutData, OneSentenceNamesTheLanguageAndThePackage) {
-    const auto found = read_words(encoders::test_picture(), {{Language::german}});
+    const auto found = read_words(encoders::test_picture(), {{WrittenLanguage::german}});
     ASSERT_FALSE(found.has_value());
     EXPECT_EQ(
         found.error().line,

@@ -4,6 +4,7 @@
 #include "app/decode/files.h"
 #include "app/decode/opening.h"
 #include "app/gallery/gallery.h"
+#include "app/loading/page_reader.h"
 #include "app/loading/page_views.h"
 #include "tests/app/decode/files_of_formats.h"
 
@@ -165,6 +166,35 @@ TEST(KioskStages, WordsThatWereReadAreHeardAndNotFelt) {
     ASSERT_TRUE(scene.has_value());
     ASSERT_EQ(scene->felt.map->labels.size(), 1U);
     EXPECT_EQ(scene->felt.map->labels[0].text, "dark");
+}
+
+/// A scan: the words are pixels until they are read, and then no lines for the hand.
+TEST(KioskStages, WordsInPixelsAreHeardAndNoLongerFelt) {
+    const auto language = std::make_shared<std::atomic<WrittenLanguage>>(WrittenLanguage::english);
+    const KioskStages stages(default_profile(), page_reader(language));
+    ASSERT_TRUE(stages.has_reading());
+    const std::string drawing =
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1600 1160'><rect width='1600' "
+        "height='1160' fill='white'/><rect x='200' y='500' width='900' height='500' fill='none' "
+        "stroke='black' stroke-width='12'/><text x='250' y='300' font-family='DejaVu Sans' "
+        "font-size='60'>Westport Harbour</text></svg>";
+    const auto drawn = open_page(encoders::bytes_of(drawing));
+    ASSERT_TRUE(drawn.has_value()) << drawn.error().line;
+    const Document scan(encoders::png(drawn->picture));
+    const auto page = stages.open(*scan.file, 1);
+    ASSERT_TRUE(page.has_value()) << page.error().line;
+    const auto first = stages.find(*scan.file, *page, 1);
+    ASSERT_TRUE(first.has_value()) << first.error().line;
+    const FoundPtr better = stages.reread(**first);
+    ASSERT_NE(better, nullptr);
+    const auto before = stages.build(*scan.file, **first, 5);
+    const auto after = stages.build(*scan.file, *better, 5);
+    ASSERT_TRUE(before.has_value() && after.has_value());
+    EXPECT_TRUE(before->felt.map->labels.empty());
+    ASSERT_EQ(after->felt.map->labels.size(), 1U);
+    EXPECT_EQ(after->felt.map->labels[0].text, "Westport Harbour");
+    EXPECT_LT(after->felt.map->outlines.size(), before->felt.map->outlines.size());
+    EXPECT_EQ(stages.reread(*better), nullptr) << "what was read is not read again";
 }
 
 }  // namespace
