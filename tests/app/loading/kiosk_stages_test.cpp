@@ -148,7 +148,7 @@ TEST(KioskStages, WhatAWorkerSaysOfThePageNumberIsNotTakenForIt) {
 }
 
 TEST(KioskStages, WordsThatWereReadAreHeardAndNotFelt) {
-    const WordReader reader = [](const Page& page) -> std::optional<Page> {
+    const PageReader reader = [](const Page& page) -> std::optional<Page> {
         Page read = page;
         read.told.labels.push_back({"dark", {0.0, 0.0}});
         return read;
