@@ -90,8 +90,8 @@ struct Session {
 struct Commands {
     bool load = false;  // picture, place and detail that are wanted, as job session.request
     bool feel = false;  // hand level, stiffness, mode, pop-through and force to the servo
-    bool keep_recording = false;  // of the last minute
-    bool home_again = false;      // the handle's home is to be found anew
+    bool keep_recording = false;                 // of the last minute
+    bool home_again = false;                     // the handle's home is to be found anew
     std::optional<Action> sound = std::nullopt;  // a key for sound or speech (app/sound)
     bool quit = false;
 };
