@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <utility>
 
 #include <sys/socket.h>
@@ -104,7 +105,7 @@ void VoiceProcess::receive(double now_s, std::vector<float>& samples) {
     if (!child_ && !start_process()) return count_death();
     if (!is_done_ && !is_sent_) send_order(now_s);
     const bool lives = take_pieces(now_s, samples);
-    const bool is_silent = !is_done_ && now_s - heard_s_ > patience_s;
+    const bool is_silent = !is_done_ && now_s - heard_s_ > patience_s * std::exp2(deaths_);
     if (!lives || is_silent) count_death();
 }
 

@@ -32,8 +32,9 @@ class VoiceProcess {
     void stop();
 
     /// Appends the samples that came (at frame_rate_Hz). Never waits. A process that died, or was
-    /// silent for `patience_s`, is started anew and goes on where it was: the same text gives the
-    /// same samples. After three deaths the text is given up.
+    /// silent for `patience_s` (twice that after every death: the machine may be busy), is started
+    /// anew and goes on where it was: the same text gives the same samples. After three deaths the
+    /// text is given up.
     void receive(double now_s, std::vector<float>& samples);
 
     /// Nothing more comes of what was begun, or nothing was.

@@ -94,15 +94,14 @@ TEST_F(Kiosk, KeepsARecordingOnItsKeyThatRunsAgainTheSame) {
         << text_of("out.txt");
 }
 
-/// What SDL writes to a file instead of a card.
+/// What SDL writes to a file instead of a card: more than clicks, so somebody spoke.
 TEST_F(Kiosk, IsHeard) {
     EXPECT_EQ(
         run_script("export SDL_AUDIODRIVER=disk SDL_DISKAUDIOFILE=heard.raw; kiosk; keys Right n;"
                    "for _ in $(seq 1000); do [ -e heard.raw ] && "
-                   "[ $(tr -d '\\0' <heard.raw | wc -c) -gt 100000 ] && break; sleep 0.1; done;"
-                   "[ $(tr -d '\\0' <heard.raw | wc -c) -gt 100000 ] || exit 9; keys q; finish"),
+                   "[ $(tr -d '\\0' <heard.raw | wc -c) -gt 300000 ] && break; sleep 0.1; done;"
+                   "[ $(tr -d '\\0' <heard.raw | wc -c) -gt 300000 ] || exit 9; keys q; finish"),
         0);
-    EXPECT_EQ(text_of("err.txt"), "");
 }
 
 TEST_F(Kiosk, WithoutAnySoundItGoesOn) {
