@@ -60,13 +60,31 @@ void add_loading(Sayings& said, const Session& before, const Session& now) {
                                "panel", "{0} of {1}, {2}",
                                {std::to_string(now.detail), "5", said.word("detail", name)}));
     }
-    said.add(said.language().text("panel", "Opening picture {0} ...",
-                                  {std::to_string(now.picture + 1)}));
+    const bool is_page = before.picture == now.picture && before.place.page != now.place.page;
+    said.add(is_page ? said.language().text("page", "Opening page {0} ...",
+                                            {std::to_string(now.place.page)})
+                     : said.language().text("panel", "Opening picture {0} ...",
+                                            {std::to_string(now.picture + 1)}));
+}
+
+/// Nothing of a file that is one page, felt as a whole.
+void add_place(Sayings& said, const PagePlace& place) {
+    const Language& language = said.language();
+    if (place.page_count > 1)
+        said.add(language.text("page", "Page {0} of {1}",
+                               {std::to_string(place.page), std::to_string(place.page_count)}));
+    if (place.view_count <= 1) return;
+    said.add(
+        place.view == place.view_count
+            ? language.text("page", "The whole page")
+            : language.text("page", "Picture {0} of {1} on it",
+                            {std::to_string(place.view), std::to_string(place.view_count - 1)}));
 }
 
 void add_picture(Sayings& said, const SpokenState& before, const SpokenState& now) {
     if (!is_ready(before, now)) return;
     said.add(spoken_title(now.session.shown.title));
+    add_place(said, now.session.shown.place);
     said.add(said.language().counted("count", "{0} outline", "{0} outlines",
                                      now.session.shown.outline_count));
 }
@@ -100,10 +118,18 @@ void add_choices(Sayings& said, const Session& before, const Session& now) {
     if (!before.shows_keys && now.shows_keys) said.add(spoken_keys(said.language()));
 }
 
-void add_operator_lines(std::vector<Utterance>& news, const SpokenState& before,
-                        const SpokenState& now) {
-    if (has_failed(before, now) && !now.session.message.empty())
-        news.push_back({"en", now.session.message, SpeechPriority::text});
+/// In the visitor's language where the catalogue has it; what names a file or a stick is English.
+Utterance spoken_message(const std::string& message, const Language& language) {
+    std::string translated = language.text("session", message);
+    const bool is_english = translated == message;
+    return {is_english ? "en" : language.code(), std::move(translated), SpeechPriority::text};
+}
+
+void add_lines(std::vector<Utterance>& news, const SpokenState& before, const SpokenState& now,
+               const Language& language) {
+    const bool is_new = has_failed(before, now) || before.session.message != now.session.message;
+    if (is_new && !now.session.message.empty())
+        news.push_back(spoken_message(now.session.message, language));
     if (before.device_words != now.device_words && !now.device_words.empty())
         news.push_back({"en", now.device_words, SpeechPriority::text});
 }
@@ -147,7 +173,7 @@ std::vector<Utterance> spoken_news(const SpokenState& before, const SpokenState&
     add_loading(said, before.session, now.session);
     add_picture(said, before, now);
     if (!said.text().empty()) news.push_back({language.code(), said.text(), SpeechPriority::text});
-    add_operator_lines(news, before, now);
+    add_lines(news, before, now, language);
     return news;
 }
 

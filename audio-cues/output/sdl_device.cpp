@@ -12,6 +12,9 @@ namespace {
 /// ALSA prints a page of it for every card that is not there; SDL says what matters.
 void say_nothing(const char*, int, const char*, int, const char*, ...) {}
 
+/// What SDL prints, its errors tell as well.
+void log_nothing(void*, int, SDL_LogPriority, const char*) {}
+
 }  // namespace
 
 void SdlDevice::fill(void* device, std::uint8_t* bytes, int count) {
@@ -24,6 +27,7 @@ void SdlDevice::fill(void* device, std::uint8_t* bytes, int count) {
 Result<void> SdlDevice::open(FrameSource source) {
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     snd_lib_error_set_handler(&say_nothing);
+    SDL_LogSetOutputFunction(&log_nothing, nullptr);
     // Begun anew each time: a driver that came back is looked for again.
     if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) {
         return failure(std::string("There is no sound: ") + SDL_GetError());

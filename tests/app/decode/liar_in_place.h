@@ -40,7 +40,8 @@ namespace touchline {
 /// As long as it lives the liar stands in the workers' place.
 class LiarInPlace {
   public:
-    LiarInPlace() { setenv("TOUCHLINE_PROGRAMS", TOUCHLINE_LIARS, 1); }
+    /// `folder`: of the liar.
+    explicit LiarInPlace(const char* folder) { setenv("TOUCHLINE_PROGRAMS", folder, 1); }
 
     ~LiarInPlace() { setenv("TOUCHLINE_PROGRAMS", programs_.c_str(), 1); }
 

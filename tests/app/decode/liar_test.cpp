@@ -23,7 +23,7 @@ Result<Page> told(const std::string& lie) {
 }
 
 TEST(Liar, IsBelievedOnlyWhenItIsHonest) {
-    const LiarInPlace liar;
+    const LiarInPlace liar(TOUCHLINE_LIARS);
     const auto page = told("honest");
     ASSERT_TRUE(page.has_value()) << page.error().line;
     EXPECT_EQ(page->told.title, "honest");
@@ -32,7 +32,7 @@ TEST(Liar, IsBelievedOnlyWhenItIsHonest) {
 class Lies : public testing::TestWithParam<const char*> {};
 
 TEST_P(Lies, EndInOneSentenceAndLeaveNothing) {
-    const LiarInPlace liar;
+    const LiarInPlace liar(TOUCHLINE_LIARS);
     (void)told("honest");
     const int descriptors = open_descriptors();
     const long before_kB = resident_kB();
@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(All, Lies,
 
 /// Its errors go nowhere, however many.
 TEST(Liar, ShoutsUnheard) {
-    const LiarInPlace liar;
+    const LiarInPlace liar(TOUCHLINE_LIARS);
     EXPECT_TRUE(told("shout").has_value());
 }
 

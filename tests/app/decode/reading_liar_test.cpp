@@ -27,7 +27,7 @@ Result<FoundWords> read_lie(const std::string& lie) {
 }
 
 TEST(ReadingLiar, IsBelievedOnlyWhenItIsHonest) {
-    const LiarInPlace liar;
+    const LiarInPlace liar(TOUCHLINE_LIARS);
     const auto words = read_lie("honest");
     ASSERT_TRUE(words.has_value()) << words.error().line;
     EXPECT_EQ(words->labels.at(0).text, "honest");
@@ -36,7 +36,7 @@ TEST(ReadingLiar, IsBelievedOnlyWhenItIsHonest) {
 class ReadingLies : public testing::TestWithParam<const char*> {};
 
 TEST_P(ReadingLies, EndInOneSentenceAndLeaveNothing) {
-    const LiarInPlace liar;
+    const LiarInPlace liar(TOUCHLINE_LIARS);
     (void)read_lie("honest");
     const int descriptors = open_descriptors();
     const long before_kB = resident_kB();

@@ -4,6 +4,7 @@
 #include "app/gallery/gallery.h"
 #include "tests/app/decode/encoders.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <sstream>
@@ -24,15 +25,29 @@ std::string labels_in(const Picture& picture, const ReadingOrder& order = {}) {
     return texts;
 }
 
-TEST(ReadingNothing, InTheGalleryOnlyTheTownsOfTheIsland) {
+/// Each word of the labels begins one that is written: a line beside it may hide its end.
+void expect_written(const std::string& labels, const TactileMap& map, const std::string& path) {
+    std::istringstream read(labels);
+    for (std::string word; read >> word;) {
+        const bool is_there = std::ranges::any_of(map.labels, [&word](const Label& label) {
+            return (' ' + label.text).find(' ' + word) != std::string::npos;
+        });
+        EXPECT_TRUE(is_there) << path << ": " << word;
+    }
+}
+
+TEST(ReadingNothing, InTheGalleryNothingButWhatIsWrittenOnIt) {
     const auto entries = list_gallery(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures");
     ASSERT_TRUE(entries && entries->size() >= 16);
+    int written = 0;
     for (const auto& entry : *entries) {
         const auto page = open_page_of(entry.path);
         ASSERT_TRUE(page.has_value()) << page.error().line;
-        const bool is_island = entry.path.find("island") != std::string::npos;
-        EXPECT_EQ(labels_in(page->picture), is_island ? "Eastham\nWestport\n" : "") << entry.path;
+        const std::string labels = labels_in(page->picture);
+        expect_written(labels, page->told, entry.path);
+        written += labels.empty() ? 0 : 1;
     }
+    EXPECT_GE(written, 5) << "the pictures with words on them";
 }
 
 /// Strokes, rings, hatchings and boxes as a hand draws them.

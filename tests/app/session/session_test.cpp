@@ -162,7 +162,7 @@ TEST(Session, KGoesThroughPicturesPageAndPages) {
     EXPECT_TRUE(press_key(book, Key{'K'}, felt).commands.load);
 }
 
-TEST(Session, NAndVGoByPages) {
+TEST(Session, IAndUGoByPages) {
     const Session book = document_session();
     const PagePlace next{3, 3, 1, 0};
     const PagePlace before{1, 3, 1, 0};
@@ -173,14 +173,14 @@ TEST(Session, NAndVGoByPages) {
 TEST(Session, AtTheEndsOfADocumentNothingChangesAndASentenceSaysSo) {
     const Session book = document_session();
     for (const auto& [keys, line] :
-         {std::pair("NN", "This is the last page."), std::pair("VV", "This is the first page.")}) {
+         {std::pair("II", "This is the last page."), std::pair("UU", "This is the first page.")}) {
         const Session at_end = pressed(book, std::string(1, keys[0]));
         const Step step = press_key(at_end, Key{static_cast<std::uint32_t>(keys[1])}, felt);
         EXPECT_FALSE(step.commands.load);
         EXPECT_EQ(step.session.place, at_end.place);
         EXPECT_EQ(step.session.message, line);
     }
-    for (const char key : std::string("KJNV")) {
+    for (const char key : std::string("KJIU")) {
         const Key pressed_key{static_cast<std::uint32_t>(key)};
         const Step step = press_key(shown_session(), pressed_key, felt);  // one page, one view
         EXPECT_FALSE(step.commands.load);
