@@ -65,6 +65,35 @@ TEST(SpokenNews, APictureThatFailsSaysWhyInEnglish) {
     EXPECT_EQ(screen_event(loading, failed), ScreenEvent::picture_failed);
 }
 
+TEST(SpokenNews, ADocumentTellsPageAndPicture) {
+    SpokenState before = with_picture();
+    before.session.place = before.session.shown.place = {1, 3, 1, 3};
+    const SpokenState loading = pressed(before, Key{'I'});
+    EXPECT_EQ(texts(before, loading), Texts{"Opening page 2 ..."});
+    SpokenState ready = loading;
+    LoadedFacts facts{"A book", 4, 4, ""};
+    facts.place = {2, 3, 2, 3};
+    ready.session = picture_ready(loading.session, loading.session.request, facts).session;
+    EXPECT_EQ(texts(loading, ready),
+              Texts{"A book. Page 2 of 3. Picture 2 of 2 on it. 4 outlines."});
+    facts.place = {2, 3, 3, 3};
+    ready.session = picture_ready(loading.session, loading.session.request, facts).session;
+    EXPECT_EQ(texts(loading, ready), Texts{"A book. Page 2 of 3. The whole page. 4 outlines."});
+}
+
+TEST(SpokenNews, WhatTheSessionTellsIsSaidInTheLanguageThatHasIt) {
+    SpokenState before = with_picture();
+    before.session.place = before.session.shown.place = {3, 3, 1, 1};
+    const SpokenState now = pressed(before, Key{'I'});
+    EXPECT_EQ(texts(before, now), Texts{"This is the last page."});
+    const auto de = Language::load(TOUCHLINE_CATALOGUES, "de");
+    ASSERT_TRUE(de);
+    const auto news = spoken_news(before, now, *de);
+    ASSERT_EQ(news.size(), 1U);
+    EXPECT_EQ(news[0].language, "de");
+    EXPECT_EQ(news[0].text, "Das ist die letzte Seite.");
+}
+
 TEST(SpokenNews, EveryChoiceIsSaid) {
     const SpokenState before = with_picture();
     EXPECT_EQ(texts(before, pressed(before, Key{'M'})), Texts{"Mode: ridge."});
