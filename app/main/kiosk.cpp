@@ -8,8 +8,8 @@
 #include "app/main/kiosk_servo.h"
 #include "app/main/picture_list.h"
 #include "app/main/pointer_pace.h"
-#include "app/main/stick_settings.h"
 #include "app/main/stick_shelf.h"
+#include "app/operator/settings_files.h"
 #include "app/process/places.h"
 #include "app/screen/frame_limiter.h"
 #include "app/screen/kiosk_screen.h"
@@ -40,7 +40,7 @@ namespace touchline {
 namespace {
 
 constexpr int frame_rate_Hz = 60;
-constexpr double viewing_distance_m = 0.6;  // a visitor stands at the handle
+constexpr std::int64_t settings_look_ns = 1'000'000'000;
 constexpr std::size_t loading_threads = PlanLimits{}.jobs;
 constexpr std::int64_t patience_ns = 5'000'000'000;  // until sticks are missed
 
@@ -67,14 +67,6 @@ std::vector<FilePtr> files_to_show(const std::vector<std::string>& named) {
     return files;
 }
 
-/// Settings that cannot be read are one line, and sticks are looked for as usual.
-std::unique_ptr<StickShelf> open_shelf() {
-    const auto settings = read_stick_settings();
-    if (!settings) report(settings.error().line);
-    return std::make_unique<StickShelf>(open_stick_port(settings.value_or(StickSettings{})),
-                                        companion("touchline-import"));
-}
-
 /// What the servo counted up to a moment.
 struct ServoCount {
     std::uint64_t ticks = 0;
@@ -84,13 +76,15 @@ struct ServoCount {
 class Kiosk {
   public:
     explicit Kiosk(const KioskArguments& arguments)
-        : arguments_(arguments), list_(files_to_show(arguments.files)) {}
+        : arguments_(arguments), list_(files_to_show(arguments.files)) {
+        read_settings_again();
+    }
 
     Result<void> run() {
         auto opened = open();
         if (!opened) return opened;
         const LoopSettings loop = loop_settings(default_profile(), ServoOptions{}.period_s, 0.0);
-        carry_out(start_session(list_.size(), loop.stiffness_N_per_m));
+        carry_out(start_session(list_.size(), loop.stiffness_N_per_m, settings_));
         run_frames();
         if (arguments_.measure_s && !is_end_asked) measure_without_window();
         sound_.reset();  // it reads the servo's events
@@ -106,7 +100,8 @@ class Kiosk {
             {[this](Key key) { press(key); }, [this](PixelPoint place) { lead_hand(place); }});
         if (!window) return tl::unexpected(window.error());
         window_ = std::move(*window);
-        auto screen = KioskScreen::make(cap_height_px(viewing_distance_m, window_->mm_per_px()));
+        auto screen =
+            KioskScreen::make(cap_height_px(settings_.viewing_distance_m, window_->mm_per_px()));
         if (!screen) return tl::unexpected(screen.error());
         screen_ = std::make_unique<KioskScreen>(std::move(*screen));
         auto servo = start_servo(hand_);
@@ -117,7 +112,8 @@ class Kiosk {
         loader_ = std::make_unique<Loader>(
             std::make_shared<const KioskStages>(servo_.profile, page_reader(spoken_)),
             std::make_unique<ThreadExecutor>(loading_threads));
-        shelf_ = open_shelf();
+        shelf_ = std::make_unique<StickShelf>(open_stick_port(settings_.watched_folder),
+                                              companion("touchline-import"));
         return {};
     }
 
@@ -159,7 +155,11 @@ class Kiosk {
         commands.mode = session_.mode;
         commands.stiffness_N_per_m = stiffness_steps[session_.stiffness].stiffness_N_per_m;
         commands.radius_m = proxy_radius_m;
-        commands.pop_through_N = session_.is_pop_through ? pop_through_N : 0.0;
+        commands.pop_through_N = session_.is_pop_through ? settings_.give_way_N : 0.0;
+        commands.friction = settings_.friction;
+        commands.capture_m = settings_.capture_mm / 1000.0;
+        commands.finest_level = settings_.finest_level;
+        commands.coarsest_level = settings_.coarsest_level;
         commands.is_level_auto = session_.is_level_automatic;
         commands.level = session_.fixed_level;
         commands.is_force_wanted = session_.is_force_wanted;
@@ -211,6 +211,21 @@ class Kiosk {
     }
 
     /// What befell the servo, for the log; its tier is in the panel too.
+    void read_settings_again() {
+        KeptSettings kept = read_settings(settings_place_);
+        if (!kept.note.empty()) report(kept.note);
+        settings_ = std::move(kept.settings);
+    }
+
+    /// What a hand feels changes at once; what a session begins with, with the next.
+    void watch_settings(std::int64_t time_ns) {
+        if (time_ns - looked_ns_ < settings_look_ns) return;
+        looked_ns_ = time_ns;
+        if (!settings_watch_.has_changed()) return;
+        read_settings_again();
+        set_servo();
+    }
+
     void read_notices() {
         const std::string notice = servo_.client->take_notice();
         if (!notice.empty()) report(notice);
@@ -250,6 +265,7 @@ class Kiosk {
         std::int64_t time_ns = start_ns;
         for (; goes_on(time_ns, start_ns); time_ns = now_ns()) {
             update_pictures(time_ns);
+            watch_settings(time_ns);
             draw(time_ns);
             window_->wait_until(limiter.finish_frame(now_ns()));
         }
@@ -302,6 +318,10 @@ class Kiosk {
     }
 
     KioskArguments arguments_;
+    SettingsFiles settings_place_ = settings_files();
+    FileWatch settings_watch_{settings_place_.site};
+    Settings settings_;
+    std::int64_t looked_ns_ = 0;
     PictureList list_;
     FilePtr wanted_;
     FilePtr shown_file_;

@@ -126,9 +126,14 @@ Step toggle(Session session, bool Session::*flag) {
 
 }  // namespace
 
-Step start_session(int picture_count, double loop_N_per_m) {
+Step start_session(int picture_count, double loop_N_per_m, const Settings& settings) {
     Session session;
-    session.stiffness = first_stiffness(loop_N_per_m);
+    session.stiffness = first_stiffness(std::min(loop_N_per_m, settings.stiffness_N_per_m));
+    session.mode = static_cast<Mode>(settings.mode);
+    session.detail = settings.detail;
+    session.is_pop_through = settings.gives_way;
+    session.is_level_automatic = settings.is_level_automatic;
+    session.fixed_level = settings.fixed_level;
     session.picture_count = picture_count;
     Step step = load_picture(std::move(session), 0);
     step.commands.feel = true;

@@ -4,6 +4,7 @@
 
 #include "app/session/keys.h"
 #include "app/session/page_place.h"
+#include "config/settings/settings.h"
 #include "config/types/hand_state.h"
 
 #include <algorithm>
@@ -45,10 +46,6 @@ inline constexpr double groove_N_per_m = 580.0;
 /// Radius of the proxy: 1.4 F / K at 0.7 N and 700 N/m, so that the force stays continuous around
 /// corners at every step of stiffness in ordinary exploration.
 inline constexpr double proxy_radius_m = 0.0014;
-
-/// The push that a wall gives way to once it lasts for 0.3 s (ServoCommands): twice what one needs
-/// to feel a line, so that nobody falls through by chance.
-inline constexpr double pop_through_N = 1.5;
 
 inline constexpr int coarsest_detail = 1;
 inline constexpr int finest_detail = 5;
@@ -103,7 +100,8 @@ struct Step {
 
 /// Asks for the first picture of the list. `picture_count` >= 0; `loop_N_per_m`: the stiffness that
 /// the loop suggests to start with.
-[[nodiscard]] Step start_session(int picture_count, double loop_N_per_m = groove_N_per_m);
+[[nodiscard]] Step start_session(int picture_count, double loop_N_per_m = groove_N_per_m,
+                                 const Settings& settings = {});
 
 /// A key went down while the hand felt `felt_level`: a level that becomes fixed stays where it was.
 [[nodiscard]] Step press_key(const Session& session, Key key, double felt_level);

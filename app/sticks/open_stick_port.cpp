@@ -5,9 +5,8 @@
 
 namespace touchline {
 
-std::unique_ptr<StickPort> open_stick_port(const StickSettings& settings) {
-    if (!settings.watched_folder.empty())
-        return std::make_unique<FolderPort>(settings.watched_folder);
+std::unique_ptr<StickPort> open_stick_port(const std::string& watched_folder) {
+    if (!watched_folder.empty()) return std::make_unique<FolderPort>(watched_folder);
     return std::make_unique<UdisksPort>();
 }
 

@@ -3,13 +3,13 @@
 #pragma once
 
 #include "app/sticks/stick_port.h"
-#include "config/settings/sticks.h"
 
 #include <memory>
+#include <string>
 
 namespace touchline {
 
 /// The watched folder where the settings name one, else udisks2.
-[[nodiscard]] std::unique_ptr<StickPort> open_stick_port(const StickSettings& settings);
+[[nodiscard]] std::unique_ptr<StickPort> open_stick_port(const std::string& watched_folder);
 
 }  // namespace touchline

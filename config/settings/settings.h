@@ -13,14 +13,12 @@ struct Settings {
     int mode = static_cast<int>(Mode::groove);  // Mode
     double stiffness_N_per_m = 500.0;
     double friction = 0.0;
-    double proxy_radius_mm = 1.4;
     double capture_mm = 3.0;
     bool gives_way = false;
     double give_way_N = 1.5;
-    double force_ceiling_N = 3.0;
     // levels
     bool is_level_automatic = true;
-    double fixed_level = 0.0;
+    int fixed_level = 0;
     double finest_level = 0.0;
     double coarsest_level = 16.0;
     // picture

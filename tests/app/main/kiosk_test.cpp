@@ -21,8 +21,8 @@ class Kiosk : public testing::Test {
     /// With a folder for a stick: there is no bus here, which the kiosk would say.
     void SetUp() override {
         fs::create_directories(folder_ / "stick");
-        std::ofstream(folder_ / "sticks.toml")
-            << "watched_folder = '" << (folder_ / "stick").string() << "'\n";
+        std::ofstream(folder_ / "kiosk.toml")
+            << "[stick]\nwatched_folder = '" << (folder_ / "stick").string() << "'\n";
     }
 
     void TearDown() override { fs::remove_all(folder_); }
@@ -33,12 +33,13 @@ class Kiosk : public testing::Test {
     int run_script(const std::string& script, bool has_display = true) {
         const fs::path path = folder_ / "script.sh";
         std::ofstream(path) << "cd '" << folder_.string() << "'\n" << tools << script << '\n';
-        const std::string sticks = "TOUCHLINE_STICKS='" + (folder_ / "sticks.toml").string() + "' ";
+        const std::string settings =
+            "TOUCHLINE_SETTINGS='" + (folder_ / "kiosk.toml").string() + "' ";
         const std::string display = has_display
                                         ? "LP_NUM_THREADS=1 xvfb-run -a -s '-screen 0 1024x768x24' "
                                         : "env -u DISPLAY -u WAYLAND_DISPLAY ";
         const int status =
-            std::system((sticks + display + "timeout 240 bash '" + path.string() + "'").c_str());
+            std::system((settings + display + "timeout 240 bash '" + path.string() + "'").c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
@@ -139,12 +140,24 @@ TEST_F(Kiosk, ABadPictureIsOneLineAndTheSessionGoesOn) {
 }
 
 TEST_F(Kiosk, WithoutABusIsOneLine) {
-    std::ofstream(folder_ / "sticks.toml") << "watched_folder = ''\n";
+    std::ofstream(folder_ / "kiosk.toml") << "[stick]\nwatched_folder = ''\n";
     EXPECT_EQ(run_script("export DBUS_SYSTEM_BUS_ADDRESS=unix:path=/nowhere/bus; kiosk;"
                          "wait_for sticks err.txt; keys Right q; finish"),
               0);
     const std::string words = text_of("err.txt");
     EXPECT_NE(words.find("sticks are not offered"), std::string::npos) << words;
+    EXPECT_EQ(std::count(words.begin(), words.end(), '\n'), 1) << words;
+}
+
+TEST_F(Kiosk, SettingsAreReadAndAWrongFileIsOneLineWhileItRuns) {
+    EXPECT_EQ(run_script("kiosk; keys b; printf '[feel]\\nfriction = 7\\n' >kiosk.toml;"
+                         "wait_for friction err.txt; kill -0 $pid || exit 9; keys q; finish"),
+              0);
+    const std::string words = text_of("err.txt");
+    EXPECT_NE(words.find("kiosk.toml:2: 'feel.friction' must be a number from 0 to 1; the "
+                         "settings before hold\n"),
+              std::string::npos)
+        << words;
     EXPECT_EQ(std::count(words.begin(), words.end(), '\n'), 1) << words;
 }
 

@@ -162,6 +162,23 @@ TEST(Session, KGoesThroughPicturesPageAndPages) {
     EXPECT_TRUE(press_key(book, Key{'K'}, felt).commands.load);
 }
 
+TEST(Session, BeginsAsTheOperatorSet) {
+    Settings settings;
+    settings.mode = static_cast<int>(Mode::ridge);
+    settings.stiffness_N_per_m = 380.0;
+    settings.detail = 2;
+    settings.gives_way = true;
+    settings.is_level_automatic = false;
+    settings.fixed_level = 3;
+    const Session session = start_session(pictures, 700.0, settings).session;
+    EXPECT_EQ(session.mode, Mode::ridge);
+    EXPECT_EQ(stiffness_steps[session.stiffness].name, "soft");
+    EXPECT_EQ(session.detail, 2);
+    EXPECT_TRUE(session.is_pop_through);
+    EXPECT_FALSE(session.is_level_automatic);
+    EXPECT_EQ(session.fixed_level, 3);
+}
+
 TEST(Session, IAndUGoByPages) {
     const Session book = document_session();
     const PagePlace next{3, 3, 1, 0};

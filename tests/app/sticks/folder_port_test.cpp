@@ -76,8 +76,8 @@ TEST_F(FolderPortTest, AFileOfItsNameIsNoStick) {
 }
 
 TEST(OpenStickPort, TheSettingsDecide) {
-    EXPECT_NE(dynamic_cast<FolderPort*>(open_stick_port({"/srv"}).get()), nullptr);
-    EXPECT_EQ(dynamic_cast<FolderPort*>(open_stick_port({}).get()), nullptr);
+    EXPECT_NE(dynamic_cast<FolderPort*>(open_stick_port("/srv").get()), nullptr);
+    EXPECT_EQ(dynamic_cast<FolderPort*>(open_stick_port("").get()), nullptr);
 }
 
 }  // namespace

@@ -171,9 +171,9 @@ TEST(SettingsText, WhateverIsWrongIsOneLineWithItsPlace) {
 TEST(SettingsText, ALayerSetsNoMoreThanItMay) {
     EXPECT_EQ(error_of("[stick]\nwatched_folder = '/srv'", SettingLayer::session),
               "site.toml:2: 'stick.watched_folder' can be set by the site's file only");
-    EXPECT_EQ(error_of("[feel]\nforce_ceiling_N = 1", SettingLayer::profile), "no error");
-    EXPECT_EQ(error_of("[feel]\nforce_ceiling_N = 1", SettingLayer::session),
-              "site.toml:2: 'feel.force_ceiling_N' can be set by a profile only");
+    EXPECT_EQ(error_of("[levels]\nfinest = 1", SettingLayer::profile), "no error");
+    EXPECT_EQ(error_of("[levels]\nfinest = 1", SettingLayer::session),
+              "site.toml:2: 'levels.finest' can be set by a profile only");
 }
 
 Settings any_settings() {
