@@ -15,7 +15,7 @@ struct Settings {
     double friction = 0.0;
     double capture_mm = 3.0;
     bool gives_way = false;
-    double give_way_N = 1.5;
+    double give_way_N = 1.5;  // twice what one needs to feel a line: nobody falls through by chance
     // levels
     bool is_level_automatic = true;
     int fixed_level = 0;
