@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -69,12 +68,30 @@ void expect_fit(const std::string& text, const std::string& language) {
         EXPECT_EQ(unfit_words.at(language).count(word), 0U) << word << " in: " << text;
 }
 
+constexpr auto gap = "nobody said it";
+
+/// What stands between every `opening` and the next '<' becomes the gap.
+std::string with_gaps(std::string text, const std::string& opening) {
+    for (auto at = text.find(opening); at != std::string::npos; at = text.find(opening, at + 1)) {
+        const auto begin = at + opening.size();
+        text.replace(begin, text.find('<', begin) - begin, gap);
+    }
+    return text;
+}
+
+/// What stands between the last '>' and every `closing` becomes the gap.
+std::string with_gaps_before(std::string text, const std::string& closing) {
+    for (auto at = text.find(closing); at != std::string::npos; at = text.find(closing, at + 1)) {
+        const auto begin = text.rfind('>', at) + 1;
+        text.replace(begin, at - begin, gap);
+        at = text.find(closing, begin);
+    }
+    return text;
+}
+
 /// The file with everything that is said in no language of its own replaced.
 std::string without_english(const std::string& text) {
-    const std::string gap = "nobody said it";
-    std::string made = std::regex_replace(text, std::regex("<title>[^<]*"), "<title>" + gap);
-    made = std::regex_replace(made, std::regex("<desc>[^<]*"), "<desc>" + gap);
-    return std::regex_replace(made, std::regex("[^<>]*</text>"), gap + "</text>");
+    return with_gaps_before(with_gaps(with_gaps(text, "<title>"), "<desc>"), "</text>");
 }
 
 /// Everything that a map says.
@@ -95,7 +112,7 @@ TEST_P(PictureWords, EveryTextIsThereInTheLanguageItself) {
         ASSERT_TRUE(map) << map.error().line;
         for (const std::string& text : said_by(*map)) {
             EXPECT_FALSE(words_in(text).empty()) << picture.name;
-            EXPECT_NE(text, "nobody said it") << picture.name;
+            EXPECT_NE(text, gap) << picture.name;
         }
     }
 }
