@@ -158,6 +158,12 @@ TEST(Pictures, GradesRiseWithThePartsAndNoneIsEmpty) {
     for (int grade = 1; grade <= 5; ++grade) EXPECT_GE(pictures_of[grade], 3) << grade;
 }
 
+/// A part's name stands in its titles alone.
+TEST(Pictures, NoTextStandsTwice) {
+    for (const auto& [name, text, map] : shipped_pictures())
+        EXPECT_FALSE(std::regex_search(text, std::regex("data-label=\"(?!1\")"))) << name;
+}
+
 /// Else run gallery_sheet, which also draws them all in one picture.
 TEST(Pictures, TheReadmeListsThem) {
     const auto bytes = read_file(TOUCHLINE_SOURCE_DIR "/app/gallery/README.md").value();
