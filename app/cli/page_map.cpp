@@ -78,7 +78,8 @@ Result<Trace> trace_page_lines(const Page& page, const Found& found, const Trace
     if (!trace) return trace;
     trace->map.title = page.told.title;
     trace->map.description = page.told.description;
-    trace->map.labels = placed(page.told.labels, page.told.area, options.area);
+    trace->map.labels = enlarged(placed(page.told.labels, page.told.area, options.area),
+                                 options.area, options.zoom);
     return trace;
 }
 

@@ -6,9 +6,12 @@
 #include "app/gallery/gallery.h"
 #include "app/loading/page_views.h"
 #include "app/screen/canvas.h"
+#include "app/screen/layout.h"
 #include "app/servo/scene_order.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -17,6 +20,7 @@ namespace {
 
 // More pixels than any screen shows.
 constexpr int longest_picture_px = 2000;
+constexpr double longest_enlarged_px = 1200.0;
 
 std::uint64_t next_version() {
     static std::atomic<std::uint64_t> last{0};
@@ -68,14 +72,38 @@ struct FeltMap {
     std::string warning;
 };
 
-Result<FeltMap> felt_map(const FoundView& found, int detail) {
-    if (!found.lines)
-        return drawn_lines(*found.view, detail).map([](TactileMap map) {
-            return FeltMap{std::move(map), {}};
-        });
-    return trace_page_lines(*found.view, *found.lines, {Area{}, detail}).map([](Trace trace) {
-        return FeltMap{std::move(trace.map), std::move(trace.report.warning)};
-    });
+Result<FeltMap> felt_map(const FoundView& found, const FeltPart& part) {
+    if (found.lines)
+        return trace_page_lines(*found.view, *found.lines, {Area{}, part.detail, part.zoom})
+            .map([](Trace trace) {
+                return FeltMap{std::move(trace.map), std::move(trace.report.warning)};
+            });
+    auto whole = drawn_lines(*found.view, part.detail);
+    if (!whole) return tl::unexpected(whole.error());
+    TactileMap map = enlarged(*whole, part.zoom);
+    if (map.outlines.empty())
+        return failure("there is no line in this part; choose another part, or the whole picture");
+    return FeltMap{std::move(map), {}};
+}
+
+/// The part of the picture that is felt, as the screen shows it: over the whole drawing area.
+std::shared_ptr<const Canvas> enlarged_picture(const std::shared_ptr<const Canvas>& picture,
+                                               const Area& area, const Zoom& zoom) {
+    if (zoom.factor == 1.0) return picture;
+    const double px_per_m = longest_enlarged_px / std::max(area.width_m, area.height_m);
+    const Area lies = fitted(area, picture->width(), picture->height());
+    const double scale = zoom.factor * px_per_m * lies.width_m / picture->width();
+    Canvas canvas(static_cast<int>(std::lround(px_per_m * area.width_m)),
+                  static_cast<int>(std::lround(px_per_m * area.height_m)));
+    cairo_t* const cr = canvas.context();
+    cairo_translate(cr, 0.5 * canvas.width() - zoom.factor * px_per_m * zoom.centre.x,
+                    0.5 * canvas.height() + zoom.factor * px_per_m * zoom.centre.y);
+    cairo_scale(cr, scale, scale);
+    cairo_set_source_surface(cr, picture->surface(), -0.5 * picture->width(),
+                             -0.5 * picture->height());
+    cairo_paint(cr);
+    cairo_surface_flush(canvas.surface());
+    return std::make_shared<const Canvas>(std::move(canvas));
 }
 
 }  // namespace
@@ -102,20 +130,23 @@ Result<FoundPtr> KioskStages::find(const PictureFile& file, const PagePtr& page,
 }
 
 Result<LoadedScene> KioskStages::build(const PictureFile& file, const FoundView& found,
-                                       int detail) const {
-    auto felt = felt_map(found, detail);
+                                       const FeltPart& part) const {
+    auto felt = felt_map(found, part);
     if (!felt) return tl::unexpected(of_page(file, found.place, felt.error()));
     TactileMap& map = felt->map;
     map.version = next_version();
-    const SceneOrder order = felt_order(profile_, detail);
+    const SceneOrder order = felt_order(profile_, part.detail);
     auto scene = build_scene(map, order);
     if (!scene) return tl::unexpected(of_page(file, found.place, scene.error()));
     LoadedScene result;
     result.facts = {map.title.empty() ? file.title : map.title,
                     static_cast<int>(map.outlines.size()), scene->curves.coarsest(),
                     std::move(felt->warning), found.place};
-    result.shown = {std::make_shared<const Scene>(std::move(*scene)), found.picture};
-    const RecordedMap recorded{map.version, file.gallery_file, detail, hash_of(map)};
+    result.shown = {std::make_shared<const Scene>(std::move(*scene)),
+                    enlarged_picture(found.picture, map.area, part.zoom)};
+    const bool is_whole = part.zoom == Zoom{};
+    const RecordedMap recorded{map.version, is_whole ? file.gallery_file : "", part.detail,
+                               hash_of(map)};
     result.felt = {result.shown.scene, std::make_shared<const TactileMap>(std::move(map)), order,
                    recorded};
     return result;

@@ -24,7 +24,7 @@ class KioskStages final : public Stages {
     [[nodiscard]] Result<FoundPtr> find(const PictureFile& file, const PagePtr& page,
                                         int view) const override;
     [[nodiscard]] Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
-                                            int detail) const override;
+                                            const FeltPart& part) const override;
     [[nodiscard]] bool has_reading() const override;
     [[nodiscard]] FoundPtr reread(const FoundView& found) const override;
 

@@ -119,7 +119,7 @@ LoadJob LoadPlan::next_step(const ViewOrder& order) const {
 std::vector<ViewOrder> LoadPlan::likely_next() const {
     const PagePlace place = place_of(*wanted_);
     const auto order = [this](int page, int view) {
-        return ViewOrder{wanted_->file, page, view, wanted_->detail};
+        return ViewOrder{wanted_->file, page, view, {wanted_->part.detail}};
     };
     std::vector<ViewOrder> orders;
     if (place.view < place.view_count) orders.push_back(order(place.page, place.view + 1));

@@ -23,7 +23,7 @@ struct ViewOrder {
     FilePtr file;
     int page = 1;
     int view = 1;  // beyond the last: the last
-    int detail = 3;
+    FeltPart part = {};
 };
 
 enum class JobKind : std::uint8_t { open, find, build, reread };

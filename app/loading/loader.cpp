@@ -15,7 +15,7 @@ JobOutcome done(const Stages& stages, const LoadJob& job) {
         case JobKind::find:
             return stages.find(file, job.page, job.order.view);
         case JobKind::build:
-            return stages.build(file, *job.found, job.order.detail);
+            return stages.build(file, *job.found, job.order.part);
         case JobKind::reread:
             return Result<FoundPtr>(stages.reread(*job.found));
     }

@@ -32,7 +32,15 @@ struct PictureFile {
 using FilePtr = std::shared_ptr<const PictureFile>;
 using PagePtr = std::shared_ptr<const Page>;
 
-/// A view with its lines, for every detail.
+/// What of a view is felt: how much of it, and which part of it enlarged.
+struct FeltPart {
+    int detail = 3;  // 1 silhouette ... 5 all
+    Zoom zoom = {};
+
+    friend bool operator==(const FeltPart&, const FeltPart&) = default;
+};
+
+/// A view with its lines, for every part.
 struct FoundView {
     PagePtr view;
     std::optional<Found> lines;  // none: the view's own outlines are felt
@@ -66,9 +74,9 @@ class Stages {
     [[nodiscard]] virtual Result<FoundPtr> find(const PictureFile& file, const PagePtr& page,
                                                 int view) const = 0;
 
-    /// What is felt and shown at a detail. Milliseconds.
+    /// What is felt and shown of it. Milliseconds.
     [[nodiscard]] virtual Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
-                                                    int detail) const = 0;
+                                                    const FeltPart& part) const = 0;
 
     /// False: reread() would find nothing, ever.
     [[nodiscard]] virtual bool has_reading() const = 0;

@@ -171,7 +171,7 @@ class Kiosk {
     void load() {
         if (session_.is_listed) wanted_ = list_.at(session_.picture);
         const PagePlace& place = session_.place;
-        loader_->want(session_.request, {wanted_, place.page, place.view, session_.detail});
+        loader_->want(session_.request, {wanted_, place.page, place.view, {session_.detail}});
     }
 
     void take(Delivery delivery) {

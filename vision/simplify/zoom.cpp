@@ -1,13 +1,19 @@
 #include "vision/simplify/zoom.h"
 
+#include "config/types/map_frame.h"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace touchline {
 namespace {
 
 constexpr double kSubjectShare = 0.85;
 constexpr double kMostFactor = 16.0;
+constexpr double kLeastPart_mm = 1.0;
 
 /// Millimetres of the whole picture to millimetres of the enlargement.
 class Enlargement {
@@ -96,6 +102,49 @@ void clip(const Chain& line, cv::Size2d size, std::vector<Chain>& parts) {
     finish();
 }
 
+std::vector<Chain> clipped(const Chain& line, cv::Size2d size) {
+    std::vector<Chain> parts;
+    const bool is_whole =
+        std::ranges::all_of(line.points, [&](const EdgePoint& p) { return is_inside(p.at, size); });
+    if (is_whole)
+        parts.push_back(line);
+    else
+        clip(line, size, parts);
+    return parts;
+}
+
+double length_mm(const Chain& line) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.points.size(); ++i)
+        length += cv::norm(line.points[i].at - line.points[i - 1].at);
+    return length;
+}
+
+Chain in_mm(const Outline& outline, const Area& area, const Enlargement& enlargement) {
+    Chain line;
+    line.is_closed = outline.is_closed;
+    for (const Position& p : outline.points) {
+        const ViewBoxPoint at = to_view_box(p, view_box_of(area));
+        line.points.push_back({enlargement({at.u_mm, at.v_mm}), 1.0, false});
+    }
+    return line;
+}
+
+void add_enlarged(const Outline& outline, const Area& area, const Zoom& zoom, TactileMap& map) {
+    const Enlargement enlargement(area, zoom);
+    int number = 0;
+    for (const Chain& part : clipped(in_mm(outline, area, enlargement), enlargement.size_mm())) {
+        if (length_mm(part) < kLeastPart_mm) continue;
+        Outline shown = outline;
+        shown.is_closed = part.is_closed;
+        shown.points.clear();
+        for (const EdgePoint& p : part.points)
+            shown.points.push_back(canonical_point(p.at.x, p.at.y, area));
+        if (++number > 1 && !shown.id.empty()) shown.id += "-" + std::to_string(number);
+        map.outlines.push_back(std::move(shown));
+    }
+}
+
 }  // namespace
 
 std::vector<Chain> in_zoom(const std::vector<Chain>& lines, const Placement& placement,
@@ -108,15 +157,11 @@ std::vector<Chain> in_zoom(const std::vector<Chain>& lines, const Placement& pla
         for (EdgePoint& p : mm.points) {
             p.at = enlarged(placement.in_mm(p.at));
         }
-        const bool is_whole =
-            zoom.factor == 1.0 || std::ranges::all_of(mm.points, [&](const EdgePoint& p) {
-                return is_inside(p.at, enlarged.size_mm());
-            });
-        if (is_whole) {
+        if (zoom.factor == 1.0) {
             result.push_back(std::move(mm));
-        } else {
-            clip(mm, enlarged.size_mm(), result);
+            continue;
         }
+        for (Chain& part : clipped(mm, enlarged.size_mm())) result.push_back(std::move(part));
     }
     return result;
 }
@@ -126,6 +171,26 @@ cv::Rect2d picture_in_zoom(const Placement& placement, cv::Size working, const A
     const Enlargement enlarged(area, zoom);
     return {enlarged(placement.in_mm({-0.5, -0.5})),
             enlarged(placement.in_mm({working.width - 0.5, working.height - 0.5}))};
+}
+
+std::vector<Label> enlarged(const std::vector<Label>& labels, const Area& area, const Zoom& zoom) {
+    std::vector<Label> shown;
+    for (const Label& label : labels) {
+        const Position place = zoom.factor * (label.place - zoom.centre);
+        const bool is_shown =
+            2.0 * std::abs(place.x) <= area.width_m && 2.0 * std::abs(place.y) <= area.height_m;
+        if (is_shown) shown.push_back({label.text, place});
+    }
+    return shown;
+}
+
+TactileMap enlarged(const TactileMap& map, const Zoom& zoom) {
+    if (zoom.factor == 1.0) return map;
+    TactileMap result = map;
+    result.outlines.clear();
+    for (const Outline& outline : map.outlines) add_enlarged(outline, map.area, zoom, result);
+    result.labels = enlarged(map.labels, map.area, zoom);
+    return result;
 }
 
 Zoom zoom_to_subject(const TactileMap& map) {

@@ -15,6 +15,8 @@ namespace touchline {
 struct Zoom {
     Position centre;
     double factor = 1.0;  // 1 ... 16
+
+    friend bool operator==(const Zoom&, const Zoom&) = default;
 };
 
 /// Lines in working pixels to millimetres of the viewBox, clipped by the area where it is
@@ -27,6 +29,15 @@ struct Zoom {
 /// Where the picture itself lies then, millimetres of the viewBox.
 [[nodiscard]] cv::Rect2d picture_in_zoom(const Placement& placement, cv::Size working,
                                          const Area& area, const Zoom& zoom);
+
+/// A map of the whole picture as it is felt enlarged: outlines clipped by the area, labels that lie
+/// outside it left out. Parts of less than a millimetre are left out; the others of an outline keep
+/// its id with a number behind it. Factor 1 changes nothing. O(points).
+[[nodiscard]] TactileMap enlarged(const TactileMap& map, const Zoom& zoom);
+
+/// The labels of such a map alone.
+[[nodiscard]] std::vector<Label> enlarged(const std::vector<Label>& labels, const Area& area,
+                                          const Zoom& zoom);
 
 /// The zoom in which what is felt fills 85 % of the area, aspect kept, for a map of the whole
 /// picture. The default for a map without outlines. O(points).

@@ -97,7 +97,7 @@ TEST(KioskStages, ADetailCostsNoWorker) {
     const auto found = stages.find(*document.file, *page, 1);
     const int opened = document.opened;
     for (int detail = 1; detail <= 5; ++detail) {
-        const auto scene = stages.build(*document.file, **found, detail);
+        const auto scene = stages.build(*document.file, **found, {detail});
         ASSERT_TRUE(scene.has_value());
         EXPECT_EQ(scene->felt.recorded.detail, detail);
     }
@@ -118,6 +118,22 @@ TEST(KioskStages, AGalleryPictureIsFeltByItsOwnLines) {
     ASSERT_TRUE(first.has_value() && second.has_value());
     EXPECT_EQ(first->felt.recorded.hash, second->felt.recorded.hash);
     EXPECT_NE(first->felt.map->version, second->felt.map->version);
+}
+
+TEST(KioskStages, APartIsFeltEnlargedAndShownSo) {
+    const KioskStages stages(default_profile());
+    const FilePtr fish = file_at(gallery_folder() + "/06-fish.svg");
+    const auto page = stages.open(*fish, 1);
+    const auto found = stages.find(*fish, *page, 1);
+    const auto whole = stages.build(*fish, **found, {3});
+    const auto part = stages.build(*fish, **found, {3, {{-0.02, 0.0}, 2.0}});
+    ASSERT_TRUE(whole.has_value() && part.has_value());
+    EXPECT_NE(part->felt.recorded.hash, whole->felt.recorded.hash);
+    EXPECT_TRUE(part->felt.recorded.gallery_file.empty()) << "no file of the gallery is felt so";
+    EXPECT_NE(part->shown.picture, whole->shown.picture);
+    const auto nothing = stages.build(*fish, **found, {3, {{0.058, 0.042}, 16.0}});
+    ASSERT_FALSE(nothing.has_value());
+    EXPECT_NE(nothing.error().line.find("choose another part"), std::string::npos);
 }
 
 TEST(KioskStages, AMissingFileIsOneLineThatNamesIt) {

@@ -52,7 +52,7 @@ struct World {
           loader(stages, std::unique_ptr<Executor>(jobs), limits) {}
 
     void want(int page, int view, int detail = 3, std::size_t file = 0) {
-        loader.want(++request, {stages->files().at(file), page, view, detail});
+        loader.want(++request, {stages->files().at(file), page, view, {detail}});
     }
 
     void end(std::size_t which = 0) {

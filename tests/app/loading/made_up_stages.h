@@ -72,10 +72,10 @@ class MadeUpStages final : public Stages {
 
     /// The title names file, page, view and detail; a '+' says that words were read.
     [[nodiscard]] Result<LoadedScene> build(const PictureFile& file, const FoundView& view,
-                                            int detail) const override {
+                                            const FeltPart& part) const override {
         ++built;
         LoadedScene scene;
-        scene.facts.title = title(file.name, view.place.page, view.place.view, detail) +
+        scene.facts.title = title(file.name, view.place.page, view.place.view, part.detail) +
                             (view.view->words.empty() ? "" : "+");
         scene.facts.place = view.place;
         return scene;

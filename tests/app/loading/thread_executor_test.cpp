@@ -26,7 +26,7 @@ TEST(ThreadExecutor, AnyHistoryEndsWithWhatWasWantedLast) {
         const int page = 1 + static_cast<int>(random() % 5);
         const int detail = 1 + static_cast<int>(random() % 5);
         const FilePtr& file = stages->files()[random() % 2];
-        loader.want(request, {file, page, 2, detail});
+        loader.want(request, {file, page, 2, {detail}});
         if (random() % 4 != 0) continue;
         const std::string title = MadeUpStages::title(file->name, page, 2, detail);
         for (bool is_answered = false; !is_answered; std::this_thread::yield()) {

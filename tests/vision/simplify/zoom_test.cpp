@@ -85,6 +85,32 @@ TEST(Zoom, DetailAppliesToWhatIsThere) {
     EXPECT_GE(closed(near->map), 8);
 }
 
+TEST(Zoom, AMapIsClippedOnTheRimAndItsLabelsGoWithIt) {
+    TactileMap map;
+    map.outlines.push_back({{{-0.02, -0.02}, {0.02, -0.02}, {0.02, 0.02}, {-0.02, 0.02}},
+                            true,
+                            "square",
+                            "side",
+                            1.0,
+                            1});
+    map.outlines.push_back({{{-0.05, 0.0}, {-0.04, 0.0}}, false, "dash", "", 1.0, 1});
+    map.labels = {{"corner", {0.02, 0.02}}, {"other", {-0.02, -0.02}}};
+    EXPECT_EQ(enlarged(map, {}).outlines.size(), 2U);
+    const TactileMap near = enlarged(map, {{0.02, 0.02}, 4.0});
+    ASSERT_EQ(near.outlines.size(), 1U);  // the corner, open, from rim to rim
+    const Outline& corner = near.outlines[0];
+    EXPECT_FALSE(corner.is_closed);
+    EXPECT_EQ(corner.id, "square");
+    EXPECT_EQ(corner.label, "side");
+    ASSERT_EQ(corner.points.size(), 3U);
+    EXPECT_NEAR(norm(corner.points[1]), 0.0, 1e-8);
+    EXPECT_NEAR(std::abs(corner.points[0].y), 0.5 * area.height_m, 1e-8);
+    EXPECT_NEAR(std::abs(corner.points[2].x), 0.5 * area.width_m, 1e-8);
+    ASSERT_EQ(near.labels.size(), 1U);
+    EXPECT_EQ(near.labels[0].text, "corner");
+    EXPECT_TRUE(enlarged(map, {{0.0, 0.0}, 16.0}).outlines.empty());
+}
+
 TEST(Zoom, NothingThereAndOutOfRangeAreOneLine) {
     const auto found = find_lines(picture_of({100.0, 100.0}, 90.0), {});
     ASSERT_TRUE(found);
