@@ -37,7 +37,7 @@ LoadedScene felt(const KioskStages& stages, const Document& document, int page, 
     EXPECT_TRUE(opened.has_value()) << opened.error().line;
     const auto found = stages.find(*document.file, *opened, view);
     EXPECT_TRUE(found.has_value()) << found.error().line;
-    auto scene = stages.build(*document.file, **found, 3);
+    auto scene = stages.build(*document.file, **found, {3});
     EXPECT_TRUE(scene.has_value()) << scene.error().line;
     return std::move(*scene);
 }
@@ -113,8 +113,8 @@ TEST(KioskStages, AGalleryPictureIsFeltByItsOwnLines) {
     const auto found = stages.find(*fish, *page, 1);
     ASSERT_TRUE(found.has_value()) << found.error().line;
     EXPECT_FALSE((*found)->lines.has_value());
-    const auto first = stages.build(*fish, **found, 3);
-    const auto second = stages.build(*fish, **found, 3);
+    const auto first = stages.build(*fish, **found, {3});
+    const auto second = stages.build(*fish, **found, {3});
     ASSERT_TRUE(first.has_value() && second.has_value());
     EXPECT_EQ(first->felt.recorded.hash, second->felt.recorded.hash);
     EXPECT_NE(first->felt.map->version, second->felt.map->version);
@@ -178,7 +178,7 @@ TEST(KioskStages, WordsThatWereReadAreHeardAndNotFelt) {
     const FoundPtr better = stages.reread(**found);
     ASSERT_NE(better, nullptr);
     EXPECT_EQ(better->place, (*found)->place);
-    const auto scene = stages.build(*document.file, *better, 3);
+    const auto scene = stages.build(*document.file, *better, {3});
     ASSERT_TRUE(scene.has_value());
     ASSERT_EQ(scene->felt.map->labels.size(), 1U);
     EXPECT_EQ(scene->felt.map->labels[0].text, "dark");
@@ -203,8 +203,8 @@ TEST(KioskStages, WordsInPixelsAreHeardAndNoLongerFelt) {
     ASSERT_TRUE(first.has_value()) << first.error().line;
     const FoundPtr better = stages.reread(**first);
     ASSERT_NE(better, nullptr);
-    const auto before = stages.build(*scan.file, **first, 5);
-    const auto after = stages.build(*scan.file, *better, 5);
+    const auto before = stages.build(*scan.file, **first, {5});
+    const auto after = stages.build(*scan.file, *better, {5});
     ASSERT_TRUE(before.has_value() && after.has_value());
     EXPECT_TRUE(before->felt.map->labels.empty());
     ASSERT_EQ(after->felt.map->labels.size(), 1U);
