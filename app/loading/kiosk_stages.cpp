@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -160,6 +161,17 @@ FoundPtr KioskStages::reread(const FoundView& found) const {
     auto read = reader_(*found.view);
     if (!read) return nullptr;
     return found_in(std::make_shared<const Page>(std::move(*read)), found.place).value_or(nullptr);
+}
+
+FeltPicture nothing_to_feel(const DeviceProfile& profile) {
+    TactileMap map;
+    map.version = next_version();
+    const SceneOrder order = felt_order(profile);
+    auto scene = build_scene(map, order);
+    assert(scene && "an empty map is a sound one");
+    const RecordedMap recorded{map.version, "", 0, hash_of(map)};
+    return {std::make_shared<const Scene>(std::move(*scene)),
+            std::make_shared<const TactileMap>(std::move(map)), order, recorded};
 }
 
 FilePtr file_at(const std::string& path) {

@@ -33,6 +33,9 @@ class KioskStages final : public Stages {
     PageReader reader_;
 };
 
+/// An empty picture: after a visit nothing of it stays with the servo.
+[[nodiscard]] FeltPicture nothing_to_feel(const DeviceProfile& profile);
+
 /// A file that somebody named, with the text beside it.
 [[nodiscard]] FilePtr file_at(const std::string& path);
 

@@ -40,6 +40,7 @@ std::optional<Delivery> LoadPlan::finish(std::uint64_t number, JobOutcome outcom
     if (at == running_.end()) return std::nullopt;
     const LoadJob job = std::move(*at);
     running_.erase(at);
+    if (number <= forgotten_number_) return std::nullopt;
     if (auto* const scene = std::get_if<Result<LoadedScene>>(&outcome))
         return answer(job, std::move(*scene));
     if (const auto* const page = std::get_if<Result<PagePtr>>(&outcome)) {
@@ -55,6 +56,14 @@ std::optional<Delivery> LoadPlan::finish(std::uint64_t number, JobOutcome outcom
         keep({job.order.file, job.order.page, nullptr, *found});
     }
     return std::nullopt;
+}
+
+void LoadPlan::forget() {
+    wanted_.reset();
+    is_owed_ = false;
+    tried_.clear();
+    kept_.clear();
+    forgotten_number_ = last_number_;
 }
 
 std::size_t LoadPlan::kept_bytes() const {

@@ -66,6 +66,9 @@ class LoadPlan {
     /// How the job ended. Nothing where nobody waits for it.
     [[nodiscard]] std::optional<Delivery> finish(std::uint64_t job, JobOutcome outcome);
 
+    /// Nothing is wanted or kept any more, and nothing comes of the jobs that run.
+    void forget();
+
     [[nodiscard]] std::size_t kept_bytes() const;
 
   private:
@@ -112,6 +115,7 @@ class LoadPlan {
     bool has_reading_;
     PlanLimits limits_;
     std::uint64_t last_number_ = 0;
+    std::uint64_t forgotten_number_ = 0;  // of jobs up to this one nothing is wanted
     std::optional<ViewOrder> wanted_;
     std::uint64_t request_ = 0;
     bool is_owed_ = false;     // an answer, or a better one

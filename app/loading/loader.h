@@ -23,6 +23,9 @@ class Loader {
     /// What became ready; to be called often, for it starts what comes next too.
     [[nodiscard]] std::vector<Delivery> poll();
 
+    /// As LoadPlan::forget().
+    void forget() { plan_.forget(); }
+
     [[nodiscard]] std::size_t kept_bytes() const { return plan_.kept_bytes(); }
 
   private:

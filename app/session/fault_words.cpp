@@ -81,4 +81,13 @@ std::string_view words_of(Limit limit) {
     return "";
 }
 
+std::string spoken_fault(Fault fault, const Language& language) {
+    if (fault == Fault::none) return {};
+    const FaultWords words = words_of(fault);
+    std::string text;
+    for (const std::string_view part : {words.what, words.why, words.what_to_do})
+        text += language.text("fault", std::string(part)) + ' ';
+    return text + language.text("fault", "Exploring goes on without force.");
+}
+
 }  // namespace touchline

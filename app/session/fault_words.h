@@ -2,6 +2,7 @@
 // Threads: constant data and pure functions.
 #pragma once
 
+#include "audio-cues/words/language.h"
 #include "config/types/force_status.h"
 
 #include <string>
@@ -18,6 +19,9 @@ struct FaultWords {
 
 /// Of every fault but none.
 [[nodiscard]] FaultWords words_of(Fault fault);
+
+/// The three, and that exploring goes on, in a language.
+[[nodiscard]] std::string spoken_fault(Fault fault, const Language& language);
 
 /// The three, and that sound goes on without force. Empty for none.
 [[nodiscard]] std::string announcement_of(Fault fault);

@@ -106,14 +106,6 @@ struct Step {
 /// A key went down while the hand felt `felt_level`: a level that becomes fixed stays where it was.
 [[nodiscard]] Step press_key(const Session& session, Key key, double felt_level);
 
-struct LoadedFacts {
-    std::string title;
-    int outline_count = 0;
-    int coarsest_level = 0;
-    std::string note;  // one sentence worth telling; may be empty
-    PagePlace place = {1, 1, 1, 1};
-};
-
 /// Loading job `request` is done and its map is felt. A job that is no longer wanted changes
 /// nothing.
 [[nodiscard]] Step picture_ready(const Session& session, std::uint64_t request,

@@ -2,7 +2,7 @@
 // Threads: any, as long as nothing in the program changes its environment.
 #pragma once
 
-#include "app/sound/sound_choice.h"
+#include "audio-cues/words/language.h"
 #include "config/settings/sound.h"
 
 #include <filesystem>
@@ -10,6 +10,8 @@
 #include <vector>
 
 namespace touchline {
+
+using Languages = std::vector<Language>;
 
 /// TOUCHLINE_WORDS where that is set, else as installed, else as built.
 [[nodiscard]] std::filesystem::path words_folder();

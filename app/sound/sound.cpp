@@ -2,15 +2,19 @@
 
 #include "audio-cues/cues/cue_sounds.h"
 #include "audio-cues/cues/guidance.h"
+#include "audio-cues/synth/earcon.h"
 #include "config/types/steady_clock.h"
 
-#include <array>
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <utility>
 
 namespace touchline {
 namespace {
+
+constexpr double side_Hz = 880.0;  // of the tone on one ear
+constexpr double side_s = 0.2;
 
 double now_s() {
     return 1e-9 * static_cast<double>(steady_now_ns());
@@ -29,7 +33,7 @@ CueArea area_of(const Scene& scene) {
 
 /// From the proxy to the nearest line as it is felt; 0 on one, infinite where none is near enough
 /// to be heard.
-double distance_to_line_m(const SoundMoment& moment) {
+double distance_to_line_m(const HandMoment& moment) {
     if (moment.hand.state != ContactState::free) return 0.0;
     const Scene& scene = *moment.scene;
     const Closest closest =
@@ -42,19 +46,24 @@ double distance_to_line_m(const SoundMoment& moment) {
 Sound::Sound(SoundParts parts, EventSource events)
     : settings_(parts.settings),
       languages_(std::move(parts.languages)),
-      choice_(first_choice(output_kind(std::nullopt, settings_), settings_)),
+      output_(output_kind(std::nullopt, settings_)),
       loop_(mixer_, std::move(parts.world), std::move(events)),
       speaker_(std::move(parts.speak_program), spoken(languages_), std::move(parts.prompts),
                mixer_) {
-    mixer_.send({0, output_of(profile_of(choice_.output, settings_), choice_.volume)});
+    wanted_.volume = default_volume(profile_of(output_, settings_));
+    send_output();
 }
 
-const Language& Sound::language() const {
-    return languages_[choice_.language];
+void Sound::send_output() {
+    const OutputProfile& profile = profile_of(output_, settings_);
+    const std::size_t step = std::min(wanted_.volume, volume_steps(profile) - 1);
+    SetOutput output = output_of(profile, step);
+    output.is_mono = output.is_mono || wanted_.is_mono;
+    mixer_.send({0, output});
 }
 
 void Sound::give(ScreenEvent event) {
-    screen_cues_.amount = choice_.amount;
+    screen_cues_.amount = wanted_.amount;
     const CueStep step = cue_step(screen_cues_, event, now_s());
     screen_cues_ = step.state;
     if (step.cue) mixer_.send(sound_of(*step.cue, 0));
@@ -62,86 +71,77 @@ void Sound::give(ScreenEvent event) {
 
 /// Speech that is off leaves what must be heard.
 void Sound::say(const Utterance& utterance) {
-    if (choice_.is_speech_on || utterance.priority == SpeechPriority::safety)
+    if (wanted_.is_speech_on || utterance.priority == SpeechPriority::safety)
         speaker_.say(utterance, now_s());
 }
 
-void Sound::apply(const SoundStep& step) {
-    const SoundChoice before = std::exchange(choice_, step.choice);
-    if (before.output != choice_.output || before.volume != choice_.volume)
-        mixer_.send({0, output_of(profile_of(choice_.output, settings_), choice_.volume)});
-    speaker_.set_rate(choice_.rate);
-    if (step.act == SpeechAct::stop) speaker_.stop(now_s());
-    if (step.act == SpeechAct::repeat) speaker_.repeat(now_s());
-    if (step.act == SpeechAct::pause) speaker_.toggle_pause();
-    if (step.said.empty()) return;
-    // That speech goes off is the last that is said.
-    if (choice_.is_speech_on || before.is_speech_on)
-        speaker_.say({language().code(), step.said, SpeechPriority::text}, now_s());
+void Sound::hush() {
+    speaker_.stop(now_s());
 }
 
-void Sound::key_down(std::optional<Action> action) {
-    give(action ? ScreenEvent::key_taken : ScreenEvent::key_refused);
-    if (action != Action::pause_speech) speaker_.stop(now_s());
+void Sound::toggle_pause() {
+    speaker_.toggle_pause();
 }
 
-void Sound::carry_out(Action action) {
-    if (action == Action::headphones_in || action == Action::headphones_out)
-        keypad_ = action == Action::headphones_in;
-    apply(press_sound_key(choice_, action, settings_, languages_));
+void Sound::play_side(bool is_left) {
+    Earcon tone;
+    tone.notes[0] = {side_Hz, side_Hz, side_s, 1.0, 0.0, Timbre::pure};
+    tone.note_count = 1;
+    mixer_.send({0, PlayEarcon{tone, 1.0, is_left ? -1.0 : 1.0, true}});
+}
+
+void Sound::choose(const SoundWanted& wanted) {
+    wanted_ = wanted;
+    speaker_.set_rate(wanted.rate);
+    send_output();
+}
+
+HeardOutput Sound::output() const {
+    const OutputProfile& profile = profile_of(output_, settings_);
+    return {output_, volume_steps(profile), default_volume(profile)};
+}
+
+std::optional<bool> Sound::are_headphones_in() const {
+    HeadphoneReports reports = news_.headphones;
+    reports[static_cast<std::size_t>(HeadphoneSource::keypad)] = keypad_;
+    return touchline::are_headphones_in(reports);
 }
 
 void Sound::follow_headphones() {
-    HeadphoneReports reports = news_.headphones;
-    reports[static_cast<std::size_t>(HeadphoneSource::keypad)] = keypad_;
-    const OutputKind output = output_kind(are_headphones_in(reports), settings_);
-    apply(change_output(choice_, output, settings_, languages_));
+    const OutputKind output = output_kind(are_headphones_in(), settings_);
+    if (output == std::exchange(output_, output)) return;
+    wanted_.volume = default_volume(profile_of(output_, settings_));
+    send_output();
 }
 
-void Sound::follow_news(const SpokenState& now) {
-    if (before_) {
-        if (const auto event = screen_event(*before_, now)) give(*event);
-        for (const Utterance& utterance : spoken_news(*before_, now, language())) say(utterance);
-    }
-    before_ = now;
-}
-
-void Sound::follow_hand(const SoundMoment& moment) {
-    hand_cues_.amount = choice_.amount;
+void Sound::follow_hand(const HandMoment& moment) {
+    hand_cues_.amount = wanted_.amount;
     hand_cues_.clock.told(moment.hand.time_s, steady_now_ns());
     if (moment.scene != nullptr) hand_cues_.area = area_of(*moment.scene);
     loop_.set(hand_cues_);
-    const bool is_full = choice_.amount == CueAmount::full && moment.scene != nullptr;
+    const bool is_wanted =
+        moment.scene != nullptr && (wanted_.amount == CueAmount::full || moment.target);
     const ContinuousTone tone =
-        is_full ? continuous_tone({choice_.amount, false, std::nullopt}, moment.hand.p_WP,
-                                  distance_to_line_m(moment), hand_cues_.area)
-                : ContinuousTone{};
+        is_wanted ? continuous_tone({wanted_.amount, false, moment.target}, moment.hand.p_WP,
+                                    distance_to_line_m(moment), hand_cues_.area)
+                  : ContinuousTone{};
     const bool is_on = tone.level > 0.0;
     if (is_on || is_tone_on_) mixer_.send({0, SetContinuous{tone}});
     is_tone_on_ = is_on;
 }
 
-void Sound::step(const SoundMoment& moment) {
+void Sound::step(const HandMoment& moment) {
     news_ = loop_.news();
     follow_headphones();
-    follow_news(moment.spoken);
     follow_hand(moment);
     speaker_.step(now_s());
 }
 
-std::string Sound::words() const {
-    if (!news_.is_working) return news_.problem.empty() ? "starting" : news_.problem;
-    static constexpr std::array<std::string_view, 3> amounts{"none", "short ones", "all"};
-    const OutputProfile& profile = profile_of(choice_.output, settings_);
-    return std::string(amounts[static_cast<std::size_t>(choice_.amount)]) + ", volume " +
-           std::to_string(choice_.volume + 1) + " of " + std::to_string(volume_steps(profile)) +
-           (choice_.output == OutputKind::headset ? ", headset" : ", speaker") +
-           (choice_.is_speech_on ? "" : ", speech off");
-}
-
 std::string Sound::problem() const {
     const bool is_silent = !news_.is_working && !news_.problem.empty();
-    return is_silent ? language().text("speech", "There is no sound. Please call the staff.") : "";
+    return is_silent ? languages_[std::min(wanted_.language, languages_.size() - 1)].text(
+                           "speech", "There is no sound. Please call the staff.")
+                     : "";
 }
 
 }  // namespace touchline

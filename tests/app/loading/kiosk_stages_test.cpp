@@ -136,6 +136,12 @@ TEST(KioskStages, APartIsFeltEnlargedAndShownSo) {
     EXPECT_NE(nothing.error().line.find("choose another part"), std::string::npos);
 }
 
+TEST(KioskStages, NothingToFeelIsAnEmptySoundMap) {
+    const FeltPicture nothing = nothing_to_feel(default_profile());
+    EXPECT_TRUE(nothing.map->outlines.empty());
+    EXPECT_TRUE(bytes_of(*nothing.map).has_value()) << "it crosses to the servo";
+}
+
 TEST(KioskStages, AMissingFileIsOneLineThatNamesIt) {
     const KioskStages stages(default_profile());
     const auto page = stages.open(*file_at("/nowhere/none.png"), 1);

@@ -251,6 +251,23 @@ TEST(Loading, WhereNoWordsAreNothingComesAgain) {
     EXPECT_EQ(world.stages->reread_count, 1);
 }
 
+TEST(Loading, NothingStaysAfterAVisitNorComesOfItsJobs) {
+    World world({three_pages()});
+    world.want(1, 1);
+    world.until_felt();
+    ASSERT_GT(world.jobs->held(), 0U) << "the next view is fetched";
+    world.want(2, 1);
+    const auto delivered = world.delivered.size();
+    world.loader.forget();
+    EXPECT_EQ(world.loader.kept_bytes(), 0U);
+    world.until_idle();
+    EXPECT_EQ(world.delivered.size(), delivered);
+    EXPECT_EQ(world.loader.kept_bytes(), 0U);
+    world.want(1, 1);
+    world.until_felt();
+    EXPECT_EQ(world.last(), "0 1 1 3");
+}
+
 TEST(Loading, WhatIsKeptIsBounded) {
     MadeUpDocument long_one{.figures = std::vector<int>(50, 1), .page_px = 64};
     const std::size_t page_bytes = 3 * 64 * 64;

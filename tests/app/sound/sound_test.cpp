@@ -69,10 +69,12 @@ class FakeHeadphones final : public HeadphonePresence {
     std::shared_ptr<std::atomic<int>> state_;  // -1: unknown
 };
 
+const std::string long_text =
+    "This is a long text that goes on and on, so that there is time to stop it or to hold it.";
+
 class SoundTest : public testing::Test {
   protected:
     SoundTest() {
-        moment_.spoken.session = start_session(5).session;
         SoundParts parts;
         parts.world = {std::make_unique<FastDevice>(heard_),
                        std::make_unique<FakeHeadphones>(headphones_), nullptr};
@@ -102,18 +104,33 @@ class SoundTest : public testing::Test {
         }
     }
 
-    void press(Key key) {
-        const auto action = action_of(key);
-        sound_->key_down(action ? std::optional(action->action) : std::nullopt);
-        const Step step = press_key(moment_.spoken.session, key, 0.0);
-        moment_.spoken.session = step.session;
-        if (step.commands.sound) sound_->carry_out(*step.commands.sound);
+    void say(const std::string& text, SpeechPriority priority = SpeechPriority::text) {
+        sound_->say({"en", text, priority});
+    }
+
+    void wait_for_device() {
+        step_until([&] { return has_heard_frames() && sound_->problem().empty(); });
+    }
+
+    [[nodiscard]] bool has_heard_frames() const {
+        const std::lock_guard lock(heard_->mutex);
+        return !heard_->frames.empty();
     }
 
     [[nodiscard]] bool is_heard() const {
         const std::lock_guard lock(heard_->mutex);
         return std::any_of(heard_->frames.begin(), heard_->frames.end(),
                            [](const StereoFrame& frame) { return frame.left != 0.0F; });
+    }
+
+    /// The last tenth of a second.
+    [[nodiscard]] bool is_quiet() const {
+        const std::lock_guard lock(heard_->mutex);
+        const auto& frames = heard_->frames;
+        return frames.size() > 4800 &&
+               std::all_of(frames.end() - 4800, frames.end(), [](const StereoFrame& frame) {
+                   return frame.left == 0.0F && frame.right == 0.0F;
+               });
     }
 
     void forget_heard() {
@@ -143,12 +160,12 @@ class SoundTest : public testing::Test {
     std::shared_ptr<std::atomic<int>> headphones_ = std::make_shared<std::atomic<int>>(-1);
     std::mutex event_mutex_;
     std::optional<ContactEvent> event_;
-    SoundMoment moment_;
+    HandMoment moment_;
     std::unique_ptr<Sound> sound_;
 };
 
 TEST_F(SoundTest, AContactIsHeardAndTold) {
-    step_until([&] { return sound_->words().find("volume") != std::string::npos; });
+    wait_for_device();
     forget_heard();
     touch();
     step_until([&] { return is_heard(); });
@@ -156,113 +173,115 @@ TEST_F(SoundTest, AContactIsHeardAndTold) {
     EXPECT_EQ(sound_->last_event()->kind, ContactEventKind::contact_made);
 }
 
-TEST_F(SoundTest, APictureIsNamedByTheRealVoice) {
-    step_until([&] { return sound_->problem().empty() && sound_->words() != "starting"; });
-    moment_.spoken.session =
-        picture_ready(moment_.spoken.session, moment_.spoken.session.request, {"A house", 3, 4, ""})
-            .session;
-    wait_for_said("A house. 3 outlines.");
+TEST_F(SoundTest, ATextIsSaidByTheRealVoice) {
+    wait_for_device();
+    say("A house.");
+    wait_for_said("A house.");
     EXPECT_TRUE(is_heard());
     EXPECT_FALSE(transcript().back().was_interrupted);
 }
 
-TEST_F(SoundTest, SP4_EveryKeyStopsSpeech) {
-    sound_->step(moment_);
-    press(Key{'H'});  // long
-    step_until([&] { return sound_->speaker().queue().current().has_value(); });
-    press(Key{'B'});
-    sound_->step(moment_);
+TEST_F(SoundTest, SP4_AHushStopsSpeechButNoSafetyMessage) {
+    say(long_text);
+    step_until([&] { return is_being_said(long_text); });
+    sound_->hush();
     EXPECT_FALSE(sound_->speaker().queue().current());
     EXPECT_TRUE(transcript().back().was_interrupted);
+    say("Let go of the handle.", SpeechPriority::safety);
+    sound_->hush();
+    EXPECT_TRUE(is_being_said("Let go of the handle."));
 }
 
-TEST_F(SoundTest, SP5_OneKeySaysItAgainAndOnePauses) {
-    sound_->step(moment_);
-    press(Key{'V'});
-    press(Key{'V'});
-    wait_for_said("Speech is on.");
-    const auto count = transcript().size();
-    press(Key{'A'});
-    step_until([&] { return transcript().size() > count; });
-    EXPECT_EQ(transcript().back().text, "Speech is on.");
-    press(Key{'H'});
-    step_until([&] { return sound_->speaker().queue().current().has_value(); });
-    press(Key{'Z'});
+TEST_F(SoundTest, SP5_APauseIsNoStop) {
+    say(long_text);
+    step_until([&] { return is_being_said(long_text); });
+    sound_->toggle_pause();
     EXPECT_TRUE(sound_->speaker().queue().is_paused());
-    EXPECT_TRUE(sound_->speaker().queue().current()) << "a pause is no stop";
-    press(Key{'Z'});
+    EXPECT_TRUE(is_being_said(long_text));
+    sound_->toggle_pause();
     EXPECT_FALSE(sound_->speaker().queue().is_paused());
 }
 
-TEST_F(SoundTest, SpeechThatIsOffLeavesFaultsAndComesBack) {
-    sound_->step(moment_);
-    press(Key{'V'});
-    wait_for_said("Speech is off.");
-    press(Key{'M'});
-    sound_->step(moment_);
+TEST_F(SoundTest, SpeechThatIsOffLeavesSafetyMessages) {
+    SoundWanted wanted;
+    wanted.is_speech_on = false;
+    sound_->choose(wanted);
+    say("A house.");
     EXPECT_FALSE(sound_->speaker().queue().current());
-    moment_.spoken.force.fault = Fault::too_fast;
-    wait_for_said(spoken_fault(Fault::too_fast, Language()));
-    press(Key{'V'});
-    wait_for_said("Speech is on.");
+    say("There is no force.", SpeechPriority::safety);
+    wait_for_said("There is no force.");
 }
 
-TEST_F(SoundTest, TheLanguageIsThatOfSpeechToo) {
-    sound_->step(moment_);
-    press(Key{'N'});
-    wait_for_said("Deutsch");
-    EXPECT_EQ(transcript().back().language, "de");
-    press(Key{'M'});
-    wait_for_said("Art: Grat.");
-}
-
-TEST_F(SoundTest, VO5_HeadphonesInAndOutChangeTheOutputAndSayso) {
+TEST_F(SoundTest, VO5_HeadphonesChangeTheOutputAndItsVolumeBeginsAnew) {
     *headphones_ = 0;
-    wait_for_said("The headphones are out.");
-    EXPECT_EQ(sound_->choice().output, OutputKind::speaker);
-    press(Key{'H'});
-    step_until([&] { return sound_->speaker().queue().current().has_value(); });
-    press(Key{'='});
+    step_until([&] { return sound_->output().kind == OutputKind::speaker; });
+    EXPECT_EQ(sound_->are_headphones_in(), std::optional(false));
+    EXPECT_EQ(sound_->output().first_volume, default_volume(SoundSettings{}.speaker));
     *headphones_ = 1;
-    wait_for_said("The headphones are in.");
-    EXPECT_EQ(sound_->choice().output, OutputKind::headset);
-    EXPECT_EQ(sound_->choice().volume, default_volume(SoundSettings{}.headset));
+    step_until([&] { return sound_->output().kind == OutputKind::headset; });
+    EXPECT_EQ(sound_->output().first_volume, default_volume(SoundSettings{}.headset));
 }
 
-TEST_F(SoundTest, VO5_AKeyOfTheKeypadTellsOfItsSocketBeforeAllElse) {
+TEST_F(SoundTest, VO5_AKeypadTellsOfItsSocketBeforeAllElse) {
     *headphones_ = 1;
-    sound_->step(moment_);
-    press(Key::f16);
-    wait_for_said("The headphones are out.");
-    EXPECT_EQ(sound_->choice().output, OutputKind::speaker);
-    press(Key::f15);
-    wait_for_said("The headphones are in.");
+    step_until([&] { return sound_->are_headphones_in() == std::optional(true); });
+    sound_->tell_headphones(false);
+    step_until([&] { return sound_->output().kind == OutputKind::speaker; });
 }
 
 TEST_F(SoundTest, ADeviceThatIsLostIsToldAndComesBackByItself) {
-    step_until([&] { return sound_->words().find("volume") != std::string::npos; });
+    wait_for_device();
     heard_->is_missing = true;
     heard_->is_gone = true;
     step_until([&] { return !sound_->problem().empty(); });
     EXPECT_EQ(sound_->problem(), "There is no sound. Please call the staff.");
-    EXPECT_NE(sound_->words(), "");
-    press(Key{'N'});
-    wait_for_said("Deutsch");  // all else goes on
+    SoundWanted wanted;
+    wanted.language = 1;
+    sound_->choose(wanted);
     EXPECT_EQ(sound_->problem(), "Es gibt keinen Ton. Bitte rufen Sie das Personal.");
+    say("A house.");
+    wait_for_said("A house.");  // all else goes on
     heard_->is_gone = false;
     heard_->is_missing = false;
     step_until([&] { return sound_->problem().empty(); });
-    EXPECT_NE(sound_->words().find("volume 4 of 7, headset"), std::string::npos) << sound_->words();
 }
 
-TEST_F(SoundTest, SP9_EveryKeyIsHeardAndADeadOneSoundsElse) {
-    step_until([&] { return sound_->words().find("volume") != std::string::npos; });
+TEST_F(SoundTest, SP9_AKeyIsHeardAndADeadOneSoundsElse) {
+    wait_for_device();
     forget_heard();
-    sound_->key_down(Action::toggle_boxes);
+    sound_->give(ScreenEvent::key_taken);
     step_until([&] { return is_heard(); });
     forget_heard();
-    sound_->key_down(std::nullopt);
+    sound_->give(ScreenEvent::key_refused);
     step_until([&] { return is_heard(); });
+}
+
+/// As far as pan goes: one ear is 20 dB softer, not silent.
+TEST_F(SoundTest, ATestToneIsLouderOnItsSide) {
+    wait_for_device();
+    for (const bool is_left : {true, false}) {
+        step_until([&] { return is_quiet(); });
+        forget_heard();
+        sound_->play_side(is_left);
+        step_until([&] { return is_heard(); });
+        step_until([&] { return is_quiet(); });
+        const std::lock_guard lock(heard_->mutex);
+        double left = 0.0;
+        double right = 0.0;
+        for (const StereoFrame& frame : heard_->frames) {
+            left += frame.left * frame.left;
+            right += frame.right * frame.right;
+        }
+        EXPECT_GT(is_left ? left : right, 30.0 * (is_left ? right : left));
+    }
+}
+
+TEST_F(SoundTest, NothingThatWasSaidIsKeptAfterAVisit) {
+    say("A house.");
+    wait_for_said("A house.");
+    sound_->forget();
+    EXPECT_TRUE(transcript().empty());
+    EXPECT_FALSE(sound_->speaker().queue().current());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "app/main/stick_shelf.h"
+#include "app/kiosk/stick_shelf.h"
 
 #include <chrono>
 #include <utility>

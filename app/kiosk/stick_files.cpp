@@ -1,4 +1,4 @@
-#include "app/main/stick_files.h"
+#include "app/kiosk/stick_files.h"
 
 #include "app/decode/opening.h"
 #include "app/decode/side_car.h"

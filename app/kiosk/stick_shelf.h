@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/loading/stages.h"
-#include "app/main/stick_files.h"
+#include "app/kiosk/stick_files.h"
 #include "app/sticks/stick_port.h"
 
 #include <cstdint>
@@ -28,6 +28,9 @@ class StickShelf {
 
     /// The last thing that changed. Several times a second; `now_ns` of the monotonic clock.
     [[nodiscard]] std::optional<ShelfChange> poll(std::int64_t now_ns);
+
+    /// Files of a stick are being looked for.
+    [[nodiscard]] bool is_listing() const { return is_due_ || listing_.valid(); }
 
     /// The visitor is done: see StickPort.
     void end_session() { port_->end_session(); }

@@ -1,6 +1,6 @@
 // A stick's files in the list: a port that does as it is told, the real touchline-import, real
 // workers.
-#include "app/main/stick_shelf.h"
+#include "app/kiosk/stick_shelf.h"
 
 #include "app/sticks/folder_port.h"
 #include "tests/app/decode/files_of_formats.h"

@@ -1,0 +1,349 @@
+#include "app/kiosk/kiosk.h"
+
+#include "app/kiosk/picture_facts.h"
+#include "app/kiosk/first_feel.h"
+#include "app/loading/kiosk_stages.h"
+#include "app/session/fault_words.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr double tick_s = 0.05;   // of the visit
+constexpr double moved_m = 0.002;  // less is no sign of a person
+constexpr double tour_m_per_s = 0.035;
+
+/// Of the box around an outline.
+double box_area_m2(const Outline& outline) {
+    Position low = outline.points.front();
+    Position high = low;
+    for (const Position& p : outline.points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    return (high.x - low.x) * (high.y - low.y);
+}
+
+}  // namespace
+
+/// What each order of a visit does.
+struct Kiosk::Carrying {
+    Kiosk& kiosk;
+
+    void operator()(const Utterance& utterance) const { kiosk.sound_->say(utterance); }
+
+    void operator()(const Hush&) const { kiosk.sound_->hush(); }
+
+    void operator()(const HoldSpeech&) const { kiosk.sound_->toggle_pause(); }
+
+    void operator()(const GiveCue& cue) const { kiosk.sound_->give(cue.event); }
+
+    void operator()(const GivePattern& pattern) const {
+        kiosk.pattern_.pattern = pattern.pattern;
+        ++kiosk.pattern_.serial;
+        kiosk.set_servo();
+    }
+
+    void operator()(const LoadPicture& order) const { kiosk.load(order); }
+
+    void operator()(const CancelLoad&) const { kiosk.is_loading_ = false; }
+
+    void operator()(const Feel& feel) const {
+        kiosk.feel_ = feel;
+        kiosk.set_servo();
+    }
+
+    void operator()(const Guide& guide) const { kiosk.guide(guide); }
+
+    void operator()(const CameraPreview& preview) const {
+        kiosk.is_previewing_ = preview.is_on;
+        if (kiosk.photos_) kiosk.photos_->show(preview.is_on);
+    }
+
+    void operator()(const Capture&) const {
+        if (kiosk.photos_) kiosk.photos_->take();
+    }
+
+    void operator()(const GiveStickBack&) const {
+        if (kiosk.shelf_) kiosk.shelf_->end_session();
+    }
+
+    void operator()(const Wipe&) const { kiosk.wipe(); }
+
+    void operator()(const SoundWanted& wanted) const { kiosk.sound_->choose(wanted); }
+
+    void operator()(const LookWanted&) const {}  // the screen asks the visit
+
+    void operator()(const CallStaff&) const {}  // likewise
+};
+
+Kiosk::Kiosk(KioskParts parts)
+    : languages_(std::move(parts.languages)),
+      pictures_(std::move(parts.gallery)),
+      servo_(std::move(parts.servo)),
+      sound_(std::move(parts.sound)),
+      loader_(std::move(parts.loader)),
+      shelf_(std::move(parts.shelf)),
+      photos_(std::move(parts.photos)),
+      settings_(std::move(parts.settings)),
+      profile_(std::move(parts.profile)),
+      reading_language_(std::move(parts.reading_language)) {
+    follow_rules();
+    rules_.has_camera = photos_ != nullptr;
+    rules_.has_stick_port = shelf_ != nullptr;
+    rules_.first_firmness = first_firmness(parts.loop_N_per_m);
+    take(start_visit(world()));
+}
+
+void Kiosk::happen(const VisitEvent& event) {
+    take(touchline::step(visit_, event, world()));
+}
+
+void Kiosk::take(VisitStep step) {
+    visit_ = std::move(step.visit);
+    for (const VisitOrder& order : step.orders) std::visit(Carrying{*this}, order);
+    if (reading_language_) *reading_language_ = written_language(language().code());
+}
+
+void Kiosk::set(const Settings& settings) {
+    settings_ = settings;
+    follow_rules();
+    set_servo();
+}
+
+void Kiosk::follow_rules() {
+    const HeardOutput output = sound_->output();
+    rules_.volume_steps = output.volume_steps;
+    rules_.first_volume = output.first_volume;
+}
+
+void Kiosk::set_servo() {
+    ServoCommands commands;
+    commands.mode = feel_.mode;
+    commands.stiffness_N_per_m = firmness_steps.at(feel_.firmness).stiffness_N_per_m;
+    commands.radius_m = proxy_radius_m;
+    commands.pop_through_N = feel_.gives_way ? settings_.give_way_N : 0.0;
+    commands.friction = settings_.friction;
+    commands.capture_m = settings_.capture_mm / 1000.0;
+    commands.finest_level = settings_.finest_level;
+    commands.coarsest_level = settings_.coarsest_level;
+    commands.is_level_auto = feel_.is_level_automatic;
+    commands.level = feel_.fixed_level;
+    commands.is_force_wanted = feel_.is_force_wanted;
+    commands.force_ceiling_N = settings_.force_ceiling_N;
+    commands.guidance = guidance_;
+    commands.pattern = pattern_;
+    servo_->set(commands);
+}
+
+void Kiosk::load(const LoadPicture& order) {
+    order_ = order;
+    const FilePtr file = pictures_.of(order);
+    if (file == nullptr) {
+        happen(PictureFailed{order.request, language().text("kiosk", "This picture is gone. "
+                                                                     "Choose another one.")});
+        return;
+    }
+    wanted_ = file;
+    is_loading_ = true;
+    const Zoom zoom{order.zoom.centre, order.zoom.factor};
+    loader_->want(order.request, {file, order.page, order.view, {order.detail, zoom}});
+}
+
+/// Once around means the line around most of the picture.
+int Kiosk::outer_outline() const {
+    if (!map_) return -1;
+    int outer = -1;
+    double most_m2 = -1.0;
+    for (std::size_t i = 0; i < map_->outlines.size(); ++i) {
+        const double size_m2 = box_area_m2(map_->outlines[i]);
+        if (size_m2 <= most_m2) continue;
+        most_m2 = size_m2;
+        outer = static_cast<int>(i);
+    }
+    return outer;
+}
+
+void Kiosk::guide(const Guide& guide) {
+    ++guidance_.serial;
+    guidance_.kind = GuidanceKind::none;
+    guidance_.place = guide.place_W;
+    guidance_.outline = -1;
+    guidance_.speed_m_per_s = tour_m_per_s;
+    is_guiding_ = guide.kind != GuideKind::stop;
+    if (guide.kind == GuideKind::outline) {
+        guidance_.kind = GuidanceKind::tour;
+        guidance_.outline = outer_outline();
+    } else if (guide.kind == GuideKind::to_place) {
+        guidance_.kind = GuidanceKind::to_place;
+    } else if (guide.kind == GuideKind::bring_back) {
+        guidance_.kind = GuidanceKind::to_line;
+    }
+    set_servo();
+}
+
+void Kiosk::wipe() {
+    is_loading_ = false;
+    loader_->forget();
+    pictures_.forget();
+    if (photos_) photos_->forget();
+    sound_->forget();
+    wanted_.reset();
+    shown_ = {};
+    map_.reset();
+    parts_.clear();
+    order_ = {};
+    servo_->feel(nothing_to_feel(profile_));
+}
+
+void Kiosk::step(std::int64_t now_ns) {
+    const double now_s = 1e-9 * static_cast<double>(now_ns);
+    follow_headphones();
+    follow_stick(now_ns);
+    follow_loader();
+    follow_camera(now_s);
+    hand_ = servo_->latest();
+    force_ = servo_->force_status();
+    if (now_s - ticked_s_ >= tick_s) {
+        ticked_s_ = now_s;
+        follow_servo();
+        follow_troubles();
+        happen(Tick{now_s});
+    }
+    sound_->step({hand_, shown_.scene.get(), target()});
+}
+
+void Kiosk::follow_headphones() {
+    const std::optional<bool> are_in = sound_->are_headphones_in();
+    if (are_in == std::exchange(are_headphones_in_, are_in)) return;
+    follow_rules();
+    happen(HeadphonesChanged{are_in.value_or(true)});
+}
+
+void Kiosk::follow_stick(std::int64_t now_ns) {
+    if (!shelf_) return;
+    auto change = shelf_->poll(now_ns);
+    const bool was_listing = std::exchange(is_listing_, shelf_->is_listing());
+    if (change && !change->files.empty()) {
+        std::vector<std::string> names;
+        for (const FilePtr& file : change->files) names.push_back(spoken_title(file->title));
+        pictures_.put_stick(std::move(change->files));
+        happen(StickCame{std::move(names), language().text("stick", change->sentence)});
+    } else if (change) {
+        pictures_.put_stick({});
+        happen(StickGone{change->sentence.empty() ? ""
+                                                  : language().text("stick", change->sentence)});
+    } else if (is_listing_ && !was_listing) {
+        happen(StickArriving{});
+    }
+}
+
+void Kiosk::follow_loader() {
+    for (Delivery& delivery : loader_->poll()) take(std::move(delivery));
+}
+
+void Kiosk::take(Delivery delivery) {
+    if (delivery.request != order_.request || !wanted_) return;
+    if (!delivery.scene) {
+        report(wanted_->is_private ? "a visitor's picture cannot be felt"
+                                   : delivery.scene.error().line);
+        is_loading_ = false;
+        happen(PictureFailed{delivery.request,
+                             language().text("trouble", delivery.scene.error().line)});
+        return;
+    }
+    if (!std::exchange(is_loading_, false) && !delivery.is_better) return;
+    shown_ = delivery.scene->shown;
+    map_ = delivery.scene->felt.map;
+    PictureFacts facts = facts_of(*delivery.scene);
+    parts_ = facts.parts;
+    servo_->feel(delivery.scene->felt);
+    happen(PictureReady{delivery.request, std::move(facts)});
+}
+
+void Kiosk::follow_camera(double now_s) {
+    if (!photos_) return;
+    PhotoNews news = photos_->step(now_s);
+    const bool has_camera = news.condition != CameraCondition::absent;
+    if (has_camera != std::exchange(has_camera_, has_camera)) happen(CameraChanged{has_camera});
+    trouble(TroubleKind::camera,
+            news.condition == CameraCondition::stopped
+                ? language().text("camera", std::string(sentence(news.condition)))
+                : "");
+    if (news.photo) {
+        pictures_.put_photo(std::move(news.photo));
+        happen(CameraCaptured{});
+    }
+    if (news.has_given_up)
+        happen(CameraFailed{language().text("camera", "The camera gave no picture. Try again.")});
+}
+
+std::shared_ptr<const Canvas> Kiosk::preview() const {
+    return photos_ && is_previewing_ ? photos_->preview() : nullptr;
+}
+
+void Kiosk::follow_servo() {
+    HandleSeen seen;
+    seen.place_W = hand_.p_WH;
+    seen.speed_m_per_s = hand_.speed_m_per_s;
+    if (map_) seen.part = part_at(*map_, parts_, hand_);
+    seen.has_moved = norm(hand_.p_WH - last_seen_W_) > moved_m;
+    if (seen.has_moved) last_seen_W_ = hand_.p_WH;
+    happen(seen);
+    follow_guidance();
+}
+
+void Kiosk::follow_guidance() {
+    const GuidanceStatus& status = hand_.guidance;
+    if (!is_guiding_ || status.serial != guidance_.serial) return;
+    const bool has_arrived = status.phase == GuidancePhase::arrived;
+    if (!has_arrived && status.phase != GuidancePhase::stopped) return;
+    is_guiding_ = false;
+    happen(GuidanceEnded{has_arrived});
+}
+
+/// While the handle is led to a place, the way there is heard.
+std::optional<Position> Kiosk::target() const {
+    if (!is_guiding_ || guidance_.kind != GuidanceKind::to_place) return std::nullopt;
+    return guidance_.place;
+}
+
+void Kiosk::follow_troubles() {
+    trouble(TroubleKind::device, device_trouble());
+    trouble(TroubleKind::sound, sound_->problem());
+}
+
+std::string Kiosk::device_trouble() const {
+    if (force_.fault != Fault::none) return spoken_fault(force_.fault, language());
+    const std::string words = servo_->device_words();
+    return words.empty() ? "" : language().text("device", words);
+}
+
+void Kiosk::trouble(TroubleKind kind, const std::string& sentence) {
+    std::string& told = troubles_[static_cast<std::size_t>(kind)];
+    if (sentence == told) return;
+    told = sentence;
+    if (sentence.empty())
+        happen(TroubleEnded{kind});
+    else
+        happen(TroubleBegan{kind, sentence});
+}
+
+void Kiosk::report(std::string line) {
+    report_ += (report_.empty() ? "" : "; ") + std::move(line);
+}
+
+std::string Kiosk::take_report() {
+    const std::string notice = servo_->take_notice();
+    if (!notice.empty()) report(notice);
+    return std::exchange(report_, {});
+}
+
+void Kiosk::stop() {
+    if (shelf_) shelf_->end_session();
+    servo_->stop();
+}
+
+}  // namespace touchline

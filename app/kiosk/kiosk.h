@@ -1,0 +1,159 @@
+// The kiosk without its window: carries out what a visit wants and tells it what happens.
+//
+//   keys, hand, headphones, stick, camera, loader ──> Visit (app/session) ──> speech, cues, servo,
+//                                                                             loader, camera, stick
+//
+// Threads: the screen's; what works beside it sits behind its parts. No call waits.
+#pragma once
+
+#include "app/kiosk/photo_desk.h"
+#include "app/kiosk/pictures.h"
+#include "app/kiosk/stick_shelf.h"
+#include "app/loading/loader.h"
+#include "app/decode/reading_order.h"
+#include "app/servo/servo_client.h"
+#include "app/session/visit.h"
+#include "app/sound/visitor_sound.h"
+#include "config/settings/settings.h"
+#include "haptics/pantograph/profile.h"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// Any of shelf and photos may be null: the house has none.
+struct KioskParts {
+    std::vector<Language> languages;  // not empty, English first
+    Gallery gallery;                  // of these languages
+    std::unique_ptr<ServoClient> servo;
+    std::unique_ptr<VisitorSound> sound;
+    std::unique_ptr<Loader> loader;
+    std::unique_ptr<StickShelf> shelf;
+    std::unique_ptr<PhotoDesk> photos;
+    Settings settings;
+    DeviceProfile profile;
+    double loop_N_per_m = 500.0;  // the stiffness that suits the loop to begin with
+    /// Set to what is spoken: the language that words in pictures are read in. May be null.
+    std::shared_ptr<std::atomic<WrittenLanguage>> reading_language;
+};
+
+class Kiosk {
+  public:
+    explicit Kiosk(KioskParts parts);
+
+    void press(KeyRole role) { happen(KeyPressed{role}); }
+
+    void press(SpeechKey key) { happen(SpeechKeyPressed{key}); }
+
+    void press_dead_key() { happen(DeadKeyPressed{}); }
+
+    void tell_headphones(bool are_in) { sound_->tell_headphones(are_in); }
+
+    /// Sixty times a second or so; `now_ns` of the monotonic clock.
+    void step(std::int64_t now_ns);
+
+    /// What hands feel changes at once, what visits begin with at the next.
+    void set(const Settings& settings);
+
+    void set_opening(Opening opening) { happen(OpeningChanged{opening}); }
+
+    [[nodiscard]] SpokenScreen screen() const { return screen_of(visit_, world()); }
+
+    [[nodiscard]] const Visit& visit() const { return visit_; }
+
+    [[nodiscard]] const Language& language() const { return language_of(visit_, world()); }
+
+    [[nodiscard]] const HandState& hand() const { return hand_; }
+
+    [[nodiscard]] const ForceStatus& force() const { return force_; }
+
+    [[nodiscard]] const ShownScene& shown() const { return shown_; }
+
+    /// Of the camera, while it is to be shown; else null.
+    [[nodiscard]] std::shared_ptr<const Canvas> preview() const;
+
+    /// For the screen while somebody is needed: why.
+    [[nodiscard]] bool is_staff_called() const { return visit_.is_staff_called; }
+
+    /// One line for the log; empty: nothing new. It names no file and no text of a visitor.
+    [[nodiscard]] std::string take_report();
+
+    [[nodiscard]] ServoClient& servo() { return *servo_; }
+
+    [[nodiscard]] VisitorSound& sound() { return *sound_; }
+
+    /// The stick is let go of and the servo stopped.
+    void stop();
+
+  private:
+    struct Carrying;
+
+    [[nodiscard]] VisitWorld world() const { return {languages_, settings_, titles(), rules_}; }
+
+    [[nodiscard]] const std::vector<std::vector<GalleryTitle>>& titles() const {
+        return pictures_.titles();
+    }
+
+    void happen(const VisitEvent& event);
+    void take(VisitStep step);
+    void follow_rules();
+    void follow_headphones();
+    void follow_stick(std::int64_t now_ns);
+    void follow_loader();
+    void follow_camera(double now_s);
+    void follow_servo();
+    void follow_guidance();
+    void follow_troubles();
+    void trouble(TroubleKind kind, const std::string& sentence);
+    void take(Delivery delivery);
+    void load(const LoadPicture& order);
+    void guide(const Guide& guide);
+    void set_servo();
+    void wipe();
+    void report(std::string line);
+    [[nodiscard]] std::string device_trouble() const;
+    [[nodiscard]] int outer_outline() const;
+    [[nodiscard]] std::optional<Position> target() const;
+
+    std::vector<Language> languages_;
+    Pictures pictures_;
+    std::unique_ptr<ServoClient> servo_;
+    std::unique_ptr<VisitorSound> sound_;
+    std::unique_ptr<Loader> loader_;
+    std::unique_ptr<StickShelf> shelf_;
+    std::unique_ptr<PhotoDesk> photos_;
+    Settings settings_;
+    DeviceProfile profile_;
+    VisitRules rules_;
+    std::shared_ptr<std::atomic<WrittenLanguage>> reading_language_;
+
+    Visit visit_;
+    Feel feel_;  // as it was last ordered
+    GuidanceCommand guidance_;
+    bool is_guiding_ = false;
+    PatternCommand pattern_;
+    HandState hand_;
+    ForceStatus force_;
+    ShownScene shown_;
+    std::shared_ptr<const TactileMap> map_;  // felt
+    std::vector<PartFacts> parts_;           // of it
+    LoadPicture order_;                      // the last
+    FilePtr wanted_;                         // its file
+    bool is_loading_ = false;
+    Position last_seen_W_;  // of the handle when it was last said to have moved
+    double ticked_s_ = 0.0;
+    std::optional<bool> are_headphones_in_;
+    bool has_camera_ = false;
+    bool is_listing_ = false;
+    bool is_previewing_ = false;
+    std::array<std::string, trouble_count> troubles_;  // as they were told
+    std::string report_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,72 @@
+#include "app/kiosk/picture_facts.h"
+
+#include "audio-cues/speech/speech_text.h"
+
+#include <algorithm>
+
+namespace touchline {
+namespace {
+
+std::optional<std::size_t> part_named(const std::vector<PartFacts>& parts,
+                                      const std::string& name) {
+    const auto at =
+        std::ranges::find_if(parts, [&name](const PartFacts& part) { return part.name == name; });
+    if (at == parts.end()) return std::nullopt;
+    return static_cast<std::size_t>(at - parts.begin());
+}
+
+void add_outlines(const TactileMap& map, std::vector<PartFacts>& parts) {
+    for (std::size_t i = 0; i < map.outlines.size(); ++i) {
+        const Outline& outline = map.outlines[i];
+        if (outline.label.empty() || part_named(parts, outline.label)) continue;
+        parts.push_back(
+            {outline.label, outline.points.front(), outline.detail, static_cast<int>(i)});
+    }
+}
+
+std::optional<std::size_t> nearest_spot(const std::vector<PartFacts>& parts, Position place) {
+    std::optional<std::size_t> nearest;
+    double least_m = spot_m;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const double distance_m = norm(parts[i].place_W - place);
+        if (parts[i].outline || !(distance_m <= least_m)) continue;
+        least_m = distance_m;
+        nearest = i;
+    }
+    return nearest;
+}
+
+}  // namespace
+
+std::string spoken_title(const std::string& title) {
+    return title.find(' ') == std::string::npos ? speakable_name(title) : title;
+}
+
+PictureFacts facts_of(const LoadedScene& scene) {
+    const TactileMap& map = *scene.felt.map;
+    PictureFacts facts;
+    facts.title = spoken_title(scene.facts.title);
+    facts.description = map.description;
+    facts.place = scene.facts.place;
+    facts.outline_count = scene.facts.outline_count;
+    facts.note = scene.facts.note;
+    add_outlines(map, facts.parts);
+    for (const Label& label : map.labels) {
+        if (!label.text.empty()) facts.parts.push_back({label.text, label.place, 1, std::nullopt});
+    }
+    return facts;
+}
+
+std::optional<std::size_t> part_at(const TactileMap& map, const std::vector<PartFacts>& parts,
+                                   const HandState& hand) {
+    const bool is_on_line = hand.outline >= 0 && hand.map_version == map.version &&
+                            static_cast<std::size_t>(hand.outline) < map.outlines.size();
+    if (is_on_line) {
+        const auto part =
+            part_named(parts, map.outlines[static_cast<std::size_t>(hand.outline)].label);
+        if (part) return part;
+    }
+    return nearest_spot(parts, hand.p_WH);
+}
+
+}  // namespace touchline

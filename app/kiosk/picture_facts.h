@@ -1,0 +1,31 @@
+// What a visitor can be told of the picture that is felt. Threads: pure functions.
+#pragma once
+
+#include "app/loading/stages.h"
+#include "app/session/visit_events.h"
+#include "config/types/hand_state.h"
+#include "config/types/tactile_map.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// So near a spot counts as on it: half of what a fingertip covers.
+inline constexpr double spot_m = 0.004;
+
+/// A name that a person chose as it is, one of a file so that it can be said.
+[[nodiscard]] std::string spoken_title(const std::string& title);
+
+/// Parts are the outlines that have names, each name once, then the spots. O(outlines + labels).
+[[nodiscard]] PictureFacts facts_of(const LoadedScene& scene);
+
+/// The part that the hand is on: the outline that it touches, else the nearest spot within spot_m.
+/// O(parts + log outlines).
+[[nodiscard]] std::optional<std::size_t> part_at(const TactileMap& map,
+                                                 const std::vector<PartFacts>& parts,
+                                                 const HandState& hand);
+
+}  // namespace touchline

@@ -1,0 +1,86 @@
+#include "app/kiosk/pictures.h"
+
+#include "app/decode/map_svg.h"
+#include "app/decode/opening.h"
+#include "app/gallery/gallery.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The worker draws it for the screen; its words are read here in the language that was chosen: the
+/// gallery is our own.
+Result<Page> open_in(const std::string& path, const LanguageTag& language,
+                     const PageOrder& order) {
+    auto page = open_page_of(path, order);
+    if (!page) return page;
+    auto map = read_map_svg(path, language);
+    if (!map) return tl::unexpected(map.error());
+    page->told = std::move(*map);
+    return page;
+}
+
+FilePtr gallery_file(const GalleryEntry& entry, const LanguageTag& language) {
+    const std::string path = entry.path;
+    return std::make_shared<const PictureFile>(PictureFile{
+        entry.title, entry.title, fs::path(path).filename().string(), false,
+        [path, language](const PageOrder& order) { return open_in(path, language, order); }});
+}
+
+/// The one whose file's name ends so, after its number.
+FilePtr named(const std::vector<FilePtr>& files, std::string_view ending) {
+    const auto at = std::ranges::find_if(
+        files, [ending](const FilePtr& file) { return file->gallery_file.ends_with(ending); });
+    return at == files.end() ? nullptr : *at;
+}
+
+FilePtr at(const std::vector<FilePtr>& files, std::size_t index) {
+    return index < files.size() ? files[index] : nullptr;
+}
+
+}  // namespace
+
+Result<Gallery> read_gallery(const std::string& folder, const std::vector<Language>& languages) {
+    Gallery gallery;
+    for (const Language& language : languages) {
+        const LanguageTag tag{language.code()};
+        const auto entries = list_gallery(folder, tag);
+        if (!entries) return tl::unexpected(entries.error());
+        std::vector<GalleryTitle>& titles = gallery.titles.emplace_back();
+        std::vector<FilePtr>& files = gallery.files.emplace_back();
+        for (const GalleryEntry& entry : *entries) {
+            titles.push_back({entry.title, entry.description, entry.difficulty});
+            files.push_back(gallery_file(entry, tag));
+        }
+    }
+    gallery.circle = named(gallery.files.front(), "-circle.svg");
+    gallery.square = named(gallery.files.front(), "-square.svg");
+    return gallery;
+}
+
+FilePtr Pictures::of(const LoadPicture& order) const {
+    switch (order.source) {
+        case PictureSource::practice:
+            return order.index == 0 ? gallery_.circle : gallery_.square;
+        case PictureSource::gallery:
+            return order.language < gallery_.files.size()
+                       ? at(gallery_.files[order.language], order.index)
+                       : nullptr;
+        case PictureSource::stick:
+            return at(stick_, order.index);
+        case PictureSource::camera:
+            return photo_;
+    }
+    return nullptr;
+}
+
+void Pictures::forget() {
+    stick_.clear();
+    photo_.reset();
+}
+
+}  // namespace touchline

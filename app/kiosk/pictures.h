@@ -1,0 +1,52 @@
+// Which file each choice of a visit stands for. Threads: one.
+#pragma once
+
+#include "app/loading/stages.h"
+#include "app/session/visit.h"
+#include "app/session/visit_orders.h"
+#include "audio-cues/words/language.h"
+#include "config/types/result.h"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace touchline {
+
+/// The gallery as it is chosen from, and the files behind it.
+struct Gallery {
+    std::vector<std::vector<GalleryTitle>> titles;  // of each language
+    std::vector<std::vector<FilePtr>> files;        // of each language, in the same order
+    FilePtr circle, square;                         // to practise on
+};
+
+/// Reads the maps of `folder` in every language; one line where it cannot be used.
+[[nodiscard]] Result<Gallery> read_gallery(const std::string& folder,
+                                           const std::vector<Language>& languages);
+
+class Pictures {
+  public:
+    explicit Pictures(Gallery gallery) : gallery_(std::move(gallery)) {}
+
+    [[nodiscard]] const std::vector<std::vector<GalleryTitle>>& titles() const {
+        return gallery_.titles;
+    }
+
+    void put_stick(std::vector<FilePtr> files) { stick_ = std::move(files); }
+
+    void put_photo(FilePtr photo) { photo_ = std::move(photo); }
+
+    /// Null for what is not there (any more).
+    [[nodiscard]] FilePtr of(const LoadPicture& order) const;
+
+    /// The visitor is gone: their files are let go of.
+    void forget();
+
+  private:
+    Gallery gallery_;
+    std::vector<FilePtr> stick_;
+    FilePtr photo_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,73 @@
+// A sound that writes down what was said and given instead. Threads: one.
+#pragma once
+
+#include "app/sound/visitor_sound.h"
+
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// One of speech or sign, with its time.
+struct HeardThing {
+    double at_s = 0.0;
+    std::string language;
+    std::string text;  // empty: a cue
+    ScreenEvent event = ScreenEvent::key_taken;
+};
+
+/// Everything heard; outlives the sound that belongs to a kiosk.
+struct Heard {
+    double now_s = 0.0;
+    std::vector<HeardThing> things;
+    int hushes = 0;
+    int forgotten = 0;
+    SoundWanted wanted;
+    std::optional<bool> headphones;
+    std::string problem;
+
+    /// Since then, in order, one a line.
+    [[nodiscard]] std::string text_since(std::size_t first) const;
+
+    [[nodiscard]] std::string last_text() const;
+
+    [[nodiscard]] bool was_said(const std::string& part, std::size_t first = 0) const;
+};
+
+class HeardSound final : public VisitorSound {
+  public:
+    explicit HeardSound(std::shared_ptr<Heard> heard) : heard_(std::move(heard)) {}
+
+    void say(const Utterance& utterance) override;
+
+    void hush() override { ++heard_->hushes; }
+
+    void toggle_pause() override {}
+
+    void give(ScreenEvent event) override;
+
+    void play_side(bool is_left) override;
+
+    void choose(const SoundWanted& wanted) override { heard_->wanted = wanted; }
+
+    void step(const HandMoment&) override {}
+
+    [[nodiscard]] HeardOutput output() const override { return {OutputKind::headset, 7, 3}; }
+
+    [[nodiscard]] std::optional<bool> are_headphones_in() const override {
+        return heard_->headphones;
+    }
+
+    void tell_headphones(bool are_in) override { heard_->headphones = are_in; }
+
+    [[nodiscard]] std::string problem() const override { return heard_->problem; }
+
+    [[nodiscard]] std::optional<ContactEvent> last_event() const override { return std::nullopt; }
+
+    void forget() override;
+
+  private:
+    std::shared_ptr<Heard> heard_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,126 @@
+#include "tests/app/kiosk/kiosk_world.h"
+
+#include "app/loading/kiosk_stages.h"
+#include "app/process/places.h"
+#include "app/sticks/open_stick_port.h"
+#include "vision/camera/folder_camera.h"
+
+#include <opencv2/core.hpp>
+
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double frame_s = 1.0 / 60.0;
+
+/// Jobs are done when their results are asked for: no thread, the same every time.
+class JobsAtOnce final : public Executor {
+  public:
+    void start(std::uint64_t number, std::function<JobOutcome()> work) override {
+        waiting_.emplace_back(number, std::move(work));
+    }
+
+    [[nodiscard]] std::vector<FinishedJob> take_finished() override {
+        std::vector<FinishedJob> finished;
+        for (auto& [number, work] : std::exchange(waiting_, {}))
+            finished.push_back({number, work()});
+        return finished;
+    }
+
+  private:
+    std::vector<std::pair<std::uint64_t, std::function<JobOutcome()>>> waiting_;
+};
+
+Result<cv::Mat> read_bgr(const fs::path& file) {
+    auto picture = read_picture(file.string());
+    if (!picture) return tl::unexpected(picture.error());
+    return cv::Mat(picture->height, picture->width, CV_8UC3, picture->bgr.data()).clone();
+}
+
+std::vector<Language> all_languages() {
+    std::vector<Language> languages(1);
+    for (const char* code : {"de", "fr", "es"})
+        languages.push_back(Language::load(TOUCHLINE_CATALOGUES, code).value());
+    return languages;
+}
+
+/// Of a test of its own, as tests may run at once.
+fs::path own_folder_of_test() {
+    const auto* const info = testing::UnitTest::GetInstance()->current_test_info();
+    return fs::path(testing::TempDir()) / (std::to_string(getpid()) + "-" + info->name());
+}
+
+}  // namespace
+
+KioskWorld::KioskWorld() : folder_(own_folder_of_test()) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "camera");
+    auto servo = std::make_unique<SteppedServo>();
+    servo_ = servo.get();
+    KioskParts parts;
+    parts.languages = all_languages();
+    parts.gallery =
+        read_gallery(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures", parts.languages).value();
+    parts.servo = std::move(servo);
+    parts.sound = std::make_unique<HeardSound>(heard_);
+    parts.profile = default_profile();
+    parts.loader = std::make_unique<Loader>(std::make_shared<const KioskStages>(parts.profile),
+                                            std::make_unique<JobsAtOnce>());
+    parts.shelf = std::make_unique<StickShelf>(open_stick_port((folder_ / "stick").string()),
+                                               companion("touchline-import"));
+    parts.photos =
+        std::make_unique<PhotoDesk>(std::make_unique<FolderCamera>(folder_ / "camera", read_bgr));
+    kiosk_ = std::make_unique<Kiosk>(std::move(parts));
+}
+
+KioskWorld::~KioskWorld() {
+    kiosk_.reset();
+    fs::remove_all(folder_);
+}
+
+void KioskWorld::run(double for_s) {
+    const double end_s = now_s_ + for_s;
+    while (now_s_ < end_s) {
+        now_s_ += frame_s;
+        heard_->now_s = now_s_;
+        servo_->run_until(now_s_);
+        kiosk_->step(static_cast<std::int64_t>(1e9 * now_s_));
+    }
+}
+
+void KioskWorld::press(KeyRole role) {
+    kiosk_->press(role);
+    run(frame_s);
+}
+
+void KioskWorld::put_stick(const std::vector<fs::path>& files) {
+    fs::create_directories(folder_ / "arriving");
+    for (const fs::path& file : files) fs::copy(file, folder_ / "arriving" / file.filename());
+    fs::rename(folder_ / "arriving", folder_ / "stick");
+    // The folder is watched and listed in real time, by a process.
+    for (int i = 0; i < 200 && kiosk_->visit().stick_names.empty(); ++i) {
+        run(0.2);
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+}
+
+void KioskWorld::pull_stick() {
+    fs::remove_all(folder_ / "stick");
+    run(3.0);
+}
+
+void KioskWorld::lay(const fs::path& picture) {
+    for (const auto& old : fs::directory_iterator(folder_ / "camera")) fs::remove(old.path());
+    fs::copy(picture, folder_ / "camera" / picture.filename());
+    run(3.0);
+}
+
+}  // namespace touchline

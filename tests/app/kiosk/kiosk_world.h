@@ -1,0 +1,55 @@
+// The whole kiosk but its window on a virtual clock: real gallery, real workers, a stick in a
+// folder, a camera of pictures, a simulated pantograph. Threads: one.
+#pragma once
+
+#include "app/kiosk/kiosk.h"
+#include "tests/app/kiosk/heard.h"
+#include "tests/app/kiosk/stepped_servo.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+class KioskWorld {
+  public:
+    /// English, German, French and Spanish.
+    KioskWorld();
+    ~KioskWorld();
+    KioskWorld(const KioskWorld&) = delete;
+    KioskWorld& operator=(const KioskWorld&) = delete;
+
+    /// Time goes on, frame by frame.
+    void run(double for_s);
+
+    /// A key, then a frame.
+    void press(KeyRole role);
+
+    /// A stick with these files of the folder of test pictures.
+    void put_stick(const std::vector<std::filesystem::path>& files);
+    void pull_stick();
+
+    /// What lies under the camera from now on.
+    void lay(const std::filesystem::path& picture);
+
+    [[nodiscard]] double now_s() const { return now_s_; }
+
+    [[nodiscard]] Heard& heard() { return *heard_; }
+
+    [[nodiscard]] SteppedServo& servo() { return *servo_; }
+
+    [[nodiscard]] Kiosk& kiosk() { return *kiosk_; }
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+  private:
+    double now_s_ = 0.0;
+    std::filesystem::path folder_;
+    std::shared_ptr<Heard> heard_ = std::make_shared<Heard>();
+    SteppedServo* servo_ = nullptr;  // the kiosk's
+    std::unique_ptr<Kiosk> kiosk_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,67 @@
+#include "app/kiosk/picture_facts.h"
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+LoadedScene house() {
+    auto map = std::make_shared<TactileMap>();
+    map->version = 7;
+    map->description = "From the front.";
+    map->outlines.push_back({{{-0.02, 0.0}, {0.02, 0.0}}, false, "a", "wall", 1.0, 1});
+    map->outlines.push_back({{{0.0, 0.01}, {0.01, 0.02}}, false, "b", "", 1.0, 2});
+    map->outlines.push_back({{{0.0, 0.02}, {0.01, 0.03}}, false, "c", "wall", 1.0, 2});
+    map->labels = {{"door", {0.0, -0.02}}, {"", {0.0, 0.0}}};
+    LoadedScene scene;
+    scene.felt.map = std::move(map);
+    scene.facts.title = "IMG_2041.jpg";
+    scene.facts.outline_count = 3;
+    scene.facts.place = {2, 5, 1, 3};
+    return scene;
+}
+
+TEST(PictureFacts, NamesOfLinesOnceThenSpots) {
+    const PictureFacts facts = facts_of(house());
+    EXPECT_EQ(facts.title, "I M G 2 0 4 1") << "a file's name is spelled";
+    EXPECT_EQ(facts.description, "From the front.");
+    EXPECT_EQ(facts.place, (PagePlace{2, 5, 1, 3}));
+    ASSERT_EQ(facts.parts.size(), 2U);
+    EXPECT_EQ(facts.parts[0].name, "wall");
+    EXPECT_EQ(facts.parts[0].outline, 0);
+    EXPECT_EQ(facts.parts[1].name, "door");
+    EXPECT_FALSE(facts.parts[1].outline);
+}
+
+TEST(PictureFacts, AHandIsOnTheLineThatItTouchesElseOnASpotNearby) {
+    const LoadedScene scene = house();
+    const PictureFacts facts = facts_of(scene);
+    HandState hand;
+    hand.map_version = 7;
+    hand.p_WH = {0.05, 0.03};
+    EXPECT_FALSE(part_at(*scene.felt.map, facts.parts, hand));
+    hand.outline = 2;
+    EXPECT_EQ(part_at(*scene.felt.map, facts.parts, hand), std::optional<std::size_t>(0));
+    hand.outline = 1;  // nobody named it
+    EXPECT_FALSE(part_at(*scene.felt.map, facts.parts, hand));
+    hand.p_WH = {0.003, -0.02};
+    EXPECT_EQ(part_at(*scene.felt.map, facts.parts, hand), std::optional<std::size_t>(1));
+    hand.p_WH = {0.005, -0.02};
+    EXPECT_FALSE(part_at(*scene.felt.map, facts.parts, hand));
+}
+
+TEST(PictureFacts, WhatIsToldOfAnotherMapMeansNothing) {
+    const LoadedScene scene = house();
+    const PictureFacts facts = facts_of(scene);
+    HandState hand;
+    hand.p_WH = {0.05, 0.03};
+    hand.map_version = 6;
+    hand.outline = 0;
+    EXPECT_FALSE(part_at(*scene.felt.map, facts.parts, hand));
+    hand.map_version = 7;
+    hand.outline = 99;
+    EXPECT_FALSE(part_at(*scene.felt.map, facts.parts, hand));
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,76 @@
+// A servo on a virtual clock with a simulated pantograph and a hand that a test leads.
+// Threads: one.
+#pragma once
+
+#include "app/servo/servo_client.h"
+#include "haptics/device/hand.h"
+#include "haptics/device/simulated_pantograph.h"
+#include "haptics/servo/servo_step.h"
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace touchline {
+
+class SteppedServo final : public ServoClient {
+  public:
+    SteppedServo();
+
+    /// Ticks at 1 kHz up to then.
+    void run_until(double now_s);
+
+    void set(const ServoCommands& commands) override { commands_ = commands; }
+
+    void feel(const FeltPicture& picture) override {
+        picture_ = picture;
+        ++felt_count;
+    }
+
+    [[nodiscard]] const HandState& latest() override { return report_.hand; }
+
+    [[nodiscard]] ForceStatus force_status() override { return report_.force; }
+
+    [[nodiscard]] std::optional<ContactEvent> next_event() override { return std::nullopt; }
+
+    [[nodiscard]] RealTimeTier tier() const override { return RealTimeTier::best_effort; }
+
+    [[nodiscard]] std::string take_notice() override { return {}; }
+
+    [[nodiscard]] std::string device_words() override { return words; }
+
+    void home_again() override { ++homings; }
+
+    void keep_recording() override { ++recordings; }
+
+    void stop() override {}
+
+    [[nodiscard]] const FeltPicture& picture() const { return picture_; }
+
+    [[nodiscard]] const ServoCommands& commands() const { return commands_; }
+
+    MouseHand& hand() { return *hand_; }
+
+    void break_device(bool is_broken) { is_broken_ = is_broken; }
+
+    int felt_count = 0;
+    int homings = 0;
+    int recordings = 0;
+    std::string words;
+    double most_force_N = 0.0;
+
+  private:
+    DeviceProfile profile_;
+    std::shared_ptr<MouseHand> hand_;
+    SimulatedPantograph device_;
+    ServoStep step_;
+    ServoCommands commands_;
+    FeltPicture picture_;
+    std::deque<std::shared_ptr<const Scene>> alive_;  // the step may feel the one before still
+    ServoReport report_;
+    double now_s_ = 0.0;
+    bool is_broken_ = false;
+};
+
+}  // namespace touchline
