@@ -2,6 +2,7 @@
 // Threads: a plain value; handed over by haptics/servo/exchange.h.
 #pragma once
 
+#include "config/types/guidance.h"
 #include "config/types/level_terms.h"
 #include "config/types/vec2.h"
 
@@ -32,6 +33,7 @@ struct HandState {
     std::uint64_t ticks = 0;
     std::uint64_t missed_ticks = 0;  // ticks that could not run in their period and were skipped
     std::uint64_t map_version = 0;   // of the map felt
+    GuidanceStatus guidance;
 };
 
 }  // namespace touchline

@@ -39,12 +39,17 @@ double share_of(const ChainInput& input) {
     return input.share > 0.0 ? std::min(input.share, 1.0) : 0.0;
 }
 
+/// A ceiling that is no number lets nothing through either.
+double ceiling_of(const ChainInput& input) {
+    return input.ceiling_N > 0.0 ? input.ceiling_N : 0.0;
+}
+
 }  // namespace
 
 ForceLimits limits_of(const DeviceProfile& profile) {
     const MechanicsProfile& mechanics = profile.mechanics;
     ForceLimits limits;
-    limits.force_N = std::min(3.0, profile.force_limit_N);
+    limits.force_N = std::min(most_force_N, profile.force_limit_N);
     limits.torque_Nm = 0.9 * profile.torque_limit_Nm;
     limits.continuous_torque_Nm = mechanics.continuous_torque * profile.torque_limit_Nm;
     limits.warming_s = mechanics.warming_s;
@@ -149,7 +154,7 @@ Force ForceChain::bounded(const ChainInput& input) {
         limit_by(Limit::damped);
         force += along<Force>(input.velocity_D, -damping);
     }
-    const Force within = clamped(force, share * limits_.force_N);
+    const Force within = clamped(force, share * std::min(limits_.force_N, ceiling_of(input)));
     if (within != force) limit_by(Limit::force);
     if (!is_braked(input.velocity_D)) return within;
     limit_by(Limit::speed);

@@ -22,8 +22,10 @@
 
 namespace touchline {
 
+inline constexpr double most_force_N = 3.0;  // no device, file or operator gets beyond it
+
 struct ForceLimits {
-    double force_N = 3.0;            // vector, on the hand
+    double force_N = most_force_N;   // vector, on the hand
     double torque_Nm = 0.9 * 0.123;  // each motor: 0.9 of the firmware's own limit
     double rise_N_per_s = 300.0;     // growth of |force|
     double change_N_per_s = 1500.0;  // change of the vector: a soft stop from 3 N takes 2 ms
@@ -36,7 +38,8 @@ struct ForceLimits {
     TipMechanics tip;
 };
 
-/// Limits of a device: min(3 N, the device's), 0.9 of its torque, what its motors bear for ever.
+/// Limits of a device: min(most_force_N, the device's), 0.9 of its torque, what its motors bear for
+/// ever.
 [[nodiscard]] ForceLimits limits_of(const DeviceProfile& profile);
 
 /// What a tick knows, in the device's frame.
@@ -45,15 +48,16 @@ struct ChainInput {
     std::optional<Jacobian> jacobian;  // of the pose; nothing: unknown or out of reach
     Position p_D;                      // handle, the last known
     Velocity velocity_D;
-    double share = 1.0;          // of force and limit that may act, 0 ... 1; 0: off
-    bool is_wanted = true;       // force is switched on
-    bool is_fading = false;      // force to 0 within fade_s, for as long as this is said
-    bool is_cleared = false;     // the operator clears a fault
-    bool is_stopped = false;     // emergency stop
-    bool is_unreadable = false;  // the device's angles are no numbers
-    bool is_lost = false;        // the device is
-    bool has_jumped = false;     // the handle, to where it cannot have moved
-    std::uint64_t cuts = 0;      // of the stability monitor, so far
+    double share = 1.0;               // of force and limit that may act, 0 ... 1; 0: off
+    double ceiling_N = most_force_N;  // the operator's, below the device's limit
+    bool is_wanted = true;            // force is switched on
+    bool is_fading = false;           // force to 0 within fade_s, for as long as this is said
+    bool is_cleared = false;          // the operator clears a fault
+    bool is_stopped = false;          // emergency stop
+    bool is_unreadable = false;       // the device's angles are no numbers
+    bool is_lost = false;             // the device is
+    bool has_jumped = false;          // the handle, to where it cannot have moved
+    std::uint64_t cuts = 0;           // of the stability monitor, so far
 };
 
 /// The force that the motors are told to make, in D, and how it came about.

@@ -54,7 +54,7 @@ struct SafetyState {
 struct SafetyTimes {
     double arm_s = 0.2;      // quiet for so long: armed -> ramp
     double start_s = 0.5;    // gain 0 -> 1 after arming
-    double resume_s = 0.15;  // gain 0 -> 1 after fading
+    double resume_s = 0.3;  // gain 0 -> 1 after fading
     double fade_s = 0.05;    // gain 1 -> 0
 };
 

@@ -1,7 +1,10 @@
 #include "haptics/servo/exchange.h"
 
+#include "haptics/safety/force_chain.h"
+
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 namespace touchline {
@@ -19,6 +22,15 @@ bool is_bool(const bool& value) {
     return byte <= 1;
 }
 
+bool is_sound(const GuidanceCommand& command) {
+    constexpr double slowest_m_per_s = 0.005;
+    constexpr double fastest_m_per_s = 0.1;
+    return command.kind <= GuidanceKind::to_line && is_bool(command.is_held) &&
+           command.outline >= -1 && command.outline < std::numeric_limits<std::int32_t>::max() &&
+           is_within(command.place.x, -1.0, 1.0) && is_within(command.place.y, -1.0, 1.0) &&
+           is_within(command.speed_m_per_s, slowest_m_per_s, fastest_m_per_s);
+}
+
 }  // namespace
 
 bool is_sound(const ServoCommands& commands) {
@@ -32,7 +44,9 @@ bool is_sound(const ServoCommands& commands) {
            is_within(commands.pop_through_s, 0.0, 100.0) &&
            is_within(commands.level, 0.0, most_level) &&
            is_within(commands.finest_level, 0.0, most_level) &&
-           is_within(commands.coarsest_level, 0.0, most_level);
+           is_within(commands.coarsest_level, 0.0, most_level) &&
+           is_within(commands.force_ceiling_N, 0.0, most_force_N) && is_bool(commands.has_frame) &&
+           is_sound(commands.guidance) && commands.pattern.pattern <= HandlePattern::time_out;
 }
 
 bool is_sound(const ServoReport& report) {
@@ -40,7 +54,9 @@ bool is_sound(const ServoReport& report) {
     return is_finite(hand.p_WH) && is_finite(hand.p_WP) && is_finite(hand.force) &&
            std::isfinite(hand.level) && hand.mode <= Mode::stay &&
            hand.state <= ContactState::vertex && hand.outline >= -1 &&
-           is_bool(hand.is_level_auto) && report.force.state <= ForceState::fault &&
+           is_bool(hand.is_level_auto) && hand.guidance.phase <= GuidancePhase::stopped &&
+           hand.guidance.outline >= -1 && hand.guidance.label >= -1 &&
+           is_finite(hand.guidance.leading) && report.force.state <= ForceState::fault &&
            report.force.fault <= Fault::emergency_stop && report.force.limit <= Limit::fault;
 }
 

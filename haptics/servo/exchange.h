@@ -4,6 +4,7 @@
 
 #include "config/types/contact_event.h"
 #include "config/types/force_status.h"
+#include "config/types/guidance.h"
 #include "config/types/hand_state.h"
 #include "haptics/collision/scene.h"
 #include "haptics/servo/lateness.h"
@@ -120,6 +121,10 @@ struct ServoCommands {
     bool is_force_wanted = true;       // false: off, at once
     bool is_emergency_stop = false;    // as long as it is pressed
     std::uint32_t faults_cleared = 0;  // another number: the operator clears what went wrong
+    double force_ceiling_N = 3.0;      // the operator's, 0 ... 3; rises by 1 N/s
+    bool has_frame = true;             // the edge of the drawing area is felt
+    GuidanceCommand guidance;
+    PatternCommand pattern;
 
     friend bool operator==(const ServoCommands&, const ServoCommands&) = default;
 };

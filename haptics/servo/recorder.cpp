@@ -28,6 +28,8 @@ TickRecord record_of(const StepInput& input, const ServoStep& after, JointTorque
     tick.force_state = force.state;
     tick.fault = force.fault;
     tick.limit = force.limit;
+    tick.guidance = hand.guidance.phase;
+    tick.guidance_serial = hand.guidance.serial;
     return tick;
 }
 

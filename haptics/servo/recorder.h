@@ -37,6 +37,8 @@ struct TickRecord {
     ForceState force_state = ForceState::off;
     Fault fault = Fault::none;
     Limit limit = Limit::none;
+    GuidancePhase guidance = GuidancePhase::none;
+    std::uint32_t guidance_serial = 0;
 };
 
 /// What a tick was, read from the step after it.

@@ -13,7 +13,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
 
 constexpr std::string_view magic = "TLBLACK\n";
-constexpr std::uint32_t layout = 1;
+constexpr std::uint32_t layout = 2;
 constexpr std::size_t longest_text = 255;
 constexpr std::uint64_t most_maps = 10'000;
 constexpr std::uint64_t most_start_bytes = 1 << 20;
@@ -126,7 +126,7 @@ class Reader {
 
 // The fields in their order, for both directions. A field that is added to one of these must be
 // named here, or a run could not be repeated.
-static_assert(sizeof(ServoCommands) == 96 && sizeof(StepInput) == 160);
+static_assert(sizeof(ServoCommands) == 160 && sizeof(StepInput) == 224);
 
 template <class File, class Vector>
 void vector(File& file, Vector& v) {
@@ -150,6 +150,16 @@ void commands(File& file, Commands& c) {
     file.flag(c.is_force_wanted);
     file.flag(c.is_emergency_stop);
     file.number(c.faults_cleared);
+    file.number(c.force_ceiling_N);
+    file.flag(c.has_frame);
+    file.choice(c.guidance.kind, GuidanceKind::to_line);
+    file.flag(c.guidance.is_held);
+    file.number(c.guidance.serial);
+    file.number(c.guidance.outline);
+    vector(file, c.guidance.place);
+    file.number(c.guidance.speed_m_per_s);
+    file.choice(c.pattern.pattern, HandlePattern::time_out);
+    file.number(c.pattern.serial);
 }
 
 void angles(Writer& file, const std::optional<JointAngles>& angles) {
@@ -190,6 +200,8 @@ void tick(File& file, Tick& t) {
     file.choice(t.force_state, ForceState::fault);
     file.choice(t.fault, Fault::emergency_stop);
     file.choice(t.limit, Limit::fault);
+    file.choice(t.guidance, GuidancePhase::stopped);
+    file.number(t.guidance_serial);
 }
 
 template <class File, class Map>

@@ -45,7 +45,7 @@ bool came_out_same(const TickRecord& a, const TickRecord& b) {
            is_same(a.level, b.level) && is_same(a.stiffness_N_per_m, b.stiffness_N_per_m) &&
            is_same(a.spring_gain, b.spring_gain) && a.state == b.state && a.outline == b.outline &&
            a.map_version == b.map_version && a.force_state == b.force_state && a.fault == b.fault &&
-           a.limit == b.limit;
+           a.limit == b.limit && a.guidance == b.guidance && a.guidance_serial == b.guidance_serial;
 }
 
 }  // namespace

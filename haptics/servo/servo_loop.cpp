@@ -9,7 +9,7 @@ namespace {
 constexpr double most_periods_of_silence = 2.0;
 
 DeviceProfile limited(DeviceProfile profile, const TierLimits& limits) {
-    profile.force_limit_N = limits.force_share * std::min(profile.force_limit_N, 3.0);
+    profile.force_limit_N = limits.force_share * std::min(profile.force_limit_N, most_force_N);
     return profile;
 }
 

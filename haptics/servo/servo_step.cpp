@@ -1,5 +1,6 @@
 #include "haptics/servo/servo_step.h"
 
+#include "haptics/guidance/frame.h"
 #include "haptics/servo/virtual_damping.h"
 
 #include <algorithm>
@@ -15,6 +16,10 @@ constexpr int most_boxes_per_tick = 4096;
 constexpr double longest_silence_s = 0.02;
 constexpr double measuring_s = 1.0;
 constexpr double longest_period_s = 0.02;  // a longer one is a pause, not the loop's
+constexpr double ceiling_rise_N_per_s = 1.0;
+constexpr double groove_peak = 0.287;  // of K w: what a groove pulls at most
+constexpr double led_groove_N = 0.2;   // of that, while the hand is led
+constexpr double share_per_s = 1.0 / 0.3;
 
 LevelLimits limits_of_device(const DeviceProfile& profile) {
     LevelLimits limits;
@@ -61,7 +66,7 @@ bool ServoStep::rebind(const Scene* scene, const DeviceProfile& profile) {
     if (!angles || !forward(profile_.geometry, *angles)) return false;
     return had_scene == (scene != nullptr) && period_s_ >= shortest_s && period_s_ <= 1.0 &&
            level_rule_.is_sound() && cost_.is_sound() && velocity_.is_sound() &&
-           contact_.rebind(scene);
+           guidance_.fits(scene) && pattern_.is_sound() && contact_.rebind(scene);
 }
 
 JointTorques ServoStep::step(const StepInput& input) {
@@ -80,11 +85,12 @@ JointTorques ServoStep::step(const StepInput& input) {
         (void)level_rule_.step(p_WH_, dt_s);
         follow_shape(input);
         bound_level(input.commands);
-        wanted_W = feel(input.commands, dt_s);
+        lead(input);
+        wanted_W = feel(input.commands, dt_s) + active_;
         detect(input);
     }
     const SafeForce safe = make_safe(wanted_W, pose, input);
-    if (pose) watch(turned(safe.force_D), dt_s);
+    if (pose) watch(turned(safe.force_D), wanted_W, dt_s);
     fill(input, safe);
     return safe.torques;
 }
@@ -126,6 +132,9 @@ SafeForce ServoStep::make_safe(Force wanted_W, const std::optional<Pose>& pose,
     chain.velocity_D = turned(velocity_.velocity());
     chain.is_unreadable = input.angles && !is_finite(*input.angles);
     chain.share = input.force_share;
+    ceiling_N_ =
+        std::min(input.commands.force_ceiling_N, ceiling_N_ + ceiling_rise_N_per_s * period_s_);
+    chain.ceiling_N = ceiling_N_;
     chain.is_wanted = input.commands.is_force_wanted;
     chain.is_fading = is_swapping_ || is_stopping_;
     chain.is_cleared = std::exchange(faults_cleared_, input.commands.faults_cleared) !=
@@ -151,6 +160,7 @@ void ServoStep::follow_shape(const StepInput& input) {
     const Shape wanted{input.scene, commands.radius_m, commands.capture_m};
     is_swapping_ = wanted != felt_;
     if (!is_swapping_ || !chain_.is_faded()) return;
+    if (felt_.scene != wanted.scene) guidance_.leave_scene();
     felt_ = wanted;
     contact_report_ = {};
     detector_.reset();
@@ -173,36 +183,68 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
     const double depth_m = norm(contact_report_.p_WP - p_WH_);
     (void)stiffness_.step(wanted_N_per_m, depth_m, dt_s);
     if (felt_.scene == nullptr) {
+        frame_J_ = 0.0;
         contact_report_.p_WP = p_WH_;
         contact_report_.level = level;
         return {};
     }
-    const ContactSettings settings{commands.mode,         stiffness_.stiffness_N_per_m(),
-                                   commands.friction,     felt_.radius_m,
-                                   felt_.capture_m,       commands.pop_through_N / monitor_.gain(),
+    mode_ = guidance_.leads() ? Mode::groove : commands.mode;
+    const ContactSettings settings{mode_,
+                                   stiffness_.stiffness_N_per_m(),
+                                   commands.friction,
+                                   felt_.radius_m,
+                                   felt_.capture_m,
+                                   commands.pop_through_N / monitor_.gain(),
                                    commands.pop_through_s};
     contact_report_ = contact_.step(p_WH_, level, settings, Budget{boxes_per_tick_, 0}, period_s_);
     (void)cost_.step(work_of(contact_report_), contact_.rendered_level());
+    share_lines(commands);
+    const FramePush frame =
+        commands.has_frame ? frame_push(felt_.scene->area, p_WH_, stiffness_.stiffness_N_per_m())
+                           : FramePush{};
+    frame_J_ = frame.stored_J;
     // Softened where it rang, with the damping that keeps it from ringing.
-    return damped(monitor_.gain() * contact_report_.force, velocity_.velocity(),
-                  loop_.damping_Ns_per_m + extra_damping_Ns_per_m_);
+    return damped(monitor_.gain() * (line_share_ * contact_report_.force + frame.force),
+                  velocity_.velocity(), loop_.damping_Ns_per_m + extra_damping_Ns_per_m_);
+}
+
+/// The hand is led across lines too: they must not hold it against what leads it.
+void ServoStep::share_lines(const ServoCommands& commands) {
+    const double groove_N = groove_peak * stiffness_.stiffness_N_per_m() * commands.capture_m;
+    const double goal = guidance_.leads() ? std::min(1.0, led_groove_N / groove_N) : 1.0;
+    const double step = share_per_s * period_s_;
+    line_share_ = std::clamp(goal, line_share_ - step, line_share_ + step);
+}
+
+/// What pushes of its own accord, in a tick with a pose.
+void ServoStep::lead(const StepInput& input) {
+    const bool is_live = chain_.state() == ForceState::live && !is_swapping_ && !is_stopping_ &&
+                         input.commands.is_force_wanted && !input.commands.is_emergency_stop;
+    active_ = guidance_.step(
+        {felt_.scene, p_WH_, velocity_.velocity(), is_live, input.commands.guidance}, period_s_);
+    active_ += pattern_.step(input.commands.pattern, is_live, period_s_);
 }
 
 /// Of what the motors were told, not of what was asked: that is what rings. A spring whose force is
 /// cut short gives back no more than what is told; pressed beyond that it would seem to give
 /// energy.
-void ServoStep::watch(Force told, double dt_s) {
+void ServoStep::watch(Force told, Force wanted, double dt_s) {
     const double gain = monitor_.gain();
-    const double lost_N = std::max(0.0, gain * norm(contact_report_.force) - norm(told));
+    // What leads the hand is meant to give energy and a pattern to swing: only the rest is looked
+    // at.
+    const double let_through = norm(wanted) > norm(told) ? norm(told) / norm(wanted) : 1.0;
+    told = told - let_through * active_;
+    const double lost_N =
+        std::max(0.0, gain * line_share_ * norm(contact_report_.force) - norm(told));
     const double lost_J = 0.5 * lost_N * lost_N / (gain * stiffness_.stiffness_N_per_m());
-    const double stored_J = gain * contact_report_.stored_J - lost_J;
+    const double stored_J = gain * (line_share_ * contact_report_.stored_J + frame_J_) - lost_J;
     monitor_.step({told, moved_, stored_J, !is_swapping_}, dt_s);
 }
 
 void ServoStep::detect(const StepInput& input) {
     if (felt_.scene == nullptr) return;
-    events_ = detector_.step({input.now_s, p_WH_, input.commands.mode, contact_report_,
-                              contact_.rendered_level(), felt_.scene});
+    events_ = detector_.step(
+        {input.now_s, p_WH_, mode_, contact_report_, contact_.rendered_level(), felt_.scene});
 }
 
 void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
@@ -217,12 +259,14 @@ void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
     hand.is_level_auto = input.commands.is_level_auto;
     hand.stiffness_N_per_m = stiffness_.stiffness_N_per_m();
     hand.spring_gain = monitor_.gain();
-    hand.mode = input.commands.mode;
+    hand.mode = mode_;
     hand.state = contact_report_.state;
     hand.outline = contact_report_.outline;
     ++hand.ticks;
     hand.missed_ticks = input.missed_ticks;
     hand.map_version = felt_.scene == nullptr ? 0 : felt_.scene->map_version;
+    hand.guidance = guidance_.status();
+    hand.guidance.pattern_serial = pattern_.serial();
     report_.force = chain_.status();
 }
 

@@ -7,6 +7,8 @@
 #include "haptics/collision/scene.h"
 #include "haptics/contact/contact_machine.h"
 #include "haptics/contact/event_detector.h"
+#include "haptics/guidance/guidance.h"
+#include "haptics/guidance/pattern.h"
 #include "haptics/pantograph/profile.h"
 #include "haptics/resolution/cost_term.h"
 #include "haptics/resolution/level_rule.h"
@@ -48,12 +50,14 @@ class ServoStep {
                                                               const Scene* scene,
                                                               const DeviceProfile& profile);
 
-    /// kinematics -> handle in W -> level -> contact -> damping -> force chain. Stiffness is kept
+    /// kinematics -> handle in W -> level -> contact -> damping -> frame, guidance, pattern ->
+    /// force chain. Stiffness is kept
     /// below what the period and delay measured so far allow (loop_settings.h). A new scene, proxy
     /// radius or capture width fades force to zero first, drops the contact and fades in again; a
     /// new mode takes over under the hand, its force fading from the one before. A device that does
     /// not answer has no force, and after 20 ms it is a fault; so is one that refuses torques. In a
     /// fault everything goes on but the force (haptics/safety/safety_state.h).
+    /// While it leads, lines are a weak groove in every mode.
     [[nodiscard]] JointTorques step(const StepInput& input);
 
     /// Fades force out for good; is_silent() tells when.
@@ -93,7 +97,9 @@ class ServoStep {
     void bound_level(const ServoCommands& commands);
     void measure_loop(const StepInput& input, double dt_s);
     [[nodiscard]] Force feel(const ServoCommands& commands, double dt_s);
-    void watch(Force told, double dt_s);
+    void lead(const StepInput& input);
+    void share_lines(const ServoCommands& commands);
+    void watch(Force told, Force wanted, double dt_s);
     void detect(const StepInput& input);
     void fill(const StepInput& input, const SafeForce& safe);
 
@@ -118,6 +124,13 @@ class ServoStep {
     ContactMachine contact_;
     ContactReport contact_report_;
     EventDetector detector_;
+    Guidance guidance_;
+    PatternPlayer pattern_;
+    Mode mode_ = Mode::wall;   // as rendered
+    Force active_;             // of guidance and pattern, in this tick
+    double frame_J_ = 0.0;     // stored in the frame
+    double line_share_ = 1.0;  // of what lines would push
+    double ceiling_N_ = most_force_N;
     TickEvents events_;
     Shape felt_;
     Position p_WH_;   // the last that was known

@@ -161,7 +161,7 @@ TEST(ServoExchange, UnsoundCommandsChangeNothing) {
              {&ServoCommands::stiffness_N_per_m, &ServoCommands::friction, &ServoCommands::radius_m,
               &ServoCommands::capture_m, &ServoCommands::pop_through_N,
               &ServoCommands::pop_through_s, &ServoCommands::level, &ServoCommands::finest_level,
-              &ServoCommands::coarsest_level}) {
+              &ServoCommands::coarsest_level, &ServoCommands::force_ceiling_N}) {
             ServoCommands damaged;
             damaged.*field = bad;
             exchange.set(damaged);
@@ -174,6 +174,23 @@ TEST(ServoExchange, UnsoundCommandsChangeNothing) {
     damaged = {};
     damaged.mode = static_cast<Mode>(9);
     EXPECT_FALSE(is_sound(damaged));
+    damaged = {};
+    damaged.force_ceiling_N = 3.001;
+    EXPECT_FALSE(is_sound(damaged));
+    damaged = {};
+    damaged.pattern.pattern = static_cast<HandlePattern>(6);
+    EXPECT_FALSE(is_sound(damaged));
+    const auto is_sound_guidance = [](const GuidanceCommand& guidance) {
+        ServoCommands commands;
+        commands.guidance = guidance;
+        return is_sound(commands);
+    };
+    EXPECT_TRUE(is_sound_guidance({GuidanceKind::to_place, false, 3, -1, {0.02, 0.01}, 0.03}));
+    EXPECT_FALSE(is_sound_guidance({static_cast<GuidanceKind>(4), false, 3, -1, {}, 0.03}));
+    EXPECT_FALSE(is_sound_guidance({GuidanceKind::tour, false, 3, -2, {}, 0.03}));
+    EXPECT_FALSE(is_sound_guidance({GuidanceKind::tour, false, 3, 0, {}, 0.2}));
+    EXPECT_FALSE(is_sound_guidance({GuidanceKind::tour, false, 3, 0, {}, nan}));
+    EXPECT_FALSE(is_sound_guidance({GuidanceKind::to_place, false, 3, -1, {nan, 0.0}, 0.03}));
     EXPECT_TRUE(is_sound(ServoCommands{}));
 }
 
@@ -187,6 +204,12 @@ TEST(ServoExchange, UnsoundReportsAreTold) {
     EXPECT_FALSE(is_sound(report));
     report = {};
     report.hand.outline = -2;
+    EXPECT_FALSE(is_sound(report));
+    report = {};
+    report.hand.guidance.phase = static_cast<GuidancePhase>(6);
+    EXPECT_FALSE(is_sound(report));
+    report = {};
+    report.hand.guidance.leading.y = std::numeric_limits<double>::infinity();
     EXPECT_FALSE(is_sound(report));
 }
 

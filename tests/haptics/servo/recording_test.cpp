@@ -45,6 +45,11 @@ struct Session {
             commands.stiffness_N_per_m = k / 2500 % 2 == 0 ? 500.0 : 350.0;
             commands.is_level_auto = k / 4000 % 2 == 0;
             commands.is_force_wanted = k % 10'000 < 9'500;
+            commands.force_ceiling_N = k / 1000 % 2 == 0 ? 3.0 : 1.5;
+            commands.guidance.kind = static_cast<GuidanceKind>(k / 1300 % 4);
+            commands.guidance.serial = static_cast<std::uint32_t>(k / 1300);
+            commands.pattern.pattern = static_cast<HandlePattern>(k / 900 % 6);
+            commands.pattern.serial = static_cast<std::uint32_t>(k / 900);
             exchange.set(commands);
             loop.tick(k * tick_s, static_cast<std::uint64_t>(k / 1000));
         }

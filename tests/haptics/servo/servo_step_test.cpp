@@ -234,7 +234,9 @@ TEST(ServoStep, NewSceneIsSwappedAtZeroForceWithinFadeTime) {
     EXPECT_EQ(bench.hand().p_WP, bench.hand().p_WH);  // 7 mm past the new line, and free
     EXPECT_EQ(bench.step->scene(), second.get());
 
-    bench.run(200);
+    bench.run(295);
+    EXPECT_EQ(bench.force().state, ForceState::ramp);  // comes on in no less than 0.3 s
+    bench.run(10);
     EXPECT_EQ(bench.force().state, ForceState::live);
     bench.drag({0.0, -0.002}, {0.0, 0.006});  // the new line holds from below
     bench.run(20);

@@ -1,0 +1,33 @@
+// The way along the outlines for a hand that is led: level 0 in the map's order, cut where the hand
+// is to rest. Threads: pure functions, off the tick.
+#pragma once
+
+#include "config/types/tactile_map.h"
+#include "haptics/collision/collision_tree.h"
+#include "haptics/curve/curve_set.h"
+
+#include <span>
+#include <vector>
+
+namespace touchline {
+
+/// A part of a piece's level-0 polyline, from point `first` to point `last` > first. In a closed
+/// piece of n points, point n is point 0.
+struct Leg {
+    int outline = 0;  // index in the map
+    int piece = 0;
+    int first = 0;
+    int last = 0;
+    bool starts_outline = false;
+    bool rests_at_end = false;  // a corner, a junction, a label or the outline's end
+    int label = -1;             // of the map, at its end; -1: none
+    double run_m = 0.0;         // from its start to the next place to rest
+};
+
+/// A label counts where an outline passes within 10 mm of it, at the vertex nearest to it.
+/// O((points
+/// + labels) log).
+[[nodiscard]] std::vector<Leg> legs_of(const CurveSet& curves, const CollisionTree& tree,
+                                       std::span<const Label> labels);
+
+}  // namespace touchline

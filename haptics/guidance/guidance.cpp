@@ -1,0 +1,207 @@
+#include "haptics/guidance/guidance.h"
+
+#include "haptics/guidance/frame.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr double pull_N_per_m = 250.0;
+constexpr double damping_Ns_per_m = 1.5;
+constexpr double free_lag_m = 0.002;     // up to here the point goes its speed ...
+constexpr double longest_lag_m = 0.004;  // ... from here on it waits
+constexpr double arrived_m = 0.0025;
+constexpr double fade_in_s = 0.3;
+constexpr double let_go_s = 0.04;
+constexpr double rate_change_s = 0.2;
+constexpr double corner_pause_s = 0.25;
+constexpr double label_pause_s = 1.2;
+constexpr double line_reach_m = 0.3;
+constexpr int query_boxes = 4096;
+// Waiting is told of at the one, going on at the other, so that a hand between does not flutter.
+constexpr double waiting_rate = 0.05;
+constexpr double running_rate = 0.3;
+
+Force clamped(Force force, double most_N) {
+    const double size_N = norm(force);
+    return size_N <= most_N ? force : most_N / size_N * force;
+}
+
+bool is_before(const Leg& leg, int outline) {
+    return leg.outline < outline;
+}
+
+}  // namespace
+
+Force Guidance::step(const GuideInput& input, double dt_s) {
+    take(input.command);
+    if (is_leading_ && (!input.is_live || input.scene == nullptr)) end(GuidancePhase::stopped);
+    const bool can_begin = gain_ <= 0.0 && input.is_live && input.scene != nullptr;
+    if (is_wanted_ && can_begin) begin(input);
+    const Position before = point_.position();
+    if (is_leading_) lead(input, dt_s);
+    const double step = is_leading_ ? dt_s / fade_in_s : -dt_s / let_go_s;
+    gain_ = std::clamp(gain_ + step, 0.0, 1.0);
+    if (!leads()) point_.put(input.handle);
+    status_.leading = point_.position();
+    if (gain_ <= 0.0) return {};
+    return pull(input, along<Velocity>(point_.position() - before, 1.0 / dt_s));
+}
+
+void Guidance::take(const GuidanceCommand& command) {
+    const bool is_new = !is_first_ && command.serial != command_.serial;
+    command_ = command;
+    if (is_first_) {
+        status_.serial = command.serial;
+        if (command.kind != GuidanceKind::none) status_.phase = GuidancePhase::stopped;
+    }
+    is_first_ = false;
+    if (!is_new) return;
+    is_leading_ = false;
+    is_wanted_ = command.kind != GuidanceKind::none;
+    status_.serial = command.serial;
+    status_.phase = is_wanted_ ? GuidancePhase::waiting : GuidancePhase::stopped;
+    status_.outline = status_.label = -1;
+}
+
+void Guidance::end(GuidancePhase how) {
+    is_leading_ = is_wanted_ = false;
+    status_.phase = how;
+}
+
+void Guidance::begin(const GuideInput& input) {
+    is_wanted_ = false;
+    is_leading_ = true;
+    is_approaching_ = false;
+    rate_ = 0.0;
+    pause_s_ = 0.0;
+    point_.put(input.handle);
+    const Scene& scene = *input.scene;
+    switch (command_.kind) {
+        case GuidanceKind::tour:
+            begin_tour(scene);
+            break;
+        case GuidanceKind::to_line:
+            begin_to_line(scene, input.handle);
+            break;
+        case GuidanceKind::to_place:
+            point_.go_straight(within(scene.area, command_.place), command_.speed_m_per_s);
+            break;
+        case GuidanceKind::none:
+            end(GuidancePhase::stopped);
+            break;
+    }
+}
+
+void Guidance::begin_tour(const Scene& scene) {
+    const auto& all = scene.legs;
+    const auto count = static_cast<int>(all.size());
+    next_leg_ = 0;
+    end_leg_ = count;
+    if (command_.outline >= 0) {
+        const auto first = std::lower_bound(all.begin(), all.end(), command_.outline, is_before);
+        const auto last = std::lower_bound(first, all.end(), command_.outline + 1, is_before);
+        next_leg_ = static_cast<int>(first - all.begin());
+        end_leg_ = static_cast<int>(last - all.begin());
+    }
+    if (next_leg_ == end_leg_) return end(GuidancePhase::stopped);
+    go_on(scene);
+}
+
+void Guidance::begin_to_line(const Scene& scene, Position handle) {
+    const Closest at =
+        scene.tree.closest_point(scene.curves, handle, 0.0, line_reach_m, Budget{query_boxes, 0});
+    if (at.segment.piece < 0) return end(GuidancePhase::stopped);
+    status_.outline = scene.curves.pieces()[static_cast<std::size_t>(at.segment.piece)].outline;
+    point_.go_straight(at.point, command_.speed_m_per_s);
+}
+
+/// From rest: on along the line, or first to where an outline begins.
+void Guidance::go_on(const Scene& scene) {
+    const Leg& next = scene.legs[static_cast<std::size_t>(next_leg_)];
+    status_.outline = next.outline;
+    const Position start = scene.curves.points(next.piece, 0)[static_cast<std::size_t>(next.first)];
+    is_approaching_ = next.starts_outline && start != point_.position();
+    if (is_approaching_) {
+        point_.go_straight(start, command_.speed_m_per_s);
+    } else {
+        point_.go_along(scene, next_leg_, command_.speed_m_per_s);
+    }
+}
+
+/// The point has come to where it rests.
+void Guidance::rest(const Scene& scene) {
+    if (is_approaching_) {
+        pause_s_ = corner_pause_s;
+        return;
+    }
+    const Leg& gone = scene.legs[static_cast<std::size_t>(point_.leg())];
+    next_leg_ = point_.leg() + 1;
+    pause_s_ = gone.label >= 0 ? label_pause_s : corner_pause_s;
+    if (gone.label >= 0) status_.label = gone.label;
+}
+
+bool Guidance::is_at_end() const {
+    const bool is_tour = command_.kind == GuidanceKind::tour;
+    return point_.has_arrived() && (!is_tour || next_leg_ == end_leg_);
+}
+
+void Guidance::lead(const GuideInput& input, double dt_s) {
+    const Scene& scene = *input.scene;
+    const double lag_m = norm(point_.position() - input.handle);
+    const double follows =
+        std::clamp((longest_lag_m - lag_m) / (longest_lag_m - free_lag_m), 0.0, 1.0);
+    const double goal = command_.is_held ? 0.0 : follows;
+    rate_ = std::clamp(goal, rate_ - dt_s / rate_change_s, rate_ + dt_s / rate_change_s);
+    // A hand that stops must not be pulled on by what is left of the rate.
+    rate_ = std::min(rate_, goal);
+    if (!point_.has_arrived()) {
+        point_.step(scene, rate_ * dt_s);
+        if (point_.has_arrived() && command_.kind == GuidanceKind::tour) rest(scene);
+    } else if (pause_s_ > 0.0) {
+        pause_s_ -= rate_ * dt_s;
+    } else if (!is_at_end()) {
+        if (std::exchange(is_approaching_, false)) {
+            point_.go_along(scene, next_leg_, command_.speed_m_per_s);
+        } else {
+            go_on(scene);
+        }
+    } else if (lag_m <= arrived_m && !command_.is_held) {
+        return end(GuidancePhase::arrived);
+    }
+    tell_phase(rate_ < waiting_rate);
+}
+
+void Guidance::tell_phase(bool is_held_back) {
+    if (is_held_back) {
+        status_.phase = GuidancePhase::waiting;
+    } else if (point_.has_arrived() && pause_s_ > 0.0) {
+        status_.phase = GuidancePhase::pausing;
+    } else if (rate_ > running_rate) {
+        status_.phase = GuidancePhase::running;
+    }
+}
+
+/// A spring to the point, damped against the point's own motion.
+Force Guidance::pull(const GuideInput& input, Velocity ahead) const {
+    const Force spring = along<Force>(point_.position() - input.handle, pull_N_per_m);
+    const Force damping = along<Force>(ahead - input.velocity, damping_Ns_per_m);
+    return gain_ * clamped(spring + damping, most_guide_N);
+}
+
+void Guidance::leave_scene() {
+    if (is_leading_) end(GuidancePhase::stopped);
+    point_.put(point_.position());
+    next_leg_ = end_leg_ = 0;
+}
+
+bool Guidance::fits(const Scene* scene) const {
+    if (scene == nullptr) return !is_leading_;
+    const auto count = static_cast<int>(scene->legs.size());
+    const bool is_in_range = next_leg_ >= 0 && next_leg_ <= end_leg_ && end_leg_ <= count;
+    return is_in_range && point_.fits(*scene) && command_.kind <= GuidanceKind::to_line;
+}
+
+}  // namespace touchline

@@ -1,0 +1,55 @@
+// The point that leads the hand: straight to a place, or along the outlines up to the next place to
+// rest. Threads: a plain value; no allocation.
+#pragma once
+
+#include "config/types/vec2.h"
+#include "haptics/collision/scene.h"
+#include "haptics/guidance/speed_profile.h"
+
+namespace touchline {
+
+class LeadingPoint {
+  public:
+    /// Rests there.
+    void put(Position p) { *this = LeadingPoint(p); }
+
+    /// From where it is.
+    void go_straight(Position to, double speed_m_per_s);
+
+    /// From the start of that leg, where it must be, to the next rest.
+    void go_along(const Scene& scene, int leg, double speed_m_per_s);
+
+    /// dt_s >= 0 of its own time goes by. At most 64 edges are passed, the rest is gone later. The
+    /// scene is that of go_along().
+    void step(const Scene& scene, double dt_s);
+
+    [[nodiscard]] bool has_arrived() const { return has_arrived_; }
+
+    [[nodiscard]] Position position() const { return position_; }
+
+    /// That it is on, or was on last; -1: none.
+    [[nodiscard]] int leg() const { return leg_; }
+
+    /// Whether it lies on what there is. After a copy from elsewhere.
+    [[nodiscard]] bool fits(const Scene& scene) const;
+
+    LeadingPoint() = default;
+
+  private:
+    explicit LeadingPoint(Position p) : position_(p), from_(p), to_(p) {}
+
+    void walk(const Scene& scene, double way_m);
+
+    Position position_;
+    Position from_, to_;  // of a straight way
+    SpeedProfile profile_;
+    double t_s_ = 0.0;
+    double gone_m_ = 0.0;
+    bool has_arrived_ = true;
+    bool is_straight_ = true;
+    int leg_ = -1;
+    int point_ = 0;         // where the edge begins that it is on
+    double on_edge_m_ = 0;  // gone on that edge
+};
+
+}  // namespace touchline
