@@ -3,6 +3,8 @@
 // Threads: constant data and pure functions.
 #pragma once
 
+#include "config/types/key.h"
+
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,21 +12,6 @@
 #include <string_view>
 
 namespace touchline {
-
-/// A key as pressed, without any window system in it. A key that prints is its upper-case
-/// character.
-enum class Key : std::uint32_t {
-    unknown = 0,
-    left = 256,
-    right,
-    up,
-    down,
-    page_up,
-    page_down,
-    escape,
-    f15,  // some keypads with a socket for headphones send these
-    f16
-};
 
 enum class Action : std::uint8_t {
     next_picture,

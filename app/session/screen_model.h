@@ -3,6 +3,7 @@
 #pragma once
 
 #include "audio-cues/words/language.h"
+#include "config/types/key_role.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,11 +12,6 @@
 #include <vector>
 
 namespace touchline {
-
-/// What a key means, whatever the key is. One meaning everywhere (accessibility IN-1, IN-2).
-enum class KeyRole : std::uint8_t { up, down, back, next, select, help, louder, softer };
-
-inline constexpr std::size_t key_role_count = 8;
 
 /// What can be done with an item: text is only read; choice is chosen; setting has a value that
 /// Next and Back change while it is held by Select; toggle is on or off.

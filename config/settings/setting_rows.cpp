@@ -1,5 +1,7 @@
 #include "config/settings/setting_rows.h"
 
+#include "config/settings/setting_texts.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,123 +9,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr std::array<std::string_view, 4> modes{"wall", "groove", "ridge", "stay"};
-
-constexpr std::array rows{
-    SettingRow{"feel",
-               "mode",
-               &Settings::mode,
-               {},
-               modes,
-               "Kind of line",
-               "",
-               "How a line feels: a wall, a groove, a ridge, or a groove that holds on."},
-    SettingRow{"feel",
-               "stiffness_N_per_m",
-               &Settings::stiffness_N_per_m,
-               {100.0, 700.0, 50.0},
-               {},
-               "Stiffness",
-               "newtons per metre",
-               "How firm lines are."},
-    SettingRow{"feel",
-               "friction",
-               &Settings::friction,
-               {0.0, 1.0, 0.1},
-               {},
-               "Friction",
-               "",
-               "How much the handle is held back along a line."},
-    SettingRow{"feel",
-               "capture_mm",
-               &Settings::capture_mm,
-               {1.0, 10.0, 0.5},
-               {},
-               "Reach of a groove",
-               "millimetres",
-               "How far from a line it begins to pull."},
-    SettingRow{"feel",
-               "gives_way",
-               &Settings::gives_way,
-               {},
-               {},
-               "Walls give way",
-               "",
-               "A long push leads through a wall."},
-    SettingRow{"feel",
-               "give_way_N",
-               &Settings::give_way_N,
-               {0.5, 3.0, 0.1},
-               {},
-               "Push that leads through",
-               "newtons",
-               "How hard that push has to be.",
-               SettingLayer::profile},
-    SettingRow{"levels",
-               "automatic",
-               &Settings::is_level_automatic,
-               {},
-               {},
-               "Level follows the hand",
-               "",
-               "The faster the hand, the coarser the line."},
-    SettingRow{"levels",
-               "fixed",
-               &Settings::fixed_level,
-               {0.0, 16.0, 1.0},
-               {},
-               "Fixed level",
-               "",
-               "The level where it does not follow the hand; 0 is the finest."},
-    SettingRow{"levels",
-               "finest",
-               &Settings::finest_level,
-               {0.0, 16.0, 1.0},
-               {},
-               "Finest level",
-               "",
-               "A level that follows the hand gets no finer.",
-               SettingLayer::profile},
-    SettingRow{"levels",
-               "coarsest",
-               &Settings::coarsest_level,
-               {0.0, 16.0, 1.0},
-               {},
-               "Coarsest level",
-               "",
-               "A level that follows the hand gets no coarser.",
-               SettingLayer::profile},
-    SettingRow{"picture",
-               "detail",
-               &Settings::detail,
-               {1.0, 5.0, 1.0},
-               {},
-               "Detail",
-               "",
-               "1 is the silhouette alone, 5 is all there is."},
-    SettingRow{"screen",
-               "viewing_distance_m",
-               &Settings::viewing_distance_m,
-               {0.3, 3.0, 0.1},
-               {},
-               "Distance of the eyes",
-               "metres",
-               "Letters are as large as it needs.",
-               SettingLayer::site},
-    SettingRow{"stick",
-               "watched_folder",
-               &Settings::watched_folder,
-               {},
-               {},
-               "Folder in place of a stick",
-               "",
-               "For a machine without udisks2: a path; empty means USB sticks.",
-               SettingLayer::site},
-};
-
-// The names are in the order of the enumeration.
-static_assert(static_cast<int>(Mode::wall) == 0 && static_cast<int>(Mode::stay) == 3);
 
 std::string short_number(double value) {
     std::array<char, 32> text{};
@@ -133,20 +18,6 @@ std::string short_number(double value) {
 
 bool is_in(const SettingRange& range, double value) {
     return value >= range.least && value <= range.most;
-}
-
-bool is_control(char letter) {
-    constexpr unsigned char blank = 0x20;
-    constexpr unsigned char rubout = 0x7f;
-    const auto code = static_cast<unsigned char>(letter);
-    return code < blank || code == rubout;
-}
-
-/// Empty, or a path from the root: nothing depends on where the program was started.
-bool is_path(const std::string& text) {
-    constexpr std::size_t longest = 4000;
-    return text.empty() || (text.front() == '/' && text.size() <= longest &&
-                            std::none_of(text.begin(), text.end(), is_control));
 }
 
 struct Put {
@@ -163,7 +34,7 @@ struct Put {
 
     bool operator()(std::string Settings::*field) const {
         const std::string* text = std::get_if<std::string>(&value);
-        return assign<std::string>(field, text != nullptr && is_path(*text));
+        return assign<std::string>(field, text != nullptr && is_allowed(row.text, *text));
     }
 
     bool operator()(int Settings::*field) const {
@@ -205,11 +76,8 @@ double next_on_grid(const SettingRange& range, double value, bool is_up) {
 
 }  // namespace
 
-std::span<const SettingRow> setting_rows() {
-    return rows;
-}
-
 const SettingRow* find_setting(std::string_view table, std::string_view key) {
+    const auto rows = setting_rows();
     const auto found = std::find_if(rows.begin(), rows.end(), [&](const SettingRow& row) {
         return row.table == table && row.key == key;
     });
@@ -219,7 +87,7 @@ const SettingRow* find_setting(std::string_view table, std::string_view key) {
 std::string allowed_values(const SettingRow& row) {
     if (std::holds_alternative<bool Settings::*>(row.field)) return "true or false";
     if (std::holds_alternative<std::string Settings::*>(row.field))
-        return "a path that begins with /, or \"\" for none";
+        return std::string(allowed_texts(row.text));
     std::string text;
     for (const std::string_view choice : row.choices)
         text += (text.empty() ? "\"" : " or \"") + std::string(choice) + '"';
@@ -235,9 +103,19 @@ std::optional<Settings> with_value(Settings settings, const SettingRow& row,
     return settings;
 }
 
+std::string trespass(const Settings& before, const Settings& after) {
+    if (after.force_ceiling_N > before.force_ceiling_N)
+        return "'feel.force_ceiling_N' must not be above the site's " +
+               short_number(before.force_ceiling_N);
+    return {};
+}
+
 std::string contradiction(const Settings& settings) {
     if (settings.finest_level > settings.coarsest_level)
         return "'levels.finest' must not be above 'levels.coarsest'";
+    const auto codes = languages_in_text(settings.languages);
+    if (!codes || std::find(codes->begin(), codes->end(), settings.first_language) == codes->end())
+        return "'language.first' must be one of 'language.offered'";
     return {};
 }
 
@@ -286,7 +164,7 @@ std::string settings_as_markdown() {
     const Settings defaults;
     std::string text =
         "| setting | allowed | at first | up to | what it does |\n|---|---|---|---|---|\n";
-    for (const SettingRow& row : rows) {
+    for (const SettingRow& row : setting_rows()) {
         text += "| `" + std::string(row.table) + '.' + std::string(row.key) + "` | " +
                 allowed_values(row) + " | " + value_in_words(defaults, row) + " | " +
                 std::string(layers[static_cast<std::size_t>(row.last_layer)]) + " | " +

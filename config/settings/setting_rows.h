@@ -27,6 +27,11 @@ struct SettingRange {
     double step = 1.0;  // of one key press
 };
 
+/// What a text is. path: from the root, or none. device: a path below /dev/input, or none. hours:
+/// "09:00-17:00"; quiet: the same, or none. languages: codes with blanks between; language: one
+/// code. notice: a line of at most 200 bytes, or none.
+enum class TextKind : std::uint8_t { path, device, hours, quiet, languages, language, notice };
+
 struct SettingRow {
     std::string_view table;  // in TOML
     std::string_view key;
@@ -37,6 +42,7 @@ struct SettingRow {
     std::string_view unit;                            // said after a number; may be empty
     std::string_view help;                            // one sentence
     SettingLayer last_layer = SettingLayer::session;  // that may set it
+    TextKind text = TextKind::path;                   // of a std::string
 };
 
 /// In the order of the file and of the screens; the rows of a table are neighbours.
@@ -55,6 +61,10 @@ using SettingValue = std::variant<bool, double, std::string>;
 /// finite, none of the choices, no whole number where one is due, or a text that cannot be.
 [[nodiscard]] std::optional<Settings> with_value(Settings settings, const SettingRow& row,
                                                  const SettingValue& value);
+
+/// What a later layer may not do to an earlier one, as one sentence; empty if it did not: a profile
+/// or a visit may lower the ceiling of the force, never raise it.
+[[nodiscard]] std::string trespass(const Settings& before, const Settings& after);
 
 /// What two settings say against each other, as one sentence; empty if nothing does.
 [[nodiscard]] std::string contradiction(const Settings& settings);

@@ -10,9 +10,10 @@ namespace touchline {
 
 struct Settings {
     // feel
-    int mode = static_cast<int>(Mode::groove);  // Mode
+    int mode = static_cast<int>(Mode::groove);  // Mode, of a visitor who has chosen none
     double stiffness_N_per_m = 500.0;
     double friction = 0.0;
+    double force_ceiling_N = 3.0;
     double capture_mm = 3.0;
     bool gives_way = false;
     double give_way_N = 1.5;  // twice what one needs to feel a line: nobody falls through by chance
@@ -23,10 +24,46 @@ struct Settings {
     double coarsest_level = 16.0;
     // picture
     int detail = 3;
+    // sound
+    int sounds = 1;  // 0 none, 1 short ones, 2 all: CueAmount
+    bool is_speech_on = true;
+    int speech_rate = 4;  // 1 ... 7: a step of speech_rates_per_minute, from 1
+    // language
+    std::string languages = "en de fr es";  // codes; in the order in which they are offered
+    std::string first_language = "en";      // one of them
+    // time
+    double inactivity_s = 90.0;
+    double answer_s = 30.0;
+    // camera
+    double cut_left_percent = 0.0;
+    double cut_right_percent = 0.0;
+    double cut_top_percent = 0.0;
+    double cut_bottom_percent = 0.0;
+    int camera_light = 1;  // 0 off, 1 for a picture, 2 always
+    bool is_preview_allowed = true;
+    // keys
+    double double_strike_s = 0.1;
+    int two_switches = 0;  // 0 off, 1 one switch moves, the other selects, 2 it moves by itself
+    double scan_s = 2.0;
     // screen
     double viewing_distance_m = 0.6;
+    double screen_inches = 0.0;  // diagonal; 0: as the screen itself says
+    int text_size = 0;           // 0.7, 1.0, 1.4, 2.0 degrees
+    int palette = 0;             // white on black, black on white, yellow on black, low glare
+    // hours
+    std::string opening_hours = "00:00-24:00";
+    std::string quiet_hours;
+    double quiet_lower_dB = 6.0;
+    // care
+    double cleaning_s = 60.0;
+    bool is_maintained = false;  // nobody can begin a visit
+    std::string notice;
+    bool offers_staff = true;
+    bool counts = true;
     // stick
     std::string watched_folder;
+    // operator
+    std::string operator_device;
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -76,7 +76,8 @@ bool is_known_table(std::string_view table) {
                        [&](const SettingRow& row) { return row.table == table; });
 }
 
-Result<Settings> apply(Settings settings, const toml::table& file, const Reader& reader) {
+Result<Settings> apply(const Settings& base, const toml::table& file, const Reader& reader) {
+    Settings settings = base;
     for (const auto& [table, node] : file) {
         if (!is_known_table(table.str()))
             return wrong(reader.name, node.source(),
@@ -85,8 +86,9 @@ Result<Settings> apply(Settings settings, const toml::table& file, const Reader&
         if (!changed) return changed;
         settings = std::move(*changed);
     }
-    if (const std::string why = contradiction(settings); !why.empty())
-        return failure(std::string(reader.name) + ": " + why);
+    std::string why = contradiction(settings);
+    if (why.empty() && reader.layer > SettingLayer::site) why = trespass(base, settings);
+    if (!why.empty()) return failure(std::string(reader.name) + ": " + why);
     return settings;
 }
 

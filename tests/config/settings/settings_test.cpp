@@ -1,4 +1,5 @@
 // The table of settings, and settings as text: every row, every wrong value, any bytes.
+#include "config/settings/setting_texts.h"
 #include "config/settings/settings_text.h"
 
 #include <cmath>
@@ -84,6 +85,54 @@ TEST(SettingRows, ChoicesAndSwitchesTakeNothingElse) {
     }
 }
 
+void expect_texts(const char* table, const char* key, const std::vector<std::string>& allowed,
+                  const std::vector<std::string>& refused) {
+    const SettingRow& row = *find_setting(table, key);
+    for (const std::string& text : allowed) EXPECT_TRUE(with_value({}, row, text)) << text;
+    for (const std::string& text : refused) EXPECT_FALSE(with_value({}, row, text)) << text;
+}
+
+TEST(SettingRows, TextsAreOfTheirKind) {
+    expect_texts("operator", "device", {"", "/dev/input/by-id/kbd-event"},
+                 {"/dev/sda", "/dev/input/", "/dev/input/../sda", "kbd"});
+    expect_texts("hours", "opening", {"09:00-17:00", "22:00-06:30", "00:00-24:00"},
+                 {"", "9:00-17:00", "09:00-09:00", "09:60-10:00", "25:00-26:00", "24:00-09:00",
+                  "09:00-00:00", "09:00 17:00", "09:00-17:00 "});
+    expect_texts("hours", "quiet", {"", "18:00-22:00"}, {"never", "18:00-"});
+    expect_texts("language", "offered", {"en", "en de", "de fr en gsw"},
+                 {"", "en en", "EN", "en  de", " en", "en ", "english", "en,de",
+                  "aa bb cc dd ee ff gg hh ii jj kk ll mm nn oo pp qq"});
+    expect_texts("language", "first", {"en", "de"}, {"", "e", "en de"});
+    expect_texts("care", "notice", {"", "Zurück um zwei."}, {"a\nb", std::string(201, 'a')});
+}
+
+TEST(SettingRows, HoursCanGoPastMidnight) {
+    const HoursOfDay day = *hours_in("09:00-17:00");
+    EXPECT_FALSE(is_within(day, 539));
+    EXPECT_TRUE(is_within(day, 540));
+    EXPECT_TRUE(is_within(day, 1019));
+    EXPECT_FALSE(is_within(day, 1020));
+    const HoursOfDay night = *hours_in("22:00-06:00");
+    for (const int minute : {0, 359, 1320, 1439}) EXPECT_TRUE(is_within(night, minute)) << minute;
+    for (const int minute : {360, 720, 1319}) EXPECT_FALSE(is_within(night, minute)) << minute;
+    for (const char* text : {"09:00-17:00", "22:00-06:30", "00:00-24:00"})
+        EXPECT_EQ(hours_text(*hours_in(text)), text);
+}
+
+TEST(SettingsText, NoProfileRaisesTheCeilingOfTheForce) {
+    Settings site;
+    site.force_ceiling_N = 2.0;
+    const auto with = [&](const char* text, SettingLayer layer) {
+        return apply_settings(site, text, "f", layer);
+    };
+    const auto raised = with("[feel]\nforce_ceiling_N = 2.5", SettingLayer::profile);
+    ASSERT_FALSE(raised);
+    EXPECT_EQ(raised.error().line, "f: 'feel.force_ceiling_N' must not be above the site's 2");
+    EXPECT_TRUE(with("[feel]\nforce_ceiling_N = 1.5", SettingLayer::profile));
+    EXPECT_TRUE(with("[feel]\nforce_ceiling_N = 3", SettingLayer::site));
+    EXPECT_FALSE(with("[feel]\nforce_ceiling_N = 3.1", SettingLayer::site)) << "no file passes it";
+}
+
 TEST(SettingRows, APathIsWholeOrNone) {
     const SettingRow& row = *find_setting("stick", "watched_folder");
     EXPECT_TRUE(with_value({}, row, std::string("/srv/pictures of today")));
@@ -163,6 +212,10 @@ TEST(SettingsText, WhateverIsWrongIsOneLineWithItsPlace) {
     EXPECT_EQ(error_of("feel = 3"), "site.toml:1: 'feel' is no table of settings");
     EXPECT_EQ(error_of("[levels]\nfinest = 5\ncoarsest = 4"),
               "site.toml: 'levels.finest' must not be above 'levels.coarsest'");
+    EXPECT_EQ(error_of("[language]\nfirst = 'it'"),
+              "site.toml: 'language.first' must be one of 'language.offered'");
+    EXPECT_EQ(error_of("[hours]\nopening = 'noon'"),
+              "site.toml:2: 'hours.opening' must be two times like \"09:00-17:00\"");
     EXPECT_TRUE(error_of("[feel").starts_with("site.toml:1: "));
     EXPECT_EQ(error_of(std::string(2'000'000, '#')),
               "site.toml: is larger than 1 MB; no file of settings is");

@@ -1,0 +1,223 @@
+// The operator's screens: a pure state machine. A key, a moment or an answer comes in; the new
+// state and the orders for the kiosk come out. Threads: values and pure functions.
+#pragma once
+
+#include "app/keys/key_wizard.h"
+#include "app/operator/counters.h"
+#include "app/operator/pin.h"
+#include "app/operator/self_test.h"
+#include "app/session/screen_model.h"
+#include "config/settings/keys.h"
+#include "config/settings/settings.h"
+#include "config/settings/sound.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace touchline {
+
+/// Every screen; their titles and what is on them: operator_places.h.
+enum class OperatorPlace : std::uint8_t {
+    closed,  // the visitors have the kiosk
+    pin,
+    new_pin,
+    new_pin_again,
+    home,
+    touch,
+    feel,
+    levels,
+    picture,
+    profiles,
+    ears,
+    sounds,
+    volume,
+    languages,
+    visits,
+    times,
+    hours,
+    care,
+    senses,
+    camera,
+    keys,
+    key_wizard,
+    screen,
+    device,
+    homing,
+    self_test,
+    test_step,
+    live,
+    cleaning,
+    cleaning_lock,
+    upkeep,
+    library,
+    counters,
+    log,
+    backup,
+    paths,
+    close,
+    question,
+};
+
+inline constexpr std::size_t operator_place_count = 38;
+
+/// What is asked before it is done.
+enum class Question : std::uint8_t { ceiling, restore, close, zero_counters, first_settings };
+
+struct Operator {
+    OperatorPlace place = OperatorPlace::closed;
+    std::size_t focus = 0;
+    bool is_held = false;     // Next and Back change the setting that has the focus
+    std::size_t entered = 0;  // keys of the entry sequence so far
+    double entry_began_s = 0.0;
+    double last_key_s = 0.0;
+    PinEntry pin;
+    std::string chosen_pin;  // the first of two that must be the same
+    PinTries tries;
+    Settings settings;  // the site's, as they are edited
+    SoundSettings sound;
+    KeyWizard wizard;
+    SelfTest test;
+    Question question = Question::ceiling;
+    double lock_until_s = 0.0;  // of cleaning
+    std::string note;           // what came of the last order; said and shown
+};
+
+struct OfferedLanguage {
+    std::string code;
+    std::string name;  // in itself
+};
+
+struct OfferedProfile {
+    std::string name;
+    std::vector<std::size_t> rows;  // of setting_rows() that it sets
+};
+
+/// What the screens tell of the kiosk; all in the language that is spoken.
+struct OperatorWorld {
+    const Language& language;
+    double now_s = 0.0;  // never goes back
+    bool has_pin = false;
+    bool is_private = true;  // only who wears the headset hears; else no digit is said
+    Settings settings;       // of the site's file
+    SoundSettings sound;
+    KeyTable keys;
+    std::vector<OfferedLanguage> languages;
+    std::vector<OfferedProfile> profiles;
+    Counters counters;
+    std::vector<std::string> packs;  // on the stick: names of picture packs
+    std::vector<std::string> live;   // facts in words: force, level, loop
+};
+
+/// A press that counts. `role`: what the table of keys says of it. `is_allowed`: it is from the
+/// operator's keyboard, or none is set.
+struct KeyPressed {
+    PhysicalKey key;
+    std::optional<KeyRole> role;
+    bool is_allowed = true;
+};
+
+/// At least once a second.
+struct Tick {};
+
+struct PinChecked {
+    bool is_right = false;
+};
+
+struct TestAnswered {
+    TestStep step = TestStep::device;
+    bool has_passed = false;
+    std::string line;
+};
+
+/// What an order came to, or how far it is: one sentence.
+struct OrderAnswered {
+    std::string line;
+};
+
+using OperatorEvent = std::variant<KeyPressed, Tick, PinChecked, TestAnswered, OrderAnswered>;
+
+struct Say {
+    std::string text;
+};
+
+struct Click {};  // a digit was turned or taken, and must not be said
+
+struct CheckPin {
+    std::string pin;
+};
+
+struct KeepPin {
+    std::string pin;
+};
+
+struct SetSettings {  // they hold from now on; not on the disk
+    Settings settings;
+};
+
+struct WriteSettings {  // they hold, and go to the disk
+    Settings settings;
+};
+
+struct WriteSound {
+    SoundSettings sound;
+};
+
+struct WriteKeys {
+    KeyTable keys;
+};
+
+struct FindHome {};
+
+struct StopHoming {};
+
+struct RunTest {
+    TestStep step = TestStep::device;
+};
+
+struct StopTest {};
+
+struct ShowLive {
+    bool is_on = false;
+};
+
+struct LockHandle {  // no force, and the keys are the operator's to ignore
+    bool is_on = false;
+};
+
+struct ImportPictures {
+    std::size_t pack = 0;  // of OperatorWorld::packs
+};
+
+struct ZeroCounters {};
+
+struct ExportLog {};
+
+struct BackUp {};
+
+struct Restore {};
+
+struct CloseKiosk {};
+
+struct Leave {};  // back to the visitors
+
+using OperatorOrder =
+    std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings, WriteSound, WriteKeys,
+                 FindHome, StopHoming, RunTest, StopTest, ShowLive, LockHandle, ImportPictures,
+                 ZeroCounters, ExportLog, BackUp, Restore, CloseKiosk, Leave>;
+
+struct OperatorStep {
+    Operator state;
+    std::vector<OperatorOrder> orders;  // in this order
+};
+
+/// O(items of a screen). While closed it waits for the entry sequence only: Help, Up, Up, Down,
+/// Down, Select, each one key, within 5 s.
+[[nodiscard]] OperatorStep step_operator(const Operator& state, const OperatorEvent& event,
+                                         const OperatorWorld& world);
+
+/// What is drawn and said now. Not of `closed`.
+[[nodiscard]] SpokenScreen operator_screen(const Operator& state, const OperatorWorld& world);
+
+}  // namespace touchline

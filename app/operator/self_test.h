@@ -1,0 +1,83 @@
+// The kiosk tries itself: what each step does, what it asks, what came of it.
+// Threads: values and pure functions.
+#pragma once
+
+#include "app/session/screen_model.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace touchline {
+
+enum class TestStep : std::uint8_t {
+    device,
+    motors,
+    camera,
+    sound_left,
+    sound_right,
+    keys,
+    stick_port,
+    disk
+};
+
+inline constexpr std::size_t test_step_count = 8;
+
+enum class TestVerdict : std::uint8_t { untried, passed, failed };
+
+struct TestStepRow {
+    TestStep step;
+    std::string_view name;
+    std::string_view does;      // one or two sentences, said before it begins
+    std::string_view question;  // for a person to answer; empty: the kiosk knows by itself
+    bool waits = false;         // for a person to begin it
+};
+
+[[nodiscard]] const TestStepRow& row_of(TestStep step);
+
+/// told: says what it does, waits for Select. running: the kiosk is at it. asked: waits for yes or
+/// no.
+enum class TestPhase : std::uint8_t { idle, told, running, asked };
+
+struct SelfTest {
+    std::array<TestVerdict, test_step_count> verdicts{};
+    TestPhase phase = TestPhase::idle;
+    TestStep step = TestStep::device;
+    bool is_all = false;       // the next step follows by itself
+    std::uint8_t pressed = 0;  // roles, a bit each, of the step `keys`
+    double since_s = 0.0;      // of the phase
+    std::string line;          // what came of the last one
+
+    friend bool operator==(const SelfTest&, const SelfTest&) = default;
+};
+
+struct SelfTestStep {
+    SelfTest test;
+    std::optional<TestStep> run;  // the kiosk is to do it now and to answer
+    bool stop = false;            // what runs is to stop
+    std::string said;
+};
+
+[[nodiscard]] SelfTestStep begin_test(const SelfTest& test, TestStep step, bool is_all,
+                                      double now_s, const Language& language);
+
+/// Back stops; Select begins, or says yes; Next says no. In the step `keys` every role counts.
+[[nodiscard]] SelfTestStep press_test_key(const SelfTest& test, KeyRole role, double now_s,
+                                          const Language& language);
+
+/// The kiosk did `step`. `line`: what is worth telling, may be empty. One that nobody waits for
+/// changes nothing.
+[[nodiscard]] SelfTestStep test_done(const SelfTest& test, TestStep step, bool has_passed,
+                                     const std::string& line, double now_s,
+                                     const Language& language);
+
+/// 60 s without an answer: failed.
+[[nodiscard]] SelfTestStep wait_for_test(const SelfTest& test, double now_s,
+                                         const Language& language);
+
+/// Of the step that is under way.
+[[nodiscard]] SpokenScreen test_screen(const SelfTest& test, const Language& language);
+
+}  // namespace touchline
