@@ -1,9 +1,9 @@
 #include "app/kiosk/kiosk.h"
 
 #include "app/kiosk/picture_facts.h"
-#include "app/kiosk/first_feel.h"
 #include "app/loading/kiosk_stages.h"
 #include "app/session/fault_words.h"
+#include "app/session/first_feel.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,9 +11,16 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 0.05;   // of the visit
+constexpr double tick_s = 0.05;    // of the visit
 constexpr double moved_m = 0.002;  // less is no sign of a person
 constexpr double tour_m_per_s = 0.035;
+
+/// Of a code; the first where it has none of these.
+std::size_t place_of(const std::string& code, const std::vector<Language>& languages) {
+    const auto at = std::ranges::find_if(
+        languages, [&code](const Language& language) { return language.code() == code; });
+    return at == languages.end() ? 0 : static_cast<std::size_t>(at - languages.begin());
+}
 
 /// Of the box around an outline.
 double box_area_m2(const Outline& outline) {
@@ -89,7 +96,10 @@ Kiosk::Kiosk(KioskParts parts)
       photos_(std::move(parts.photos)),
       settings_(std::move(parts.settings)),
       profile_(std::move(parts.profile)),
-      reading_language_(std::move(parts.reading_language)) {
+      hand_words_(std::move(parts.hand_words)),
+      reading_language_(std::move(parts.reading_language)),
+      keys_(std::move(parts.keys)),
+      filter_(settings_.double_strike_s) {
     follow_rules();
     rules_.has_camera = photos_ != nullptr;
     rules_.has_stick_port = shelf_ != nullptr;
@@ -108,6 +118,8 @@ void Kiosk::take(VisitStep step) {
 }
 
 void Kiosk::set(const Settings& settings) {
+    if (settings.double_strike_s != settings_.double_strike_s)
+        filter_ = KeyFilter(settings.double_strike_s);
     settings_ = settings;
     follow_rules();
     set_servo();
@@ -116,7 +128,17 @@ void Kiosk::set(const Settings& settings) {
 void Kiosk::follow_rules() {
     const HeardOutput output = sound_->output();
     rules_.volume_steps = output.volume_steps;
-    rules_.first_volume = output.first_volume;
+    rules_.sound.volume = output.first_volume;
+    rules_.sound.amount = static_cast<CueAmount>(settings_.sounds);
+    rules_.sound.is_speech_on = settings_.is_speech_on;
+    rules_.sound.rate = static_cast<std::size_t>(settings_.speech_rate - 1);
+    rules_.sound.language = place_of(settings_.first_language, languages_);
+    rules_.look.text_size = static_cast<std::size_t>(settings_.text_size);
+    rules_.look.palette = static_cast<std::size_t>(settings_.palette);
+    rules_.quiet_s = settings_.inactivity_s;
+    rules_.answer_s = settings_.answer_s;
+    rules_.offers_staff = settings_.offers_staff;
+    rules_.notice = settings_.notice;
 }
 
 void Kiosk::set_servo() {
@@ -135,6 +157,8 @@ void Kiosk::set_servo() {
     commands.force_ceiling_N = settings_.force_ceiling_N;
     commands.guidance = guidance_;
     commands.pattern = pattern_;
+    commands.is_emergency_stop = is_emergency_stop_;
+    commands.faults_cleared = faults_cleared_;
     servo_->set(commands);
 }
 
@@ -142,8 +166,9 @@ void Kiosk::load(const LoadPicture& order) {
     order_ = order;
     const FilePtr file = pictures_.of(order);
     if (file == nullptr) {
-        happen(PictureFailed{order.request, language().text("kiosk", "This picture is gone. "
-                                                                     "Choose another one.")});
+        happen(PictureFailed{order.request, language().text("kiosk",
+                                                            "This picture is gone. "
+                                                            "Choose another one.")});
         return;
     }
     wanted_ = file;
@@ -200,6 +225,7 @@ void Kiosk::wipe() {
 
 void Kiosk::step(std::int64_t now_ns) {
     const double now_s = 1e-9 * static_cast<double>(now_ns);
+    now_s_ = now_s;
     follow_headphones();
     follow_stick(now_ns);
     follow_loader();
@@ -211,6 +237,7 @@ void Kiosk::step(std::int64_t now_ns) {
         follow_servo();
         follow_troubles();
         happen(Tick{now_s});
+        if (settings_.two_switches == moves_by_itself) press_switch(SwitchEvent::tick);
     }
     sound_->step({hand_, shown_.scene.get(), target()});
 }
@@ -222,19 +249,24 @@ void Kiosk::follow_headphones() {
     happen(HeadphonesChanged{are_in.value_or(true)});
 }
 
+void Kiosk::offer(std::vector<FilePtr> files, const std::string& sentence) {
+    std::vector<std::string> names;
+    for (const FilePtr& file : files) names.push_back(spoken_title(file->title));
+    pictures_.put_stick(std::move(files));
+    happen(StickCame{std::move(names),
+                     sentence.empty() ? "" : language().text("stick", sentence)});
+}
+
 void Kiosk::follow_stick(std::int64_t now_ns) {
     if (!shelf_) return;
     auto change = shelf_->poll(now_ns);
     const bool was_listing = std::exchange(is_listing_, shelf_->is_listing());
     if (change && !change->files.empty()) {
-        std::vector<std::string> names;
-        for (const FilePtr& file : change->files) names.push_back(spoken_title(file->title));
-        pictures_.put_stick(std::move(change->files));
-        happen(StickCame{std::move(names), language().text("stick", change->sentence)});
+        offer(std::move(change->files), change->sentence);
     } else if (change) {
         pictures_.put_stick({});
-        happen(StickGone{change->sentence.empty() ? ""
-                                                  : language().text("stick", change->sentence)});
+        happen(
+            StickGone{change->sentence.empty() ? "" : language().text("stick", change->sentence)});
     } else if (is_listing_ && !was_listing) {
         happen(StickArriving{});
     }

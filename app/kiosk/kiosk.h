@@ -6,14 +6,19 @@
 // Threads: the screen's; what works beside it sits behind its parts. No call waits.
 #pragma once
 
+#include "app/decode/reading_order.h"
+#include "app/keys/key_filter.h"
+#include "app/keys/two_switches.h"
 #include "app/kiosk/photo_desk.h"
 #include "app/kiosk/pictures.h"
 #include "app/kiosk/stick_shelf.h"
 #include "app/loading/loader.h"
-#include "app/decode/reading_order.h"
 #include "app/servo/servo_client.h"
+#include "app/session/keys.h"
+#include "app/session/status.h"
 #include "app/session/visit.h"
 #include "app/sound/visitor_sound.h"
+#include "config/settings/keys.h"
 #include "config/settings/settings.h"
 #include "haptics/pantograph/profile.h"
 
@@ -37,7 +42,9 @@ struct KioskParts {
     std::unique_ptr<StickShelf> shelf;
     std::unique_ptr<PhotoDesk> photos;
     Settings settings;
+    KeyTable keys = default_keys();
     DeviceProfile profile;
+    std::string hand_words;       // what the hand is, for the live view
     double loop_N_per_m = 500.0;  // the stiffness that suits the loop to begin with
     /// Set to what is spoken: the language that words in pictures are read in. May be null.
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language;
@@ -47,13 +54,14 @@ class Kiosk {
   public:
     explicit Kiosk(KioskParts parts);
 
-    void press(KeyRole role) { happen(KeyPressed{role}); }
+    /// Of a keyboard, keypad or joystick, with the time of step()'s clock: by the table of keys,
+    /// else by that of the staff (app/session/keys.h), else a dead key.
+    void change_key(const KeyChange& change);
 
-    void press(SpeechKey key) { happen(SpeechKeyPressed{key}); }
+    void press(KeyRole role);
 
-    void press_dead_key() { happen(DeadKeyPressed{}); }
-
-    void tell_headphones(bool are_in) { sound_->tell_headphones(are_in); }
+    /// Pictures to choose from, as if a stick had brought them. `sentence`: what is not among them.
+    void offer(std::vector<FilePtr> files, const std::string& sentence = {});
 
     /// Sixty times a second or so; `now_ns` of the monotonic clock.
     void step(std::int64_t now_ns);
@@ -78,15 +86,19 @@ class Kiosk {
     /// Of the camera, while it is to be shown; else null.
     [[nodiscard]] std::shared_ptr<const Canvas> preview() const;
 
-    /// For the screen while somebody is needed: why.
-    [[nodiscard]] bool is_staff_called() const { return visit_.is_staff_called; }
-
     /// One line for the log; empty: nothing new. It names no file and no text of a visitor.
     [[nodiscard]] std::string take_report();
 
-    [[nodiscard]] ServoClient& servo() { return *servo_; }
+    /// What the staff sees and wants.
+    struct Desk {
+        bool shows_live_view = false;
+        bool shows_boxes = false;
+        bool is_quitting = false;
+    };
 
-    [[nodiscard]] VisitorSound& sound() { return *sound_; }
+    [[nodiscard]] const Desk& desk() const { return desk_; }
+
+    [[nodiscard]] LiveFacts live_facts() const;
 
     /// The stick is let go of and the servo stopped.
     void stop();
@@ -101,6 +113,10 @@ class Kiosk {
     }
 
     void happen(const VisitEvent& event);
+    void act(Action action);
+    void press_switch(SwitchEvent event);
+    static constexpr int moves_by_itself = 2;  // Settings::two_switches
+
     void take(VisitStep step);
     void follow_rules();
     void follow_headphones();
@@ -130,14 +146,22 @@ class Kiosk {
     std::unique_ptr<PhotoDesk> photos_;
     Settings settings_;
     DeviceProfile profile_;
+    std::string hand_words_;
     VisitRules rules_;
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language_;
+
+    KeyTable keys_;
+    KeyFilter filter_;
+    SwitchScan scan_;
+    Desk desk_;
 
     Visit visit_;
     Feel feel_;  // as it was last ordered
     GuidanceCommand guidance_;
     bool is_guiding_ = false;
     PatternCommand pattern_;
+    bool is_emergency_stop_ = false;  // until the staff clears it
+    std::uint32_t faults_cleared_ = 0;
     HandState hand_;
     ForceStatus force_;
     ShownScene shown_;
@@ -147,6 +171,7 @@ class Kiosk {
     FilePtr wanted_;                         // its file
     bool is_loading_ = false;
     Position last_seen_W_;  // of the handle when it was last said to have moved
+    double now_s_ = 0.0;
     double ticked_s_ = 0.0;
     std::optional<bool> are_headphones_in_;
     bool has_camera_ = false;

@@ -1,8 +1,8 @@
 #include "app/kiosk/photo_desk.h"
 
 #include "app/process/places.h"
-#include "vision/camera/folder_camera.h"
 #include "vision/camera/conversion.h"
+#include "vision/camera/folder_camera.h"
 #include "vision/camera/libcamera_port.h"
 #include "vision/camera/stream_camera.h"
 #include "vision/prepare/document.h"

@@ -14,8 +14,7 @@ namespace fs = std::filesystem;
 
 /// The worker draws it for the screen; its words are read here in the language that was chosen: the
 /// gallery is our own.
-Result<Page> open_in(const std::string& path, const LanguageTag& language,
-                     const PageOrder& order) {
+Result<Page> open_in(const std::string& path, const LanguageTag& language, const PageOrder& order) {
     auto page = open_page_of(path, order);
     if (!page) return page;
     auto map = read_map_svg(path, language);

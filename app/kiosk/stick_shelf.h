@@ -2,8 +2,8 @@
 // Threads: one; no call waits. It lists on a thread of its own, which the end waits for.
 #pragma once
 
-#include "app/loading/stages.h"
 #include "app/kiosk/stick_files.h"
+#include "app/loading/stages.h"
 #include "app/sticks/stick_port.h"
 
 #include <cstdint>

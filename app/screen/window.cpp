@@ -19,20 +19,37 @@ namespace {
 constexpr int least_width = 480;
 constexpr int least_height = 320;
 
-/// GLFW names printing keys by their upper-case ASCII character, as Key does.
-Key key_of(int glfw_key) {
-    constexpr std::array named{
-        std::pair{GLFW_KEY_LEFT, Key::left},       std::pair{GLFW_KEY_RIGHT, Key::right},
-        std::pair{GLFW_KEY_UP, Key::up},           std::pair{GLFW_KEY_DOWN, Key::down},
-        std::pair{GLFW_KEY_PAGE_UP, Key::page_up}, std::pair{GLFW_KEY_PAGE_DOWN, Key::page_down},
-        std::pair{GLFW_KEY_ESCAPE, Key::escape},   std::pair{GLFW_KEY_F15, Key::f15},
-        std::pair{GLFW_KEY_F16, Key::f16}};
-    for (const auto& [code, key] : named) {
-        if (code == glfw_key) return key;
-    }
+constexpr std::array named_keys{std::pair{GLFW_KEY_LEFT, Key::left},
+                                std::pair{GLFW_KEY_RIGHT, Key::right},
+                                std::pair{GLFW_KEY_UP, Key::up},
+                                std::pair{GLFW_KEY_DOWN, Key::down},
+                                std::pair{GLFW_KEY_PAGE_UP, Key::page_up},
+                                std::pair{GLFW_KEY_PAGE_DOWN, Key::page_down},
+                                std::pair{GLFW_KEY_ESCAPE, Key::escape},
+                                std::pair{GLFW_KEY_ENTER, Key::enter},
+                                std::pair{GLFW_KEY_KP_ENTER, Key::enter},
+                                std::pair{GLFW_KEY_TAB, Key::tab},
+                                std::pair{GLFW_KEY_BACKSPACE, Key::backspace},
+                                std::pair{GLFW_KEY_INSERT, Key::insert},
+                                std::pair{GLFW_KEY_DELETE, Key::remove},
+                                std::pair{GLFW_KEY_HOME, Key::home},
+                                std::pair{GLFW_KEY_END, Key::end}};
+
+/// GLFW names printing keys by their upper-case ASCII character, as Key does. A key without a name
+/// there is told by its scancode.
+PhysicalKey key_of(int glfw_key, int scancode) {
+    const auto named = [](Key key) {
+        return PhysicalKey{KeySource::key, static_cast<std::uint32_t>(key)};
+    };
+    for (const auto& [code, key] : named_keys)
+        if (code == glfw_key) return named(key);
+    if (glfw_key >= GLFW_KEY_F1 && glfw_key <= GLFW_KEY_F24)
+        return named(Key{static_cast<std::uint32_t>(Key::f1) +
+                         static_cast<std::uint32_t>(glfw_key - GLFW_KEY_F1)});
     constexpr int last_printing = 126;
-    const bool prints = glfw_key > 0 && glfw_key <= last_printing;
-    return prints ? Key{static_cast<std::uint32_t>(glfw_key)} : Key::unknown;
+    if (glfw_key > 0 && glfw_key <= last_printing)
+        return named(Key{static_cast<std::uint32_t>(glfw_key)});
+    return {KeySource::scancode, static_cast<std::uint32_t>(std::max(scancode, 0))};
 }
 
 /// The reason GLFW gives for its last failure.
@@ -86,9 +103,10 @@ Window::Window(GLFWwindow* window, Listener listener)
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) {
         static_cast<Window*>(glfwGetWindowUserPointer(w))->update_size();
     });
-    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
-        if (action != GLFW_PRESS) return;
-        static_cast<Window*>(glfwGetWindowUserPointer(w))->listener_.key_down(key_of(key));
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int) {
+        static_cast<Window*>(glfwGetWindowUserPointer(w))
+            ->listener_.key_changed(key_of(key, scancode), action != GLFW_RELEASE,
+                                    action == GLFW_REPEAT);
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
         auto* const self = static_cast<Window*>(glfwGetWindowUserPointer(w));
@@ -134,8 +152,23 @@ void Window::show_frame() {
     glfwSwapBuffers(window_);
 }
 
+/// The first one: a switch interface or a large button is one.
+void Window::read_joysticks() {
+    int count = 0;
+    const unsigned char* const down = glfwGetJoystickButtons(GLFW_JOYSTICK_1, &count);
+    const auto buttons = down != nullptr ? static_cast<std::size_t>(count) : 0U;
+    buttons_.resize(std::max(buttons_.size(), buttons), false);
+    for (std::size_t i = 0; i < buttons_.size(); ++i) {
+        const bool is_down = i < buttons && down[i] == GLFW_PRESS;
+        if (is_down == buttons_[i]) continue;
+        buttons_[i] = is_down;
+        listener_.key_changed({KeySource::joystick, static_cast<std::uint32_t>(i)}, is_down, false);
+    }
+}
+
 void Window::wait_until(std::int64_t due_ns) {
     glfwPollEvents();
+    read_joysticks();
     for (std::int64_t left_ns = due_ns - now_ns(); left_ns > 0; left_ns = due_ns - now_ns())
         glfwWaitEventsTimeout(static_cast<double>(left_ns) * 1e-9);
 }

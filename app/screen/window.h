@@ -3,12 +3,13 @@
 #pragma once
 
 #include "app/screen/layout.h"
-#include "app/session/keys.h"
+#include "config/settings/keys.h"
 #include "config/types/result.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -19,9 +20,9 @@ namespace touchline {
 
 class Window {
   public:
-    /// Called from wait_until() as things happen. A key acts when it goes down and never repeats.
+    /// Called from wait_until() as things happen.
     struct Listener {
-        std::function<void(Key)> key_down;
+        std::function<void(const PhysicalKey&, bool is_down, bool is_repeat)> key_changed;
         std::function<void(PixelPoint)> pointer_moved;
     };
 
@@ -54,11 +55,13 @@ class Window {
     Window(GLFWwindow* window, Listener listener);
 
     void update_size();
+    void read_joysticks();
 
     GLFWwindow* window_;
     Listener listener_;
     int width_px_ = 1;
     int height_px_ = 1;
+    std::vector<bool> buttons_;  // of the joystick: is it down?
 };
 
 }  // namespace touchline

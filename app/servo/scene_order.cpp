@@ -1,6 +1,6 @@
 #include "app/servo/scene_order.h"
 
-#include "app/session/session.h"
+#include "app/session/first_feel.h"
 
 namespace touchline {
 namespace {

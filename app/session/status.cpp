@@ -15,12 +15,6 @@ namespace {
 constexpr std::array<std::string_view, 5> details{"silhouette", "main parts", "parts", "details",
                                                   "everything"};
 
-std::string picture_words(const Session& session) {
-    if (session.picture_count == 0) return "none in the list";
-    if (session.shown.number == 0 && !session.shown.title.empty()) return "no longer in the list";
-    return fmt::format("{} of {}", session.shown.number, session.picture_count);
-}
-
 /// Empty where there is one page that is felt as a whole.
 std::string page_words(const PagePlace& place) {
     const std::string page = fmt::format("{} of {}", place.page, place.page_count);
@@ -29,8 +23,7 @@ std::string page_words(const PagePlace& place) {
     return fmt::format("{}, picture {} of {}", page, place.view, place.view_count - 1);
 }
 
-std::string detail_text(const Session& session) {
-    const int detail = session.shown.detail;
+std::string detail_text(int detail) {
     return fmt::format("{} of 5, {}", detail, detail_words(detail));
 }
 
@@ -62,10 +55,10 @@ double tenths(double level) {
 
 /// The level felt, and why that one is wanted. A fixed level is not said to be by anything else,
 /// nor to be fixed where it is not reached.
-std::string level_words(const Session& session, const HandState& hand) {
+std::string level_words(int coarsest_level, const HandState& hand) {
     const LevelChoice wanted = choose_level(hand.level_terms);
     const bool is_fixed = !hand.is_level_auto && wanted.level == hand.level_terms.coarsest;
-    return fmt::format("{} of {}, {}", tenths(hand.level), session.shown.coarsest_level,
+    return fmt::format("{} of {}, {}", tenths(hand.level), coarsest_level,
                        is_fixed ? "fixed" : reason_words(wanted.by));
 }
 
@@ -77,11 +70,9 @@ std::string terms_words(const LevelTerms& terms) {
                        terms.cost, terms.safe);
 }
 
-/// The step that was chosen and what is felt: a rise is slow, so that it cannot push the hand.
-std::string stiffness_words(const Session& session, const HandState& hand) {
-    const StiffnessStep& step = stiffness_steps[session.stiffness];
-    const double felt = hand.stiffness_N_per_m;
-    return fmt::format("{}, {:.0f} N/m", step.name, felt > 0.0 ? felt : step.stiffness_N_per_m);
+/// What is felt: a rise is slow, so that it cannot push the hand.
+std::string stiffness_words(const HandState& hand) {
+    return fmt::format("{:.0f} N/m", hand.stiffness_N_per_m);
 }
 
 std::string force_words(const HandState& hand, const ForceStatus& status) {
@@ -93,16 +84,9 @@ std::string force_words(const HandState& hand, const ForceStatus& status) {
     return fmt::format("{}, softened to {:.0f} %: it rang", force, 100.0 * hand.spring_gain);
 }
 
-std::string mode_words(const Session& session) {
-    const bool gives_way = session.mode == Mode::wall && session.is_pop_through;
-    return words_of(session.mode) + (gives_way ? ", gives way to a push" : "");
-}
-
-std::string message_words(const Session& session) {
-    if (!session.is_loading) return session.message;
-    const int page = session.place.page;
-    return page == 1 ? fmt::format("Opening picture {} ...", session.picture + 1)
-                     : fmt::format("Opening picture {}, page {} ...", session.picture + 1, page);
+std::string mode_words(const HandState& hand, bool gives_way) {
+    const bool is_soft = hand.mode == Mode::wall && gives_way;
+    return words_of(hand.mode) + (is_soft ? ", gives way to a push" : "");
 }
 
 }  // namespace
@@ -163,28 +147,24 @@ std::string words_of(ContactEventKind kind) {
     return {};
 }
 
-Status describe(const Session& session, const HandState& hand, const ForceStatus& force,
-                const std::string& hand_words, const std::optional<ContactEvent>& last) {
+Status describe(const LiveFacts& facts, const HandState& hand, const ForceStatus& force) {
     Status status;
-    status.title = session.shown.title.empty() ? "No picture yet" : session.shown.title;
+    status.title = facts.title.empty() ? "No picture yet" : facts.title;
     status.lines = {
         {"Contact", words_of(hand.state)},
-        {"Last", last ? words_of(last->kind) : "nothing yet"},
-        {"Level", level_words(session, hand)},
+        {"Last", facts.last ? words_of(facts.last->kind) : "nothing yet"},
+        {"Level", level_words(facts.coarsest_level, hand)},
         {"Terms", terms_words(hand.level_terms)},
         {"Force", force_words(hand, force)},
         {"Motors", std::string(words_of(force.state))},
-        {"Mode", mode_words(session)},
-        {"Stiffness", stiffness_words(session, hand)},
-        {"Detail", detail_text(session)},
-        {"Picture", picture_words(session)},
-        {"Hand", hand_words},
-        {"Keys", "H lists them"},
+        {"Mode", mode_words(hand, facts.gives_way)},
+        {"Stiffness", stiffness_words(hand)},
+        {"Detail", detail_text(facts.detail)},
+        {"Hand", facts.hand_words},
     };
-    if (const std::string page = page_words(session.shown.place); !page.empty())
-        status.lines.insert(status.lines.end() - 2, {"Page", page});
-    status.message =
-        force.fault == Fault::none ? message_words(session) : announcement_of(force.fault);
+    if (const std::string page = page_words(facts.place); !page.empty())
+        status.lines.insert(status.lines.end() - 1, {"Page", page});
+    status.message = force.fault == Fault::none ? facts.message : announcement_of(force.fault);
     return status;
 }
 

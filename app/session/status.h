@@ -1,10 +1,11 @@
-// The words of the panel: every fact on the screen is one named line of text first.
+// The words of the staff's live view: every fact on it is one named line of text first.
 // Threads: values and pure functions.
 #pragma once
 
-#include "app/session/session.h"
+#include "app/session/page_place.h"
 #include "config/types/contact_event.h"
 #include "config/types/force_status.h"
+#include "config/types/hand_state.h"
 
 #include <optional>
 #include <string>
@@ -29,11 +30,22 @@ struct Status {
     friend bool operator==(const Status&, const Status&) = default;
 };
 
-/// `hand_words` say what the hand is; `last` is the last thing that happened to it. A fault of the
-/// force is the message. Numbers are rounded to what can be read at a glance.
-[[nodiscard]] Status describe(const Session& session, const HandState& hand,
-                              const ForceStatus& force, const std::string& hand_words,
-                              const std::optional<ContactEvent>& last);
+/// What is felt, beside what the servo tells itself.
+struct LiveFacts {
+    std::string title;  // empty: no picture
+    PagePlace place = {1, 1, 1, 1};
+    int detail = 3;
+    int coarsest_level = 0;
+    bool gives_way = false;
+    std::string hand_words;            // what the hand is
+    std::optional<ContactEvent> last;  // that happened to it
+    std::string message;
+};
+
+/// A fault of the force comes before the message. Numbers are rounded to what can be read at a
+/// glance.
+[[nodiscard]] Status describe(const LiveFacts& facts, const HandState& hand,
+                              const ForceStatus& force);
 
 /// "silhouette"; `detail` 1 ... 5.
 [[nodiscard]] std::string_view detail_words(int detail);

@@ -5,14 +5,12 @@
 #include "app/sticks/open_stick_port.h"
 #include "vision/camera/folder_camera.h"
 
-#include <opencv2/core.hpp>
-
-#include <unistd.h>
-
 #include <chrono>
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -106,7 +104,7 @@ void KioskWorld::put_stick(const std::vector<fs::path>& files) {
     for (const fs::path& file : files) fs::copy(file, folder_ / "arriving" / file.filename());
     fs::rename(folder_ / "arriving", folder_ / "stick");
     // The folder is watched and listed in real time, by a process.
-    for (int i = 0; i < 200 && kiosk_->visit().stick_names.empty(); ++i) {
+    for (int i = 0; i < 200 && !kiosk_->visit().has_stick; ++i) {
         run(0.2);
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }

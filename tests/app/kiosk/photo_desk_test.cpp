@@ -1,9 +1,8 @@
 #include "app/kiosk/photo_desk.h"
 
+#include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-
-#include <gtest/gtest.h>
 
 namespace touchline {
 namespace {

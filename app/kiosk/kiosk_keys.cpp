@@ -1,0 +1,80 @@
+// The keys of a kiosk: from a key that went down to what it means to the visit or to the staff.
+#include "app/kiosk/kiosk.h"
+
+#include <utility>
+
+namespace touchline {
+
+void Kiosk::change_key(const KeyChange& change) {
+    if (!filter_.takes(change)) return;
+    if (const auto role = role_of(keys_, change.key)) return press(*role);
+    const bool is_named = change.key.source == KeySource::key;
+    const auto action = is_named ? action_of(Key{change.key.code}) : std::nullopt;
+    if (action) return act(*action);
+    happen(DeadKeyPressed{});
+}
+
+/// With two switches a key selects, or moves on.
+void Kiosk::press(KeyRole role) {
+    if (settings_.two_switches == 0) return happen(KeyPressed{role});
+    press_switch(role == KeyRole::select ? SwitchEvent::select : SwitchEvent::move);
+}
+
+void Kiosk::press_switch(SwitchEvent event) {
+    const double pace_s = settings_.two_switches == moves_by_itself ? settings_.scan_s : 0.0;
+    SwitchStep step = step_switches(scan_, event, screen(), pace_s, now_s_, language());
+    scan_ = step.scan;
+    if (!step.said.empty()) sound_->say({language().code(), step.said, SpeechPriority::text});
+    if (step.press) happen(KeyPressed{*step.press});
+}
+
+void Kiosk::act(Action action) {
+    switch (action) {
+        case Action::repeat_speech:
+            return happen(SpeechKeyPressed{SpeechKey::repeat});
+        case Action::pause_speech:
+            return happen(SpeechKeyPressed{SpeechKey::pause});
+        case Action::slower_speech:
+            return happen(SpeechKeyPressed{SpeechKey::slower});
+        case Action::faster_speech:
+            return happen(SpeechKeyPressed{SpeechKey::faster});
+        case Action::emergency_stop:
+            is_emergency_stop_ = true;
+            return set_servo();
+        case Action::clear_fault:
+            is_emergency_stop_ = false;
+            ++faults_cleared_;
+            return set_servo();
+        case Action::keep_recording:
+            return servo_->keep_recording();
+        case Action::home_again:
+            return servo_->home_again();
+        case Action::toggle_live_view:
+            desk_.shows_live_view = !desk_.shows_live_view;
+            return;
+        case Action::toggle_boxes:
+            desk_.shows_boxes = !desk_.shows_boxes;
+            return;
+        case Action::headphones_in:
+        case Action::headphones_out:
+            return sound_->tell_headphones(action == Action::headphones_in);
+        case Action::quit:
+            desk_.is_quitting = true;
+            return;
+    }
+}
+
+LiveFacts Kiosk::live_facts() const {
+    LiveFacts facts;
+    facts.hand_words = hand_words_;
+    facts.last = sound_->last_event();
+    facts.gives_way = feel_.gives_way;
+    facts.message = device_trouble();
+    if (!map_) return facts;
+    facts.title = map_->title;
+    facts.detail = order_.detail;
+    if (shown_.scene) facts.coarsest_level = shown_.scene->curves.coarsest();
+    return facts;
+}
+
+}  // namespace touchline
