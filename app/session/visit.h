@@ -19,11 +19,10 @@
 namespace touchline {
 
 enum class VisitScreen : std::uint8_t {
-    attract,  // nobody is here
-    language,
-    welcome,
+    attract,   // nobody is here
+    language,  // each named in itself
+    choose,    // what to feel: practice, gallery, stick, camera; settings; finish
     practice,
-    choose,
     gallery,
     stick,
     camera,
@@ -31,9 +30,7 @@ enum class VisitScreen : std::uint8_t {
     picture,
     parts,
     explore,
-    detail,
     zoom,
-    feel,
     pages,
     settings,
     values,   // of one setting: Standing::about is its item
@@ -43,10 +40,62 @@ enum class VisitScreen : std::uint8_t {
     // over any of these
     help,      // each key says its name and use
     question,  // is anybody there?
-    trouble,
+    trouble,   // what, why, what to do
 };
 
-inline constexpr std::size_t visit_screen_count = 24;
+inline constexpr std::size_t visit_screen_count = 21;
+
+/// What an item of a screen stands for (ScreenItem::id). Rows of a list: entry + their number.
+enum class VisitItem : int {
+    back,
+    back_to_picture,
+    practise,
+    gallery,
+    stick,
+    camera,
+    settings,
+    call_staff,
+    finish,
+    next_ten,
+    ten_before,
+    take_picture,
+    cancel,
+    lead_round,
+    parts,
+    explore,
+    bring_back,
+    tell_again,
+    detail,
+    zoom,
+    mode,
+    firmness,
+    pages,
+    another_picture,
+    other_shape,
+    where_am_i,
+    whole_picture,
+    twice_here,
+    four_times_here,
+    next_view,
+    view_before,
+    next_page,
+    page_before,
+    language,
+    volume,
+    rate,
+    sounds,
+    mono,
+    speech,
+    text_size,
+    palette,
+    screen_off,
+    start_over,
+    reset,
+    no,
+    yes,
+    go_on,
+    entry = 1000,
+};
 
 /// A screen that is open, with what was left of it when another went over it.
 struct Standing {
@@ -64,17 +113,18 @@ struct GalleryTitle {
     std::optional<int> difficulty;  // 1 (easy) ... 5
 };
 
-/// What the house decides, as far as Settings do not hold it.
+/// What the house decides beside Settings; it may change between visits.
 struct VisitRules {
-    double quiet_s = 90.0;           // 30 ... 1800: then the question is asked
-    double answer_s = 30.0;          // 30 or more: then the visit ends
-    double private_s = 10.0;         // headphones pulled: then the question is asked
-    std::size_t first_language = 0;  // of the languages
-    std::size_t volume_steps = 7;    // of the output that is heard, >= 1
-    std::size_t first_volume = 3;    // that every visit begins with
+    double quiet_s = 90.0;   // 30 ... 1800: then the question is asked
+    double answer_s = 30.0;  // 30 or more: then the visit ends
+    SoundWanted sound;       // that every visit begins with; volume: of the output that is heard
+    LookWanted look;
+    std::size_t volume_steps = 7;    // of that output, >= 1
     std::size_t first_firmness = 2;  // of firmness_steps; what suits the loop
     bool has_camera = true;          // the house has one at all
     bool has_stick_port = true;
+    bool offers_staff = true;
+    std::string notice;  // while closed or maintained, in the house's language; may be empty
 };
 
 /// Constant during a step; all may change between steps. `languages` is not empty; `gallery` has
@@ -98,6 +148,7 @@ enum class LoadReason : std::uint8_t { other_picture, other_view, detail, zoom, 
 struct Loading {
     LoadPicture order;
     LoadReason reason = LoadReason::other_picture;
+    std::string name;  // of what is being opened, for who waits; may be empty
 };
 
 /// Work that the visitor waits for.
@@ -114,8 +165,15 @@ struct Caption {
     std::optional<ScreenEvent> sign;  // of the last sound: its visual sign
 };
 
-struct Visit {
-    // of the house and its things: outlive a visit
+/// Something that leads the hand: first announced, then under way.
+struct Leading {
+    Guide guide;
+    double begin_s = 0.0;
+    bool has_begun = false;
+};
+
+/// Of the house and its things: outlives a visit.
+struct House {
     double now_s = 0.0;
     Opening opening = Opening::open;
     bool has_camera = false;
@@ -123,41 +181,46 @@ struct Visit {
     std::array<std::optional<std::string>, trouble_count> troubles;  // that last, in words
     bool is_staff_called = false;
     std::uint64_t request = 0;  // of the last LoadPicture
+};
 
-    // of the visitor: wiped
+/// Of the visitor: a new one for every visit.
+struct Visitor {
     std::vector<Standing> path{Standing{}};  // never empty; the last one is open
     std::optional<Standing> over;            // help, question or trouble on top of it
-    TroubleKind trouble_shown = TroubleKind::device;
-    std::string error;  // shown by `trouble` where it is not of a kind above
+    std::string error;                       // what `trouble` says
+    std::optional<TroubleKind> trouble;      // that it is about; none: a picture, a file
     SoundWanted sound;
     LookWanted look;
     Feel feel;
-    int detail = 3;
+    int detail = 3;  // wanted of the next picture too
     std::optional<FeltPicture> felt;
     std::optional<Loading> loading;
-    std::optional<Waiting> waiting;  // for a picture, a camera or a stick's list
+    std::optional<Waiting> waiting;
     bool is_capturing = false;
-    std::vector<std::string> stick_names;
     bool has_stick = false;
     bool is_stick_listed = false;
-    std::optional<Guide> guide_due;  // announced; begins at guide_due_s
-    double guide_due_s = 0.0;
-    std::optional<Guide> guiding;
-    double guiding_since_s = 0.0;
+    std::vector<std::string> stick_names;
+    std::string stick_note;
+    std::optional<Leading> leading;
     HandleSeen handle;
-    double part_since_s = 0.0;
+    double part_since_s = 0.0;  // on the part, or on none
     std::optional<std::size_t> part_said;
     double active_s = 0.0;           // last key or motion
     double key_s = 0.0;              // last key
     double entered_s = 0.0;          // the screen that is open
-    double question_s = 0.0;         // when it was asked
-    double attention_s = 0.0;        // when the handle last asked for it
+    double question_s = 0.0;         // asked
+    double attention_s = 0.0;        // the handle last asked for it
     std::optional<double> pulled_s;  // headphones
     bool is_hint_due = false;
     int dead_keys = 0;  // in a row
     int repeats = 0;    // presses of Next in a row
     int helps = 0;      // presses of Help in a row, in help
     Caption caption;
+};
+
+struct Visit {
+    House house;
+    Visitor visitor;
 };
 
 struct VisitStep {
