@@ -71,6 +71,10 @@ constexpr std::array<EventRow, screen_event_count> screens{{
     {"a picture cannot be opened", Cue::refused},
     {"the hand comes to a named spot", Cue::label},
     {"force goes off by itself", Cue::refused, true},
+    {"work is under way", Cue::touch},
+    {"the kiosk asks whether anybody is there", Cue::end, true},
+    {"the camera takes a picture", Cue::cross, true},
+    {"a stick comes, or words are found", Cue::label},
 }};
 
 std::string rows_as_markdown(std::span<const EventRow> rows) {

@@ -14,8 +14,12 @@ enum class ScreenEvent : std::uint8_t {
     picture_failed,
     label_reached,  // the hand came to a named spot
     fault,          // force went off by itself
+    progress,       // work is under way
+    time_out,       // is anybody there?
+    shutter,        // the camera took a picture
+    news,           // a stick came, words were found
 };
 
-inline constexpr std::size_t screen_event_count = 7;
+inline constexpr std::size_t screen_event_count = 11;
 
 }  // namespace touchline

@@ -1,0 +1,278 @@
+#include "app/session/visit.h"
+
+#include "app/session/visit_work.h"
+
+#include <utility>
+
+namespace touchline {
+namespace {
+
+void leave_screens_of_picture(VisitWork& work) {
+    if (work.visitor.path.back().screen == VisitScreen::opening) leave(work);
+}
+
+void stick_came(VisitWork& work, const StickCame& came) {
+    Visitor& visitor = work.visitor;
+    visitor.has_stick = true;
+    visitor.is_stick_listed = true;
+    visitor.stick_names = came.names;
+    visitor.stick_note = came.sentence;
+    if (!is_visit_on(visit_of(work))) return;
+    if (open_screen(work) == VisitScreen::stick) {
+        cue(work, ScreenEvent::news);
+        visitor.path.back().about = 0;
+        visitor.path.back().focus = 0;
+        return say_screen(work);
+    }
+    cue(work, ScreenEvent::news);
+    say(work, words(work, "A stick is in. You find it among what to feel."), SpeechPriority::hint);
+}
+
+void stick_gone(VisitWork& work, const StickGone& gone) {
+    Visitor& visitor = work.visitor;
+    const bool had_stick = visitor.has_stick;
+    visitor.has_stick = visitor.is_stick_listed = false;
+    visitor.stick_names.clear();
+    visitor.stick_note.clear();
+    if (!is_visit_on(visit_of(work))) return;
+    if (!gone.sentence.empty()) return show_trouble(work, gone.sentence, TroubleKind::stick);
+    if (!had_stick) return;
+    cue(work, ScreenEvent::news);
+    const std::string told = words(work, "The stick is out. What you feel stays.");
+    if (open_screen(work) == VisitScreen::stick) return say_return(work, told);
+    say(work, told, SpeechPriority::hint);
+}
+
+void headphones_changed(VisitWork& work, bool are_in) {
+    Visitor& visitor = work.visitor;
+    work.house.has_headphones = are_in;
+    const VisitScreen screen = open_screen(work);
+    const bool is_idle = screen == VisitScreen::attract || screen == VisitScreen::goodbye;
+    if (is_idle && are_in) {
+        cue(work, ScreenEvent::key_taken);
+        return begin_visit(work);
+    }
+    if (!is_visit_on(visit_of(work))) return;
+    // Another output: its own volume to begin with. What was private is not said aloud.
+    visitor.sound.volume =
+        std::min(work.world.rules.sound.volume, work.world.rules.volume_steps - 1);
+    visitor.active_s = work.house.now_s;
+    order(work, Hush{});
+    if (!are_in) {
+        visitor.pulled_s = work.house.now_s;
+        return;
+    }
+    visitor.pulled_s.reset();
+    visitor.sound.is_speech_on = true;
+    if (screen == VisitScreen::question) visitor.over.reset();
+    say_return(work, language_of(work).text("speech", "The headphones are in."));
+}
+
+void camera_captured(VisitWork& work) {
+    if (!work.visitor.is_capturing) return;
+    work.visitor.is_capturing = false;
+    cue(work, ScreenEvent::shutter);
+    open_picture(work, PictureSource::camera, 0, {});
+    say(work, words(work, "The picture is taken."));
+}
+
+void camera_failed(VisitWork& work, const std::string& sentence) {
+    if (!work.visitor.is_capturing) return;
+    work.visitor.is_capturing = false;
+    leave_screens_of_picture(work);
+    show_trouble(work,
+                 sentence.empty()
+                     ? words(work, "The camera gave no picture. Take it again, or tell the staff.")
+                     : sentence,
+                 std::nullopt);
+}
+
+void camera_changed(VisitWork& work, bool is_there) {
+    if (work.house.has_camera == is_there) return;
+    work.house.has_camera = is_there;
+    if (!is_there) camera_failed(work, {});
+    if (open_screen(work) == VisitScreen::camera) say_screen(work);
+}
+
+void guidance_ended(VisitWork& work, bool has_arrived) {
+    auto& leading = work.visitor.leading;
+    if (!leading || !leading->has_begun) return;
+    const GuideKind kind = leading->guide.kind;
+    leading.reset();
+    work.visitor.active_s = work.house.now_s;
+    if (!has_arrived) return say(work, words(work, "The handle no longer leads."));
+    cue(work, ScreenEvent::label_reached);
+    shake(work, HandlePattern::chosen);
+    if (kind == GuideKind::outline) return say(work, words(work, "That was once round."));
+    if (kind == GuideKind::bring_back) return say(work, words(work, "You are on a line."));
+    say(work, language_of(work).text("guidance", "You are there."));
+}
+
+/// What, why and what to do, where nobody said it better.
+std::string told_trouble(const VisitWork& work, TroubleKind kind) {
+    switch (kind) {
+        case TroubleKind::device:
+            return words(work,
+                         "The handle has no force. It does not answer. Listening goes on; "
+                         "tell the staff.");
+        case TroubleKind::sound:
+            return language_of(work).text("speech", "There is no sound. Please call the staff.");
+        case TroubleKind::camera:
+            return words(work,
+                         "The camera does not answer. Choose other pictures, or tell the "
+                         "staff.");
+        case TroubleKind::stick:
+            return words(work, "The stick cannot be read. Pull it out and put it in again.");
+    }
+    return {};
+}
+
+void trouble_began(VisitWork& work, const TroubleBegan& began) {
+    auto& known = work.house.troubles[static_cast<std::size_t>(began.kind)];
+    const std::string sentence =
+        began.sentence.empty() ? told_trouble(work, began.kind) : began.sentence;
+    if (known == sentence) return;
+    known = sentence;
+    if (!is_visit_on(visit_of(work))) return;
+    if (began.kind == TroubleKind::device) stop_leading(work);
+    show_trouble(work, sentence, began.kind);
+}
+
+void trouble_ended(VisitWork& work, TroubleKind kind) {
+    auto& known = work.house.troubles[static_cast<std::size_t>(kind)];
+    if (!known) return;
+    known.reset();
+    Visitor& visitor = work.visitor;
+    if (!is_visit_on(visit_of(work))) return;
+    const std::string told = words(work, "It works again.");
+    if (open_screen(work) != VisitScreen::trouble || visitor.trouble != kind) {
+        return say(work, told, SpeechPriority::hint);
+    }
+    visitor.over.reset();
+    visitor.error.clear();
+    say_return(work, told);
+}
+
+void opening_changed(VisitWork& work, Opening opening) {
+    if (work.house.opening == opening) return;
+    work.house.opening = opening;
+    if (is_visit_on(visit_of(work))) return end_visit(work, VisitScreen::closed);
+    work.visitor = new_visitor(work.house, work.world);
+}
+
+void staff_called_off(VisitWork& work) {
+    if (!work.house.is_staff_called) return;
+    work.house.is_staff_called = false;
+    order(work, CallStaff{false});
+    if (!is_visit_on(visit_of(work))) return;
+    say(work, words(work, "The staff know of your call."), SpeechPriority::hint);
+}
+
+/// One overload for each event.
+struct Take {
+    VisitWork& work;
+
+    void operator()(const Tick& tick) { pass_time(work, tick.now_s); }
+
+    void operator()(const KeyPressed& key) { press(work, key.role); }
+
+    void operator()(const SpeechKeyPressed& key) { press(work, key.key); }
+
+    void operator()(const DeadKeyPressed&) { press_dead_key(work); }
+
+    void operator()(const HandleSeen& handle) { follow_handle(work, handle); }
+
+    void operator()(const HeadphonesChanged& change) { headphones_changed(work, change.are_in); }
+
+    void operator()(const StickArriving&) {
+        work.visitor.has_stick = true;
+        work.visitor.is_stick_listed = false;
+        if (open_screen(work) == VisitScreen::stick) say_screen(work);
+    }
+
+    void operator()(const StickCame& came) { stick_came(work, came); }
+
+    void operator()(const StickGone& gone) { stick_gone(work, gone); }
+
+    void operator()(const PictureReady& ready) { take_ready(work, ready); }
+
+    void operator()(const PictureFailed& failed) { take_failed(work, failed); }
+
+    void operator()(const CameraChanged& change) { camera_changed(work, change.is_there); }
+
+    void operator()(const CameraCaptured&) { camera_captured(work); }
+
+    void operator()(const CameraFailed& failed) { camera_failed(work, failed.sentence); }
+
+    void operator()(const GuidanceEnded& ended) { guidance_ended(work, ended.has_arrived); }
+
+    void operator()(const TroubleBegan& began) { trouble_began(work, began); }
+
+    void operator()(const TroubleEnded& ended) { trouble_ended(work, ended.kind); }
+
+    void operator()(const OpeningChanged& change) { opening_changed(work, change.opening); }
+
+    void operator()(const StaffCalledOff&) { staff_called_off(work); }
+};
+
+bool is_waited_for(const Visitor& visitor) {
+    const VisitScreen screen = visitor.path.back().screen;
+    const bool is_listing =
+        screen == VisitScreen::stick && visitor.has_stick && !visitor.is_stick_listed;
+    return screen == VisitScreen::opening || is_listing;
+}
+
+bool wants_preview(const Visit& visit) {
+    return visit.visitor.path.back().screen == VisitScreen::camera && visit.house.has_camera;
+}
+
+/// What follows from the state alone, before what was said and done in it.
+VisitOrders changes(const Visit& before, const Visit& after) {
+    VisitOrders orders;
+    if (!(before.visitor.sound == after.visitor.sound)) orders.push_back(after.visitor.sound);
+    if (!(before.visitor.look == after.visitor.look)) orders.push_back(after.visitor.look);
+    if (!(before.visitor.feel == after.visitor.feel)) orders.push_back(after.visitor.feel);
+    if (wants_preview(before) != wants_preview(after)) {
+        orders.push_back(CameraPreview{wants_preview(after)});
+    }
+    return orders;
+}
+
+VisitStep finish(const Visit& before, VisitWork work) {
+    Visitor& visitor = work.visitor;
+    visitor.feel.is_force_wanted = visitor.felt.has_value();
+    if (!is_waited_for(visitor)) {
+        visitor.waiting.reset();
+    } else if (!visitor.waiting) {
+        const double now_s = work.house.now_s;
+        visitor.waiting = Waiting{now_s, now_s, now_s};
+    }
+    Visit after{std::move(work.house), std::move(visitor)};
+    VisitOrders orders = changes(before, after);
+    orders.insert(orders.end(), std::make_move_iterator(work.orders.begin()),
+                  std::make_move_iterator(work.orders.end()));
+    return {std::move(after), std::move(orders)};
+}
+
+}  // namespace
+
+VisitStep start_visit(const VisitWorld& world) {
+    Visit visit;
+    visit.visitor = new_visitor(visit.house, world);
+    const Visitor& visitor = visit.visitor;
+    return {visit, {visitor.sound, visitor.look, visitor.feel, CameraPreview{false}}};
+}
+
+VisitStep step(const Visit& visit, const VisitEvent& event, const VisitWorld& world) {
+    VisitWork work{visit.house, visit.visitor, world, {}};
+    std::visit(Take{work}, event);
+    return finish(visit, std::move(work));
+}
+
+bool is_visit_on(const Visit& visit) {
+    const VisitScreen screen = visit.visitor.path.back().screen;
+    return screen != VisitScreen::attract && screen != VisitScreen::goodbye &&
+           screen != VisitScreen::closed;
+}
+
+}  // namespace touchline

@@ -1,0 +1,54 @@
+// How a visit begins, and how nothing of it stays.
+#include "app/session/visit_work.h"
+
+#include <algorithm>
+
+namespace touchline {
+
+Visitor new_visitor(const House& house, const VisitWorld& world) {
+    Visitor visitor;
+    visitor.sound = world.rules.sound;
+    visitor.sound.language = std::min(visitor.sound.language, world.languages.size() - 1);
+    visitor.sound.volume = std::min(visitor.sound.volume, world.rules.volume_steps - 1);
+    visitor.look = world.rules.look;
+    visitor.feel.mode = static_cast<Mode>(world.settings.mode);
+    visitor.feel.firmness = std::min(world.rules.first_firmness, firmness_steps.size() - 1);
+    visitor.feel.is_level_automatic = world.settings.is_level_automatic;
+    visitor.feel.fixed_level = world.settings.fixed_level;
+    visitor.feel.gives_way = world.settings.gives_way;
+    visitor.detail = world.settings.detail;
+    visitor.active_s = house.now_s;
+    visitor.key_s = house.now_s;
+    visitor.entered_s = house.now_s;
+    if (house.opening != Opening::open) visitor.path = {Standing{VisitScreen::closed}};
+    return visitor;
+}
+
+void begin_visit(VisitWork& work) {
+    const Visitor before = work.visitor;
+    work.visitor = new_visitor(work.house, work.world);
+    // A stick that came while nobody was here is this visitor's.
+    work.visitor.has_stick = before.has_stick;
+    work.visitor.is_stick_listed = before.is_stick_listed;
+    work.visitor.stick_names = before.stick_names;
+    work.visitor.stick_note = before.stick_note;
+    work.visitor.path = {{VisitScreen::language, work.visitor.sound.language, 0}};
+    work.visitor.is_hint_due = true;
+    say_screen(work);
+}
+
+void end_visit(VisitWork& work, VisitScreen next) {
+    order(work, Hush{});
+    order(work, Guide{});
+    if (work.visitor.loading) order(work, CancelLoad{work.visitor.loading->order.request});
+    order(work, Wipe{});
+    order(work, GiveStickBack{});
+    const std::size_t language = work.visitor.sound.language;
+    work.visitor = new_visitor(work.house, work.world);
+    work.visitor.path = {Standing{next}};
+    // The last words are still in the visitor's language.
+    if (next == VisitScreen::goodbye) work.visitor.sound.language = language;
+    say_screen(work);
+}
+
+}  // namespace touchline

@@ -1,0 +1,138 @@
+// Everything that happens to a visit. Time comes in by Tick alone.
+// Threads: plain values.
+#pragma once
+
+#include "app/session/page_place.h"
+#include "app/session/screen_model.h"
+#include "app/session/visit_orders.h"
+#include "config/types/vec2.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace touchline {
+
+/// 20 times a second or oftener. `now_s` never goes back; any clock.
+struct Tick {
+    double now_s = 0.0;
+};
+
+struct KeyPressed {
+    KeyRole role = KeyRole::select;
+};
+
+/// Shortcuts of larger keypads; every one is also an item of a screen or another key.
+enum class SpeechKey : std::uint8_t { repeat, pause, slower, faster };
+
+struct SpeechKeyPressed {
+    SpeechKey key = SpeechKey::repeat;
+};
+
+/// A key without a meaning.
+struct DeadKeyPressed {};
+
+/// Where the handle is, as often as convenient (10 to 60 times a second).
+struct HandleSeen {
+    Position place_W;                 // of the map that is felt
+    std::optional<std::size_t> part;  // of PictureFacts::parts that it is on
+    bool has_moved = false;           // more than 2 mm since the last that said so
+    double speed_m_per_s = 0.0;
+};
+
+struct HeadphonesChanged {
+    bool are_in = false;
+};
+
+struct StickArriving {};  // it came and is being read
+
+/// `names`: cleaned for people, in its order. `sentence`: what is not shown; may be empty.
+struct StickCame {
+    std::vector<std::string> names;
+    std::string sentence;
+};
+
+/// Pulled out, or refused: then `sentence` says why. Known only now: what was read stays.
+struct StickGone {
+    std::string sentence;
+};
+
+/// A part of the picture that can be named and reached.
+struct PartFacts {
+    std::string name;            // in the language that was ordered; never empty
+    Position place_W;            // on it, of the map that is felt
+    int detail = 1;              // 1 ... 5
+    std::optional<int> outline;  // index in the map; none: a place without a line
+};
+
+struct PictureFacts {
+    std::string title;        // empty: nobody named it
+    std::string description;  // the way it is drawn, and an overview; may be empty
+    std::vector<PartFacts> parts;
+    PagePlace place = {1, 1, 1, 1};
+    int outline_count = 0;
+    std::string note;  // one sentence worth telling; may be empty
+};
+
+/// A second one for the same request is better than the first (labels found later).
+struct PictureReady {
+    std::uint64_t request = 0;
+    PictureFacts facts;
+};
+
+/// What was felt before stays. `sentence`: what, why and what to do.
+struct PictureFailed {
+    std::uint64_t request = 0;
+    std::string sentence;
+};
+
+struct CameraChanged {
+    bool is_there = false;
+};
+
+/// The picture is taken: the shutter's moment.
+struct CameraCaptured {};
+
+struct CameraFailed {
+    std::string sentence;
+};
+
+struct GuidanceEnded {
+    bool has_arrived = false;  // false: it was stopped, or nobody held the handle
+};
+
+enum class TroubleKind : std::uint8_t { device, sound, camera, stick };
+
+inline constexpr std::size_t trouble_count = 4;
+
+/// `sentence`: what, why and what to do. Again while it lasts: other words of it.
+struct TroubleBegan {
+    TroubleKind kind = TroubleKind::device;
+    std::string sentence;
+};
+
+struct TroubleEnded {
+    TroubleKind kind = TroubleKind::device;
+};
+
+/// What the house wants of the kiosk.
+enum class Opening : std::uint8_t { open, closed, maintenance };
+
+/// A visit that is under way ends, is wiped, and the visitor is told.
+struct OpeningChanged {
+    Opening opening = Opening::open;
+};
+
+/// Somebody came.
+struct StaffCalledOff {};
+
+using VisitEvent =
+    std::variant<Tick, KeyPressed, SpeechKeyPressed, DeadKeyPressed, HandleSeen, HeadphonesChanged,
+                 StickArriving, StickCame, StickGone, PictureReady, PictureFailed, CameraChanged,
+                 CameraCaptured, CameraFailed, GuidanceEnded, TroubleBegan, TroubleEnded,
+                 OpeningChanged, StaffCalledOff>;
+
+}  // namespace touchline

@@ -1,0 +1,205 @@
+// What the keys do, the same on every screen.
+#include "app/session/visit_work.h"
+
+#include <algorithm>
+#include <array>
+
+namespace touchline {
+namespace {
+
+struct RoleWords {
+    const char* name;
+    const char* use;
+};
+
+// In the order of KeyRole.
+constexpr std::array<RoleWords, key_role_count> roles{{
+    {"Up", "To the item before."},
+    {"Down", "To the next item."},
+    {"Back", "One screen back."},
+    {"Next", "Says it again. Twice, the whole screen."},
+    {"Select", "Takes the item."},
+    {"Help", "Explains the keys. Once more leaves."},
+    {"Louder", "Raises the volume."},
+    {"Softer", "Lowers the volume."},
+}};
+
+/// What every key does before anything else. True where that was all.
+bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
+    Visitor& visitor = work.visitor;
+    visitor.active_s = visitor.key_s = work.house.now_s;
+    visitor.pulled_s.reset();
+    visitor.is_hint_due = true;
+    const bool was_leading = stop_leading(work);
+    switch (open_screen(work)) {
+        case VisitScreen::attract:
+        case VisitScreen::goodbye:
+            cue(work, ScreenEvent::key_taken);
+            begin_visit(work);
+            return true;
+        case VisitScreen::closed:
+            cue(work, ScreenEvent::key_taken);
+            say_screen(work);
+            return true;
+        case VisitScreen::question:
+            visitor.over.reset();
+            cue(work, ScreenEvent::key_taken);
+            say_return(work, words(work, "You have more time."));
+            return true;
+        default:
+            break;
+    }
+    if (!was_leading || is_volume) return false;
+    cue(work, ScreenEvent::key_taken);
+    say(work, words(work, "Stopped."));
+    return true;
+}
+
+/// In help a key says what it is, and that is all.
+void explain(VisitWork& work, KeyRole role) {
+    Visitor& visitor = work.visitor;
+    visitor.helps = role == KeyRole::help ? visitor.helps + 1 : 0;
+    cue(work, ScreenEvent::key_taken);
+    if (visitor.helps < 2) {
+        const RoleWords& row = roles[static_cast<std::size_t>(role)];
+        std::string text = words(work, row.name);
+        add_sentence(text, words(work, row.use));
+        return say(work, text);
+    }
+    visitor.over.reset();
+    // A trouble that help went over is not forgotten.
+    const std::string error = visitor.error;
+    visitor.error.clear();
+    say_return(work, error);
+}
+
+void move(VisitWork& work, bool is_down) {
+    const auto moved = move_focus(screen_of(work), is_down);
+    if (!moved) {
+        cue(work, ScreenEvent::key_refused);
+        shake(work, HandlePattern::error);
+        return say_screen(work);
+    }
+    open_standing(work).focus = moved->focus;
+    cue(work, moved->has_wrapped ? ScreenEvent::list_end : ScreenEvent::key_taken);
+    shake(work, moved->has_wrapped ? HandlePattern::edge : HandlePattern::focus);
+    say_item(work);
+}
+
+void open_help(VisitWork& work) {
+    work.visitor.over = Standing{VisitScreen::help};
+    work.visitor.helps = 0;
+    cue(work, ScreenEvent::key_taken);
+    std::string first;
+    if (!work.visitor.sound.is_speech_on) {
+        work.visitor.sound.is_speech_on = true;
+        first = language_of(work).text("speech", "Speech is on.");
+    }
+    say_screen(work, first);
+}
+
+void close_trouble(VisitWork& work) {
+    work.visitor.over.reset();
+    work.visitor.error.clear();
+    cue(work, ScreenEvent::key_taken);
+    say_return(work);
+}
+
+/// One screen back; from choose the question whether to finish.
+void go_back(VisitWork& work) {
+    const VisitScreen screen = open_screen(work);
+    if (screen == VisitScreen::trouble) return close_trouble(work);
+    cue(work, ScreenEvent::key_taken);
+    if (screen == VisitScreen::opening) return cancel_loading(work);
+    if (screen == VisitScreen::choose) {
+        enter(work, VisitScreen::confirm, static_cast<int>(VisitItem::finish));
+        return say_screen(work);
+    }
+    if (screen == VisitScreen::language) return end_visit(work, VisitScreen::goodbye);
+    leave(work);
+    say_return(work);
+}
+
+/// Once: the last words. Twice: the whole screen.
+void repeat(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    cue(work, ScreenEvent::key_taken);
+    const int repeats = visitor.repeats + 1;
+    if (repeats == 1 && !visitor.caption.text.empty()) {
+        visitor.repeats = repeats;
+        order(work,
+              Utterance{visitor.caption.language, visitor.caption.text, SpeechPriority::text});
+        return;
+    }
+    visitor.repeats = 0;
+    say(work, spoken_screen(screen_of(work), language_of(work)));
+}
+
+void act(VisitWork& work, KeyRole role) {
+    switch (role) {
+        case KeyRole::up:
+            return move(work, false);
+        case KeyRole::down:
+            return move(work, true);
+        case KeyRole::back:
+            return go_back(work);
+        case KeyRole::next:
+            return repeat(work);
+        case KeyRole::select:
+            if (open_screen(work) == VisitScreen::trouble) return close_trouble(work);
+            return select(work);
+        case KeyRole::help:
+            return open_help(work);
+        case KeyRole::louder:
+            return change_volume(work, +1);
+        case KeyRole::softer:
+            return change_volume(work, -1);
+    }
+}
+
+}  // namespace
+
+void press(VisitWork& work, KeyRole role) {
+    order(work, Hush{});
+    work.visitor.dead_keys = 0;
+    if (role != KeyRole::next) work.visitor.repeats = 0;
+    const bool is_volume = role == KeyRole::louder || role == KeyRole::softer;
+    if (is_taken_at_once(work, is_volume)) return;
+    if (open_screen(work) == VisitScreen::help) return explain(work, role);
+    act(work, role);
+}
+
+void press(VisitWork& work, SpeechKey key) {
+    if (key == SpeechKey::repeat) return press(work, KeyRole::next);
+    if (key == SpeechKey::pause && is_visit_on(visit_of(work))) {
+        // Neither hushed nor stopped: the next one goes on with the same words.
+        work.visitor.active_s = work.visitor.key_s = work.house.now_s;
+        if (stop_leading(work)) order(work, Hush{});
+        if (work.visitor.over && work.visitor.over->screen == VisitScreen::question) {
+            work.visitor.over.reset();
+        }
+        cue(work, ScreenEvent::key_taken);
+        return order(work, HoldSpeech{});
+    }
+    order(work, Hush{});
+    work.visitor.dead_keys = 0;
+    if (is_taken_at_once(work, true)) return;
+    change_rate(work, key == SpeechKey::faster ? +1 : -1);
+}
+
+void press_dead_key(VisitWork& work) {
+    order(work, Hush{});
+    if (is_taken_at_once(work)) return;
+    cue(work, ScreenEvent::key_refused);
+    shake(work, HandlePattern::error);
+    work.visitor.repeats = 0;
+    work.visitor.helps = 0;
+    if (open_screen(work) == VisitScreen::help) {
+        return say(work, words(work, "This key has no use."));
+    }
+    if (++work.visitor.dead_keys < 3) return;
+    work.visitor.dead_keys = 0;
+    say(work, words(work, "This key has no use. Help explains the keys."));
+}
+
+}  // namespace touchline

@@ -1,0 +1,142 @@
+// Everything that a visit wants carried out, in the order given. All are idempotent values.
+// Threads: plain values.
+#pragma once
+
+#include "audio-cues/cues/cue.h"
+#include "audio-cues/cues/screen_event.h"
+#include "audio-cues/speech/speech_queue.h"
+#include "config/types/hand_state.h"
+#include "config/types/handle_pattern.h"
+#include "config/types/vec2.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace touchline {
+
+/// A named step of stiffness.
+struct FirmnessStep {
+    double stiffness_N_per_m;
+    std::string_view name;
+};
+
+/// Softest first. The firmest stays below the stability limit of a light hand at 1 kHz (733 N/m).
+inline constexpr std::array firmness_steps{
+    FirmnessStep{200.0, "very soft"}, FirmnessStep{350.0, "soft"}, FirmnessStep{500.0, "medium"},
+    FirmnessStep{700.0, "firm"}};
+
+/// Speech stops, but for safety messages. At every key.
+struct Hush {};
+
+/// The next one goes on speaking.
+struct HoldSpeech {};
+
+struct GiveCue {
+    ScreenEvent event = ScreenEvent::key_taken;
+};
+
+struct GivePattern {
+    HandlePattern pattern = HandlePattern::focus;
+};
+
+enum class PictureSource : std::uint8_t { practice, gallery, stick, camera };
+
+/// What of the picture fills the area: as vision/simplify/zoom.h has it.
+struct ZoomWanted {
+    double factor = 1.0;  // 1, 2 or 4
+    Position centre;      // W of the whole picture
+
+    friend bool operator==(const ZoomWanted&, const ZoomWanted&) = default;
+};
+
+/// Answered by PictureReady or PictureFailed of that request, unless another took its place.
+struct LoadPicture {
+    std::uint64_t request = 0;  // counts up
+    PictureSource source = PictureSource::practice;
+    std::size_t index = 0;  // practice: 0 circle, 1 square; gallery, stick: of the list; camera: 0
+    std::size_t language = 0;  // of VisitWorld::languages: title, description, parts
+    int page = 1;
+    int view = 1;
+    int detail = 3;  // 1 ... 5
+    ZoomWanted zoom;
+
+    friend bool operator==(const LoadPicture&, const LoadPicture&) = default;
+};
+
+/// What it would bring is no longer wanted; what is felt stays.
+struct CancelLoad {
+    std::uint64_t request = 0;
+};
+
+/// To the servo. The force is wanted while there is a picture to feel.
+struct Feel {
+    Mode mode = Mode::groove;
+    std::size_t firmness = 0;  // of firmness_steps
+    bool is_level_automatic = true;
+    int fixed_level = 0;
+    bool gives_way = false;
+    bool is_force_wanted = false;
+
+    friend bool operator==(const Feel&, const Feel&) = default;
+};
+
+/// outline: once around the outer line. to_place: takes the handle there. bring_back: to the
+/// nearest line. stop: at once; sent at every key while anything leads.
+enum class GuideKind : std::uint8_t { stop, outline, to_place, bring_back };
+
+/// Comes only after the announcement had its time. Its end: GuidanceEnded.
+struct Guide {
+    GuideKind kind = GuideKind::stop;
+    Position place_W;  // of to_place, of the map that is felt
+
+    friend bool operator==(const Guide&, const Guide&) = default;
+};
+
+struct CameraPreview {
+    bool is_on = false;
+};
+
+struct Capture {};
+
+struct GiveStickBack {};  // let go of it: no more reading
+
+/// The visit is over: picture, texts, file list and transcript are overwritten.
+struct Wipe {};
+
+/// All that a visitor chose to hear.
+struct SoundWanted {
+    std::size_t language = 0;  // of VisitWorld::languages
+    std::size_t volume = 0;    // step of the output that is heard
+    std::size_t rate = 3;      // of speech_rates_per_minute
+    CueAmount amount = CueAmount::cues;
+    bool is_mono = false;
+    bool is_speech_on = true;
+
+    friend bool operator==(const SoundWanted&, const SoundWanted&) = default;
+};
+
+/// All that a visitor chose of the screen.
+struct LookWanted {
+    std::size_t text_size = 0;  // 0 ... 3
+    std::size_t palette = 0;    // 0 ... 3
+    bool is_off = false;        // nothing is drawn: privacy
+
+    friend bool operator==(const LookWanted&, const LookWanted&) = default;
+};
+
+/// Until the next one.
+struct CallStaff {
+    bool is_wanted = true;
+};
+
+using VisitOrder = std::variant<Utterance, Hush, HoldSpeech, GiveCue, GivePattern, LoadPicture,
+                                CancelLoad, Feel, Guide, CameraPreview, Capture, GiveStickBack,
+                                Wipe, SoundWanted, LookWanted, CallStaff>;
+
+using VisitOrders = std::vector<VisitOrder>;
+
+}  // namespace touchline

@@ -1,0 +1,169 @@
+// The picture: how it is opened, opened again in another way, and told.
+#include "app/session/visit_work.h"
+#include "audio-cues/words/guidance_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchline {
+namespace {
+
+LoadPicture next_order(VisitWork& work, LoadPicture wanted) {
+    wanted.request = ++work.house.request;
+    wanted.language = work.visitor.sound.language;
+    return wanted;
+}
+
+void leave_opening(VisitWork& work) {
+    if (work.visitor.path.back().screen == VisitScreen::opening) leave(work);
+}
+
+/// Over an open help the visitor hears it when the keys are silent.
+void tell_news(VisitWork& work, const std::string& first) {
+    if (work.visitor.over) return say(work, first, SpeechPriority::hint);
+    say_return(work, first);
+}
+
+void arrive_at_picture(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    const bool is_practice = visitor.felt->order.source == PictureSource::practice;
+    go_to(work, is_practice ? VisitScreen::practice : VisitScreen::picture);
+    if (visitor.over) return say(work, told_picture(work), SpeechPriority::hint);
+    say_screen(work);
+}
+
+std::string told_change(const VisitWork& work, LoadReason reason) {
+    const KnownPicture& felt = *work.visitor.felt;
+    const Language& language = language_of(work);
+    switch (reason) {
+        case LoadReason::detail:
+            return language.counted("count", "{0} outline", "{0} outlines",
+                                    felt.facts.outline_count);
+        case LoadReason::zoom:
+            if (felt.order.zoom.factor <= 1.0) return words(work, "The whole picture.");
+            return words(work, "Enlarged {0} times: {1}.",
+                         {language.number(felt.order.zoom.factor, 0),
+                          words_of(place_of(felt.order.zoom.centre, CueArea{}), language)});
+        case LoadReason::other_view:
+        case LoadReason::other_picture:
+        case LoadReason::language:
+            break;
+    }
+    return told_picture(work);
+}
+
+}  // namespace
+
+std::string told_picture(const VisitWork& work) {
+    if (!work.visitor.felt) return {};
+    const SpokenScreen screen = screen_of(work);
+    std::string text = work.visitor.felt->facts.title;
+    add_sentence(text, screen.text);
+    return text;
+}
+
+std::string told_place(const VisitWork& work) {
+    const Visitor& visitor = work.visitor;
+    const Language& language = language_of(work);
+    const std::string place = words_of(place_of(visitor.handle.place_W, CueArea{}), language);
+    if (!visitor.felt || !visitor.handle.part ||
+        *visitor.handle.part >= visitor.felt->facts.parts.size()) {
+        return words(work, "On no line. In the picture: {0}.", {place});
+    }
+    return words(work, "On: {0}. In the picture: {1}.",
+                 {visitor.felt->facts.parts[*visitor.handle.part].name, place});
+}
+
+void open_picture(VisitWork& work, PictureSource source, std::size_t index,
+                  const std::string& name) {
+    LoadPicture wanted;
+    wanted.source = source;
+    wanted.index = index;
+    wanted.detail = work.visitor.detail;
+    work.visitor.loading = Loading{next_order(work, wanted), LoadReason::other_picture, name};
+    order(work, work.visitor.loading->order);
+    leave_opening(work);
+    enter(work, VisitScreen::opening);
+}
+
+void open_again(VisitWork& work, LoadPicture wanted, LoadReason reason) {
+    if (!work.visitor.felt) return;
+    work.visitor.loading =
+        Loading{next_order(work, wanted), reason, work.visitor.felt->facts.title};
+    order(work, work.visitor.loading->order);
+    if (reason == LoadReason::language) return;
+    while (work.visitor.path.back().screen != VisitScreen::picture) leave(work);
+    enter(work, VisitScreen::opening);
+}
+
+void cancel_loading(VisitWork& work) {
+    if (work.visitor.loading) order(work, CancelLoad{work.visitor.loading->order.request});
+    work.visitor.loading.reset();
+    work.visitor.is_capturing = false;
+    leave_opening(work);
+    say_return(work, words(work, "Cancelled."));
+}
+
+void take_ready(VisitWork& work, const PictureReady& ready) {
+    Visitor& visitor = work.visitor;
+    if (visitor.loading && visitor.loading->order.request == ready.request) {
+        const Loading done = *visitor.loading;
+        visitor.loading.reset();
+        visitor.felt = KnownPicture{done.order, ready.facts};
+        visitor.handle.part.reset();
+        visitor.part_said.reset();
+        if (done.reason == LoadReason::language) return;
+        cue(work, ScreenEvent::picture_ready);
+        leave_opening(work);
+        if (done.reason == LoadReason::other_picture) return arrive_at_picture(work);
+        return tell_news(work, told_change(work, done.reason));
+    }
+    if (!visitor.felt || visitor.felt->order.request != ready.request) return;
+    const std::size_t known = visitor.felt->facts.parts.size();
+    visitor.felt->facts = ready.facts;
+    if (ready.facts.parts.size() <= known) return;
+    cue(work, ScreenEvent::news);
+    say(work,
+        language_of(work).counted("visit", "{0} name was found in the picture.",
+                                  "{0} names were found in the picture.",
+                                  static_cast<int>(ready.facts.parts.size() - known)),
+        SpeechPriority::hint);
+}
+
+void take_failed(VisitWork& work, const PictureFailed& failed) {
+    Visitor& visitor = work.visitor;
+    if (!visitor.loading || visitor.loading->order.request != failed.request) return;
+    const LoadReason reason = visitor.loading->reason;
+    visitor.loading.reset();
+    leave_opening(work);
+    if (reason == LoadReason::language) return;
+    if (visitor.felt) visitor.detail = visitor.felt->order.detail;
+    const std::string sentence =
+        failed.sentence.empty()
+            ? words(work, "This picture cannot be opened. It may be damaged. Choose another one.")
+            : failed.sentence;
+    show_trouble(work, sentence, std::nullopt);
+}
+
+Position in_whole_picture(const VisitWork& work, Position place_W) {
+    if (!work.visitor.felt) return place_W;
+    const ZoomWanted& zoom = work.visitor.felt->order.zoom;
+    if (zoom.factor <= 1.0) return place_W;
+    return zoom.centre + (1.0 / zoom.factor) * place_W;
+}
+
+void zoom_around(VisitWork& work, Position place_W, double factor) {
+    LoadPicture wanted = work.visitor.felt->order;
+    wanted.zoom = {factor, factor > 1.0 ? in_whole_picture(work, place_W) : Position{}};
+    open_again(work, wanted, LoadReason::zoom);
+}
+
+void zoom_in_on_part(VisitWork& work, std::size_t part) {
+    constexpr double middle_m = 0.002;
+    const Position place_W = work.visitor.felt->facts.parts[part].place_W;
+    const ZoomWanted& zoom = work.visitor.felt->order.zoom;
+    const bool is_in_middle = zoom.factor > 1.0 && std::hypot(place_W.x, place_W.y) < middle_m;
+    zoom_around(work, place_W, is_in_middle ? 4.0 : 2.0);
+}
+
+}  // namespace touchline

@@ -1,0 +1,128 @@
+// The screens of a picture that is felt, in words.
+#include "app/session/visit_sheet.h"
+#include "audio-cues/words/guidance_words.h"
+
+namespace touchline {
+namespace {
+
+/// "Page 2 of 10. Picture 1 of 3 on it"; empty for what has one page and one picture.
+std::string told_page(const PagePlace& place, const Language& language) {
+    std::string text;
+    if (place.page_count > 1) {
+        add_sentence(text,
+                     language.text("page", "Page {0} of {1}",
+                                   {std::to_string(place.page), std::to_string(place.page_count)}));
+    }
+    if (place.view_count > 1) {
+        const bool is_whole = place.view >= place.view_count;
+        add_sentence(text, is_whole ? language.text("page", "The whole page")
+                                    : language.text("page", "Picture {0} of {1} on it",
+                                                    {std::to_string(place.view),
+                                                     std::to_string(place.view_count - 1)}));
+    }
+    return text;
+}
+
+std::string told_zoom(const VisitSheet& sheet) {
+    const ZoomWanted& zoom = sheet.visit.visitor.felt->order.zoom;
+    if (zoom.factor <= 1.0) return sheet.words("whole picture");
+    return sheet.language.text("visit", "{0} times, {1}",
+                               {sheet.language.number(zoom.factor, 0),
+                                words_of(place_of(zoom.centre, CueArea{}), sheet.language)});
+}
+
+void put_told(VisitSheet& sheet) {
+    const PictureFacts& facts = sheet.visit.visitor.felt->facts;
+    sheet.told(facts.description);
+    sheet.told(sheet.language.counted("count", "{0} outline", "{0} outlines", facts.outline_count));
+    sheet.told(told_page(facts.place, sheet.language));
+    sheet.told(facts.note);
+}
+
+}  // namespace
+
+std::string picture_title(const VisitSheet& sheet) {
+    const std::string& title = sheet.visit.visitor.felt->facts.title;
+    return title.empty() ? sheet.words("A picture without a name") : title;
+}
+
+void put_picture(VisitSheet& sheet) {
+    const PictureFacts& facts = sheet.visit.visitor.felt->facts;
+    sheet.screen.title = picture_title(sheet);
+    put_told(sheet);
+    if (facts.outline_count > 0) {
+        sheet.item(VisitItem::lead_round, "Lead me round", {},
+                   "Select leads you round the outer line. Or move freely.");
+    }
+    if (!facts.parts.empty()) {
+        sheet.item(VisitItem::parts, "Parts",
+                   sheet.language.number(static_cast<double>(facts.parts.size()), 0),
+                   "Each takes your hand there.");
+    }
+    sheet.item(VisitItem::explore, "Explore freely", {}, "Parts say their names.");
+    if (facts.outline_count > 0) {
+        sheet.item(VisitItem::bring_back, "Bring me back to a line");
+    }
+    sheet.item(VisitItem::tell_again, "Tell me again");
+    sheet.setting(VisitItem::detail);
+    sheet.item(VisitItem::zoom, "Zoom", told_zoom(sheet));
+    sheet.setting(VisitItem::mode);
+    sheet.setting(VisitItem::firmness);
+    const std::string page = told_page(facts.place, sheet.language);
+    if (!page.empty()) sheet.item(VisitItem::pages, "Pages", page);
+    sheet.item(VisitItem::another_picture, "Another picture");
+    sheet.back();
+}
+
+void put_parts(VisitSheet& sheet) {
+    sheet.title("Parts");
+    sheet.sentence("Select takes your hand there.");
+    std::vector<ListRow> rows;
+    for (const PartFacts& part : sheet.visit.visitor.felt->facts.parts) {
+        rows.push_back(
+            {rows.size(), part.name, words_of(place_of(part.place_W, CueArea{}), sheet.language)});
+    }
+    sheet.list(rows, "Select takes your hand there.");
+    sheet.back();
+}
+
+void put_explore(VisitSheet& sheet) {
+    sheet.title("Explore freely");
+    sheet.sentence("Rest on a line to hear its name.");
+    sheet.item(VisitItem::where_am_i, "Where am I?");
+    if (sheet.visit.visitor.felt->facts.outline_count > 0) {
+        sheet.item(VisitItem::bring_back, "Bring me back to a line");
+    }
+    sheet.back();
+}
+
+void put_zoom(VisitSheet& sheet) {
+    const bool is_zoomed = sheet.visit.visitor.felt->order.zoom.factor > 1.0;
+    sheet.title("Zoom");
+    sheet.told(told_zoom(sheet));
+    if (is_zoomed) sheet.item(VisitItem::whole_picture, "The whole picture");
+    sheet.item(VisitItem::twice_here, "Twice as large, around your hand");
+    sheet.item(VisitItem::four_times_here, "Four times as large, around your hand");
+    std::vector<ListRow> rows;
+    for (const PartFacts& part : sheet.visit.visitor.felt->facts.parts) {
+        rows.push_back({rows.size(), part.name, sheet.words("enlarged")});
+    }
+    sheet.list(rows, "Select enlarges it twice, then four times.");
+    sheet.back();
+}
+
+void put_pages(VisitSheet& sheet) {
+    const PagePlace& place = sheet.visit.visitor.felt->facts.place;
+    sheet.title("Pages");
+    sheet.told(told_page(place, sheet.language));
+    if (place.view + 1 < place.view_count) {
+        sheet.item(VisitItem::next_view, "Next picture of the page");
+    }
+    if (place.view + 1 == place.view_count) sheet.item(VisitItem::next_view, "The whole page");
+    if (place.view > 1) sheet.item(VisitItem::view_before, "The picture before");
+    if (place.page < place.page_count) sheet.item(VisitItem::next_page, "Next page");
+    if (place.page > 1) sheet.item(VisitItem::page_before, "The page before");
+    sheet.back();
+}
+
+}  // namespace touchline

@@ -1,0 +1,95 @@
+#include "app/session/visit_sheet.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace touchline {
+namespace {
+
+constexpr const char* choice_hint = "Select takes it. Up and Down go to others.";
+constexpr const char* setting_hint = "Select offers its values.";
+constexpr const char* toggle_hint = "Select changes it.";
+
+}  // namespace
+
+std::string VisitSheet::words(const char* english) const {
+    return language.text("visit", english);
+}
+
+void VisitSheet::title(const char* english) {
+    screen.title = words(english);
+}
+
+void VisitSheet::sentence(const char* english) {
+    told(words(english));
+}
+
+void VisitSheet::told(const std::string& text) {
+    add_sentence(screen.text, text);
+}
+
+void VisitSheet::item(VisitItem item, const char* english, const std::string& value,
+                      const char* hint) {
+    screen.items.push_back({static_cast<int>(item), ItemRole::choice, words(english), value,
+                            words(hint != nullptr ? hint : choice_hint)});
+}
+
+void VisitSheet::toggle(VisitItem item, const char* english, bool is_on, const char* hint) {
+    screen.items.push_back({static_cast<int>(item), ItemRole::toggle, words(english),
+                            words(is_on ? "on" : "off"),
+                            words(hint != nullptr ? hint : toggle_hint)});
+}
+
+void VisitSheet::setting(VisitItem item) {
+    const ValueList list = values_of(visit, world, item);
+    const std::string value = list.names[std::min(list.chosen, list.names.size() - 1)];
+    screen.items.push_back({static_cast<int>(item), ItemRole::setting, name_of(item, language),
+                            value, words(setting_hint)});
+}
+
+void VisitSheet::row(std::size_t number, const std::string& name, const std::string& value) {
+    screen.items.push_back({static_cast<int>(VisitItem::entry) + static_cast<int>(number),
+                            ItemRole::choice, name, value, words(choice_hint)});
+}
+
+void VisitSheet::list(const std::vector<ListRow>& rows, const char* hint) {
+    constexpr std::size_t page = list_page;
+    const auto wanted = static_cast<std::size_t>(std::max(visit.visitor.path.back().about, 0));
+    const std::size_t first = rows.empty() ? 0 : std::min(wanted, (rows.size() - 1) / page * page);
+    const std::size_t end = std::min(first + page, rows.size());
+    if (rows.size() > page) {
+        told(language.text(
+            "page", "Page {0} of {1}",
+            {std::to_string(first / page + 1), std::to_string((rows.size() + page - 1) / page)}));
+    }
+    for (std::size_t i = first; i < end; ++i) {
+        row(rows[i].number, rows[i].name, rows[i].value);
+        screen.items.back().hint = words(hint);
+    }
+    if (end < rows.size()) item(VisitItem::next_ten, "The next ten");
+    if (first > 0) item(VisitItem::ten_before, "The ten before");
+}
+
+void VisitSheet::back(const char* english) {
+    item(VisitItem::back, english);
+}
+
+const std::vector<GalleryTitle>& gallery_of(const VisitSheet& sheet) {
+    static const std::vector<GalleryTitle> none;
+    if (sheet.world.gallery.empty()) return none;
+    const std::size_t last = sheet.world.gallery.size() - 1;
+    return sheet.world.gallery[std::min(sheet.visit.visitor.sound.language, last)];
+}
+
+std::vector<std::size_t> gallery_order(const VisitSheet& sheet) {
+    constexpr int ungraded = 6;
+    const auto& gallery = gallery_of(sheet);
+    std::vector<std::size_t> numbers(gallery.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    std::stable_sort(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
+        return gallery[a].difficulty.value_or(ungraded) < gallery[b].difficulty.value_or(ungraded);
+    });
+    return numbers;
+}
+
+}  // namespace touchline

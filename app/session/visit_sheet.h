@@ -1,0 +1,55 @@
+// A screen while it is being written: shared by visit_screens.cpp and visit_sheet.cpp. Not for
+// others. Threads: values; one call's.
+#pragma once
+
+#include "app/session/visit_work.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+struct ListRow {
+    std::size_t number = 0;  // what it stands for
+    std::string name;
+    std::string value;
+};
+
+/// English texts are of the context "visit".
+struct VisitSheet {
+    const Visit& visit;
+    const VisitWorld& world;
+    const Language& language;
+    SpokenScreen screen;
+
+    [[nodiscard]] std::string words(const char* english) const;
+    void title(const char* english);
+    void sentence(const char* english);
+
+    /// In the visitor's language already.
+    void told(const std::string& text);
+    void item(VisitItem item, const char* english, const std::string& value = {},
+              const char* hint = nullptr);
+    void toggle(VisitItem item, const char* english, bool is_on, const char* hint = nullptr);
+    void setting(VisitItem item);
+    void row(std::size_t number, const std::string& name, const std::string& value = {});
+
+    /// The page of ten that Standing::about begins, and what leads to the others.
+    void list(const std::vector<ListRow>& rows, const char* hint);
+    void back(const char* english = "Back");
+};
+
+[[nodiscard]] const std::vector<GalleryTitle>& gallery_of(const VisitSheet& sheet);
+
+/// The easiest first; what nobody graded, last.
+[[nodiscard]] std::vector<std::size_t> gallery_order(const VisitSheet& sheet);
+[[nodiscard]] std::string picture_title(const VisitSheet& sheet);
+
+void put_picture(VisitSheet& sheet);
+void put_parts(VisitSheet& sheet);
+void put_explore(VisitSheet& sheet);
+void put_zoom(VisitSheet& sheet);
+void put_pages(VisitSheet& sheet);
+
+}  // namespace touchline

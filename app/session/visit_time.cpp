@@ -1,0 +1,129 @@
+// What the clock alone brings.
+#include "app/session/visit_work.h"
+
+#include <algorithm>
+
+namespace touchline {
+namespace {
+
+void ask(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    visitor.over = Standing{VisitScreen::question};
+    visitor.question_s = work.house.now_s;
+    visitor.attention_s = work.house.now_s;
+    visitor.pulled_s.reset();
+    cue(work, ScreenEvent::time_out);
+    shake(work, HandlePattern::time_out);
+    say_screen(work);
+}
+
+/// Who waits for work, or is led, is there.
+bool is_busy(const VisitWork& work) {
+    const Visitor& visitor = work.visitor;
+    const double now_s = work.house.now_s;
+    if (visitor.waiting && now_s - visitor.waiting->since_s < longest_lead_s) return true;
+    return visitor.leading && now_s - visitor.leading->begin_s < longest_lead_s;
+}
+
+void mind_presence(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    const double now_s = work.house.now_s;
+    if (open_screen(work) == VisitScreen::question) {
+        if (now_s - visitor.question_s >= std::max(work.world.rules.answer_s, 30.0)) {
+            return end_visit(work, VisitScreen::goodbye);
+        }
+        if (now_s - visitor.attention_s >= attention_every_s) {
+            visitor.attention_s = now_s;
+            cue(work, ScreenEvent::time_out);
+            shake(work, HandlePattern::time_out);
+        }
+        return;
+    }
+    if (visitor.pulled_s && now_s - *visitor.pulled_s >= private_s) return ask(work);
+    if (is_busy(work)) visitor.active_s = now_s;
+    const double quiet_s = std::clamp(work.world.rules.quiet_s, 30.0, 1800.0);
+    if (now_s - visitor.active_s >= quiet_s) ask(work);
+}
+
+void tell_progress(VisitWork& work) {
+    if (!work.visitor.waiting) return;
+    Waiting& waiting = *work.visitor.waiting;
+    const double now_s = work.house.now_s;
+    if (now_s - waiting.since_s < progress_after_s) return;
+    if (now_s - waiting.last_cue_s >= 1.0 || waiting.last_cue_s == waiting.since_s) {
+        waiting.last_cue_s = now_s;
+        cue(work, ScreenEvent::progress);
+    }
+    if (now_s - waiting.since_s < progress_said_after_s) return;
+    if (now_s - waiting.last_said_s < progress_said_every_s &&
+        waiting.last_said_s != waiting.since_s) {
+        return;
+    }
+    waiting.last_said_s = now_s;
+    const SpokenScreen screen = screen_of(work);
+    std::string text = screen.title;
+    add_sentence(text, screen.text);
+    say(work, text, SpeechPriority::hint);
+}
+
+void give_hint(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    const double still_since_s = std::max(visitor.key_s, visitor.entered_s);
+    if (!visitor.is_hint_due || work.house.now_s - still_since_s < hint_after_s) return;
+    visitor.is_hint_due = false;
+    if (open_screen(work) == VisitScreen::language) {
+        for (const Language& language : work.world.languages) {
+            say_in(work, language, language.name(), SpeechPriority::hint);
+        }
+        return;
+    }
+    const SpokenScreen screen = screen_of(work);
+    if (screen.focus) say(work, screen.items[*screen.focus].hint, SpeechPriority::hint);
+}
+
+void begin_leading(VisitWork& work) {
+    auto& leading = work.visitor.leading;
+    if (!leading || leading->has_begun || work.house.now_s < leading->begin_s) return;
+    leading->has_begun = true;
+    order(work, leading->guide);
+}
+
+void mind_practice(VisitWork& work) {
+    Standing& open = work.visitor.path.back();
+    const bool is_told = open.about != 0;
+    if (open.screen != VisitScreen::practice || is_told) return;
+    if (work.house.now_s - work.visitor.entered_s < practice_s) return;
+    open.about = 1;
+    say(work, words(work, "This is enough for practice. Back leads to the pictures."),
+        SpeechPriority::hint);
+}
+
+/// Nobody hears that there is no sound: the handle says so, again and again.
+void ask_for_attention(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    const bool is_mute =
+        open_screen(work) == VisitScreen::trouble && visitor.trouble == TroubleKind::sound;
+    if (!is_mute || work.house.now_s - visitor.attention_s < attention_every_s) return;
+    visitor.attention_s = work.house.now_s;
+    shake(work, HandlePattern::error);
+}
+
+}  // namespace
+
+void pass_time(VisitWork& work, double now_s) {
+    work.house.now_s = std::max(work.house.now_s, now_s);
+    const VisitScreen screen = open_screen(work);
+    if (screen == VisitScreen::goodbye && work.house.now_s - work.visitor.entered_s >= goodbye_s) {
+        work.visitor = new_visitor(work.house, work.world);
+    }
+    if (!is_visit_on(visit_of(work))) return;
+    begin_leading(work);
+    tell_progress(work);
+    give_hint(work);
+    name_part(work);
+    mind_practice(work);
+    ask_for_attention(work);
+    mind_presence(work);
+}
+
+}  // namespace touchline

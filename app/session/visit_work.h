@@ -1,0 +1,150 @@
+// A step while it is being made: the parts of visit.h share it. Not for others.
+// Threads: values; one step's.
+#pragma once
+
+#include "app/session/visit.h"
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace touchline {
+
+struct VisitWork {
+    House house;
+    Visitor visitor;
+    const VisitWorld& world;
+    VisitOrders orders;
+};
+
+/// In the visitor's language.
+[[nodiscard]] const Language& language_of(const VisitWork& work);
+
+[[nodiscard]] Visit visit_of(const VisitWork& work);
+[[nodiscard]] VisitScreen open_screen(const VisitWork& work);
+
+/// The screen that has the keys.
+[[nodiscard]] Standing& open_standing(VisitWork& work);
+[[nodiscard]] SpokenScreen screen_of(const VisitWork& work);
+
+void order(VisitWork& work, VisitOrder order);
+void cue(VisitWork& work, ScreenEvent event);
+void shake(VisitWork& work, HandlePattern pattern);
+
+/// Becomes the caption. Nothing for an empty text.
+void say(VisitWork& work, const std::string& text, SpeechPriority priority = SpeechPriority::text);
+void say_in(VisitWork& work, const Language& language, const std::string& text,
+            SpeechPriority priority = SpeechPriority::text);
+
+/// A text of the context "visit" in the visitor's language.
+[[nodiscard]] std::string words(const VisitWork& work, const std::string& english,
+                                std::initializer_list<std::string_view> values = {});
+void add_sentence(std::string& text, const std::string& sentence);
+
+// Going about (visit_path.cpp). What is said begins with `first` where that is not empty.
+
+/// The open screen: title, text, focused item.
+void say_screen(VisitWork& work, const std::string& first = {});
+
+/// Title and focused item: who comes back knows the rest.
+void say_return(VisitWork& work, const std::string& first = {});
+
+/// The item that has the focus, in its own language.
+void say_item(VisitWork& work, const std::string& first = {});
+
+void enter(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus = 0);
+void leave(VisitWork& work);
+
+/// Straight to `screen`, one below choose.
+void go_to(VisitWork& work, VisitScreen screen);
+
+/// The focus on the item, where the open screen has it.
+void focus_on(VisitWork& work, VisitItem item);
+
+/// What went wrong, over all else; `trouble`: what it is about.
+void show_trouble(VisitWork& work, const std::string& sentence, std::optional<TroubleKind> trouble);
+
+// Beginning and end (visit_ends.cpp).
+
+void begin_visit(VisitWork& work);
+
+/// Everything of the visitor is wiped; then `next` is said.
+void end_visit(VisitWork& work, VisitScreen next);
+
+/// What every visit begins with.
+[[nodiscard]] Visitor new_visitor(const House& house, const VisitWorld& world);
+
+// The picture (visit_picture.cpp).
+
+void open_picture(VisitWork& work, PictureSource source, std::size_t index,
+                  const std::string& name);
+void open_again(VisitWork& work, LoadPicture wanted, LoadReason reason);
+void cancel_loading(VisitWork& work);
+void take_ready(VisitWork& work, const PictureReady& ready);
+void take_failed(VisitWork& work, const PictureFailed& failed);
+
+/// Title, the way it is drawn, overview, parts.
+[[nodiscard]] std::string told_picture(const VisitWork& work);
+
+/// W of the whole picture, for a place of what is felt.
+[[nodiscard]] Position in_whole_picture(const VisitWork& work, Position place_W);
+
+/// Twice around it, or four times where it is in the middle already.
+void zoom_around(VisitWork& work, Position place_W, double factor);
+void zoom_in_on_part(VisitWork& work, std::size_t part);
+
+/// "On the tail, upper right."
+[[nodiscard]] std::string told_place(const VisitWork& work);
+
+// Leading (visit_leading.cpp).
+
+/// Announces; begins when that could be heard (HA-1).
+void lead(VisitWork& work, const Guide& guide, const std::string& announcement);
+
+/// Any key. True if anything was under way.
+bool stop_leading(VisitWork& work);
+
+void follow_handle(VisitWork& work, const HandleSeen& handle);
+
+/// The name of the part that the hand rests on.
+void name_part(VisitWork& work);
+
+// Settings (visit_settings.cpp).
+
+struct ValueList {
+    std::vector<std::string> names;
+    std::size_t chosen = 0;
+};
+
+/// Of a setting: its values in the order of the screen.
+[[nodiscard]] ValueList values_of(const Visit& visit, const VisitWorld& world, VisitItem setting);
+[[nodiscard]] std::string name_of(VisitItem setting, const Language& language);
+
+/// `value` of values_of().
+void choose_value(VisitWork& work, VisitItem setting, std::size_t value);
+void change_volume(VisitWork& work, int change);
+void change_rate(VisitWork& work, int change);
+void reset_settings(VisitWork& work);
+
+// Keys (visit_keys.cpp, visit_select.cpp) and time (visit_time.cpp).
+
+void press(VisitWork& work, KeyRole role);
+void press(VisitWork& work, SpeechKey key);
+void press_dead_key(VisitWork& work);
+void select(VisitWork& work);
+void pass_time(VisitWork& work, double now_s);
+
+inline constexpr int list_page = 10;  // rows of a list on a screen
+inline constexpr double hint_after_s = 1.5;
+inline constexpr double progress_after_s = 0.3;
+inline constexpr double progress_said_after_s = 2.0;
+inline constexpr double progress_said_every_s = 4.5;
+inline constexpr double private_s = 10.0;  // headphones pulled: then the question is asked
+inline constexpr double goodbye_s = 10.0;
+inline constexpr double practice_s = 60.0;
+inline constexpr double longest_lead_s = 300.0;  // counts as presence no longer
+inline constexpr double dwell_s = 0.4;
+inline constexpr double quick_m_per_s = 0.08;  // nothing is named while the hand is faster
+inline constexpr double attention_every_s = 5.0;
+
+}  // namespace touchline
