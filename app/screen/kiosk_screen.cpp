@@ -79,7 +79,7 @@ void KioskScreen::update_picture(const ShownScene& shown) {
     const Area area = shown.scene ? shown.scene->area : Area{};
     const View local = view_of(area, at_origin(layout_.picture));
     const Canvas canvas = canvas_for(layout_.picture);
-    fill(canvas.context(), at_origin(layout_.picture), {theme::background});
+    fill(canvas.context(), at_origin(layout_.picture), {white_on_black.background});
     if (shown.picture) paint_picture(canvas.context(), local, area, *shown.picture);
     paint_frame(canvas.context(), area_rect(area, local), unit_px());
     upload(picture_, canvas, layout_.picture);

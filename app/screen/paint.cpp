@@ -31,7 +31,7 @@ void fill(cairo_t* cr, const Rect& rect, const Paint& paint) {
 }
 
 void paint_frame(cairo_t* cr, const Rect& rect, double width_px) {
-    set_pen(cr, width_px, {theme::frame});
+    set_pen(cr, width_px, {white_on_black.frame});
     cairo_rectangle(cr, rect.x, rect.y, rect.width, rect.height);
     cairo_stroke(cr);
 }
@@ -45,7 +45,7 @@ void paint_picture(cairo_t* cr, const View& view, const Area& area, const Canvas
     cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_GOOD);
     cairo_rectangle(cr, 0.0, 0.0, picture.width(), picture.height());
     cairo_clip(cr);
-    cairo_paint_with_alpha(cr, theme::picture_alpha);
+    cairo_paint_with_alpha(cr, white_on_black.picture_alpha);
     cairo_restore(cr);
 }
 
@@ -76,7 +76,7 @@ void paint_forces(cairo_t* cr, const View& view, std::span<const ForceMark> mark
         if (!(norm(mark.force) >= least_N) || !is_finite(mark.at)) continue;
         const PixelPoint from = view.to_px(mark.at);
         const PixelPoint reach{px_per_N * mark.force.x, -px_per_N * mark.force.y};
-        paint_arrow(cr, from, from + reach, width_px, {theme::force});
+        paint_arrow(cr, from, from + reach, width_px, {white_on_black.force});
     }
 }
 
