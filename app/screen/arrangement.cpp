@@ -13,7 +13,9 @@ namespace {
 constexpr double least_picture_px = 160.0;  // a stamp
 constexpr double least_sheet_caps = 12.0;   // wide: a short word and the pointer
 constexpr double least_sheet_rows = 3.2;    // high: one of text, one of an item with its frame
+constexpr double good_sheet_caps = 16.0;    // and a long word, where the picture can spare it
 constexpr double sheet_share_beside = 0.36;
+constexpr double most_share_beside = 0.55;
 constexpr double sheet_share_below = 0.40;
 
 /// Pixels that a metre of the drawing area gets; 0 where it is too small to be of use.
@@ -28,8 +30,9 @@ struct Parts {
 };
 
 Parts beside(const Rect& rect, const TextSizes& sizes) {
-    const double width =
-        std::round(std::max(sheet_share_beside * rect.width, least_sheet_caps * sizes.cap_px));
+    const double good_px = std::min(good_sheet_caps * sizes.cap_px, most_share_beside * rect.width);
+    const double width = std::round(
+        std::max({sheet_share_beside * rect.width, least_sheet_caps * sizes.cap_px, good_px}));
     const double split = rect.width - width;
     return {{0.0, 0.0, split, rect.height}, {split, 0.0, width, rect.height}};
 }

@@ -33,6 +33,7 @@ void paint_sound_shape(cairo_t* cr, PixelPoint left, double cap_px, Colour colou
 std::vector<SheetPage> pages_of_caption(cairo_t* cr, const std::string& caption,
                                         const CaptionLayout& layout) {
     RowBlock block;
+    block.is_running = true;
     for (std::string& line : broken_lines(cr, layout.text.width, {layout.sizes.cap_px}, caption))
         block.rows.push_back({Phrase{0.0, 0.0, std::move(line)}});
     constexpr double rounding = 1e-6;

@@ -15,7 +15,8 @@ class PageFiller {
     void add(const RowBlock& block) {
         if (block.rows.empty()) return;
         const double gap_px = is_empty() ? 0.0 : metrics_.gap_px;
-        if (!fits(gap_px, block.rows.size()) && !is_empty()) turn();
+        const std::size_t together = block.is_running ? 1 : block.rows.size();
+        if (!fits(gap_px, together) && !is_empty()) turn();
         if (!is_empty()) top_px_ += gap_px;
         for (std::size_t first = 0; first < block.rows.size();) {
             if (first > 0) turn();

@@ -32,10 +32,13 @@ struct Phrase {
 
 using PhraseRow = std::vector<Phrase>;
 
-/// Rows that belong together: they part only where a page of their own has no room for all.
+/// Rows that belong together.
 struct RowBlock {
     std::vector<PhraseRow> rows;
     std::optional<std::size_t> item;  // of the screen
+    /// Running text fills what is left of a page. Otherwise the rows part only where a page of
+    /// their own has no room for all.
+    bool is_running = false;
 };
 
 struct PageMetrics {

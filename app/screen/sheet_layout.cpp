@@ -12,8 +12,8 @@ constexpr double widest_caps = 50.0;  // longer lines are hard to follow
 constexpr double margin_caps = 0.5;
 constexpr double gap_caps = 0.5;  // between title and text, text and list
 constexpr double item_gap_caps = 0.1;
-constexpr double item_inset_caps = 0.4;  // room of the frame of the focus
-constexpr double pointer_caps = 1.2;     // and of its pointer
+constexpr double item_inset_caps = 0.25;  // room of the frame of the focus
+constexpr double pointer_caps = 1.2;      // and of its pointer
 
 std::vector<PhraseRow> rows_of(cairo_t* cr, double width_px, LineStyle style,
                                const std::string& text) {
@@ -76,8 +76,8 @@ std::vector<RowBlock> blocks_of_list(cairo_t* cr, const SpokenScreen& screen, do
 
 std::vector<RowBlock> blocks_of_text(cairo_t* cr, const SpokenScreen& screen, double width_px,
                                      double cap_px) {
-    return {{rows_of(cr, width_px, {cap_px, true}, screen.title), {}},
-            {rows_of(cr, width_px, {cap_px, false}, screen.text), {}}};
+    return {{rows_of(cr, width_px, {cap_px, true}, screen.title), {}, true},
+            {rows_of(cr, width_px, {cap_px, false}, screen.text), {}, true}};
 }
 
 double height_of(const std::vector<RowBlock>& blocks, const PageMetrics& metrics) {
