@@ -10,12 +10,13 @@ namespace touchline {
 namespace {
 
 /// Copies row by row: Cairo's pixels are B, G, R and one byte more (little endian).
-void copy_rows(const Picture& picture, cairo_surface_t* surface) {
+void copy_rows(const std::uint8_t* bgr, std::size_t bgr_stride, cairo_surface_t* surface) {
     unsigned char* const pixels = cairo_image_surface_get_data(surface);
     const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
-    const auto width = static_cast<std::size_t>(picture.width);
-    for (std::size_t y = 0; y < static_cast<std::size_t>(picture.height); ++y) {
-        const std::uint8_t* from = picture.bgr.data() + 3 * y * width;
+    const auto width = static_cast<std::size_t>(cairo_image_surface_get_width(surface));
+    const auto height = static_cast<std::size_t>(cairo_image_surface_get_height(surface));
+    for (std::size_t y = 0; y < height; ++y) {
+        const std::uint8_t* from = bgr + y * bgr_stride;
         unsigned char* to = pixels + y * stride;
         for (std::size_t x = 0; x < width; ++x, from += 3, to += 4) {
             std::memcpy(to, from, 3);
@@ -49,8 +50,8 @@ int Canvas::stride() const {
 }
 
 Canvas canvas_of(const Picture& picture, int longest_px) {
-    Canvas whole(picture.width, picture.height);
-    copy_rows(picture, whole.surface());
+    Canvas whole = canvas_of_frame(picture.bgr, picture.width, picture.height,
+                                   3 * static_cast<std::size_t>(picture.width));
     const double scale = static_cast<double>(longest_px) / std::max(picture.width, picture.height);
     if (scale >= 1.0) return whole;
     const auto scaled = [scale](int size) {
@@ -65,6 +66,13 @@ Canvas canvas_of(const Picture& picture, int longest_px) {
     cairo_pattern_set_extend(cairo_get_source(cr), CAIRO_EXTEND_PAD);
     cairo_paint(cr);
     return small;
+}
+
+Canvas canvas_of_frame(std::span<const std::uint8_t> bgr, int width, int height,
+                       std::size_t stride) {
+    Canvas canvas(width, height);
+    copy_rows(bgr.data(), stride, canvas.surface());
+    return canvas;
 }
 
 Picture picture_of(const Canvas& canvas) {

@@ -4,7 +4,10 @@
 
 #include "app/decode/picture.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 
 #include <cairo.h>
 
@@ -40,6 +43,11 @@ class Canvas {
 
 /// The picture with its longer side at most `longest_px`: what the screen can show of it.
 [[nodiscard]] Canvas canvas_of(const Picture& picture, int longest_px);
+
+/// A frame of the camera as it comes: rows of B, G, R bytes from the top, `stride` bytes apart;
+/// `bgr` holds them all. Sizes as of Canvas.
+[[nodiscard]] Canvas canvas_of_frame(std::span<const std::uint8_t> bgr, int width, int height,
+                                     std::size_t stride);
 
 /// The canvas over black.
 [[nodiscard]] Picture picture_of(const Canvas& canvas);

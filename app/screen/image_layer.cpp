@@ -30,6 +30,7 @@ void main() {
 }  // namespace
 
 void ImageLayer::upload(const Canvas& canvas, int x, int y, int screen_width, int screen_height) {
+    is_filled_ = true;
     glBindTexture(GL_TEXTURE_2D, texture_.get());
     // Cairo's order of channels, kept by the driver, so that nothing has to be rearranged.
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, canvas.width(), canvas.height(), 0, GL_BGRA,

@@ -14,18 +14,24 @@ class ImageLayer {
     /// Shows `canvas` with its upper left corner at (x, y) of a screen of this size (px).
     void upload(const Canvas& canvas, int x, int y, int screen_width, int screen_height);
 
+    /// Shows nothing any more.
+    void clear() { is_filled_ = false; }
+
+    [[nodiscard]] bool is_filled() const { return is_filled_; }
+
   private:
     friend class ImageRenderer;
 
     GlTexture texture_;
     GlBuffer corners_;
+    bool is_filled_ = false;
 };
 
 class ImageRenderer {
   public:
     [[nodiscard]] static Result<ImageRenderer> make();
 
-    /// Over what is there. The layer must have been uploaded.
+    /// Over what is there. The layer must be filled.
     void draw(const ImageLayer& layer) const;
 
   private:

@@ -1,11 +1,8 @@
 #include "app/screen/kiosk_screen.h"
 
 #include "app/screen/marks.h"
-#include "app/screen/paint.h"
-#include "app/screen/panel.h"
 
 #include <cmath>
-#include <vector>
 
 #include <epoxy/gl.h>
 
@@ -13,16 +10,7 @@ namespace touchline {
 
 namespace {
 
-constexpr std::int64_t panel_period_ns = 200'000'000;
-
-Canvas canvas_for(const Rect& rect) {
-    return {static_cast<int>(rect.width), static_cast<int>(rect.height)};
-}
-
-/// The rectangle in its own pixels.
-Rect at_origin(const Rect& rect) {
-    return {0.0, 0.0, rect.width, rect.height};
-}
+constexpr double units_a_cap = 14.0;  // a thin line
 
 }  // namespace
 
@@ -32,110 +20,80 @@ Result<KioskScreen> KioskScreen::make(double cap_px) {
     auto strokes = StrokeRenderer::make();
     if (!strokes) return tl::unexpected(strokes.error());
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // colours come multiplied by alpha
-    return KioskScreen(cap_px, std::move(*images), std::move(*strokes));
+    return KioskScreen(cap_px, {std::move(*images), std::move(*strokes)});
 }
 
-KioskScreen::KioskScreen(double cap_px, ImageRenderer images, StrokeRenderer strokes)
-    : cap_px_(cap_px), images_(std::move(images)), stroke_renderer_(std::move(strokes)) {}
+KioskScreen::KioskScreen(double cap_px, Renderers renderers)
+    : cap_px_(cap_px), renderers_(std::move(renderers)), live_(cap_px), layers_(cap_px) {}
 
 void KioskScreen::draw(const FrameContent& content, int width_px, int height_px,
                        std::int64_t now_ns) {
-    if (width_px != width_px_ || height_px != height_px_) lay_out_again(width_px, height_px);
-    update_picture(content.shown);
-    update_panel(content.status, now_ns);
-    update_overlay(content);
-    if (content.shown.scene) update_outlines(*content.shown.scene, content.hand.level);
-    update_boxes(content);
-    update_hand(content.hand);
-    is_stale_ = false;
-
-    glViewport(0, 0, width_px_, height_px_);
-    // The two opaque layers cover the whole screen: no clearing, and without blending software
-    // drawing copies them.
-    glDisable(GL_BLEND);
-    images_.draw(picture_);
-    glEnable(GL_BLEND);
-    for (const StrokeBuffer* strokes : {&boxes_, &outlines_, &hand_})
-        stroke_renderer_.draw(*strokes, width_px_, height_px_);
-    if (painted_keys_ || !painted_message_.empty()) images_.draw(overlay_);
-    glDisable(GL_BLEND);
-    images_.draw(panel_);
+    is_live_ = true;
+    live_.draw(renderers_, content, width_px, height_px, now_ns);
 }
 
-void KioskScreen::lay_out_again(int width_px, int height_px) {
+void KioskScreen::draw(const ScreenContent& content, int width_px, int height_px,
+                       std::int64_t now_ns) {
+    is_live_ = false;
+    layers_.update(content, width_px, height_px, now_ns);
+    upload_layers(width_px, height_px);
+    glViewport(0, 0, width_px, height_px);
+    // Opaque layers cover the whole screen: no clearing, and without blending software drawing
+    // copies them. Sheet and captions come last, so that no mark lies over a letter.
+    glDisable(GL_BLEND);
+    if (picture_.is_filled()) renderers_.images.draw(picture_);
+    if (layers_.has_marks()) {
+        update_outlines(content.hand.level, now_ns);
+        update_hand(content.hand);
+        glEnable(GL_BLEND);
+        for (const StrokeBuffer* strokes : {&outlines_, &hand_})
+            renderers_.strokes.draw(*strokes, width_px, height_px);
+        glDisable(GL_BLEND);
+    }
+    renderers_.images.draw(sheet_);
+    if (captions_.is_filled()) renderers_.images.draw(captions_);
+}
+
+const View& KioskScreen::view() const {
+    return is_live_ ? live_.view() : layers_.view();
+}
+
+void KioskScreen::upload_layers(int width_px, int height_px) {
     width_px_ = width_px;
     height_px_ = height_px;
-    layout_ = lay_out(width_px, height_px);
-    view_ = view_of(Area{}, layout_.picture);
-    is_stale_ = true;
+    upload(sheet_, sheet_version_, layers_.sheet());
+    upload(captions_, captions_version_, layers_.captions());
+    upload(picture_, picture_version_, layers_.picture());
 }
 
-void KioskScreen::upload(ImageLayer& layer, const Canvas& canvas, const Rect& rect) const {
-    layer.upload(canvas, static_cast<int>(rect.x), static_cast<int>(rect.y), width_px_, height_px_);
+void KioskScreen::upload(ImageLayer& image, std::uint64_t& version, const StillLayer& layer) const {
+    if (version == layer.version) return;
+    version = layer.version;
+    if (layer.rect.width <= 0.0) return image.clear();
+    image.upload(layer.canvas, static_cast<int>(layer.rect.x), static_cast<int>(layer.rect.y),
+                 width_px_, height_px_);
 }
 
-void KioskScreen::update_picture(const ShownScene& shown) {
-    if (!is_stale_ && shown.picture == painted_picture_) return;
-    const Area area = shown.scene ? shown.scene->area : Area{};
-    const View local = view_of(area, at_origin(layout_.picture));
-    const Canvas canvas = canvas_for(layout_.picture);
-    fill(canvas.context(), at_origin(layout_.picture), {theme::background});
-    if (shown.picture) paint_picture(canvas.context(), local, area, *shown.picture);
-    paint_frame(canvas.context(), area_rect(area, local), unit_px());
-    upload(picture_, canvas, layout_.picture);
-    view_ = view_of(area, layout_.picture);
-    painted_picture_ = shown.picture;
-    outlined_level_ = -1.0;
-}
-
-void KioskScreen::update_panel(const Status& status, std::int64_t now_ns) {
-    if (!is_stale_ && (status == painted_status_ || now_ns - panel_ns_ < panel_period_ns)) return;
-    const Canvas canvas = canvas_for(layout_.panel);
-    paint_panel(canvas.context(), at_origin(layout_.panel), status, cap_px_);
-    upload(panel_, canvas, layout_.panel);
-    painted_status_ = status;
-    panel_ns_ = now_ns;
-}
-
-void KioskScreen::update_overlay(const FrameContent& content) {
-    const std::string& message = content.status.message;
-    if (!is_stale_ && content.shows_keys == painted_keys_ && message == painted_message_) return;
-    painted_keys_ = content.shows_keys;
-    painted_message_ = message;
-    if (!painted_keys_ && painted_message_.empty()) return;
-    const Canvas canvas = canvas_for(layout_.picture);
-    const Rect rect = at_origin(layout_.picture);
-    if (painted_keys_) paint_keys(canvas.context(), rect, cap_px_);
-    if (!message.empty()) paint_message(canvas.context(), rect, message, cap_px_);
-    upload(overlay_, canvas, layout_.picture);
-}
-
-void KioskScreen::update_outlines(const Scene& scene, double level) {
+void KioskScreen::update_outlines(double level, std::int64_t now_ns) {
     constexpr double least_change = 1.0 / 32.0;  // of a level: less moves no line by a pixel
-    const bool is_same_scene = outlined_version_ == scene.map_version && outlined_level_ >= 0.0;
-    if (is_same_scene && std::abs(level - outlined_level_) < least_change) return;
+    const ScreenContent& shown = layers_.shown();
+    const bool is_new = outlined_version_ != layers_.picture().version;
+    const bool is_moved = std::abs(level - level_) >= least_change;
+    if (!is_new && !(is_moved && outline_pace_.may_change(now_ns))) return;
     strokes_.clear();
-    add_outlines(strokes_, view_, scene.curves, level, 1.5 * unit_px());
+    if (shown.shown.scene)
+        add_outlines(strokes_, layers_.view(), shown.shown.scene->curves, level,
+                     2.0 * cap_px_ / units_a_cap, palette_of(shown.palette));
     outlines_.upload(strokes_);
-    outlined_version_ = scene.map_version;
-    outlined_level_ = level;
-}
-
-void KioskScreen::update_boxes(const FrameContent& content) {
-    strokes_.clear();
-    if (content.shows_boxes && content.shown.scene) {
-        const Scene& scene = *content.shown.scene;
-        std::vector<ErrorBox> boxes;
-        const int level = static_cast<int>(std::ceil(content.hand.level));
-        scene.tree.boundary_section(scene.curves, content.hand.p_WH, level, boxes);
-        add_boxes(strokes_, view_, boxes, 0.75 * unit_px());
-    }
-    boxes_.upload(strokes_);
+    outlined_version_ = layers_.picture().version;
+    level_ = level;
+    outline_pace_.changed(now_ns);
 }
 
 void KioskScreen::update_hand(const HandState& hand) {
     strokes_.clear();
-    add_hand(strokes_, view_, hand, proxy_radius_m, unit_px());
+    add_hand(strokes_, layers_.view(), hand, proxy_radius_m, cap_px_ / units_a_cap,
+             palette_of(layers_.shown().palette));
     hand_.upload(strokes_);
 }
 

@@ -1,74 +1,53 @@
-// A frame of the kiosk: still layers that are painted only when they change, moving marks that are
-// drawn anew each time.
+// A frame in the window: the screen of the model, or the staff's live view.
 // Threads: the one that holds the OpenGL context.
 #pragma once
 
-#include "app/screen/image_layer.h"
-#include "app/screen/shown_scene.h"
-#include "app/screen/stroke_renderer.h"
-#include "app/session/status.h"
-#include "config/types/hand_state.h"
+#include "app/screen/live_view.h"
+#include "app/screen/screen_layers.h"
 
 #include <cstdint>
-#include <memory>
 
 namespace touchline {
 
-struct FrameContent {
-    Status status;
-    bool shows_keys = false;
-    bool shows_boxes = false;
-    HandState hand;
-    ShownScene shown;
-};
-
 class KioskScreen {
   public:
-    /// `cap_px`: height of a capital letter. Fails with the driver's words.
+    /// `cap_px`: height of a capital letter of TextSize::normal on this monitor (cap_height_px()).
+    /// Fails with the driver's words.
     [[nodiscard]] static Result<KioskScreen> make(double cap_px);
 
-    /// Draws one frame on a screen of this size (px). The panel's words change at most five times a
-    /// second, so that they can be read and nothing flickers.
+    /// Draws one frame of any screen, in a window of this size (px). What it shows changes at most
+    /// twice a second, the handle's marker apart (screen_layers.h). `now_ns` never goes back.
+    void draw(const ScreenContent& content, int width_px, int height_px, std::int64_t now_ns);
+
+    /// Draws one frame of the live view. Its words change at most five times a second.
     void draw(const FrameContent& content, int width_px, int height_px, std::int64_t now_ns);
 
     /// How the picture last drawn lies on the screen.
-    [[nodiscard]] const View& view() const { return view_; }
+    [[nodiscard]] const View& view() const;
 
   private:
-    KioskScreen(double cap_px, ImageRenderer images, StrokeRenderer strokes);
+    KioskScreen(double cap_px, Renderers renderers);
 
-    void lay_out_again(int width_px, int height_px);
-    void update_picture(const ShownScene& shown);
-    void update_panel(const Status& status, std::int64_t now_ns);
-    void update_overlay(const FrameContent& content);
-    void update_outlines(const Scene& scene, double level);
-    void update_boxes(const FrameContent& content);
+    void upload_layers(int width_px, int height_px);
+    void upload(ImageLayer& image, std::uint64_t& version, const StillLayer& layer) const;
+    void update_outlines(double level, std::int64_t now_ns);
     void update_hand(const HandState& hand);
-    void upload(ImageLayer& layer, const Canvas& canvas, const Rect& rect) const;
-
-    [[nodiscard]] double unit_px() const { return cap_px_ / 14.0; }
 
     double cap_px_;
-    ImageRenderer images_;
-    StrokeRenderer stroke_renderer_;
-    ImageLayer picture_, panel_, overlay_;
-    StrokeBuffer boxes_, outlines_, hand_;
-    Strokes strokes_;
+    Renderers renderers_;
+    LiveView live_;
+    bool is_live_ = true;  // drawn last
 
+    ScreenLayers layers_;
+    ImageLayer sheet_, captions_, picture_;
+    std::uint64_t sheet_version_ = 0, captions_version_ = 0, picture_version_ = 0;
     int width_px_ = 0;
     int height_px_ = 0;
-    ScreenLayout layout_;
-    View view_;
-    bool is_stale_ = true;  // sizes changed: every layer is to be painted again
-
-    // What the layers show.
-    std::shared_ptr<const Canvas> painted_picture_;
-    Status painted_status_;
-    std::int64_t panel_ns_ = 0;
-    std::string painted_message_;
-    bool painted_keys_ = false;
-    std::uint64_t outlined_version_ = 0;  // of the map
-    double outlined_level_ = -1.0;
+    Strokes strokes_;
+    StrokeBuffer outlines_, hand_;
+    double level_ = 0.0;                  // of the outlines drawn
+    std::uint64_t outlined_version_ = 0;  // of the picture layer that they lie on
+    ChangePace outline_pace_;
 };
 
 }  // namespace touchline

@@ -14,7 +14,7 @@ namespace touchline {
 
 /// All pieces as rendered at `level`. O(segments).
 void add_outlines(Strokes& strokes, const View& view, const CurveSet& curves, double level,
-                  double width_px);
+                  double width_px, const Palette& palette = white_on_black);
 
 /// The edges of the boxes.
 void add_boxes(Strokes& strokes, const View& view, std::span<const ErrorBox> boxes,
@@ -24,6 +24,6 @@ void add_boxes(Strokes& strokes, const View& view, std::span<const ErrorBox> box
 /// (arrow from the handle). Shapes differ, so that no colour has to be told apart. `unit_px`: width
 /// of a thin line.
 void add_hand(Strokes& strokes, const View& view, const HandState& hand, double proxy_radius_m,
-              double unit_px);
+              double unit_px, const Palette& palette = white_on_black);
 
 }  // namespace touchline

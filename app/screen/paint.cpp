@@ -2,6 +2,8 @@
 
 #include "app/screen/rendered_path.h"
 
+#include <algorithm>
+
 namespace touchline {
 
 namespace {
@@ -22,6 +24,18 @@ void line_to(cairo_t* cr, PixelPoint p) {
     cairo_line_to(cr, p.x, p.y);
 }
 
+void paint_image(cairo_t* cr, const Rect& rect, const Canvas& image, double alpha) {
+    cairo_save(cr);
+    cairo_translate(cr, rect.x, rect.y);
+    cairo_scale(cr, rect.width / image.width(), rect.height / image.height());
+    cairo_set_source_surface(cr, image.surface(), 0.0, 0.0);
+    cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_GOOD);
+    cairo_rectangle(cr, 0.0, 0.0, image.width(), image.height());
+    cairo_clip(cr);
+    cairo_paint_with_alpha(cr, alpha);
+    cairo_restore(cr);
+}
+
 }  // namespace
 
 void fill(cairo_t* cr, const Rect& rect, const Paint& paint) {
@@ -30,23 +44,26 @@ void fill(cairo_t* cr, const Rect& rect, const Paint& paint) {
     cairo_fill(cr);
 }
 
-void paint_frame(cairo_t* cr, const Rect& rect, double width_px) {
-    set_pen(cr, width_px, {theme::frame});
+void paint_frame(cairo_t* cr, const Rect& rect, double width_px, Colour colour) {
+    set_pen(cr, width_px, {colour});
     cairo_rectangle(cr, rect.x, rect.y, rect.width, rect.height);
     cairo_stroke(cr);
 }
 
-void paint_picture(cairo_t* cr, const View& view, const Area& area, const Canvas& picture) {
-    const Rect rect = area_rect(fitted(area, picture.width(), picture.height()), view);
-    cairo_save(cr);
-    cairo_translate(cr, rect.x, rect.y);
-    cairo_scale(cr, rect.width / picture.width(), rect.height / picture.height());
-    cairo_set_source_surface(cr, picture.surface(), 0.0, 0.0);
-    cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_GOOD);
-    cairo_rectangle(cr, 0.0, 0.0, picture.width(), picture.height());
-    cairo_clip(cr);
-    cairo_paint_with_alpha(cr, theme::picture_alpha);
-    cairo_restore(cr);
+void paint_picture(cairo_t* cr, const View& view, const Area& area, const Canvas& picture,
+                   double alpha) {
+    const Area fit = fitted(area, picture.width(), picture.height());
+    paint_image(cr, area_rect(fit, view), picture, alpha);
+}
+
+void paint_preview(cairo_t* cr, const Rect& rect, const Canvas& frame) {
+    const double scale = std::min(rect.width / frame.width(), rect.height / frame.height());
+    const double width_px = scale * frame.width();
+    const double height_px = scale * frame.height();
+    paint_image(cr,
+                {rect.x + (rect.width - width_px) / 2.0, rect.y + (rect.height - height_px) / 2.0,
+                 width_px, height_px},
+                frame, 1.0);
 }
 
 void paint_outlines(cairo_t* cr, const View& view, const CurveSet& curves, double level,
@@ -76,7 +93,7 @@ void paint_forces(cairo_t* cr, const View& view, std::span<const ForceMark> mark
         if (!(norm(mark.force) >= least_N) || !is_finite(mark.at)) continue;
         const PixelPoint from = view.to_px(mark.at);
         const PixelPoint reach{px_per_N * mark.force.x, -px_per_N * mark.force.y};
-        paint_arrow(cr, from, from + reach, width_px, {theme::force});
+        paint_arrow(cr, from, from + reach, width_px, {white_on_black.force});
     }
 }
 

@@ -16,10 +16,15 @@ namespace touchline {
 void fill(cairo_t* cr, const Rect& rect, const Paint& paint);
 
 /// The edge of the drawing area.
-void paint_frame(cairo_t* cr, const Rect& rect, double width_px);
+void paint_frame(cairo_t* cr, const Rect& rect, double width_px,
+                 Colour colour = white_on_black.frame);
 
 /// The picture, dimmed, centred in the drawing area as large as it fits.
-void paint_picture(cairo_t* cr, const View& view, const Area& area, const Canvas& picture);
+void paint_picture(cairo_t* cr, const View& view, const Area& area, const Canvas& picture,
+                   double alpha = white_on_black.picture_alpha);
+
+/// A frame of the camera, as bright as it is, centred in `rect` as large as it fits.
+void paint_preview(cairo_t* cr, const Rect& rect, const Canvas& frame);
 
 /// Every piece as rendered at `level`. O(segments).
 void paint_outlines(cairo_t* cr, const View& view, const CurveSet& curves, double level,

@@ -32,7 +32,8 @@ double fitting_cap_px(double cap_px, double room_px, const HeightAt& height_at) 
 }
 
 std::array<TextRun, 3> runs_of(const StatusLine& line) {
-    return {TextRun{line.name, theme::name}, TextRun{"  "}, TextRun{line.value, theme::text, true}};
+    return {TextRun{line.name, white_on_black.name}, TextRun{"  "},
+            TextRun{line.value, white_on_black.text, true}};
 }
 
 /// Lines spread over columns, filled one after the other.
@@ -58,7 +59,7 @@ class StatusColumns {
 
   private:
     [[nodiscard]] std::array<TextRun, 1> title() const {
-        return {TextRun{status_.title, theme::text, true}};
+        return {TextRun{status_.title, white_on_black.text, true}};
     }
 
     [[nodiscard]] double title_height_px() const {
@@ -125,7 +126,7 @@ class KeyRows {
 
   private:
     static std::array<TextRun, 1> name_of(const KeyRow& row) {
-        return {TextRun{row.name, theme::name, true}};
+        return {TextRun{row.name, white_on_black.name, true}};
     }
 
     static std::array<TextRun, 1> words_of(const KeyRow& row) { return {TextRun{row.words}}; }
@@ -149,7 +150,7 @@ class KeyRows {
 }  // namespace
 
 double paint_panel(cairo_t* cr, const Rect& rect, const Status& status, double cap_px) {
-    fill(cr, rect, {theme::background});
+    fill(cr, rect, {white_on_black.background});
     cap_px = fitting_cap_px(cap_px, rect.height, [&](double cap) {
         return StatusColumns(cr, rect, status, cap).height_px();
     });
@@ -158,7 +159,7 @@ double paint_panel(cairo_t* cr, const Rect& rect, const Status& status, double c
 }
 
 double paint_keys(cairo_t* cr, const Rect& rect, double cap_px) {
-    fill(cr, rect, {theme::background, 0.92});
+    fill(cr, rect, {white_on_black.background, 0.92});
     cap_px = fitting_cap_px(cap_px, rect.height,
                             [&](double cap) { return KeyRows(cr, rect, cap).height_px(); });
     KeyRows(cr, rect, cap_px).paint();
@@ -166,7 +167,7 @@ double paint_keys(cairo_t* cr, const Rect& rect, double cap_px) {
 }
 
 double paint_message(cairo_t* cr, const Rect& rect, const std::string& message, double cap_px) {
-    const std::array<TextRun, 1> runs{TextRun{message, theme::alert, true}};
+    const std::array<TextRun, 1> runs{TextRun{message, white_on_black.alert, true}};
     const auto height_at = [&](double cap) {
         return text_height_px(cr, inset(rect, gap_caps * cap).width, cap, runs) +
                2.0 * row_gap_caps * cap;
@@ -174,7 +175,7 @@ double paint_message(cairo_t* cr, const Rect& rect, const std::string& message, 
     cap_px = fitting_cap_px(cap_px, rect.height / 2.0, height_at);
     const double height = height_at(cap_px);
     const Rect band{rect.x, rect.y + rect.height - height, rect.width, height};
-    fill(cr, band, {theme::background, 0.92});
+    fill(cr, band, {white_on_black.background, 0.92});
     paint_text(cr, {band.x + gap_caps * cap_px, band.y + row_gap_caps * cap_px},
                inset(rect, gap_caps * cap_px).width, cap_px, runs);
     return cap_px;

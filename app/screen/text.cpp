@@ -1,47 +1,13 @@
 #include "app/screen/text.h"
 
-#include <cmath>
-#include <memory>
+#include "app/screen/pango_layout.h"
 
-#include <pango/pangocairo.h>
+#include <cmath>
+#include <string>
 
 namespace touchline {
 
 namespace {
-
-// Andika keeps l, I and 1 apart and has wide coverage; then what every Debian has.
-constexpr const char* families = "Andika, Noto Sans, DejaVu Sans, sans-serif";
-
-struct PangoDeleter {
-    void operator()(PangoLayout* layout) const { g_object_unref(layout); }
-
-    void operator()(PangoFontDescription* font) const { pango_font_description_free(font); }
-
-    void operator()(PangoAttrList* list) const { pango_attr_list_unref(list); }
-
-    void operator()(char* text) const { g_free(text); }
-};
-
-using Layout = std::unique_ptr<PangoLayout, PangoDeleter>;
-
-Layout layout_of_size(cairo_t* cr, double size_px) {
-    Layout layout(pango_cairo_create_layout(cr));
-    std::unique_ptr<PangoFontDescription, PangoDeleter> font(pango_font_description_new());
-    pango_font_description_set_family_static(font.get(), families);
-    pango_font_description_set_absolute_size(font.get(), size_px * PANGO_SCALE);
-    pango_layout_set_font_description(layout.get(), font.get());
-    return layout;
-}
-
-/// Font size at which a capital H is `cap_px` high, whatever the font.
-double font_size_px(cairo_t* cr, double cap_px) {
-    constexpr double probe_px = 100.0;
-    const Layout layout = layout_of_size(cr, probe_px);
-    pango_layout_set_text(layout.get(), "H", 1);
-    PangoRectangle ink;
-    pango_layout_get_pixel_extents(layout.get(), &ink, nullptr);
-    return ink.height > 0 ? probe_px * cap_px / ink.height : cap_px / 0.7;
-}
 
 guint16 channel(double share) {
     return static_cast<guint16>(std::lround(65535.0 * share));
@@ -54,8 +20,9 @@ void add_attribute(PangoAttrList* list, PangoAttribute* attribute, std::size_t f
     pango_attr_list_insert(list, attribute);  // takes it
 }
 
-Layout lay_out_text(cairo_t* cr, double width_px, double cap_px, std::span<const TextRun> runs) {
-    Layout layout = layout_of_size(cr, font_size_px(cr, cap_px));
+PangoLayoutPtr lay_out_text(cairo_t* cr, double width_px, double cap_px,
+                            std::span<const TextRun> runs) {
+    PangoLayoutPtr layout = layout_of_cap(cr, cap_px, false);
     std::unique_ptr<PangoAttrList, PangoDeleter> attributes(pango_attr_list_new());
     std::string text;
     for (const TextRun& run : runs) {
@@ -88,7 +55,7 @@ double height_of(PangoLayout* layout) {
 
 double paint_text(cairo_t* cr, PixelPoint at, double width_px, double cap_px,
                   std::span<const TextRun> runs) {
-    const Layout layout = lay_out_text(cr, width_px, cap_px, runs);
+    const PangoLayoutPtr layout = lay_out_text(cr, width_px, cap_px, runs);
     cairo_move_to(cr, at.x, at.y);
     pango_cairo_show_layout(cr, layout.get());
     return height_of(layout.get());

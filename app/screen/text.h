@@ -16,7 +16,7 @@ namespace touchline {
 /// A stretch of a line in one colour and weight.
 struct TextRun {
     std::string_view text;
-    Colour colour = theme::text;
+    Colour colour = white_on_black.text;
     bool is_bold = false;
 };
 

@@ -25,11 +25,18 @@ double contrast(Colour a, Colour b) {
 }
 
 double cap_height_px(double distance_m, double mm_per_px) {
-    constexpr double angle_rad = 0.7 * std::numbers::pi / 180.0;
+    constexpr double angle_rad = cap_angle_deg(TextSize::normal) * std::numbers::pi / 180.0;
     constexpr double fallback_px = 27.0;  // 0.6 m before 0.27 mm pixels
     const double height_px = 2000.0 * distance_m * std::tan(angle_rad / 2.0) / mm_per_px;
     if (!(height_px > 0.0) || !std::isfinite(height_px)) return fallback_px;
     return std::clamp(height_px, 12.0, 80.0);
+}
+
+double cap_height_px(TextSize size, double normal_cap_px, int width_px, int height_px) {
+    constexpr double least_capitals = 10.0;  // along the shorter side
+    // At these angles the tangent is the angle within 0.1 %.
+    const double wanted_px = normal_cap_px * cap_angle_deg(size) / cap_angle_deg(TextSize::normal);
+    return std::min(wanted_px, std::min(width_px, height_px) / least_capitals);
 }
 
 }  // namespace touchline

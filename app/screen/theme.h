@@ -1,7 +1,11 @@
-// Colours and text sizes. Text keeps a contrast of at least 10:1, marks of at least 3:1; what a
+// Palettes and text sizes. Text keeps a contrast of at least 7:1, marks of at least 3:1; what a
 // colour says is also said by a shape or a word.
 // Threads: constants and pure functions.
 #pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace touchline {
 
@@ -18,30 +22,90 @@ struct Paint {
     double alpha = 1.0;
 };
 
-namespace theme {
+/// Everything that is drawn, by what it is for.
+struct Palette {
+    Colour background;
+    Colour text;
+    Colour name;   // of a fact in the staff's panel
+    Colour alert;  // what went wrong
+    Colour frame;  // around the drawing area
+    Colour focus;  // frame and pointer of the item that has it
+    Colour outline;
+    Colour box;
+    Colour handle;
+    Colour proxy;
+    Colour force;
+    /// How much of the picture shows over the background: so little that every mark stands out on
+    /// white paper as on black ground.
+    double picture_alpha = 0.35;
+};
 
-inline constexpr Colour background{0.0, 0.0, 0.0};
-inline constexpr Colour text{1.0, 1.0, 1.0};
-inline constexpr Colour name{1.0, 0.85, 0.30};
-inline constexpr Colour alert{1.0, 0.72, 0.62};
-inline constexpr Colour frame{0.55, 0.55, 0.55};
-inline constexpr Colour outline{1.0, 0.83, 0.0};
-inline constexpr Colour box{0.36, 0.78, 1.0};
-inline constexpr Colour handle{1.0, 1.0, 1.0};
-inline constexpr Colour proxy{0.18, 0.95, 0.78};
-inline constexpr Colour force{1.0, 0.50, 0.95};
+/// What a visitor chooses; the first is the default.
+enum class PaletteName : std::uint8_t {
+    white_on_black,
+    black_on_white,
+    yellow_on_black,
+    low_glare_grey
+};
 
-/// How much of the picture shows under the outlines: dark enough for all marks on white paper.
-inline constexpr double picture_alpha = 0.35;
+inline constexpr std::size_t palette_count = 4;
 
-}  // namespace theme
+inline constexpr Palette white_on_black{{0.0, 0.0, 0.0},    {1.0, 1.0, 1.0},    {1.0, 0.85, 0.30},
+                                        {1.0, 0.72, 0.62},  {0.55, 0.55, 0.55}, {1.0, 0.83, 0.0},
+                                        {1.0, 0.83, 0.0},   {0.36, 0.78, 1.0},  {1.0, 1.0, 1.0},
+                                        {0.18, 0.95, 0.78}, {1.0, 0.50, 0.95}};
+
+inline constexpr Palette black_on_white{{1.0, 1.0, 1.0},    {0.0, 0.0, 0.0},    {0.0, 0.16, 0.42},
+                                        {0.45, 0.0, 0.0},   {0.35, 0.35, 0.35}, {0.0, 0.0, 0.0},
+                                        {0.10, 0.10, 0.50}, {0.0, 0.25, 0.35},  {0.0, 0.0, 0.0},
+                                        {0.45, 0.0, 0.0},   {0.35, 0.0, 0.35}};
+
+inline constexpr Palette yellow_on_black{{0.0, 0.0, 0.0},    {1.0, 1.0, 0.0},   {1.0, 1.0, 0.0},
+                                         {1.0, 0.80, 0.30},  {0.60, 0.60, 0.0}, {1.0, 1.0, 0.0},
+                                         {1.0, 1.0, 0.0},    {0.36, 0.78, 1.0}, {1.0, 1.0, 1.0},
+                                         {0.18, 0.95, 0.78}, {1.0, 0.50, 0.95}};
+
+/// Neither ground nor letters at the screen's full range: for eyes that light hurts.
+inline constexpr Palette low_glare_grey{{0.13, 0.13, 0.13}, {0.82, 0.82, 0.80}, {0.82, 0.78, 0.62},
+                                        {0.90, 0.74, 0.66}, {0.58, 0.58, 0.58}, {0.82, 0.82, 0.80},
+                                        {0.88, 0.80, 0.45}, {0.55, 0.80, 0.92}, {0.90, 0.90, 0.88},
+                                        {0.50, 0.90, 0.78}, {0.95, 0.72, 0.92}, 0.25};
+
+[[nodiscard]] constexpr const Palette& palette_of(PaletteName name) {
+    switch (name) {
+        case PaletteName::black_on_white:
+            return black_on_white;
+        case PaletteName::yellow_on_black:
+            return yellow_on_black;
+        case PaletteName::low_glare_grey:
+            return low_glare_grey;
+        case PaletteName::white_on_black:
+            break;
+    }
+    return white_on_black;
+}
 
 /// Contrast of two colours, 1 ... 21 (WCAG 2: relative luminance).
 [[nodiscard]] double contrast(Colour a, Colour b);
 
-/// Height of a capital H that subtends 0.7 degrees at `distance_m` on a screen of `mm_per_px`
-/// (EN 301 549, 5.1.4), in pixels; 12 ... 80, so that a screen that lies about its size stays
-/// readable.
+/// What a visitor chooses; the first is the default (EN 301 549, 5.1.4).
+enum class TextSize : std::uint8_t { normal, large, larger, largest };
+
+inline constexpr std::size_t text_size_count = 4;
+
+/// What a capital H subtends at the eye, in degrees.
+[[nodiscard]] constexpr double cap_angle_deg(TextSize size) {
+    constexpr std::array<double, text_size_count> angles{0.7, 1.0, 1.4, 2.0};
+    return angles.at(static_cast<std::size_t>(size));
+}
+
+/// Height of a capital H that subtends 0.7 degrees at `distance_m` on a screen of `mm_per_px`, in
+/// pixels; 12 ... 80, so that a screen that lies about its size stays readable.
 [[nodiscard]] double cap_height_px(double distance_m, double mm_per_px);
+
+/// The same for a size, from that of TextSize::normal. A screen whose shorter side holds fewer
+/// than ten such capitals gets a tenth of that side: less, and no sentence would fit a page.
+[[nodiscard]] double cap_height_px(TextSize size, double normal_cap_px, int width_px,
+                                   int height_px);
 
 }  // namespace touchline

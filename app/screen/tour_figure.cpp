@@ -19,10 +19,10 @@ constexpr double outline_px = 3.5;
 constexpr double way_px = 2.0;
 constexpr double force_px = 2.0;
 
-constexpr Paint outline_paint{theme::outline};
-constexpr Paint handle_paint{theme::handle};
-constexpr Paint proxy_paint{theme::proxy};
-constexpr Paint lifted_paint{theme::frame};
+constexpr Paint outline_paint{white_on_black.outline};
+constexpr Paint handle_paint{white_on_black.handle};
+constexpr Paint proxy_paint{white_on_black.proxy};
+constexpr Paint lifted_paint{white_on_black.frame};
 
 void paint_map(cairo_t* cr, const TourFigure& figure, const Scene& scene, const Canvas& picture) {
     const View view = view_of(scene.area, {0.0, 0.0, width_px, picture_height_px});
@@ -47,7 +47,7 @@ struct LegendEntry {
 constexpr std::array legend{
     LegendEntry{"outline", outline_paint, outline_px}, LegendEntry{"handle", handle_paint, way_px},
     LegendEntry{"proxy", proxy_paint, way_px}, LegendEntry{"handle, lifted", lifted_paint, way_px},
-    LegendEntry{"force, this long: 1 N", {theme::force}, force_px, true}};
+    LegendEntry{"force, this long: 1 N", {white_on_black.force}, force_px, true}};
 
 void paint_legend(cairo_t* cr, double top_px) {
     const double column_px = (width_px - 2.0 * margin_px) / static_cast<double>(legend.size());
@@ -69,7 +69,7 @@ void paint_legend(cairo_t* cr, double top_px) {
 double paint_words(cairo_t* cr, const TourFigure& figure, double top_px) {
     constexpr double text_width_px = width_px - 2.0 * margin_px;
     PixelPoint at{margin_px, top_px};
-    const std::array<TextRun, 1> title{TextRun{figure.title, theme::name, true}};
+    const std::array<TextRun, 1> title{TextRun{figure.title, white_on_black.name, true}};
     at.y += paint_text(cr, at, text_width_px, 1.3 * cap_px, title) + 0.5 * cap_px;
     paint_legend(cr, at.y);
     at.y += 2.5 * cap_px;
@@ -87,7 +87,7 @@ Canvas paint_tour(const TourFigure& figure, const Scene& scene, const Canvas& pi
     const double height_px = paint_words(probe.context(), figure, picture_height_px) + margin_px;
     Canvas canvas(width_px, static_cast<int>(height_px));
     cairo_t* const cr = canvas.context();
-    fill(cr, {0.0, 0.0, width_px, height_px}, {theme::background});
+    fill(cr, {0.0, 0.0, width_px, height_px}, {white_on_black.background});
     paint_map(cr, figure, scene, picture);
     paint_words(cr, figure, picture_height_px);
     return canvas;

@@ -1,9 +1,6 @@
 #include "app/screen/layout.h"
 
-#include "app/screen/theme.h"
-
 #include <array>
-#include <limits>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -55,37 +52,6 @@ TEST(Fitted, APictureKeepsItsShapeAndTouchesTwoSides) {
     const Area upright = fitted(Area{0.116, 0.084}, 300.0, 600.0);
     EXPECT_DOUBLE_EQ(upright.height_m, 0.084);
     EXPECT_DOUBLE_EQ(upright.width_m, 0.042);
-}
-
-TEST(Theme, TextHasAContrastOfTenToOneOrMore) {
-    for (const Colour colour : {theme::text, theme::name, theme::alert})
-        EXPECT_GE(contrast(colour, theme::background), 10.0);
-}
-
-TEST(Theme, MarksStandOutFromTheDimmedPaperAndFromBlack) {
-    const double white = theme::picture_alpha;
-    const Colour paper{white, white, white};
-    for (const Colour colour :
-         {theme::outline, theme::box, theme::handle, theme::proxy, theme::force}) {
-        EXPECT_GE(contrast(colour, paper), 3.0);
-        EXPECT_GE(contrast(colour, theme::background), 3.0);
-    }
-}
-
-TEST(Theme, ContrastOfBlackAndWhiteIsTwentyOne) {
-    EXPECT_NEAR(contrast({0, 0, 0}, {1, 1, 1}), 21.0, 1e-9);
-    EXPECT_NEAR(contrast({1, 1, 1}, {1, 1, 1}), 1.0, 1e-12);
-}
-
-TEST(CapHeight, SubtendsSevenTenthsOfADegree) {
-    EXPECT_NEAR(cap_height_px(0.6, 0.25) * 0.25, 7.33, 0.01);  // mm, EN 301 549 gives 7.3 at 0.6 m
-}
-
-TEST(CapHeight, AScreenThatLiesAboutItsSizeStaysReadable) {
-    EXPECT_EQ(cap_height_px(0.6, 0.0), 27.0);
-    EXPECT_EQ(cap_height_px(0.6, std::numeric_limits<double>::quiet_NaN()), 27.0);
-    EXPECT_EQ(cap_height_px(0.6, 100.0), 12.0);
-    EXPECT_EQ(cap_height_px(0.6, 0.001), 80.0);
 }
 
 }  // namespace

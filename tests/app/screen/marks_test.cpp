@@ -36,26 +36,26 @@ bool covers(const Strokes& strokes, PixelPoint p, Colour colour) {
 
 TEST(Strokes, ALineCoversItsLengthAndItsRoundEnds) {
     Strokes strokes;
-    strokes.add_line({100.0, 100.0}, {200.0, 100.0}, 10.0, {theme::outline});
+    strokes.add_line({100.0, 100.0}, {200.0, 100.0}, 10.0, {white_on_black.outline});
     EXPECT_EQ(stroke_count(strokes), 1);
-    EXPECT_TRUE(covers(strokes, {150.0, 104.0}, theme::outline));
-    EXPECT_TRUE(covers(strokes, {96.0, 100.0}, theme::outline));
-    EXPECT_FALSE(covers(strokes, {96.0, 104.0}, theme::outline));
-    EXPECT_FALSE(covers(strokes, {150.0, 106.0}, theme::outline));
+    EXPECT_TRUE(covers(strokes, {150.0, 104.0}, white_on_black.outline));
+    EXPECT_TRUE(covers(strokes, {96.0, 100.0}, white_on_black.outline));
+    EXPECT_FALSE(covers(strokes, {96.0, 104.0}, white_on_black.outline));
+    EXPECT_FALSE(covers(strokes, {150.0, 106.0}, white_on_black.outline));
 }
 
 TEST(Strokes, WhatIsNotFiniteDrawsNothing) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     Strokes strokes;
-    strokes.add_line({nan, 0.0}, {1.0, 1.0}, 2.0, {theme::outline});
-    strokes.add_arrow({0.0, 0.0}, {nan, 1.0}, 2.0, {theme::outline});
-    strokes.add_dot({0.0, nan}, 2.0, {theme::outline});
+    strokes.add_line({nan, 0.0}, {1.0, 1.0}, 2.0, {white_on_black.outline});
+    strokes.add_arrow({0.0, 0.0}, {nan, 1.0}, 2.0, {white_on_black.outline});
+    strokes.add_dot({0.0, nan}, 2.0, {white_on_black.outline});
     EXPECT_EQ(stroke_count(strokes), 0);
 }
 
 TEST(Strokes, AShortArrowIsNone) {
     Strokes strokes;
-    strokes.add_arrow({0.0, 0.0}, {0.5, 0.0}, 2.0, {theme::force});
+    strokes.add_arrow({0.0, 0.0}, {0.5, 0.0}, 2.0, {white_on_black.force});
     EXPECT_EQ(stroke_count(strokes), 0);
 }
 
@@ -70,8 +70,8 @@ TEST(Marks, OutlinesLieOnTheCurve) {
     Strokes strokes;
     add_outlines(strokes, view, *curves, 0.0, 4.0);
     for (const Position p : {Position{0.0, -0.02}, {0.03, 0.0}, {-0.03, 0.013}, {0.03, 0.02}})
-        EXPECT_TRUE(covers(strokes, view.to_px(p), theme::outline));
-    EXPECT_FALSE(covers(strokes, view.to_px({0.0, 0.0}), theme::outline));
+        EXPECT_TRUE(covers(strokes, view.to_px(p), white_on_black.outline));
+    EXPECT_FALSE(covers(strokes, view.to_px({0.0, 0.0}), white_on_black.outline));
 }
 
 TEST(Marks, BoxesAreDrawnByTheirEdges) {
@@ -80,8 +80,8 @@ TEST(Marks, BoxesAreDrawnByTheirEdges) {
     Strokes strokes;
     add_boxes(strokes, view, std::vector{box}, 2.0);
     EXPECT_EQ(stroke_count(strokes), 4);
-    EXPECT_TRUE(covers(strokes, view.to_px({0.005, 0.0}), theme::box));
-    EXPECT_FALSE(covers(strokes, view.to_px({0.005, 0.0025}), theme::box));
+    EXPECT_TRUE(covers(strokes, view.to_px({0.005, 0.0}), white_on_black.box));
+    EXPECT_FALSE(covers(strokes, view.to_px({0.005, 0.0025}), white_on_black.box));
 }
 
 TEST(Marks, TheHandIsRingDotAndArrow) {
@@ -91,9 +91,11 @@ TEST(Marks, TheHandIsRingDotAndArrow) {
     hand.force = {0.0, 2.0};
     Strokes strokes;
     add_hand(strokes, view, hand, 0.001, 2.0);
-    EXPECT_TRUE(covers(strokes, view.to_px(hand.p_WP), theme::proxy));
-    EXPECT_TRUE(covers(strokes, view.to_px(hand.p_WH) + PixelPoint{10.0, 0.0}, theme::handle));
-    EXPECT_TRUE(covers(strokes, view.to_px(hand.p_WH) + PixelPoint{0.0, -100.0}, theme::force));
+    EXPECT_TRUE(covers(strokes, view.to_px(hand.p_WP), white_on_black.proxy));
+    EXPECT_TRUE(
+        covers(strokes, view.to_px(hand.p_WH) + PixelPoint{10.0, 0.0}, white_on_black.handle));
+    EXPECT_TRUE(
+        covers(strokes, view.to_px(hand.p_WH) + PixelPoint{0.0, -100.0}, white_on_black.force));
 }
 
 TEST(Marks, AHandThatIsNowhereDrawsNothing) {

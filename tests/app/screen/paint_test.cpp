@@ -39,11 +39,12 @@ CurveSet curves_of(std::vector<Outline> outlines) {
 
 TEST(PaintOutlines, AClosedCurveIsDrawnWhereItIsAndNowhereElse) {
     const Canvas canvas = blank();
-    paint_outlines(canvas.context(), view, curves_of({circle(0.03)}), 0.0, 4.0, {theme::outline});
+    paint_outlines(canvas.context(), view, curves_of({circle(0.03)}), 0.0, 4.0,
+                   {white_on_black.outline});
     for (int i = 0; i < 64; ++i) {
         const double angle_rad = 2.0 * std::numbers::pi * (i + 0.3) / 64;
         const Position on{0.03 * std::cos(angle_rad), 0.03 * std::sin(angle_rad)};
-        EXPECT_TRUE(is_near(colour_at(canvas, view.to_px(on)), theme::outline)) << i;
+        EXPECT_TRUE(is_near(colour_at(canvas, view.to_px(on)), white_on_black.outline)) << i;
         EXPECT_TRUE(is_black(colour_at(canvas, view.to_px(0.95 * on)))) << i;
         EXPECT_TRUE(is_black(colour_at(canvas, view.to_px(1.05 * on)))) << i;
     }
@@ -53,9 +54,9 @@ TEST(PaintOutlines, AnOpenCurveKeepsItsGap) {
     Outline corner;
     corner.points = {{-0.02, 0.0}, {0.02, 0.0}, {0.02, 0.02}};
     const Canvas canvas = blank();
-    paint_outlines(canvas.context(), view, curves_of({corner}), 0.0, 4.0, {theme::outline});
-    EXPECT_TRUE(is_near(colour_at(canvas, view.to_px({0.0, 0.0})), theme::outline));
-    EXPECT_TRUE(is_near(colour_at(canvas, view.to_px({0.02, 0.01})), theme::outline));
+    paint_outlines(canvas.context(), view, curves_of({corner}), 0.0, 4.0, {white_on_black.outline});
+    EXPECT_TRUE(is_near(colour_at(canvas, view.to_px({0.0, 0.0})), white_on_black.outline));
+    EXPECT_TRUE(is_near(colour_at(canvas, view.to_px({0.02, 0.01})), white_on_black.outline));
     EXPECT_TRUE(is_black(colour_at(canvas, view.to_px({0.0, 0.01}))));
 }
 
@@ -64,10 +65,10 @@ TEST(PaintOutlines, ACoarseLevelIsTheCoarsePolyline) {
     const int coarsest = curves.coarsest();
     ASSERT_GT(coarsest, 2);
     const Canvas canvas = blank();
-    paint_outlines(canvas.context(), view, curves, coarsest, 4.0, {theme::outline});
+    paint_outlines(canvas.context(), view, curves, coarsest, 4.0, {white_on_black.outline});
     const Segment segment = curves.rendered_segment(0, coarsest, 0);
     const Position middle = 0.5 * (segment.a + segment.b);
-    EXPECT_TRUE(is_near(colour_at(canvas, view.to_px(middle)), theme::outline));
+    EXPECT_TRUE(is_near(colour_at(canvas, view.to_px(middle)), white_on_black.outline));
     EXPECT_LT(norm(middle), 0.029);  // well inside the circle, where level 0 draws nothing
 }
 
@@ -82,7 +83,8 @@ Picture one_colour(int picture_width, int picture_height) {
 TEST(PaintPicture, LiesCentredInTheAreaDimmedAndInItsOwnShape) {
     const Canvas canvas = blank();
     paint_picture(canvas.context(), view, Area{}, canvas_of(one_colour(40, 80), 1600));
-    const Colour dimmed{theme::picture_alpha, theme::picture_alpha, theme::picture_alpha};
+    const Colour dimmed{white_on_black.picture_alpha, white_on_black.picture_alpha,
+                        white_on_black.picture_alpha};
     EXPECT_TRUE(is_near(colour_at(canvas, view.to_px({0.0, 0.0})), dimmed));
     EXPECT_TRUE(is_near(colour_at(canvas, view.to_px({0.020, 0.041})), dimmed));
     EXPECT_TRUE(is_black(colour_at(canvas, view.to_px({0.022, 0.0}))));
@@ -95,7 +97,7 @@ TEST(PaintPicture, RedStaysRed) {
     const Canvas canvas = blank();
     paint_picture(canvas.context(), view, Area{}, canvas_of(picture, 1600));
     const Colour middle = colour_at(canvas, view.to_px({0.0, 0.0}));
-    EXPECT_NEAR(middle.red, theme::picture_alpha, 0.02);
+    EXPECT_NEAR(middle.red, white_on_black.picture_alpha, 0.02);
     EXPECT_NEAR(middle.blue, 0.0, 0.02);
 }
 
@@ -121,16 +123,16 @@ TEST(PaintPath, FollowsItsPointsAndLeavesOutWhatIsNotFinite) {
     const std::array<Position, 4> path{
         Position{-0.02, 0.01}, {nan, 0.0}, {0.02, 0.01}, {0.02, 0.0}};
     const Canvas canvas = blank();
-    paint_path(canvas.context(), view, path, 4.0, {theme::proxy});
-    EXPECT_TRUE(is_near(colour_at(canvas, view.to_px({0.0, 0.01})), theme::proxy));
-    EXPECT_TRUE(is_near(colour_at(canvas, view.to_px({0.02, 0.005})), theme::proxy));
+    paint_path(canvas.context(), view, path, 4.0, {white_on_black.proxy});
+    EXPECT_TRUE(is_near(colour_at(canvas, view.to_px({0.0, 0.01})), white_on_black.proxy));
+    EXPECT_TRUE(is_near(colour_at(canvas, view.to_px({0.02, 0.005})), white_on_black.proxy));
 }
 
 TEST(PaintForces, AnArrowPointsTheWayTheHandIsPushed) {
     const std::array<ForceMark, 1> up{ForceMark{{0.0, 0.0}, {0.0, 1.0}}};
     const Canvas canvas = blank();
     paint_forces(canvas.context(), view, up, 100.0, 4.0);
-    EXPECT_TRUE(is_near(colour_at(canvas, view.to_px({0.0, 0.005})), theme::force));
+    EXPECT_TRUE(is_near(colour_at(canvas, view.to_px({0.0, 0.005})), white_on_black.force));
     EXPECT_TRUE(is_black(colour_at(canvas, view.to_px({0.0, -0.002}))));
 }
 

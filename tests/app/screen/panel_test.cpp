@@ -35,7 +35,7 @@ TEST(Text, LongTextIsWrappedNotCut) {
 
 TEST(Text, BytesThatAreNoTextAreDrawnAsReplacements) {
     const Canvas canvas(400, 100);
-    const std::array<TextRun, 1> runs{TextRun{"\xff\xfe name.png", theme::alert}};
+    const std::array<TextRun, 1> runs{TextRun{"\xff\xfe name.png", white_on_black.alert}};
     paint_text(canvas.context(), {10.0, 10.0}, 380.0, 20.0, runs);
     EXPECT_GT(ink_of(canvas).width, 20.0);
 }

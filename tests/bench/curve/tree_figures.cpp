@@ -75,10 +75,10 @@ void paint_level(cairo_t* cr, const View& view, const Scene& scene, int level) {
             const auto corners = scene.tree.box(curves, piece, own, j).corners;
             const std::array<Position, 5> around{corners[0], corners[1], corners[2], corners[3],
                                                  corners[0]};
-            paint_path(cr, view, around, 1.5, {theme::box});
+            paint_path(cr, view, around, 1.5, {white_on_black.box});
         }
     }
-    paint_outlines(cr, view, curves, level, 1.5, {theme::outline});
+    paint_outlines(cr, view, curves, level, 1.5, {white_on_black.outline});
 }
 
 /// Mean half-width of the boxes of a level (m).
@@ -147,7 +147,7 @@ Result<void> paint_boxes(const Folders& folders) {
     constexpr double cap_px = 14.0;
     Canvas canvas(static_cast<int>(2.0 * width_px), static_cast<int>(2.0 * height_px));
     cairo_t* const cr = canvas.context();
-    fill(cr, {0.0, 0.0, 2.0 * width_px, 2.0 * height_px}, {theme::background});
+    fill(cr, {0.0, 0.0, 2.0 * width_px, 2.0 * height_px}, {white_on_black.background});
     const Canvas behind = canvas_of(*picture, 1000);
     std::string widths;
     for (std::size_t i = 0; i < box_levels.size(); ++i) {

@@ -1,0 +1,44 @@
+// Where sheet, picture and captions lie on a screen of any size with letters of any size.
+// Threads: pure functions.
+#pragma once
+
+#include "app/screen/layout.h"
+#include "app/screen/theme.h"
+
+namespace touchline {
+
+/// Cap heights of a screen, in pixels.
+struct TextSizes {
+    double normal_px = 27.0;  // the least that any letter has
+    double cap_px = 27.0;     // as chosen
+    double mark_px = 27.0;    // of page numbers: half as high, where that is no less than normal
+
+    friend bool operator==(const TextSizes&, const TextSizes&) = default;
+};
+
+/// Of a screen of this size; `normal_cap_px` is the cap height of TextSize::normal there.
+[[nodiscard]] TextSizes text_sizes(TextSize size, double normal_cap_px, int width_px,
+                                   int height_px);
+
+/// Lines of the captions' band.
+struct CaptionRows {
+    int rows = 1;         // of the caption
+    double sign_px = 27;  // cap height of the sign of a sound
+};
+
+[[nodiscard]] CaptionRows caption_rows(int height_px, const TextSizes& sizes);
+
+struct Arrangement {
+    Rect sheet;
+    Rect captions;  // along the lower edge, always there, so that nothing moves when one comes
+    Rect picture;   // width 0: none
+
+    friend bool operator==(const Arrangement&, const Arrangement&) = default;
+};
+
+/// Covers the screen without gap or overlap; edges lie on whole pixels. The sheet gets what its
+/// letters need first: a picture that would be smaller than a stamp is left out.
+[[nodiscard]] Arrangement arrange(int width_px, int height_px, const TextSizes& sizes,
+                                  bool has_picture);
+
+}  // namespace touchline

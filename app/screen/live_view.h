@@ -1,0 +1,77 @@
+// What the staff looks at: the picture with outlines, boxes, hand and forces, the status panel and
+// how well the loop is in time. Still layers are painted only when they change.
+// Threads: the one that holds the OpenGL context.
+#pragma once
+
+#include "app/screen/image_layer.h"
+#include "app/screen/shown_scene.h"
+#include "app/screen/stroke_renderer.h"
+#include "app/session/status.h"
+#include "config/types/hand_state.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace touchline {
+
+/// What draws images and strokes; shared by everything in the window.
+struct Renderers {
+    ImageRenderer images;
+    StrokeRenderer strokes;
+};
+
+struct FrameContent {
+    Status status;
+    bool shows_keys = false;
+    bool shows_boxes = false;
+    HandState hand;
+    ShownScene shown;
+};
+
+class LiveView {
+  public:
+    /// `cap_px`: height of a capital letter.
+    explicit LiveView(double cap_px) : cap_px_(cap_px) {}
+
+    /// Draws one frame on a screen of this size (px). The panel's words change at most five times a
+    /// second, so that they can be read and nothing flickers.
+    void draw(const Renderers& renderers, const FrameContent& content, int width_px, int height_px,
+              std::int64_t now_ns);
+
+    /// How the picture last drawn lies on the screen.
+    [[nodiscard]] const View& view() const { return view_; }
+
+  private:
+    void lay_out_again(int width_px, int height_px);
+    void update_picture(const ShownScene& shown);
+    void update_panel(const Status& status, std::int64_t now_ns);
+    void update_overlay(const FrameContent& content);
+    void update_outlines(const Scene& scene, double level);
+    void update_boxes(const FrameContent& content);
+    void update_hand(const HandState& hand);
+    void upload(ImageLayer& layer, const Canvas& canvas, const Rect& rect) const;
+
+    [[nodiscard]] double unit_px() const { return cap_px_ / 14.0; }
+
+    double cap_px_;
+    ImageLayer picture_, panel_, overlay_;
+    StrokeBuffer boxes_, outlines_, hand_;
+    Strokes strokes_;
+
+    int width_px_ = 0;
+    int height_px_ = 0;
+    ScreenLayout layout_;
+    View view_;
+    bool is_stale_ = true;  // sizes changed: every layer is to be painted again
+
+    // What the layers show.
+    std::shared_ptr<const Canvas> painted_picture_;
+    Status painted_status_;
+    std::int64_t panel_ns_ = 0;
+    std::string painted_message_;
+    bool painted_keys_ = false;
+    std::uint64_t outlined_version_ = 0;  // of the map
+    double outlined_level_ = -1.0;
+};
+
+}  // namespace touchline

@@ -1,0 +1,89 @@
+// Lines filled into pages of one size. Nothing scrolls and nothing is cut off: what does not fit
+// stands on the next page. All places are relative to the upper left corner of the page.
+// Threads: values and pure functions.
+#pragma once
+
+#include "app/screen/layout.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// What a phrase of text is marked with, by shape: a setting has a triangle on either side of its
+/// value, a switch a frame around it.
+enum class PhraseMark : std::uint8_t { none, arrows, frame };
+
+/// Room that a mark needs on either side of its text.
+[[nodiscard]] double mark_room_px(PhraseMark mark, double cap_px);
+
+/// Some text of a line.
+struct Phrase {
+    double x_px = 0.0;      // from the left edge of the block, of the text itself
+    double width_px = 0.0;  // of the text
+    std::string text;
+    bool is_bold = false;
+    PhraseMark mark = PhraseMark::none;
+};
+
+using PhraseRow = std::vector<Phrase>;
+
+/// Rows that belong together.
+struct RowBlock {
+    std::vector<PhraseRow> rows;
+    std::optional<std::size_t> item;  // of the screen
+    /// Running text fills what is left of a page. Otherwise the rows part only where a page of
+    /// their own has no room for all.
+    bool is_running = false;
+};
+
+struct PageMetrics {
+    double height_px = 0.0;
+    double row_px = 0.0;    // > 0
+    double inset_px = 0.0;  // above and below the rows of each block, and left of them
+    double gap_px = 0.0;    // between blocks
+};
+
+struct PlacedPhrase {
+    PixelPoint at;  // upper left corner of the box of its line
+    Phrase phrase;
+};
+
+/// An item, or the part of it that stands on this page.
+struct PlacedItem {
+    std::size_t item = 0;
+    double top_px = 0.0;  // of its frame
+    double height_px = 0.0;
+};
+
+struct SheetPage {
+    std::vector<PlacedPhrase> phrases;
+    std::vector<PlacedItem> items;
+};
+
+/// At least one page. A page too low for a single row still holds one. O(phrases).
+[[nodiscard]] std::vector<SheetPage> pages_of(std::span<const RowBlock> blocks,
+                                              const PageMetrics& metrics);
+
+/// How long a page is shown where pages turn by themselves: slow readers get through it.
+[[nodiscard]] std::int64_t reading_time_ns(const SheetPage& page);
+
+/// Pages first ... first + count - 1.
+struct PageRange {
+    std::size_t first = 0;
+    std::size_t count = 1;
+};
+
+/// The pages that an item stands on; the first one where it is nowhere.
+[[nodiscard]] PageRange pages_with(std::span<const SheetPage> pages, std::size_t item);
+
+/// Which page of a range is shown `elapsed_ns` (>= 0) after it came: one after the other, then from
+/// the first again.
+[[nodiscard]] std::size_t page_at(std::span<const SheetPage> pages, PageRange range,
+                                  std::int64_t elapsed_ns);
+
+}  // namespace touchline

@@ -1,0 +1,24 @@
+// Screens painted into memory as the window shows them, alone or many on one sheet.
+#pragma once
+
+#include "app/screen/canvas.h"
+#include "app/screen/screen_layers.h"
+
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// The layers as they lie on a screen of this size. Marks are not layers and not here.
+[[nodiscard]] Canvas composed(const ScreenLayers& layers, int width_px, int height_px);
+
+struct Thumbnail {
+    std::string name;
+    Canvas canvas;
+};
+
+/// In rows of `columns`, each `width_px` wide with its name above.
+[[nodiscard]] Canvas contact_sheet(const std::vector<Thumbnail>& screens, int columns,
+                                   int width_px);
+
+}  // namespace touchline
