@@ -5,6 +5,9 @@
 #include "app/session/fault_words.h"
 #include "app/session/first_feel.h"
 
+#include "audio-cues/cues/cue_table.h"
+#include "audio-cues/words/guidance_words.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -12,6 +15,7 @@ namespace touchline {
 namespace {
 
 constexpr double tick_s = 0.05;    // of the visit
+constexpr double sign_s = 1.0;    // that the sign of a sound stays
 constexpr double moved_m = 0.002;  // less is no sign of a person
 constexpr double tour_m_per_s = 0.035;
 
@@ -45,7 +49,11 @@ struct Kiosk::Carrying {
 
     void operator()(const HoldSpeech&) const { kiosk.sound_->toggle_pause(); }
 
-    void operator()(const GiveCue& cue) const { kiosk.sound_->give(cue.event); }
+    void operator()(const GiveCue& cue) const {
+        kiosk.sound_->give(cue.event);
+        kiosk.sign_ = cue.event;
+        kiosk.signed_s_ = kiosk.now_s_;
+    }
 
     void operator()(const GivePattern& pattern) const {
         kiosk.pattern_.pattern = pattern.pattern;
@@ -240,6 +248,12 @@ void Kiosk::step(std::int64_t now_ns) {
         if (settings_.two_switches == moves_by_itself) press_switch(SwitchEvent::tick);
     }
     sound_->step({hand_, shown_.scene.get(), target()});
+}
+
+std::string Kiosk::sound_sign() const {
+    if (!sign_ || now_s_ - signed_s_ > sign_s) return {};
+    const EventRow& row = screen_rows()[static_cast<std::size_t>(*sign_)];
+    return row.cue ? words_of(*row.cue, language()) : std::string();
 }
 
 void Kiosk::follow_headphones() {

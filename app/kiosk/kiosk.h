@@ -77,6 +77,9 @@ class Kiosk {
 
     [[nodiscard]] const Language& language() const { return language_of(visit_, world()); }
 
+    /// The visual sign of the sound that was given last: for a second, then nothing.
+    [[nodiscard]] std::string sound_sign() const;
+
     [[nodiscard]] const HandState& hand() const { return hand_; }
 
     [[nodiscard]] const ForceStatus& force() const { return force_; }
@@ -177,6 +180,8 @@ class Kiosk {
     bool has_camera_ = false;
     bool is_listing_ = false;
     bool is_previewing_ = false;
+    std::optional<ScreenEvent> sign_;
+    double signed_s_ = 0.0;
     std::array<std::string, trouble_count> troubles_;  // as they were told
     std::string report_;
 };

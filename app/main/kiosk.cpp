@@ -1,6 +1,7 @@
 #include "app/main/kiosk.h"
 
 #include "app/gallery/gallery.h"
+#include "app/kiosk/content_of.h"
 #include "app/kiosk/kiosk.h"
 #include "app/loading/kiosk_stages.h"
 #include "app/loading/page_reader.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <memory>
 #include <optional>

@@ -45,7 +45,7 @@ void LiveView::draw(const Renderers& renderers, const FrameContent& content, int
     glEnable(GL_BLEND);
     for (const StrokeBuffer* strokes : {&boxes_, &outlines_, &hand_})
         renderers.strokes.draw(*strokes, width_px_, height_px_);
-    if (painted_keys_ || !painted_message_.empty()) renderers.images.draw(overlay_);
+    if (!painted_message_.empty()) renderers.images.draw(overlay_);
     glDisable(GL_BLEND);
     renderers.images.draw(panel_);
 }
@@ -87,13 +87,11 @@ void LiveView::update_panel(const Status& status, std::int64_t now_ns) {
 
 void LiveView::update_overlay(const FrameContent& content) {
     const std::string& message = content.status.message;
-    if (!is_stale_ && content.shows_keys == painted_keys_ && message == painted_message_) return;
-    painted_keys_ = content.shows_keys;
+    if (!is_stale_ && message == painted_message_) return;
     painted_message_ = message;
-    if (!painted_keys_ && painted_message_.empty()) return;
+    if (painted_message_.empty()) return;
     const Canvas canvas = canvas_for(layout_.picture);
     const Rect rect = at_origin(layout_.picture);
-    if (painted_keys_) paint_keys(canvas.context(), rect, cap_px_);
     if (!message.empty()) paint_message(canvas.context(), rect, message, cap_px_);
     upload(overlay_, canvas, layout_.picture);
 }

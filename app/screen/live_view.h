@@ -22,7 +22,6 @@ struct Renderers {
 
 struct FrameContent {
     Status status;
-    bool shows_keys = false;
     bool shows_boxes = false;
     HandState hand;
     ShownScene shown;
@@ -69,7 +68,6 @@ class LiveView {
     Status painted_status_;
     std::int64_t panel_ns_ = 0;
     std::string painted_message_;
-    bool painted_keys_ = false;
     std::uint64_t outlined_version_ = 0;  // of the map
     double outlined_level_ = -1.0;
 };

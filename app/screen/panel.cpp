@@ -102,51 +102,6 @@ class StatusColumns {
     std::size_t columns_ = 1;
 };
 
-/// The key table as two columns: names and words.
-class KeyRows {
-  public:
-    KeyRows(cairo_t* cr, const Rect& rect, double cap_px)
-        : cr_(cr), rect_(inset(rect, gap_caps * cap_px)), cap_px_(cap_px) {}
-
-    [[nodiscard]] double height_px() const {
-        double height = 2.0 * gap_caps * cap_px_;
-        for (const KeyRow& row : key_table()) height += row_height_px(row);
-        return height;
-    }
-
-    void paint() const {
-        PixelPoint at{rect_.x, rect_.y};
-        for (const KeyRow& row : key_table()) {
-            paint_text(cr_, at, name_width_px(), cap_px_, name_of(row));
-            paint_text(cr_, at + PixelPoint{name_width_px(), 0.0}, words_width_px(), cap_px_,
-                       words_of(row));
-            at.y += row_height_px(row);
-        }
-    }
-
-  private:
-    static std::array<TextRun, 1> name_of(const KeyRow& row) {
-        return {TextRun{row.name, white_on_black.name, true}};
-    }
-
-    static std::array<TextRun, 1> words_of(const KeyRow& row) { return {TextRun{row.words}}; }
-
-    [[nodiscard]] double name_width_px() const { return 10.0 * cap_px_; }
-
-    [[nodiscard]] double words_width_px() const {
-        return std::max(rect_.width - name_width_px(), 1.0);
-    }
-
-    [[nodiscard]] double row_height_px(const KeyRow& row) const {
-        return std::max(text_height_px(cr_, name_width_px(), cap_px_, name_of(row)),
-                        text_height_px(cr_, words_width_px(), cap_px_, words_of(row)));
-    }
-
-    cairo_t* cr_;
-    Rect rect_;
-    double cap_px_;
-};
-
 }  // namespace
 
 double paint_panel(cairo_t* cr, const Rect& rect, const Status& status, double cap_px) {
@@ -155,14 +110,6 @@ double paint_panel(cairo_t* cr, const Rect& rect, const Status& status, double c
         return StatusColumns(cr, rect, status, cap).height_px();
     });
     StatusColumns(cr, rect, status, cap_px).paint();
-    return cap_px;
-}
-
-double paint_keys(cairo_t* cr, const Rect& rect, double cap_px) {
-    fill(cr, rect, {white_on_black.background, 0.92});
-    cap_px = fitting_cap_px(cap_px, rect.height,
-                            [&](double cap) { return KeyRows(cr, rect, cap).height_px(); });
-    KeyRows(cr, rect, cap_px).paint();
     return cap_px;
 }
 

@@ -1,4 +1,4 @@
-// The words of the kiosk: the panel beside the picture, the list of keys and the message band.
+// The words of the kiosk: the panel beside the picture and the message band.
 // Threads: one at a time per Canvas.
 #pragma once
 
@@ -14,9 +14,6 @@ namespace touchline {
 /// Fills `rect` with the status, in as many columns as its width has room for. Text is `cap_px`
 /// high, or smaller where it would not fit: nothing is cut off. Returns the cap height used.
 double paint_panel(cairo_t* cr, const Rect& rect, const Status& status, double cap_px);
-
-/// The key table, centred in `rect` on its own ground. Returns the cap height used.
-double paint_keys(cairo_t* cr, const Rect& rect, double cap_px);
 
 /// One message along the lower edge of `rect`. Returns the cap height used.
 double paint_message(cairo_t* cr, const Rect& rect, const std::string& message, double cap_px);
