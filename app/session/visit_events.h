@@ -74,7 +74,8 @@ struct PictureFacts {
     std::vector<PartFacts> parts;
     PagePlace place = {1, 1, 1, 1};
     int outline_count = 0;
-    std::string note;  // one sentence worth telling; may be empty
+    int outer_outline = 0;  // index in the map: what a first tour goes round
+    std::string note;       // one sentence worth telling; may be empty
 };
 
 /// A second one for the same request is better than the first (labels found later).

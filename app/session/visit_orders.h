@@ -92,6 +92,7 @@ enum class GuideKind : std::uint8_t { stop, outline, to_place, bring_back };
 struct Guide {
     GuideKind kind = GuideKind::stop;
     Position place_W;  // of to_place, of the map that is felt
+    int outline = -1;  // of outline: index in the map
 
     friend bool operator==(const Guide&, const Guide&) = default;
 };

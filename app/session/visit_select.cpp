@@ -88,7 +88,7 @@ void confirm(VisitWork& work) {
 
 void lead_to_part(VisitWork& work, std::size_t part) {
     const PartFacts& wanted = work.visitor.felt->facts.parts[part];
-    lead(work, {GuideKind::to_place, wanted.place_W},
+    lead(work, {GuideKind::to_place, wanted.place_W, -1},
          words(work, "The handle leads you: {0}.", {wanted.name}));
 }
 
@@ -118,10 +118,10 @@ void take_picture_item(VisitWork& work, VisitItem item) {
     const Position hand_W = work.visitor.handle.place_W;
     switch (item) {
         case VisitItem::lead_round:
-            return lead(work, {GuideKind::outline, {}},
+            return lead(work, {GuideKind::outline, {}, work.visitor.felt->facts.outer_outline},
                         words(work, "The handle leads you round the outer line."));
         case VisitItem::bring_back:
-            return lead(work, {GuideKind::bring_back, {}},
+            return lead(work, {GuideKind::bring_back, {}, -1},
                         words(work, "The handle leads you back to a line."));
         case VisitItem::tell_again:
             return say(work, told_picture(work));
