@@ -1,0 +1,44 @@
+// A visitor who knows nothing but what was said, presses one of six keys and moves the handle.
+// Threads: one.
+#pragma once
+
+#include "tests/app/kiosk/kiosk_world.h"
+
+#include <string>
+
+namespace touchline {
+
+class BlindVisitor {
+  public:
+    /// `pause_s`: between one key and the next.
+    explicit BlindVisitor(KioskWorld& world, double pause_s = 0.5)
+        : world_(world), pause_s_(pause_s) {}
+
+    /// Goes down the list until an item begins so, as it is said. False: it came round without one.
+    [[nodiscard]] bool find(const std::string& item);
+
+    /// Finds it and selects it. What was said since is heard().
+    [[nodiscard]] bool choose(const std::string& item);
+
+    void press(KeyRole role);
+
+    /// All that was said since the last key.
+    [[nodiscard]] std::string heard() const { return world_.heard().text_since(since_); }
+
+    /// Until something with these words is said, or the time is over.
+    [[nodiscard]] bool wait_for(const std::string& words, double most_s = 20.0);
+
+    /// The longest answer of all keys so far: from the key to the first sound or word.
+    [[nodiscard]] double slowest_answer_s() const { return slowest_answer_s_; }
+
+    [[nodiscard]] int keys() const { return keys_; }
+
+  private:
+    KioskWorld& world_;
+    double pause_s_;
+    std::size_t since_ = 0;
+    double slowest_answer_s_ = 0.0;
+    int keys_ = 0;
+};
+
+}  // namespace touchline

@@ -1,0 +1,242 @@
+// Whole visits: by the transcript alone, slowly, with two switches, in every language, rudely.
+#include "tests/app/kiosk/blind_visitor.h"
+#include "tests/app/kiosk/kiosk_world.h"
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path pictures = TOUCHLINE_SOURCE_DIR "/app/gallery/pictures";
+
+/// The hand goes along each outline of what is felt; how much of its length was felt: the handle
+/// within 2 mm of it while it held the hand.
+double traced_share(KioskWorld& world) {
+    const auto map = world.servo().picture().map;
+    double length_m = 0.0;
+    double felt_m = 0.0;
+    for (const Outline& outline : map->outlines) {
+        const std::size_t count = outline.points.size() + (outline.is_closed ? 1 : 0);
+        for (std::size_t i = 1; i < count; ++i) {
+            const Position a = outline.points[i - 1];
+            const Position b = outline.points[i % outline.points.size()];
+            const double part_m = norm(b - a);
+            world.servo().hand().move_to(b);
+            world.run(part_m / 0.08);
+            length_m += part_m;
+            const HandState& hand = world.kiosk().hand();
+            if (hand.outline >= 0 && norm(hand.p_WH - b) < 0.002) felt_m += part_m;
+        }
+    }
+    return length_m > 0.0 ? felt_m / length_m : 0.0;
+}
+
+/// From the attract screen to the screen of choices, in English.
+void begin(BlindVisitor& visitor) {
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
+}
+
+void to_choices(BlindVisitor& visitor) {
+    for (int i = 0; i < 4; ++i) {
+        visitor.press(KeyRole::back);
+        if (visitor.heard().find("What to feel") != std::string::npos) return;
+    }
+    FAIL() << visitor.heard();
+}
+
+void finish(KioskWorld& world, BlindVisitor& visitor) {
+    to_choices(visitor);
+    ASSERT_TRUE(visitor.choose("Finish")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Yes")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Goodbye")) << visitor.heard();
+    world.run(30.0);
+    EXPECT_FALSE(is_visit_on(world.kiosk().visit()));
+}
+
+void feel_gallery_picture(KioskWorld& world, BlindVisitor& visitor) {
+    ASSERT_TRUE(visitor.choose("Pictures of the house")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("A heart")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Lead me round")) << visitor.heard();
+    EXPECT_GT(traced_share(world), 0.9);
+}
+
+TEST(WholeVisit, BlindByTheTranscriptAloneToThreePictures) {
+    KioskWorld world;
+    BlindVisitor visitor(world);
+    begin(visitor);
+    feel_gallery_picture(world, visitor);
+
+    world.put_stick({pictures / "07-house.svg"});
+    to_choices(visitor);
+    ASSERT_TRUE(visitor.choose("Your USB stick")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("07 house")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Lead me round")) << visitor.heard();
+    EXPECT_GT(traced_share(world), 0.9);
+
+    world.lay(TOUCHLINE_SOURCE_DIR "/tests/app/kiosk/triangle.png");
+    to_choices(visitor);
+    ASSERT_TRUE(visitor.choose("Camera")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Take the picture")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Lead me round")) << visitor.heard();
+    EXPECT_GT(traced_share(world), 0.9);
+
+    EXPECT_LE(visitor.slowest_answer_s(), 0.3);
+    finish(world, visitor);
+}
+
+/// 25 s before every key, and the handle idle: nobody is sent away who answers.
+TEST(WholeVisit, SlowlyAndWithTheHandleIdle) {
+    KioskWorld world;
+    BlindVisitor visitor(world, 25.0);
+    begin(visitor);
+    ASSERT_TRUE(visitor.choose("Practice shape")) << visitor.heard();
+    EXPECT_GT(world.servo().felt_count, 0);
+    EXPECT_TRUE(is_visit_on(world.kiosk().visit()));
+    EXPECT_LE(visitor.slowest_answer_s(), 0.3);
+}
+
+/// Captions hold all that was said, and the handle asks for attention before time is over.
+TEST(WholeVisit, DeafByCaptionsAndTheHandle) {
+    KioskWorld world;
+    BlindVisitor visitor(world);
+    visitor.press(KeyRole::select);
+    for (int i = 0; i < 40; ++i) {
+        visitor.press(i % 5 == 4 ? KeyRole::select : KeyRole::down);
+        EXPECT_EQ(world.kiosk().visit().visitor.caption.text, world.heard().last_text());
+        if (!is_visit_on(world.kiosk().visit())) break;
+    }
+    const std::uint32_t patterns = world.servo().commands().pattern.serial;
+    EXPECT_GT(patterns, 0U) << "a focus that moves is felt";
+    world.run(100.0);
+    EXPECT_EQ(open_screen(world.kiosk().visit()), VisitScreen::question);
+    EXPECT_GT(world.servo().commands().pattern.serial, patterns) << "so is the question";
+    EXPECT_LE(world.servo().most_force_N, 3.0);
+}
+
+TEST(WholeVisit, InEveryLanguage) {
+    for (const char* name : {"English", "Deutsch", "Français", "Español"}) {
+        SCOPED_TRACE(name);
+        KioskWorld world;
+        BlindVisitor visitor(world);
+        visitor.press(KeyRole::select);
+        ASSERT_TRUE(visitor.choose(name)) << visitor.heard();
+        const std::string code = world.kiosk().language().code();
+        const auto since = world.heard().things.size();
+        for (int i = 0; i < 6; ++i) visitor.press(KeyRole::down);
+        for (std::size_t i = since; i < world.heard().things.size(); ++i) {
+            const HeardThing& thing = world.heard().things[i];
+            EXPECT_TRUE(thing.text.empty() || thing.language == code) << thing.text;
+        }
+    }
+}
+
+/// Two keys alone: one moves on, the other selects.
+TEST(WholeVisit, WithTwoSwitches) {
+    KioskWorld world;
+    Settings settings;
+    settings.two_switches = 1;
+    world.kiosk().set(settings);
+    const auto move_to = [&world](const std::string& item) {
+        for (int i = 0; i < 80; ++i) {
+            const auto since = world.heard().things.size();
+            world.press(KeyRole::down);
+            world.run(0.5);
+            if (("\n" + world.heard().text_since(since)).find("\n" + item) != std::string::npos)
+                return true;
+        }
+        return false;
+    };
+    const auto select = [&world] {
+        world.press(KeyRole::select);
+        world.run(1.0);
+    };
+    select();
+    ASSERT_TRUE(move_to("English, 1"));
+    select();
+    ASSERT_TRUE(move_to("Pictures of the house"));
+    select();
+    ASSERT_TRUE(move_to("A heart"));
+    select();
+    for (int i = 0; i < 40 && world.servo().picture().map == nullptr; ++i) world.run(0.25);
+    ASSERT_NE(world.servo().picture().map, nullptr);
+    EXPECT_FALSE(world.servo().picture().map->outlines.empty());
+    ASSERT_TRUE(move_to("Back")) << "keys are items too";
+    select();
+    EXPECT_TRUE(is_visit_on(world.kiosk().visit()));
+}
+
+/// 10 000 keys, seeded, in any order and at any pace.
+TEST(WholeVisit, RudelyItIsNeverStuckAndEveryKeyIsAnswered) {
+    KioskWorld world;
+    std::mt19937 random(2026);
+    double silent_s = 0.0;
+    for (int i = 0; i < 10'000; ++i) {
+        const auto before = world.heard().things.size();
+        const double pressed_s = world.now_s();
+        world.kiosk().press(static_cast<KeyRole>(random() % key_role_count));
+        world.run(random() % 8 == 0 ? 0.4 : 0.02);
+        ASSERT_GT(world.heard().things.size(), before) << "key " << i;
+        ASSERT_LE(world.heard().things[before].at_s - pressed_s, 0.3) << "key " << i;
+        silent_s = std::max(silent_s, world.heard().things[before].at_s - pressed_s);
+        if (i % 1000 == 0) world.heard().things.clear();
+    }
+    // From wherever it is, Back leads to the choices, and from there on.
+    for (int i = 0; i < 12; ++i) {
+        world.press(KeyRole::back);
+        world.run(1.0);
+    }
+    BlindVisitor visitor(world);
+    EXPECT_LE(silent_s, 0.3);
+    world.run(400.0);  // whoever was here has left
+    EXPECT_FALSE(is_visit_on(world.kiosk().visit()));
+    begin(visitor);
+}
+
+/// Every file below a folder, and what is in it.
+std::map<fs::path, std::string> files_below(const fs::path& folder) {
+    std::map<fs::path, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (!entry.is_regular_file()) continue;
+        std::ifstream file(entry.path(), std::ios::binary);
+        files[entry.path()] = {std::istreambuf_iterator<char>(file), {}};
+    }
+    return files;
+}
+
+TEST(WholeVisit, TI4_NothingOfAVisitorIsInAnyFileAfterwards) {
+    KioskWorld world;
+    const fs::path home = fs::path(testing::TempDir()) / ("home-" + std::to_string(getpid()));
+    fs::remove_all(home);
+    fs::create_directories(home);
+    for (const char* name : {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME",
+                             "XDG_DATA_HOME", "TMPDIR", "TOUCHLINE_RECORDINGS"})
+        setenv(name, home.c_str(), 1);
+    world.put_stick({pictures / "07-house.svg"});
+    const auto before = files_below(world.folder());
+    BlindVisitor visitor(world);
+    begin(visitor);
+    ASSERT_TRUE(visitor.choose("Your USB stick")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("07 house")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Lead me round")) << visitor.heard();
+    finish(world, visitor);
+    EXPECT_EQ(files_below(world.folder()), before) << "the stick is as it was";
+    EXPECT_TRUE(files_below(home).empty());
+    EXPECT_EQ(world.heard().forgotten, 1);
+    EXPECT_TRUE(world.servo().picture().map->outlines.empty()) << "nor does the servo have it";
+    EXPECT_TRUE(world.kiosk().visit().visitor.stick_names.empty());
+    fs::remove_all(home);
+}
+
+}  // namespace
+}  // namespace touchline
