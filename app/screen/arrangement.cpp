@@ -48,12 +48,19 @@ Parts below(const Rect& rect, const TextSizes& sizes) {
 }  // namespace
 
 TextSizes text_sizes(TextSize size, double normal_cap_px, int width_px, int height_px) {
-    const auto of = [&](TextSize which) {
-        return cap_height_px(which, normal_cap_px, width_px, height_px);
-    };
-    const double normal = of(TextSize::normal);
-    const double cap = of(size);
-    return {normal, cap, std::max(normal, cap / 2.0)};
+    // What sheet_layout.cpp and captions.cpp need at least, in capitals of each size.
+    constexpr double needed_normal = 8.5;
+    constexpr double needed_chosen = 7.3;
+    constexpr double needed_across = 10.0;
+    constexpr double roomy = 14.0;
+    const double normal = std::min(
+        {normal_cap_px, height_px / (needed_normal + needed_chosen), width_px / needed_across});
+    // At these angles the tangent is the angle within 0.1 %.
+    const double wanted = normal * cap_angle_deg(size) / cap_angle_deg(TextSize::normal);
+    const double cap = std::min(
+        {wanted, (height_px - needed_normal * normal) / needed_chosen, width_px / needed_across});
+    const bool is_roomy = height_px >= roomy * cap;
+    return {normal, cap, is_roomy ? std::max(normal, cap / 2.0) : normal};
 }
 
 CaptionRows caption_rows(int height_px, const TextSizes& sizes) {

@@ -11,12 +11,14 @@ namespace touchline {
 struct TextSizes {
     double normal_px = 27.0;  // the least that any letter has
     double cap_px = 27.0;     // as chosen
-    double mark_px = 27.0;    // of page numbers: half as high, where that is no less than normal
+    double mark_px = 27.0;    // of page numbers: half as high where there is room, else normal
 
     friend bool operator==(const TextSizes&, const TextSizes&) = default;
 };
 
-/// Of a screen of this size; `normal_cap_px` is the cap height of TextSize::normal there.
+/// Of a screen of this size; `normal_cap_px` is the cap height of TextSize::normal on it. A screen
+/// too small for a row of text, one item and one row of captions gets the largest letters for which
+/// it has that room.
 [[nodiscard]] TextSizes text_sizes(TextSize size, double normal_cap_px, int width_px,
                                    int height_px);
 

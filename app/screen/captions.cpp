@@ -66,11 +66,10 @@ SignLine sign_line(cairo_t* cr, const CaptionLayout& layout, const std::string& 
                    const Language& language) {
     constexpr double step = 0.96;
     constexpr double least_px = 6.0;
-    constexpr std::size_t most_pages = 9;
     const LineStyle mark{layout.sizes.mark_px};
     const double room_px =
         layout.foot.width - layout.sizes.mark_px -
-        line_width_px(cr, mark, page_words(most_pages - 1, most_pages, language));
+        line_width_px(cr, mark, page_words(layout.pages.size() - 1, layout.pages.size(), language));
     double cap_px = layout.sign_px;
     double width_px = line_width_px(cr, {cap_px, true}, sign);
     while (cap_px > least_px && shape_caps * cap_px + width_px > room_px) {

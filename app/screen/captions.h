@@ -28,8 +28,8 @@ struct CaptionLayout {
                                             const Rect& rect, int screen_height_px,
                                             const TextSizes& sizes);
 
-/// The sign's words with the room left beside its shape and the longest page number: smaller where
-/// they are long, never broken.
+/// The sign's words with the room left beside its shape and the number of the last page: smaller
+/// where they are long, never broken.
 struct SignLine {
     PixelPoint at;
     LineStyle style;

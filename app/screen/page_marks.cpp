@@ -1,5 +1,7 @@
 #include "app/screen/page_marks.h"
 
+#include <algorithm>
+
 namespace touchline {
 
 std::string page_words(std::size_t page, std::size_t pages, const Language& language) {
@@ -20,8 +22,8 @@ bool are_beside(cairo_t* cr, double width_px, LineStyle style, const std::string
 
 int rows_of_marks(cairo_t* cr, std::size_t items, double width_px, LineStyle style,
                   const Language& language) {
-    constexpr std::size_t most_pages_an_item = 2;  // more are not looked through in a day
-    const std::size_t pages = most_pages_an_item * items + 1;
+    // Long names at the largest size need tens of pages each; a long list has short ones mostly.
+    const std::size_t pages = std::max<std::size_t>(99, 3 * items);
     return are_beside(cr, width_px, style, place_words(items, items, language),
                       page_words(pages, pages, language))
                ? 1

@@ -14,9 +14,9 @@
 
 namespace touchline {
 
-/// What a phrase of text is marked with, by shape: a setting has a triangle on either side of its
-/// value, a switch a frame around it.
-enum class PhraseMark : std::uint8_t { none, arrows, frame };
+/// What a phrase is marked with, by shape: the value of a setting has a triangle before and one
+/// behind it, that of a switch a frame around it.
+enum class PhraseMark : std::uint8_t { none, arrows, left_arrow, right_arrow, frame };
 
 /// Room that a mark needs on either side of its text.
 [[nodiscard]] double mark_room_px(PhraseMark mark, double cap_px);

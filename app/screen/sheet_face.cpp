@@ -78,12 +78,13 @@ void paint_mark(cairo_t* cr, const FaceLine& line, Colour colour) {
     const double right_px = line.at.x + line.width_px;
     const double near_px = 0.35 * cap_px;
     const double far_px = 0.85 * cap_px;
-    if (line.mark == PhraseMark::arrows) {
+    const bool is_setting = line.mark == PhraseMark::arrows;
+    if (is_setting || line.mark == PhraseMark::left_arrow)
         fill_triangle(cr, {line.at.x - far_px, middle_px}, {line.at.x - near_px, middle_px},
                       0.4 * cap_px, colour);
+    if (is_setting || line.mark == PhraseMark::right_arrow)
         fill_triangle(cr, {right_px + far_px, middle_px}, {right_px + near_px, middle_px},
                       0.4 * cap_px, colour);
-    }
     if (line.mark == PhraseMark::frame) {
         const double height_px = 1.85 * cap_px;
         stroke_rect(cr,

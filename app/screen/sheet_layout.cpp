@@ -8,9 +8,10 @@ namespace touchline {
 
 namespace {
 
-constexpr double widest_caps = 50.0;  // longer lines are hard to follow
-constexpr double margin_caps = 0.5;
-constexpr double gap_caps = 0.5;  // between title and text, text and list
+constexpr double widest_caps = 50.0;        // longer lines are hard to follow
+constexpr double margin_caps = 0.5;         // left and right
+constexpr double upper_margin_caps = 0.25;  // and below
+constexpr double gap_caps = 0.25;           // between title and text, text and list
 constexpr double item_gap_caps = 0.1;
 constexpr double item_inset_caps = 0.25;  // room of the frame of the focus
 constexpr double pointer_caps = 1.2;      // and of its pointer
@@ -25,25 +26,25 @@ std::vector<PhraseRow> rows_of(cairo_t* cr, double width_px, LineStyle style,
     return rows;
 }
 
-PhraseMark mark_of(ItemRole role) {
-    if (role == ItemRole::setting) return PhraseMark::arrows;
+/// Of row `row` of a value of so many rows: it begins and ends with an arrow.
+PhraseMark mark_of(ItemRole role, std::size_t row, std::size_t rows) {
     if (role == ItemRole::toggle) return PhraseMark::frame;
-    return PhraseMark::none;
+    if (role != ItemRole::setting) return PhraseMark::none;
+    if (rows == 1) return PhraseMark::arrows;
+    if (row == 0) return PhraseMark::left_arrow;
+    return row + 1 == rows ? PhraseMark::right_arrow : PhraseMark::none;
 }
 
 /// The value beside the name where both have room in one line, below it otherwise.
 void add_value(std::vector<PhraseRow>& rows, cairo_t* cr, double width_px, double cap_px,
                const ScreenItem& item) {
     if (item.value.empty()) return;
-    const PhraseMark mark = mark_of(item.role);
-    const double mark_px = mark_room_px(mark, cap_px);
+    const double mark_px = mark_room_px(mark_of(item.role, 0, 1), cap_px);
     std::vector<PhraseRow> values =
         rows_of(cr, width_px - 2.0 * mark_px, {cap_px, true}, item.value);
-    for (PhraseRow& value : values) {
-        for (Phrase& phrase : value) {
-            phrase.x_px = mark_px;
-            phrase.mark = mark;
-        }
+    for (std::size_t row = 0; row < values.size(); ++row) {
+        values[row].front().x_px = mark_px;
+        values[row].front().mark = mark_of(item.role, row, values.size());
     }
     if (rows.size() == 1 && values.size() == 1) {
         Phrase& value = values.front().front();
@@ -136,8 +137,9 @@ Rect column_of(const Rect& rect, double cap_px) {
     const double margin_px = margin_caps * cap_px;
     const double width_px =
         std::max(std::min(rect.width - 2.0 * margin_px, widest_caps * cap_px), 1.0);
-    return {std::round(rect.x + (rect.width - width_px) / 2.0), rect.y + margin_px, width_px,
-            std::max(rect.height - 2.0 * margin_px, 1.0)};
+    const double upper_px = upper_margin_caps * cap_px;
+    return {std::round(rect.x + (rect.width - width_px) / 2.0), rect.y + upper_px, width_px,
+            std::max(rect.height - 2.0 * upper_px, 1.0)};
 }
 
 /// How much of `room_px` the text gets: all it needs where the list leaves it that, two fifths

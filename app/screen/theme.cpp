@@ -32,11 +32,4 @@ double cap_height_px(double distance_m, double mm_per_px) {
     return std::clamp(height_px, 12.0, 80.0);
 }
 
-double cap_height_px(TextSize size, double normal_cap_px, int width_px, int height_px) {
-    constexpr double least_capitals = 10.0;  // along the shorter side
-    // At these angles the tangent is the angle within 0.1 %.
-    const double wanted_px = normal_cap_px * cap_angle_deg(size) / cap_angle_deg(TextSize::normal);
-    return std::min(wanted_px, std::min(width_px, height_px) / least_capitals);
-}
-
 }  // namespace touchline

@@ -103,9 +103,4 @@ inline constexpr std::size_t text_size_count = 4;
 /// pixels; 12 ... 80, so that a screen that lies about its size stays readable.
 [[nodiscard]] double cap_height_px(double distance_m, double mm_per_px);
 
-/// The same for a size, from that of TextSize::normal. A screen whose shorter side holds fewer
-/// than ten such capitals gets a tenth of that side: less, and no sentence would fit a page.
-[[nodiscard]] double cap_height_px(TextSize size, double normal_cap_px, int width_px,
-                                   int height_px);
-
 }  // namespace touchline

@@ -74,21 +74,5 @@ TEST(CapHeight, AScreenThatLiesAboutItsSizeStaysReadable) {
     EXPECT_EQ(cap_height_px(0.6, 0.001), 80.0);
 }
 
-TEST(CapHeight, OfTheFourSizesIsThatOfTheirAngles) {
-    const double normal_px = cap_height_px(0.6, 0.25);
-    const auto mm = [&](TextSize size) {
-        return 0.25 * cap_height_px(size, normal_px, 1920, 1080);
-    };
-    EXPECT_NEAR(mm(TextSize::normal), 7.33, 0.01);  // 2 d tan(angle / 2)
-    EXPECT_NEAR(mm(TextSize::large), 10.47, 0.01);
-    EXPECT_NEAR(mm(TextSize::larger), 14.66, 0.01);
-    EXPECT_NEAR(mm(TextSize::largest), 20.95, 0.03);
-}
-
-TEST(CapHeight, OfTheLargestSizeLeavesRoomOnASmallScreen) {
-    EXPECT_EQ(cap_height_px(TextSize::largest, 27.0, 800, 600), 60.0);
-    EXPECT_LT(cap_height_px(TextSize::larger, 27.0, 800, 600), 60.0);
-}
-
 }  // namespace
 }  // namespace touchline

@@ -1,0 +1,194 @@
+// What a screen looks like, measured from its pixels: VI-1, VI-2, VI-3, VI-7.
+#include "app/screen/screen_layers.h"
+
+#include "tests/app/screen/contact_sheet.h"
+#include "tests/app/screen/probes.h"
+#include "tests/app/screen/sample_screens.h"
+
+#include <array>
+#include <map>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr int width = 1280;
+constexpr int height = 800;
+constexpr double normal_cap_px = 27.0;
+constexpr std::int64_t second_ns = 1'000'000'000;
+constexpr std::array palette_list{PaletteName::white_on_black, PaletteName::black_on_white,
+                                  PaletteName::yellow_on_black, PaletteName::low_glare_grey};
+
+ScreenContent list_content(PaletteName palette = {}, TextSize size = {}) {
+    ScreenContent content;
+    content.screen = sample_screens(Language()).front().screen;
+    content.palette = palette;
+    content.text_size = size;
+    return content;
+}
+
+Canvas drawn(const ScreenContent& content) {
+    ScreenLayers layers(normal_cap_px);
+    layers.update(content, width, height, 0);
+    return composed(layers, width, height);
+}
+
+/// The rows of a part of a canvas in which a colour stands, as first and one past the last.
+std::pair<int, int> rows_with(const Canvas& canvas, const Rect& rect, Colour colour) {
+    int first = -1;
+    int last = -1;
+    for (int y = static_cast<int>(rect.y); y < rect.y + rect.height; ++y) {
+        for (int x = static_cast<int>(rect.x); x < rect.x + rect.width; ++x) {
+            if (!is_near(colour_at(canvas, {x + 0.5, y + 0.5}), colour)) continue;
+            if (first < 0) first = y;
+            last = y;
+            break;
+        }
+    }
+    return {first, last + 1};
+}
+
+TEST(ScreenPixels, ACapitalIsAsHighAsTheAngleAsks) {
+    for (const TextSize size :
+         {TextSize::normal, TextSize::large, TextSize::larger, TextSize::largest}) {
+        ScreenContent content = list_content({}, size);
+        content.screen = {"H", "", {}, {}, ScreenView::none};
+        const Canvas canvas = drawn(content);
+        const auto [top, bottom] = rows_with(canvas, {0.0, 0.0, width, 300.0}, white_on_black.text);
+        const double wanted_px = normal_cap_px * cap_angle_deg(size) / cap_angle_deg({});
+        EXPECT_NEAR(bottom - top, wanted_px, 1.5) << static_cast<int>(size);
+    }
+}
+
+/// The most frequent colours of the canvas, most frequent first.
+std::vector<Colour> main_colours(const Canvas& canvas) {
+    std::map<std::tuple<int, int, int>, int> counts;
+    for (int y = 0; y < canvas.height(); ++y) {
+        for (int x = 0; x < canvas.width(); ++x) {
+            const Colour c = colour_at(canvas, {x + 0.5, y + 0.5});
+            const auto byte = [](double share) { return static_cast<int>(share * 255.0 + 0.5); };
+            ++counts[{byte(c.red), byte(c.green), byte(c.blue)}];
+        }
+    }
+    std::vector<std::pair<int, Colour>> sorted;
+    for (const auto& [c, count] : counts)
+        sorted.push_back(
+            {count, {std::get<0>(c) / 255.0, std::get<1>(c) / 255.0, std::get<2>(c) / 255.0}});
+    std::sort(sorted.begin(), sorted.end(),
+              [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<Colour> colours;
+    for (const auto& [count, colour] : sorted) colours.push_back(colour);
+    return colours;
+}
+
+TEST(ScreenPixels, LettersHaveTheContrastOfTheirPalette) {
+    for (const PaletteName name : palette_list) {
+        ScreenContent content = list_content(name);
+        content.screen.focus.reset();  // nothing but letters
+        content.caption = "Something is said here, in quite a few words, so that they count.";
+        const std::vector<Colour> colours = main_colours(drawn(content));
+        const double measured = contrast(colours.at(0), colours.at(1));
+        const bool is_high = name == PaletteName::white_on_black ||  // the default too
+                             name == PaletteName::black_on_white;
+        EXPECT_GE(measured, is_high ? 20.0 : 7.0) << static_cast<int>(name);
+    }
+}
+
+/// Lengths of the runs along a row of pixels that stand out from the ground at least 3:1.
+std::vector<int> runs_standing_out(const Canvas& canvas, int y, int from_x, int to_x,
+                                   Colour ground) {
+    std::vector<int> runs;
+    bool is_in_run = false;
+    for (int x = from_x; x < to_x; ++x) {
+        const bool stands_out = contrast(colour_at(canvas, {x + 0.5, y + 0.5}), ground) >= 3.0;
+        if (stands_out && !is_in_run) runs.push_back(0);
+        if (stands_out) ++runs.back();
+        is_in_run = stands_out;
+    }
+    return runs;
+}
+
+TEST(ScreenPixels, TheFocusIsAThickFrameAndAPointerThatStandOut) {
+    const Canvas probe(1, 1);
+    for (const PaletteName name : palette_list) {
+        const ScreenContent content = list_content(name);
+        const TextSizes sizes = text_sizes({}, normal_cap_px, width, height);
+        const SheetLayout layout = lay_out_sheet(
+            probe.context(), content.screen, arrange(width, height, sizes, false).sheet, sizes, {});
+        const SheetFace face = face_of(probe.context(), layout, content.screen, {}, {});
+        ASSERT_TRUE(face.focus);
+        const Canvas canvas = drawn(content);
+        const Colour ground = palette_of(name).background;
+        const int left = static_cast<int>(face.focus->x);
+        const int middle = static_cast<int>(face.focus->y + face.focus->height / 2.0);
+        const auto letters_px = static_cast<int>(1.4 * sizes.cap_px);  // not that far
+        const auto with = runs_standing_out(canvas, middle, left, left + letters_px, ground);
+        ASSERT_EQ(with.size(), 2U) << static_cast<int>(name);  // frame, pointer
+        EXPECT_GE(with[0], 4);
+        EXPECT_GE(with[1], 10);
+        const int other = middle + static_cast<int>(face.focus->height);
+        EXPECT_TRUE(runs_standing_out(canvas, other, left, left + letters_px, ground).empty());
+    }
+}
+
+TEST(ScreenPixels, TheFocusShowsWithoutColour) {
+    ScreenContent content = list_content();
+    const Canvas one = drawn(content);
+    content.screen.focus = 2;
+    const Canvas two = drawn(content);
+    int differing = 0;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const PixelPoint p{x + 0.5, y + 0.5};
+            if (contrast(colour_at(one, p), colour_at(two, p)) >= 3.0) ++differing;
+        }
+    }
+    EXPECT_GT(differing, 10'000);
+}
+
+TEST(ScreenPixels, ASoundHasAShapeAndWords) {
+    ScreenContent content = list_content();
+    const Canvas silent = drawn(content);
+    content.sound_sign = "i";
+    const Canvas sounding = drawn(content);
+    const TextSizes sizes = text_sizes({}, normal_cap_px, width, height);
+    const Rect band = arrange(width, height, sizes, false).captions;
+    const auto first = [&](const Canvas& canvas) {
+        return rows_with(canvas, {0.0, band.y + 4.0, 60.0, band.height - 4.0}, white_on_black.text)
+            .first;
+    };
+    EXPECT_LT(first(silent), 0);
+    EXPECT_GT(first(sounding), band.y);
+}
+
+bool is_all_black(const Canvas& canvas) {
+    return ink_of(canvas) == Rect{};
+}
+
+TEST(Curtain, IsBlackWhateverThereIsAndFallsAtOnce) {
+    ScreenLayers layers(normal_cap_px);
+    ScreenContent content = list_content(PaletteName::black_on_white);
+    content.caption = "Something private";
+    content.sound_sign = "corner";
+    layers.update(content, width, height, 0);
+    EXPECT_FALSE(is_all_black(composed(layers, width, height)));
+    content.screen.focus = 0;
+    layers.update(content, width, height, 1);
+    content.is_curtain = true;
+    layers.update(content, width, height, 2);  // a third change within a second
+    EXPECT_TRUE(is_all_black(composed(layers, width, height)));
+    content.caption = "More of it";
+    content.screen.title = "Another screen";
+    content.text_size = TextSize::largest;
+    for (int i = 0; i < 100; ++i) layers.update(content, width, height, i * second_ns / 10 + 3);
+    EXPECT_TRUE(is_all_black(composed(layers, width, height)));
+    EXPECT_FALSE(layers.has_marks());
+    content.is_curtain = false;
+    layers.update(content, width, height, 20 * second_ns);
+    EXPECT_FALSE(is_all_black(composed(layers, width, height)));
+}
+
+}  // namespace
+}  // namespace touchline

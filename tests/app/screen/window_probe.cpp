@@ -1,0 +1,115 @@
+// A full-screen window with a screen of the model in it, for the test of the window and for the
+// README's picture:
+//   window_probe OUT.png [SIZE 0 ... 3]
+// writes what was drawn, says how large it is and how long a frame took, then shows it until its
+// input ends.
+#include "app/decode/png_writer.h"
+#include "app/screen/kiosk_screen.h"
+#include "app/screen/window.h"
+#include "tests/app/gallery/pictures.h"
+#include "tests/app/screen/sample_screens.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+namespace touchline {
+namespace {
+
+constexpr double cap_px = 27.0;
+constexpr int frames = 120;
+
+template <class T>
+T value_of(Result<T> result) {
+    if (!result) throw std::runtime_error(result.error().line);
+    return std::move(*result);
+}
+
+/// The outlines of a fish, its settings, and a hand on its nose.
+ScreenContent fish_content() {
+    ScreenContent content;
+    for (const ShippedPicture& picture : shipped_pictures()) {
+        if (picture.name != "06-fish") continue;
+        content.shown.scene = std::make_shared<const Scene>(
+            value_of(build_scene(picture.map, CurveOptions{}, proxy_radius_m)));
+        content.screen = sample_screens(Language()).at(2).screen;
+        content.screen.title = picture.map.title;
+        content.screen.text = picture.map.description;
+    }
+    content.caption = spoken_item(content.screen, *content.screen.focus, content.language);
+    content.sound_sign = "corner";
+    content.hand.p_WH = {0.010, 0.012};
+    content.hand.p_WP = {0.012, 0.014};
+    content.hand.force = {0.3, 0.3};
+    return content;
+}
+
+/// What stands in the window now, rows from the top.
+Picture pixels_of(const Window& window) {
+    Picture picture;
+    picture.width = window.width_px();
+    picture.height = window.height_px();
+    const auto stride = 3 * static_cast<std::size_t>(picture.width);
+    std::vector<std::uint8_t> upward(stride * static_cast<std::size_t>(picture.height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, picture.width, picture.height, GL_BGR, GL_UNSIGNED_BYTE, upward.data());
+    for (int y = picture.height - 1; y >= 0; --y) {
+        const auto row = upward.begin() + y * static_cast<std::ptrdiff_t>(stride);
+        picture.bgr.insert(picture.bgr.end(), row, row + static_cast<std::ptrdiff_t>(stride));
+    }
+    return picture;
+}
+
+void draw_and_measure(Window& window, KioskScreen& screen, ScreenContent& content) {
+    std::int64_t first_ns = 0;
+    std::int64_t rest_ns = 0;
+    for (int i = 0; i < frames; ++i) {
+        const std::int64_t start_ns = now_ns();
+        content.hand.p_WH.x = 0.010 + 0.0001 * i;
+        screen.draw(content, window.width_px(), window.height_px(), start_ns);
+        glFinish();
+        (i == 0 ? first_ns : rest_ns) += now_ns() - start_ns;
+        if (i + 1 < frames) window.show_frame();
+    }
+    fmt::print("{} x {} px; first frame {:.1f} ms, then {:.1f} ms\n", window.width_px(),
+               window.height_px(), static_cast<double>(first_ns) * 1e-6,
+               static_cast<double>(rest_ns) * 1e-6 / (frames - 1));
+}
+
+void run(const std::string& file, TextSize size) {
+    const auto window = value_of(Window::open(true, {[](Key) {}, [](PixelPoint) {}}));
+    KioskScreen screen = value_of(KioskScreen::make(cap_px));
+    ScreenContent content = fish_content();
+    content.text_size = size;
+    draw_and_measure(*window, screen, content);
+    const auto written = write_png(file, pixels_of(*window));
+    if (!written) throw std::runtime_error(written.error().line);
+    window->show_frame();
+    fmt::print("ready\n");
+    std::fflush(stdout);
+    std::string line;
+    std::getline(std::cin, line);
+}
+
+}  // namespace
+}  // namespace touchline
+
+int main(int count, char** words) {
+    using namespace touchline;
+    if (count < 2) {
+        fmt::print(stderr, "usage: window_probe OUT.png [SIZE]\n");
+        return 2;
+    }
+    try {
+        run(words[1], static_cast<TextSize>(count > 2 ? std::atoi(words[2]) % 4 : 0));
+        return 0;
+    } catch (const std::exception& problem) {
+        fmt::print(stderr, "{}\n", problem.what());
+        return 1;
+    }
+}

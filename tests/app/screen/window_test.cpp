@@ -1,0 +1,87 @@
+// The window on a bare display, without a window manager, and what OpenGL makes of a screen.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class BareDisplay : public testing::Test {
+  protected:
+    void SetUp() override { fs::create_directories(folder_); }
+
+    void TearDown() override { fs::remove_all(folder_); }
+
+    /// The window shows its screen while the script runs; drawn.png is what it drew, root.png what
+    /// the display shows.
+    int run_script(const std::string& display_size, const std::string& script) {
+        const fs::path path = folder_ / "script.sh";
+        std::ofstream(path) << "cd '" << folder_.string() << "'\nmkfifo end\n"
+                            << "'" TOUCHLINE_WINDOW_PROBE "' drawn.png <end >out.txt 2>err.txt &\n"
+                            << "exec 3>end\n"
+                            << "for _ in $(seq 600); do grep -q ready out.txt && break; "
+                               "kill -0 $! || exit 8; sleep 0.1; done\n"
+                            << "import -window root root.png\n"
+                            << script << "\nexec 3>&-\nwait $!\n";
+        const std::string command = "LP_NUM_THREADS=1 xvfb-run -a -s '-screen 0 " + display_size +
+                                    "x24' timeout 120 bash '" + path.string() + "'";
+        const int status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+    [[nodiscard]] std::string text_of(const char* name) const {
+        std::ifstream file(folder_ / name);
+        std::stringstream text;
+        text << file.rdbuf();
+        return text.str();
+    }
+
+    fs::path folder_ = fs::path(testing::TempDir()) /
+                       (std::to_string(getpid()) + "-" +
+                        testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+/// Pixel for pixel: no border, no gap, nothing in front.
+constexpr const char* compare =
+    "compare -metric AE drawn.png root.png null: 2>differing.txt;"
+    "identify -format '%wx%h' root.png >size.txt";
+
+TEST_F(BareDisplay, TheWindowCoversAWideMonitor) {
+    EXPECT_EQ(run_script("1280x800", compare), 0) << text_of("err.txt");
+    EXPECT_EQ(text_of("size.txt"), "1280x800");
+    EXPECT_EQ(text_of("differing.txt"), "0");
+}
+
+TEST_F(BareDisplay, TheWindowCoversAnUprightMonitor) {
+    EXPECT_EQ(run_script("1080x1920", compare), 0) << text_of("err.txt");
+    EXPECT_EQ(text_of("size.txt"), "1080x1920");
+    EXPECT_EQ(text_of("differing.txt"), "0");
+}
+
+/// How much of a part of the picture has a colour.
+std::string share_of(const std::string& colour, const std::string& crop, const std::string& file) {
+    return "convert drawn.png -crop " + crop + " +repage -fill black +opaque '" + colour +
+           "' -fill white -opaque '" + colour + "' -format '%[fx:mean]' info: >" + file + ";";
+}
+
+TEST_F(BareDisplay, OutlinesAndHandLieInThePictureAndNotOverTheSheet) {
+    ASSERT_EQ(run_script("1280x800", share_of("#FFD400", "700x500+0+0", "outline.txt") +
+                                         share_of("#2EF2C7", "700x500+0+0", "proxy.txt") +
+                                         share_of("#2EF2C7", "400x800+880+0", "sheet.txt")),
+              0)
+        << text_of("err.txt");
+    EXPECT_GT(std::stod(text_of("outline.txt")), 1e-3);
+    EXPECT_GT(std::stod(text_of("proxy.txt")), 1e-5);
+    EXPECT_EQ(std::stod(text_of("sheet.txt")), 0.0);
+}
+
+}  // namespace
+}  // namespace touchline
