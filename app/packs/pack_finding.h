@@ -2,20 +2,22 @@
 // Threads: values and pure functions.
 #pragma once
 
-#include "audio-cues/words/language.h"
 #include "config/types/result.h"
 
 #include <cstdint>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace touchline {
+
+class Language;
 
 /// refusal: the pack is not taken. gap: it is, and somebody will miss something. hint: it can be
 /// made easier for a hand.
 enum class FindingSeverity : std::uint8_t { refusal, gap, hint };
 
-/// In the order in which touchline-unpack numbers them.
+/// Refusals first, then gaps from no_such_part, then hints from lines_near. touchline-unpack tells
+/// them by their number.
 enum class FindingKind : std::uint8_t {
     no_such_pack,
     unreadable,
@@ -52,10 +54,10 @@ enum class FindingKind : std::uint8_t {
     sound_broken,
     sound_long,
     sound_form,
-    no_such_part,
     older,
     library_unwritable,
     output_unwritable,
+    no_such_part,
     no_title,
     no_description,
     no_part_name,
@@ -77,9 +79,9 @@ inline constexpr int finding_kind_count = static_cast<int>(FindingKind::quiet_so
 
 struct PackFinding {
     FindingKind kind = FindingKind::harmful;
-    std::string file;    // of the pack, or the pack itself; may be empty
+    std::string file{};  // of the pack, or the pack itself; may be empty
     int line = 0;        // from 1; 0: not known
-    std::string what;    // a part, a key, a language, a version: what the sentence names
+    std::string what{};  // a part, a key, a language, a version: what the sentence names
     double value = 0.0;  // the number that it tells, in the sentence's unit
 
     friend bool operator==(const PackFinding&, const PackFinding&) = default;
@@ -88,7 +90,10 @@ struct PackFinding {
 template <class T>
 using PackResult = Result<T, PackFinding>;
 
-[[nodiscard]] FindingSeverity severity_of(FindingKind kind);
+[[nodiscard]] constexpr FindingSeverity severity_of(FindingKind kind) {
+    if (kind < FindingKind::no_such_part) return FindingSeverity::refusal;
+    return kind < FindingKind::lines_near ? FindingSeverity::gap : FindingSeverity::hint;
+}
 
 /// "fish.svg, line 12: ...": fit for a screen, a voice and a terminal, whatever a stranger named
 /// the file.

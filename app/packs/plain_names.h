@@ -4,8 +4,10 @@
 
 #include "app/packs/pack_finding.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -23,6 +25,11 @@ enum class PackFileKind : std::uint8_t { table, picture, sound, text, other };
 
 /// By its ending, which touchline-unpack compares with the contents.
 [[nodiscard]] PackFileKind kind_by_name(std::string_view name);
+
+/// What a file of a pack may not be, by its name and its first bytes: a packed file, a kind that no
+/// pack holds. Nothing: it may. O(1).
+[[nodiscard]] std::optional<FindingKind> trouble_with_file(std::string_view name,
+                                                           std::span<const std::byte> bytes);
 
 /// What operating systems put into folders on their own.
 [[nodiscard]] bool is_litter(std::string_view name);
