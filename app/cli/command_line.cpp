@@ -3,9 +3,11 @@
 #include "app/cli/curve.h"
 #include "app/cli/device.h"
 #include "app/cli/feel.h"
+#include "app/cli/pack_command.h"
 #include "app/cli/replay_command.h"
 #include "app/cli/settings_command.h"
 #include "app/cli/trace_command.h"
+#include "app/packs/pack_toml.h"
 #include "haptics/pantograph/profile.h"
 
 #include <charconv>
@@ -129,6 +131,7 @@ class CommandLine {
         add_tour();
         add_device();
         add_settings();
+        add_pack();
     }
 
     int run(const std::vector<std::string>& arguments, const Programs& programs, std::ostream& out,
@@ -262,6 +265,31 @@ class CommandLine {
         add("print", SettingsAction::print, "All settings, as they hold with it");
     }
 
+    void add_pack() {
+        pack_command_ = app_.add_subcommand("pack", "Picture packs: maps, texts and voices");
+        pack_command_->require_subcommand(1);
+        const auto add = [this](const char* name, PackAction action, const char* what) {
+            auto* command = pack_command_->add_subcommand(name, what);
+            command->callback([this, action] { pack_.action = action; });
+            command->add_option("pack", pack_.input, "A folder or a zip file")->required();
+            return command;
+        };
+        add("check", PackAction::check, "Whether a pack can be used, and what would better it");
+        auto* taken = add("import", PackAction::import, "Install a pack");
+        taken->add_option("--library", pack_.library, "The folder of packs; else the user's");
+        taken->add_flag("--take-older", pack_.takes_older, "Even over a newer version");
+        auto* written = add("export", PackAction::write, "A folder as a zip file");
+        written->add_option("-o", pack_.output, "FILE.zip")->required();
+        written
+            ->add_option("--image", pack_.image_language,
+                         "As layered pictures of the IMAGE project, in this language")
+            ->check([](const std::string& tag) {
+                return is_language_tag(tag)
+                           ? ""
+                           : fmt::format("{} is no language; write one like en", tag);
+            });
+    }
+
     int start(const Programs& programs, std::ostream& out, std::ostream& err) {
         if (trace_command_->parsed()) {
             return finish(run_trace(trace_).map([&err](const std::string& warning) {
@@ -277,6 +305,7 @@ class CommandLine {
         if (tour_command_->parsed()) return finish(programs.tour(tour_), err);
         if (device_command_->parsed()) return start_device(out, err);
         if (settings_command_->parsed()) return finish(run_settings(settings_, out), err);
+        if (pack_command_->parsed()) return finish(run_pack(pack_, out), err);
         return programs.kiosk(kiosk_);
     }
 
@@ -321,6 +350,7 @@ class CommandLine {
     CLI::App* tour_command_ = nullptr;
     CLI::App* device_command_ = nullptr;
     CLI::App* settings_command_ = nullptr;
+    CLI::App* pack_command_ = nullptr;
     KioskArguments kiosk_;
     TourArguments tour_;
     TraceCommandOptions trace_;
@@ -328,6 +358,7 @@ class CommandLine {
     FeelOptions feel_;
     DeviceCommandOptions device_;
     SettingsCommandOptions settings_;
+    PackCommandOptions pack_;
     ReplayOptions replay_;
     std::string area_;
     std::string class_;

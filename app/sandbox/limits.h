@@ -9,10 +9,11 @@ namespace touchline {
 
 /// raster: one picture. film: one picture of a film's codec (HEIC, AVIF), which has threads and
 /// waits for them for ever where it gets none. document: SVG and PDF. ocr: words in a picture.
-/// speech: one text to sound, for as long as somebody listens.
-enum class WorkerKind : std::uint8_t { raster, film, document, ocr, speech };
+/// speech: one text to sound, for as long as somebody listens. pack: an archive, a recording or a
+/// map of a picture pack.
+enum class WorkerKind : std::uint8_t { raster, film, document, ocr, speech, pack };
 
-inline constexpr int worker_kind_count = 5;
+inline constexpr int worker_kind_count = 6;
 
 struct WorkerLimits {
     std::size_t input_bytes = 0;  // of the file
@@ -60,6 +61,12 @@ struct WorkerLimits {
                     .cpu_s = 0,
                     .file_bytes = 0,  // it answers by its socket
                     .deadline_s = 0.0};
+        case WorkerKind::pack:
+            return {.input_bytes = 64 * MiB,
+                    .address_space_bytes = 512 * MiB,
+                    .cpu_s = 6,
+                    .file_bytes = 112 * MiB,
+                    .deadline_s = 8.0};
     }
     return {};
 }

@@ -34,6 +34,10 @@ RecordedPrompts RecordedPrompts::read(const std::string& folder,
     return prompts;
 }
 
+void RecordedPrompts::add(std::string language, std::string text, std::vector<float> samples) {
+    prompts_[{std::move(language), std::move(text)}] = std::move(samples);
+}
+
 const std::vector<float>* RecordedPrompts::of(const Utterance& utterance) const {
     const auto found = prompts_.find({utterance.language, utterance.text});
     return found == prompts_.end() ? nullptr : &found->second;

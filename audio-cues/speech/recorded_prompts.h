@@ -23,6 +23,10 @@ class RecordedPrompts {
     [[nodiscard]] static RecordedPrompts read(const std::string& folder,
                                               std::vector<std::string>& problems);
 
+    /// One more, of a text in a language (code, as of Language), mono at frame_rate_Hz, full scale
+    /// 1; it takes the place of an earlier one. Before others ask, or by the thread that asks.
+    void add(std::string language, std::string text, std::vector<float> samples);
+
     /// Mono at frame_rate_Hz, of the whole text in that language; null where nobody recorded it.
     /// O(log prompts).
     [[nodiscard]] const std::vector<float>* of(const Utterance& utterance) const;

@@ -1,0 +1,259 @@
+#include "app/packs/pack_library.h"
+
+#include "app/decode/files.h"
+#include "app/packs/pack_check.h"
+#include "app/packs/pack_toml.h"
+#include "app/packs/plain_names.h"
+#include "app/packs/unpacking.h"
+#include "app/process/descriptor.h"
+#include "app/process/places.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<PackFinding> unwritable(const fs::path& library) {
+    return refusal({FindingKind::library_unwritable, library.string()});
+}
+
+/// Begins with a dot, so that no list takes it for a pack.
+constexpr const char* unfinished = ".unfinished-";
+
+void remove_leftovers(const fs::path& library) {
+    std::error_code error;
+    std::vector<fs::path> leftovers;
+    for (fs::directory_iterator it(library, error), end; !error && it != end; it.increment(error))
+        if (it->path().filename().string().starts_with(unfinished)) leftovers.push_back(it->path());
+    for (const fs::path& leftover : leftovers) fs::remove_all(leftover, error);
+}
+
+void flush_folder(const fs::path& folder) {
+    const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (opened.is_open()) ::fsync(opened.number());
+}
+
+bool write_files(const Pack& pack, const fs::path& folder) {
+    for (const PackFile& file : pack.files) {
+        const fs::path path = folder / file.name;
+        std::error_code error;
+        fs::create_directories(path.parent_path(), error);
+        if (error || !write_whole_file(path.string(), file.bytes)) return false;
+    }
+    flush_folder(folder);
+    return true;
+}
+
+/// The new folder takes the place of the old one in one step where the file system can do that;
+/// elsewhere the old one stands aside for a moment, under a name that is found again.
+bool put_in_place(const fs::path& made, const fs::path& place) {
+    if (::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, place.c_str(), RENAME_EXCHANGE) == 0)
+        return true;
+    std::error_code error;
+    if (errno != ENOENT) {
+        const fs::path aside = made.string() + "-old";
+        fs::rename(place, aside, error);
+        if (error) return false;
+        fs::rename(made, place, error);
+        if (error) {
+            std::error_code ignored;
+            fs::rename(aside, place, ignored);
+            return false;
+        }
+        fs::remove_all(aside, error);
+        return true;
+    }
+    fs::rename(made, place, error);
+    return !error;
+}
+
+PackResult<PackInfo> info_of(const fs::path& folder) {
+    const auto bytes = read_file((folder / pack_table_name).string());
+    if (!bytes) return refusal({FindingKind::no_pack_toml, folder.filename().string()});
+    auto info = pack_info_of({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+    if (!info) {
+        PackFinding finding = info.error();
+        finding.file = folder.filename().string() + '/' + finding.file;
+        return refusal(std::move(finding));
+    }
+    return info;
+}
+
+PackResult<std::string> install(const Pack& pack, const fs::path& library) {
+    std::error_code error;
+    fs::create_directories(library, error);
+    if (error) return unwritable(library);
+    remove_leftovers(library);
+    const fs::path made = library / (unfinished + pack.info.id + '-' + std::to_string(::getpid()));
+    const fs::path place = library / pack.info.id;
+    const bool is_done = write_files(pack, made) && put_in_place(made, place);
+    fs::remove_all(made, error);  // the old one, or what could not be finished
+    if (!is_done) return unwritable(library);
+    flush_folder(library);
+    return place.string();
+}
+
+std::vector<fs::path> packs_in(const fs::path& library) {
+    std::vector<fs::path> folders;
+    std::error_code error;
+    for (fs::directory_iterator it(library, error), end; !error && it != end; it.increment(error)) {
+        const bool is_pack = it->symlink_status(error).type() == fs::file_type::directory &&
+                             !it->path().filename().string().starts_with('.');
+        if (is_pack) folders.push_back(it->path());
+    }
+    std::sort(folders.begin(), folders.end());
+    return folders;
+}
+
+PackResult<PackFile> file_at(const fs::path& path) {
+    auto bytes = read_file(path.string());
+    if (!bytes) return refusal({FindingKind::unreadable, path.filename().string()});
+    return PackFile{path.filename().string(), std::move(*bytes)};
+}
+
+std::string tag_of(const LanguageTag& language) {
+    return is_language_tag(language.text) ? language.text : LanguageTag{}.text;
+}
+
+PackResult<PackPictureLook> look_at(const fs::path& path, const LanguageTag& language) {
+    const auto file = file_at(path);
+    if (!file) return refusal(file.error());
+    return open_picture(*file, {tag_of(language)});
+}
+
+void list_pack(const fs::path& folder, const LanguageTag& language,
+               std::vector<LibraryPicture>& pictures, std::vector<PackFinding>& problems) {
+    const auto info = info_of(folder);
+    if (!info) {
+        problems.push_back(info.error());
+        return;
+    }
+    for (const PackPicture& picture : info->pictures) {
+        const fs::path path = folder / picture.file;
+        auto look = look_at(path, language);
+        if (!look) {
+            problems.push_back(look.error());
+            continue;
+        }
+        pictures.push_back(
+            {info->id,
+             title_in(*info, language.text),
+             {path.string(), std::move(look->map.title), std::move(look->map.description),
+              picture.difficulty ? picture.difficulty : look->difficulty}});
+    }
+}
+
+/// Nothing where the picture has no such part.
+std::string text_said(const PackSound& sound, const TactileMap& map) {
+    switch (sound.says) {
+        case SoundText::title:
+            return map.title;
+        case SoundText::description:
+            return map.description;
+        case SoundText::part:
+            for (const Outline& outline : map.outlines)
+                if (outline.id == sound.part) return outline.label;
+            return {};
+    }
+    return {};
+}
+
+/// The pack's folder: path without the picture's own folders.
+fs::path folder_of(const LibraryPicture& picture) {
+    for (fs::path at = fs::path(picture.entry.path).parent_path(); at.has_relative_path();
+         at = at.parent_path())
+        if (at.filename() == picture.pack) return at;
+    return {};
+}
+
+}  // namespace
+
+PackResult<std::string> import_pack(const Pack& pack, const std::string& library, OlderPack older) {
+    try {
+        if (const auto findings = check_pack(pack); !can_be_used(findings))
+            return refusal(findings.front());
+        const auto installed = info_of(fs::path(library) / pack.info.id);
+        if (installed && pack.info.version < installed->version && older == OlderPack::ask)
+            return refusal({FindingKind::older, pack.info.id, 0, text_of(installed->version)});
+        return install(pack, library);
+    } catch (const std::exception&) {
+        return unwritable(library);
+    }
+}
+
+PackResult<void> remove_pack(const std::string& id, const std::string& library) {
+    std::error_code error;
+    const fs::path place = fs::path(library) / id;
+    if (trouble_with_name(id) || id.find('/') != std::string::npos)
+        return refusal({FindingKind::leads_outside, id});
+    if (!fs::exists(place, error) && !error) return {};
+    // Gone from the list at once, whatever happens while it is deleted.
+    const fs::path aside = fs::path(library) / (unfinished + id);
+    fs::rename(place, aside, error);
+    if (error) return unwritable(library);
+    fs::remove_all(aside, error);
+    return {};
+}
+
+std::vector<LibraryPicture> list_library(const std::string& library, const LanguageTag& language,
+                                         std::vector<PackFinding>& problems) {
+    std::vector<LibraryPicture> pictures;
+    try {
+        for (const fs::path& folder : packs_in(library))
+            list_pack(folder, language, pictures, problems);
+    } catch (const std::exception&) {
+        problems.push_back({FindingKind::unreadable, library});
+    }
+    return pictures;
+}
+
+PackResult<TactileMap> read_pack_map(const std::string& path, const LanguageTag& language) {
+    auto look = look_at(path, language);
+    if (!look) return refusal(look.error());
+    return std::move(look->map);
+}
+
+std::vector<RecordedText> recorded_texts(const LibraryPicture& picture, const LanguageTag& language,
+                                         std::vector<PackFinding>& problems) {
+    std::vector<RecordedText> recorded;
+    const fs::path folder = folder_of(picture);
+    const auto info = info_of(folder);
+    const auto map = read_pack_map(picture.entry.path, language);
+    if (!info || !map) {
+        problems.push_back(info ? map.error() : info.error());
+        return recorded;
+    }
+    for (const PackSound& sound : info->sounds) {
+        const bool is_meant = folder / sound.picture == fs::path(picture.entry.path) &&
+                              folded(sound.language) == folded(tag_of(language));
+        std::string text = is_meant ? text_said(sound, *map) : std::string{};
+        if (text.empty()) continue;
+        const auto file = file_at(folder / sound.file);
+        auto look = file ? open_sound(*file) : PackResult<PackSoundLook>(refusal(file.error()));
+        if (look)
+            recorded.push_back({language.text, std::move(text), std::move(look->samples)});
+        else
+            problems.push_back(look.error());
+    }
+    return recorded;
+}
+
+std::string library_folder() {
+    if (const std::string chosen = environment("TOUCHLINE_LIBRARY"); !chosen.empty()) return chosen;
+    if (const std::string data = environment("XDG_DATA_HOME"); !data.empty())
+        return data + "/touchline/packs";
+    const std::string home = environment("HOME");
+    return home.empty() ? "/var/lib/touchline/packs" : home + "/.local/share/touchline/packs";
+}
+
+}  // namespace touchline

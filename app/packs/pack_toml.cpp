@@ -1,0 +1,354 @@
+#include "app/packs/pack_toml.h"
+
+#include "app/decode/one_line.h"
+#include "app/packs/pack_limits.h"
+#include "app/packs/plain_names.h"
+#include "config/types/utf8.h"
+
+#include <algorithm>
+#include <charconv>
+#include <exception>
+#include <initializer_list>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include <toml++/toml.h>
+
+namespace touchline {
+namespace {
+
+PackFinding finding_at(FindingKind kind, const toml::node& node, std::string_view what) {
+    return {kind, pack_table_name, static_cast<int>(node.source().begin.line), std::string(what)};
+}
+
+tl::unexpected<PackFinding> wrong(FindingKind kind, const toml::node& node, std::string_view what) {
+    return refusal(finding_at(kind, node, what));
+}
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+bool is_letter_or_digit(char c) {
+    return is_letter(c) || (c >= '0' && c <= '9');
+}
+
+/// One line that can be shown and said.
+bool is_text(const std::string& text) {
+    return !text.empty() && is_utf8(text) && one_spaced(text, pack_limits.text_bytes) == text;
+}
+
+bool is_id(std::string_view id) {
+    const auto fits = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+    };
+    return !id.empty() && id.size() <= 60 && std::all_of(id.begin(), id.end(), fits) &&
+           id.front() != '-' && id.back() != '-';
+}
+
+std::optional<int> number_in(std::string_view digits) {
+    int value = 0;
+    const char* const end = digits.data() + digits.size();
+    const auto [at, error] = std::from_chars(digits.data(), end, value);
+    const bool is_number = error == std::errc() && at == end && value >= 0 && value <= 9999;
+    return is_number ? std::optional(value) : std::nullopt;
+}
+
+/// "1", "1.2" or "1.2.3".
+std::optional<PackVersion> version_in(std::string_view text) {
+    PackVersion version;
+    int* const places[]{&version.major, &version.minor, &version.patch};
+    for (int* place : places) {
+        const auto dot = std::min(text.find('.'), text.size());
+        const auto number = number_in(text.substr(0, dot));
+        if (!number) return std::nullopt;
+        *place = *number;
+        if (dot == text.size()) return version;
+        text.remove_prefix(dot + 1);
+    }
+    return std::nullopt;
+}
+
+/// Null: every key is one of these.
+std::optional<PackFinding> unknown_key(const toml::table& table,
+                                       std::initializer_list<std::string_view> known) {
+    for (const auto& [key, node] : table)
+        if (std::find(known.begin(), known.end(), key.str()) == known.end())
+            return finding_at(FindingKind::toml_unknown, node, key.str());
+    return std::nullopt;
+}
+
+/// A key that has to be there, as a text that `fits`.
+template <class Fits>
+PackResult<std::string> text_at(const toml::table& table, std::string_view key, Fits fits) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return wrong(FindingKind::toml_missing, table, key);
+    const auto* text = node->as_string();
+    if (text == nullptr || !fits(text->get())) return wrong(FindingKind::toml_value, *node, key);
+    return text->get();
+}
+
+bool is_plain_name(const std::string& name) {
+    return !trouble_with_name(name);
+}
+
+/// One text for all, or a table with one a language.
+PackResult<std::vector<LanguageText>> titles_in(const toml::table& table) {
+    const toml::node* node = table.get("title");
+    if (node == nullptr) return wrong(FindingKind::toml_missing, table, "title");
+    std::vector<LanguageText> titles;
+    if (const auto* text = node->as_string()) titles.push_back({"", text->get()});
+    if (const auto* texts = node->as_table()) {
+        for (const auto& [language, text] : *texts) {
+            if (!is_language_tag(language.str()) || !text.is_string())
+                return wrong(FindingKind::toml_value, text, "title");
+            titles.push_back({std::string(language.str()), text.as_string()->get()});
+        }
+    }
+    const bool are_good = std::all_of(titles.begin(), titles.end(), [](const LanguageText& title) {
+        return is_text(title.text);
+    });
+    if (titles.empty() || titles.size() > pack_limits.languages || !are_good)
+        return wrong(FindingKind::toml_value, *node, "title");
+    return titles;
+}
+
+PackResult<std::vector<std::string>> languages_in_table(const toml::table& table) {
+    const toml::node* node = table.get("languages");
+    if (node == nullptr) return wrong(FindingKind::toml_missing, table, "languages");
+    const auto* tags = node->as_array();
+    const bool is_count_good =
+        tags != nullptr && !tags->empty() && tags->size() <= pack_limits.languages;
+    if (!is_count_good) return wrong(FindingKind::toml_value, *node, "languages");
+    std::vector<std::string> languages;
+    std::set<std::string> seen;
+    for (const toml::node& tag : *tags) {
+        const auto* text = tag.as_string();
+        if (text == nullptr || !is_language_tag(text->get()) ||
+            !seen.insert(folded(text->get())).second)
+            return wrong(FindingKind::toml_value, tag, "languages");
+        languages.push_back(text->get());
+    }
+    return languages;
+}
+
+PackResult<PackPicture> picture_in(const toml::table& table) {
+    if (auto unknown = unknown_key(table, {"file", "difficulty"})) return refusal(*unknown);
+    auto file = text_at(table, "file", [](const std::string& name) {
+        return is_plain_name(name) && kind_by_name(name) == PackFileKind::picture;
+    });
+    if (!file) return refusal(file.error());
+    PackPicture picture{std::move(*file), std::nullopt};
+    if (const toml::node* node = table.get("difficulty")) {
+        const auto* grade = node->as_integer();
+        if (grade == nullptr || grade->get() < 1 || grade->get() > 5)
+            return wrong(FindingKind::toml_value, *node, "difficulty");
+        picture.difficulty = static_cast<int>(grade->get());
+    }
+    return picture;
+}
+
+PackResult<PackSound> sound_in(const toml::table& table) {
+    if (auto unknown = unknown_key(table, {"file", "picture", "language", "says", "part"}))
+        return refusal(*unknown);
+    auto file = text_at(table, "file", [](const std::string& name) {
+        return is_plain_name(name) && kind_by_name(name) == PackFileKind::sound;
+    });
+    if (!file) return refusal(file.error());
+    auto picture = text_at(table, "picture", is_plain_name);
+    if (!picture) return refusal(picture.error());
+    auto language = text_at(table, "language", is_language_tag);
+    if (!language) return refusal(language.error());
+    PackSound sound{std::move(*file), std::move(*picture), std::move(*language),
+                    SoundText::description, ""};
+    if (table.contains("part")) {
+        auto part = text_at(table, "part", is_text);
+        if (!part) return refusal(part.error());
+        if (table.contains("says")) return wrong(FindingKind::toml_unknown, table, "says");
+        sound.says = SoundText::part;
+        sound.part = std::move(*part);
+        return sound;
+    }
+    const auto says = text_at(table, "says", [](const std::string& text) {
+        return text == "title" || text == "description";
+    });
+    if (!says) return refusal(says.error());
+    sound.says = *says == "title" ? SoundText::title : SoundText::description;
+    return sound;
+}
+
+/// The tables of [[key]].
+template <class Item>
+PackResult<std::vector<Item>> items_in(const toml::table& table, std::string_view key,
+                                       std::size_t most,
+                                       PackResult<Item> (*item_in)(const toml::table&)) {
+    std::vector<Item> items;
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return items;
+    const auto* tables = node->as_array();
+    if (tables == nullptr || tables->size() == 0) return wrong(FindingKind::toml_value, *node, key);
+    if (tables->size() > most) {
+        PackFinding many = finding_at(FindingKind::too_many_named, *node, key);
+        many.value = static_cast<double>(most);
+        return refusal(many);
+    }
+    for (const toml::node& element : *tables) {
+        if (!element.is_table()) return wrong(FindingKind::toml_value, element, key);
+        auto item = item_in(*element.as_table());
+        if (!item) return refusal(item.error());
+        items.push_back(std::move(*item));
+    }
+    return items;
+}
+
+/// No picture twice, no text recorded twice, nothing of a picture that is not listed.
+std::optional<PackFinding> contradiction(const PackInfo& info) {
+    const auto of_table = [](FindingKind kind, const std::string& what) {
+        return PackFinding{kind, pack_table_name, 0, what};
+    };
+    std::set<std::string> pictures;
+    for (const PackPicture& picture : info.pictures)
+        if (!pictures.insert(picture.file).second)
+            return of_table(FindingKind::toml_value, picture.file);
+    std::set<std::tuple<std::string, std::string, SoundText, std::string>> said;
+    for (const PackSound& sound : info.sounds) {
+        if (!pictures.contains(sound.picture))
+            return of_table(FindingKind::not_in_pack, sound.picture);
+        if (!said.insert({sound.picture, sound.language, sound.says, sound.part}).second)
+            return of_table(FindingKind::toml_value, sound.file);
+    }
+    return std::nullopt;
+}
+
+PackResult<PackInfo> info_in(const toml::table& table) {
+    if (auto unknown = unknown_key(table, {"id", "title", "author", "licence", "version",
+                                           "languages", "picture", "sound"}))
+        return refusal(*unknown);
+    auto id = text_at(table, "id", is_id);
+    if (!id) return refusal(id.error());
+    auto titles = titles_in(table);
+    if (!titles) return refusal(titles.error());
+    auto author = text_at(table, "author", is_text);
+    if (!author) return refusal(author.error());
+    auto licence = text_at(table, "licence", is_text);
+    if (!licence) return refusal(licence.error());
+    const auto version = text_at(
+        table, "version", [](const std::string& text) { return version_in(text).has_value(); });
+    if (!version) return refusal(version.error());
+    auto languages = languages_in_table(table);
+    if (!languages) return refusal(languages.error());
+    auto pictures = items_in<PackPicture>(table, "picture", pack_limits.pictures, picture_in);
+    if (!pictures) return refusal(pictures.error());
+    if (pictures->empty()) return wrong(FindingKind::toml_missing, table, "[[picture]]");
+    auto sounds = items_in<PackSound>(table, "sound", pack_limits.sounds, sound_in);
+    if (!sounds) return refusal(sounds.error());
+    return PackInfo{std::move(*id),       std::move(*titles),    std::move(*author),
+                    std::move(*licence),  *version_in(*version), std::move(*languages),
+                    std::move(*pictures), std::move(*sounds)};
+}
+
+std::string quoted(const std::string& text) {
+    std::ostringstream made;
+    made << toml::value(text);
+    return made.str();
+}
+
+std::string titles_as_toml(const std::vector<LanguageText>& titles) {
+    if (titles.size() == 1 && titles.front().language.empty()) return quoted(titles.front().text);
+    std::string made;
+    for (const LanguageText& title : titles)
+        made += (made.empty() ? "{ " : ", ") + title.language + " = " + quoted(title.text);
+    return made + " }";
+}
+
+std::string sound_as_toml(const PackSound& sound) {
+    std::string made = "\n[[sound]]\nfile = " + quoted(sound.file) +
+                       "\npicture = " + quoted(sound.picture) +
+                       "\nlanguage = " + quoted(sound.language) + '\n';
+    switch (sound.says) {
+        case SoundText::title:
+            return made + "says = \"title\"\n";
+        case SoundText::description:
+            return made + "says = \"description\"\n";
+        case SoundText::part:
+            return made + "part = " + quoted(sound.part) + '\n';
+    }
+    return made;
+}
+
+}  // namespace
+
+bool is_language_tag(std::string_view tag) {
+    if (tag.size() > 35) return false;
+    const auto hyphen = std::min(tag.find('-'), tag.size());
+    const std::string_view first = tag.substr(0, hyphen);
+    if (first.size() < 2 || first.size() > 3 || !std::all_of(first.begin(), first.end(), is_letter))
+        return false;
+    for (std::size_t at = hyphen; at < tag.size();) {
+        const std::size_t end = std::min(tag.find('-', at + 1), tag.size());
+        const std::string_view part = tag.substr(at + 1, end - at - 1);
+        if (part.empty() || part.size() > 8 ||
+            !std::all_of(part.begin(), part.end(), is_letter_or_digit))
+            return false;
+        at = end;
+    }
+    return true;
+}
+
+PackResult<PackInfo> pack_info_of(std::string_view toml) {
+    const auto whole = [](FindingKind kind, int line) {
+        return refusal({kind, pack_table_name, line, ""});
+    };
+    if (toml.size() > pack_limits.toml_bytes) {
+        constexpr double megabyte = 1 << 20U;
+        return refusal({FindingKind::file_too_large, pack_table_name, 0, "",
+                        static_cast<double>(pack_limits.toml_bytes) / megabyte});
+    }
+    try {
+        const toml::table table = toml::parse(toml);
+        auto info = info_in(table);
+        if (!info) return info;
+        if (auto wrong_whole = contradiction(*info)) return refusal(*wrong_whole);
+        return info;
+    } catch (const toml::parse_error& problem) {
+        return whole(FindingKind::toml_syntax, static_cast<int>(problem.source().begin.line));
+    } catch (const std::exception&) {
+        return whole(FindingKind::toml_syntax, 0);
+    }
+}
+
+std::string toml_of(const PackInfo& info) {
+    std::string languages;
+    for (const std::string& language : info.languages)
+        languages += (languages.empty() ? "" : ", ") + quoted(language);
+    std::string made = "id = " + quoted(info.id) + "\ntitle = " + titles_as_toml(info.title) +
+                       "\nauthor = " + quoted(info.author) + "\nlicence = " + quoted(info.licence) +
+                       "\nversion = " + quoted(text_of(info.version)) + "\nlanguages = [" +
+                       languages + "]\n";
+    for (const PackPicture& picture : info.pictures) {
+        made += "\n[[picture]]\nfile = " + quoted(picture.file) + '\n';
+        if (picture.difficulty)
+            made += "difficulty = " + std::to_string(*picture.difficulty) + '\n';
+    }
+    for (const PackSound& sound : info.sounds) made += sound_as_toml(sound);
+    return made;
+}
+
+std::string text_of(const PackVersion& version) {
+    return std::to_string(version.major) + '.' + std::to_string(version.minor) + '.' +
+           std::to_string(version.patch);
+}
+
+const std::string& title_in(const PackInfo& info, const std::string& language) {
+    const auto of = [&](const std::string& wanted) {
+        return std::find_if(info.title.begin(), info.title.end(), [&](const LanguageText& title) {
+            return folded(title.language) == folded(wanted);
+        });
+    };
+    if (const auto found = of(language); found != info.title.end()) return found->text;
+    if (const auto found = of(""); found != info.title.end()) return found->text;
+    return info.title.front().text;
+}
+
+}  // namespace touchline

@@ -1,0 +1,130 @@
+#include "app/packs/unpacking.h"
+
+#include "app/packs/pack_limits.h"
+#include "app/packs/pack_toml.h"
+#include "app/packs/picture_look.h"
+#include "app/packs/plain_names.h"
+#include "app/process/memory.h"
+#include "app/process/places.h"
+#include "app/sandbox/worker.h"
+#include "config/types/map_bytes.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace touchline {
+namespace {
+
+constexpr std::size_t most_answer_bytes = std::size_t{112} << 20U;
+
+FindingKind kind_of(WorkerEnd end) {
+    switch (end) {
+        case WorkerEnd::not_started:
+            return FindingKind::no_worker;
+        case WorkerEnd::out_of_time:
+            return FindingKind::too_slow;
+        case WorkerEnd::out_of_memory:
+            return FindingKind::no_memory;
+        case WorkerEnd::done:
+        case WorkerEnd::crashed:
+        case WorkerEnd::no_answer:
+            return FindingKind::harmful;
+    }
+    return FindingKind::harmful;
+}
+
+bool is_refused(const UnpackAnswer& answer) {
+    return !answer.findings.empty() &&
+           severity_of(answer.findings.front().kind) == FindingSeverity::refusal;
+}
+
+/// What the worker makes of the bytes; a refusal of its own is one here.
+PackResult<UnpackAnswer> worked(const std::vector<std::string>& words,
+                                std::span<const std::byte> bytes) {
+    if (bytes.empty()) return refusal({FindingKind::empty});
+    const auto input = sealed_copy(bytes);
+    if (!input) return refusal({FindingKind::no_memory});
+    const auto outcome =
+        run_worker({companion("touchline-unpack"), words, WorkerKind::pack}, *input);
+    if (outcome.end != WorkerEnd::done) return refusal({kind_of(outcome.end)});
+    const auto mapped = map_sealed(outcome.output, most_answer_bytes);
+    if (!mapped) return refusal({FindingKind::harmful});
+    auto answer = unpack_answer_of(mapped->bytes());
+    if (!answer) return refusal({FindingKind::harmful});
+    if (is_refused(*answer)) return refusal(answer->findings.front());
+    return std::move(*answer);
+}
+
+/// The one entry that there must be.
+const PackFile* only_entry(const UnpackAnswer& answer, std::string_view name) {
+    const bool is_it = answer.entries.size() == 1 && answer.entries.front().name == name;
+    return is_it ? &answer.entries.front() : nullptr;
+}
+
+void name_file(std::vector<PackFinding>& findings, const std::string& file) {
+    for (PackFinding& finding : findings) finding.file = file;
+}
+
+template <class T>
+PackResult<T> of_file(PackFinding finding, const PackFile& file) {
+    finding.file = file.name;
+    return refusal(std::move(finding));
+}
+
+}  // namespace
+
+PackResult<std::vector<PackFile>> unpack_zip(std::span<const std::byte> zip) {
+    constexpr double megabyte = 1 << 20U;
+    if (zip.size() > pack_limits.zip_bytes)
+        return refusal({FindingKind::zip_too_large, "", 0, "",
+                        static_cast<double>(pack_limits.zip_bytes) / megabyte});
+    auto answer = worked({"zip"}, zip);
+    if (!answer) return refusal(answer.error());
+    std::sort(answer->entries.begin(), answer->entries.end(),
+              [](const PackFile& a, const PackFile& b) { return a.name < b.name; });
+    return std::move(answer->entries);
+}
+
+PackResult<PackSoundLook> open_sound(const PackFile& file) {
+    auto answer = worked({"sound"}, file.bytes);
+    if (!answer) return of_file<PackSoundLook>(answer.error(), file);
+    const PackFile* pcm = only_entry(*answer, sound_entry);
+    const std::size_t count = pcm == nullptr ? 0 : pcm->bytes.size() / sizeof(std::int16_t);
+    constexpr std::size_t most = 48000 * static_cast<std::size_t>(pack_limits.sound_s);
+    if (count == 0 || count > most || pcm->bytes.size() % sizeof(std::int16_t) != 0)
+        return of_file<PackSoundLook>({FindingKind::sound_broken}, file);
+    PackSoundLook look{std::vector<float>(count), std::move(answer->findings)};
+    for (std::size_t i = 0; i < count; ++i) {
+        std::int16_t sample = 0;
+        std::memcpy(&sample, &pcm->bytes[i * sizeof sample], sizeof sample);
+        look.samples[i] = static_cast<float>(sample) / 32768.0F;
+    }
+    name_file(look.findings, file.name);
+    return look;
+}
+
+PackResult<PackPictureLook> open_picture(const PackFile& file,
+                                         const std::vector<std::string>& languages) {
+    std::vector<std::string> words{"picture"};
+    words.insert(words.end(), languages.begin(), languages.end());
+    auto answer = worked(words, file.bytes);
+    if (!answer) return of_file<PackPictureLook>(answer.error(), file);
+    const PackFile* map_bytes = only_entry(*answer, map_entry);
+    auto map =
+        map_bytes == nullptr ? Result<TactileMap>(failure("no map")) : map_of(map_bytes->bytes);
+    if (!map) return of_file<PackPictureLook>({FindingKind::harmful}, file);
+    PackPictureLook look{std::move(*map), std::nullopt, std::move(answer->findings)};
+    if (answer->difficulty > 0) look.difficulty = answer->difficulty;
+    name_file(look.findings, file.name);
+    return look;
+}
+
+PackResult<PackFile> as_image_layers(const PackFile& file, const std::string& language) {
+    auto answer = worked({"layers", language}, file.bytes);
+    if (!answer) return of_file<PackFile>(answer.error(), file);
+    const PackFile* made = only_entry(*answer, picture_entry);
+    if (made == nullptr) return of_file<PackFile>({FindingKind::harmful}, file);
+    return PackFile{file.name, made->bytes};
+}
+
+}  // namespace touchline

@@ -1,0 +1,23 @@
+// Whatever the list at the end of a zip file says, it is plain names within the limits or a
+// finding.
+#include "app/packs/pack_limits.h"
+#include "app/packs/plain_names.h"
+#include "app/packs/zip_directory.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace touchline;
+    const auto members = zip_members({reinterpret_cast<const std::byte*>(data), size});
+    if (!members) return 0;
+    std::size_t all = 0;
+    for (const ZipMember& member : *members) {
+        if (trouble_with_name(member.name) || member.bytes > pack_limits.file_bytes) abort();
+        all += member.bytes;
+    }
+    if (all > pack_limits.all_bytes || members->size() > pack_limits.files) abort();
+    return 0;
+}
