@@ -96,7 +96,8 @@ SpokenScreen wizard_screen(const KeyWizard& wizard, const Language& language) {
     SpokenScreen screen;
     screen.title = language.text("keys", "Learn the keys");
     screen.text = is_done(wizard) ? language.text("keys", "All keys are learnt.")
-                                  : question(wizard, language);
+                                  : question(wizard, language) + ' ' +
+                                        language.text("keys", "Wait 20 seconds to leave.");
     for (const KeyBinding& binding : wizard.learnt.bindings)
         screen.items.push_back({static_cast<int>(binding.role), ItemRole::text,
                                 role_in_words(binding.role, language),

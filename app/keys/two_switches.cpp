@@ -42,8 +42,7 @@ SwitchStep moved(const SwitchScan& scan, const SpokenScreen& screen, const Langu
     return round_again(scan, screen, language);
 }
 
-/// What was chosen stays under the switch where it may be wanted again: Next changes a value. Back
-/// leads to another screen, which is walked from its items on.
+/// What was chosen stays under the switch, for it may be wanted again: Next changes a value.
 SwitchStep selected(SwitchScan scan, const SpokenScreen& screen) {
     const bool is_on_items = !scan.role && !screen.items.empty();
     const KeyRole role = scan.role.value_or(is_on_items ? KeyRole::select : KeyRole::next);
@@ -55,9 +54,11 @@ SwitchStep selected(SwitchScan scan, const SpokenScreen& screen) {
 SwitchStep step_switches(const SwitchScan& scan, SwitchEvent event, const SpokenScreen& screen,
                          double scan_s, double now_s, const Language& language) {
     SwitchScan next = scan;
+    if (next.title != screen.title) next.role.reset();
+    next.title = screen.title;
     if (event == SwitchEvent::tick) {
         const bool is_due = scan_s > 0.0 && now_s - scan.since_s >= scan_s;
-        if (!is_due || scan.rounds >= rounds_by_itself) return {scan, std::nullopt, ""};
+        if (!is_due || scan.rounds >= rounds_by_itself) return {next, std::nullopt, ""};
         next.since_s = now_s;
         return moved(next, screen, language);
     }

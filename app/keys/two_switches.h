@@ -15,6 +15,7 @@ enum class SwitchEvent : std::uint8_t { move, select, tick };
 struct SwitchScan {
     /// On the items of the screen; else on one of the roles after them.
     std::optional<KeyRole> role;
+    std::string title;     // of the screen that is walked; another one is walked from its items
     double since_s = 0.0;  // when it moved last
     int rounds = 0;        // around all of it without a selection; by itself it stops after two
 };

@@ -75,7 +75,8 @@ struct Operator {
     PinEntry pin;
     std::string chosen_pin;  // the first of two that must be the same
     PinTries tries;
-    Settings settings;  // the site's, as they are edited
+    bool is_checking = false;  // a PIN was handed over and not yet judged
+    Settings settings;         // the site's, as they are edited
     SoundSettings sound;
     KeyWizard wizard;
     SelfTest test;

@@ -46,9 +46,9 @@ struct SelfTest {
     TestPhase phase = TestPhase::idle;
     TestStep step = TestStep::device;
     bool is_all = false;       // the next step follows by itself
+    std::size_t focus = 0;     // told: begin, skip; asked: yes, no
     std::uint8_t pressed = 0;  // roles, a bit each, of the step `keys`
     double since_s = 0.0;      // of the phase
-    std::string line;          // what came of the last one
 
     friend bool operator==(const SelfTest&, const SelfTest&) = default;
 };
@@ -63,7 +63,7 @@ struct SelfTestStep {
 [[nodiscard]] SelfTestStep begin_test(const SelfTest& test, TestStep step, bool is_all,
                                       double now_s, const Language& language);
 
-/// Back stops; Select begins, or says yes; Next says no. In the step `keys` every role counts.
+/// Back stops. In the step `keys` every role counts, and Back a second time stops.
 [[nodiscard]] SelfTestStep press_test_key(const SelfTest& test, KeyRole role, double now_s,
                                           const Language& language);
 

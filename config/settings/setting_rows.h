@@ -29,8 +29,18 @@ struct SettingRange {
 
 /// What a text is. path: from the root, or none. device: a path below /dev/input, or none. hours:
 /// "09:00-17:00"; quiet: the same, or none. languages: codes with blanks between; language: one
-/// code. notice: a line of at most 200 bytes, or none.
-enum class TextKind : std::uint8_t { path, device, hours, quiet, languages, language, notice };
+/// code. notice: a line of at most 200 bytes, or none. name: of small
+/// letters, digits and "-", or none.
+enum class TextKind : std::uint8_t {
+    path,
+    device,
+    hours,
+    quiet,
+    languages,
+    language,
+    notice,
+    name
+};
 
 struct SettingRow {
     std::string_view table;  // in TOML

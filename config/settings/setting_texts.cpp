@@ -47,6 +47,14 @@ bool is_code(std::string_view text) {
                        [](char letter) { return letter >= 'a' && letter <= 'z'; });
 }
 
+bool is_name(std::string_view text) {
+    constexpr std::size_t longest = 40;
+    return text.size() <= longest && std::all_of(text.begin(), text.end(), [](char letter) {
+               return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') ||
+                      letter == '-';
+           });
+}
+
 }  // namespace
 
 std::optional<HoursOfDay> hours_in(std::string_view text) {
@@ -107,6 +115,8 @@ bool is_allowed(TextKind kind, const std::string& text) {
             return is_code(text);
         case TextKind::notice:
             return is_line(text, longest_notice);
+        case TextKind::name:
+            return is_name(text);
     }
     return false;
 }
@@ -127,6 +137,8 @@ std::string_view allowed_texts(TextKind kind) {
             return "the code of a language like \"en\"";
         case TextKind::notice:
             return "a line of at most 200 bytes, or \"\" for none";
+        case TextKind::name:
+            return "a name of small letters, digits and \"-\", or \"\" for none";
     }
     return {};
 }

@@ -60,6 +60,8 @@ struct Settings {
     std::string notice;
     bool offers_staff = true;
     bool counts = true;
+    // profile
+    std::string profile;  // its name; empty: none
     // stick
     std::string watched_folder;
     // operator

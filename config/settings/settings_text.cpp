@@ -132,6 +132,19 @@ Result<Settings> apply_settings(const Settings& base, std::string_view text, std
     }
 }
 
+std::vector<std::size_t> rows_in(std::string_view text) {
+    std::vector<std::size_t> found;
+    try {
+        const toml::table file = toml::parse(text);
+        const auto rows = setting_rows();
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (file[rows[i].table][rows[i].key]) found.push_back(i);
+    } catch (const toml::parse_error&) {
+        found.clear();
+    }
+    return found;
+}
+
 std::string settings_text(const Settings& settings, const Settings& base) {
     return written(settings, &base);
 }

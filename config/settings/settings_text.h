@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace touchline {
 
@@ -14,6 +15,10 @@ namespace touchline {
 /// with file, line, key and what is allowed, and nothing of the file holds. At most 1 MB.
 [[nodiscard]] Result<Settings> apply_settings(const Settings& base, std::string_view text,
                                               std::string_view name, SettingLayer layer);
+
+/// Which rows of setting_rows() the text of a file sets, in their order; none of one that is
+/// malformed.
+[[nodiscard]] std::vector<std::size_t> rows_in(std::string_view text);
 
 /// Those that differ from `base`, as apply_settings() reads them back to the same bits; each with
 /// its help as a comment.

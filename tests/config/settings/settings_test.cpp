@@ -103,6 +103,7 @@ TEST(SettingRows, TextsAreOfTheirKind) {
                  {"", "en en", "EN", "en  de", " en", "en ", "english", "en,de",
                   "aa bb cc dd ee ff gg hh ii jj kk ll mm nn oo pp qq"});
     expect_texts("language", "first", {"en", "de"}, {"", "e", "en de"});
+    expect_texts("profile", "use", {"", "child", "class-3"}, {"../child", "Child", "a b"});
     expect_texts("care", "notice", {"", "Zurück um zwei."}, {"a\nb", std::string(201, 'a')});
 }
 

@@ -1,0 +1,235 @@
+#include "app/operator/operator_items.h"
+
+#include "app/operator/operator_places.h"
+#include "app/operator/setting_words.h"
+#include "config/settings/setting_rows.h"
+#include "config/settings/setting_texts.h"
+
+#include <algorithm>
+#include <array>
+
+namespace touchline {
+namespace {
+
+constexpr int ids_an_item = 1000;
+
+/// Items of one screen, in the order in which they are added.
+struct List {
+    const Operator& state;
+    const OperatorWorld& world;
+    std::vector<ScreenItem> items;
+
+    [[nodiscard]] std::string words(std::string_view english) const {
+        return world.language.text("operator", std::string(english));
+    }
+
+    void add(OperatorItem item, std::size_t index, ItemRole role, std::string name,
+             std::string value = "", std::string hint = "") {
+        const int id = static_cast<int>(item) * ids_an_item + static_cast<int>(index);
+        items.push_back({id, role, std::move(name), std::move(value), std::move(hint)});
+    }
+
+    void add_places() {
+        for (const PlaceRow& row : place_rows())
+            if (row.is_listed && row.parent == state.place)
+                add(OperatorItem::place, static_cast<std::size_t>(row.place), ItemRole::choice,
+                    words(row.title));
+    }
+
+    void add_actions() {
+        for (const ActionRow& row : action_rows())
+            if (row.place == state.place)
+                add(OperatorItem::action, static_cast<std::size_t>(row.action), ItemRole::choice,
+                    words(row.name), "", row.hint.empty() ? "" : words(row.hint));
+    }
+
+    [[nodiscard]] std::string hint_of(std::size_t index, const SettingRow& row) const {
+        return is_set_by_profile(index, state, world) ? words("The profile in use sets this.")
+                                                      : setting_help(row, world.language);
+    }
+
+    void add_setting(std::size_t index, const SettingRow& row) {
+        const bool is_switch = std::holds_alternative<bool Settings::*>(row.field);
+        const bool is_text = std::holds_alternative<std::string Settings::*>(row.field);
+        add(OperatorItem::setting, index,
+            is_switch ? ItemRole::toggle
+            : is_text ? ItemRole::text
+                      : ItemRole::setting,
+            setting_name(row, world.language), setting_value(state.settings, row, world.language),
+            hint_of(index, row));
+    }
+
+    void add_hours(std::size_t index, const SettingRow& row) {
+        const std::string text = std::get<std::string>(value_of(state.settings, row));
+        const std::string hint = hint_of(index, row);
+        const std::string name = setting_name(row, world.language);
+        const auto hours = hours_in(text);
+        if (row.text == TextKind::quiet)
+            add(OperatorItem::hours_are_set, index, ItemRole::toggle, name,
+                world.language.text("setting", hours ? "on" : "off"), hint);
+        if (!hours) return;
+        add(OperatorItem::hours_begin, index, ItemRole::setting,
+            world.language.text("operator", "{0} from", {name}),
+            time_in_words(hours->begin_min, world.language), hint);
+        add(OperatorItem::hours_end, index, ItemRole::setting,
+            world.language.text("operator", "{0} until", {name}),
+            time_in_words(hours->end_min, world.language), hint);
+    }
+
+    void add_languages(const SettingRow& row) {
+        const auto offered =
+            languages_in_text(state.settings.languages).value_or(std::vector<std::string>{});
+        for (std::size_t i = 0; i < world.languages.size(); ++i) {
+            const bool is_on =
+                std::find(offered.begin(), offered.end(), world.languages[i].code) != offered.end();
+            add(OperatorItem::language, i, ItemRole::toggle, world.languages[i].name,
+                world.language.text("setting", is_on ? "on" : "off"),
+                setting_help(row, world.language));
+        }
+    }
+
+    void add_first_language(const SettingRow& row) {
+        std::string name = state.settings.first_language;
+        for (const OfferedLanguage& language : world.languages)
+            if (language.code == name) name = language.name;
+        add(OperatorItem::first_language, 0, ItemRole::setting, setting_name(row, world.language),
+            name, setting_help(row, world.language));
+    }
+
+    void add_row(std::size_t index, const SettingRow& row) {
+        if (row.text == TextKind::languages) return add_languages(row);
+        if (row.text == TextKind::language) return add_first_language(row);
+        if (row.text == TextKind::hours || row.text == TextKind::quiet)
+            return add_hours(index, row);
+        add_setting(index, row);
+    }
+
+    void add_settings() {
+        const std::string_view table = row_of(state.place).table;
+        const auto rows = setting_rows();
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const bool is_path = state.place == OperatorPlace::paths && rows[i].table == "operator";
+            if (rows[i].table == table || is_path) add_row(i, rows[i]);
+        }
+    }
+
+    void add_volumes() {
+        const std::array outputs{&state.sound.headset, &state.sound.speaker};
+        const std::array volumes{"Headset at the start", "Speaker at the start"};
+        const std::array loudness{"Headset, loudest sine as measured",
+                                  "Speaker, loudest sine as measured"};
+        const auto decibels = [this](double level_dB) {
+            return world.language.text("setting", "{0} decibels",
+                                       {world.language.number(level_dB, 0)});
+        };
+        for (std::size_t i = 0; i < outputs.size(); ++i)
+            add(OperatorItem::volume, i, ItemRole::setting, words(volumes[i]),
+                decibels(outputs[i]->default_dB), words("Every visit begins with it."));
+        for (std::size_t i = 0; i < outputs.size(); ++i)
+            add(OperatorItem::loudness, i, ItemRole::setting, words(loudness[i]),
+                decibels(outputs[i]->full_scale_dB),
+                words("Set it by a sound meter; all levels follow it."));
+    }
+
+    void add_profiles() {
+        const auto is_used = [this](const std::string& name) {
+            return state.settings.profile == name ? words("in use") : std::string();
+        };
+        for (std::size_t i = 0; i < world.profiles.size(); ++i)
+            add(OperatorItem::profile, i, ItemRole::choice,
+                world.language.text("profile", world.profiles[i].name),
+                is_used(world.profiles[i].name));
+        add(OperatorItem::profile, world.profiles.size(), ItemRole::choice, words("No profile"),
+            is_used(""));
+    }
+
+    void add_tests() {
+        constexpr std::array verdicts{"untried", "passed", "failed"};
+        for (std::size_t i = 0; i < test_step_count; ++i) {
+            const TestStepRow& row = row_of(static_cast<TestStep>(i));
+            add(OperatorItem::test, i, ItemRole::choice,
+                world.language.text("test", std::string(row.name)),
+                world.language.text("test",
+                                    verdicts[static_cast<std::size_t>(state.test.verdicts[i])]),
+                world.language.text("test", std::string(row.does)));
+        }
+    }
+
+    void add_counters() {
+        const Counters& counted = world.counters;
+        const std::array facts{std::pair{"Visits", counted.sessions},
+                               std::pair{"Pictures of the gallery", counted.gallery_pictures},
+                               std::pair{"Pictures of sticks", counted.stick_pictures},
+                               std::pair{"Pictures of the camera", counted.camera_pictures},
+                               std::pair{"Minutes of visits", counted.minutes}};
+        for (std::size_t i = 0; i < facts.size(); ++i)
+            add(OperatorItem::fact, i, ItemRole::text, words(facts[i].first),
+                std::to_string(facts[i].second));
+    }
+
+    void add_texts(OperatorItem item, ItemRole role, const std::vector<std::string>& texts) {
+        for (std::size_t i = 0; i < texts.size(); ++i) add(item, i, role, texts[i]);
+    }
+
+    void add_pin() {
+        const int count = static_cast<int>(state.pin.taken.size());
+        add(OperatorItem::fact, 0, ItemRole::text, words("Taken so far"),
+            world.language.counted("operator", "{0} digit", "{0} digits", count));
+    }
+
+    void add_answers() {
+        add(OperatorItem::no, 0, ItemRole::choice, world.language.text("test", "No"));
+        add(OperatorItem::yes, 0, ItemRole::choice, world.language.text("test", "Yes"));
+    }
+
+    void add_own() {
+        switch (state.place) {
+            case OperatorPlace::pin:
+            case OperatorPlace::new_pin:
+            case OperatorPlace::new_pin_again:
+                return add_pin();
+            case OperatorPlace::volume:
+                return add_volumes();
+            case OperatorPlace::profiles:
+                return add_profiles();
+            case OperatorPlace::self_test:
+                return add_tests();
+            case OperatorPlace::live:
+                return add_texts(OperatorItem::fact, ItemRole::text, world.live);
+            case OperatorPlace::library:
+                return add_texts(OperatorItem::pack, ItemRole::choice, world.packs);
+            case OperatorPlace::counters:
+                return add_counters();
+            case OperatorPlace::question:
+                return add_answers();
+            default:
+                return;
+        }
+    }
+};
+
+}  // namespace
+
+ItemMeaning meaning_of(const ScreenItem& item) {
+    return {static_cast<OperatorItem>(item.id / ids_an_item),
+            static_cast<std::size_t>(item.id % ids_an_item)};
+}
+
+std::vector<ScreenItem> operator_items(const Operator& state, const OperatorWorld& world) {
+    List list{state, world, {}};
+    if (state.place == OperatorPlace::self_test) list.add_actions();
+    list.add_places();
+    if (!row_of(state.place).table.empty()) list.add_settings();
+    list.add_own();
+    if (state.place != OperatorPlace::self_test) list.add_actions();
+    return std::move(list.items);
+}
+
+bool is_set_by_profile(std::size_t row, const Operator& state, const OperatorWorld& world) {
+    for (const OfferedProfile& profile : world.profiles)
+        if (profile.name == state.settings.profile)
+            return std::find(profile.rows.begin(), profile.rows.end(), row) != profile.rows.end();
+    return false;
+}
+
+}  // namespace touchline

@@ -1,0 +1,106 @@
+#include "app/operator/operator_turn.h"
+
+#include <cmath>
+
+namespace touchline {
+namespace {
+
+/// Aloud only where nobody else hears it; else a click each (accessibility, EN 301 549 5.1.3.8).
+void tell(OperatorTurn& turn, const std::string& text) {
+    if (turn.world.is_private)
+        turn.say(text);
+    else
+        turn.order(Click{});
+}
+
+std::string count_in_words(const OperatorTurn& turn, std::size_t count) {
+    return turn.world.language.counted("operator", "{0} digit", "{0} digits",
+                                       static_cast<int>(count));
+}
+
+void give_pin(OperatorTurn& turn) {
+    Operator& state = turn.state();
+    if (state.is_checking) return;
+    state.is_checking = true;
+    turn.order(CheckPin{state.pin.taken});
+    state.pin = {};
+}
+
+void compare_pins(OperatorTurn& turn) {
+    Operator& state = turn.state();
+    const bool is_same = state.pin.taken == state.chosen_pin;
+    const std::string chosen = std::move(state.chosen_pin);
+    state.pin = {};
+    state.chosen_pin.clear();
+    if (!is_same)
+        return turn.go(OperatorPlace::new_pin,
+                       turn.words("The two were not the same. Choose again."));
+    turn.order(KeepPin{chosen});
+    turn.go(OperatorPlace::home, turn.words("The PIN is kept."));
+}
+
+void finish_pin(OperatorTurn& turn) {
+    Operator& state = turn.state();
+    if (!is_pin(state.pin.taken))
+        return turn.say(turn.words("A PIN has 4 to 8 digits. Next takes a digit."));
+    if (state.place == OperatorPlace::pin) return give_pin(turn);
+    if (state.place == OperatorPlace::new_pin_again) return compare_pins(turn);
+    state.chosen_pin = state.pin.taken;
+    state.pin = {};
+    turn.go(OperatorPlace::new_pin_again);
+}
+
+void take_back(OperatorTurn& turn) {
+    Operator& state = turn.state();
+    if (state.pin.taken.empty() && state.pin.digit == 0) {
+        const bool is_first = state.place == OperatorPlace::new_pin_again;
+        state.chosen_pin.clear();
+        if (is_first) return turn.go(OperatorPlace::new_pin);
+        // Whoever changes the PIN was let in; whoever has none yet, or is asked for it, was not.
+        const bool is_inside = state.place == OperatorPlace::new_pin && turn.world.has_pin;
+        return is_inside ? turn.go(OperatorPlace::upkeep) : turn.leave();
+    }
+    if (state.pin.digit == 0) state.pin.taken.pop_back();
+    state.pin.digit = 0;
+    tell(turn, count_in_words(turn, state.pin.taken.size()));
+}
+
+bool is_locked(OperatorTurn& turn) {
+    const double left_s = turn.state().tries.locked_until_s - turn.world.now_s;
+    if (turn.state().place != OperatorPlace::pin || left_s <= 0.0) return false;
+    turn.say(turn.world.language.text("operator", "Too many wrong PINs. Wait {0} seconds.",
+                                      {std::to_string(std::lround(std::ceil(left_s)))}));
+    return true;
+}
+
+}  // namespace
+
+void press_pin_key(OperatorTurn& turn, KeyRole role) {
+    Operator& state = turn.state();
+    if (role == KeyRole::help) return turn.say(spoken_screen(turn.screen(), turn.world.language));
+    if (role == KeyRole::back) return take_back(turn);
+    if (is_locked(turn)) return;
+    if (role == KeyRole::select) return finish_pin(turn);
+    if (role == KeyRole::next) {
+        state.pin = with_digit_taken(state.pin);
+        return tell(turn, count_in_words(turn, state.pin.taken.size()));
+    }
+    state.pin = turned(state.pin, role == KeyRole::up);
+    tell(turn, std::to_string(state.pin.digit));
+}
+
+void judge_pin(OperatorTurn& turn, bool is_right) {
+    Operator& state = turn.state();
+    if (!state.is_checking) return;
+    state.is_checking = false;
+    if (is_right) {
+        state.tries = {};
+        if (state.place == OperatorPlace::pin) turn.go(OperatorPlace::home);
+        return;
+    }
+    state.tries = after_wrong_pin(state.tries, turn.world.now_s);
+    if (state.place != OperatorPlace::pin) return;
+    if (!is_locked(turn)) turn.say(turn.words("That is not the PIN. Try again."));
+}
+
+}  // namespace touchline

@@ -1,0 +1,53 @@
+// The tables of the operator's screens: where each one hangs, what it says, what can be done there.
+// Threads: constants.
+#pragma once
+
+#include "app/operator/operator.h"
+
+#include <span>
+#include <string_view>
+
+namespace touchline {
+
+struct PlaceRow {
+    OperatorPlace place;
+    OperatorPlace parent;  // where Back leads
+    std::string_view title;
+    std::string_view text;   // sentences; may be empty
+    std::string_view table;  // of setting_rows() that are its items; may be empty
+    bool is_listed = true;   // among the items of its parent
+};
+
+/// Not of `closed`.
+[[nodiscard]] const PlaceRow& row_of(OperatorPlace place);
+
+[[nodiscard]] std::span<const PlaceRow> place_rows();
+
+enum class OperatorAction : std::uint8_t {
+    learn_keys,
+    find_home,
+    run_all_tests,
+    begin_cleaning,
+    zero_counters,
+    export_log,
+    back_up,
+    restore,
+    first_settings,
+    new_pin,
+    close,
+    leave,
+};
+
+struct ActionRow {
+    OperatorPlace place;
+    OperatorAction action;
+    std::string_view name;
+    std::string_view hint;
+};
+
+[[nodiscard]] std::span<const ActionRow> action_rows();
+
+/// What is asked before it is done.
+[[nodiscard]] std::string_view words_of(Question question);
+
+}  // namespace touchline

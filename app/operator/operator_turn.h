@@ -1,0 +1,99 @@
+// One step of the operator's screens while it is made. For the sources of this folder only.
+// Threads: a plain value.
+#pragma once
+
+#include "app/operator/operator.h"
+#include "app/operator/operator_items.h"
+#include "config/settings/setting_rows.h"
+
+#include <string>
+#include <utility>
+
+namespace touchline {
+
+struct OperatorTurn {
+    OperatorStep step;
+    const OperatorWorld& world;
+
+    [[nodiscard]] Operator& state() { return step.state; }
+
+    [[nodiscard]] SpokenScreen screen() const { return operator_screen(step.state, world); }
+
+    [[nodiscard]] std::string words(const std::string& english) const {
+        return world.language.text("operator", english);
+    }
+
+    void order(OperatorOrder wanted) { step.orders.push_back(std::move(wanted)); }
+
+    void say(const std::string& text) {
+        if (!text.empty()) order(Say{text});
+    }
+
+    /// The item that has the focus, as it is now.
+    void say_item() {
+        const SpokenScreen shown = screen();
+        if (shown.focus) say(spoken_item(shown, *shown.focus, world.language));
+    }
+
+    /// Another screen, said as a whole after `first`. The focus is on its first item, or on the one
+    /// of the screen where this came from.
+    void go(OperatorPlace place, const std::string& first = "") {
+        Operator& now = step.state;
+        const OperatorPlace from = now.place;
+        if (from == OperatorPlace::live) order(ShowLive{false});
+        if (place == OperatorPlace::live) order(ShowLive{true});
+        now.place = place;
+        now.focus = 0;
+        now.is_held = false;
+        now.note.clear();
+        const auto items = operator_items(now, world);
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const ItemMeaning meaning = meaning_of(items[i]);
+            if (meaning.item == OperatorItem::place &&
+                meaning.index == static_cast<std::size_t>(from))
+                now.focus = i;
+        }
+        const std::string all = spoken_screen(screen(), world.language);
+        say(first.empty() ? all : first + ' ' + all);
+    }
+
+    /// The visitors have the kiosk again; nothing of the operator's stays but what wrong PINs cost.
+    void leave() {
+        if (step.state.place == OperatorPlace::live) order(ShowLive{false});
+        Operator closed;
+        closed.tries = step.state.tries;
+        closed.test.verdicts = step.state.test.verdicts;
+        closed.settings = world.settings;
+        closed.sound = world.sound;
+        step.state = closed;
+        say(words("The operator's screens are closed."));
+        order(Leave{});
+    }
+
+    void ask(Question question) {
+        step.state.question = question;
+        go(OperatorPlace::question);
+    }
+};
+
+/// operator_settings.cpp: Select on an item that has a value; nothing of any other.
+[[nodiscard]] bool select_value(OperatorTurn& turn, const ItemMeaning& meaning);
+
+/// Next and Back while a setting is held.
+void turn_value(OperatorTurn& turn, const ItemMeaning& meaning, bool is_up);
+
+/// A held setting is let go and kept. False: something is asked first, on another screen.
+[[nodiscard]] bool release_value(OperatorTurn& turn);
+
+/// operator_pin.cpp: the three screens of the PIN.
+void press_pin_key(OperatorTurn& turn, KeyRole role);
+
+void judge_pin(OperatorTurn& turn, bool is_right);
+
+/// operator_actions.cpp
+void do_action(OperatorTurn& turn, std::size_t action);
+
+/// The question was answered.
+void answer(OperatorTurn& turn, bool is_yes);
+
+}  // namespace touchline

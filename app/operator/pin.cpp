@@ -1,0 +1,42 @@
+#include "app/operator/pin.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchline {
+namespace {
+
+constexpr int free_tries = 5;
+constexpr double first_lock_s = 60.0;
+constexpr double longest_lock_s = 3600.0;
+constexpr int digits = 10;
+
+}  // namespace
+
+PinEntry turned(PinEntry entry, bool is_up) {
+    entry.digit = (entry.digit + (is_up ? 1 : digits - 1)) % digits;
+    return entry;
+}
+
+PinEntry with_digit_taken(PinEntry entry) {
+    if (entry.taken.size() == longest_pin) return entry;
+    entry.taken += static_cast<char>('0' + entry.digit);
+    entry.digit = 0;
+    return entry;
+}
+
+bool is_pin(const std::string& text) {
+    return text.size() >= shortest_pin && text.size() <= longest_pin &&
+           std::all_of(text.begin(), text.end(),
+                       [](char letter) { return letter >= '0' && letter <= '9'; });
+}
+
+PinTries after_wrong_pin(PinTries tries, double now_s) {
+    ++tries.wrong;
+    if (tries.wrong < free_tries) return tries;
+    const double lock_s = first_lock_s * std::exp2(tries.wrong - free_tries);
+    tries.locked_until_s = now_s + std::min(lock_s, longest_lock_s);
+    return tries;
+}
+
+}  // namespace touchline
