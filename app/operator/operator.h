@@ -113,14 +113,14 @@ struct OperatorWorld {
 
 /// A press that counts. `role`: what the table of keys says of it. `is_allowed`: it is from the
 /// operator's keyboard, or none is set.
-struct KeyPressed {
+struct KeyStruck {
     PhysicalKey key;
     std::optional<KeyRole> role;
     bool is_allowed = true;
 };
 
 /// At least once a second.
-struct Tick {};
+struct MomentPassed {};
 
 struct PinChecked {
     bool is_right = false;
@@ -137,7 +137,7 @@ struct OrderAnswered {
     std::string line;
 };
 
-using OperatorEvent = std::variant<KeyPressed, Tick, PinChecked, TestAnswered, OrderAnswered>;
+using OperatorEvent = std::variant<KeyStruck, MomentPassed, PinChecked, TestAnswered, OrderAnswered>;
 
 struct Say {
     std::string text;

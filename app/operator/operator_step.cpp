@@ -26,7 +26,7 @@ void open(OperatorTurn& turn) {
 }
 
 /// The visitor gets these keys too; a wrong one begins the sequence anew.
-void press_closed_key(OperatorTurn& turn, const KeyPressed& key) {
+void press_closed_key(OperatorTurn& turn, const KeyStruck& key) {
     Operator& state = turn.state();
     const double now_s = turn.world.now_s;
     if (state.entered > 0 && now_s - state.entry_began_s > entry_s) state.entered = 0;
@@ -144,7 +144,7 @@ bool is_listed(KeyRole role) {
     return static_cast<std::size_t>(role) < needed_role_count;
 }
 
-void press(OperatorTurn& turn, const KeyPressed& key) {
+void press(OperatorTurn& turn, const KeyStruck& key) {
     Operator& state = turn.state();
     if (state.place == OperatorPlace::closed) return press_closed_key(turn, key);
     if (!key.is_allowed) return;
@@ -211,9 +211,9 @@ void take_over(OperatorTurn& turn) {
 struct Take {
     OperatorTurn& turn;
 
-    void operator()(const KeyPressed& key) const { press(turn, key); }
+    void operator()(const KeyStruck& key) const { press(turn, key); }
 
-    void operator()(const Tick&) const { wait(turn); }
+    void operator()(const MomentPassed&) const { wait(turn); }
 
     void operator()(const PinChecked& checked) const { judge_pin(turn, checked.is_right); }
 

@@ -19,7 +19,7 @@ struct Scene {
     Area area;
     std::uint64_t map_version = 0;
     int percept_level = 0;  // of the curves (level_error.h): none finer is told from it
-    std::vector<Leg> legs;  // of all outlines, in the map's order
+    std::vector<Leg> legs = {};  // of all outlines, in the map's order
 };
 
 /// O(N log N). `radius_m` >= 0 is the largest proxy radius that will be used on this scene: it
