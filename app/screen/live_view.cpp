@@ -5,6 +5,7 @@
 #include "app/screen/panel.h"
 #include "app/session/first_feel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -31,7 +32,7 @@ void LiveView::draw(const Renderers& renderers, const FrameContent& content, int
                     int height_px, std::int64_t now_ns) {
     if (width_px != width_px_ || height_px != height_px_) lay_out_again(width_px, height_px);
     update_picture(content.shown);
-    update_panel(content.status, now_ns);
+    update_panel(content, now_ns);
     update_overlay(content);
     if (content.shown.scene) update_outlines(*content.shown.scene, content.hand.level);
     update_boxes(content);
@@ -77,13 +78,31 @@ void LiveView::update_picture(const ShownScene& shown) {
     outlined_level_ = -1.0;
 }
 
-void LiveView::update_panel(const Status& status, std::int64_t now_ns) {
-    if (!is_stale_ && (status == painted_status_ || now_ns - panel_ns_ < panel_period_ns)) return;
+void LiveView::update_panel(const FrameContent& content, std::int64_t now_ns) {
+    const bool is_same = content.status == painted_status_ && content.timing == painted_timing_;
+    if (!is_stale_ && (is_same || now_ns - panel_ns_ < panel_period_ns)) return;
     const Canvas canvas = canvas_for(layout_.panel);
-    paint_panel(canvas.context(), at_origin(layout_.panel), status, cap_px_);
+    cairo_t* const cr = canvas.context();
+    Rect rect = at_origin(layout_.panel);
+    fill(cr, rect, {white_on_black.background});
+    if (content.timing) rect.height = paint_timing_below(cr, rect, content);
+    paint_panel(cr, rect, content.status, cap_px_);
     upload(panel_, canvas, layout_.panel);
-    painted_status_ = status;
+    painted_status_ = content.status;
+    painted_timing_ = content.timing;
     panel_ns_ = now_ns;
+}
+
+double LiveView::paint_timing_below(cairo_t* cr, const Rect& rect,
+                                    const FrameContent& content) const {
+    constexpr double share = 0.35;  // of the panel at most
+    const double cap_px =
+        cap_px_ * std::min(1.0, share * rect.height / timing_chart_height_px(cap_px_));
+    const double height_px = timing_chart_height_px(cap_px) + cap_px;
+    const Rect chart{rect.x + cap_px, rect.y + rect.height - height_px, rect.width - 2.0 * cap_px,
+                     height_px};
+    paint_timing(cr, chart, *content.timing, cap_px, white_on_black, content.language);
+    return rect.height - height_px;
 }
 
 void LiveView::update_overlay(const FrameContent& content) {

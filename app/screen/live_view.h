@@ -6,11 +6,13 @@
 #include "app/screen/image_layer.h"
 #include "app/screen/shown_scene.h"
 #include "app/screen/stroke_renderer.h"
+#include "app/screen/timing_chart.h"
 #include "app/session/status.h"
 #include "config/types/hand_state.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace touchline {
 
@@ -25,6 +27,8 @@ struct FrameContent {
     bool shows_boxes = false;
     HandState hand;
     ShownScene shown;
+    std::optional<LatenessBars> timing = {};  // below the panel, where there is one
+    Language language = {};
 };
 
 class LiveView {
@@ -43,7 +47,9 @@ class LiveView {
   private:
     void lay_out_again(int width_px, int height_px);
     void update_picture(const ShownScene& shown);
-    void update_panel(const Status& status, std::int64_t now_ns);
+    void update_panel(const FrameContent& content, std::int64_t now_ns);
+    /// Returns the height left above it.
+    double paint_timing_below(cairo_t* cr, const Rect& rect, const FrameContent& content) const;
     void update_overlay(const FrameContent& content);
     void update_outlines(const Scene& scene, double level);
     void update_boxes(const FrameContent& content);
@@ -66,6 +72,7 @@ class LiveView {
     // What the layers show.
     std::shared_ptr<const Canvas> painted_picture_;
     Status painted_status_;
+    std::optional<LatenessBars> painted_timing_;
     std::int64_t panel_ns_ = 0;
     std::string painted_message_;
     std::uint64_t outlined_version_ = 0;  // of the map

@@ -10,6 +10,7 @@
 #include "config/types/tactile_map.h"
 #include "haptics/collision/scene.h"
 #include "haptics/servo/exchange.h"
+#include "haptics/servo/lateness.h"
 #include "haptics/servo/real_time.h"
 #include "haptics/servo/recording.h"
 
@@ -54,6 +55,9 @@ class ServoClient {
     [[nodiscard]] virtual std::optional<ContactEvent> next_event() = 0;
 
     [[nodiscard]] virtual RealTimeTier tier() const = 0;
+
+    /// How late the ticks began since the servo started; nothing while none runs. Some 30 us.
+    [[nodiscard]] virtual LatenessBars lateness() const = 0;
 
     /// What befell the servo since this was last asked, a line for the operator; empty: nothing.
     [[nodiscard]] virtual std::string take_notice() = 0;

@@ -94,6 +94,11 @@ RealTimeTier ServoLine::tier() const {
     return connection_ ? tier_of(connection_->region.channel()) : RealTimeTier::best_effort;
 }
 
+LatenessBars ServoLine::lateness() const {
+    const std::lock_guard lock(mutex_);
+    return connection_ ? bars_of(connection_->region.channel().lateness) : LatenessBars{};
+}
+
 std::string ServoLine::take_notice() {
     const std::lock_guard lock(mutex_);
     return std::exchange(notice_, {});

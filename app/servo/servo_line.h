@@ -42,6 +42,7 @@ class ServoLine {
     void update(ServoReport& report, std::int64_t now_ns);
     [[nodiscard]] std::optional<ContactEvent> next_event();
     [[nodiscard]] RealTimeTier tier() const;
+    [[nodiscard]] LatenessBars lateness() const;
     [[nodiscard]] std::string take_notice();
     [[nodiscard]] std::string device_words() const;
 

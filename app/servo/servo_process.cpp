@@ -238,6 +238,10 @@ RealTimeTier ServoProcess::tier() const {
     return guard_ ? guard_->line.tier() : RealTimeTier::best_effort;
 }
 
+LatenessBars ServoProcess::lateness() const {
+    return guard_ ? guard_->line.lateness() : LatenessBars{};
+}
+
 std::string ServoProcess::take_notice() {
     return guard_ ? guard_->line.take_notice() : std::string();
 }

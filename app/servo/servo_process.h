@@ -44,6 +44,7 @@ class ServoProcess final : public ServoClient {
     [[nodiscard]] ForceStatus force_status() override;
     [[nodiscard]] std::optional<ContactEvent> next_event() override;
     [[nodiscard]] RealTimeTier tier() const override;
+    [[nodiscard]] LatenessBars lateness() const override;
     [[nodiscard]] std::string take_notice() override;
     [[nodiscard]] std::string device_words() override;
     void home_again() override;

@@ -45,6 +45,8 @@ class ServoThread final : public ServoClient {
 
     [[nodiscard]] RealTimeTier tier() const override { return servo_.tier(); }
 
+    [[nodiscard]] LatenessBars lateness() const override { return bars_of(servo_.lateness()); }
+
     [[nodiscard]] std::string take_notice() override { return std::exchange(notice_, {}); }
 
     void keep_recording() override { box_->keep(); }

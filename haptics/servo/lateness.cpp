@@ -50,6 +50,19 @@ void MinuteOfTicks::move_to(std::int64_t second) {
     second_ = second;
 }
 
+LatenessBars bars_of(const LatenessHistogram& lateness) {
+    LatenessBars bars;
+    std::uint64_t before = 0;
+    for (std::size_t i = 0; i < LatenessBars::ends_us.size(); ++i) {
+        const std::uint64_t below =
+            lateness.count_below(static_cast<std::size_t>(LatenessBars::ends_us.at(i)));
+        bars.ticks.at(i) = below - std::min(before, below);
+        before = std::max(before, below);
+    }
+    bars.ticks.back() = lateness.count() - std::min(before, lateness.count());
+    return bars;
+}
+
 void MinuteOfTicks::add(double now_s, double tick_late_s, double gap_s, std::uint64_t skipped) {
     const auto second = static_cast<std::int64_t>(now_s);
     if (second > second_) move_to(second);

@@ -32,6 +32,20 @@ class LatenessHistogram {
     std::array<std::atomic<std::uint32_t>, bins> counts_{};
 };
 
+/// The histogram in few numbers, for people.
+struct LatenessBars {
+    /// Upper ends, in us, of all bars but the last, which holds whatever was later.
+    static constexpr std::array<int, 5> ends_us{20, 50, 100, 200, 1000};
+    static constexpr std::size_t count = ends_us.size() + 1;
+
+    std::array<std::uint64_t, count> ticks{};
+
+    friend bool operator==(const LatenessBars&, const LatenessBars&) = default;
+};
+
+/// Any thread, while ticks are added. O(bins).
+[[nodiscard]] LatenessBars bars_of(const LatenessHistogram& lateness);
+
 /// What the last minute was like.
 struct LastMinute {
     std::uint64_t late = 0;       // ticks that began more than 1 ms late or not at all
