@@ -15,7 +15,8 @@ constexpr double step_m = 0.0005;
 constexpr double meeting_m = 0.0004;       // lines that cross have samples as near as that
 constexpr double meeting_reach_m = 0.008;  // around a meeting lines are bound to be near
 constexpr std::size_t most_samples = 200'000;
-constexpr std::size_t most_looks = 100'000'000;  // half a second; a map with room needs thousandths
+constexpr std::size_t most_looks = 2'000'000;  // a map with room needs some 400 000
+constexpr std::size_t most_meetings = 200;     // of two outlines; beyond, they are one line
 
 struct Sample {
     Position place;
@@ -59,16 +60,19 @@ class Grid {
             cells_[key(cell(samples[i].place.x), cell(samples[i].place.y))].push_back(i);
     }
 
+    /// False as soon as `visit` says so.
     template <class Visit>
-    void near(const Sample& from, const Visit& visit) const {
+    bool near(const Sample& from, const Visit& visit) const {
         const auto x = cell(from.place.x);
         const auto y = cell(from.place.y);
         for (std::int64_t dx = -1; dx <= 1; ++dx)
             for (std::int64_t dy = -1; dy <= 1; ++dy) {
                 const auto found = cells_.find(key(x + dx, y + dy));
                 if (found == cells_.end()) continue;
-                for (const std::size_t i : found->second) visit(samples_[i]);
+                for (const std::size_t i : found->second)
+                    if (!visit(samples_[i])) return false;
             }
+        return true;
     }
 
   private:
@@ -111,17 +115,20 @@ std::vector<NearLines> near_lines(const TactileMap& map, std::size_t most) {
     std::map<Pair, Nearness> pairs;
     const auto every_near_pair = [&](const auto& visit) {
         std::size_t looks_left = most_looks;
-        for (const Sample& a : all.samples)
-            grid.near(a, [&](const Sample& b) {
-                if (looks_left == 0) return;
-                --looks_left;
-                if (b.outline < a.outline || !are_apart(a, b, map, all.length_m[a.outline])) return;
-                visit(pairs, a, b, norm(a.place - b.place));
+        for (const Sample& a : all.samples) {
+            const bool goes_on = grid.near(a, [&](const Sample& b) {
+                const bool is_other =
+                    b.outline >= a.outline && are_apart(a, b, map, all.length_m[a.outline]);
+                if (is_other) visit(pairs, a, b, norm(a.place - b.place));
+                return --looks_left > 0;
             });
+            if (!goes_on) return;
+        }
     };
     every_near_pair([](auto& found, const Sample& a, const Sample& b, double gap_m) {
         if (gap_m > meeting_m) return;
         auto& meetings = found[{a.outline, b.outline}].meetings;
+        if (meetings.size() == most_meetings) return;
         // One a place: those along a line that two outlines share would be thousands.
         const bool is_new = std::none_of(meetings.begin(), meetings.end(), [&](Position meeting) {
             return norm(meeting - a.place) < 2.0 * step_m;
@@ -136,7 +143,8 @@ std::vector<NearLines> near_lines(const TactileMap& map, std::size_t most) {
     });
     std::vector<NearLines> near;
     for (const auto& [pair, nearness] : pairs)
-        if (nearness.gap_m < least_gap_m) near.push_back({pair.first, pair.second, nearness.gap_m});
+        if (nearness.gap_m < least_gap_m && nearness.meetings.size() < most_meetings)
+            near.push_back({pair.first, pair.second, nearness.gap_m});
     std::sort(near.begin(), near.end(),
               [](const NearLines& a, const NearLines& b) { return a.gap_m < b.gap_m; });
     if (near.size() > most) near.resize(most);

@@ -54,27 +54,12 @@ bool write_files(const Pack& pack, const fs::path& folder) {
     return true;
 }
 
-/// The new folder takes the place of the old one in one step where the file system can do that;
-/// elsewhere the old one stands aside for a moment, under a name that is found again.
+/// In one step, so that the library holds the old pack or the new one; the old one is then at
+/// `made`.
 bool put_in_place(const fs::path& made, const fs::path& place) {
     if (::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, place.c_str(), RENAME_EXCHANGE) == 0)
         return true;
-    std::error_code error;
-    if (errno != ENOENT) {
-        const fs::path aside = made.string() + "-old";
-        fs::rename(place, aside, error);
-        if (error) return false;
-        fs::rename(made, place, error);
-        if (error) {
-            std::error_code ignored;
-            fs::rename(aside, place, ignored);
-            return false;
-        }
-        fs::remove_all(aside, error);
-        return true;
-    }
-    fs::rename(made, place, error);
-    return !error;
+    return errno == ENOENT && ::rename(made.c_str(), place.c_str()) == 0;
 }
 
 PackResult<PackInfo> info_of(const fs::path& folder) {

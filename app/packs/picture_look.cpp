@@ -21,7 +21,7 @@ UnpackAnswer broken(const std::string& why, int line = 0) {
 
 std::string name_of(const Outline& outline) {
     if (!outline.label.empty()) return outline.label;
-    return outline.id.empty() ? "a line without a name" : outline.id;
+    return outline.id.empty() ? "?" : outline.id;
 }
 
 void look_at_words(const SvgSurvey& survey, const std::vector<std::string>& languages,
@@ -61,7 +61,7 @@ void look_at_names(const TactileMap& map, std::vector<PackFinding>& findings) {
 void look_at_lines(const TactileMap& map, int difficulty, std::vector<PackFinding>& findings) {
     if (map.area != Area{}) findings.push_back({FindingKind::other_size});
     for (const NearLines& near : near_lines(map, most_near_lines)) {
-        const std::string pair = "“" + name_of(map.outlines[near.one]) + "” and “" +
+        const std::string pair = "“" + name_of(map.outlines[near.one]) + "”, “" +
                                  name_of(map.outlines[near.other]) + "”";
         findings.push_back({FindingKind::lines_near, "", 0, pair, 1000.0 * near.gap_m});
     }

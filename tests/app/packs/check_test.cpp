@@ -88,7 +88,7 @@ TEST(Check, WhatAHandCannotTellIsTold) {
                         "<path id=\"b\" d=\"M20 21.5 L80 21.5\"/>"
                         "<path id=\"rim\" d=\"M1 50 L20 50\"/>",
                         "data-difficulty=\"1\""));
-    EXPECT_TRUE(has(near, FindingKind::lines_near, "“a” and “b”"));
+    EXPECT_TRUE(has(near, FindingKind::lines_near, "“a”, “b”"));
     EXPECT_TRUE(has(near, FindingKind::near_rim, "rim"));
     EXPECT_TRUE(has(near, FindingKind::many_parts, "1"));
     std::string much;
@@ -156,9 +156,10 @@ TEST(Command, SaysWhatTheGuideShows) {
     const auto guide = read_file(TOUCHLINE_SOURCE_DIR "/app/packs/README.md");
     ASSERT_TRUE(guide.has_value());
     std::istringstream lines(said.out);
-    for (std::string line; std::getline(lines, line);)
-        if (!line.ends_with("better one"))
-            EXPECT_NE(made::text_of(*guide).find(line), std::string::npos) << line;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.ends_with("better one")) continue;
+        EXPECT_NE(made::text_of(*guide).find(line), std::string::npos) << line;
+    }
     EXPECT_NE(said.out.find(": can be used; 2 hints for a better one\n"), std::string::npos)
         << said.out;
 }

@@ -4,6 +4,10 @@
 #include "app/decode/map_svg.h"
 #include "app/gallery/gallery.h"
 
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
 #include <gtest/gtest.h>
 
 namespace touchline {
@@ -51,6 +55,21 @@ TEST(HandRoom, TheRimIsThreeMillimetresWide) {
     EXPECT_FALSE(is_near_rim(line(-55, 0, 55, 0), Area{}));
     EXPECT_TRUE(is_near_rim(line(-55.1, 0, 55, 0), Area{}));
     EXPECT_TRUE(is_near_rim(line(0, -39.1, 0, 0), Area{}));
+}
+
+/// 400 m of line in a square centimetre, as a stranger might send.
+TEST(HandRoom, ATangleIsLookedAtInBoundedTime) {
+    std::vector<Outline> tangle;
+    for (int i = 0; i < 40'000; ++i) {
+        const double turn = 0.01 * i;
+        tangle.push_back(line(-5.0 * std::cos(turn), -5.0 * std::sin(turn), 5.0 * std::cos(turn),
+                              5.0 * std::sin(turn)));
+    }
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_LE(near_lines(map_of_lines(std::move(tangle)), 5).size(), 5U);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    EXPECT_LT(took.count(), 20.0);  // under a sanitizer
+    std::printf("%.2f s\n", took.count());
 }
 
 /// Pictures that were drawn with care have nothing to be told.
