@@ -42,6 +42,7 @@ struct PatternCommand {
 struct GuidanceStatus {
     std::uint32_t serial = 0;  // of the command that this is about
     GuidancePhase phase = GuidancePhase::none;
+    bool is_on_line = false;           // a tour leads along an outline, not to where one begins
     std::int32_t outline = -1;         // a tour is on it, or on its way there; -1: none
     std::int32_t label = -1;           // of the map; a tour has come to it last; -1: none
     Position leading;                  // the point that leads, in W; while none leads the handle

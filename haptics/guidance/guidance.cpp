@@ -46,6 +46,7 @@ Force Guidance::step(const GuideInput& input, double dt_s) {
     gain_ = std::clamp(gain_ + step, 0.0, 1.0);
     if (!leads()) point_.put(input.handle);
     status_.leading = point_.position();
+    status_.is_on_line = is_leading_ && command_.kind == GuidanceKind::tour && !is_approaching_;
     if (gain_ <= 0.0) return {};
     return pull(input, along<Velocity>(point_.position() - before, 1.0 / dt_s));
 }

@@ -55,9 +55,10 @@ bool is_sound(const ServoReport& report) {
            std::isfinite(hand.level) && hand.mode <= Mode::stay &&
            hand.state <= ContactState::vertex && hand.outline >= -1 &&
            is_bool(hand.is_level_auto) && hand.guidance.phase <= GuidancePhase::stopped &&
-           hand.guidance.outline >= -1 && hand.guidance.label >= -1 &&
-           is_finite(hand.guidance.leading) && report.force.state <= ForceState::fault &&
-           report.force.fault <= Fault::emergency_stop && report.force.limit <= Limit::fault;
+           is_bool(hand.guidance.is_on_line) && hand.guidance.outline >= -1 &&
+           hand.guidance.label >= -1 && is_finite(hand.guidance.leading) &&
+           report.force.state <= ForceState::fault && report.force.fault <= Fault::emergency_stop &&
+           report.force.limit <= Limit::fault;
 }
 
 RealTimeTier tier_of(const ServoChannel& channel) {
