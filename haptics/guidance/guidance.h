@@ -33,6 +33,9 @@ class Guidance {
     /// Force of guidance acts, or is about to.
     [[nodiscard]] bool leads() const { return is_leading_ || gain_ > 0.0; }
 
+    /// It begins as soon as force is live: until then lines should push less than keeps force off.
+    [[nodiscard]] bool is_pending() const { return is_wanted_; }
+
     [[nodiscard]] const GuidanceStatus& status() const { return status_; }
 
     /// The scene is another one now; every place on the old one is forgotten.

@@ -17,8 +17,9 @@ constexpr double longest_silence_s = 0.02;
 constexpr double measuring_s = 1.0;
 constexpr double longest_period_s = 0.02;  // a longer one is a pause, not the loop's
 constexpr double ceiling_rise_N_per_s = 1.0;
-constexpr double groove_peak = 0.287;  // of K w: what a groove pulls at most
-constexpr double led_groove_N = 0.2;   // of that, while the hand is led
+constexpr double groove_peak = 0.287;      // of K w: what a groove pulls at most
+constexpr double led_groove_N = 0.2;       // of that, while the hand is led
+constexpr double pending_groove_N = 0.05;  // the same, until force is live
 constexpr double share_per_s = 1.0 / 0.3;
 
 LevelLimits limits_of_device(const DeviceProfile& profile) {
@@ -188,7 +189,8 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
         contact_report_.level = level;
         return {};
     }
-    mode_ = guidance_.leads() ? Mode::groove : commands.mode;
+    const bool is_led = guidance_.leads() || guidance_.is_pending();
+    mode_ = is_led ? Mode::groove : commands.mode;
     const ContactSettings settings{mode_,
                                    stiffness_.stiffness_N_per_m(),
                                    commands.friction,
@@ -198,7 +200,7 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
                                    commands.pop_through_s};
     contact_report_ = contact_.step(p_WH_, level, settings, Budget{boxes_per_tick_, 0}, period_s_);
     (void)cost_.step(work_of(contact_report_), contact_.rendered_level());
-    share_lines(commands);
+    share_lines(commands, is_led);
     const FramePush frame =
         commands.has_frame ? frame_push(felt_.scene->area, p_WH_, stiffness_.stiffness_N_per_m())
                            : FramePush{};
@@ -208,10 +210,12 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
                   velocity_.velocity(), loop_.damping_Ns_per_m + extra_damping_Ns_per_m_);
 }
 
-/// The hand is led across lines too: they must not hold it against what leads it.
-void ServoStep::share_lines(const ServoCommands& commands) {
+/// The hand is led across lines too: they must not hold it against what leads it, nor keep force
+/// from coming on before.
+void ServoStep::share_lines(const ServoCommands& commands, bool is_led) {
     const double groove_N = groove_peak * stiffness_.stiffness_N_per_m() * commands.capture_m;
-    const double goal = guidance_.leads() ? std::min(1.0, led_groove_N / groove_N) : 1.0;
+    const double led_N = guidance_.leads() ? led_groove_N : pending_groove_N;
+    const double goal = is_led ? std::min(1.0, led_N / groove_N) : 1.0;
     const double step = share_per_s * period_s_;
     line_share_ = std::clamp(goal, line_share_ - step, line_share_ + step);
 }

@@ -98,7 +98,7 @@ class ServoStep {
     void measure_loop(const StepInput& input, double dt_s);
     [[nodiscard]] Force feel(const ServoCommands& commands, double dt_s);
     void lead(const StepInput& input);
-    void share_lines(const ServoCommands& commands);
+    void share_lines(const ServoCommands& commands, bool is_led);
     void watch(Force told, Force wanted, double dt_s);
     void detect(const StepInput& input);
     void fill(const StepInput& input, const SafeForce& safe);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace touchline::bench {
 namespace {
@@ -24,6 +25,7 @@ constexpr double known_reach_m = 0.0015;
 constexpr double near_known_m = 0.0035;
 constexpr double recent_m = 0.012;  // followed lately is no news
 constexpr double known_enough_m = 0.005;
+constexpr double same_place_m = 0.0015;
 constexpr double all_m = 1e9;
 
 Direction turned_by(Direction d, double angle) {
@@ -79,7 +81,7 @@ bool GrooveFollower::go_to(Position target, double speed_m_per_s, double dt_s) {
 }
 
 void GrooveFollower::sweep(const Touched& touched, double dt_s) {
-    const bool is_line = norm(touched.force) > line_N;
+    const bool is_line = norm(touched.force) > line_N && sweep_.is_inside(touched.handle);
     if (is_line && !felt_.is_known(touched.handle, near_known_m, all_m)) return begin_settling();
     if (sweep_.is_over()) {
         doing_ = Doing::done;
@@ -107,7 +109,12 @@ void GrooveFollower::settle(const Touched& touched, double dt_s) {
     if (is_still || waited_s_ > longest_s) begin_probe(touched.handle);
 }
 
+/// More than twice at one place would tell no more.
 void GrooveFollower::begin_probe(Position around) {
+    const auto here = std::count_if(probed_.begin(), probed_.end(),
+                                    [&](Position p) { return norm(p - around) < same_place_m; });
+    if (here >= 2) return take_next_branch();
+    probed_.push_back(around);
     doing_ = Doing::probe;
     centre_ = around;
     samples_.clear();
@@ -184,6 +191,7 @@ void GrooveFollower::take_next_branch() {
         left_.pop_back();
         if (!is_worth(branch)) continue;
         next_ = branch;
+        probes_there_ = false;
         doing_ = Doing::travel;
         return;
     }
@@ -194,7 +202,17 @@ void GrooveFollower::travel(const Touched& touched, double dt_s) {
     const bool is_there = go_to(next_->from, sweep_m_per_s, dt_s);
     const bool has_followed = norm(touched.handle - next_->from) < 0.0015;
     waited_s_ = is_there ? waited_s_ + dt_s : 0.0;
-    if (is_there && (has_followed || waited_s_ > 0.3)) take(*next_);
+    if (!is_there || (!has_followed && waited_s_ < 0.3)) return;
+    if (std::exchange(probes_there_, false)) return begin_settling();
+    take(*next_);
+}
+
+/// It has lost the line: back to where it last was.
+void GrooveFollower::probe_again_at(Position around) {
+    next_ = Branch{around, ahead_};
+    probes_there_ = true;
+    doing_ = Doing::travel;
+    waited_s_ = 0.0;
 }
 
 void GrooveFollower::take(const Branch& branch) {
@@ -225,13 +243,18 @@ void GrooveFollower::follow(const Touched& touched, double dt_s) {
     known_m_ = is_known ? known_m_ + way_m : 0.0;
     felt_.add(touched.handle, followed_m_);
     // Without any force at all there is no line.
-    constexpr double no_line_m = 0.02;
-    slack_m_ = norm(touched.force) < 0.005 ? slack_m_ + way_m : 0.0;
+    constexpr double no_line_m = 0.008;
+    constexpr double no_line_N = 0.005;
+    const bool is_felt = norm(touched.force) > no_line_N;
+    slack_m_ = is_felt ? 0.0 : slack_m_ + way_m;
+    if (is_felt) touched_ = touched.handle;
+    if (slack_m_ > no_line_m) return probe_again_at(touched_);
     held_s_ = against_N > held_N ? held_s_ + dt_s : 0.0;
     const bool is_nearly_begun = followed_m_ - begun_m_ < known_enough_m;
     if (held_s_ > held_long_s) {
         begin_settling();
-    } else if ((known_m_ > known_enough_m && !is_nearly_begun) || slack_m_ > no_line_m) {
+    } else if ((known_m_ > known_enough_m && !is_nearly_begun) ||
+               !sweep_.is_inside(touched.handle)) {
         take_next_branch();
     }
 }

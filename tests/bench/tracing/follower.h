@@ -59,6 +59,7 @@ class GrooveFollower {
 
     void begin_settling();
     void begin_probe(Position around);
+    void probe_again_at(Position around);
     void choose_branch();
     void take_next_branch();
     void take(const Branch& branch);
@@ -74,6 +75,7 @@ class GrooveFollower {
     FeltPath felt_;
     std::vector<Branch> left_;
     std::optional<Branch> next_;
+    bool probes_there_ = false;  // at the end of its travel
     double followed_m_ = 0.0;
     double known_m_ = 0.0;  // of the way along what it knows already
     double begun_m_ = 0.0;  // followed when the branch was begun
@@ -81,6 +83,8 @@ class GrooveFollower {
     double held_s_ = 0.0;
     double waited_s_ = 0.0;
     Position last_;
+    Position touched_;  // the line last
+    std::vector<Position> probed_;
     Position centre_;  // of the circle
     double turned_ = 0.0;
     double turn_from_ = 0.0;

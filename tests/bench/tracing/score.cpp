@@ -84,7 +84,8 @@ Score score(const DistanceField& outlines, std::span<const Position> on_outlines
     std::vector<double> off_m;
     off_m.reserve(path.size());
     for (const Position p : path) off_m.push_back(outlines.at(p));
-    const auto at = off_m.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(path.size() - 1));
+    const auto at =
+        off_m.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(path.size() - 1));
     std::nth_element(off_m.begin(), at, off_m.end());
     const DistanceField near_path(path);
     const auto covered = std::count_if(on_outlines.begin(), on_outlines.end(),

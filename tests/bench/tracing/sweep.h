@@ -14,9 +14,10 @@ namespace touchline::bench {
 
 class Sweep {
   public:
-    explicit Sweep(const Area& area) {
+    explicit Sweep(const Area& area)
+        : half_x_m_(0.5 * area.width_m), half_y_m_(0.5 * area.height_m) {
         constexpr double apart_m = 0.0044;  // a groove that reaches 3 mm pulls between any two
-        constexpr double margin_m = 0.002;
+        constexpr double margin_m = 0.004;
         const double half_x = 0.5 * area.width_m - margin_m;
         const double half_y = 0.5 * area.height_m - margin_m;
         const int rows = static_cast<int>(std::ceil(2.0 * half_y / apart_m)) + 1;
@@ -34,6 +35,12 @@ class Sweep {
         }
     }
 
+    /// Not where the frame of the drawing area is felt.
+    [[nodiscard]] bool is_inside(Position p) const {
+        constexpr double edge_m = 2e-4;
+        return std::abs(p.x) < half_x_m_ - edge_m && std::abs(p.y) < half_y_m_ - edge_m;
+    }
+
     [[nodiscard]] bool is_over() const { return next_ == ends_.size(); }
 
     /// Where it goes now. Precondition: not over.
@@ -42,6 +49,8 @@ class Sweep {
     void arrive() { ++next_; }
 
   private:
+    double half_x_m_;
+    double half_y_m_;
     std::vector<Position> ends_;  // of the rows, from one to the next
     std::size_t next_ = 0;
 };

@@ -126,7 +126,11 @@ Traced be_led(Rig& rig, double limit_s) {
 Traced trace(const Scene& scene, Tracing tracing, Position start, double limit_s) {
     Rig rig(scene, tracing, start);
     HandState ready;
-    for (int i = 0; i < static_cast<int>(getting_ready_s / period_s); ++i) ready = rig.tick();
+    RelaxedHand relaxed;  // so that no line pushes, or force would not come on
+    for (int i = 0; i < static_cast<int>(getting_ready_s / period_s); ++i) {
+        ready = rig.tick();
+        rig.mean(relaxed.step(ready.p_WH, period_s));
+    }
     if (tracing == Tracing::tour) return be_led(rig, limit_s);
     if (tracing == Tracing::wall) return follow(rig, limit_s, WallFollower(scene.area, ready.p_WH));
     return follow(rig, limit_s, GrooveFollower(scene.area, ready.p_WH));

@@ -39,7 +39,7 @@ void WallFollower::sweep(const Touched& touched, double dt_s) {
     constexpr double longest_lean_m = 0.006;
     constexpr double patience_s = 0.3;
     if (sweep_.is_over()) return;
-    const bool is_wall = norm(touched.force) > hold_N;
+    const bool is_wall = norm(touched.force) > hold_N && sweep_.is_inside(touched.handle);
     if (is_wall && !felt_.is_known(touched.handle, 0.003, all_m)) {
         is_following_ = true;
         outward_ = direction_of(touched.force);
@@ -82,7 +82,8 @@ void WallFollower::follow(const Touched& touched, double dt_s) {
     const bool is_known = felt_.is_known(touched.handle, known_reach_m, begun_m_) ||
                           felt_.is_known(touched.handle, known_reach_m, followed_m_ - recent_m);
     known_m_ = is_known ? known_m_ + way_m : 0.0;
-    if (known_m_ > known_enough_m || lost_m_ > lost_after_m) is_following_ = false;
+    if (known_m_ > known_enough_m || lost_m_ > lost_after_m || !sweep_.is_inside(touched.handle))
+        is_following_ = false;
 }
 
 }  // namespace touchline::bench

@@ -55,6 +55,11 @@ TEST(Tick, AllocatesNothingInAHundredThousandTicks) {
             commands.pop_through_N = 0.5;
             commands.is_level_auto = k % 10000 == 0;
             commands.level = 1.5;
+            commands.pattern = {HandlePattern::edge, commands.pattern.serial + 1};
+            constexpr std::array kinds{GuidanceKind::tour, GuidanceKind::to_line,
+                                       GuidanceKind::none, GuidanceKind::to_place};
+            commands.guidance.kind = kinds[static_cast<std::size_t>(k / 5000) % kinds.size()];
+            ++commands.guidance.serial;
             exchange.set(commands);
         }
         {
