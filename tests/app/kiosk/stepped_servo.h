@@ -36,6 +36,8 @@ class SteppedServo final : public ServoClient {
 
     [[nodiscard]] RealTimeTier tier() const override { return RealTimeTier::best_effort; }
 
+    [[nodiscard]] LatenessBars lateness() const override { return {}; }
+
     [[nodiscard]] std::string take_notice() override { return {}; }
 
     [[nodiscard]] std::string device_words() override { return words; }

@@ -6,6 +6,7 @@
 #include "app/gallery/gallery.h"
 #include "app/loading/page_reader.h"
 #include "app/loading/page_views.h"
+#include "config/types/map_bytes.h"
 #include "tests/app/decode/files_of_formats.h"
 
 #include <atomic>
@@ -139,7 +140,7 @@ TEST(KioskStages, APartIsFeltEnlargedAndShownSo) {
 TEST(KioskStages, NothingToFeelIsAnEmptySoundMap) {
     const FeltPicture nothing = nothing_to_feel(default_profile());
     EXPECT_TRUE(nothing.map->outlines.empty());
-    EXPECT_TRUE(bytes_of(*nothing.map).has_value()) << "it crosses to the servo";
+    EXPECT_TRUE(touchline::bytes_of(*nothing.map).has_value()) << "it crosses to the servo";
 }
 
 TEST(KioskStages, AMissingFileIsOneLineThatNamesIt) {

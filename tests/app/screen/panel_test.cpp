@@ -11,9 +11,11 @@ namespace touchline {
 namespace {
 
 Status full_status() {
-    Session session = start_session(14).session;
-    session = picture_ready(session, session.request, {"A house with a garden", 9, 6, ""}).session;
-    return describe(session, HandState{}, ForceStatus{}, "mouse, no device", {});
+    LiveFacts facts;
+    facts.title = "A house with a garden";
+    facts.coarsest_level = 6;
+    facts.hand_words = "mouse, no device";
+    return describe(facts, HandState{}, ForceStatus{});
 }
 
 TEST(Text, ACapitalIsAsHighAsAsked) {
@@ -68,15 +70,6 @@ TEST(Panel, HasTheSizeAskedForOnAFullSizeScreen) {
     const double used =
         paint_panel(canvas.context(), {0.0, 0.0, panel.width, panel.height}, full_status(), 26.5);
     EXPECT_EQ(used, 26.5);
-}
-
-TEST(Panel, TheKeyTableFitsThePicturePart) {
-    for (const auto& [width, height] : {std::array{1920, 1080}, {1280, 1024}, {800, 480}}) {
-        const Rect part = lay_out(width, height).picture;
-        const Canvas canvas(static_cast<int>(part.width), static_cast<int>(part.height));
-        EXPECT_GE(paint_keys(canvas.context(), {0.0, 0.0, part.width, part.height}, 27.0), 6.0);
-        expect_inside(canvas);
-    }
 }
 
 TEST(Panel, AMessageLiesAlongTheLowerEdge) {

@@ -6,6 +6,7 @@
 #include "app/decode/png_writer.h"
 #include "app/screen/kiosk_screen.h"
 #include "app/screen/window.h"
+#include "app/session/first_feel.h"
 #include "tests/app/gallery/pictures.h"
 #include "tests/app/screen/sample_screens.h"
 
@@ -82,7 +83,8 @@ void draw_and_measure(Window& window, KioskScreen& screen, ScreenContent& conten
 }
 
 void run(const std::string& file, TextSize size) {
-    const auto window = value_of(Window::open(true, {[](Key) {}, [](PixelPoint) {}}));
+    const auto window =
+        value_of(Window::open(true, {[](const PhysicalKey&, bool, bool) {}, [](PixelPoint) {}}));
     KioskScreen screen = value_of(KioskScreen::make(cap_px));
     ScreenContent content = fish_content();
     content.text_size = size;

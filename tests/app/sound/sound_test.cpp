@@ -269,8 +269,8 @@ TEST_F(SoundTest, ATestToneIsLouderOnItsSide) {
         double left = 0.0;
         double right = 0.0;
         for (const StereoFrame& frame : heard_->frames) {
-            left += frame.left * frame.left;
-            right += frame.right * frame.right;
+            left += static_cast<double>(frame.left * frame.left);
+            right += static_cast<double>(frame.right * frame.right);
         }
         EXPECT_GT(is_left ? left : right, 30.0 * (is_left ? right : left));
     }
