@@ -106,6 +106,8 @@ Kiosk::Kiosk(KioskParts parts)
       profile_(std::move(parts.profile)),
       hand_words_(std::move(parts.hand_words)),
       reading_language_(std::move(parts.reading_language)),
+      operator_(std::move(parts.operator_desk)),
+      minute_of_day_(std::move(parts.minute_of_day)),
       keys_(std::move(parts.keys)),
       filter_(settings_.double_strike_s) {
     follow_rules();
@@ -161,7 +163,7 @@ void Kiosk::set_servo() {
     commands.coarsest_level = settings_.coarsest_level;
     commands.is_level_auto = feel_.is_level_automatic;
     commands.level = feel_.fixed_level;
-    commands.is_force_wanted = feel_.is_force_wanted;
+    commands.is_force_wanted = feel_.is_force_wanted && !is_handle_locked_;
     commands.force_ceiling_N = settings_.force_ceiling_N;
     commands.guidance = guidance_;
     commands.pattern = pattern_;
@@ -245,7 +247,9 @@ void Kiosk::step(std::int64_t now_ns) {
         follow_servo();
         follow_troubles();
         happen(Tick{now_s});
-        if (settings_.two_switches == moves_by_itself) press_switch(SwitchEvent::tick);
+        if (settings_.two_switches == moves_by_itself && !is_operator_in())
+            press_switch(SwitchEvent::tick);
+        follow_operator();
     }
     sound_->step({hand_, shown_.scene.get(), target()});
 }
@@ -306,6 +310,7 @@ void Kiosk::take(Delivery delivery) {
     PictureFacts facts = facts_of(*delivery.scene);
     parts_ = facts.parts;
     servo_->feel(delivery.scene->felt);
+    if (operator_ && !delivery.is_better) operator_->count_picture(order_.source);
     happen(PictureReady{delivery.request, std::move(facts)});
 }
 
@@ -327,7 +332,7 @@ void Kiosk::follow_camera(double now_s) {
 }
 
 std::shared_ptr<const Canvas> Kiosk::preview() const {
-    return photos_ && is_previewing_ ? photos_->preview() : nullptr;
+    return photos_ && is_previewing_ && settings_.is_preview_allowed ? photos_->preview() : nullptr;
 }
 
 void Kiosk::follow_servo() {
@@ -377,8 +382,9 @@ void Kiosk::trouble(TroubleKind kind, const std::string& sentence) {
         happen(TroubleBegan{kind, sentence});
 }
 
-void Kiosk::report(std::string line) {
-    report_ += (report_.empty() ? "" : "; ") + std::move(line);
+void Kiosk::report(const std::string& line) {
+    if (operator_) operator_->log(line);
+    report_ += (report_.empty() ? "" : "; ") + line;
 }
 
 std::string Kiosk::take_report() {

@@ -9,6 +9,7 @@
 #include "app/decode/reading_order.h"
 #include "app/keys/key_filter.h"
 #include "app/keys/two_switches.h"
+#include "app/kiosk/operator_desk.h"
 #include "app/kiosk/photo_desk.h"
 #include "app/kiosk/pictures.h"
 #include "app/kiosk/stick_shelf.h"
@@ -25,6 +26,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,6 +45,9 @@ struct KioskParts {
     std::unique_ptr<PhotoDesk> photos;
     Settings settings;
     KeyTable keys = default_keys();
+    /// Null: nobody can enter. Its settings and keys are those above.
+    std::unique_ptr<OperatorDesk> operator_desk;
+    std::function<int()> minute_of_day;  // 0 ... 1439, of the house's clock; none: always open
     DeviceProfile profile;
     std::string hand_words;       // what the hand is, for the live view
     double loop_N_per_m = 500.0;  // the stiffness that suits the loop to begin with
@@ -58,7 +63,11 @@ class Kiosk {
     /// else by that of the staff (app/session/keys.h), else a dead key.
     void change_key(const KeyChange& change);
 
+    /// The key that the table gives this role first.
     void press(KeyRole role);
+
+    /// Of the operator's own keyboard (Settings::operator_device): for the operator alone.
+    void strike_operator_key(const PhysicalKey& key);
 
     /// Pictures to choose from, as if a stick had brought them. `sentence`: what is not among them.
     void offer(std::vector<FilePtr> files, const std::string& sentence = {});
@@ -69,9 +78,12 @@ class Kiosk {
     /// What hands feel changes at once, what visits begin with at the next.
     void set(const Settings& settings);
 
-    void set_opening(Opening opening) { happen(OpeningChanged{opening}); }
+    [[nodiscard]] SpokenScreen screen() const;
 
-    [[nodiscard]] SpokenScreen screen() const { return screen_of(visit_, world()); }
+    /// What was said last, on the screen.
+    [[nodiscard]] const std::string& caption() const;
+
+    [[nodiscard]] bool is_operator_in() const { return operator_ && operator_->is_open(); }
 
     [[nodiscard]] const Visit& visit() const { return visit_; }
 
@@ -108,6 +120,7 @@ class Kiosk {
 
   private:
     struct Carrying;
+    struct OperatorCarrying;
 
     [[nodiscard]] VisitWorld world() const { return {languages_, settings_, titles(), rules_}; }
 
@@ -117,6 +130,14 @@ class Kiosk {
 
     void happen(const VisitEvent& event);
     void act(Action action);
+    void press_for_visit(KeyRole role);
+    void tell_operator(const OperatorEvent& event);
+    void follow_operator();
+    void follow_hours();
+    void run_test(TestStep step);
+    void answer_test(TestStep step, bool has_passed, const std::string& line = {});
+    void say_for_operator(const std::string& text);
+    [[nodiscard]] std::vector<std::string> live_words() const;
     void press_switch(SwitchEvent event);
     static constexpr int moves_by_itself = 2;  // Settings::two_switches
 
@@ -135,7 +156,7 @@ class Kiosk {
     void guide(const Guide& guide);
     void set_servo();
     void wipe();
-    void report(std::string line);
+    void report(const std::string& line);
     [[nodiscard]] std::string device_trouble() const;
     [[nodiscard]] int outer_outline() const;
     [[nodiscard]] std::optional<Position> target() const;
@@ -153,6 +174,17 @@ class Kiosk {
     VisitRules rules_;
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language_;
 
+    std::unique_ptr<OperatorDesk> operator_;
+    std::function<int()> minute_of_day_;
+    std::string operator_caption_;
+    std::string homing_words_;
+    bool is_homing_ = false;
+    bool is_handle_locked_ = false;
+    bool is_test_of_camera_ = false;
+    Opening opening_ = Opening::open;
+    double hours_looked_s_ = -1e9;
+    double visit_began_s_ = 0.0;
+    bool was_visit_on_ = false;
     KeyTable keys_;
     KeyFilter filter_;
     SwitchScan scan_;

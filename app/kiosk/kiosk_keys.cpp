@@ -7,15 +7,30 @@ namespace touchline {
 
 void Kiosk::change_key(const KeyChange& change) {
     if (!filter_.takes(change)) return;
-    if (const auto role = role_of(keys_, change.key)) return press(*role);
+    const auto role = role_of(keys_, change.key);
+    const bool was_in = is_operator_in();
+    // With a keyboard of the operator's own no other one opens the way in.
+    tell_operator(KeyStruck{change.key, role, settings_.operator_device.empty()});
+    if (was_in || is_operator_in()) return;
+    if (role) return press_for_visit(*role);
     const bool is_named = change.key.source == KeySource::key;
     const auto action = is_named ? action_of(Key{change.key.code}) : std::nullopt;
     if (action) return act(*action);
     happen(DeadKeyPressed{});
 }
 
-/// With two switches a key selects, or moves on.
 void Kiosk::press(KeyRole role) {
+    const PhysicalKey key = keys_of(keys_, role).at(0);
+    change_key({key, true, false, now_s_});
+    change_key({key, false, false, now_s_});
+}
+
+void Kiosk::strike_operator_key(const PhysicalKey& key) {
+    tell_operator(KeyStruck{key, role_of(keys_, key), true});
+}
+
+/// With two switches a key selects, or moves on.
+void Kiosk::press_for_visit(KeyRole role) {
     if (settings_.two_switches == 0) return happen(KeyPressed{role});
     press_switch(role == KeyRole::select ? SwitchEvent::select : SwitchEvent::move);
 }

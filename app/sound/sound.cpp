@@ -6,6 +6,7 @@
 #include "config/types/steady_clock.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -58,6 +59,7 @@ void Sound::send_output() {
     const OutputProfile& profile = profile_of(output_, settings_);
     const std::size_t step = std::min(wanted_.volume, volume_steps(profile) - 1);
     SetOutput output = output_of(profile, step);
+    output.gain *= std::pow(10.0, -lower_dB_ / 20.0);
     output.is_mono = output.is_mono || wanted_.is_mono;
     mixer_.send({0, output});
 }
@@ -93,6 +95,12 @@ void Sound::play_side(bool is_left) {
 void Sound::choose(const SoundWanted& wanted) {
     wanted_ = wanted;
     speaker_.set_rate(wanted.rate);
+    send_output();
+}
+
+void Sound::set_levels(const SoundSettings& levels, double lower_dB) {
+    settings_ = levels;
+    lower_dB_ = lower_dB;
     send_output();
 }
 

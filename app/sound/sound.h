@@ -39,6 +39,7 @@ class Sound final : public VisitorSound {
     void give(ScreenEvent event) override;
     void play_side(bool is_left) override;
     void choose(const SoundWanted& wanted) override;
+    void set_levels(const SoundSettings& levels, double lower_dB) override;
     void step(const HandMoment& moment) override;
     [[nodiscard]] HeardOutput output() const override;
     [[nodiscard]] std::optional<bool> are_headphones_in() const override;
@@ -66,6 +67,7 @@ class Sound final : public VisitorSound {
     Languages languages_;
     SoundWanted wanted_;
     OutputKind output_;
+    double lower_dB_ = 0.0;
     Mixer mixer_;
     SoundLoop loop_;
     Speaker speaker_;

@@ -6,6 +6,7 @@
 #include "audio-cues/cues/screen_event.h"
 #include "audio-cues/output/profile.h"
 #include "audio-cues/speech/speech_queue.h"
+#include "config/settings/sound.h"
 #include "config/types/contact_event.h"
 #include "config/types/hand_state.h"
 #include "haptics/collision/scene.h"
@@ -53,6 +54,9 @@ class VisitorSound {
     virtual void play_side(bool is_left) = 0;
 
     virtual void choose(const SoundWanted& wanted) = 0;
+
+    /// The levels of the site, `lower_dB` softer in quiet hours.
+    virtual void set_levels(const SoundSettings& levels, double lower_dB) = 0;
 
     virtual void step(const HandMoment& moment) = 0;
 

@@ -23,6 +23,8 @@ struct Heard {
     int hushes = 0;
     int forgotten = 0;
     SoundWanted wanted;
+    SoundSettings levels;
+    double lower_dB = 0.0;
     std::optional<bool> headphones;
     std::string problem;
 
@@ -49,6 +51,11 @@ class HeardSound final : public VisitorSound {
     void play_side(bool is_left) override;
 
     void choose(const SoundWanted& wanted) override { heard_->wanted = wanted; }
+
+    void set_levels(const SoundSettings& levels, double lower_dB) override {
+        heard_->levels = levels;
+        heard_->lower_dB = lower_dB;
+    }
 
     void step(const HandMoment&) override {}
 

@@ -1,0 +1,179 @@
+// The operator at the kiosk: what the screens order of servo, sound, camera and stick.
+#include "app/kiosk/kiosk.h"
+
+#include "config/settings/setting_texts.h"
+
+#include <array>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace touchline {
+namespace {
+
+constexpr double hours_look_s = 1.0;
+constexpr double level_tenth = 10.0;
+
+}  // namespace
+
+struct Kiosk::OperatorCarrying {
+    Kiosk& kiosk;
+
+    void operator()(const Say& say) const { kiosk.say_for_operator(say.text); }
+
+    void operator()(const Click&) const { kiosk.sound_->give(ScreenEvent::key_taken); }
+
+    void operator()(const SetSettings&) const { kiosk.set(kiosk.operator_->settings()); }
+
+    void operator()(const WriteSettings&) const { kiosk.set(kiosk.operator_->settings()); }
+
+    void operator()(const WriteSound& write) const {
+        kiosk.sound_->set_levels(write.sound, 0.0);
+        kiosk.hours_looked_s_ = -1e9;
+    }
+
+    void operator()(const WriteKeys& write) const { kiosk.keys_ = write.keys; }
+
+    void operator()(const FindHome&) const {
+        kiosk.is_homing_ = true;
+        kiosk.homing_words_.clear();
+        kiosk.servo_->home_again();
+    }
+
+    void operator()(const StopHoming&) const { kiosk.is_homing_ = false; }
+
+    void operator()(const RunTest& run) const { kiosk.run_test(run.step); }
+
+    void operator()(const StopTest&) const { kiosk.is_test_of_camera_ = false; }
+
+    void operator()(const ShowLive& show) const { kiosk.desk_.shows_live_view = show.is_on; }
+
+    void operator()(const LockHandle& lock) const {
+        kiosk.is_handle_locked_ = lock.is_on;
+        kiosk.set_servo();
+    }
+
+    void operator()(const CloseKiosk&) const { kiosk.desk_.is_quitting = true; }
+
+    /// The visitors' screen says where it is.
+    void operator()(const Leave&) const {
+        kiosk.desk_.shows_live_view = false;
+        kiosk.sound_->say({kiosk.language().code(),
+                           spoken_screen(kiosk.screen(), kiosk.language()), SpeechPriority::text});
+    }
+
+    // The desk has carried these out itself.
+    void operator()(const CheckPin&) const {}
+
+    void operator()(const KeepPin&) const {}
+
+    void operator()(const ImportPictures&) const {}
+
+    void operator()(const ZeroCounters&) const {}
+
+    void operator()(const ExportLog&) const {}
+
+    void operator()(const BackUp&) const {}
+
+    void operator()(const Restore&) const {}
+};
+
+SpokenScreen Kiosk::screen() const {
+    return is_operator_in() ? operator_->screen(language()) : screen_of(visit_, world());
+}
+
+const std::string& Kiosk::caption() const {
+    return is_operator_in() ? operator_caption_ : visit_.visitor.caption.text;
+}
+
+void Kiosk::tell_operator(const OperatorEvent& event) {
+    if (!operator_) return;
+    const bool is_key = std::holds_alternative<KeyStruck>(event);
+    if (is_key && is_operator_in()) {
+        sound_->hush();
+        sound_->give(ScreenEvent::key_taken);
+    }
+    for (const OperatorOrder& order : operator_->happen(event, language(), now_s_))
+        std::visit(OperatorCarrying{*this}, order);
+}
+
+void Kiosk::say_for_operator(const std::string& text) {
+    operator_caption_ = text;
+    sound_->say({language().code(), text, SpeechPriority::text});
+}
+
+void Kiosk::follow_operator() {
+    const bool is_on = is_visit_on(visit_);
+    if (is_on && !was_visit_on_) visit_began_s_ = now_s_;
+    if (!is_on && was_visit_on_ && operator_) operator_->count_visit((now_s_ - visit_began_s_) / 60.0);
+    was_visit_on_ = is_on;
+    follow_hours();
+    if (!operator_) return;
+    operator_->set_private(sound_->output().kind == OutputKind::headset);
+    operator_->set_live(live_words());
+    if (const auto line = operator_->poll_import()) tell_operator(OrderAnswered{*line});
+    const std::string words = is_homing_ ? servo_->device_words() : std::string();
+    if (words != std::exchange(homing_words_, words) && !words.empty())
+        tell_operator(OrderAnswered{language().text("device", words)});
+    if (is_test_of_camera_ && has_camera_) answer_test(TestStep::camera, true);
+    tell_operator(MomentPassed{});
+    if (const std::string note = operator_->take_note(); !note.empty()) report(note);
+    if (operator_->read_again()) set(operator_->settings());
+}
+
+/// Opened and closed by the clock of the house, and softer when it is quiet.
+void Kiosk::follow_hours() {
+    if (now_s_ - hours_looked_s_ < hours_look_s) return;
+    hours_looked_s_ = now_s_;
+    const int minute = minute_of_day_ ? minute_of_day_() : 0;
+    const auto open = hours_in(settings_.opening_hours);
+    const bool is_closed = minute_of_day_ && open && !is_within(*open, minute);
+    const Opening opening = settings_.is_maintained ? Opening::maintenance
+                            : is_closed             ? Opening::closed
+                                                    : Opening::open;
+    if (opening != std::exchange(opening_, opening)) happen(OpeningChanged{opening});
+    const auto quiet = hours_in(settings_.quiet_hours);
+    const bool is_quiet = minute_of_day_ && quiet && is_within(*quiet, minute);
+    if (operator_) sound_->set_levels(operator_->sound(), is_quiet ? settings_.quiet_lower_dB : 0.0);
+}
+
+void Kiosk::answer_test(TestStep step, bool has_passed, const std::string& line) {
+    is_test_of_camera_ = false;
+    tell_operator(TestAnswered{step, has_passed, line});
+}
+
+void Kiosk::run_test(TestStep step) {
+    switch (step) {
+        case TestStep::device:
+            return answer_test(step, force_.fault == Fault::none && hand_.ticks > 0,
+                               device_trouble());
+        case TestStep::motors:  // a person tells whether it was felt
+            pattern_.pattern = HandlePattern::chosen;
+            ++pattern_.serial;
+            return set_servo();
+        case TestStep::camera:
+            is_test_of_camera_ = photos_ != nullptr;
+            if (!is_test_of_camera_) answer_test(step, false);
+            return;
+        case TestStep::sound_left:
+        case TestStep::sound_right:
+            return sound_->play_side(step == TestStep::sound_left);
+        case TestStep::stick_port:
+            return answer_test(step, shelf_ && shelf_->is_watching());
+        case TestStep::disk:
+            return answer_test(step, operator_->can_write());
+        case TestStep::keys:  // the screens count them
+            return;
+    }
+}
+
+std::vector<std::string> Kiosk::live_words() const {
+    std::vector<std::string> words;
+    for (const StatusLine& line : describe(live_facts(), hand_, force_).lines)
+        words.push_back(language().text("panel", line.name) + ": " + line.value);
+    return words;
+}
+
+}  // namespace touchline

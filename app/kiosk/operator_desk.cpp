@@ -1,0 +1,277 @@
+#include "app/kiosk/operator_desk.h"
+
+#include "app/operator/backup.h"
+#include "app/operator/pin_file.h"
+#include "app/operator/site_files.h"
+#include "app/packs/pack.h"
+#include "app/packs/pack_library.h"
+#include "app/process/places.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <system_error>
+#include <type_traits>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_log = 1000;
+constexpr std::size_t most_packs = 50;
+
+/// One sentence of a file that could not be written or read, in the operator's language as far as
+/// it is ours.
+std::string outcome(const Result<void>& done, const std::string& sentence) {
+    return done ? sentence : done.error().line;
+}
+
+std::vector<fs::path> zips_in(const fs::path& root) {
+    std::vector<fs::path> zips;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(root, error)) {
+        if (entry.path().extension() == ".zip" && entry.is_regular_file(error))
+            zips.push_back(entry.path());
+        if (zips.size() == most_packs) break;
+    }
+    std::ranges::sort(zips);
+    return zips;
+}
+
+/// Waits for workers: beside the screen's thread.
+std::string imported(const fs::path& zip, const fs::path& library, const Language& language) {
+    const auto pack = read_pack(zip.string());
+    if (!pack) return sentence_of(pack.error(), language);
+    const auto folder = import_pack(*pack, library.string());
+    if (!folder) return sentence_of(folder.error(), language);
+    return language.text("operator", "The pictures are there when the kiosk starts again.");
+}
+
+}  // namespace
+
+OperatorFiles operator_files() {
+    const fs::path folder = settings_files().site.parent_path();
+    return {settings_files(),  pin_file(),         counters_file(),   keys_file(),
+            site_sound_file(), profiles_folder(), folder / "copies", library_folder()};
+}
+
+/// Carries out what concerns files alone; everything else is left to the kiosk.
+struct OperatorDesk::Office {
+    OperatorDesk& desk;
+    const Language& language;
+    double now_s;
+    std::vector<OperatorOrder>& left;
+
+    void tell(const OperatorEvent& event) const {
+        for (OperatorOrder& order : desk.happen(event, language, now_s))
+            left.push_back(std::move(order));
+    }
+
+    void answer(std::string line) const { tell(OrderAnswered{std::move(line)}); }
+
+    void operator()(const CheckPin& check) const {
+        const auto right = is_right_pin(desk.files_.pin, check.pin);
+        if (!right) desk.note_ = right.error().line;
+        tell(PinChecked{right.value_or(false)});
+    }
+
+    void operator()(const KeepPin& keep) const {
+        const auto kept = keep_pin(desk.files_.pin, keep.pin);
+        if (!kept) answer(kept.error().line);
+    }
+
+    void operator()(const SetSettings& set) const {
+        desk.hold(set.settings);
+        left.emplace_back(set);
+    }
+
+    void operator()(const WriteSettings& write) const {
+        const auto kept = keep_settings(desk.files_.settings, write.settings);
+        (void)desk.watch_.has_changed();
+        desk.hold(write.settings);
+        left.emplace_back(write);
+        if (!kept) answer(kept.error().line);
+    }
+
+    void operator()(const WriteSound& write) const {
+        desk.sound_ = write.sound;
+        const auto kept = keep_sound(desk.files_.sound, write.sound);
+        left.emplace_back(write);
+        if (!kept) answer(kept.error().line);
+    }
+
+    void operator()(const WriteKeys& write) const {
+        desk.keys_ = write.keys;
+        const auto kept = keep_keys(desk.files_.keys, write.keys);
+        left.emplace_back(write);
+        if (!kept) answer(kept.error().line);
+    }
+
+    void operator()(const ZeroCounters&) const {
+        desk.counters_ = {};
+        const auto kept = keep_counters(desk.files_.counters, desk.counters_);
+        if (!kept) answer(kept.error().line);
+    }
+
+    void operator()(const BackUp&) const { answer(desk.back_up(language)); }
+
+    void operator()(const Restore&) const {
+        const std::string line = desk.restore(language);
+        left.emplace_back(WriteSettings{desk.site_});
+        left.emplace_back(WriteKeys{desk.keys_});
+        answer(line);
+    }
+
+    void operator()(const ExportLog&) const { answer(desk.export_log(language)); }
+
+    void operator()(const ImportPictures& import) const { desk.import_pack(import.pack, language); }
+
+    template <class Order>
+    void operator()(const Order& order) const {
+        left.emplace_back(order);
+    }
+};
+
+OperatorDesk::OperatorDesk(OperatorFiles files, const std::vector<Language>& languages,
+                           std::vector<std::string>& problems)
+    : files_(std::move(files)),
+      watch_(files_.settings.site),
+      profiles_(read_profiles(files_.profiles, problems)) {
+    for (const Language& language : languages)
+        languages_.push_back({language.code(), language.name()});
+    read_site();
+    if (!note_.empty()) problems.push_back(take_note());
+    KeptKeys keys = read_keys(files_.keys);
+    if (!keys.note.empty()) problems.push_back(keys.note);
+    keys_ = std::move(keys.keys);
+    if (fs::exists(files_.sound)) {
+        const auto sound = read_sound(files_.sound);
+        if (sound) sound_ = *sound;
+    }
+    auto counters = read_counters(files_.counters);
+    if (!counters) problems.push_back(counters.error().line);
+    counters_ = counters.value_or(Counters{});
+}
+
+void OperatorDesk::read_site() {
+    KeptSettings kept = read_settings(files_.settings);
+    note_ = std::move(kept.note);
+    hold(kept.settings);
+}
+
+void OperatorDesk::hold(const Settings& site) {
+    site_ = site;
+    const auto held = with_profile(site, profiles_);
+    if (!held) note_ = held.error().line;
+    settings_ = held.value_or(site);
+}
+
+bool OperatorDesk::read_again() {
+    if (is_open() || !watch_.has_changed()) return false;
+    read_site();
+    return true;
+}
+
+OperatorWorld OperatorDesk::world(const Language& language, double now_s) const {
+    OperatorWorld world{language, now_s, has_pin(files_.pin), is_private_, site_, sound_, keys_,
+                        languages_, {}, counters_, {}, live_};
+    for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
+    for (const fs::path& pack : packs_) world.packs.push_back(pack.stem().string());
+    return world;
+}
+
+SpokenScreen OperatorDesk::screen(const Language& language) const {
+    return operator_screen(state_, world(language, 0.0));
+}
+
+std::vector<OperatorOrder> OperatorDesk::happen(const OperatorEvent& event,
+                                                const Language& language, double now_s) {
+    OperatorStep step = step_operator(state_, event, world(language, now_s));
+    state_ = std::move(step.state);
+    std::vector<OperatorOrder> left;
+    for (const OperatorOrder& order : step.orders)
+        std::visit(Office{*this, language, now_s, left}, order);
+    return left;
+}
+
+std::string OperatorDesk::back_up(const Language& language) const {
+    std::error_code error;
+    fs::create_directories(files_.copies, error);
+    return outcome(
+        write_backup(files_.copies, {site_, sound_, keys_}),
+        language.text("operator", "The copy is in {0}.", {files_.copies.filename().string()}));
+}
+
+std::string OperatorDesk::restore(const Language& language) {
+    const auto backup = read_backup(files_.copies);
+    if (!backup) return backup.error().line;
+    sound_ = backup->sound;
+    keys_ = backup->keys;
+    const auto kept = keep_settings(files_.settings, backup->settings)
+                          .and_then([&] { return keep_sound(files_.sound, sound_); })
+                          .and_then([&] { return keep_keys(files_.keys, keys_); });
+    (void)watch_.has_changed();
+    hold(backup->settings);
+    return outcome(kept, language.text("operator", "All is as in the copy."));
+}
+
+std::string OperatorDesk::export_log(const Language& language) const {
+    std::error_code error;
+    fs::create_directories(files_.copies, error);
+    std::ofstream file(files_.copies / "touchline-log.txt");
+    for (const std::string& line : log_) file << line << '\n';
+    file.flush();
+    return file ? language.text("operator", "The log is in {0}.",
+                                {files_.copies.filename().string()})
+                : language.text("operator", "The log cannot be written. Make room on the disk.");
+}
+
+void OperatorDesk::put_stick(const fs::path& root) {
+    packs_ = root.empty() ? std::vector<fs::path>() : zips_in(root);
+}
+
+void OperatorDesk::import_pack(std::size_t pack, const Language& language) {
+    if (pack >= packs_.size() || import_.valid()) return;
+    import_ = std::async(std::launch::async, imported, packs_[pack], files_.library, language);
+}
+
+std::optional<std::string> OperatorDesk::poll_import() {
+    const bool has_ended = import_.valid() && import_.wait_for(std::chrono::seconds(0)) ==
+                                                  std::future_status::ready;
+    if (!has_ended) return std::nullopt;
+    return import_.get();
+}
+
+void OperatorDesk::count_picture(PictureSource source) {
+    if (!settings_.counts) return;
+    if (source == PictureSource::gallery) ++counters_.gallery_pictures;
+    if (source == PictureSource::stick) ++counters_.stick_pictures;
+    if (source == PictureSource::camera) ++counters_.camera_pictures;
+}
+
+/// Written once a visit: a disk wears.
+void OperatorDesk::count_visit(double minutes) {
+    if (!settings_.counts) return;
+    ++counters_.sessions;
+    counters_.minutes += static_cast<std::uint64_t>(std::max(0.0, std::round(minutes)));
+    const auto kept = keep_counters(files_.counters, counters_);
+    if (!kept) note_ = kept.error().line;
+}
+
+bool OperatorDesk::can_write() const {
+    const fs::path probe = files_.counters.parent_path() / "write-test";
+    std::ofstream file(probe);
+    file << "touchline";
+    file.close();
+    std::error_code error;
+    return file.good() && fs::remove(probe, error);
+}
+
+void OperatorDesk::log(const std::string& line) {
+    log_.push_back(line);
+    if (log_.size() > longest_log) log_.erase(log_.begin());
+}
+
+}  // namespace touchline

@@ -1,0 +1,112 @@
+// The operator's screens at work: carries out on files what they order, and remembers what they
+// tell. What concerns servo, sound and stick is the kiosk's to do (kiosk_operator.cpp).
+// Threads: one; small files are read and written in its calls, packs of pictures beside it.
+#pragma once
+
+#include "app/operator/counters.h"
+#include "app/operator/operator.h"
+#include "app/operator/profiles.h"
+#include "app/operator/settings_files.h"
+#include "app/session/visit_orders.h"
+#include "audio-cues/words/language.h"
+#include "config/types/result.h"
+
+#include <filesystem>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// Where the site keeps what the operator sets.
+struct OperatorFiles {
+    SettingsFiles settings;
+    std::filesystem::path pin;
+    std::filesystem::path counters;
+    std::filesystem::path keys;
+    std::filesystem::path sound;
+    std::filesystem::path profiles;  // folder of those that are installed
+    std::filesystem::path copies;    // folder of backups and logs
+    std::filesystem::path library;   // folder of picture packs
+};
+
+/// Of this machine.
+[[nodiscard]] OperatorFiles operator_files();
+
+class OperatorDesk {
+  public:
+    /// `problems` has a line for every file that could not be used.
+    OperatorDesk(OperatorFiles files, const std::vector<Language>& languages,
+                 std::vector<std::string>& problems);
+
+    [[nodiscard]] bool is_open() const { return state_.place != OperatorPlace::closed; }
+
+    [[nodiscard]] SpokenScreen screen(const Language& language) const;
+
+    /// What the kiosk itself is to do about it.
+    [[nodiscard]] std::vector<OperatorOrder> happen(const OperatorEvent& event,
+                                                    const Language& language, double now_s);
+
+    /// The stick that is there now: its packs of pictures can be taken into the library.
+    void put_stick(const std::filesystem::path& root);
+
+    void set_live(std::vector<std::string> facts) { live_ = std::move(facts); }
+
+    void set_private(bool is_private) { is_private_ = is_private; }
+
+    /// The profile's, over the site's.
+    [[nodiscard]] const Settings& settings() const { return settings_; }
+
+    [[nodiscard]] const KeyTable& keys() const { return keys_; }
+
+    [[nodiscard]] const SoundSettings& sound() const { return sound_; }
+
+    /// A file can be kept where the settings are.
+    [[nodiscard]] bool can_write() const;
+
+    /// The files were changed by somebody else: reads them again. True: they say something new.
+    [[nodiscard]] bool read_again();
+
+    void count_picture(PictureSource source);
+    void count_visit(double minutes);
+
+    /// Of the log that can be exported: the last 1000 lines.
+    void log(const std::string& line);
+
+    /// An import ended: one sentence.
+    [[nodiscard]] std::optional<std::string> poll_import();
+
+    /// One line for the log; empty: nothing new.
+    [[nodiscard]] std::string take_note() { return std::exchange(note_, {}); }
+
+  private:
+    struct Office;
+
+    [[nodiscard]] OperatorWorld world(const Language& language, double now_s) const;
+    void read_site();
+    void hold(const Settings& site);
+    [[nodiscard]] std::string back_up(const Language& language) const;
+    [[nodiscard]] std::string restore(const Language& language);
+    [[nodiscard]] std::string export_log(const Language& language) const;
+    void import_pack(std::size_t pack, const Language& language);
+
+    OperatorFiles files_;
+    FileWatch watch_;
+    std::vector<OfferedLanguage> languages_;
+    std::vector<Profile> profiles_;
+    Operator state_;
+    Settings site_;
+    Settings settings_;
+    SoundSettings sound_;
+    KeyTable keys_;
+    Counters counters_;
+    bool is_private_ = true;
+    std::vector<std::string> live_;
+    std::vector<std::filesystem::path> packs_;  // on the stick
+    std::future<std::string> import_;
+    std::vector<std::string> log_;
+    std::string note_;
+};
+
+}  // namespace touchline
