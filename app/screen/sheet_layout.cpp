@@ -150,7 +150,13 @@ double height_of_text(const Draft& text, const Draft& list, double room_px) {
     const double spared_px = room_px - list.whole_px();
     const double wanted_px = std::max({share * room_px, spared_px, text.smallest_px()});
     const double most_px = std::max(room_px - list.smallest_px(), text.smallest_px());
-    return std::min({text.whole_px(), wanted_px, most_px});
+    const double given_px = std::min(wanted_px, most_px);
+    if (given_px >= text.whole_px()) return text.whole_px();
+    // No part of a row is wasted that an item could use.
+    const double rows_px = given_px - text.paged_marks_px - text.metrics.gap_px;
+    const double rows = std::floor(rows_px / text.metrics.row_px);
+    if (rows < 2.0) return text.paged_marks_px + text.metrics.row_px;
+    return text.paged_marks_px + rows * text.metrics.row_px + text.metrics.gap_px;
 }
 
 }  // namespace
