@@ -52,10 +52,10 @@ struct SafetyState {
 };
 
 struct SafetyTimes {
-    double arm_s = 0.2;      // quiet for so long: armed -> ramp
-    double start_s = 0.5;    // gain 0 -> 1 after arming
+    double arm_s = 0.2;     // quiet for so long: armed -> ramp
+    double start_s = 0.5;   // gain 0 -> 1 after arming
     double resume_s = 0.3;  // gain 0 -> 1 after fading
-    double fade_s = 0.05;    // gain 1 -> 0
+    double fade_s = 0.05;   // gain 1 -> 0
 };
 
 /// The state dt_s later. A dt_s that is not above 0 is a fault of a number. Where two faults meet,

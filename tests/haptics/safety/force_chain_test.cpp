@@ -55,7 +55,9 @@ TEST(ForceChain, FadesOutWithin50MillisecondsAndResumes) {
     for (; !chain.is_faded() && ticks < 100; ++ticks) (void)chain.step(fading, tick_s);
     EXPECT_LE(ticks, 51);
     EXPECT_EQ(chain.step(fading, tick_s).force_D, Force{});
-    (void)run(chain, wanting({1.5, 0.0}), 151);
+    (void)run(chain, wanting({1.5, 0.0}), 298);
+    EXPECT_EQ(chain.state(), ForceState::ramp);  // no sooner than in 0.3 s
+    (void)run(chain, wanting({1.5, 0.0}), 3);
     EXPECT_EQ(chain.state(), ForceState::live);
     EXPECT_EQ(settled(chain, {1.5, 0.0}).force_D, (Force{1.5, 0.0}));
 }
