@@ -101,14 +101,14 @@ struct OperatorWorld {
     double now_s = 0.0;  // never goes back
     bool has_pin = false;
     bool is_private = true;  // only who wears the headset hears; else no digit is said
-    Settings settings;       // of the site's file
-    SoundSettings sound;
-    KeyTable keys;
-    std::vector<OfferedLanguage> languages;
-    std::vector<OfferedProfile> profiles;
-    Counters counters;
-    std::vector<std::string> packs;  // on the stick: names of picture packs
-    std::vector<std::string> live;   // facts in words: force, level, loop
+    Settings settings{};     // of the site's file
+    SoundSettings sound{};
+    KeyTable keys{};
+    std::vector<OfferedLanguage> languages{};
+    std::vector<OfferedProfile> profiles{};
+    Counters counters{};
+    std::vector<std::string> packs{};  // on the stick: names of picture packs
+    std::vector<std::string> live{};   // facts in words: force, level, loop
 };
 
 /// A press that counts. `role`: what the table of keys says of it. `is_allowed`: it is from the

@@ -93,7 +93,10 @@ void answer(OperatorTurn& turn, bool is_yes) {
         carry_out(turn, question);
     else
         turn.state().settings = turn.world.settings;
-    turn.go(place_of(question), turn.words(is_yes ? "Done." : "Nothing was changed."));
+    const bool tells_later = is_yes && question == Question::restore;  // what came of it
+    const std::string first =
+        tells_later ? "" : turn.words(is_yes ? "Done." : "Nothing was changed.");
+    turn.go(place_of(question), first);
 }
 
 }  // namespace touchline

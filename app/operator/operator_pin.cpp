@@ -50,6 +50,7 @@ void finish_pin(OperatorTurn& turn) {
     turn.go(OperatorPlace::new_pin_again);
 }
 
+/// The digit that is turned, then all that were taken, then the screen: three presses at most.
 void take_back(OperatorTurn& turn) {
     Operator& state = turn.state();
     if (state.pin.taken.empty() && state.pin.digit == 0) {
@@ -60,7 +61,7 @@ void take_back(OperatorTurn& turn) {
         const bool is_inside = state.place == OperatorPlace::new_pin && turn.world.has_pin;
         return is_inside ? turn.go(OperatorPlace::upkeep) : turn.leave();
     }
-    if (state.pin.digit == 0) state.pin.taken.pop_back();
+    if (state.pin.digit == 0) state.pin.taken.clear();
     state.pin.digit = 0;
     tell(turn, count_in_words(turn, state.pin.taken.size()));
 }

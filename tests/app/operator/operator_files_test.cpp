@@ -1,0 +1,228 @@
+// The operator's files: what is kept comes back; what is wrong is refused in one sentence.
+#include "app/operator/backup.h"
+#include "app/operator/counters.h"
+#include "app/operator/pin_file.h"
+#include "app/operator/profiles.h"
+#include "app/operator/settings_files.h"
+#include "app/operator/site_files.h"
+#include "config/settings/setting_rows.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OperatorFilesTest : public testing::Test {
+  protected:
+    OperatorFilesTest() { fs::create_directories(folder); }
+
+    ~OperatorFilesTest() override { fs::remove_all(folder); }
+
+    void put(const std::string& name, const std::string& text) const {
+        std::ofstream(folder / name) << text;
+    }
+
+    [[nodiscard]] std::string text_of(const std::string& name) const {
+        std::ifstream in(folder / name);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+    fs::path folder =
+        fs::path(testing::TempDir()) / ("touchline-operator-files-" + std::to_string(getpid()));
+    fs::path pin = folder / "operator.pin";
+};
+
+std::string error_of(const Result<bool>& result) {
+    return result ? "no error" : result.error().line;
+}
+
+TEST_F(OperatorFilesTest, APinIsAYescryptHashThatOnlyTheKioskReads) {
+    EXPECT_FALSE(has_pin(pin));
+    ASSERT_TRUE(keep_pin(pin, "1234"));
+    EXPECT_TRUE(has_pin(pin));
+    EXPECT_TRUE(text_of("operator.pin").starts_with("$y$"));
+    EXPECT_EQ(text_of("operator.pin").find("1234"), std::string::npos);
+
+    struct stat state {};
+
+    ASSERT_EQ(::stat(pin.c_str(), &state), 0);
+    EXPECT_EQ(state.st_mode & 0777U, 0600U);
+    EXPECT_EQ(is_right_pin(pin, "1234"), true);
+    for (const char* wrong : {"1235", "123", "12345", "", "01234"})
+        EXPECT_EQ(is_right_pin(pin, wrong), false) << wrong;
+    const std::string before = text_of("operator.pin");
+    ASSERT_TRUE(keep_pin(pin, "1234"));
+    EXPECT_NE(text_of("operator.pin"), before) << "each has its own salt";
+    EXPECT_EQ(is_right_pin(pin, "1234"), true);
+}
+
+TEST_F(OperatorFilesTest, WhatIsNoPinIsNotKept) {
+    for (const char* text : {"", "123", "123456789", "12a4", "12 4"}) {
+        EXPECT_FALSE(keep_pin(pin, text)) << text;
+        EXPECT_FALSE(has_pin(pin));
+    }
+}
+
+TEST_F(OperatorFilesTest, ABrokenPinLetsNobodyIn) {
+    EXPECT_NE(error_of(is_right_pin(pin, "1234")).find("cannot be read"), std::string::npos);
+    ASSERT_TRUE(keep_pin(pin, "1234"));
+    fs::permissions(pin, fs::perms::others_read, fs::perm_options::add);
+    EXPECT_NE(error_of(is_right_pin(pin, "1234")).find("set its mode to 600"), std::string::npos);
+    fs::permissions(pin, fs::perms::owner_read | fs::perms::owner_write);
+    const std::string whole = text_of("operator.pin");
+    for (std::size_t length = 0; length + 1 < whole.size(); length += 7) {
+        put("operator.pin", whole.substr(0, length));
+        EXPECT_NE(is_right_pin(pin, "1234"), true) << length;
+        EXPECT_TRUE(has_pin(pin)) << "breaking the file is no way in";
+    }
+    for (const std::string& text : {std::string("1234"), std::string("$1$abc$xyz"), std::string(),
+                                    std::string("$y$\0\0", 5), std::string(5000, '$')}) {
+        put("operator.pin", text);
+        const std::string line = error_of(is_right_pin(pin, "1234"));
+        EXPECT_NE(line.find("remove it and choose a new one"), std::string::npos) << line;
+        EXPECT_EQ(line.find('\n'), std::string::npos);
+    }
+    fs::remove(pin);
+    fs::create_symlink(folder / "elsewhere", pin);
+    EXPECT_TRUE(has_pin(pin)) << "a link to nothing is no fresh install";
+    EXPECT_FALSE(is_right_pin(pin, "1234"));
+}
+
+TEST_F(OperatorFilesTest, CountersComeBackAndHoldNothingElse) {
+    const Counters counted{12, 30, 5, 2, 90};
+    const fs::path file = folder / "counters.toml";
+    EXPECT_EQ(read_counters(file), Counters{}) << "not there: nothing was counted";
+    ASSERT_TRUE(keep_counters(file, counted));
+    EXPECT_EQ(read_counters(file), counted);
+    EXPECT_EQ(counters_text(counted),
+              "# What this kiosk counted: never people, names or times.\nsessions = 12\n"
+              "gallery_pictures = 30\nstick_pictures = 5\ncamera_pictures = 2\nminutes = 90\n");
+}
+
+TEST_F(OperatorFilesTest, WrongCountersAreOneLine) {
+    const auto error = [](const std::string& text) {
+        const auto counters = parse_counters(text, "c");
+        return counters ? "no error" : counters.error().line;
+    };
+    EXPECT_EQ(error("sessions = -1"), "c:1: 'sessions' must be a whole number from 0 on");
+    EXPECT_EQ(error("\nminutes = 1.5"), "c:2: 'minutes' must be a whole number from 0 on");
+    EXPECT_EQ(error("minutes = 99999999999999999999"),
+              "c:1: 'minutes' must be a whole number from 0 on");
+    EXPECT_EQ(error("people = 3"), "c:1: 'people' is no counter");
+    EXPECT_EQ(error("minutes"), "c:1: 'minutes' is no counter");
+    EXPECT_EQ(error("# a\n\n  minutes = 4 \r\n"), "no error");
+}
+
+Backup some_backup() {
+    Backup backup;
+    backup.settings.stiffness_N_per_m = 250.0;
+    backup.settings.notice = "Back at two.";
+    backup.sound.headset.default_dB = 60.0;
+    backup.keys = default_keys();
+    backup.keys.bindings.push_back({{KeySource::scancode, 77}, KeyRole::softer});
+    return backup;
+}
+
+TEST_F(OperatorFilesTest, ABackupComesBackWhole) {
+    ASSERT_TRUE(write_backup(folder, some_backup()));
+    EXPECT_EQ(read_backup(folder), some_backup());
+    EXPECT_FALSE(write_backup(folder / "none", some_backup()));
+    EXPECT_FALSE(read_backup(folder / "none"));
+}
+
+TEST_F(OperatorFilesTest, ABackupCutOffOrWrongIsRefusedWithItsLine) {
+    const std::string whole = backup_text(some_backup());
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+        const auto backup = parse_backup(whole.substr(0, length), "b");
+        ASSERT_FALSE(backup) << length;
+        EXPECT_TRUE(backup.error().line.starts_with("b:")) << backup.error().line;
+        EXPECT_NE(backup.error().line.find("make a new backup"), std::string::npos);
+    }
+    std::string wrong = whole;
+    wrong.replace(wrong.find("= 250"), 5, "= 900");
+    const auto line = std::count(
+        whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.find("= 250")), '\n');
+    const auto backup = parse_backup(wrong, "b");
+    ASSERT_FALSE(backup);
+    EXPECT_EQ(backup.error().line,
+              "b:" + std::to_string(line + 1) +
+                  ": 'feel.stiffness_N_per_m' must be a number from 100 to 700")
+        << "the line of the whole file";
+    EXPECT_FALSE(parse_backup(whole + "more", "b"));
+    EXPECT_FALSE(parse_backup("Touchline backup 2\n", "b"));
+}
+
+TEST_F(OperatorFilesTest, TheInstalledProfilesCanBeUsed) {
+    std::vector<std::string> problems;
+    const auto profiles = read_profiles(TOUCHLINE_SOURCE_DIR "/config/defaults/profiles", problems);
+    EXPECT_TRUE(problems.empty()) << problems.front();
+    ASSERT_EQ(profiles.size(), 4U);
+    for (const Profile& profile : profiles) {
+        Settings site;
+        site.profile = profile.name;
+        site.stiffness_N_per_m = 150.0;
+        const auto settings = with_profile(site, profiles);
+        ASSERT_TRUE(settings) << settings.error().line;
+        EXPECT_NE(*settings, site) << profile.name;
+        EXPECT_FALSE(profile.rows.empty());
+        for (std::size_t row = 0; row < setting_rows().size(); ++row) {
+            const bool is_set =
+                std::find(profile.rows.begin(), profile.rows.end(), row) != profile.rows.end();
+            const SettingRow& about = setting_rows()[row];
+            EXPECT_TRUE(is_set || value_of(*settings, about) == value_of(site, about)) << about.key;
+        }
+    }
+}
+
+TEST_F(OperatorFilesTest, AWrongProfileIsLeftOutAndNamed) {
+    put("good.toml", "[feel]\nfriction = 0.5\n");
+    put("rude.toml", "[feel]\nforce_ceiling_N = 9\n");
+    put("sly.toml", "[operator]\ndevice = ''\n");
+    put("Bad Name.toml", "");
+    std::vector<std::string> problems;
+    const auto profiles = read_profiles(folder, problems);
+    ASSERT_EQ(profiles.size(), 1U);
+    ASSERT_EQ(problems.size(), 3U);
+    EXPECT_NE(
+        problems[1].find("rude.toml:2: 'feel.force_ceiling_N' must be a number from 0.5 to 3"),
+        std::string::npos);
+    EXPECT_NE(problems[2].find("can be set by the site's file only"), std::string::npos);
+    Settings site;
+    site.profile = "rude";
+    EXPECT_FALSE(with_profile(site, profiles));
+    site.profile = "good";
+    EXPECT_EQ(with_profile(site, profiles)->friction, 0.5);
+    problems.clear();
+    EXPECT_TRUE(read_profiles(folder / "none", problems).empty());
+    EXPECT_EQ(problems.size(), 1U);
+}
+
+TEST_F(OperatorFilesTest, KeysThatCannotBeUsedLeaveTheProgramsOwn) {
+    const fs::path file = folder / "new" / "keys.toml";
+    EXPECT_EQ(read_keys(file).keys, default_keys());
+    EXPECT_EQ(read_keys(file).note, "");
+    KeyTable keys = default_keys();
+    keys.bindings.push_back({{KeySource::handle, 3}, KeyRole::softer});
+    ASSERT_TRUE(keep_keys(file, keys));
+    EXPECT_EQ(read_keys(file).keys, keys);
+    EXPECT_FALSE(keep_keys(file, KeyTable{})) << "nobody could mend it";
+    EXPECT_EQ(read_keys(file).keys, keys);
+    std::ofstream(file) << "up = ['A']";
+    EXPECT_EQ(read_keys(file).keys, default_keys());
+    EXPECT_TRUE(read_keys(file).note.ends_with("; the program's own keys hold"));
+    SoundSettings sound;
+    ASSERT_TRUE(keep_sound(folder / "sound.toml", sound));
+    sound.speaker.default_dB = 80.0;
+    EXPECT_FALSE(keep_sound(folder / "sound.toml", sound));
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,83 @@
+// An operator with six keys before a kiosk that carries his orders out, with real files in a folder
+// of its own, on a clock that only goes where it is told.
+#pragma once
+
+#include "app/operator/operator.h"
+#include "app/operator/profiles.h"
+#include "app/operator/settings_files.h"
+
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+class OperatorRig {
+  public:
+    explicit OperatorRig(Language words = {});
+    ~OperatorRig();
+
+    OperatorRig(const OperatorRig&) = delete;
+    OperatorRig& operator=(const OperatorRig&) = delete;
+
+    /// Half a second passes before each.
+    void press(std::initializer_list<KeyRole> roles);
+
+    void press(KeyRole role) { press({role}); }
+
+    void press_key(const PhysicalKey& key);
+    void wait(double time_s);  // in ticks of a second
+    void take(const OperatorEvent& event);
+
+    /// The keys that open the operator's screens.
+    void enter();
+    void enter_pin(const std::string& pin);
+
+    /// Down until the item of that name has the focus; false where there is none.
+    bool find(const std::string& name);
+
+    /// find() and Select, one after the other.
+    bool open(std::initializer_list<const char*> names);
+
+    [[nodiscard]] OperatorWorld world() const;
+    [[nodiscard]] SpokenScreen screen() const;
+
+    /// All that was said since the last call, in lines.
+    std::string heard();
+
+    template <class Order>
+    [[nodiscard]] int count() const {
+        int found = 0;
+        for (const OperatorOrder& order : orders)
+            found += std::holds_alternative<Order>(order) ? 1 : 0;
+        return found;
+    }
+
+    Operator state;
+    std::vector<OperatorOrder> orders;  // all there were
+    Language language;
+    double now_s = 1000.0;
+    bool is_private = true;
+    bool answers_tests = true;
+    bool passes_tests = true;
+    bool is_device_allowed = true;
+    std::optional<Settings> in_memory;  // in place of the file of settings
+    Settings felt;                      // what the servo has
+    SoundSettings sound;
+    KeyTable keys = default_keys();
+    Counters counters{12, 30, 5, 2, 90};
+    std::vector<std::string> packs{"Castles", "Letters"};
+    std::filesystem::path folder;
+    std::filesystem::path stick;
+    SettingsFiles files;
+    std::vector<Profile> profiles;
+
+  private:
+    void carry_out(const OperatorOrder& order);
+
+    std::string heard_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,403 @@
+// The operator's screens by six keys: way in, PIN, settings, tests, upkeep.
+#include "app/operator/backup.h"
+#include "app/operator/operator_places.h"
+#include "app/operator/pin_file.h"
+#include "tests/app/operator/operator_rig.h"
+
+#include <algorithm>
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+using R = KeyRole;
+using P = OperatorPlace;
+
+class OperatorTest : public testing::Test {
+  protected:
+    OperatorTest() {
+        rig.enter();
+        rig.enter_pin("1234");
+        rig.enter_pin("1234");
+        (void)rig.heard();
+    }
+
+    OperatorRig rig;
+};
+
+TEST(OperatorEntry, IsASequenceWithinFiveSeconds) {
+    OperatorRig rig;
+    rig.press({R::help, R::up, R::up, R::down, R::down});
+    EXPECT_EQ(rig.state.place, P::closed);
+    rig.now_s += 4.0;
+    rig.press(R::select);
+    EXPECT_EQ(rig.state.place, P::closed) << "too slow";
+    rig.press({R::help, R::up, R::down, R::down, R::select});
+    EXPECT_EQ(rig.state.place, P::closed) << "one is missing";
+    rig.press({R::help, R::help, R::up, R::up, R::down, R::down, R::select});
+    EXPECT_EQ(rig.state.place, P::new_pin) << "a key too much before it does no harm";
+    EXPECT_EQ(rig.count<Say>(), 1) << "what the visitor hears is the visitor's until then";
+}
+
+TEST(OperatorEntry, IsOfTheOperatorsKeyboardWhereOneIsSet) {
+    OperatorRig rig;
+    rig.is_device_allowed = false;
+    rig.enter();
+    EXPECT_EQ(rig.state.place, P::closed);
+    rig.is_device_allowed = true;
+    rig.enter();
+    EXPECT_EQ(rig.state.place, P::new_pin);
+    rig.is_device_allowed = false;
+    const std::string taken = rig.state.pin.taken;
+    rig.press(R::next);
+    EXPECT_EQ(rig.state.pin.taken, taken) << "nor does another keyboard type the PIN";
+}
+
+TEST(OperatorPin, IsChosenAtTheFirstStartAndAskedForAfterIt) {
+    OperatorRig rig;
+    rig.enter();
+    rig.enter_pin("4711");
+    EXPECT_EQ(rig.state.place, P::new_pin_again);
+    rig.enter_pin("4712");
+    EXPECT_EQ(rig.state.place, P::new_pin) << "they were not the same";
+    rig.enter_pin("4711");
+    rig.enter_pin("4711");
+    EXPECT_EQ(rig.state.place, P::home);
+    rig.press(R::back);
+    EXPECT_EQ(rig.state.place, P::closed);
+    EXPECT_EQ(rig.count<Leave>(), 1);
+    rig.enter();
+    EXPECT_EQ(rig.state.place, P::pin);
+    rig.enter_pin("4712");
+    EXPECT_EQ(rig.state.place, P::pin);
+    rig.enter_pin("4711");
+    EXPECT_EQ(rig.state.place, P::home);
+}
+
+TEST(OperatorPin, IsSaidOnAHeadsetAndClickedOnASpeaker) {
+    OperatorRig rig;
+    rig.enter();
+    (void)rig.heard();
+    rig.press({R::up, R::up, R::up, R::next});
+    EXPECT_EQ(rig.heard(), "1\n2\n3\n1 digit\n");
+    rig.is_private = false;
+    rig.press({R::down, R::next, R::back});
+    EXPECT_EQ(rig.heard(), "");
+    EXPECT_EQ(rig.count<Click>(), 3);
+    for (const ScreenItem& item : rig.screen().items)
+        EXPECT_EQ(item.value.find('3'), std::string::npos) << "nor is it on the screen";
+}
+
+TEST(OperatorPin, TooShortOrTakenBackIsNone) {
+    OperatorRig rig;
+    rig.enter();
+    rig.enter_pin("123");
+    EXPECT_EQ(rig.state.place, P::new_pin);
+    EXPECT_NE(rig.heard().find("A PIN has 4 to 8 digits."), std::string::npos);
+    rig.press({R::next, R::up, R::back});
+    EXPECT_EQ(rig.state.pin.taken, "1230");
+    rig.press(R::back);
+    EXPECT_EQ(rig.state.pin.taken, "");
+    rig.press(R::back);
+    EXPECT_EQ(rig.state.place, P::closed);
+}
+
+TEST(OperatorPin, FiveWrongOnesLockForGrowingTimes) {
+    PinTries tries;
+    for (int i = 0; i < 4; ++i) tries = after_wrong_pin(tries, 100.0);
+    EXPECT_EQ(tries.locked_until_s, 0.0);
+    double before_s = 0.0;
+    for (int i = 0; i < 12; ++i) {
+        tries = after_wrong_pin(tries, 100.0);
+        const double lock_s = tries.locked_until_s - 100.0;
+        EXPECT_GE(lock_s, std::min(2.0 * before_s, 3600.0));
+        EXPECT_GE(lock_s, 60.0);
+        EXPECT_LE(lock_s, 3600.0);
+        before_s = lock_s;
+    }
+}
+
+TEST_F(OperatorTest, ALockOutlastsLeavingAndTheRightPin) {
+    rig.press(R::back);
+    rig.enter();
+    for (int i = 0; i < 5; ++i) rig.enter_pin("9999");
+    (void)rig.heard();
+    rig.enter_pin("1234");
+    EXPECT_NE(rig.heard().find("Too many wrong PINs. Wait "), std::string::npos);
+    rig.press(R::back);
+    EXPECT_EQ(rig.state.place, P::closed);
+    rig.enter();
+    rig.enter_pin("1234");
+    EXPECT_EQ(rig.state.place, P::pin);
+    rig.wait(61.0);
+    rig.enter_pin("1234");
+    EXPECT_EQ(rig.state.place, P::home);
+    EXPECT_EQ(rig.state.tries.wrong, 0);
+}
+
+TEST_F(OperatorTest, AnAnswerThatNobodyAskedForOpensNothing) {
+    rig.press(R::back);
+    rig.take(PinChecked{true});
+    EXPECT_EQ(rig.state.place, P::closed);
+    rig.enter();
+    rig.take(PinChecked{true});
+    EXPECT_EQ(rig.state.place, P::pin);
+}
+
+TEST_F(OperatorTest, ASettingIsHeldTurnedAndKept) {
+    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Stiffness"}));
+    EXPECT_NE(rig.heard().find("Next is more, Back is less."), std::string::npos);
+    rig.press(R::back);
+    EXPECT_EQ(rig.heard(), "Stiffness, 450 newtons per metre, setting, 2 of 7\n");
+    EXPECT_EQ(rig.felt.stiffness_N_per_m, 450.0) << "felt while it is turned";
+    EXPECT_EQ(rig.world().settings.stiffness_N_per_m, 500.0) << "not yet on the disk";
+    rig.press(R::select);
+    EXPECT_EQ(rig.world().settings.stiffness_N_per_m, 450.0);
+    rig.press(R::back);
+    EXPECT_EQ(rig.state.place, P::touch) << "let go of, Back leaves";
+    EXPECT_EQ(rig.screen().items[rig.state.focus].name, "Lines and force");
+}
+
+TEST_F(OperatorTest, MovingOnKeepsWhatWasTurned) {
+    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Friction"}));
+    rig.press({R::next, R::next, R::down});
+    EXPECT_DOUBLE_EQ(rig.world().settings.friction, 0.2);
+    EXPECT_FALSE(rig.state.is_held);
+}
+
+TEST_F(OperatorTest, WhoGoesAwayWhileTurningKeepsNothing) {
+    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Stiffness"}));
+    rig.press(R::next);
+    EXPECT_EQ(rig.felt.stiffness_N_per_m, 550.0);
+    rig.wait(301.0);
+    EXPECT_EQ(rig.state.place, P::closed);
+    EXPECT_EQ(rig.felt.stiffness_N_per_m, 500.0);
+    EXPECT_EQ(rig.count<Leave>(), 1);
+}
+
+TEST_F(OperatorTest, ASwitchIsSwitchedAtOnce) {
+    ASSERT_TRUE(rig.open({"How it feels", "Levels", "Level follows the hand"}));
+    EXPECT_FALSE(rig.world().settings.is_level_automatic);
+    EXPECT_NE(rig.heard().find("Level follows the hand, off, switch, 1 of 4"), std::string::npos);
+}
+
+/// The ceiling: lower at once, higher after a question, and never by going away.
+TEST_F(OperatorTest, TheCeilingOfTheForceIsRaisedOnlyByASecondWord) {
+    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Greatest force"}));
+    rig.press({R::back, R::back, R::select});
+    EXPECT_DOUBLE_EQ(rig.world().settings.force_ceiling_N, 2.8);
+    rig.press({R::select, R::next, R::next, R::select});
+    EXPECT_EQ(rig.state.place, P::question);
+    EXPECT_DOUBLE_EQ(rig.felt.force_ceiling_N, 2.8) << "not felt before the answer";
+    rig.press(R::select);
+    EXPECT_EQ(rig.state.place, P::feel) << "No is what has the focus";
+    EXPECT_DOUBLE_EQ(rig.world().settings.force_ceiling_N, 2.8);
+    ASSERT_TRUE(rig.open({"Greatest force"}));
+    rig.press({R::next, R::down});
+    EXPECT_EQ(rig.state.place, P::question) << "moving on asks as well";
+    rig.press({R::down, R::select});
+    EXPECT_DOUBLE_EQ(rig.world().settings.force_ceiling_N, 2.9);
+    for (int i = 0; i < 40; ++i) {
+        ASSERT_TRUE(rig.open({"Greatest force"}));
+        rig.press({R::next, R::next, R::select});
+        if (rig.state.place == P::question) rig.press({R::down, R::select});
+    }
+    EXPECT_DOUBLE_EQ(rig.world().settings.force_ceiling_N, 3.0) << "the hard ceiling";
+}
+
+TEST_F(OperatorTest, WhatDoesNotGoTogetherIsRefused) {
+    ASSERT_TRUE(rig.open({"How it feels", "Levels", "Coarsest level"}));
+    for (int i = 0; i < 16; ++i) rig.press(R::back);
+    rig.press(R::down);
+    ASSERT_TRUE(rig.open({"Finest level"}));
+    (void)rig.heard();
+    rig.press(R::next);
+    EXPECT_EQ(rig.heard(), "That does not go together with another setting.\n");
+}
+
+TEST_F(OperatorTest, WhatAProfileSetsIsNotTurnedBesideIt) {
+    ASSERT_TRUE(rig.open({"How it feels", "Profiles", "child"}));
+    EXPECT_EQ(rig.world().settings.profile, "child");
+    rig.press(R::back);
+    ASSERT_TRUE(rig.open({"Lines and force", "Stiffness"}));
+    EXPECT_NE(rig.heard().find("The profile in use sets this."), std::string::npos);
+    EXPECT_FALSE(rig.state.is_held);
+    ASSERT_TRUE(rig.open({"Friction"}));
+    EXPECT_TRUE(rig.state.is_held) << "the profile says nothing of it";
+}
+
+TEST_F(OperatorTest, LanguagesAreSwitchedAndTheLastStays) {
+    ASSERT_TRUE(rig.open({"Sound, speech and languages", "Languages", "English"}));
+    EXPECT_EQ(rig.world().settings.languages, "de fr es");
+    EXPECT_EQ(rig.world().settings.first_language, "de");
+    ASSERT_TRUE(rig.open({"Deutsch"}));
+    ASSERT_TRUE(rig.open({"Français"}));
+    ASSERT_TRUE(rig.open({"Español"}));
+    EXPECT_EQ(rig.world().settings.languages, "es");
+    ASSERT_TRUE(rig.open({"English", "First language"}));
+    rig.press({R::next, R::select});
+    EXPECT_EQ(rig.world().settings.first_language, "en");
+}
+
+TEST_F(OperatorTest, HoursAreTurnedByQuartersAndAreNeverNothing) {
+    ASSERT_TRUE(rig.open({"Visits", "Hours", "Opening hours from"}));
+    for (int i = 0; i < 36; ++i) rig.press(R::next);
+    rig.press(R::down);
+    EXPECT_EQ(rig.world().settings.opening_hours, "09:00-24:00");
+    ASSERT_TRUE(rig.open({"Opening hours until"}));
+    for (int i = 0; i < 60; ++i) rig.press(R::back);
+    rig.press(R::select);
+    EXPECT_EQ(rig.world().settings.opening_hours, "09:00-08:45") << "never the same as from";
+    ASSERT_TRUE(rig.open({"Quiet hours"}));
+    EXPECT_EQ(rig.world().settings.quiet_hours, "18:00-22:00");
+}
+
+TEST_F(OperatorTest, VolumeKeepsTheRulesOfTheOutput) {
+    ASSERT_TRUE(rig.open({"Sound, speech and languages", "Volume", "Headset at the start"}));
+    rig.press({R::next, R::next, R::next, R::select});
+    EXPECT_EQ(rig.sound.headset.default_dB, 70.0);
+    EXPECT_NE(rig.heard().find("That is the end."), std::string::npos);
+    ASSERT_TRUE(rig.open({"Speaker at the start"}));
+    rig.press({R::next, R::select});
+    EXPECT_EQ(rig.sound.speaker.default_dB, 65.0) << "no louder on a speaker (VO-2)";
+    EXPECT_TRUE(check(rig.sound.speaker));
+}
+
+TEST_F(OperatorTest, TheWizardLearnsKeysAndKeepsTheOthers) {
+    ASSERT_TRUE(rig.open({"Camera, keys and screen", "Keys", "Learn the keys"}));
+    for (std::uint32_t i = 0; i < key_role_count; ++i)
+        for (int twice = 0; twice < 2; ++twice) rig.press_key({KeySource::scancode, 200 + i});
+    EXPECT_EQ(rig.state.place, P::keys);
+    EXPECT_EQ(role_of(rig.keys, {KeySource::scancode, 205}), R::help);
+    EXPECT_EQ(role_of(rig.keys, *key_named("enter")), R::select) << "the keyboard still works";
+    EXPECT_FALSE(role_without_key(rig.keys));
+}
+
+TEST_F(OperatorTest, AWizardThatNobodyAnswersChangesNothing) {
+    const KeyTable before = rig.keys;
+    ASSERT_TRUE(rig.open({"Camera, keys and screen", "Keys", "Learn the keys"}));
+    rig.press(R::select);
+    rig.wait(21.0);
+    EXPECT_EQ(rig.state.place, P::keys);
+    EXPECT_EQ(rig.keys, before);
+    EXPECT_EQ(rig.count<WriteKeys>(), 0);
+}
+
+TEST_F(OperatorTest, TheSelfTestAsksWherePeopleMustSay) {
+    ASSERT_TRUE(rig.open({"Handle and tests", "Self-test", "All steps"}));
+    EXPECT_EQ(rig.state.test.step, TestStep::motors) << "the device answered by itself";
+    EXPECT_EQ(rig.count<RunTest>(), 1) << "no motor moves before somebody begins";
+    rig.press(R::select);
+    EXPECT_EQ(rig.screen().text, "Did the handle push to both sides?");
+    rig.press(R::select);
+    EXPECT_EQ(rig.state.test.step, TestStep::sound_left) << "the camera answered by itself";
+    rig.press({R::select, R::down, R::select});  // begin; no
+    rig.press({R::down, R::select});             // skip the right
+    EXPECT_EQ(rig.state.test.step, TestStep::keys);
+    rig.press({R::up, R::down, R::back, R::next, R::select, R::help});
+    EXPECT_EQ(rig.state.test.step, TestStep::stick_port);
+    rig.press(R::select);
+    EXPECT_EQ(rig.state.place, P::self_test);
+    using V = TestVerdict;
+    EXPECT_EQ(rig.state.test.verdicts, (std::array{V::passed, V::passed, V::passed, V::failed,
+                                                   V::untried, V::passed, V::passed, V::passed}));
+    EXPECT_NE(rig.heard().find("Sound on the left failed."), std::string::npos);
+}
+
+TEST_F(OperatorTest, ATestWithoutAnAnswerFailsAndIsStopped) {
+    rig.answers_tests = false;
+    ASSERT_TRUE(rig.open({"Handle and tests", "Self-test", "Camera"}));
+    rig.wait(61.0);
+    EXPECT_EQ(rig.state.place, P::self_test);
+    EXPECT_EQ(rig.count<StopTest>(), 1);
+    EXPECT_NE(rig.heard().find("Camera failed. No answer came"), std::string::npos);
+    rig.take(TestAnswered{TestStep::camera, true, ""});
+    EXPECT_EQ(rig.state.test.verdicts[2], TestVerdict::failed) << "too late";
+    ASSERT_TRUE(rig.open({"Keys"}));
+    rig.press({R::up, R::down});
+    rig.wait(61.0);
+    EXPECT_NE(rig.heard().find("No press came from: Back, Next, Select, Help."), std::string::npos);
+}
+
+TEST_F(OperatorTest, BackStopsATest) {
+    rig.answers_tests = false;
+    ASSERT_TRUE(rig.open({"Handle and tests", "Self-test", "Camera"}));
+    rig.press(R::back);
+    EXPECT_EQ(rig.state.place, P::self_test);
+    EXPECT_EQ(rig.count<StopTest>(), 1);
+    ASSERT_TRUE(rig.open({"Keys"}));
+    rig.press({R::back, R::back});
+    EXPECT_EQ(rig.state.place, P::self_test);
+}
+
+TEST_F(OperatorTest, WhileTheHandleIsCleanedNoKeyCounts) {
+    ASSERT_TRUE(rig.open({"Handle and tests", "Clean the handle", "Begin"}));
+    EXPECT_EQ(rig.state.place, P::cleaning_lock);
+    for (int i = 0; i < 8; ++i) rig.press({R::back, R::select, R::up, R::help});
+    EXPECT_EQ(rig.state.place, P::cleaning_lock);
+    rig.wait(60.0);
+    EXPECT_EQ(rig.state.place, P::device);
+    EXPECT_EQ(rig.count<LockHandle>(), 2);
+    EXPECT_FALSE(std::get<LockHandle>(*std::find_if(rig.orders.rbegin(), rig.orders.rend(),
+                                                    [](const OperatorOrder& order) {
+                                                        return std::holds_alternative<LockHandle>(
+                                                            order);
+                                                    }))
+                     .is_on);
+}
+
+TEST_F(OperatorTest, WhatIsShownLiveEndsWithItsScreen) {
+    ASSERT_TRUE(rig.open({"Handle and tests", "What the handle does now"}));
+    EXPECT_EQ(rig.screen().view, ScreenView::picture);
+    EXPECT_EQ(rig.screen().items.front().name, "Force 0.5 newtons");
+    rig.press(R::back);
+    EXPECT_EQ(rig.count<ShowLive>(), 2);
+    ASSERT_TRUE(rig.open({"What the handle does now"}));
+    rig.wait(301.0);
+    EXPECT_EQ(rig.count<ShowLive>(), 4) << "also when nobody leaves it";
+}
+
+TEST_F(OperatorTest, HomingIsStoppedByLeaving) {
+    ASSERT_TRUE(rig.open({"Handle and tests", "Find the handle's home", "Begin"}));
+    EXPECT_EQ(rig.count<FindHome>(), 1);
+    rig.take(OrderAnswered{"Lead the handle to the right stop."});
+    EXPECT_NE(rig.heard().find("Lead the handle to the right stop."), std::string::npos);
+    EXPECT_NE(rig.screen().text.find("Lead the handle"), std::string::npos) << "shown as well";
+    rig.press(R::back);
+    EXPECT_EQ(rig.count<StopHoming>(), 1);
+}
+
+TEST_F(OperatorTest, UpkeepAsksBeforeItLosesAnything) {
+    ASSERT_TRUE(rig.open({"Upkeep", "What was counted", "Begin again from zero"}));
+    EXPECT_EQ(rig.count<ZeroCounters>(), 0);
+    rig.press(R::back);
+    EXPECT_EQ(rig.state.place, P::counters) << "Back is No";
+    ASSERT_TRUE(rig.open({"Begin again from zero", "Yes"}));
+    EXPECT_EQ(rig.count<ZeroCounters>(), 1);
+    rig.press(R::back);
+    ASSERT_TRUE(rig.open({"Pictures from a stick", "Letters"}));
+    EXPECT_EQ(rig.count<ImportPictures>(), 1);
+    rig.press(R::back);
+    ASSERT_TRUE(rig.open({"Close the kiosk", "Close", "No"}));
+    EXPECT_EQ(rig.count<CloseKiosk>(), 0);
+    ASSERT_TRUE(rig.open({"Close", "Yes"}));
+    EXPECT_EQ(rig.count<CloseKiosk>(), 1);
+}
+
+TEST_F(OperatorTest, ABadBackupChangesNothingAndSaysWhy) {
+    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Friction"}));
+    rig.press({R::next, R::select, R::back, R::back});
+    ASSERT_TRUE(rig.open({"Upkeep", "Backup of the settings", "Take the settings from a stick"}));
+    ASSERT_TRUE(rig.open({"Yes"}));
+    EXPECT_NE(rig.heard().find(std::string(backup_name)), std::string::npos);
+    EXPECT_DOUBLE_EQ(rig.world().settings.friction, 0.1);
+    ASSERT_TRUE(rig.open({"Copy the settings to a stick", "Settings as at first", "Yes"}));
+    EXPECT_EQ(rig.world().settings, Settings{});
+    ASSERT_TRUE(rig.open({"Take the settings from a stick", "Yes"}));
+    EXPECT_DOUBLE_EQ(rig.world().settings.friction, 0.1);
+}
+
+}  // namespace
+}  // namespace touchline
