@@ -42,7 +42,12 @@ void VisitSheet::toggle(VisitItem item, const char* english, bool is_on, const c
 
 void VisitSheet::setting(VisitItem item) {
     const ValueList list = values_of(visit, world, item);
-    const std::string value = list.names[std::min(list.chosen, list.names.size() - 1)];
+    std::string value = list.names[std::min(list.chosen, list.names.size() - 1)];
+    // "Volume, 4 of 7" rather than "Volume, Volume 4 of 7".
+    if (item == VisitItem::volume || item == VisitItem::rate) {
+        value = language.text("screen", "{0} of {1}",
+                              {std::to_string(list.chosen + 1), std::to_string(list.names.size())});
+    }
     screen.items.push_back({static_cast<int>(item), ItemRole::setting, name_of(item, language),
                             value, words(setting_hint)});
 }
