@@ -79,6 +79,27 @@ void VisitSheet::back(const char* english) {
     item(VisitItem::back, english);
 }
 
+std::string told_trouble(TroubleKind kind, const std::string& sentence, const Language& language) {
+    if (!sentence.empty()) return sentence;
+    switch (kind) {
+        case TroubleKind::device:
+            return language.text("visit",
+                                 "The handle has no force. It does not answer. Listening "
+                                 "goes on; tell the staff.");
+        case TroubleKind::sound:
+            return language.text("speech", "There is no sound. Please call the staff.");
+        case TroubleKind::camera:
+            return language.text("visit",
+                                 "The camera does not answer. Choose other pictures, or "
+                                 "tell the staff.");
+        case TroubleKind::stick:
+            return language.text("visit",
+                                 "The stick cannot be read. Pull it out and put it in "
+                                 "again.");
+    }
+    return {};
+}
+
 const std::vector<GalleryTitle>& gallery_of(const VisitSheet& sheet) {
     static const std::vector<GalleryTitle> none;
     if (sheet.world.gallery.empty()) return none;

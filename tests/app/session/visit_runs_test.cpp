@@ -91,7 +91,7 @@ void visit_all(FakeHouse& house, double every_s) {
     ASSERT_TRUE(visitor.listen_for("Yes"));
     visitor.press(KeyRole::select);
     expect_heard(visitor, "Goodbye");
-    EXPECT_EQ(house.open(), VisitScreen::goodbye);
+    EXPECT_FALSE(is_visit_on(house.visit));
 }
 
 TEST(VisitRun, Blind) {
@@ -303,7 +303,7 @@ TEST(VisitRun, Rude) {
         }
         EXPECT_EQ(house.open(), VisitScreen::choose) << seed;
     }
-    EXPECT_GE(been.size(), 18U) << "the rude run comes about";
+    EXPECT_GE(been.size(), 16U) << "the rude run comes about";
 }
 
 TEST(VisitRun, TheSameEventsGiveTheSameVisit) {

@@ -55,7 +55,10 @@ class Search {
   private:
     std::size_t find(const Visit& visit) {
         const auto [found, is_new] = numbers_.emplace(name_of(visit), graph_.visits.size());
-        if (is_new) graph_.visits.push_back(visit);
+        if (is_new) {
+            graph_.visits.push_back(visit);
+            graph_.names.push_back(found->first);
+        }
         return found->second;
     }
 

@@ -268,6 +268,15 @@ TEST(Visit, ER2_AVisitSurvivesEveryLoss) {
     EXPECT_TRUE(house.is_leading);
 }
 
+TEST(Visit, ER2_WhoComesLaterIsToldOfWhatLasts) {
+    FakeHouse house;
+    house.happen(TroubleBegan{TroubleKind::device, ""});
+    EXPECT_TRUE(house.transcript.empty()) << "nobody is here";
+    house.press({KeyRole::select, KeyRole::down});
+    house.press(KeyRole::select);
+    EXPECT_TRUE(house.has_said("Der Griff hat keine Kraft.", 0)) << "in the language chosen since";
+}
+
 TEST(Visit, ER2_TheCameraLostWhileItWorksIsAnError) {
     FakeHouse house;
     to_choose(house);
