@@ -80,6 +80,9 @@ bool measure(const std::string& path, int runs) {
 int main(int argc, char** argv) {
     if (argc < 3) return 2;
     const int runs = std::atoi(argv[1]);
+    double load = 0.0;
+    (void)getloadavg(&load, 1);
+    fmt::print("load {:.2f}, {} runs, least (median)\n", load, runs);
     fmt::print("worker's start, to a refusal: {} ms\n\n", touchline::start_of(10 * runs));
     fmt::print(
         "| file | pixels | opened, ms | traced, ms | scene, ms | read, ms | labels "
