@@ -25,7 +25,7 @@ const std::vector<Visit>& scenes_of_all_screens();
 /// Of scenes_of_all_screens(), and how many presses each is from choose at least.
 struct SceneGraph {
     std::vector<Visit> visits;
-    std::vector<std::string> names;  // path, what is over it, what is felt
+    std::vector<std::string> names;       // path, what is over it, what is felt
     std::vector<int> presses_to_choose;   // -1: never
     std::vector<std::string> unanswered;  // keys that gave neither speech nor cue
     std::vector<std::string> lost;        // Back lost the picture
