@@ -172,6 +172,7 @@ TEST(Visit, TI5_NothingIsTakenWithoutAKeyAndTheShutterIsHeard) {
     EXPECT_FALSE(house.last<CameraPreview>()[0].is_on);
     const std::size_t before = house.transcript.size();
     house.happen(CameraCaptured{});
+    ASSERT_FALSE(house.last<GiveCue>().empty());
     EXPECT_EQ(house.last<GiveCue>()[0].event, ScreenEvent::shutter);
     EXPECT_TRUE(house.has_said("The picture is taken.", before));
     ASSERT_EQ(house.last<LoadPicture>().size(), 1U);
