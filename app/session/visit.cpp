@@ -108,34 +108,13 @@ void guidance_ended(VisitWork& work, bool has_arrived) {
     say(work, language_of(work).text("guidance", "You are there."));
 }
 
-/// What, why and what to do, where nobody said it better.
-std::string told_trouble(const VisitWork& work, TroubleKind kind) {
-    switch (kind) {
-        case TroubleKind::device:
-            return words(work,
-                         "The handle has no force. It does not answer. Listening goes on; "
-                         "tell the staff.");
-        case TroubleKind::sound:
-            return language_of(work).text("speech", "There is no sound. Please call the staff.");
-        case TroubleKind::camera:
-            return words(work,
-                         "The camera does not answer. Choose other pictures, or tell the "
-                         "staff.");
-        case TroubleKind::stick:
-            return words(work, "The stick cannot be read. Pull it out and put it in again.");
-    }
-    return {};
-}
-
 void trouble_began(VisitWork& work, const TroubleBegan& began) {
     auto& known = work.house.troubles[static_cast<std::size_t>(began.kind)];
-    const std::string sentence =
-        began.sentence.empty() ? told_trouble(work, began.kind) : began.sentence;
-    if (known == sentence) return;
-    known = sentence;
+    if (known == began.sentence) return;
+    known = began.sentence;
     if (!is_visit_on(visit_of(work))) return;
     if (began.kind == TroubleKind::device) stop_leading(work);
-    show_trouble(work, sentence, began.kind);
+    show_trouble(work, told_trouble(began.kind, began.sentence, language_of(work)), began.kind);
 }
 
 void trouble_ended(VisitWork& work, TroubleKind kind) {

@@ -117,7 +117,8 @@ struct GalleryTitle {
 struct VisitRules {
     double quiet_s = 90.0;   // 30 ... 1800: then the question is asked
     double answer_s = 30.0;  // 30 or more: then the visit ends
-    SoundWanted sound;       // that every visit begins with; volume: of the output that is heard
+    /// That every visit begins with; the volume is a step of the output that is heard.
+    SoundWanted sound = {.language = 0, .volume = 3};
     LookWanted look;
     std::size_t volume_steps = 7;    // of that output, >= 1
     std::size_t first_firmness = 2;  // of firmness_steps; what suits the loop
@@ -178,7 +179,7 @@ struct House {
     Opening opening = Opening::open;
     bool has_camera = false;
     bool has_headphones = false;
-    std::array<std::optional<std::string>, trouble_count> troubles;  // that last, in words
+    std::array<std::optional<std::string>, trouble_count> troubles;  // that last; as told, or empty
     bool is_staff_called = false;
     std::uint64_t request = 0;  // of the last LoadPicture
 };

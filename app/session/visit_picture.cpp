@@ -135,8 +135,8 @@ void take_failed(VisitWork& work, const PictureFailed& failed) {
     if (!visitor.loading || visitor.loading->order.request != failed.request) return;
     const LoadReason reason = visitor.loading->reason;
     visitor.loading.reset();
-    leave_opening(work);
     if (reason == LoadReason::language) return;
+    leave_opening(work);
     if (visitor.felt) visitor.detail = visitor.felt->order.detail;
     const std::string sentence =
         failed.sentence.empty()

@@ -37,10 +37,19 @@ std::string stick_value(const Sheet& sheet) {
                                   static_cast<int>(visitor.stick_names.size()));
 }
 
+/// Without force or sound there is less of everything; the rest says so in its place.
+void put_lasting_troubles(Sheet& sheet) {
+    for (const TroubleKind kind : {TroubleKind::device, TroubleKind::sound}) {
+        const auto& trouble = sheet.visit.house.troubles[static_cast<std::size_t>(kind)];
+        if (trouble) sheet.told(told_trouble(kind, *trouble, sheet.language));
+    }
+}
+
 void put_choose(Sheet& sheet) {
     const Visitor& visitor = visitor_of(sheet);
     const VisitRules& rules = sheet.world.rules;
     sheet.title("What to feel");
+    put_lasting_troubles(sheet);
     if (visitor.felt) {
         sheet.sentence("Your picture stays until you choose another.");
         sheet.item(VisitItem::back_to_picture, "Back to the picture", picture_title(sheet));

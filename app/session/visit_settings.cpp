@@ -1,7 +1,6 @@
 // What a visitor can set: every setting is a list of named values.
 #include "app/session/visit_work.h"
 #include "audio-cues/speech/speech_rate.h"
-#include "audio-cues/words/guidance_words.h"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,7 @@ namespace {
 // In the order of their enumerations or steps.
 constexpr std::array modes{"wall", "groove", "ridge", "stay on line"};
 constexpr std::array details{"silhouette", "main parts", "parts", "details", "everything"};
+constexpr std::array amounts{"none of them", "short ones", "all of them"};
 constexpr std::array sizes{"ordinary", "large", "larger", "largest"};
 constexpr std::array palettes{"light letters on dark", "dark letters on light", "strong contrast",
                               "without glare"};
@@ -46,11 +46,6 @@ std::vector<std::string> language_names(const VisitWorld& world) {
     std::vector<std::string> names;
     for (const Language& language : world.languages) names.push_back(language.name());
     return names;
-}
-
-std::vector<std::string> amount_names(const Language& language) {
-    return {words_of(CueAmount::none, language), words_of(CueAmount::cues, language),
-            words_of(CueAmount::full, language)};
 }
 
 void choose_language(VisitWork& work, std::size_t language) {
@@ -110,7 +105,8 @@ ValueList values_of(const Visit& visit, const VisitWorld& world, VisitItem setti
             return {stepped(language, "Speech rate {0} of {1}", speech_rates_per_minute.size()),
                     visitor.sound.rate};
         case VisitItem::sounds:
-            return {amount_names(language), static_cast<std::size_t>(visitor.sound.amount)};
+            return {named(language, "visit", amounts),
+                    static_cast<std::size_t>(visitor.sound.amount)};
         case VisitItem::text_size:
             return {named(language, "visit", sizes), visitor.look.text_size};
         case VisitItem::palette:

@@ -42,7 +42,12 @@ void VisitSheet::toggle(VisitItem item, const char* english, bool is_on, const c
 
 void VisitSheet::setting(VisitItem item) {
     const ValueList list = values_of(visit, world, item);
-    const std::string value = list.names[std::min(list.chosen, list.names.size() - 1)];
+    std::string value = list.names[std::min(list.chosen, list.names.size() - 1)];
+    // "Volume, 4 of 7" rather than "Volume, Volume 4 of 7".
+    if (item == VisitItem::volume || item == VisitItem::rate) {
+        value = language.text("screen", "{0} of {1}",
+                              {std::to_string(list.chosen + 1), std::to_string(list.names.size())});
+    }
     screen.items.push_back({static_cast<int>(item), ItemRole::setting, name_of(item, language),
                             value, words(setting_hint)});
 }
@@ -72,6 +77,27 @@ void VisitSheet::list(const std::vector<ListRow>& rows, const char* hint) {
 
 void VisitSheet::back(const char* english) {
     item(VisitItem::back, english);
+}
+
+std::string told_trouble(TroubleKind kind, const std::string& sentence, const Language& language) {
+    if (!sentence.empty()) return sentence;
+    switch (kind) {
+        case TroubleKind::device:
+            return language.text("visit",
+                                 "The handle has no force. It does not answer. Listening "
+                                 "goes on; tell the staff.");
+        case TroubleKind::sound:
+            return language.text("speech", "There is no sound. Please call the staff.");
+        case TroubleKind::camera:
+            return language.text("visit",
+                                 "The camera does not answer. Choose other pictures, or "
+                                 "tell the staff.");
+        case TroubleKind::stick:
+            return language.text("visit",
+                                 "The stick cannot be read. Pull it out and put it in "
+                                 "again.");
+    }
+    return {};
 }
 
 const std::vector<GalleryTitle>& gallery_of(const VisitSheet& sheet) {

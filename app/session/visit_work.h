@@ -64,6 +64,10 @@ void focus_on(VisitWork& work, VisitItem item);
 /// What went wrong, over all else; `trouble`: what it is about.
 void show_trouble(VisitWork& work, const std::string& sentence, std::optional<TroubleKind> trouble);
 
+/// `sentence`, or where nobody said it better: what, why and what to do.
+[[nodiscard]] std::string told_trouble(TroubleKind kind, const std::string& sentence,
+                                       const Language& language);
+
 // Beginning and end (visit_ends.cpp).
 
 void begin_visit(VisitWork& work);

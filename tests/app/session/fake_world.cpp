@@ -12,7 +12,7 @@ std::vector<Language> read_all() {
     for (const char* code : {"en", "de", "fr", "es"}) {
         auto language = Language::load(TOUCHLINE_CATALOGUES, code);
         if (!language) {
-            std::cerr << language.error().message << '\n';
+            std::cerr << language.error().line << '\n';
             std::abort();
         }
         languages.push_back(*language);
@@ -23,7 +23,8 @@ std::vector<Language> read_all() {
 std::vector<GalleryTitle> twelve_pictures(const std::string& code) {
     std::vector<GalleryTitle> pictures;
     for (int i = 1; i <= 12; ++i) {
-        pictures.push_back({"Picture " + std::to_string(i) + " " + code, "From the side.", 6 - i % 6});
+        pictures.push_back(
+            {"Picture " + std::to_string(i) + " " + code, "From the side.", 6 - i % 6});
     }
     return pictures;
 }
@@ -72,9 +73,8 @@ void FakeHouse::carry_out(const VisitOrder& order) {
     if (std::holds_alternative<Capture>(order)) due_.push_back({now_s + 0.5, CameraCaptured{}});
     if (const auto* guide = std::get_if<Guide>(&order)) {
         is_leading = guide->kind != GuideKind::stop;
-        std::erase_if(due_, [](const Due& due) {
-            return std::holds_alternative<GuidanceEnded>(due.event);
-        });
+        std::erase_if(
+            due_, [](const Due& due) { return std::holds_alternative<GuidanceEnded>(due.event); });
         if (is_leading) due_.push_back({now_s + lead_s, GuidanceEnded{true}});
     }
 }
@@ -118,7 +118,7 @@ bool FakeHouse::find(const std::string& name) {
     const std::size_t count = screen().items.size();
     for (std::size_t tries = 0; tries <= count; ++tries) {
         const SpokenScreen now = screen();
-        if (now.focus && now.items[*now.focus].name.starts_with(name)) return true;
+        if (now.focus && now.items[*now.focus].name == name) return true;
         press(KeyRole::down);
     }
     return false;
@@ -131,10 +131,9 @@ bool FakeHouse::choose(const std::string& name) {
 }
 
 bool FakeHouse::has_said(const std::string& part, std::size_t from) const {
-    return std::any_of(transcript.begin() + static_cast<std::ptrdiff_t>(from), transcript.end(),
-                       [&](const Heard& heard) {
-                           return heard.text.find(part) != std::string::npos;
-                       });
+    return std::any_of(
+        transcript.begin() + static_cast<std::ptrdiff_t>(from), transcript.end(),
+        [&](const Heard& heard) { return heard.text.find(part) != std::string::npos; });
 }
 
 std::string FakeHouse::last_said() const {

@@ -30,20 +30,24 @@ class FakeHouse {
 
     /// Carries the orders out; answers of things come by later ticks.
     void happen(const VisitEvent& event);
+
     void press(KeyRole role) { happen(KeyPressed{role}); }
+
     void press(std::initializer_list<KeyRole> roles);
 
     /// In steps of 50 ms, with all that comes due.
     void wait(double seconds);
 
-    /// Up or down until an item is said that begins with it, at most once round. False: none does.
+    /// Down until the item has the focus, at most once round. False: there is none.
     bool find(const std::string& name);
 
     /// find() and Select.
     bool choose(const std::string& name);
 
     [[nodiscard]] SpokenScreen screen() const { return screen_of(visit, world()); }
+
     [[nodiscard]] VisitScreen open() const { return open_screen(visit); }
+
     [[nodiscard]] VisitWorld world() const { return {languages, settings, gallery, rules}; }
 
     /// Orders of a kind in the last step.
@@ -65,8 +69,8 @@ class FakeHouse {
     Settings settings;
     std::vector<std::vector<GalleryTitle>> gallery;
     VisitRules rules;
-    double load_s = 0.2;   // how long a picture takes
-    double lead_s = 2.0;   // how long leading takes
+    double load_s = 0.2;  // how long a picture takes
+    double lead_s = 2.0;  // how long leading takes
     bool loads_fail = false;
 
     Visit visit;
