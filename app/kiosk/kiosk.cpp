@@ -4,7 +4,6 @@
 #include "app/loading/kiosk_stages.h"
 #include "app/session/fault_words.h"
 #include "app/session/first_feel.h"
-
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/guidance_words.h"
 
@@ -15,7 +14,7 @@ namespace touchline {
 namespace {
 
 constexpr double tick_s = 0.05;    // of the visit
-constexpr double sign_s = 1.0;    // that the sign of a sound stays
+constexpr double sign_s = 1.0;     // that the sign of a sound stays
 constexpr double moved_m = 0.002;  // less is no sign of a person
 constexpr double tour_m_per_s = 0.035;
 
@@ -24,17 +23,6 @@ std::size_t place_of(const std::string& code, const std::vector<Language>& langu
     const auto at = std::ranges::find_if(
         languages, [&code](const Language& language) { return language.code() == code; });
     return at == languages.end() ? 0 : static_cast<std::size_t>(at - languages.begin());
-}
-
-/// Of the box around an outline.
-double box_area_m2(const Outline& outline) {
-    Position low = outline.points.front();
-    Position high = low;
-    for (const Position& p : outline.points) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    return (high.x - low.x) * (high.y - low.y);
 }
 
 }  // namespace
@@ -187,20 +175,6 @@ void Kiosk::load(const LoadPicture& order) {
     loader_->want(order.request, {file, order.page, order.view, {order.detail, zoom}});
 }
 
-/// Once around means the line around most of the picture.
-int Kiosk::outer_outline() const {
-    if (!map_) return -1;
-    int outer = -1;
-    double most_m2 = -1.0;
-    for (std::size_t i = 0; i < map_->outlines.size(); ++i) {
-        const double size_m2 = box_area_m2(map_->outlines[i]);
-        if (size_m2 <= most_m2) continue;
-        most_m2 = size_m2;
-        outer = static_cast<int>(i);
-    }
-    return outer;
-}
-
 void Kiosk::guide(const Guide& guide) {
     ++guidance_.serial;
     guidance_.kind = GuidanceKind::none;
@@ -210,7 +184,7 @@ void Kiosk::guide(const Guide& guide) {
     is_guiding_ = guide.kind != GuideKind::stop;
     if (guide.kind == GuideKind::outline) {
         guidance_.kind = GuidanceKind::tour;
-        guidance_.outline = outer_outline();
+        guidance_.outline = guide.outline;
     } else if (guide.kind == GuideKind::to_place) {
         guidance_.kind = GuidanceKind::to_place;
     } else if (guide.kind == GuideKind::bring_back) {
@@ -254,6 +228,14 @@ void Kiosk::step(std::int64_t now_ns) {
     sound_->step({hand_, shown_.scene.get(), target()});
 }
 
+/// What was said in English, in the visitor's language: the very sentence where the catalogue has
+/// it, else `general`, which it has. English speakers hear all of it.
+std::string Kiosk::in_words(const std::string& english, const char* general) const {
+    if (english.empty() || language().code() == "en") return english;
+    std::string words = language().text("trouble", english);
+    return words == english ? language().text("trouble", general) : words;
+}
+
 std::string Kiosk::sound_sign() const {
     if (!sign_ || now_s_ - signed_s_ > sign_s) return {};
     const EventRow& row = screen_rows()[static_cast<std::size_t>(*sign_)];
@@ -271,8 +253,8 @@ void Kiosk::offer(std::vector<FilePtr> files, const std::string& sentence) {
     std::vector<std::string> names;
     for (const FilePtr& file : files) names.push_back(spoken_title(file->title));
     pictures_.put_stick(std::move(files));
-    happen(StickCame{std::move(names),
-                     sentence.empty() ? "" : language().text("stick", sentence)});
+    happen(
+        StickCame{std::move(names), in_words(sentence, "Not all files of the stick are listed.")});
 }
 
 void Kiosk::follow_stick(std::int64_t now_ns) {
@@ -283,8 +265,8 @@ void Kiosk::follow_stick(std::int64_t now_ns) {
         offer(std::move(change->files), change->sentence);
     } else if (change) {
         pictures_.put_stick({});
-        happen(
-            StickGone{change->sentence.empty() ? "" : language().text("stick", change->sentence)});
+        happen(StickGone{in_words(
+            change->sentence, "The stick cannot be read. Put it in again, or try another one.")});
     } else if (is_listing_ && !was_listing) {
         happen(StickArriving{});
     }
@@ -301,7 +283,8 @@ void Kiosk::take(Delivery delivery) {
                                    : delivery.scene.error().line);
         is_loading_ = false;
         happen(PictureFailed{delivery.request,
-                             language().text("trouble", delivery.scene.error().line)});
+                             in_words(delivery.scene.error().line,
+                                      "This picture cannot be felt. Choose another one.")});
         return;
     }
     if (!std::exchange(is_loading_, false) && !delivery.is_better) return;
@@ -369,7 +352,7 @@ void Kiosk::follow_troubles() {
 std::string Kiosk::device_trouble() const {
     if (force_.fault != Fault::none) return spoken_fault(force_.fault, language());
     const std::string words = servo_->device_words();
-    return words.empty() ? "" : language().text("device", words);
+    return in_words(words, "The handle is being made ready. Follow the words, or call the staff.");
 }
 
 void Kiosk::trouble(TroubleKind kind, const std::string& sentence) {

@@ -158,7 +158,7 @@ class Kiosk {
     void wipe();
     void report(const std::string& line);
     [[nodiscard]] std::string device_trouble() const;
-    [[nodiscard]] int outer_outline() const;
+    [[nodiscard]] std::string in_words(const std::string& english, const char* general) const;
     [[nodiscard]] std::optional<Position> target() const;
 
     std::vector<Language> languages_;
@@ -181,7 +181,7 @@ class Kiosk {
     bool is_homing_ = false;
     bool is_handle_locked_ = false;
     bool is_test_of_camera_ = false;
-    Opening opening_ = Opening::open;
+    HouseOpening opening_ = HouseOpening::open;
     double hours_looked_s_ = -1e9;
     double visit_began_s_ = 0.0;
     bool was_visit_on_ = false;

@@ -1,6 +1,5 @@
 // The operator at the kiosk: what the screens order of servo, sound, camera and stick.
 #include "app/kiosk/kiosk.h"
-
 #include "config/settings/setting_texts.h"
 
 #include <array>
@@ -60,8 +59,8 @@ struct Kiosk::OperatorCarrying {
     /// The visitors' screen says where it is.
     void operator()(const Leave&) const {
         kiosk.desk_.shows_live_view = false;
-        kiosk.sound_->say({kiosk.language().code(),
-                           spoken_screen(kiosk.screen(), kiosk.language()), SpeechPriority::text});
+        kiosk.sound_->say({kiosk.language().code(), spoken_screen(kiosk.screen(), kiosk.language()),
+                           SpeechPriority::text});
     }
 
     // The desk has carried these out itself.
@@ -107,7 +106,8 @@ void Kiosk::say_for_operator(const std::string& text) {
 void Kiosk::follow_operator() {
     const bool is_on = is_visit_on(visit_);
     if (is_on && !was_visit_on_) visit_began_s_ = now_s_;
-    if (!is_on && was_visit_on_ && operator_) operator_->count_visit((now_s_ - visit_began_s_) / 60.0);
+    if (!is_on && was_visit_on_ && operator_)
+        operator_->count_visit((now_s_ - visit_began_s_) / 60.0);
     was_visit_on_ = is_on;
     follow_hours();
     if (!operator_) return;
@@ -116,7 +116,7 @@ void Kiosk::follow_operator() {
     if (const auto line = operator_->poll_import()) tell_operator(OrderAnswered{*line});
     const std::string words = is_homing_ ? servo_->device_words() : std::string();
     if (words != std::exchange(homing_words_, words) && !words.empty())
-        tell_operator(OrderAnswered{language().text("device", words)});
+        tell_operator(OrderAnswered{words});
     if (is_test_of_camera_ && has_camera_) answer_test(TestStep::camera, true);
     tell_operator(MomentPassed{});
     if (const std::string note = operator_->take_note(); !note.empty()) report(note);
@@ -130,13 +130,14 @@ void Kiosk::follow_hours() {
     const int minute = minute_of_day_ ? minute_of_day_() : 0;
     const auto open = hours_in(settings_.opening_hours);
     const bool is_closed = minute_of_day_ && open && !is_within(*open, minute);
-    const Opening opening = settings_.is_maintained ? Opening::maintenance
-                            : is_closed             ? Opening::closed
-                                                    : Opening::open;
+    const HouseOpening opening = settings_.is_maintained ? HouseOpening::maintenance
+                                 : is_closed             ? HouseOpening::closed
+                                                         : HouseOpening::open;
     if (opening != std::exchange(opening_, opening)) happen(OpeningChanged{opening});
     const auto quiet = hours_in(settings_.quiet_hours);
     const bool is_quiet = minute_of_day_ && quiet && is_within(*quiet, minute);
-    if (operator_) sound_->set_levels(operator_->sound(), is_quiet ? settings_.quiet_lower_dB : 0.0);
+    if (operator_)
+        sound_->set_levels(operator_->sound(), is_quiet ? settings_.quiet_lower_dB : 0.0);
 }
 
 void Kiosk::answer_test(TestStep step, bool has_passed, const std::string& line) {

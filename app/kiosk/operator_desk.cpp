@@ -53,7 +53,7 @@ std::string imported(const fs::path& zip, const fs::path& library, const Languag
 
 OperatorFiles operator_files() {
     const fs::path folder = settings_files().site.parent_path();
-    return {settings_files(),  pin_file(),         counters_file(),   keys_file(),
+    return {settings_files(),  pin_file(),        counters_file(),   keys_file(),
             site_sound_file(), profiles_folder(), folder / "copies", library_folder()};
 }
 
@@ -175,8 +175,8 @@ bool OperatorDesk::read_again() {
 }
 
 OperatorWorld OperatorDesk::world(const Language& language, double now_s) const {
-    OperatorWorld world{language, now_s, has_pin(files_.pin), is_private_, site_, sound_, keys_,
-                        languages_, {}, counters_, {}, live_};
+    OperatorWorld world{language,   now_s, has_pin(files_.pin), is_private_, site_, sound_, keys_,
+                        languages_, {},    counters_,           {},          live_};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
     for (const fs::path& pack : packs_) world.packs.push_back(pack.stem().string());
     return world;
@@ -238,8 +238,8 @@ void OperatorDesk::import_pack(std::size_t pack, const Language& language) {
 }
 
 std::optional<std::string> OperatorDesk::poll_import() {
-    const bool has_ended = import_.valid() && import_.wait_for(std::chrono::seconds(0)) ==
-                                                  std::future_status::ready;
+    const bool has_ended =
+        import_.valid() && import_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     if (!has_ended) return std::nullopt;
     return import_.get();
 }

@@ -24,6 +24,29 @@ void add_outlines(const TactileMap& map, std::vector<PartFacts>& parts) {
     }
 }
 
+double box_area_m2(const Outline& outline) {
+    Position low = outline.points.front();
+    Position high = low;
+    for (const Position& p : outline.points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    return (high.x - low.x) * (high.y - low.y);
+}
+
+/// The line around most of the picture; the first where there is none.
+int outer_outline(const TactileMap& map) {
+    int outer = 0;
+    double most_m2 = -1.0;
+    for (std::size_t i = 0; i < map.outlines.size(); ++i) {
+        const double size_m2 = box_area_m2(map.outlines[i]);
+        if (size_m2 <= most_m2) continue;
+        most_m2 = size_m2;
+        outer = static_cast<int>(i);
+    }
+    return outer;
+}
+
 std::optional<std::size_t> nearest_spot(const std::vector<PartFacts>& parts, Position place) {
     std::optional<std::size_t> nearest;
     double least_m = spot_m;
@@ -50,6 +73,7 @@ PictureFacts facts_of(const LoadedScene& scene) {
     facts.place = scene.facts.place;
     facts.outline_count = scene.facts.outline_count;
     facts.note = scene.facts.note;
+    facts.outer_outline = outer_outline(map);
     add_outlines(map, facts.parts);
     for (const Label& label : map.labels) {
         if (!label.text.empty()) facts.parts.push_back({label.text, label.place, 1, std::nullopt});

@@ -3,6 +3,7 @@
 #include "app/decode/map_svg.h"
 #include "app/decode/opening.h"
 #include "app/gallery/gallery.h"
+#include "app/packs/pack_library.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -23,11 +24,30 @@ Result<Page> open_in(const std::string& path, const LanguageTag& language, const
     return page;
 }
 
+Result<Page> open_pack_picture(const std::string& path, const LanguageTag& language,
+                               const PageOrder& order) {
+    auto page = open_page_of(path, order);
+    if (!page) return page;
+    auto map = read_pack_map(path, language);
+    if (!map) return failure(sentence_of(map.error(), Language()));
+    page->told = std::move(*map);
+    return page;
+}
+
 FilePtr gallery_file(const GalleryEntry& entry, const LanguageTag& language) {
     const std::string path = entry.path;
     return std::make_shared<const PictureFile>(PictureFile{
         entry.title, entry.title, fs::path(path).filename().string(), false,
         [path, language](const PageOrder& order) { return open_in(path, language, order); }});
+}
+
+/// Nothing of a pack is parsed here.
+FilePtr pack_file(const GalleryEntry& entry, const LanguageTag& language) {
+    const std::string path = entry.path;
+    return std::make_shared<const PictureFile>(
+        PictureFile{entry.title, entry.title, "", false, [path, language](const PageOrder& order) {
+                        return open_pack_picture(path, language, order);
+                    }});
 }
 
 /// The one whose file's name ends so, after its number.
@@ -43,7 +63,8 @@ FilePtr at(const std::vector<FilePtr>& files, std::size_t index) {
 
 }  // namespace
 
-Result<Gallery> read_gallery(const std::string& folder, const std::vector<Language>& languages) {
+Result<Gallery> read_gallery(const std::string& folder, const std::string& library,
+                             const std::vector<Language>& languages) {
     Gallery gallery;
     for (const Language& language : languages) {
         const LanguageTag tag{language.code()};
@@ -54,6 +75,13 @@ Result<Gallery> read_gallery(const std::string& folder, const std::vector<Langua
         for (const GalleryEntry& entry : *entries) {
             titles.push_back({entry.title, entry.description, entry.difficulty});
             files.push_back(gallery_file(entry, tag));
+        }
+        if (library.empty()) continue;
+        std::vector<PackFinding> problems;  // who imported the pack was told
+        for (const LibraryPicture& picture : list_library(library, tag, problems)) {
+            const GalleryEntry& entry = picture.entry;
+            titles.push_back({entry.title, entry.description, entry.difficulty});
+            files.push_back(pack_file(entry, tag));
         }
     }
     gallery.circle = named(gallery.files.front(), "-circle.svg");

@@ -21,8 +21,9 @@ struct Gallery {
     FilePtr circle, square;                         // to practise on
 };
 
-/// Reads the maps of `folder` in every language; one line where it cannot be used.
-[[nodiscard]] Result<Gallery> read_gallery(const std::string& folder,
+/// The maps of `folder` in every language, then the pictures of the packs in `library` (app/packs;
+/// empty: none). One line where the folder cannot be used. Waits for a worker a pack's picture.
+[[nodiscard]] Result<Gallery> read_gallery(const std::string& folder, const std::string& library,
                                            const std::vector<Language>& languages);
 
 class Pictures {

@@ -1,6 +1,7 @@
 #include "app/main/kiosk.h"
 
 #include "app/gallery/gallery.h"
+#include "app/keys/operator_keyboard.h"
 #include "app/kiosk/content_of.h"
 #include "app/kiosk/kiosk.h"
 #include "app/loading/kiosk_stages.h"
@@ -8,7 +9,7 @@
 #include "app/loading/thread_executor.h"
 #include "app/main/kiosk_servo.h"
 #include "app/main/pointer_pace.h"
-#include "app/operator/settings_files.h"
+#include "app/packs/pack_library.h"
 #include "app/process/places.h"
 #include "app/screen/frame_limiter.h"
 #include "app/screen/kiosk_screen.h"
@@ -23,6 +24,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <ctime>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -38,7 +40,6 @@ namespace touchline {
 namespace {
 
 constexpr int frame_rate_Hz = 60;
-constexpr std::int64_t settings_look_ns = 1'000'000'000;
 constexpr std::size_t loading_threads = PlanLimits{}.jobs;
 
 std::atomic<bool> is_end_asked{false};
@@ -75,7 +76,6 @@ class KioskWindow {
     explicit KioskWindow(const KioskArguments& arguments) : arguments_(arguments) {}
 
     Result<void> run() {
-        read_settings_again();
         auto opened = open_window().and_then([this] { return open_kiosk(); });
         if (!opened) return opened;
         run_frames();
@@ -85,13 +85,27 @@ class KioskWindow {
     }
 
   private:
+    /// Minute of the day where the kiosk stands.
+    static int minute_of_day() {
+        const std::time_t now = std::time(nullptr);
+        std::tm local{};
+        localtime_r(&now, &local);
+        return 60 * local.tm_hour + local.tm_min;
+    }
+
     Result<void> open_window() {
-        auto window = Window::open(
-            !arguments_.in_window,
-            {[this](const PhysicalKey& key, bool is_down, bool is_repeat) {
-                 kiosk_->change_key({key, is_down, is_repeat, 1e-9 * static_cast<double>(now_ns())});
-             },
-             [this](PixelPoint place) { lead_hand(place); }});
+        std::vector<std::string> problems;
+        sound_ = sound_parts();
+        desk_ = std::make_unique<OperatorDesk>(operator_files(), sound_.languages, problems);
+        settings_ = desk_->settings();
+        for (const std::string& problem : sound_.problems) report(problem);
+        for (const std::string& problem : problems) report(problem);
+        auto window = Window::open(!arguments_.in_window,
+                                   {[this](const PhysicalKey& key, bool is_down, bool is_repeat) {
+                                        kiosk_->change_key({key, is_down, is_repeat,
+                                                            1e-9 * static_cast<double>(now_ns())});
+                                    },
+                                    [this](PixelPoint place) { lead_hand(place); }});
         if (!window) return tl::unexpected(window.error());
         window_ = std::move(*window);
         auto screen = KioskScreen::make(cap_height_px(settings_.viewing_distance_m, mm_per_px()));
@@ -111,27 +125,28 @@ class KioskWindow {
         auto servo = start_servo(hand_);
         if (!servo) return tl::unexpected(servo.error());
         report(servo->note);
-        SoundParts sound = sound_parts();
-        for (const std::string& problem : sound.problems) report(problem);
-        sound.languages = offered(std::move(sound.languages), settings_.languages);
-        auto gallery = read_gallery(gallery_folder(), sound.languages);
+        sound_.languages = offered(std::move(sound_.languages), settings_.languages);
+        auto gallery = read_gallery(gallery_folder(), library_folder(), sound_.languages);
         if (!gallery) return tl::unexpected(gallery.error());
         const LoopSettings loop = loop_settings(default_profile(), ServoOptions{}.period_s, 0.0);
 
         KioskParts parts;
-        parts.languages = sound.languages;
+        parts.languages = sound_.languages;
         parts.gallery = std::move(*gallery);
         parts.settings = settings_;
+        parts.keys = desk_->keys();
+        parts.minute_of_day = minute_of_day;
+        parts.operator_desk = std::move(desk_);
         parts.profile = servo->profile;
         parts.hand_words = servo->hand_words;
         parts.loop_N_per_m = loop.stiffness_N_per_m;
         parts.reading_language = std::make_shared<std::atomic<WrittenLanguage>>();
-        parts.loader = std::make_unique<Loader>(
-            std::make_shared<const KioskStages>(servo->profile,
-                                                page_reader(parts.reading_language)),
-            std::make_unique<ThreadExecutor>(loading_threads));
+        parts.loader =
+            std::make_unique<Loader>(std::make_shared<const KioskStages>(
+                                         servo->profile, page_reader(parts.reading_language)),
+                                     std::make_unique<ThreadExecutor>(loading_threads));
         parts.sound = std::make_unique<Sound>(
-            std::move(sound), [client = servo->client.get()] { return client->next_event(); });
+            std::move(sound_), [client = servo->client.get()] { return client->next_event(); });
         parts.shelf = std::make_unique<StickShelf>(open_stick_port(settings_.watched_folder),
                                                    companion("touchline-import"));
         parts.photos = open_photos();
@@ -139,6 +154,8 @@ class KioskWindow {
         has_motors_ = servo->has_motors;
         parts.servo = std::move(servo->client);
         kiosk_ = std::make_unique<Kiosk>(std::move(parts));
+        operator_keyboard_ = OperatorKeyboard(settings_.operator_device);
+        report(operator_keyboard_.problem());
         offer_files();
         return {};
     }
@@ -167,21 +184,6 @@ class KioskWindow {
                     std::clamp(p.y, -area.height_m / 2.0, area.height_m / 2.0)};
     }
 
-    void read_settings_again() {
-        KeptSettings kept = read_settings(settings_place_);
-        report(kept.note);
-        settings_ = std::move(kept.settings);
-    }
-
-    /// What a hand feels changes at once; what a visit begins with, with the next.
-    void watch_settings(std::int64_t time_ns) {
-        if (time_ns - looked_ns_ < settings_look_ns) return;
-        looked_ns_ = time_ns;
-        if (!settings_watch_.has_changed()) return;
-        read_settings_again();
-        kiosk_->set(settings_);
-    }
-
     void report_news() {
         report(kiosk_->take_report());
         const RealTimeTier tier = servo_->tier();
@@ -193,8 +195,9 @@ class KioskWindow {
         const int width = window_->width_px();
         const int height = window_->height_px();
         if (kiosk_->desk().shows_live_view) {
-            const FrameContent content{describe(kiosk_->live_facts(), kiosk_->hand(), kiosk_->force()),
-                                       kiosk_->desk().shows_boxes, kiosk_->hand(), kiosk_->shown()};
+            const FrameContent content{
+                describe(kiosk_->live_facts(), kiosk_->hand(), kiosk_->force()),
+                kiosk_->desk().shows_boxes, kiosk_->hand(), kiosk_->shown()};
             screen_->draw(content, width, height, time_ns);
         } else {
             screen_->draw(content_of(*kiosk_), width, height, time_ns);
@@ -216,7 +219,8 @@ class KioskWindow {
         for (; goes_on(time_ns, start_ns); time_ns = now_ns()) {
             led_ = paced(led_, pointer_, 1.0 / frame_rate_Hz);
             hand_->move_to(led_);
-            watch_settings(time_ns);
+            for (const PhysicalKey& key : operator_keyboard_.take_presses())
+                kiosk_->strike_operator_key(key);
             kiosk_->step(time_ns);
             report_news();
             draw(time_ns);
@@ -256,10 +260,10 @@ class KioskWindow {
     }
 
     KioskArguments arguments_;
-    SettingsFiles settings_place_ = settings_files();
-    FileWatch settings_watch_{settings_place_.site};
-    Settings settings_;
-    std::int64_t looked_ns_ = 0;
+    SoundParts sound_;                    // until the kiosk has them
+    std::unique_ptr<OperatorDesk> desk_;  // likewise
+    Settings settings_;                   // at the start
+    OperatorKeyboard operator_keyboard_;
     Position pointer_;  // where it is
     Position led_;      // where the hand means to be
     std::shared_ptr<MouseHand> hand_ = std::make_shared<MouseHand>(Position{});

@@ -132,7 +132,7 @@ void trouble_ended(VisitWork& work, TroubleKind kind) {
     say_return(work, told);
 }
 
-void opening_changed(VisitWork& work, Opening opening) {
+void opening_changed(VisitWork& work, HouseOpening opening) {
     if (work.house.opening == opening) return;
     work.house.opening = opening;
     if (is_visit_on(visit_of(work))) return end_visit(work, VisitScreen::closed);

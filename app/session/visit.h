@@ -176,7 +176,7 @@ struct Leading {
 /// Of the house and its things: outlives a visit.
 struct House {
     double now_s = 0.0;
-    Opening opening = Opening::open;
+    HouseOpening opening = HouseOpening::open;
     bool has_camera = false;
     bool has_headphones = false;
     std::array<std::optional<std::string>, trouble_count> troubles;  // that last; as told, or empty

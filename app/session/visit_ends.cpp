@@ -20,7 +20,7 @@ Visitor new_visitor(const House& house, const VisitWorld& world) {
     visitor.active_s = house.now_s;
     visitor.key_s = house.now_s;
     visitor.entered_s = house.now_s;
-    if (house.opening != Opening::open) visitor.path = {Standing{VisitScreen::closed}};
+    if (house.opening != HouseOpening::open) visitor.path = {Standing{VisitScreen::closed}};
     return visitor;
 }
 

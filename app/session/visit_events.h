@@ -120,11 +120,11 @@ struct TroubleEnded {
 };
 
 /// What the house wants of the kiosk.
-enum class Opening : std::uint8_t { open, closed, maintenance };
+enum class HouseOpening : std::uint8_t { open, closed, maintenance };
 
 /// A visit that is under way ends, is wiped, and the visitor is told.
 struct OpeningChanged {
-    Opening opening = Opening::open;
+    HouseOpening opening = HouseOpening::open;
 };
 
 /// Somebody came.

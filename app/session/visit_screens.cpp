@@ -198,7 +198,7 @@ void put_goodbye(Sheet& sheet) {
 }
 
 void put_closed(Sheet& sheet) {
-    const bool is_maintained = sheet.visit.house.opening == Opening::maintenance;
+    const bool is_maintained = sheet.visit.house.opening == HouseOpening::maintenance;
     sheet.title(is_maintained ? "This place is being maintained." : "This place is closed.");
     if (sheet.world.rules.notice.empty()) {
         sheet.sentence("Please come back later.");

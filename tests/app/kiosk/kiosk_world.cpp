@@ -66,7 +66,7 @@ KioskWorld::KioskWorld() : folder_(own_folder_of_test()) {
     KioskParts parts;
     parts.languages = all_languages();
     parts.gallery =
-        read_gallery(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures", parts.languages).value();
+        read_gallery(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures", "", parts.languages).value();
     parts.servo = std::move(servo);
     parts.sound = std::make_unique<HeardSound>(heard_);
     parts.profile = default_profile();
@@ -76,7 +76,26 @@ KioskWorld::KioskWorld() : folder_(own_folder_of_test()) {
                                                companion("touchline-import"));
     parts.photos =
         std::make_unique<PhotoDesk>(std::make_unique<FolderCamera>(folder_ / "camera", read_bgr));
+    std::vector<std::string> problems;
+    parts.operator_desk = std::make_unique<OperatorDesk>(site_files(), parts.languages, problems);
+    EXPECT_TRUE(problems.empty()) << problems.front();
+    parts.settings = parts.operator_desk->settings();
+    parts.keys = parts.operator_desk->keys();
+    parts.minute_of_day = [this] { return minute_of_day; };
     kiosk_ = std::make_unique<Kiosk>(std::move(parts));
+}
+
+OperatorFiles KioskWorld::site_files() const {
+    const fs::path site = folder_ / "site";
+    fs::create_directories(site);
+    return {{site / "kiosk.toml", site / "kiosk.toml.good"},
+            site / "operator.pin",
+            site / "counters.toml",
+            site / "keys.toml",
+            site / "sound.toml",
+            TOUCHLINE_SOURCE_DIR "/config/defaults/profiles",
+            site / "copies",
+            site / "packs"};
 }
 
 KioskWorld::~KioskWorld() {

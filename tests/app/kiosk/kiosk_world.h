@@ -44,6 +44,11 @@ class KioskWorld {
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
+    /// What the operator sets, in a folder of this world.
+    [[nodiscard]] OperatorFiles site_files() const;
+
+    int minute_of_day = 12 * 60;
+
   private:
     double now_s_ = 0.0;
     std::filesystem::path folder_;

@@ -14,7 +14,7 @@ FilePtr file_named(const std::string& name) {
 TEST(Pictures, TheGalleryIsReadInEveryLanguage) {
     std::vector<Language> languages(1);
     languages.push_back(Language::load(TOUCHLINE_CATALOGUES, "de").value());
-    const auto gallery = read_gallery(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures", languages);
+    const auto gallery = read_gallery(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures", "", languages);
     ASSERT_TRUE(gallery.has_value()) << gallery.error().line;
     ASSERT_EQ(gallery->titles.size(), 2U);
     ASSERT_EQ(gallery->titles[0].size(), gallery->titles[1].size());
@@ -26,7 +26,7 @@ TEST(Pictures, TheGalleryIsReadInEveryLanguage) {
 }
 
 TEST(Pictures, ThatCannotBeReadAreOneLine) {
-    const auto gallery = read_gallery("/nowhere", std::vector<Language>(1));
+    const auto gallery = read_gallery("/nowhere", "", std::vector<Language>(1));
     ASSERT_FALSE(gallery.has_value());
     EXPECT_NE(gallery.error().line.find("/nowhere"), std::string::npos);
 }

@@ -226,14 +226,18 @@ TEST(WholeVisit, TI4_NothingOfAVisitorIsInAnyFileAfterwards) {
                              "XDG_DATA_HOME", "TMPDIR", "TOUCHLINE_RECORDINGS"})
         setenv(name, home.c_str(), 1);
     world.put_stick({pictures / "07-house.svg"});
-    const auto before = files_below(world.folder());
+    const auto before = files_below(world.folder() / "stick");
     BlindVisitor visitor(world);
     begin(visitor);
     ASSERT_TRUE(visitor.choose("Your USB stick")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("07 house")) << visitor.heard();
     ASSERT_TRUE(visitor.wait_for("Lead me round")) << visitor.heard();
     finish(world, visitor);
-    EXPECT_EQ(files_below(world.folder()), before) << "the stick is as it was";
+    EXPECT_EQ(files_below(world.folder() / "stick"), before) << "the stick is as it was";
+    for (const auto& [file, text] : files_below(world.folder() / "site")) {
+        EXPECT_EQ(file.filename(), "counters.toml") << "nothing else is written";
+        EXPECT_EQ(text.find("house"), std::string::npos);
+    }
     EXPECT_TRUE(files_below(home).empty());
     EXPECT_EQ(world.heard().forgotten, 1);
     EXPECT_TRUE(world.servo().picture().map->outlines.empty()) << "nor does the servo have it";

@@ -113,19 +113,19 @@ void OperatorRig::press(std::initializer_list<KeyRole> roles) {
         now_s += 0.5;
         const auto of_role = keys_of(keys, role);
         ASSERT_FALSE(of_role.empty());
-        take(KeyPressed{of_role.front(), role, is_device_allowed});
+        take(KeyStruck{of_role.front(), role, is_device_allowed});
     }
 }
 
 void OperatorRig::press_key(const PhysicalKey& key) {
     now_s += 0.5;
-    take(KeyPressed{key, role_of(keys, key), is_device_allowed});
+    take(KeyStruck{key, role_of(keys, key), is_device_allowed});
 }
 
 void OperatorRig::wait(double time_s) {
     for (double waited_s = 0.0; waited_s < time_s; waited_s += 1.0) {
         now_s += 1.0;
-        take(Tick{});
+        take(MomentPassed{});
     }
 }
 

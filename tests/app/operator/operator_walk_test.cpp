@@ -79,7 +79,7 @@ Operator at_home(const OperatorWorld& world) {
 
 OperatorStep pressed(const Operator& state, R role, const OperatorWorld& world) {
     const PhysicalKey key = keys_of(world.keys, role).front();
-    return step_operator(state, KeyPressed{key, role}, world);
+    return step_operator(state, KeyStruck{key, role}, world);
 }
 
 /// What one key leads to, and what the kiosk's answer to an order then leads to.
@@ -170,7 +170,7 @@ TEST(OperatorWalk, EveryScreenIsReachedAndLeftByFourPressesAtMost) {
         state.wizard = start_key_wizard(100.0);
         state.lock_until_s = 160.0;
         later.now_s = 161.0;
-        EXPECT_NE(step_operator(state, Tick{}, later).state.place, place);
+        EXPECT_NE(step_operator(state, MomentPassed{}, later).state.place, place);
     }
 }
 
@@ -317,16 +317,16 @@ OperatorEvent any_event(std::mt19937& random, const KeyTable& keys) {
         return std::uniform_int_distribution<int>(0, count - 1)(random);
     };
     const int kind = choose(40);
-    if (kind == 0) return Tick{};
+    if (kind == 0) return MomentPassed{};
     if (kind == 1) return PinChecked{choose(2) == 0};
     if (kind == 2) return TestAnswered{static_cast<TestStep>(choose(8)), choose(2) == 0, "Well."};
     if (kind == 3) return OrderAnswered{"Something came of it."};
     if (kind == 4)
-        return KeyPressed{{KeySource::scancode, static_cast<std::uint32_t>(1 + choose(9))}, {}};
+        return KeyStruck{{KeySource::scancode, static_cast<std::uint32_t>(1 + choose(9))}, {}};
     constexpr std::array often{R::up,   R::down,   R::down,   R::down, R::next,
                                R::back, R::select, R::select, R::help, R::louder};
     const R role = often[static_cast<std::size_t>(choose(10))];
-    return KeyPressed{keys_of(keys, role).front(), role};
+    return KeyStruck{keys_of(keys, role).front(), role};
 }
 
 void expect_sound(const OperatorRig& rig, double ceiling_before_N, bool was_asked) {
@@ -382,7 +382,7 @@ TEST(OperatorRun, TenThousandRudeEvents) {
         rig.take(event);
         expect_sound(rig, ceiling_N, was_asked);
         if (testing::Test::HasFatalFailure()) return;
-        const auto* key = std::get_if<KeyPressed>(&event);
+        const auto* key = std::get_if<KeyStruck>(&event);
         const bool is_role = key != nullptr && key->role && *key->role < R::louder;
         const bool waits = place == P::cleaning_lock || rig.state.is_checking;
         if (is_role && !waits) {

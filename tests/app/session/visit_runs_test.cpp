@@ -209,7 +209,7 @@ VisitEvent rude_event(std::mt19937& random, FakeHouse& house) {
         case 2:
             return HeadphonesChanged{upto(2) == 0};
         case 3:
-            return StickListing{};
+            return StickArriving{};
         case 4:
             return StickCame{std::vector<std::string>(upto(25), "file"),
                              upto(2) == 0 ? "" : "More."};
@@ -234,8 +234,8 @@ VisitEvent rude_event(std::mt19937& random, FakeHouse& house) {
         case 14:
             return StaffCalledOff{};
         case 15:
-            if (upto(20) == 0) return OpeningChanged{static_cast<Opening>(upto(3))};
-            return OpeningChanged{Opening::open};
+            if (upto(20) == 0) return OpeningChanged{static_cast<HouseOpening>(upto(3))};
+            return OpeningChanged{HouseOpening::open};
         case 16: {
             HandleSeen handle;
             handle.place_W = {0.0001 * upto(500), -0.0001 * upto(400)};
@@ -293,7 +293,7 @@ TEST(VisitRun, Rude) {
             }
         }
         // Never stuck: choose is there by a few presses.
-        house.happen(OpeningChanged{Opening::open});
+        house.happen(OpeningChanged{HouseOpening::open});
         for (int i = 0; i < 8 && house.open() != VisitScreen::choose; ++i) {
             const bool is_forward =
                 house.open() == VisitScreen::attract || house.open() == VisitScreen::goodbye ||

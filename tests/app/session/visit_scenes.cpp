@@ -24,7 +24,7 @@ std::string name_of(const Visit& visit) {
                             visitor.over->screen == VisitScreen::help ? visitor.helps : 0);
     }
     if (visitor.felt) {
-        const FeltPicture& felt = *visitor.felt;
+        const KnownPicture& felt = *visitor.felt;
         name += fmt::format(" {}z{}p{}v{}", static_cast<int>(felt.order.source),
                             felt.order.zoom.factor, felt.facts.place.page, felt.facts.place.view);
     }
@@ -105,7 +105,7 @@ class Search {
         if (!visit.house.troubles[0]) events.emplace_back(TroubleBegan{TroubleKind::device, ""});
         events.emplace_back(TroubleEnded{TroubleKind::device});
         if (visitor.path.back().screen == VisitScreen::choose)
-            events.emplace_back(OpeningChanged{Opening::closed});
+            events.emplace_back(OpeningChanged{HouseOpening::closed});
         return events;
     }
 

@@ -101,7 +101,7 @@ TEST(Visit, SP5_PauseNeitherStopsNorSpeaks) {
     FakeHouse house;
     house.press({KeyRole::select, KeyRole::select});
     house.happen(SpeechKeyPressed{SpeechKey::pause});
-    EXPECT_EQ(house.last<PauseSpeech>().size(), 1U);
+    EXPECT_EQ(house.last<HoldSpeech>().size(), 1U);
     EXPECT_TRUE(house.last<Hush>().empty());
     EXPECT_TRUE(house.last<Utterance>().empty());
     EXPECT_FALSE(house.last<GiveCue>().empty());

@@ -124,7 +124,7 @@ TEST(Visit, TI2_WhatIsBeingOpenedIsDroppedToo) {
     ASSERT_TRUE(house.choose("Pictures of the house"));
     house.press(KeyRole::select);
     const auto request = house.last<LoadPicture>()[0].request;
-    house.happen(OpeningChanged{Opening::closed});
+    house.happen(OpeningChanged{HouseOpening::closed});
     ASSERT_EQ(house.last<CancelLoad>().size(), 1U);
     EXPECT_EQ(house.last<CancelLoad>()[0].request, request);
     house.happen(PictureReady{request, fake_facts({})});
@@ -325,7 +325,7 @@ TEST(Visit, ER3_LongWorkIsHeardThenSaidAndCanBeCancelled) {
 TEST(Visit, ER3_AStickThatIsBeingReadIsHeardToo) {
     FakeHouse house;
     to_choose(house);
-    house.happen(StickListing{});
+    house.happen(StickArriving{});
     ASSERT_TRUE(house.choose("Your USB stick"));
     const std::size_t before = house.transcript.size();
     house.wait(2.5);
@@ -369,14 +369,14 @@ TEST(Visit, StaffAreCalledAndCalledOff) {
 TEST(Visit, AClosedHouseSaysSoAndOpensAgain) {
     FakeHouse house;
     to_picture(house);
-    house.happen(OpeningChanged{Opening::maintenance});
+    house.happen(OpeningChanged{HouseOpening::maintenance});
     EXPECT_EQ(house.last<Wipe>().size(), 1U);
     EXPECT_EQ(house.open(), VisitScreen::closed);
     house.rules.notice = "We are back at two.";
     house.press(KeyRole::select);
     EXPECT_NE(house.last_said().find("We are back at two."), std::string::npos);
     EXPECT_EQ(house.open(), VisitScreen::closed);
-    house.happen(OpeningChanged{Opening::open});
+    house.happen(OpeningChanged{HouseOpening::open});
     house.press(KeyRole::select);
     EXPECT_EQ(house.open(), VisitScreen::language);
 }

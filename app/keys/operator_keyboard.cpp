@@ -1,0 +1,106 @@
+#include "app/keys/operator_keyboard.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <linux/input.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+constexpr int calls_between_looks = 60;
+constexpr std::uint32_t scancode_of_code = 8;  // the window system counts from there
+
+struct NamedCode {
+    std::uint16_t code;
+    Key key;
+};
+
+constexpr std::array named_codes{NamedCode{KEY_UP, Key::up},
+                                 NamedCode{KEY_DOWN, Key::down},
+                                 NamedCode{KEY_LEFT, Key::left},
+                                 NamedCode{KEY_RIGHT, Key::right},
+                                 NamedCode{KEY_ENTER, Key::enter},
+                                 NamedCode{KEY_KPENTER, Key::enter},
+                                 NamedCode{KEY_ESC, Key::escape},
+                                 NamedCode{KEY_PAGEUP, Key::page_up},
+                                 NamedCode{KEY_PAGEDOWN, Key::page_down},
+                                 NamedCode{KEY_SPACE, Key{' '}},
+                                 NamedCode{KEY_H, Key{'H'}},
+                                 NamedCode{KEY_MINUS, Key{'-'}},
+                                 NamedCode{KEY_EQUAL, Key{'='}}};
+
+Key function_key(int number) {
+    return Key{static_cast<std::uint32_t>(Key::f1) + static_cast<std::uint32_t>(number - 1)};
+}
+
+PhysicalKey named(Key key) {
+    return {KeySource::key, static_cast<std::uint32_t>(key)};
+}
+
+}  // namespace
+
+PhysicalKey key_of_code(std::uint16_t code) {
+    for (const NamedCode& row : named_codes)
+        if (row.code == code) return named(row.key);
+    if (code >= KEY_F1 && code <= KEY_F10) return named(function_key(code - KEY_F1 + 1));
+    if (code == KEY_F11 || code == KEY_F12) return named(function_key(code - KEY_F11 + 11));
+    if (code >= KEY_F13 && code <= KEY_F24) return named(function_key(code - KEY_F13 + 13));
+    return {KeySource::scancode, code + scancode_of_code};
+}
+
+OperatorKeyboard::OperatorKeyboard(std::string path) : path_(std::move(path)) {
+    open_again();
+}
+
+OperatorKeyboard::~OperatorKeyboard() {
+    if (descriptor_ >= 0) close(descriptor_);
+}
+
+OperatorKeyboard::OperatorKeyboard(OperatorKeyboard&& other) noexcept
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      error_(other.error_),
+      waited_(other.waited_) {}
+
+OperatorKeyboard& OperatorKeyboard::operator=(OperatorKeyboard&& other) noexcept {
+    std::swap(path_, other.path_);
+    std::swap(descriptor_, other.descriptor_);
+    std::swap(error_, other.error_);
+    std::swap(waited_, other.waited_);
+    return *this;
+}
+
+void OperatorKeyboard::open_again() {
+    waited_ = 0;
+    if (path_.empty() || descriptor_ >= 0) return;
+    descriptor_ = open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    error_ = descriptor_ < 0 ? errno : 0;
+}
+
+std::vector<PhysicalKey> OperatorKeyboard::take_presses() {
+    std::vector<PhysicalKey> presses;
+    if (descriptor_ < 0 && ++waited_ >= calls_between_looks) open_again();
+    if (descriptor_ < 0) return presses;
+    input_event event{};
+    ssize_t got = 0;
+    while ((got = read(descriptor_, &event, sizeof event)) == ssize_t{sizeof event})
+        if (event.type == EV_KEY && event.value == 1) presses.push_back(key_of_code(event.code));
+    if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) {  // pulled out
+        close(descriptor_);
+        descriptor_ = -1;
+    }
+    return presses;
+}
+
+std::string OperatorKeyboard::problem() const {
+    if (path_.empty() || descriptor_ >= 0) return {};
+    return "the operator's keyboard " + path_ + " cannot be read (" + std::strerror(error_) +
+           "); nobody can enter until it is plugged in, or another one is set";
+}
+
+}  // namespace touchline

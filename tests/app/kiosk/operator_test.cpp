@@ -1,0 +1,154 @@
+// The operator in the whole kiosk: by six keys and what is said, from a fresh install.
+#include "config/settings/settings_text.h"
+#include "tests/app/kiosk/blind_visitor.h"
+#include "tests/app/kiosk/kiosk_world.h"
+
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+void enter(BlindVisitor& staff) {
+    for (const KeyRole role :
+         {KeyRole::help, KeyRole::up, KeyRole::up, KeyRole::down, KeyRole::down, KeyRole::select})
+        staff.press(role);
+}
+
+/// Digits 1, 2, 3, 4.
+void enter_pin(BlindVisitor& staff) {
+    for (int digit = 1; digit <= 4; ++digit) {
+        for (int i = 0; i < digit; ++i) staff.press(KeyRole::up);
+        staff.press(KeyRole::next);
+    }
+    staff.press(KeyRole::select);
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(OperatorRun, FromAFreshInstallToPinStiffnessLevelsAndACopy) {
+    KioskWorld world;
+    BlindVisitor staff(world, 0.2);
+    enter(staff);
+    ASSERT_TRUE(world.kiosk().is_operator_in()) << staff.heard();
+    enter_pin(staff);  // a new one, twice
+    enter_pin(staff);
+    EXPECT_TRUE(fs::exists(world.site_files().pin));
+    EXPECT_EQ(text_of(world.site_files().pin).find("1234"), std::string::npos);
+
+    ASSERT_TRUE(staff.choose("Touch")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Feel")) << staff.heard();
+    ASSERT_TRUE(staff.choose("stiffness")) << staff.heard();
+    staff.press(KeyRole::next);
+    staff.press(KeyRole::select);
+    const auto kept = apply_settings(Settings{}, text_of(world.site_files().settings.site), "site",
+                                     SettingLayer::site);
+    ASSERT_TRUE(kept.has_value()) << kept.error().line;
+    EXPECT_GT(kept->stiffness_N_per_m, Settings{}.stiffness_N_per_m);
+
+    staff.press(KeyRole::back);
+    staff.press(KeyRole::back);
+    ASSERT_TRUE(staff.choose("Upkeep")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Backup")) << staff.heard();
+    ASSERT_TRUE(staff.find("")) << staff.heard();
+    EXPECT_LE(staff.slowest_answer_s(), 0.3);
+}
+
+TEST(OperatorRun, TheSelfTestUsesHandleSoundAndDisk) {
+    KioskWorld world;
+    const std::uint32_t patterns = world.servo().commands().pattern.serial;
+    BlindVisitor staff(world, 0.2);
+    enter(staff);
+    enter_pin(staff);
+    enter_pin(staff);
+    ASSERT_TRUE(staff.choose("Device")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Self-test")) << staff.heard();
+    ASSERT_TRUE(staff.choose("All")) << staff.heard();
+    for (int i = 0; i < 30; ++i) {
+        staff.press(KeyRole::select);
+        world.run(1.0);
+    }
+    EXPECT_GT(world.servo().commands().pattern.serial, patterns) << "the motors were felt";
+    EXPECT_TRUE(world.heard().was_said("left"));
+    EXPECT_TRUE(world.heard().was_said("right"));
+    EXPECT_LE(world.servo().most_force_N, 1.2);
+}
+
+TEST(House, ClosesAndOpensByTheClock) {
+    KioskWorld world;
+    Settings settings;
+    settings.opening_hours = "09:00-17:00";
+    world.kiosk().set(settings);
+    world.run(2.0);
+    EXPECT_EQ(open_screen(world.kiosk().visit()), VisitScreen::attract);
+    world.minute_of_day = 17 * 60;
+    world.run(2.0);
+    EXPECT_EQ(open_screen(world.kiosk().visit()), VisitScreen::closed);
+    world.minute_of_day = 9 * 60;
+    world.run(2.0);
+    EXPECT_EQ(open_screen(world.kiosk().visit()), VisitScreen::attract);
+}
+
+TEST(House, IsSofterInQuietHours) {
+    KioskWorld world;
+    Settings settings;
+    settings.quiet_hours = "20:00-08:00";
+    settings.quiet_lower_dB = 9.0;
+    world.kiosk().set(settings);
+    world.run(2.0);
+    EXPECT_EQ(world.heard().lower_dB, 0.0);
+    world.minute_of_day = 23 * 60;
+    world.run(2.0);
+    EXPECT_EQ(world.heard().lower_dB, 9.0);
+}
+
+TEST(House, IsMaintainedUntilItIsNot) {
+    KioskWorld world;
+    Settings settings;
+    settings.is_maintained = true;
+    world.kiosk().set(settings);
+    world.run(2.0);
+    EXPECT_EQ(open_screen(world.kiosk().visit()), VisitScreen::closed);
+    world.press(KeyRole::select);
+    EXPECT_FALSE(is_visit_on(world.kiosk().visit()));
+}
+
+/// Kept by a site's file that somebody edited while the kiosk runs.
+TEST(House, AFileOfSettingsThatChangesHoldsAtOnceAndABadOneDoesNot) {
+    KioskWorld world;
+    const fs::path site = world.site_files().settings.site;
+    std::ofstream(site) << "[feel]\nforce_ceiling_N = 2\n";
+    world.run(2.0);
+    EXPECT_EQ(world.servo().commands().force_ceiling_N, 2.0);
+    std::ofstream(site) << "[feel]\nforce_ceiling_N = 200000\n";
+    world.run(2.0);
+    EXPECT_EQ(world.servo().commands().force_ceiling_N, 2.0);
+    const std::string report = world.kiosk().take_report();
+    EXPECT_NE(report.find("force_ceiling_N"), std::string::npos) << report;
+}
+
+TEST(House, CountsVisitsAndPicturesButNobody) {
+    KioskWorld world;
+    BlindVisitor visitor(world);
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English"));
+    ASSERT_TRUE(visitor.choose("Pictures of the house"));
+    ASSERT_TRUE(visitor.choose("A heart"));
+    world.run(400.0);
+    EXPECT_FALSE(is_visit_on(world.kiosk().visit()));
+    const auto counters = read_counters(world.site_files().counters);
+    ASSERT_TRUE(counters.has_value());
+    EXPECT_EQ(counters->sessions, 1U);
+    EXPECT_EQ(counters->gallery_pictures, 1U);
+    EXPECT_EQ(counters->stick_pictures, 0U);
+}
+
+}  // namespace
+}  // namespace touchline
