@@ -31,13 +31,18 @@ std::size_t place_of(const std::string& code, const std::vector<Language>& langu
 struct Kiosk::Carrying {
     Kiosk& kiosk;
 
-    void operator()(const Utterance& utterance) const { kiosk.sound_->say(utterance); }
+    /// While the operator is in, the visit is silent.
+    void operator()(const Utterance& utterance) const {
+        if (kiosk.is_operator_in() && utterance.priority != SpeechPriority::safety) return;
+        kiosk.sound_->say(utterance);
+    }
 
     void operator()(const Hush&) const { kiosk.sound_->hush(); }
 
     void operator()(const HoldSpeech&) const { kiosk.sound_->toggle_pause(); }
 
     void operator()(const GiveCue& cue) const {
+        if (kiosk.is_operator_in()) return;
         kiosk.sound_->give(cue.event);
         kiosk.sign_ = cue.event;
         kiosk.signed_s_ = kiosk.now_s_;

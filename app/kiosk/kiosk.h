@@ -180,7 +180,6 @@ class Kiosk {
     std::string homing_words_;
     bool is_homing_ = false;
     bool is_handle_locked_ = false;
-    bool is_test_of_camera_ = false;
     HouseOpening opening_ = HouseOpening::open;
     double hours_looked_s_ = -1e9;
     double visit_began_s_ = 0.0;

@@ -45,7 +45,7 @@ struct Kiosk::OperatorCarrying {
 
     void operator()(const RunTest& run) const { kiosk.run_test(run.step); }
 
-    void operator()(const StopTest&) const { kiosk.is_test_of_camera_ = false; }
+    void operator()(const StopTest&) const {}  // every step is done at once
 
     void operator()(const ShowLive& show) const { kiosk.desk_.shows_live_view = show.is_on; }
 
@@ -117,7 +117,6 @@ void Kiosk::follow_operator() {
     const std::string words = is_homing_ ? servo_->device_words() : std::string();
     if (words != std::exchange(homing_words_, words) && !words.empty())
         tell_operator(OrderAnswered{words});
-    if (is_test_of_camera_ && has_camera_) answer_test(TestStep::camera, true);
     tell_operator(MomentPassed{});
     if (const std::string note = operator_->take_note(); !note.empty()) report(note);
     if (operator_->read_again()) set(operator_->settings());
@@ -141,7 +140,6 @@ void Kiosk::follow_hours() {
 }
 
 void Kiosk::answer_test(TestStep step, bool has_passed, const std::string& line) {
-    is_test_of_camera_ = false;
     tell_operator(TestAnswered{step, has_passed, line});
 }
 
@@ -153,14 +151,14 @@ void Kiosk::run_test(TestStep step) {
         case TestStep::motors:  // a person tells whether it was felt
             pattern_.pattern = HandlePattern::chosen;
             ++pattern_.serial;
-            return set_servo();
+            set_servo();
+            return answer_test(step, true);
         case TestStep::camera:
-            is_test_of_camera_ = photos_ != nullptr;
-            if (!is_test_of_camera_) answer_test(step, false);
-            return;
+            return answer_test(step, has_camera_);
         case TestStep::sound_left:
         case TestStep::sound_right:
-            return sound_->play_side(step == TestStep::sound_left);
+            sound_->play_side(step == TestStep::sound_left);
+            return answer_test(step, true);
         case TestStep::stick_port:
             return answer_test(step, shelf_ && shelf_->is_watching());
         case TestStep::disk:

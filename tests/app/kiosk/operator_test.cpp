@@ -43,9 +43,9 @@ TEST(OperatorRun, FromAFreshInstallToPinStiffnessLevelsAndACopy) {
     EXPECT_TRUE(fs::exists(world.site_files().pin));
     EXPECT_EQ(text_of(world.site_files().pin).find("1234"), std::string::npos);
 
-    ASSERT_TRUE(staff.choose("Touch")) << staff.heard();
-    ASSERT_TRUE(staff.choose("Feel")) << staff.heard();
-    ASSERT_TRUE(staff.choose("stiffness")) << staff.heard();
+    ASSERT_TRUE(staff.choose("How it feels")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Lines and force")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Stiffness")) << staff.heard();
     staff.press(KeyRole::next);
     staff.press(KeyRole::select);
     const auto kept = apply_settings(Settings{}, text_of(world.site_files().settings.site), "site",
@@ -56,8 +56,13 @@ TEST(OperatorRun, FromAFreshInstallToPinStiffnessLevelsAndACopy) {
     staff.press(KeyRole::back);
     staff.press(KeyRole::back);
     ASSERT_TRUE(staff.choose("Upkeep")) << staff.heard();
-    ASSERT_TRUE(staff.choose("Backup")) << staff.heard();
-    ASSERT_TRUE(staff.find("")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Backup of the settings")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Copy the settings")) << staff.heard();
+    EXPECT_TRUE(fs::exists(world.site_files().copies / "touchline-backup.txt")) << staff.heard();
+    staff.press(KeyRole::back);
+    staff.press(KeyRole::back);
+    ASSERT_TRUE(staff.choose("Leave")) << staff.heard();
+    EXPECT_FALSE(world.kiosk().is_operator_in());
     EXPECT_LE(staff.slowest_answer_s(), 0.3);
 }
 
@@ -68,9 +73,9 @@ TEST(OperatorRun, TheSelfTestUsesHandleSoundAndDisk) {
     enter(staff);
     enter_pin(staff);
     enter_pin(staff);
-    ASSERT_TRUE(staff.choose("Device")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Handle and tests")) << staff.heard();
     ASSERT_TRUE(staff.choose("Self-test")) << staff.heard();
-    ASSERT_TRUE(staff.choose("All")) << staff.heard();
+    ASSERT_TRUE(staff.choose("All steps")) << staff.heard();
     for (int i = 0; i < 30; ++i) {
         staff.press(KeyRole::select);
         world.run(1.0);

@@ -389,13 +389,13 @@ TEST_F(OperatorTest, UpkeepAsksBeforeItLosesAnything) {
 TEST_F(OperatorTest, ABadBackupChangesNothingAndSaysWhy) {
     ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Friction"}));
     rig.press({R::next, R::select, R::back, R::back});
-    ASSERT_TRUE(rig.open({"Upkeep", "Backup of the settings", "Take the settings from a stick"}));
+    ASSERT_TRUE(rig.open({"Upkeep", "Backup of the settings", "Take the settings from the copy"}));
     ASSERT_TRUE(rig.open({"Yes"}));
     EXPECT_NE(rig.heard().find(std::string(backup_name)), std::string::npos);
     EXPECT_DOUBLE_EQ(rig.world().settings.friction, 0.1);
-    ASSERT_TRUE(rig.open({"Copy the settings to a stick", "Settings as at first", "Yes"}));
+    ASSERT_TRUE(rig.open({"Copy the settings", "Settings as at first", "Yes"}));
     EXPECT_EQ(rig.world().settings, Settings{});
-    ASSERT_TRUE(rig.open({"Take the settings from a stick", "Yes"}));
+    ASSERT_TRUE(rig.open({"Take the settings from the copy", "Yes"}));
     EXPECT_DOUBLE_EQ(rig.world().settings.friction, 0.1);
 }
 

@@ -297,7 +297,7 @@ TEST(OperatorRun, FromAFreshInstallBySixKeysInEveryLanguage) {
         kiosk.press({R::back, R::back});
         kiosk.go({"Handle and tests", "Find the handle's home", "Begin"});
         kiosk.press({R::back, R::back});
-        kiosk.go({"Upkeep", "Backup of the settings", "Copy the settings to a stick"});
+        kiosk.go({"Upkeep", "Backup of the settings", "Copy the settings"});
         kiosk.press({R::back, R::back, R::back});
         EXPECT_EQ(kiosk.state.place, P::closed) << language.code();
         const Settings settings = kiosk.world().settings;
