@@ -13,9 +13,10 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 0.05;    // of the visit
-constexpr double sign_s = 1.0;     // that the sign of a sound stays
-constexpr double moved_m = 0.002;  // less is no sign of a person
+constexpr double tick_s = 0.05;     // of the visit
+constexpr double patience_s = 5.0;  // until sticks are missed
+constexpr double sign_s = 1.0;      // that the sign of a sound stays
+constexpr double moved_m = 0.002;   // less is no sign of a person
 constexpr double tour_m_per_s = 0.035;
 
 /// Of a code; the first where it has none of these.
@@ -214,6 +215,7 @@ void Kiosk::wipe() {
 
 void Kiosk::step(std::int64_t now_ns) {
     const double now_s = 1e-9 * static_cast<double>(now_ns);
+    if (now_s_ == 0.0) watched_s_ = now_s;
     now_s_ = now_s;
     follow_headphones();
     follow_stick(now_ns);
@@ -265,6 +267,11 @@ void Kiosk::offer(std::vector<FilePtr> files, const std::string& sentence) {
 void Kiosk::follow_stick(std::int64_t now_ns) {
     if (!shelf_) return;
     auto change = shelf_->poll(now_ns);
+    if (shelf_->is_watching()) watched_s_ = now_s_;
+    if (!misses_sticks_ && now_s_ - watched_s_ > patience_s) {
+        misses_sticks_ = true;
+        report("USB sticks are not offered: udisks2 does not answer");
+    }
     const bool was_listing = std::exchange(is_listing_, shelf_->is_listing());
     if (change && !change->files.empty()) {
         offer(std::move(change->files), change->sentence);

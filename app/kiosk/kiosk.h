@@ -210,6 +210,8 @@ class Kiosk {
     std::optional<bool> are_headphones_in_;
     bool has_camera_ = false;
     bool is_listing_ = false;
+    double watched_s_ = 0.0;  // when sticks were last looked for
+    bool misses_sticks_ = false;
     bool is_previewing_ = false;
     std::optional<ScreenEvent> sign_;
     double signed_s_ = 0.0;

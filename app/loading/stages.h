@@ -5,9 +5,9 @@
 
 #include "app/decode/page.h"
 #include "app/decode/page_order.h"
+#include "app/loading/loaded_facts.h"
 #include "app/screen/shown_scene.h"
 #include "app/servo/servo_client.h"
-#include "app/loading/loaded_facts.h"
 #include "config/types/result.h"
 #include "vision/simplify/trace.h"
 

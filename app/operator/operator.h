@@ -137,7 +137,8 @@ struct OrderAnswered {
     std::string line;
 };
 
-using OperatorEvent = std::variant<KeyStruck, MomentPassed, PinChecked, TestAnswered, OrderAnswered>;
+using OperatorEvent =
+    std::variant<KeyStruck, MomentPassed, PinChecked, TestAnswered, OrderAnswered>;
 
 struct Say {
     std::string text;

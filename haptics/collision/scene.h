@@ -18,7 +18,7 @@ struct Scene {
     CollisionTree tree;
     Area area;
     std::uint64_t map_version = 0;
-    int percept_level = 0;  // of the curves (level_error.h): none finer is told from it
+    int percept_level = 0;       // of the curves (level_error.h): none finer is told from it
     std::vector<Leg> legs = {};  // of all outlines, in the map's order
 };
 

@@ -20,7 +20,7 @@ KeyChange up(const PhysicalKey& key, double time_s) {
     return {key, false, false, time_s};
 }
 
-TEST(KeyFilter, AHeldKeyCountsOnce) {
+TEST(KeyFilter, IN4_AHeldKeyCountsOnce) {
     KeyFilter filter(0.0);
     EXPECT_TRUE(filter.takes(down(a, 0.0)));
     for (int i = 1; i < 100; ++i) {
@@ -31,7 +31,7 @@ TEST(KeyFilter, AHeldKeyCountsOnce) {
     EXPECT_TRUE(filter.takes(down(a, 4.1)));
 }
 
-TEST(KeyFilter, ASecondStrikeIsLeftOutAsLongAsItIsSet) {
+TEST(KeyFilter, IN4_ASecondStrikeIsLeftOutAsLongAsItIsSet) {
     for (const double double_strike_s : {0.1, 0.3, 0.5, 7.0}) {
         const double border_s = std::min(double_strike_s, 0.5);
         KeyFilter filter(double_strike_s);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double normal_cap_px = 27.0;
 
-TEST(Captions, EverySoundHasASignInEveryLanguageAtEverySize) {
+TEST(Captions, VI5_EverySoundHasASignInEveryLanguageAtEverySize) {
     const Canvas probe(1, 1);
     for (const Language& language : all_languages()) {
         for (std::size_t cue = 0; cue < cue_count; ++cue) {
@@ -41,7 +41,7 @@ std::string without_spaces(std::string text) {
     return text;
 }
 
-TEST(Captions, EverythingSpokenStandsOnSomePage) {
+TEST(Captions, VI5_EverythingSpokenStandsOnSomePage) {
     const Canvas probe(1, 1);
     for (const Language& language : all_languages()) {
         for (const NamedScreen& each : sample_screens(language)) {

@@ -85,7 +85,7 @@ FrameLog log_of(const ContentAt& content_at) {
     return log;
 }
 
-TEST(Flashing, AVisitThatChangesWithEveryFrameDoesNot) {
+TEST(Flashing, VI4_AVisitThatChangesWithEveryFrameDoesNot) {
     const std::vector<NamedScreen> screens = sample_screens(Language());
     const FrameLog log = log_of([&](int frame) {
         ScreenContent content;
@@ -160,7 +160,7 @@ TEST(Flashing, ASoundOfOneFrameKeepsItsSignForASecond) {
     EXPECT_EQ(layers.shown().sound_sign, "");
 }
 
-TEST(Flashing, ThePreviewIsOffWhenItIsTurnedOff) {
+TEST(Flashing, VI4_ThePreviewIsOffWhenItIsTurnedOff) {
     ScreenLayers layers(14.0);
     ScreenContent content;
     content.screen = sample_screens(Language())[3].screen;

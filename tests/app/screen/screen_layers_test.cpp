@@ -50,7 +50,7 @@ std::pair<int, int> rows_with(const Canvas& canvas, const Rect& rect, Colour col
     return {first, last + 1};
 }
 
-TEST(ScreenPixels, ACapitalIsAsHighAsTheAngleAsks) {
+TEST(ScreenPixels, VI1_ACapitalIsAsHighAsTheAngleAsks) {
     for (const TextSize size :
          {TextSize::normal, TextSize::large, TextSize::larger, TextSize::largest}) {
         ScreenContent content = list_content({}, size);
@@ -83,7 +83,7 @@ std::vector<Colour> main_colours(const Canvas& canvas) {
     return colours;
 }
 
-TEST(ScreenPixels, LettersHaveTheContrastOfTheirPalette) {
+TEST(ScreenPixels, VI2_LettersHaveTheContrastOfTheirPalette) {
     for (const PaletteName name : palette_list) {
         ScreenContent content = list_content(name);
         content.screen.focus.reset();  // nothing but letters
@@ -110,7 +110,7 @@ std::vector<int> runs_standing_out(const Canvas& canvas, int y, int from_x, int 
     return runs;
 }
 
-TEST(ScreenPixels, TheFocusIsAThickFrameAndAPointerThatStandOut) {
+TEST(ScreenPixels, VI3_TheFocusIsAThickFrameAndAPointerThatStandOut) {
     const Canvas probe(1, 1);
     for (const PaletteName name : palette_list) {
         const ScreenContent content = list_content(name);
@@ -133,7 +133,7 @@ TEST(ScreenPixels, TheFocusIsAThickFrameAndAPointerThatStandOut) {
     }
 }
 
-TEST(ScreenPixels, TheFocusShowsWithoutColour) {
+TEST(ScreenPixels, VI3_TheFocusShowsWithoutColour) {
     ScreenContent content = list_content();
     const Canvas one = drawn(content);
     content.screen.focus = 2;

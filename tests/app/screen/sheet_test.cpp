@@ -125,14 +125,14 @@ void for_each_layout(const Check& check) {
     }
 }
 
-TEST(Sheet, NothingIsCutOffInAnyLanguageAtAnySizeOnAnyScreen) {
+TEST(Sheet, VI6_NothingIsCutOffInAnyLanguageAtAnySizeOnAnyScreen) {
     for_each_layout([](cairo_t* cr, const SheetLayout& layout, const Case& each) {
         expect_all_pages_inside(cr, layout, each);
         expect_parts_apart(layout, each.name);
     });
 }
 
-TEST(Sheet, EveryWordStandsOnSomePage) {
+TEST(Sheet, VI6_EveryWordStandsOnSomePage) {
     for_each_layout([](cairo_t*, const SheetLayout& layout, const Case& each) {
         EXPECT_EQ(words_of(layout.text.pages), without_spaces(each.screen.title + each.screen.text))
             << each.name;

@@ -72,6 +72,7 @@ class UsbServo : public testing::Test {
         servo_->feel(line_at(0.045, ++version_));
         ServoCommands commands;
         commands.mode = Mode::groove;
+        commands.has_frame = false;  // home lies beyond the drawing area
         servo_->set(commands);
         ASSERT_TRUE(frames_until([&] { return servo_->force_status().state == ForceState::live; }));
         servo_->feel(line_at(servo_->latest().p_WH.y + 0.001, ++version_));

@@ -158,7 +158,7 @@ TEST(Guidance, EndsWithin50msOfAnyNewCommand) {
     }
 }
 
-TEST(Guidance, ForceComesOnIn300ms) {
+TEST(Guidance, HA2_ForceComesOnIn300ms) {
     Rig rig(ring_and_line());
     rig.is_held = true;
     rig.ask({GuidanceKind::to_place, false, 0, -1, {0.05, 0.0}, 0.1});

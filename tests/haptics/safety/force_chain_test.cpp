@@ -46,7 +46,7 @@ TEST(ForceChain, RampsUpInHalfASecond) {
     EXPECT_EQ(chain.state(), ForceState::live);
 }
 
-TEST(ForceChain, FadesOutWithin50MillisecondsAndResumes) {
+TEST(ForceChain, HA2_FadesOutWithin50MillisecondsAndResumes) {
     ForceChain chain = live_chain();
     (void)settled(chain, {1.5, 0.0});
     ChainInput fading = wanting({1.5, 0.0});

@@ -106,7 +106,7 @@ TEST(GuidanceLoop, ATourLeadsAHandThroughWallsAndLeavesThemAsTheyWere) {
     EXPECT_GT(loop.most_N, 0.8);
 }
 
-TEST(GuidanceLoop, AStopIsFeltWithin50ms) {
+TEST(GuidanceLoop, HA1_AStopIsFeltWithin50ms) {
     Loop loop({0.0, 0.032});
     loop.ask(GuidanceKind::to_place, {0.05, 0.032});
     loop.run(400);
@@ -159,7 +159,7 @@ TEST(GuidanceLoop, ATourThatIsAskedInAGrooveBringsForceOn) {
     EXPECT_NE(loop.step->report().hand.guidance.phase, GuidancePhase::stopped);
 }
 
-TEST(GuidanceLoop, EveryPatternIsFeltAndMovesTheHandleNowhere) {
+TEST(GuidanceLoop, HA3_EveryPatternIsFeltAndMovesTheHandleNowhere) {
     for (const PatternRow& row : pattern_rows()) {
         Loop loop({0.0, 0.032});
         const Position at = loop.device->tip().position;
@@ -199,7 +199,7 @@ TEST(GuidanceLoop, TheFrameIsFeltAtTheEdgeAndCanBeLeftOut) {
     }
 }
 
-TEST(GuidanceLoop, TheOperatorsCeilingHoldsAndRisesSlowly) {
+TEST(GuidanceLoop, IN8_TheOperatorsCeilingHoldsAndRisesSlowly) {
     Bench bench;
     const auto scene = line_scene(0.0);
     bench.input.scene = scene.get();
