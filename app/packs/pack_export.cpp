@@ -47,7 +47,7 @@ class ZipWriter {
     static std::string number(Number value) {
         std::string made;
         for (std::size_t i = 0; i < sizeof value; ++i)
-            made += static_cast<char>(value >> (8U * i) & 0xffU);
+            made += static_cast<char>((std::uint64_t{value} >> (8U * i)) & 0xffU);
         return made;
     }
 

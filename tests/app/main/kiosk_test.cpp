@@ -62,7 +62,7 @@ class Kiosk : public testing::Test {
                                          "export TOUCHLINE_RECORDINGS=kept\n"
                                          R"(
 kiosk() { "$program" "$@" >out.txt 2>err.txt & pid=$!; }
-keys() { timeout 100 xdotool search --sync --name '^Touchline$' key "$@" >/dev/null 2>&1; }
+keys() { timeout 100 xdotool search --sync --name '^Touchline$' key --delay 150 "$@" >/dev/null 2>&1; }
 wait_for() { for _ in $(seq 1000); do grep -q "$1" "$2" && return; sleep 0.1; done; }
 finish() { wait "$pid"; exit $?; }
 )";
@@ -79,7 +79,7 @@ TEST_F(Kiosk, RunsInAWindowToo) {
 
 TEST_F(Kiosk, EveryKeyLeavesItRunning) {
     EXPECT_EQ(run_script("kiosk; keys Return Return Down Up Right Left h h h Return Return v b b v;"
-                         "keys a a z z comma period minus equal e c o r F16 F15 t 5;"
+                         "keys a a z z comma period minus equal c o F16 F15 t 5;"
                          "kill -0 $pid || exit 9; keys q; finish"),
               0);
     EXPECT_EQ(text_of("err.txt"), "");
@@ -133,7 +133,7 @@ TEST_F(Kiosk, EndsAsAskedByTheSystem) {
 
 TEST_F(Kiosk, ABadPictureIsOneLineAndTheSessionGoesOn) {
     EXPECT_EQ(
-        run_script("echo 'not a picture' >bad.png; kiosk bad.png; keys Return Return Down Down "
+        run_script("echo 'not a picture' >bad.png; kiosk bad.png; keys b; sleep 1; keys Return Return Down Down "
                    "Return Return;"
                    "wait_for bad err.txt; keys Return; kill -0 $pid || exit 9; keys q; finish"),
         0);
@@ -180,7 +180,7 @@ TEST_F(Kiosk, GoesThroughThePagesOfADocument) {
                          "height=\"500\"><rect x=\"50\" y=\"60\" width=\"200\" height=\"300\" "
                          "fill=\"none\" stroke=\"black\" stroke-width=\"6\"/></svg>' >page.svg &&"
                          "rsvg-convert -f pdf -o book.pdf page.svg page.svg page.svg &&"
-                         "kiosk book.pdf; keys Return Return Down Down Return Return;"
+                         "kiosk book.pdf; keys b; sleep 1; keys Return Return Down Down Return Return;"
                          "sleep 2; keys Up Up Return Return Down Return;"
                          "kill -0 $pid || exit 9; keys q; finish"),
               0);

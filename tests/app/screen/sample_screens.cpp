@@ -25,7 +25,7 @@ ScreenItem with_value(ItemRole role, std::string name, std::string value) {
 
 SpokenScreen languages_screen(const Language& language) {
     SpokenScreen screen{language.text("key", "next language"), "", {}, 1, ScreenView::none};
-    for (const Language& each : all_languages()) screen.items.push_back(choice(each.name()));
+    for (const Language& each : every_language()) screen.items.push_back(choice(each.name()));
     return screen;
 }
 
@@ -108,7 +108,7 @@ SpokenScreen long_words(const Language& language) {
 
 }  // namespace
 
-std::vector<Language> all_languages() {
+std::vector<Language> every_language() {
     const auto codes = languages_in(TOUCHLINE_CATALOGUES);
     if (!codes) throw std::runtime_error(codes.error().line);
     std::vector<Language> languages;

@@ -16,7 +16,7 @@ struct NamedScreen {
 };
 
 /// English and every catalogue. Throws where one cannot be read.
-[[nodiscard]] std::vector<Language> all_languages();
+[[nodiscard]] std::vector<Language> every_language();
 
 /// A list, settings beside a picture, a camera, a text of many pages, a list of 500.
 [[nodiscard]] std::vector<NamedScreen> sample_screens(const Language& language);

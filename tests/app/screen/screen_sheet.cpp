@@ -2,7 +2,7 @@
 #include "app/decode/png_writer.h"
 #include "audio-cues/words/guidance_words.h"
 #include "tests/app/screen/contact_sheet.h"
-#include "tests/app/screen/sample_screens.h"
+#include "tests/app/screen/every_screen.h"
 
 #include <cstdlib>
 #include <string>
@@ -58,11 +58,9 @@ void add_screens(std::vector<Thumbnail>& thumbnails, const std::vector<NamedScre
 
 int write_sheet(const SheetOrder& order) {
     std::vector<Thumbnail> thumbnails;
-    int columns = 1;
-    for (const Language& language : all_languages()) {
-        const std::vector<NamedScreen> screens = sample_screens(language);
-        columns = static_cast<int>(screens.size());
-        add_screens(thumbnails, screens, language, order);
+    constexpr int columns = 8;
+    for (const Language& language : every_language()) {
+        add_screens(thumbnails, every_screen(language), language, order);
     }
     constexpr int thumbnail_px = 480;
     const auto done =

@@ -3,11 +3,12 @@
 
 #include "app/screen/captions.h"
 #include "audio-cues/words/guidance_words.h"
+#include "tests/app/screen/every_screen.h"
 #include "tests/app/screen/probes.h"
-#include "tests/app/screen/sample_screens.h"
 
 #include <array>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -65,7 +66,7 @@ struct Case {
 /// Every screen in every language, and stretched by two fifths where a language is twice there.
 std::vector<Case> all_cases() {
     std::vector<Case> cases;
-    for (const Language& language : all_languages()) {
+    for (const Language& language : every_language()) {
         for (const NamedScreen& each : sample_screens(language)) {
             if (each.screen.items.size() > 100 && language.code() != "de") continue;  // for speed
             cases.push_back({each.name + ' ' + language.code(), each.screen, language});
@@ -107,11 +108,11 @@ void expect_parts_apart(const SheetLayout& layout, const std::string& name) {
 }
 
 template <class Check>
-void for_each_layout(const Check& check) {
+void for_each_layout(const Check& check, const std::vector<Case>& cases = all_cases(),
+                     std::span<const TextSize> sizes_tried = text_size_list) {
     const Canvas canvas(1, 1);
-    const std::vector<Case> cases = all_cases();
     for (const auto& [width, height] : screen_sizes) {
-        for (const TextSize size : text_size_list) {
+        for (const TextSize size : sizes_tried) {
             const TextSizes sizes = text_sizes(size, normal_cap_px, width, height);
             for (const Case& each : cases) {
                 const bool has_picture = each.screen.view != ScreenView::none;
@@ -130,6 +131,26 @@ TEST(Sheet, VI6_NothingIsCutOffInAnyLanguageAtAnySizeOnAnyScreen) {
         expect_all_pages_inside(cr, layout, each);
         expect_parts_apart(layout, each.name);
     });
+}
+
+/// As the kiosk itself makes them.
+std::vector<Case> cases_of_the_kiosk() {
+    std::vector<Case> cases;
+    for (const Language& language : every_language())
+        for (const NamedScreen& each : every_screen(language))
+            cases.push_back({each.name + ' ' + language.code(), each.screen, language});
+    return cases;
+}
+
+TEST(Sheet, VI6_NoScreenOfVisitorOrOperatorIsCutOffAtTheLargestSize) {
+    const std::vector<Case> cases = cases_of_the_kiosk();
+    EXPECT_GT(cases.size(), 4U * 50U);
+    for_each_layout(
+        [](cairo_t* cr, const SheetLayout& layout, const Case& each) {
+            expect_all_pages_inside(cr, layout, each);
+            expect_parts_apart(layout, each.name);
+        },
+        cases, std::array{TextSize::largest});
 }
 
 TEST(Sheet, VI6_EveryWordStandsOnSomePage) {

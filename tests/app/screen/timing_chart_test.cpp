@@ -43,7 +43,7 @@ TEST(TimingChart, HasABarForASingleTickAmongMillionsAndNoneForNone) {
 TEST(TimingChart, IsNotCutOffInAnyLanguage) {
     LatenessBars bars;
     bars.ticks = {123'456'789, 1000, 1, 0, 0, 987'654};
-    for (const Language& language : all_languages()) {
+    for (const Language& language : every_language()) {
         const Canvas canvas(614, 400);
         paint_timing(canvas.context(), {10.0, 10.0, 594.0, 380.0}, bars, 27.0, white_on_black,
                      language);
