@@ -98,6 +98,7 @@ Kiosk::Kiosk(KioskParts parts)
       photos_(std::move(parts.photos)),
       settings_(std::move(parts.settings)),
       profile_(std::move(parts.profile)),
+      loop_N_per_m_(parts.loop_N_per_m),
       hand_words_(std::move(parts.hand_words)),
       reading_language_(std::move(parts.reading_language)),
       operator_(std::move(parts.operator_desk)),
@@ -107,7 +108,6 @@ Kiosk::Kiosk(KioskParts parts)
     follow_rules();
     rules_.has_camera = photos_ != nullptr;
     rules_.has_stick_port = shelf_ != nullptr;
-    rules_.first_firmness = first_firmness(parts.loop_N_per_m);
     take(start_visit(world()));
 }
 
@@ -143,6 +143,10 @@ void Kiosk::follow_rules() {
     rules_.answer_s = settings_.answer_s;
     rules_.offers_staff = settings_.offers_staff;
     rules_.notice = settings_.notice;
+    rules_.first_firmness = firmness_for(std::min(loop_N_per_m_, settings_.stiffness_N_per_m));
+    if (photos_)
+        photos_->set({settings_.cut_left_percent, settings_.cut_right_percent,
+                      settings_.cut_top_percent, settings_.cut_bottom_percent});
 }
 
 void Kiosk::set_servo() {

@@ -50,7 +50,7 @@ struct KioskParts {
     std::function<int()> minute_of_day;  // 0 ... 1439, of the house's clock; none: always open
     DeviceProfile profile;
     std::string hand_words;       // what the hand is, for the live view
-    double loop_N_per_m = 500.0;  // the stiffness that suits the loop to begin with
+    double loop_N_per_m = 733.0;  // the stiffest that suits the loop
     /// Set to what is spoken: the language that words in pictures are read in. May be null.
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language;
 };
@@ -170,6 +170,7 @@ class Kiosk {
     std::unique_ptr<PhotoDesk> photos_;
     Settings settings_;
     DeviceProfile profile_;
+    double loop_N_per_m_;
     std::string hand_words_;
     VisitRules rules_;
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language_;

@@ -7,6 +7,7 @@
 #include "vision/camera/stream_camera.h"
 #include "vision/prepare/document.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -38,10 +39,23 @@ Result<cv::Mat> what_lies_there(const cv::Mat& photo) {
     return failure(std::string(sentence(document.trouble)));
 }
 
-Result<Page> page_of_photo(const CameraFrame& frame) {
+/// Without what the operator cut off at the sides; a pixel stays at least.
+cv::Mat cut_off(const cv::Mat& picture, const PhotoDesk::Cut& cut) {
+    const auto share = [](double percent) {
+        return percent >= 0.0 && percent <= 40.0 ? 0.01 * percent : 0.0;
+    };
+    const int left = cvRound(share(cut.left) * picture.cols);
+    const int right = cvRound(share(cut.right) * picture.cols);
+    const int top = cvRound(share(cut.top) * picture.rows);
+    const int bottom = cvRound(share(cut.bottom) * picture.rows);
+    return picture(cv::Rect(left, top, std::max(1, picture.cols - left - right),
+                            std::max(1, picture.rows - top - bottom)));
+}
+
+Result<Page> page_of_photo(const CameraFrame& frame, const PhotoDesk::Cut& cut) {
     const auto photo = to_bgr(frame, quick_size(frame.size, photo_pixels));
     if (!photo) return tl::unexpected(photo.error());
-    const auto seen = what_lies_there(*photo);
+    const auto seen = what_lies_there(cut_off(*photo, cut));
     if (!seen) return tl::unexpected(seen.error());
     Page page;
     page.picture = picture_of(*seen);
@@ -70,19 +84,21 @@ PhotoNews PhotoDesk::step(double now_s) {
     news.has_given_up = view.has_given_up;
     if (view.still) {
         news.is_doubtful = view.still->is_blurred || view.still->is_clipped;
-        news.photo = file_of(std::move(view.still->frame));
+        news.photo = file_of(std::move(view.still->frame), cut_);
     }
     if (is_shown_ && view.preview) {
-        preview_ = std::make_shared<const Canvas>(canvas_of(picture_of(*view.preview), preview_px));
+        preview_ = std::make_shared<const Canvas>(
+            canvas_of(picture_of(cut_off(*view.preview, cut_)), preview_px));
         news.has_a_preview = true;
     }
     return news;
 }
 
-FilePtr file_of(CameraFrame frame) {
+FilePtr file_of(CameraFrame frame, const PhotoDesk::Cut& cut) {
     const auto kept = std::make_shared<const CameraFrame>(std::move(frame));
-    return std::make_shared<const PictureFile>(PictureFile{
-        "photo", "", "", true, [kept](const PageOrder&) { return page_of_photo(*kept); }});
+    return std::make_shared<const PictureFile>(
+        PictureFile{"photo", "", "", true,
+                    [kept, cut](const PageOrder&) { return page_of_photo(*kept, cut); }});
 }
 
 Result<std::unique_ptr<Camera>> open_camera() {

@@ -26,6 +26,16 @@ class PhotoDesk {
   public:
     explicit PhotoDesk(std::unique_ptr<Camera> camera) : camera_(std::move(camera)) {}
 
+    /// So much of every picture is left out at its sides, percent, 0 ... 40 each.
+    struct Cut {
+        double left = 0.0;
+        double right = 0.0;
+        double top = 0.0;
+        double bottom = 0.0;
+    };
+
+    void set(const Cut& cut) { cut_ = cut; }
+
     /// Previews are wanted from now on, or no more: then the last one is forgotten.
     void show(bool is_wanted);
 
@@ -42,6 +52,7 @@ class PhotoDesk {
 
   private:
     std::unique_ptr<Camera> camera_;
+    Cut cut_;
     bool is_shown_ = false;
     std::shared_ptr<const Canvas> preview_;
 };
@@ -49,7 +60,7 @@ class PhotoDesk {
 /// A photograph as a file of the list: opened, it is the page that was laid down, without the shade
 /// of the lamp; where no page is found, the photograph as it is. One sentence says what keeps it
 /// from being used (too dark, a page that is cut off).
-[[nodiscard]] FilePtr file_of(CameraFrame frame);
+[[nodiscard]] FilePtr file_of(CameraFrame frame, const PhotoDesk::Cut& cut);
 
 /// The camera of this machine: a folder of pictures where TOUCHLINE_CAMERA names one, else the
 /// first that libcamera finds, now or later. Fails where libcamera does not start.

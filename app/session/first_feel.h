@@ -3,20 +3,17 @@
 
 #include "app/session/visit_orders.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace touchline {
 
-/// At this stiffness a groove of the ordinary capture width, 3 mm, holds by 0.5 N at most; more
-/// would lead the hand rather than tell it of the line.
-inline constexpr double groove_N_per_m = 580.0;
-
-/// The firmest step that suits the loop (loop_settings.h) and a groove, at least the softest.
-[[nodiscard]] constexpr std::size_t first_firmness(double loop_N_per_m) {
+/// The firmest step of at most this stiffness, at least the softest. The operator's own, 500 N/m,
+/// lets a groove of the ordinary capture width, 3 mm, hold by 0.5 N at most: more would lead the
+/// hand rather than tell it of the line.
+[[nodiscard]] constexpr std::size_t firmness_for(double stiffness_N_per_m) {
     std::size_t step = 0;
     while (step + 1 < firmness_steps.size() &&
-           firmness_steps[step + 1].stiffness_N_per_m <= std::min(loop_N_per_m, groove_N_per_m)) {
+           firmness_steps[step + 1].stiffness_N_per_m <= stiffness_N_per_m) {
         ++step;
     }
     return step;

@@ -10,7 +10,6 @@ using Names = std::array<std::string_view, 4>;
 
 constexpr Names modes{"wall", "groove", "ridge", "stay"};
 constexpr std::array<std::string_view, 3> amounts{"none", "short", "all"};
-constexpr std::array<std::string_view, 3> lights{"off", "for a picture", "always"};
 constexpr std::array<std::string_view, 3> switches{"off", "move and select", "by itself"};
 constexpr Names text_sizes{"standard", "large", "larger", "largest"};
 constexpr Names palettes{"light on dark", "dark on light", "warm on dark", "low glare"};
@@ -216,15 +215,6 @@ constexpr std::array rows{
                "Cut off at the bottom",
                "percent",
                "So much of the camera's picture is left out.",
-               SettingLayer::site},
-    SettingRow{"camera",
-               "light",
-               &Settings::camera_light,
-               {},
-               lights,
-               "Lamp of the camera",
-               "",
-               "When the kiosk's own lamp is on.",
                SettingLayer::site},
     SettingRow{"camera",
                "preview",

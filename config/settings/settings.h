@@ -39,7 +39,6 @@ struct Settings {
     double cut_right_percent = 0.0;
     double cut_top_percent = 0.0;
     double cut_bottom_percent = 0.0;
-    int camera_light = 1;  // 0 off, 1 for a picture, 2 always
     bool is_preview_allowed = true;
     // keys
     double double_strike_s = 0.1;

@@ -139,6 +139,19 @@ TEST(House, AFileOfSettingsThatChangesHoldsAtOnceAndABadOneDoesNot) {
     EXPECT_NE(report.find("force_ceiling_N"), std::string::npos) << report;
 }
 
+TEST(House, VisitsBeginAsFirmAsTheOperatorSaysAndTheLoopAllows) {
+    KioskWorld world;
+    Settings settings;
+    for (const auto& [wanted, given] : {std::pair{500.0, 500.0}, {220.0, 200.0}, {700.0, 700.0}}) {
+        settings.stiffness_N_per_m = wanted;
+        world.kiosk().set(settings);
+        world.press(KeyRole::select);
+        world.run(1.0);
+        EXPECT_EQ(world.servo().commands().stiffness_N_per_m, given);
+        world.run(400.0);  // the visit ends
+    }
+}
+
 TEST(House, CountsVisitsAndPicturesButNobody) {
     KioskWorld world;
     BlindVisitor visitor(world);

@@ -1,5 +1,7 @@
 #include "app/kiosk/photo_desk.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -108,6 +110,20 @@ TEST_F(PhotoDeskTest, APageOnATableIsThePage) {
     ASSERT_TRUE(page.has_value()) << page.error().line;
     EXPECT_NEAR(page->picture.width, page->picture.height, 30) << "the page is square";
     EXPECT_GT(page->picture.bgr[0], 200) << "and its corner is paper";
+}
+
+TEST_F(PhotoDeskTest, WhatTheOperatorCutsOffIsInNoPicture) {
+    desk_.set({10.0, 20.0, 0.0, 50.0 / 3.0});
+    desk_.show(true);
+    desk_.take();
+    const auto page = desk_.step(0.0).photo->open({});
+    ASSERT_TRUE(page.has_value()) << page.error().line;
+    EXPECT_EQ(page->picture.width, 560);
+    EXPECT_EQ(page->picture.height, 500);
+    EXPECT_EQ(desk_.preview()->width(), 448);
+    desk_.set({std::numeric_limits<double>::quiet_NaN(), 400.0, -1.0, 0.0});
+    desk_.take();
+    EXPECT_EQ(desk_.step(0.0).photo->open({})->picture.width, 800);
 }
 
 TEST_F(PhotoDeskTest, InTheDarkOneSentenceSaysWhatToDo) {
