@@ -133,7 +133,8 @@ TEST_F(Kiosk, EndsAsAskedByTheSystem) {
 
 TEST_F(Kiosk, ABadPictureIsOneLineAndTheSessionGoesOn) {
     EXPECT_EQ(
-        run_script("echo 'not a picture' >bad.png; kiosk bad.png; keys b; sleep 1; keys Return Return Down Down "
+        run_script("echo 'not a picture' >bad.png; kiosk bad.png; keys b; sleep 1; keys Return "
+                   "Return Down Down "
                    "Return Return;"
                    "wait_for bad err.txt; keys Return; kill -0 $pid || exit 9; keys q; finish"),
         0);
@@ -176,14 +177,15 @@ TEST_F(Kiosk, AFileOfAStickIsNotNamedInTheLog) {
 }
 
 TEST_F(Kiosk, GoesThroughThePagesOfADocument) {
-    EXPECT_EQ(run_script("printf '%s' '<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400\" "
-                         "height=\"500\"><rect x=\"50\" y=\"60\" width=\"200\" height=\"300\" "
-                         "fill=\"none\" stroke=\"black\" stroke-width=\"6\"/></svg>' >page.svg &&"
-                         "rsvg-convert -f pdf -o book.pdf page.svg page.svg page.svg &&"
-                         "kiosk book.pdf; keys b; sleep 1; keys Return Return Down Down Return Return;"
-                         "sleep 2; keys Up Up Return Return Down Return;"
-                         "kill -0 $pid || exit 9; keys q; finish"),
-              0);
+    EXPECT_EQ(
+        run_script("printf '%s' '<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400\" "
+                   "height=\"500\"><rect x=\"50\" y=\"60\" width=\"200\" height=\"300\" "
+                   "fill=\"none\" stroke=\"black\" stroke-width=\"6\"/></svg>' >page.svg &&"
+                   "rsvg-convert -f pdf -o book.pdf page.svg page.svg page.svg &&"
+                   "kiosk book.pdf; keys b; sleep 1; keys Return Return Down Down Return Return;"
+                   "sleep 2; keys Up Up Return Return Down Return;"
+                   "kill -0 $pid || exit 9; keys q; finish"),
+        0);
     EXPECT_EQ(text_of("err.txt"), "");
 }
 
