@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <linux/input.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -80,6 +81,8 @@ void OperatorKeyboard::open_again() {
     if (path_.empty() || descriptor_ >= 0) return;
     descriptor_ = open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     error_ = descriptor_ < 0 ? errno : 0;
+    // Its keys come here alone; what cannot be grabbed still tells them.
+    if (descriptor_ >= 0) (void)ioctl(descriptor_, EVIOCGRAB, 1);
 }
 
 std::vector<PhysicalKey> OperatorKeyboard::take_presses() {

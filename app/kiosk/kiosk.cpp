@@ -50,6 +50,7 @@ struct Kiosk::Carrying {
     }
 
     void operator()(const GivePattern& pattern) const {
+        if (kiosk.is_operator_in()) return;
         kiosk.pattern_.pattern = pattern.pattern;
         ++kiosk.pattern_.serial;
         kiosk.set_servo();
@@ -57,7 +58,11 @@ struct Kiosk::Carrying {
 
     void operator()(const LoadPicture& order) const { kiosk.load(order); }
 
-    void operator()(const CancelLoad&) const { kiosk.is_loading_ = false; }
+    /// Nor does a better one of it come later.
+    void operator()(const CancelLoad&) const {
+        kiosk.is_loading_ = false;
+        kiosk.order_ = {};
+    }
 
     void operator()(const Feel& feel) const {
         kiosk.feel_ = feel;
@@ -161,7 +166,7 @@ void Kiosk::set_servo() {
     commands.coarsest_level = settings_.coarsest_level;
     commands.is_level_auto = feel_.is_level_automatic;
     commands.level = feel_.fixed_level;
-    commands.is_force_wanted = feel_.is_force_wanted && !is_handle_locked_;
+    commands.is_force_wanted = (feel_.is_force_wanted || is_motor_test_on()) && !is_handle_locked_;
     commands.force_ceiling_N = settings_.force_ceiling_N;
     commands.guidance = guidance_;
     commands.pattern = pattern_;
@@ -170,9 +175,20 @@ void Kiosk::set_servo() {
     servo_->set(commands);
 }
 
+/// Another part or detail of what a visitor brought is of that file, whatever lies at its place in
+/// the list by now.
+FilePtr Kiosk::file_of_order(const LoadPicture& order) const {
+    const auto& loading = visit_.visitor.loading;
+    const bool is_again = loading && loading->order.request == order.request &&
+                          loading->reason != LoadReason::other_picture;
+    const bool is_visitors =
+        order.source == PictureSource::stick || order.source == PictureSource::camera;
+    return is_again && is_visitors && felt_file_ ? felt_file_ : pictures_.of(order);
+}
+
 void Kiosk::load(const LoadPicture& order) {
     order_ = order;
-    const FilePtr file = pictures_.of(order);
+    const FilePtr file = file_of_order(order);
     if (file == nullptr) {
         happen(PictureFailed{order.request, language().text("kiosk",
                                                             "This picture is gone. "
@@ -210,6 +226,7 @@ void Kiosk::wipe() {
     if (photos_) photos_->forget();
     sound_->forget();
     wanted_.reset();
+    felt_file_.reset();
     shown_ = {};
     map_.reset();
     parts_.clear();
@@ -306,6 +323,7 @@ void Kiosk::take(Delivery delivery) {
     if (!std::exchange(is_loading_, false) && !delivery.is_better) return;
     shown_ = delivery.scene->shown;
     map_ = delivery.scene->felt.map;
+    felt_file_ = wanted_;
     PictureFacts facts = facts_of(*delivery.scene);
     parts_ = facts.parts;
     servo_->feel(delivery.scene->felt);
@@ -322,7 +340,7 @@ void Kiosk::follow_camera(double now_s) {
             news.condition == CameraCondition::stopped
                 ? language().text("camera", std::string(sentence(news.condition)))
                 : "");
-    if (news.photo) {
+    if (news.photo && visit_.visitor.is_capturing) {
         pictures_.put_photo(std::move(news.photo));
         happen(CameraCaptured{});
     }
@@ -341,6 +359,8 @@ void Kiosk::follow_servo() {
     if (map_) seen.part = part_at(*map_, parts_, hand_);
     seen.has_moved = norm(hand_.p_WH - last_seen_W_) > moved_m;
     if (seen.has_moved) last_seen_W_ = hand_.p_WH;
+    // The operator's hand keeps a visit, and begins none.
+    if (is_operator_in()) seen.has_moved = is_visit_on(visit_);
     happen(seen);
     follow_guidance();
 }

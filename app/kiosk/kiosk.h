@@ -83,6 +83,9 @@ class Kiosk {
     /// What was said last, on the screen.
     [[nodiscard]] const std::string& caption() const;
 
+    /// The input device that is the operator's alone; empty: none.
+    [[nodiscard]] const std::string& operator_device() const { return settings_.operator_device; }
+
     [[nodiscard]] bool is_operator_in() const { return operator_ && operator_->is_open(); }
 
     [[nodiscard]] const Visit& visit() const { return visit_; }
@@ -135,6 +138,13 @@ class Kiosk {
     void follow_operator();
     void follow_hours();
     void run_test(TestStep step);
+    void follow_motor_test();
+
+    [[nodiscard]] bool is_motor_test_on() const {
+        constexpr double motor_test_lasts_s = 2.5;
+        return motor_test_s_ > 0.0 && now_s_ - motor_test_s_ < motor_test_lasts_s;
+    }
+
     void answer_test(TestStep step, bool has_passed, const std::string& line = {});
     void say_for_operator(const std::string& text);
     [[nodiscard]] std::vector<std::string> live_words() const;
@@ -153,6 +163,7 @@ class Kiosk {
     void trouble(TroubleKind kind, const std::string& sentence);
     void take(Delivery delivery);
     void load(const LoadPicture& order);
+    [[nodiscard]] FilePtr file_of_order(const LoadPicture& order) const;
     void guide(const Guide& guide);
     void set_servo();
     void wipe();
@@ -181,6 +192,8 @@ class Kiosk {
     std::string homing_words_;
     bool is_homing_ = false;
     bool is_handle_locked_ = false;
+    double motor_test_s_ = 0.0;  // when it began; 0: none
+    bool is_motor_test_due_ = false;
     HouseOpening opening_ = HouseOpening::open;
     double hours_looked_s_ = -1e9;
     double visit_began_s_ = 0.0;
@@ -204,6 +217,7 @@ class Kiosk {
     std::vector<PartFacts> parts_;           // of it
     LoadPicture order_;                      // the last
     FilePtr wanted_;                         // its file
+    FilePtr felt_file_;                      // of what is felt
     bool is_loading_ = false;
     Position last_seen_W_;  // of the handle when it was last said to have moved
     double now_s_ = 0.0;

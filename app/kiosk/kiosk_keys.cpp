@@ -5,9 +5,19 @@
 
 namespace touchline {
 
+namespace {
+
+/// Whoever is in: it comes before everything.
+bool is_emergency_stop(const PhysicalKey& key) {
+    return key.source == KeySource::key && action_of(Key{key.code}) == Action::emergency_stop;
+}
+
+}  // namespace
+
 void Kiosk::change_key(const KeyChange& change) {
     if (!filter_.takes(change)) return;
     const auto role = role_of(keys_, change.key);
+    if (!role && is_emergency_stop(change.key)) return act(Action::emergency_stop);
     const bool was_in = is_operator_in();
     // With a keyboard of the operator's own no other one opens the way in.
     tell_operator(KeyStruck{change.key, role, settings_.operator_device.empty()});
@@ -26,6 +36,7 @@ void Kiosk::press(KeyRole role) {
 }
 
 void Kiosk::strike_operator_key(const PhysicalKey& key) {
+    if (is_emergency_stop(key)) return act(Action::emergency_stop);
     tell_operator(KeyStruck{key, role_of(keys_, key), true});
 }
 

@@ -20,7 +20,10 @@ constexpr double level_tenth = 10.0;
 struct Kiosk::OperatorCarrying {
     Kiosk& kiosk;
 
-    void operator()(const Say& say) const { kiosk.say_for_operator(say.text); }
+    void operator()(const Say& say) const {
+        kiosk.say_for_operator(say.text);
+        if (!say.is_shown) kiosk.operator_caption_.clear();
+    }
 
     void operator()(const Click&) const { kiosk.sound_->give(ScreenEvent::key_taken); }
 
@@ -89,13 +92,15 @@ const std::string& Kiosk::caption() const {
 
 void Kiosk::tell_operator(const OperatorEvent& event) {
     if (!operator_) return;
-    const bool is_key = std::holds_alternative<KeyStruck>(event);
-    if (is_key && is_operator_in()) {
+    const auto* const key = std::get_if<KeyStruck>(&event);
+    const bool was_in = is_operator_in();
+    if (key != nullptr && key->is_allowed && was_in) {
         sound_->hush();
         sound_->give(ScreenEvent::key_taken);
     }
     for (const OperatorOrder& order : operator_->happen(event, language(), now_s_))
         std::visit(OperatorCarrying{*this}, order);
+    if (is_operator_in() && !was_in && shelf_) operator_->put_stick(shelf_->root());
 }
 
 void Kiosk::say_for_operator(const std::string& text) {
@@ -111,6 +116,7 @@ void Kiosk::follow_operator() {
     was_visit_on_ = is_on;
     follow_hours();
     if (!operator_) return;
+    follow_motor_test();
     operator_->set_private(sound_->output().kind == OutputKind::headset);
     operator_->set_live(live_words());
     if (const auto line = operator_->poll_import()) tell_operator(OrderAnswered{*line});
@@ -139,6 +145,21 @@ void Kiosk::follow_hours() {
         sound_->set_levels(operator_->sound(), is_quiet ? settings_.quiet_lower_dB : 0.0);
 }
 
+/// Force for two seconds, and a shake when it is on.
+void Kiosk::follow_motor_test() {
+    if (is_motor_test_due_ && force_.state == ForceState::live) {
+        is_motor_test_due_ = false;
+        pattern_.pattern = HandlePattern::chosen;
+        ++pattern_.serial;
+        set_servo();
+    }
+    if (motor_test_s_ > 0.0 && !is_motor_test_on()) {
+        motor_test_s_ = 0.0;
+        is_motor_test_due_ = false;
+        set_servo();
+    }
+}
+
 void Kiosk::answer_test(TestStep step, bool has_passed, const std::string& line) {
     tell_operator(TestAnswered{step, has_passed, line});
 }
@@ -149,8 +170,8 @@ void Kiosk::run_test(TestStep step) {
             return answer_test(step, force_.fault == Fault::none && hand_.ticks > 0,
                                device_trouble());
         case TestStep::motors:  // a person tells whether it was felt
-            pattern_.pattern = HandlePattern::chosen;
-            ++pattern_.serial;
+            motor_test_s_ = now_s_;
+            is_motor_test_due_ = true;
             set_servo();
             return answer_test(step, true);
         case TestStep::camera:

@@ -31,7 +31,9 @@ std::string outcome(const Result<void>& done, const std::string& sentence) {
 std::vector<fs::path> zips_in(const fs::path& root) {
     std::vector<fs::path> zips;
     std::error_code error;
-    for (const auto& entry : fs::directory_iterator(root, error)) {
+    fs::directory_iterator at(root, error);
+    for (; !error && at != fs::directory_iterator(); at.increment(error)) {
+        const fs::directory_entry& entry = *at;
         if (entry.path().extension() == ".zip" && entry.is_regular_file(error))
             zips.push_back(entry.path());
         if (zips.size() == most_packs) break;
@@ -41,12 +43,20 @@ std::vector<fs::path> zips_in(const fs::path& root) {
 }
 
 /// Waits for workers: beside the screen's thread.
-std::string imported(const fs::path& zip, const fs::path& library, const Language& language) {
+std::string import_of(const fs::path& zip, const fs::path& library, const Language& language) {
     const auto pack = read_pack(zip.string());
     if (!pack) return sentence_of(pack.error(), language);
     const auto folder = import_pack(*pack, library.string());
     if (!folder) return sentence_of(folder.error(), language);
     return language.text("operator", "The pictures are there when the kiosk starts again.");
+}
+
+std::string imported(const fs::path& zip, const fs::path& library, const Language& language) {
+    try {
+        return import_of(zip, library, language);
+    } catch (const std::exception&) {
+        return language.text("operator", "There is not enough memory for these pictures.");
+    }
 }
 
 }  // namespace
@@ -83,7 +93,8 @@ struct OperatorDesk::Office {
     }
 
     void operator()(const SetSettings& set) const {
-        desk.hold(set.settings);
+        // Tried, not kept: the site's stay what its file says.
+        desk.settings_ = with_profile(set.settings, desk.profiles_).value_or(set.settings);
         left.emplace_back(set);
     }
 

@@ -82,6 +82,13 @@ PhotoNews PhotoDesk::step(double now_s) {
     PhotoNews news;
     news.condition = view.condition;
     news.has_given_up = view.has_given_up;
+    const bool is_answer = view.still || view.has_given_up;
+    if (is_answer && std::exchange(is_stale_, false)) {
+        view.still.reset();
+        news.has_given_up = false;
+    } else if (is_answer) {
+        is_awaited_ = false;
+    }
     if (view.still) {
         news.is_doubtful = view.still->is_blurred || view.still->is_clipped;
         news.photo = file_of(std::move(view.still->frame), cut_);

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace touchline {
 
@@ -40,7 +41,10 @@ class PhotoDesk {
     void show(bool is_wanted);
 
     /// A photograph: comes, or is given up, in one of the next steps.
-    void take() { camera_->want_still(); }
+    void take() {
+        is_awaited_ = true;
+        camera_->want_still();
+    }
 
     [[nodiscard]] PhotoNews step(double now_s);
 
@@ -48,12 +52,17 @@ class PhotoDesk {
     [[nodiscard]] const std::shared_ptr<const Canvas>& preview() const { return preview_; }
 
     /// The visitor is gone: no picture of theirs stays.
-    void forget() { show(false); }
+    void forget() {
+        is_stale_ = std::exchange(is_awaited_, false) || is_stale_;
+        show(false);
+    }
 
   private:
     std::unique_ptr<Camera> camera_;
     Cut cut_;
     bool is_shown_ = false;
+    bool is_awaited_ = false;  // a photograph
+    bool is_stale_ = false;    // the next one is of a visitor who is gone
     std::shared_ptr<const Canvas> preview_;
 };
 

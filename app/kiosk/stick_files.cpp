@@ -33,18 +33,39 @@ Result<StickListing, StickRefusal> StickReader::list(const std::string& root) {
     return import_.list(root);
 }
 
+void StickReader::forget() {
+    ++stick_;
+    const std::lock_guard lock(last_mutex_);
+    last_.reset();
+}
+
+std::shared_ptr<const StickBytes> StickReader::last_of(const std::string& root,
+                                                       const StickEntry& entry) const {
+    const std::lock_guard lock(last_mutex_);
+    const bool is_it =
+        last_ && last_->stick == stick_ && last_->root == root && last_->entry == entry;
+    return is_it ? last_ : nullptr;
+}
+
+/// Unless its stick is another one by now.
+void StickReader::keep(const std::shared_ptr<const StickBytes>& bytes) {
+    const std::lock_guard lock(last_mutex_);
+    last_ = bytes->stick == stick_ ? bytes : nullptr;
+}
+
 Result<std::shared_ptr<const StickBytes>, StickRefusal> StickReader::read(const std::string& root,
                                                                           const StickEntry& entry) {
     const std::lock_guard lock(mutex_);
-    if (last_ && last_->root == root && last_->entry == entry) return last_;
-    last_.reset();
+    if (auto known = last_of(root, entry)) return known;
+    const std::uint64_t stick = stick_;
     const auto document = import_.read(root, entry);
     if (!document) return tl::unexpected(document.error());
     auto mapped = map_sealed(*document, most_bytes_of(entry.kind));
     if (!mapped) return tl::unexpected(StickRefusal::unreadable);
-    last_ = std::make_shared<const StickBytes>(
-        StickBytes{root, entry, std::move(*mapped), side_car(root, entry)});
-    return last_;
+    auto bytes = std::make_shared<const StickBytes>(
+        StickBytes{root, entry, std::move(*mapped), side_car(root, entry), stick});
+    keep(bytes);
+    return bytes;
 }
 
 /// One that cannot be read is none.

@@ -7,6 +7,8 @@
 #include "app/sticks/import.h"
 #include "app/sticks/listing.h"
 
+#include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -21,6 +23,7 @@ struct StickBytes {
     StickEntry entry;
     Mapping document;
     std::optional<Mapping> side_car;
+    std::uint64_t stick = 0;  // which one it is of
 };
 
 /// One for all sticks that come and go, so that a process that one of them holds is reaped later.
@@ -34,11 +37,20 @@ class StickReader {
     [[nodiscard]] Result<std::shared_ptr<const StickBytes>, StickRefusal> read(
         const std::string& root, const StickEntry& entry);
 
+    /// A stick came or went, or its visitor did: no file of the one before is given again. Never
+    /// waits for one that is being read.
+    void forget();
+
   private:
+    [[nodiscard]] std::shared_ptr<const StickBytes> last_of(const std::string& root,
+                                                            const StickEntry& entry) const;
+    void keep(const std::shared_ptr<const StickBytes>& bytes);
     std::optional<Mapping> side_car(const std::string& root, const StickEntry& entry);
 
-    std::mutex mutex_;  // of all below
+    std::mutex mutex_;  // of import_: held while a file is read
     StickImport import_;
+    std::atomic<std::uint64_t> stick_{0};
+    mutable std::mutex last_mutex_;  // of last_, held only to copy or set it
     std::shared_ptr<const StickBytes> last_;
 };
 

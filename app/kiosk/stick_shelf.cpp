@@ -1,9 +1,24 @@
 #include "app/kiosk/stick_shelf.h"
 
 #include <chrono>
+#include <exception>
 #include <utility>
 
 namespace touchline {
+
+namespace {
+
+/// Memory can run out anywhere; the visit goes on.
+Result<StickListing, StickRefusal> listed(const std::shared_ptr<StickReader>& reader,
+                                          const std::string& root) {
+    try {
+        return reader->list(root);
+    } catch (const std::exception&) {
+        return tl::unexpected(StickRefusal::unreadable);
+    }
+}
+
+}  // namespace
 
 StickShelf::StickShelf(std::unique_ptr<StickPort> port, const std::string& import_program)
     : port_(std::move(port)), reader_(std::make_shared<StickReader>(import_program)) {}
@@ -19,13 +34,13 @@ std::optional<ShelfChange> StickShelf::poll(std::int64_t now_ns) {
     }
     if (is_due_ && !listing_.valid()) {
         is_due_ = false;
-        listing_ = std::async(std::launch::async,
-                              [reader = reader_, root = root_] { return reader->list(root); });
+        listing_ = std::async(std::launch::async, listed, reader_, root_);
     }
     return change;
 }
 
 std::optional<ShelfChange> StickShelf::take(const StickEvent& event) {
+    reader_->forget();
     is_due_ = event.news == StickNews::ready;
     root_ = is_due_ ? event.root : std::string();
     if (is_due_) return std::nullopt;

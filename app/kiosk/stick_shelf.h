@@ -33,7 +33,13 @@ class StickShelf {
     [[nodiscard]] bool is_listing() const { return is_due_ || listing_.valid(); }
 
     /// The visitor is done: see StickPort.
-    void end_session() { port_->end_session(); }
+    void end_session() {
+        port_->end_session();
+        reader_->forget();
+    }
+
+    /// Of the stick that is there; empty: none.
+    [[nodiscard]] const std::string& root() const { return root_; }
 
     /// False while sticks could come and nobody would tell.
     [[nodiscard]] bool is_watching() const { return port_->is_watching(); }

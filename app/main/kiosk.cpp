@@ -154,8 +154,6 @@ class KioskWindow {
         has_motors_ = servo->has_motors;
         parts.servo = std::move(servo->client);
         kiosk_ = std::make_unique<Kiosk>(std::move(parts));
-        operator_keyboard_ = OperatorKeyboard(settings_.operator_device);
-        report(operator_keyboard_.problem());
         offer_files();
         return {};
     }
@@ -182,6 +180,14 @@ class KioskWindow {
         const Area area = shown.scene ? shown.scene->area : Area{};
         pointer_ = {std::clamp(p.x, -area.width_m / 2.0, area.width_m / 2.0),
                     std::clamp(p.y, -area.height_m / 2.0, area.height_m / 2.0)};
+    }
+
+    /// The settings may name another one while the kiosk runs.
+    void follow_operator_device() {
+        if (kiosk_->operator_device() == operator_device_) return;
+        operator_device_ = kiosk_->operator_device();
+        operator_keyboard_ = OperatorKeyboard(operator_device_);
+        report(operator_keyboard_.problem());
     }
 
     void report_news() {
@@ -220,6 +226,7 @@ class KioskWindow {
         for (; goes_on(time_ns, start_ns); time_ns = now_ns()) {
             led_ = paced(led_, pointer_, 1.0 / frame_rate_Hz);
             hand_->move_to(led_);
+            follow_operator_device();
             for (const PhysicalKey& key : operator_keyboard_.take_presses())
                 kiosk_->strike_operator_key(key);
             kiosk_->step(time_ns);
@@ -264,6 +271,7 @@ class KioskWindow {
     SoundParts sound_;                    // until the kiosk has them
     std::unique_ptr<OperatorDesk> desk_;  // likewise
     Settings settings_;                   // at the start
+    std::string operator_device_;
     OperatorKeyboard operator_keyboard_;
     Position pointer_;  // where it is
     Position led_;      // where the hand means to be

@@ -142,6 +142,7 @@ using OperatorEvent =
 
 struct Say {
     std::string text;
+    bool is_shown = true;  // false: a digit, which nobody behind may read
 };
 
 struct Click {};  // a digit was turned or taken, and must not be said

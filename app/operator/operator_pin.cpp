@@ -8,7 +8,7 @@ namespace {
 /// Aloud only where nobody else hears it; else a click each (accessibility, EN 301 549 5.1.3.8).
 void tell(OperatorTurn& turn, const std::string& text) {
     if (turn.world.is_private)
-        turn.say(text);
+        turn.order(Say{text, false});
     else
         turn.order(Click{});
 }

@@ -136,7 +136,7 @@ void opening_changed(VisitWork& work, HouseOpening opening) {
     if (work.house.opening == opening) return;
     work.house.opening = opening;
     if (is_visit_on(visit_of(work))) return end_visit(work, VisitScreen::closed);
-    work.visitor = new_visitor(work.house, work.world);
+    nobody_is_here(work);
 }
 
 void staff_called_off(VisitWork& work) {

@@ -2,6 +2,7 @@
 #include "app/session/visit_work.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace touchline {
 
@@ -24,14 +25,18 @@ Visitor new_visitor(const House& house, const VisitWorld& world) {
     return visitor;
 }
 
-void begin_visit(VisitWork& work) {
-    const Visitor before = work.visitor;
+/// A stick that came while nobody was here is the next visitor's.
+void nobody_is_here(VisitWork& work) {
+    Visitor before = std::move(work.visitor);
     work.visitor = new_visitor(work.house, work.world);
-    // A stick that came while nobody was here is this visitor's.
     work.visitor.has_stick = before.has_stick;
     work.visitor.is_stick_listed = before.is_stick_listed;
-    work.visitor.stick_names = before.stick_names;
-    work.visitor.stick_note = before.stick_note;
+    work.visitor.stick_names = std::move(before.stick_names);
+    work.visitor.stick_note = std::move(before.stick_note);
+}
+
+void begin_visit(VisitWork& work) {
+    nobody_is_here(work);
     work.visitor.path = {{VisitScreen::language, work.visitor.sound.language, 0}};
     work.visitor.is_hint_due = true;
     say_screen(work);

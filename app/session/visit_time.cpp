@@ -114,7 +114,7 @@ void pass_time(VisitWork& work, double now_s) {
     work.house.now_s = std::max(work.house.now_s, now_s);
     const VisitScreen screen = open_screen(work);
     if (screen == VisitScreen::goodbye && work.house.now_s - work.visitor.entered_s >= goodbye_s) {
-        work.visitor = new_visitor(work.house, work.world);
+        nobody_is_here(work);
     }
     if (!is_visit_on(visit_of(work))) return;
     begin_leading(work);

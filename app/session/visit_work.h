@@ -70,6 +70,9 @@ void show_trouble(VisitWork& work, const std::string& sentence, std::optional<Tr
 
 // Beginning and end (visit_ends.cpp).
 
+/// The screen of the one before is over: nothing of theirs stays, but a stick that is there.
+void nobody_is_here(VisitWork& work);
+
 void begin_visit(VisitWork& work);
 
 /// Everything of the visitor is wiped; then `next` is said.

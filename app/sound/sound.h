@@ -44,7 +44,10 @@ class Sound final : public VisitorSound {
     [[nodiscard]] HeardOutput output() const override;
     [[nodiscard]] std::optional<bool> are_headphones_in() const override;
 
-    void tell_headphones(bool are_in) override { keypad_ = are_in; }
+    void tell_headphones(bool are_in) override {
+        keypad_ = are_in;
+        follow_headphones();
+    }
 
     [[nodiscard]] std::string problem() const override;
 

@@ -1,4 +1,5 @@
 // What the kiosk carries out of a visit, and what it tells it, with all its parts.
+#include "tests/app/kiosk/blind_visitor.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
 #include <gtest/gtest.h>
@@ -17,6 +18,38 @@ TEST(Kiosk, SP1_AKeyBeginsAVisitWithSpeechAtOnce) {
     EXPECT_FALSE(world.heard().text_since(before).empty());
     EXPECT_LE(world.heard().things[before].at_s - pressed_s, 0.3);
     EXPECT_TRUE(is_visit_on(world.kiosk().visit()));
+}
+
+/// Another part of what a visitor brought is of the same file, though its place in the list is
+/// another's by now.
+TEST(Kiosk, ADetailOfAPictureOfAStickThatWasPulledIsOfThatPicture) {
+    KioskWorld world;
+    BlindVisitor visitor(world);
+    world.put_stick({TOUCHLINE_SOURCE_DIR "/app/gallery/pictures/07-house.svg"});
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English"));
+    ASSERT_TRUE(visitor.choose("Your USB stick"));
+    ASSERT_TRUE(visitor.choose("07 house"));
+    const int felt = world.servo().felt_count;
+    world.pull_stick();
+    ASSERT_TRUE(visitor.choose("Zoom")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Twice as large")) << visitor.heard();
+    world.run(2.0);
+    EXPECT_GT(world.servo().felt_count, felt) << visitor.heard();
+}
+
+TEST(Kiosk, AStickThatComesAtGoodbyeIsTheNextVisitors) {
+    KioskWorld world;
+    BlindVisitor visitor(world);
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English"));
+    ASSERT_TRUE(visitor.choose("Finish"));
+    ASSERT_TRUE(visitor.choose("Yes"));
+    world.put_stick({TOUCHLINE_SOURCE_DIR "/app/gallery/pictures/07-house.svg"});
+    world.run(30.0);
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English"));
+    EXPECT_TRUE(visitor.choose("Your USB stick, 1 picture")) << visitor.heard();
 }
 
 }  // namespace

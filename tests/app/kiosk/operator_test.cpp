@@ -81,9 +81,47 @@ TEST(OperatorRun, TheSelfTestUsesHandleSoundAndDisk) {
         world.run(1.0);
     }
     EXPECT_GT(world.servo().commands().pattern.serial, patterns) << "the motors were felt";
+    EXPECT_GT(world.servo().most_force_N, 0.1);
+    EXPECT_FALSE(world.servo().commands().is_force_wanted) << "afterwards";
     EXPECT_TRUE(world.heard().was_said("left"));
     EXPECT_TRUE(world.heard().was_said("right"));
     EXPECT_LE(world.servo().most_force_N, 1.2);
+}
+
+/// Whoever is in.
+TEST(OperatorRun, TheEmergencyStopActsWhileTheOperatorIsIn) {
+    KioskWorld world;
+    BlindVisitor staff(world, 0.2);
+    enter(staff);
+    ASSERT_TRUE(world.kiosk().is_operator_in());
+    world.kiosk().change_key({{KeySource::key, 'E'}, true, false, world.now_s()});
+    EXPECT_TRUE(world.servo().commands().is_emergency_stop);
+}
+
+TEST(OperatorRun, APinIsOnNoScreen) {
+    KioskWorld world;
+    BlindVisitor staff(world, 0.2);
+    enter(staff);
+    staff.press(KeyRole::up);
+    EXPECT_EQ(staff.heard(), "1\n");
+    EXPECT_EQ(world.kiosk().caption(), "");
+}
+
+/// The visit that is under way neither asks nor shakes, and the operator's hand begins none.
+TEST(OperatorRun, LeavesAVisitAsItWas) {
+    KioskWorld world;
+    BlindVisitor visitor(world);
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English"));
+    enter(visitor);
+    ASSERT_TRUE(world.kiosk().is_operator_in());
+    const std::uint32_t patterns = world.servo().commands().pattern.serial;
+    for (int i = 0; i < 40; ++i) {
+        world.servo().hand().move_to({i % 2 == 0 ? 0.01 : -0.01, 0.0});
+        world.run(5.0);
+    }
+    EXPECT_TRUE(is_visit_on(world.kiosk().visit()));
+    EXPECT_EQ(world.servo().commands().pattern.serial, patterns);
 }
 
 TEST(House, ClosesAndOpensByTheClock) {

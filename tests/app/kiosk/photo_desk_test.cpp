@@ -134,6 +134,14 @@ TEST_F(PhotoDeskTest, InTheDarkOneSentenceSaysWhatToDo) {
     EXPECT_EQ(page.error().line, "It is too dark here. Turn on a lamp.");
 }
 
+TEST_F(PhotoDeskTest, APhotographOfAVisitorWhoIsGoneIsNobodys) {
+    desk_.take();
+    desk_.forget();
+    EXPECT_EQ(desk_.step(0.0).photo, nullptr);
+    desk_.take();
+    EXPECT_NE(desk_.step(0.1).photo, nullptr) << "the next visitor's own";
+}
+
 TEST_F(PhotoDeskTest, AStillThatDoesNotComeIsTold) {
     state_->is_broken = true;
     desk_.take();
