@@ -53,7 +53,7 @@ bad_include() {
 }
 
 start_tree
-for name in includes format text layout readme_paths; do passes "$name"; done
+for name in includes format text layout readme_paths charts; do passes "$name"; done
 
 bad_include config/types/vec2.h '"haptics/curve/curve.h"' 'config may include only: itself'
 bad_include vision/contour/edges.h '"haptics/curve/curve.h"' 'vision may include only: config'
@@ -127,5 +127,16 @@ passes readme_paths
 write haptics/README.md 'See [the curve](curve/curve.h), [more](curve/none.h) and `haptics/none.h`.'
 finds readme_paths 'haptics/README.md:1: names haptics/none.h'
 finds readme_paths 'haptics/README.md:1: names haptics/curve/none.h'
+
+start_tree
+chart='![Error against time, a line for each of the methods.](results/error.svg)'
+write tests/README.md '## Error' '' "$chart" '' '| a | b |' '' 'The first is best. The second is not.'
+passes charts
+write tests/README.md '## Error' '' "$chart" '' 'The first is best. The second is not.' '## Else' '| a | b |'
+finds charts 'tests/README.md: results/error.svg: no table in its section'
+write tests/README.md '## Error' '' "$chart" '' '| a | b |' '' 'The first is best.'
+finds charts 'tests/README.md: results/error.svg: not two sentences in its section'
+write tests/README.md '![Error](results/error.svg)' '| a | b |' 'The first is best. The second is not.'
+finds charts 'tests/README.md: results/error.svg: its alternative text says too little'
 
 exit "$failed"

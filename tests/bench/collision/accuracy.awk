@@ -8,6 +8,7 @@ FNR > 2 {
     slips[key] = field("slip_offs")
     if (field("series") == "level" && field("value") + 0 > coarsest[field("curve")] + 0) coarsest[field("curve")] = field("value") + 0
     edges = field("edges")
+    remember(field("series") " " field("value"))
 }
 
 function sentences(curve,    level, last, fastest, k, exact) {
@@ -25,7 +26,26 @@ function sentences(curve,    level, last, fastest, k, exact) {
         rms["budget " k " " curve], slips["budget " k " " curve], slips[exact]
 }
 
+# p99, error of force and of place of a setting on a curve, three cells.
+function cells_of(setting, curve,    key) {
+    key = setting " " curve
+    return (key in p99) ? sprintf(" %s | %.2f | %.2f |", short(p99[key]), rms[key], place[key]) : " - | - | - |"
+}
+
+function title(setting) {
+    sub(/^budget /, "boxes at most ", setting)
+    return setting
+}
+
+function table_of_settings(    k) {
+    print "| setting | radial: p99 (ns) | force (N, RMS) | place (mm, RMS) | fractal: p99 (ns) | force (N, RMS) | place (mm, RMS) |"
+    print rule(6)
+    for (k = 1; k <= count; ++k) print "| " title(order[k]) " |" cells_of(order[k], "radial") cells_of(order[k], "fractal")
+    print ""
+}
+
 END {
+    table_of_settings()
     sentences("radial")
     sentences("fractal")
 }

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# The tactile labels in every language: what their dots say is what an independent braille translator makes of the word,
+# and no word or braille is wider than its plate. Usage: labels.sh LABELS_SCRIPT
+set -euo pipefail
+export LC_ALL=C.UTF-8
+labels=$1
+declare -A table=([en]=en-ueb-g1.ctb [de]=de-g0.utb [fr]=fr-bfu-comp6.utb [es]=es-g1.ctb)
+failures=0
+fail() {
+    echo "$1"
+    failures=$((failures + 1))
+}
+
+# cells SVG: a line for each label: its word, then the dots of its cells as bits (dot 1 is 1, dot 6 is 32).
+cells() {
+    awk -F'"' '
+    /<title>.*: / { word = $0; sub(/.*: /, "", word); sub(/<.*/, "", word) }
+    /<rect x=.*rx=/ { left = $2 + 7; top = $4 + 29; last = -1; delete cell }
+    /<circle/ {
+        x = $2 - left; y = $4 - top; i = int(x / 6); column = (x - 6 * i > 1.25); row = int(y / 2.5 + 0.5)
+        cell[i] += 2 ^ (row + 3 * column)
+        if (i > last) last = i
+        if ($2 + 0.75 > left + 81 - 3) print "too wide: " word > "/dev/stderr"
+    }
+    /<\/g>/ { printf "%s", word; for (i = 0; i <= last; ++i) printf " %d", cell[i]; print "" }' "$1"
+}
+
+# reference WORD TABLE: the same by liblouis.
+reference() {
+    local pattern i
+    pattern=$(printf '%s' "$1" | lou_translate "unicode.dis,$2")
+    for ((i = 0; i < ${#pattern}; ++i)); do
+        printf ' %d' $(($(printf '%d' "'${pattern:i:1}") - 0x2800))
+    done
+}
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+for language in "${!table[@]}"; do
+    bash "$labels" "$language" >"$work/labels.svg"
+    rsvg-convert "$work/labels.svg" -o "$work/labels.png" || fail "$language: not an SVG"
+    cells "$work/labels.svg" >"$work/cells.txt" 2>"$work/wide.txt"
+    [[ ! -s $work/wide.txt ]] || fail "$language: $(<"$work/wide.txt")"
+    (($(wc -l <"$work/cells.txt") == 10)) || fail "$language: not ten labels"
+    while read -r word dots; do
+        [[ " $dots" == "$(reference "$word" "${table[$language]}")" ]] || fail "$language: $word reads $dots"
+    done <"$work/cells.txt"
+done
+bash "$labels" xx >"$work/none" 2>"$work/error" && fail 'an unknown language is taken'
+grep -q "there are: de en es fr" "$work/error" || fail 'an unknown language is refused without saying which there are'
+exit $((failures > 0))
