@@ -1,9 +1,9 @@
 // Landlock: nothing can be made, changed, removed or run, and nothing read but what is named. Asked
 // for exactly what Debian 12's kernel (ABI 2) knows, so that a newer kernel does not prove more
 // here than holds there.
+#include "app/sandbox/policy.h"
 #include "app/sandbox/sandbox.h"
 
-#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -22,14 +22,6 @@ constexpr std::uint64_t all_rights_of_abi_2 = 0x3fff;
 constexpr long least_abi = 2;
 
 using Folders = std::span<const char* const>;
-
-/// What libraries read while they are prepared: themselves, their settings, fonts.
-constexpr std::array<const char*, 5> system_folders{"/usr", "/lib", "/etc/fonts",
-                                                    "/etc/ld.so.cache", "/var/cache/fontconfig"};
-
-/// What poppler reads at the moment it draws: letters that a PDF names and does not bring along.
-constexpr std::array<const char*, 3> font_folders{"/usr/share/fonts", "/usr/local/share/fonts",
-                                                  "/usr/share/poppler"};
 
 tl::unexpected<Error> refused(const char* why) {
     return failure(std::string("the sandbox cannot be entered: Landlock: ") + why);
@@ -79,11 +71,11 @@ Result<void> restrict_to_reading(Folders folders) {
 }  // namespace
 
 Result<void> allow_only_reading_the_system() {
-    return restrict_to_reading(system_folders);
+    return restrict_to_reading(folders_of_the_system());
 }
 
 Result<void> deny_files(WorkerKind kind) {
-    return restrict_to_reading(limits_of(kind).reads_fonts ? Folders(font_folders) : Folders{});
+    return restrict_to_reading(folders_of_work(limits_of(kind)));
 }
 
 Result<void> deny_files_but_beneath(const Descriptor& folder) {

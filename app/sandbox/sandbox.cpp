@@ -1,5 +1,6 @@
 #include "app/sandbox/sandbox.h"
 
+#include "app/sandbox/policy.h"
 #include "app/sandbox/worker.h"
 
 #include <cerrno>
@@ -24,14 +25,10 @@ constexpr bool is_sanitized = true;
 constexpr bool is_sanitized = false;
 #endif
 
+static_assert(ResourceLimit::no_limit == RLIM_INFINITY);
+
 tl::unexpected<Error> refused(const std::string& step) {
     return failure("the sandbox cannot be entered: " + step + ": " + std::strerror(errno));
-}
-
-Result<void> set_limit(__rlimit_resource_t what, const char* name, rlim_t soft, rlim_t hard) {
-    const rlimit limit{soft, hard};
-    if (setrlimit(what, &limit) != 0) return refused(name);
-    return {};
 }
 
 /// The C++ library would end by a signal that the filter does not know.
@@ -53,23 +50,12 @@ Result<void> close_what_was_not_meant() {
 }  // namespace
 
 Result<void> limit_resources(const WorkerLimits& limits) {
-    const auto set = [](__rlimit_resource_t what, const char* name, rlim_t most) {
-        return set_limit(what, name, most, most);
-    };
-    const auto cpu = [&limits]() -> Result<void> {
-        if (limits.cpu_s == 0) return {};
-        return set_limit(RLIMIT_CPU, "processor time", limits.cpu_s, limits.cpu_s + 1);
-    };
-    const rlim_t memory = is_sanitized ? RLIM_INFINITY : limits.address_space_bytes;
-    return set(RLIMIT_AS, "memory", memory)
-        .and_then(cpu)
-        .and_then([&] { return set(RLIMIT_FSIZE, "size of files", limits.file_bytes); })
-        .and_then([&] { return set(RLIMIT_NOFILE, "files", worker_descriptors + 3); })
-        .and_then([&] { return set(RLIMIT_CORE, "core dumps", 0); })
-        .and_then([&]() -> Result<void> {
-            if (limits.has_threads) return {};
-            return set(RLIMIT_NPROC, "processes", 0);
-        });
+    for (const ResourceLimit& most : resource_limits(limits, !is_sanitized)) {
+        const rlimit limit{most.soft, most.hard};
+        if (setrlimit(static_cast<__rlimit_resource_t>(most.what), &limit) != 0)
+            return refused(most.name);
+    }
+    return {};
 }
 
 Result<void> enter_sandbox(WorkerKind kind) {

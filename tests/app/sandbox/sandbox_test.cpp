@@ -32,15 +32,21 @@ constexpr Ending worked{0, 0};
 constexpr Ending was_refused{1, 0};
 constexpr Ending was_killed{-1, SIGSYS};
 
+/// It stands beside this program.
+fs::path probe_program() {
+    return fs::read_symlink("/proc/self/exe").parent_path() / "sandbox_probe";
+}
+
 Ending probe(const std::string& steps, WorkerKind kind, std::string_view act) {
     const std::string kind_text = std::to_string(static_cast<int>(kind));
     const std::string act_text(act);
+    const std::string program = probe_program().string();
     const pid_t pid = fork();
     if (pid == 0) {
         const int memory = memfd_create("probe", 0);
         dup2(memory, worker_input);
         dup2(memory, worker_output);
-        execl(TOUCHLINE_SANDBOX_PROBE, "probe", steps.c_str(), kind_text.c_str(), act_text.c_str(),
+        execl(program.c_str(), "probe", steps.c_str(), kind_text.c_str(), act_text.c_str(),
               nullptr);
         _exit(127);
     }

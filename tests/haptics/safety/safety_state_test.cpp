@@ -55,6 +55,15 @@ void expect_legal(const SafetyState& before, const SafetyFlags& flags, const Saf
     ASSERT_EQ(after.state == ForceState::fault, after.fault != Fault::none);
     ASSERT_EQ(after.state == ForceState::live, after.gain == 1.0);
     ASSERT_TRUE(after.gain == 0.0 || after.state == ForceState::ramp || after.gain == 1.0);
+    if (after.state == ForceState::off || after.state == ForceState::fault) {
+        ASSERT_EQ(after, (SafetyState{after.state, after.fault, 0.0, 0.0, 0.0}));
+    }
+    if (after.state == ForceState::armed) {
+        ASSERT_EQ(after.rise_per_s, 0.0);
+    }
+    if (after.state == ForceState::ramp || after.state == ForceState::live) {
+        ASSERT_EQ(after.quiet_s, 0.0);
+    }
     // Faults come at once and go by their rule; the gravest is told.
     if (flags.faults != 0) {
         ASSERT_EQ(after.fault, std::max(before.fault, gravest_of(flags.faults)));
@@ -103,6 +112,23 @@ TEST(SafetyState, EveryStateUnderEveryCombinationOfFlags) {
         }
     }
     EXPECT_EQ(tried, 17 * (1 << 13));
+}
+
+TEST(SafetyState, TimesAreReachedNotPassed) {
+    constexpr SafetyTimes halves{.arm_s = 0.25, .start_s = 1.0, .resume_s = 0.5, .fade_s = 0.125};
+    SafetyState state{ForceState::armed, Fault::none, 0.0, 0.125, 0.0};
+    state = next(state, {}, halves, 0.125);  // 0.25 s of quiet: on its way at once
+    EXPECT_EQ(state, (SafetyState{ForceState::ramp, Fault::none, 0.125, 0.0, 1.0}));
+    SafetyFlags fading;
+    fading.is_fading = true;
+    state = next(state, fading, halves, 0.0625);
+    EXPECT_EQ(state, (SafetyState{ForceState::ramp, Fault::none, 0.0, 0.0, 2.0}));
+    state = next(state, {}, halves, 0.5);
+    EXPECT_EQ(state, (SafetyState{ForceState::live, Fault::none, 1.0, 0.0, 2.0}));
+    SafetyFlags alone;
+    alone.is_hand_off = true;
+    EXPECT_EQ(next(state, alone, halves, 0.125),
+              (SafetyState{ForceState::armed, Fault::none, 0.0, 0.0, 0.0}));
 }
 
 TEST(SafetyState, TheGraverAFaultIsTheLessEasilyItClears) {

@@ -62,6 +62,35 @@ TEST(StabilityMonitor, LeavesAloneWhatAHandFeelsOnPurpose) {
     EXPECT_EQ(monitor.cuts(), 0U);
 }
 
+/// Slower than 20 Hz is a hand, and so are two or three swings.
+TEST(StabilityMonitor, TakesNoSlowOrShortSwingForRinging) {
+    EXPECT_EQ(rung(0.25, 18.0, 5000).cuts(), 0U);
+    EXPECT_EQ(rung(0.5, 10.0, 5000).cuts(), 0U);
+    EXPECT_EQ(rung(0.5, 80.0, 20).cuts(), 0U);
+}
+
+TEST(StabilityMonitor, CutsTenTimesASecondAtMostAndEachOverTwentyMilliseconds) {
+    StabilityMonitor monitor;
+    int ticks = 0;
+    for (; monitor.cuts() == 0 && ticks < 1000; ++ticks) {
+        const double before_N = 0.2 + 0.5 * std::sin(2.0 * std::numbers::pi * 0.08 * (ticks - 1));
+        const double force_N = 0.2 + 0.5 * std::sin(2.0 * std::numbers::pi * 0.08 * ticks);
+        monitor.step({{0.0, force_N}, {0.0, (before_N - force_N) / 500.0}, force_N * force_N / 1e3},
+                     tick_s);
+    }
+    ASSERT_EQ(monitor.cuts(), 1U);
+    double before = monitor.gain();
+    EXPECT_NEAR(before, 1.0 - 0.5 / 20.0, 1e-9);
+    for (int i = 0; i < 10; ++i) {
+        const double gain = monitor.step({{0.0, 0.2}, {}, 0.0}, tick_s);
+        EXPECT_NEAR(before - gain, 0.5 / 20.0, 1e-9);
+        before = gain;
+    }
+    EXPECT_EQ(rung(0.5, 80.0, 120).cuts(), 1U);
+    EXPECT_LE(rung(0.5, 80.0, 1000).cuts(), 10U);
+    EXPECT_GE(rung(0.5, 80.0, 1000).cuts(), 5U);
+}
+
 TEST(StabilityMonitor, CutsWhereTheLoopGivesEnergy) {
     // 1 N along with a hand at 0.2 m/s, and no spring that it came from: 0.2 W.
     StabilityMonitor monitor;

@@ -1,0 +1,112 @@
+// How the parent takes each way in which a worker ends. The worker is a shell; tests/app/decode has
+// the liars.
+#include "app/sandbox/worker.h"
+
+#include "app/process/memory.h"
+
+#include <algorithm>
+#include <ctime>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+WorkerOutcome worked(const std::string& script, WorkerKind kind = WorkerKind::raster) {
+    const std::string text = "hello\n";
+    const Descriptor input = sealed_copy(std::as_bytes(std::span(text))).value();
+    return run_worker({"/bin/sh", {"-c", script}, kind}, input);
+}
+
+std::string text_of(const WorkerOutcome& outcome) {
+    const auto mapping = map_sealed(outcome.output, 1U << 20U);
+    if (!mapping) return mapping.error().line;
+    const auto bytes = mapping->bytes();
+    std::string text(bytes.size(), '\0');
+    std::ranges::transform(bytes, text.begin(), [](std::byte b) { return static_cast<char>(b); });
+    return text;
+}
+
+bool has_a_child() {
+    return waitpid(-1, nullptr, WNOHANG) >= 0;
+}
+
+TEST(Worker, ReadsItsInputAndItsOutputIsSealed) {
+    const WorkerOutcome outcome = worked("cat /proc/self/fd/3 >&4");
+    EXPECT_EQ(outcome.end, WorkerEnd::done);
+    EXPECT_EQ(text_of(outcome), "hello\n");
+    EXPECT_LT(write(outcome.output.number(), "x", 1), 0);
+}
+
+TEST(Worker, HasOneThreadOfOpenMP) {
+    EXPECT_EQ(text_of(worked("printf %s \"$OMP_THREAD_LIMIT\" >&4")), "1");
+}
+
+struct Ending {
+    const char* script;
+    WorkerEnd end;
+};
+
+class Endings : public testing::TestWithParam<Ending> {};
+
+TEST_P(Endings, AreToldAndNothingOfTheWorkerIsKept) {
+    const WorkerOutcome outcome = worked(GetParam().script);
+    EXPECT_EQ(outcome.end, GetParam().end) << GetParam().script;
+    EXPECT_FALSE(outcome.output.is_open());
+    EXPECT_FALSE(has_a_child());
+}
+
+// A shell that ends itself by a signal names its own process.
+INSTANTIATE_TEST_SUITE_P(
+    All, Endings,
+    testing::Values(Ending{"exit 0", WorkerEnd::no_answer},
+                    Ending{"echo much >&4; exit 69", WorkerEnd::not_started},
+                    Ending{"echo much >&4; exit 70", WorkerEnd::out_of_memory},
+                    Ending{"echo much >&4; exit 1", WorkerEnd::crashed},
+                    Ending{"echo much >&4; exit 68", WorkerEnd::crashed},
+                    Ending{"echo much >&4; kill -SEGV $$", WorkerEnd::crashed},
+                    Ending{"echo much >&4; kill -SYS $$", WorkerEnd::crashed},
+                    Ending{"echo much >&4; kill -KILL $$", WorkerEnd::out_of_time},
+                    Ending{"echo much >&4; kill -XCPU $$", WorkerEnd::out_of_time}));
+
+TEST(Worker, AProgramThatIsMissingIsNotStarted) {
+    const Descriptor input = sealed_copy(std::as_bytes(std::span("x"))).value();
+    EXPECT_EQ(run_worker({"/nowhere/at-all", {}, WorkerKind::raster}, input).end,
+              WorkerEnd::not_started);
+}
+
+/// By the clock on the wall, of its kind: 6 s. Not sooner, however busy the machine is.
+TEST(Worker, ThatSleepsIsEndedAtItsDeadline) {
+    timespec begin{};
+    timespec end{};
+    clock_gettime(CLOCK_MONOTONIC, &begin);
+    const WorkerOutcome outcome = worked("echo much >&4; exec sleep 600");
+    clock_gettime(CLOCK_MONOTONIC, &end);
+    EXPECT_EQ(outcome.end, WorkerEnd::out_of_time);
+    EXPECT_FALSE(outcome.output.is_open());
+    EXPECT_FALSE(has_a_child());
+    EXPECT_GE(end.tv_sec - begin.tv_sec, 5);
+}
+
+/// Somebody listens to a voice for as long as it speaks.
+TEST(Worker, ThatSpeaksHasNoDeadline) {
+    EXPECT_EQ(text_of(worked("sleep 0.2; echo spoken >&4", WorkerKind::speech)), "spoken\n");
+}
+
+/// Every descriptor that this process may have is taken.
+TEST(Worker, IsNotStartedWhereNothingIsLeftForItsAnswer) {
+    const Descriptor input = sealed_copy(std::as_bytes(std::span("x"))).value();
+    std::vector<Descriptor> all;
+    do all.emplace_back(::dup(input.number()));
+    while (all.back().is_open());
+    EXPECT_EQ(run_worker({"/bin/true", {}, WorkerKind::raster}, input).end,
+              WorkerEnd::out_of_memory);
+}
+
+}  // namespace
+}  // namespace touchline

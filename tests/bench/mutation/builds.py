@@ -1,0 +1,103 @@
+"""How a test program is made, as ninja tells it, and made again with one file of it changed."""
+import os
+import re
+import shlex
+import subprocess
+from pathlib import Path
+
+# A mutant's own object: soon compiled, quick enough to run. Warnings are not what is asked here.
+QUICK, TESTS_QUICK = ['-O1', '-g0', '-w'], ['-O0', '-g0', '-w']
+UNCACHED = dict(os.environ, CCACHE_DISABLE='1')  # none is compiled twice
+HEADERS_OF_TESTS = '#include <gtest/gtest.h>\n#include <rapidcheck/gtest.h>\n'
+
+
+def said_by_ninja(build, *words):
+    return subprocess.run(['ninja', '-C', build, *words], check=True, capture_output=True, text=True).stdout
+
+
+class Program:
+    """One test program: what it is compiled, archived and linked from. Paths are seen from the build's folder."""
+
+    def __init__(self, build, name):
+        self.name = name
+        self.compiles, self.objects_of_library = {}, {}
+        for line in said_by_ninja(build, '-t', 'commands', name).splitlines():
+            words = shlex.split(line)
+            if ' -c ' in line and '-o' in words and words[words.index('-o') + 1].endswith('.o'):
+                self.compiles[words[words.index('-o') + 1]] = words
+            elif ' qc ' in line:
+                library = words[words.index('qc') + 1]
+                self.objects_of_library[library] = [w for w in words if w.endswith('.o')]
+            elif '-o' in words and Path(words[words.index('-o') + 1]).name == name:
+                self.link = words[words.index('-o') - len(words):]
+                first = next(i for i, w in enumerate(words) if re.search(r'(g\+\+|c\+\+)$', w))
+                last = words.index('&&', first) if '&&' in words[first:] else len(words)
+                self.link = words[first:last]
+        own = set(w for w in self.link if w.endswith('.o'))
+        libraries = [w for w in self.link if w in self.objects_of_library]
+        self.own = sorted(own)
+        self.objects = own | {o for library in libraries for o in self.objects_of_library[library]}
+
+
+def dependants(build):
+    """The objects that are made from each file, by the file's whole path."""
+    made_from, target = {}, None
+    for line in said_by_ninja(build, '-t', 'deps').splitlines():
+        if line.startswith('    '):
+            path = (Path(build) / line.strip()).resolve() if not line.strip().startswith('/') else Path(line.strip())
+            made_from.setdefault(str(path), set()).add(target)
+        elif ':' in line:
+            target = line.split(':')[0]
+    return made_from
+
+
+def without_flags(words):
+    """A compile command without levels, warnings and dependency files."""
+    kept, skip = [], False
+    for word in words:
+        if skip or word in ('-MD', '-g') or re.match(r'-O|-W(?!l)', word):
+            skip = False
+            continue
+        if word in ('-MT', '-MF'):
+            skip = True
+            continue
+        kept.append(word)
+    return kept[1:] if kept[0].endswith('ccache') else kept
+
+
+def compiled(build, command, overlay, root, path, target, precompiled):
+    """True if the object could be made at `target` with the overlay's files before the root's."""
+    words = without_flags(command)
+    source = Path(words[words.index('-c') + 1])
+    changed = Path(overlay) / source.relative_to(root)
+    if changed.exists():
+        words[words.index('-c') + 1] = str(changed)
+    words[words.index('-o') + 1] = str(target)
+    is_of_tests = 'tests' in source.relative_to(root).parts
+    words[1:1] = [f'-I{overlay}', *(['-include', str(precompiled), *TESTS_QUICK] if is_of_tests else QUICK)]
+    return subprocess.run(words, cwd=build, capture_output=True, env=UNCACHED).returncode == 0
+
+
+def precompiled_headers(build, command, folder):
+    """The headers of the test libraries, read once for all mutants of headers."""
+    header = Path(folder) / 'of_tests.h'
+    header.write_text(HEADERS_OF_TESTS)
+    words = without_flags(command)
+    words[words.index('-o') + 1] = f'{header}.gch'
+    words[words.index('-c') + 1] = str(header)
+    words[1:1] = ['-x', 'c++-header', *TESTS_QUICK]
+    subprocess.run(words, cwd=build, check=True, capture_output=True, env=UNCACHED)
+    return header
+
+
+def linked(build, program, replaced, target):
+    """True if the program could be linked at `target` with these objects in place of its own or its libraries'."""
+    words, members = [], [str(o) for old, o in replaced.items() if old not in program.own]
+    for word in program.link:
+        if word.endswith('.a') and members:
+            words += members
+            members = []
+        words.append(str(replaced.get(word, word)))
+    words[words.index('-o') + 1] = str(target)
+    words.append('-Wl,--strip-debug')
+    return subprocess.run(words, cwd=build, capture_output=True).returncode == 0
