@@ -1,15 +1,14 @@
 #include "app/main/kiosk_servo.h"
 
 #include "app/device/board_files.h"
+#include "app/process/places.h"
 #include "app/servo/servo_process.h"
 #include "app/servo/servo_thread.h"
 #include "app/servo/usb_search.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/pantograph/profile.h"
 
-#include <filesystem>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -17,13 +16,6 @@
 
 namespace touchline {
 namespace {
-
-/// Beside this program, whatever folder it was started from.
-std::string servo_program() {
-    std::error_code error;
-    const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
-    return (own.parent_path() / "touchline-servo").string();
-}
 
 Result<std::optional<UsbDevice>> find_device() {
     const auto settings = read_board_files(board_files());
@@ -44,9 +36,11 @@ std::vector<std::string> keep_home(UsbDevice device, const Message& message) {
 
 KioskServo with_motors(const UsbDevice& device) {
     KioskServo servo;
-    servo.client = std::make_unique<ServoProcess>(ServoProcessOptions{
-        servo_program(), arguments_of(device), [device] { return zero_usb_device(device); },
-        [device](const Message& message) { return keep_home(device, message); }});
+    servo.client = std::make_unique<ServoProcess>(
+        ServoProcessOptions{companion("touchline-servo"), arguments_of(device),
+                            [device] { return zero_usb_device(device); },
+                            [device](const Message& message) { return keep_home(device, message); },
+                            environment("TOUCHLINE_SERVO_SOCKET")});
     servo.has_motors = true;
     servo.profile = find_profile(device.profile).value_or(default_profile());
     servo.hand_words = fmt::format("pantograph {} {}", device.profile, device.serial);

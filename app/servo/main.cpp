@@ -1,4 +1,5 @@
-// touchline-servo: started by the kiosk, with its socket and the device that it is for.
+// touchline-servo: started by the kiosk, with its socket and the device that it is for; or by
+// systemd, for a kiosk that asks at its socket and names the device there.
 #include "app/servo/servo_program.h"
 #include "app/servo/usb_device.h"
 
@@ -15,13 +16,15 @@ int main(int argc, char** argv) {
         const std::string& text = arguments.front();
         (void)std::from_chars(text.data(), text.data() + text.size(), socket);
     }
-    const auto device =
-        touchline::device_of(std::span(arguments).subspan(arguments.empty() ? 0 : 1));
-    if (socket < 0 || !device) {
+    const auto words = std::span(arguments).subspan(arguments.empty() ? 0 : 1);
+    if (socket < 0 || (!words.empty() && !touchline::device_of(words))) {
         std::fprintf(stderr, "touchline-servo: the kiosk starts it by itself; use 'touchline'\n");
         return 2;
     }
-    return touchline::run_servo_program(socket, [&device](const touchline::Opening& opening) {
-        return touchline::open_usb_device(*device, opening);
+    return touchline::run_servo_program(socket, [words](const touchline::Opening& opening) {
+        const std::span<const std::string> named = words.empty() ? opening.words : words;
+        return touchline::device_of(named).and_then([&opening](const touchline::UsbDevice& device) {
+            return touchline::open_usb_device(device, opening);
+        });
     });
 }

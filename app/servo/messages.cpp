@@ -26,7 +26,7 @@ msghdr header_of(iovec& data, ControlRoom& room) {
 }
 
 bool is_known(const Message& message) {
-    return message.kind <= MessageKind::home && message.line_bytes <= sizeof message.line;
+    return message.kind <= MessageKind::done && message.line_bytes <= sizeof message.line;
 }
 
 }  // namespace

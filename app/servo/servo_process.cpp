@@ -1,8 +1,8 @@
 #include "app/servo/servo_process.h"
 
-#include "app/process/child.h"
 #include "app/servo/restart.h"
 #include "app/servo/servo_line.h"
+#include "app/servo/servo_peer.h"
 #include "config/types/map_bytes.h"
 #include "config/types/steady_clock.h"
 #include "haptics/servo/peer_watch.h"
@@ -84,37 +84,31 @@ class ServoProcess::Guard {
 
     /// One servo from its start to its end, and zero torque after it.
     void serve_one() {
-        auto sockets = socket_pair();
         auto region = SharedRegion::create();
-        if (!sockets || !region) {
-            line.note(sockets ? region.error().line : sockets.error().line);
+        auto met = options_.summons.empty() ? start_servo(options_.program, options_.arguments)
+                                            : summon_servo(options_.summons, options_.arguments);
+        if (!met || !region) {
+            line.note(met ? region.error().line : met.error().line);
             return;
         }
-        std::vector<std::string> words{std::to_string(Child::first_handed)};  // its socket
-        words.insert(words.end(), options_.arguments.begin(), options_.arguments.end());
-        auto child = Child::start(options_.program, words, std::array{&sockets->second});
-        sockets->second = Descriptor{};
-        if (!child) {
-            line.note(child.error().line);
-            return;
-        }
+        ServoPeer& servo = met->peer;
         const auto connection = std::make_shared<const Connection>(
-            Connection{std::move(*region), std::move(sockets->first)});
+            Connection{std::move(*region), std::move(met->socket)});
         (void)send(connection->socket, message_of(MessageKind::region),
                    &connection->region.descriptor());
         is_homing_wanted_ = false;
         line.connect(connection);
-        watch(*child, *connection);
+        watch(servo, *connection);
         hear_the_rest(*connection);
         line.disconnect();
         const std::int64_t dead_ns = steady_now_ns();
-        const ChildEnd end = child->reap();
+        const std::string end = servo.end(is_done_);
         const bool has_run = connection->region.channel().servo_beats.load() != 0;
-        if (!end.is_good() && has_run) zero(describe(end), dead_ns);
+        if (!end.empty() && has_run) zero(end, dead_ns);
     }
 
     /// Beats and looks until the child is dead.
-    void watch(const Child& child, const Connection& connection) {
+    void watch(const ServoPeer& servo, const Connection& connection) {
         ServoChannel& channel = connection.region.channel();
         PeerWatch under_force(longest_silence_under_force_s, longest_beat_s);
         PeerWatch at_rest(longest_silence_s, longest_beat_s);
@@ -122,7 +116,8 @@ class ServoProcess::Guard {
         std::int64_t last_ns = start_ns;
         std::int64_t ending_ns = 0;
         is_closed_ = false;
-        while (!is_dead(child, connection)) {
+        is_done_ = false;
+        while (!is_dead(servo, connection)) {
             const std::int64_t now_ns = steady_now_ns();
             const double dt_s = 1e-9 * static_cast<double>(now_ns - std::exchange(last_ns, now_ns));
             if (line.is_kiosk_alive(now_ns)) channel.kiosk_beats.fetch_add(1);
@@ -137,15 +132,15 @@ class ServoProcess::Guard {
             const bool is_overdue = ending_ns != 0 && seconds_since(ending_ns) > longest_end_s;
             const bool is_stuck =
                 beats != 0 ? is_silent : seconds_since(start_ns) > longest_start_s;
-            if (is_silent_under_force || (is_stuck && ending_ns == 0) || is_overdue) child.kill();
+            if (is_silent_under_force || (is_stuck && ending_ns == 0) || is_overdue) servo.kill();
         }
     }
 
     /// Waits for a beat's time, and reads what the servo says meanwhile.
-    bool is_dead(const Child& child, const Connection& connection) {
+    bool is_dead(const ServoPeer& servo, const Connection& connection) {
         ++turns_;
         std::array<pollfd, 2> waiting{
-            {{child.pidfd().number(), POLLIN, 0}, {connection.socket.number(), POLLIN, 0}}};
+            {{servo.pidfd().number(), POLLIN, 0}, {connection.socket.number(), POLLIN, 0}}};
         (void)::poll(waiting.data(), is_closed_ ? 1 : 2, beat_ms);
         if (waiting[0].revents != 0) return true;
         Arrival arrival;
@@ -166,6 +161,7 @@ class ServoProcess::Guard {
         // Why there is no servo stays to be read until there is one.
         if (message.kind == MessageKind::say || message.kind == MessageKind::failed)
             line.say(line_of(message));
+        if (message.kind == MessageKind::done) is_done_ = true;
         if (message.kind == MessageKind::home && options_.keep_home)
             options_.arguments = options_.keep_home(message);
         if (message.kind == MessageKind::failed || message.kind == MessageKind::notice) {
@@ -207,6 +203,7 @@ class ServoProcess::Guard {
     std::atomic<std::uint64_t> turns_{0};
     Restart restart_;
     bool is_closed_ = false;  // the guard's: the servo's socket is gone
+    bool is_done_ = false;    // likewise: it said that it ended as asked
     std::thread thread_;      // last: it uses all of the above
 };
 

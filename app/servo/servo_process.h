@@ -18,14 +18,17 @@
 namespace touchline {
 
 struct ServoProcessOptions {
-    std::string program;                 // touchline-servo
-    std::vector<std::string> arguments;  // after the socket
+    std::string program;                 // touchline-servo, started as a child
+    std::vector<std::string> arguments;  // after the socket: they name the device
     /// Opens the device and writes zero torque. Called by the guard thread after every death of the
     /// servo that was not asked for, again and again for a second where it fails.
     std::function<Result<void>()> zero_torque;
     /// Homing found this of the unit: keeps it, gives the arguments from the next servo on. Called
     /// by the guard thread. None: nothing is kept.
     std::function<std::vector<std::string>(const Message&)> keep_home = {};
+    /// Where a servo is asked for instead of started: a path at which systemd listens, and starts
+    /// one for each that asks. Empty: the program, as a child.
+    std::string summons = {};
 };
 
 class ServoProcess final : public ServoClient {

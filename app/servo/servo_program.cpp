@@ -12,12 +12,19 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <malloc.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <unistd.h>
+
+// This C library forgets to say so itself.
+extern "C" {
+#include <sys/pidfd.h>
+}
 
 namespace touchline {
 namespace {
@@ -25,6 +32,7 @@ namespace {
 constexpr std::int64_t longest_absence_ns = 2'000'000'000;
 constexpr std::size_t most_map_bytes = std::size_t{64} << 20U;
 constexpr int hello_ms = 5000;
+constexpr std::size_t most_words = 32;
 constexpr int look_ms = 50;                  // how often the ends are looked for that wake nobody
 constexpr rlim_t longest_turn_us = 100'000;  // of the real-time thread without a sleep
 
@@ -88,8 +96,11 @@ ServoOptions options_for(const OpenedDevice& opened) {
 
 class ServoProgram {
   public:
-    ServoProgram(Descriptor socket, SharedRegion region)
-        : socket_(std::move(socket)), region_(std::move(region)), servo_(region_.channel()) {}
+    ServoProgram(Descriptor socket, SharedRegion region, std::vector<std::string> words)
+        : socket_(std::move(socket)),
+          region_(std::move(region)),
+          words_(std::move(words)),
+          servo_(region_.channel()) {}
 
     int run(const DeviceOpener& open_device) {
         auto opened = open_device(opening());
@@ -105,7 +116,9 @@ class ServoProgram {
         const std::string lost = run_loop(*opened, box);
         if (opened->release && !opened->release() && lost.empty())
             return fail("the board did not confirm zero torque: switch its motors off");
-        return lost.empty() ? 0 : fail(lost);
+        if (!lost.empty()) return fail(lost);
+        tell(MessageKind::done, {});
+        return 0;
     }
 
   private:
@@ -140,7 +153,8 @@ class ServoProgram {
                     region_.channel().servo_beats.fetch_add(1);
                     return region_.channel().is_stop_wanted == 0;
                 },
-                [this](const Calibration& found) { (void)send(socket_, message_of(found)); }};
+                [this](const Calibration& found) { (void)send(socket_, message_of(found)); },
+                words_};
     }
 
     static bool has_lost_place(const OpenedDevice& opened) {
@@ -187,6 +201,7 @@ class ServoProgram {
 
     Descriptor socket_;
     SharedRegion region_;
+    std::vector<std::string> words_;
     Servo servo_;
     BlackBox* box_ = nullptr;  // while it runs
     std::int64_t answered_ns_ = steady_now_ns();
@@ -197,14 +212,20 @@ class ServoProgram {
 int run_servo_program(int socket_number, const DeviceOpener& open_device) {
     harden();
     Descriptor socket(socket_number);
+    const Descriptor own(pidfd_open(getpid(), 0));
+    (void)send(socket, message_of(MessageKind::here), &own);
+    std::vector<std::string> words;
     auto hello = wait_for_message(socket, hello_ms);
+    for (; hello && hello->message.kind == MessageKind::word && words.size() < most_words;
+         hello = wait_for_message(socket, hello_ms))
+        words.push_back(line_of(hello->message));
     if (!hello || hello->message.kind != MessageKind::region) return 1;
     auto region = SharedRegion::open(hello->attached);
     if (!region) {
         (void)send(socket, message_of(MessageKind::failed, region.error().line));
         return 1;
     }
-    return ServoProgram(std::move(socket), std::move(*region)).run(open_device);
+    return ServoProgram(std::move(socket), std::move(*region), std::move(words)).run(open_device);
 }
 
 }  // namespace touchline

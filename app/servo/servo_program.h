@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace touchline {
 
@@ -33,6 +34,7 @@ struct Opening {
     std::function<void(const std::string&)> say;   // what the person is to do now; empty: nothing
     std::function<bool()> goes_on;                 // to be asked all the time; false: give up
     std::function<void(const Calibration&)> keep;  // found for this unit, for the next time
+    std::vector<std::string> words;  // that the kiosk named the device with; may be none
 };
 
 /// Opens the device that this servo is for; may wait for minutes as long as it asks whether it goes
@@ -40,10 +42,10 @@ struct Opening {
 using DeviceOpener = std::function<Result<OpenedDevice>(const Opening&)>;
 
 /// Runs the servo until the kiosk asks for the end, dies, or a signal ends it. `socket_number`: the
-/// kiosk's socket, the first message on it the shared region. The exit status: 0 when it ended as
-/// asked with zero torque, 1 when it could not start, lost the device, or left it in doubt.
-/// Threads: call it from the main thread of a process of its own. Scenes are built in that thread;
-/// the loop runs in one of its own.
+/// kiosk's socket; the messages that come first are words of the device, if any, and the shared
+/// region. The exit status: 0 when it ended as asked with zero torque, 1 when it could not start,
+/// lost the device, or left it in doubt. Threads: call it from the main thread of a process of its
+/// own. Scenes are built in that thread; the loop runs in one of its own.
 [[nodiscard]] int run_servo_program(int socket_number, const DeviceOpener& open_device);
 
 }  // namespace touchline

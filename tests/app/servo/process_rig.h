@@ -46,14 +46,19 @@ class ProcessRig : public testing::Test {
 
     ~ProcessRig() override {
         if (kiosk_ != 0) end_kiosk(SIGKILL);
+        if (listener_ != 0) kill(listener_, SIGKILL);
         if (board_.owner != 0) kill(board_.owner, SIGKILL);
         while (waitpid(-1, nullptr, 0) > 0) {
         }
         std::filesystem::remove(path_);
         std::filesystem::remove(words_path());
+        std::filesystem::remove(socket_path());
     }
 
     void start_kiosk();
+
+    /// From now on a kiosk asks for its servo, and this starts it, as systemd would.
+    void start_listener();
 
     /// Its status.
     int end_kiosk(int signal) {
@@ -122,11 +127,14 @@ class ProcessRig : public testing::Test {
         return 1e-6 * static_cast<double>(board_.zeroed_ns - start_ns);
     }
 
+    [[nodiscard]] std::string socket_path() const { return path_ + ".socket"; }
+
     [[nodiscard]] std::string words_path() const { return path_ + ".words"; }
 
     std::string path_;
     FakeBoard& board_;
     pid_t kiosk_ = 0;
+    pid_t listener_ = 0;
     int deaths_ = 0;      // of its servos
     int next_servo_ = 0;  // as the board counts them
 

@@ -2,9 +2,13 @@
 //
 //   servo_rig SOCKET BOARD         the servo
 //   servo_rig SOCKET usb DEVICE    the servo with a board on the USB, whatever its tier
-//   servo_rig kiosk BOARD          the kiosk, until SIGTERM; SIGUSR1: keeps a recording; SIGUSR2:
+//   servo_rig kiosk BOARD [PATH]   the kiosk, until SIGTERM; SIGUSR1: keeps a recording; SIGUSR2:
 //   its
-//                                  main thread hangs for 0.8 s
+//                                  main thread hangs for 0.8 s. PATH: it asks there for its servo
+//   servo_rig listen PATH          as systemd does with touchline-servo.socket: a servo for each
+//   that asks servo_rig SOCKET               the servo that is started so: the kiosk names its
+//   board
+#include "app/process/child.h"
 #include "app/servo/servo_process.h"
 #include "app/servo/servo_program.h"
 #include "app/servo/usb_device.h"
@@ -14,6 +18,7 @@
 #include "tests/haptics/servo/rigs.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -23,6 +28,9 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <sys/socket.h>
+#include <sys/un.h>
 
 namespace touchline {
 namespace {
@@ -101,12 +109,13 @@ FeltPicture line_picture() {
 
 std::atomic<bool> is_end_asked{false}, is_recording_asked{false}, is_hang_asked{false};
 
-int run_kiosk(const std::string& program, const std::string& board_path) {
+int run_kiosk(const std::string& program, const std::string& board_path, const std::string& path) {
     FakeBoard& board = mapped<FakeBoard>(board_path);
     std::signal(SIGTERM, [](int) { is_end_asked = true; });
     std::signal(SIGUSR1, [](int) { is_recording_asked = true; });
     std::signal(SIGUSR2, [](int) { is_hang_asked = true; });
-    ServoProcess servo({program, {board_path}, [&board] { return zero_by_guard(board); }});
+    ServoProcess servo(
+        {program, {board_path}, [&board] { return zero_by_guard(board); }, {}, path});
     servo.feel(line_picture());
     MonotonicClock clock;
     while (!is_end_asked) {
@@ -119,6 +128,23 @@ int run_kiosk(const std::string& program, const std::string& board_path) {
     }
     servo.stop();
     return 0;
+}
+
+/// Until it is killed. Its dead are buried by the kernel.
+int listen_at(const std::string& program, const std::string& path) {
+    std::signal(SIGCHLD, SIG_IGN);
+    const Descriptor socket(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0));
+    sockaddr_un place{};
+    place.sun_family = AF_UNIX;
+    path.copy(place.sun_path, sizeof place.sun_path - 1);
+    if (::bind(socket.number(), reinterpret_cast<const sockaddr*>(&place), sizeof place) != 0 ||
+        ::listen(socket.number(), 8) != 0)
+        return 1;
+    for (;;) {
+        const Descriptor asking(::accept4(socket.number(), nullptr, nullptr, SOCK_CLOEXEC));
+        if (!asking.is_open()) return 1;
+        (void)Child::start(program, {std::to_string(Child::first_handed)}, std::array{&asking});
+    }
 }
 
 /// How busy the machine of a test is decides nothing.
@@ -134,14 +160,21 @@ Result<OpenedDevice> open_at_any_tier(std::span<const std::string> arguments,
 
 int main(int argc, char** argv) {
     using namespace touchline;
-    if (argc < 3) return 2;
+    if (argc < 2) return 2;
+    if (argc == 2) {
+        return run_servo_program(std::stoi(argv[1]), [](const Opening& opening) {
+            return open_fake_device(mapped<FakeBoard>(opening.words.at(0)));
+        });
+    }
     if (std::string(argv[2]) == "usb") {
         const std::vector<std::string> device(argv + 3, argv + argc);
         return run_servo_program(std::stoi(argv[1]), [&](const Opening& opening) {
             return open_at_any_tier(device, opening);
         });
     }
-    if (std::string(argv[1]) == "kiosk") return run_kiosk(argv[0], argv[2]);
+    if (std::string(argv[1]) == "kiosk")
+        return run_kiosk(argv[0], argv[2], argc > 3 ? argv[3] : "");
+    if (std::string(argv[1]) == "listen") return listen_at(argv[0], argv[2]);
     FakeBoard& board = mapped<FakeBoard>(argv[2]);
     return run_servo_program(std::stoi(argv[1]),
                              [&board](const Opening&) { return open_fake_device(board); });
