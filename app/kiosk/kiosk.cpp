@@ -342,7 +342,7 @@ void Kiosk::follow_camera(double now_s) {
                 : "");
     if (news.photo && visit_.visitor.is_capturing) {
         pictures_.put_photo(std::move(news.photo));
-        happen(CameraCaptured{});
+        happen(CameraCaptured{news.is_doubtful});
     }
     if (news.has_given_up)
         happen(CameraFailed{language().text("camera", "The camera gave no picture. Try again.")});

@@ -46,6 +46,8 @@ struct Kiosk::OperatorCarrying {
 
     void operator()(const StopHoming&) const { kiosk.is_homing_ = false; }
 
+    void operator()(const ClearFault&) const { kiosk.act(Action::clear_fault); }
+
     void operator()(const RunTest& run) const { kiosk.run_test(run.step); }
 
     void operator()(const StopTest&) const {}  // every step is done at once

@@ -175,6 +175,8 @@ struct FindHome {};
 
 struct StopHoming {};
 
+struct ClearFault {};  // what stopped the force, an emergency stop too
+
 struct RunTest {
     TestStep step = TestStep::device;
 };
@@ -207,8 +209,8 @@ struct Leave {};  // back to the visitors
 
 using OperatorOrder =
     std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings, WriteSound, WriteKeys,
-                 FindHome, StopHoming, RunTest, StopTest, ShowLive, LockHandle, ImportPictures,
-                 ZeroCounters, ExportLog, BackUp, Restore, CloseKiosk, Leave>;
+                 FindHome, StopHoming, ClearFault, RunTest, StopTest, ShowLive, LockHandle,
+                 ImportPictures, ZeroCounters, ExportLog, BackUp, Restore, CloseKiosk, Leave>;
 
 struct OperatorStep {
     Operator state;

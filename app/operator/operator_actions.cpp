@@ -64,6 +64,9 @@ void do_action(OperatorTurn& turn, std::size_t action) {
             return begin_wizard(turn);
         case OperatorAction::find_home:
             return turn.order(FindHome{});
+        case OperatorAction::clear_fault:
+            turn.order(ClearFault{});
+            return turn.say(turn.words("Done."));
         case OperatorAction::run_all_tests:
             return run_all_tests(turn);
         case OperatorAction::begin_cleaning:

@@ -65,6 +65,7 @@ using A = OperatorAction;
 
 constexpr std::array actions{
     ActionRow{P::keys, A::learn_keys, "Learn the keys", "You press the key for each role twice."},
+    ActionRow{P::device, A::clear_fault, "Clear what stopped the force", "Only when all is safe."},
     ActionRow{P::homing, A::find_home, "Begin", ""},
     ActionRow{P::self_test, A::run_all_tests, "All steps", "One after the other."},
     ActionRow{P::cleaning, A::begin_cleaning, "Begin", ""},

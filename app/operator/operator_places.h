@@ -26,6 +26,7 @@ struct PlaceRow {
 enum class OperatorAction : std::uint8_t {
     learn_keys,
     find_home,
+    clear_fault,
     run_all_tests,
     begin_cleaning,
     zero_counters,

@@ -68,12 +68,14 @@ void headphones_changed(VisitWork& work, bool are_in) {
     say_return(work, language_of(work).text("speech", "The headphones are in."));
 }
 
-void camera_captured(VisitWork& work) {
+void camera_captured(VisitWork& work, bool is_doubtful) {
     if (!work.visitor.is_capturing) return;
     work.visitor.is_capturing = false;
     cue(work, ScreenEvent::shutter);
     open_picture(work, PictureSource::camera, 0, {});
-    say(work, words(work, "The picture is taken."));
+    say(work,
+        words(work, is_doubtful ? "The picture is taken. It is unclear; you can take it again."
+                                : "The picture is taken."));
 }
 
 void camera_failed(VisitWork& work, const std::string& sentence) {
@@ -179,7 +181,7 @@ struct Take {
 
     void operator()(const CameraChanged& change) { camera_changed(work, change.is_there); }
 
-    void operator()(const CameraCaptured&) { camera_captured(work); }
+    void operator()(const CameraCaptured& event) { camera_captured(work, event.is_doubtful); }
 
     void operator()(const CameraFailed& failed) { camera_failed(work, failed.sentence); }
 

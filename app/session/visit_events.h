@@ -95,7 +95,9 @@ struct CameraChanged {
 };
 
 /// The picture is taken: the shutter's moment.
-struct CameraCaptured {};
+struct CameraCaptured {
+    bool is_doubtful = false;  // blurred or too bright, even after a second attempt
+};
 
 struct CameraFailed {
     std::string sentence;

@@ -66,6 +66,22 @@ TEST(OperatorRun, FromAFreshInstallToPinStiffnessLevelsAndACopy) {
     EXPECT_LE(staff.slowest_answer_s(), 0.3);
 }
 
+TEST(OperatorRun, SixKeysClearAnEmergencyStop) {
+    KioskWorld world;
+    world.kiosk().change_key({{KeySource::key, 'E'}, true, false, world.now_s()});
+    ASSERT_TRUE(world.servo().commands().is_emergency_stop);
+    const std::uint32_t cleared = world.servo().commands().faults_cleared;
+    BlindVisitor staff(world, 0.2);
+    enter(staff);
+    enter_pin(staff);
+    enter_pin(staff);
+    ASSERT_TRUE(staff.choose("Handle and tests")) << staff.heard();
+    EXPECT_TRUE(world.servo().commands().is_emergency_stop) << "not before it is chosen";
+    ASSERT_TRUE(staff.choose("Clear what stopped the force")) << staff.heard();
+    EXPECT_FALSE(world.servo().commands().is_emergency_stop);
+    EXPECT_EQ(world.servo().commands().faults_cleared, cleared + 1);
+}
+
 TEST(OperatorRun, TheSelfTestUsesHandleSoundAndDisk) {
     KioskWorld world;
     const std::uint32_t patterns = world.servo().commands().pattern.serial;

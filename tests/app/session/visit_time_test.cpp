@@ -179,6 +179,18 @@ TEST(Visit, TI5_NothingIsTakenWithoutAKeyAndTheShutterIsHeard) {
     EXPECT_EQ(house.last<LoadPicture>()[0].source, PictureSource::camera);
 }
 
+TEST(Visit, AnUnclearPhotographIsSaidToBeSo) {
+    FakeHouse house;
+    to_choose(house);
+    ASSERT_TRUE(house.choose("Camera"));
+    ASSERT_TRUE(house.choose("Take the picture"));
+    const std::size_t before = house.transcript.size();
+    house.happen(CameraCaptured{true});
+    EXPECT_TRUE(
+        house.has_said("The picture is taken. It is unclear; you can take it again.", before));
+    EXPECT_EQ(house.last<LoadPicture>().size(), 1U) << "it can be felt all the same";
+}
+
 TEST(Visit, TI6_GoodbyeRemindsOfStickAndHeadphones) {
     FakeHouse house;
     house.press(KeyRole::select);
