@@ -111,7 +111,7 @@ def listed(numbers):
 def words_of(ends):
     of = {end: [row for row, e in ends.items() if e == end] for end in ('yes', 'no', 'published', UNMEASURED)}
     return (f'Of {len(ends)} rows of figures {len(of["yes"])} reach their bar and {len(of["no"])} do not{listed(of["no"])}. '
-            f'{len(of["published"])} are told without a bar, and {len(of[UNMEASURED])} are not measured yet'
+            f'Told without a bar: {len(of["published"])}; not measured yet: {len(of[UNMEASURED])}'
             f'{listed(of[UNMEASURED])}.')
 
 
