@@ -42,7 +42,10 @@ TEST(StiffnessRamp, NonsenseChangesNothing) {
         EXPECT_EQ(ramp.step(bad, 0.001, 1e-3), 500.0);
     }
     EXPECT_EQ(ramp.step(600.0, nan, 1e-3), 500.0);
-    EXPECT_EQ(ramp.step(600.0, 0.001, nan), 500.0);
+    EXPECT_EQ(ramp.step(600.0, std::numeric_limits<double>::infinity(), 1e-3), 500.0);
+    for (const double bad_s : {nan, 0.0, -1e-3, std::numeric_limits<double>::infinity()})
+        EXPECT_EQ(ramp.step(600.0, 0.001, bad_s), 500.0);
+    EXPECT_EQ(ramp.step(200.0, 0.001, 0.0), 500.0);
     EXPECT_EQ(ramp.booked_J(), 0.0);
 }
 
