@@ -148,7 +148,7 @@ def exclusions():
     page, nameless = ['| test program | label | left out by | why |', '|---|---|---|---|'], []
     for program in sorted({p for programs in left_out.values() for p in programs}):
         by = [s for s in left_out if program in left_out[s]]
-        why = [r for r in reasons if fnmatch.fnmatch(program, r[0]) and set(by) <= set(r[1].split())]
+        why = [r for r in reasons if fnmatch.fnmatch(program, r[0]) and set(by) == set(r[1].split())]
         if not why:
             nameless.append(f'{program} ({", ".join(by)})')
         else:
