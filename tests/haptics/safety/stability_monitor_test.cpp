@@ -163,6 +163,21 @@ TEST(StabilityMonitor, AfterNonsenseNothingIsCompared) {
     EXPECT_EQ(swung.cuts(), 0U);
 }
 
+/// Energy of a second ago, and swings a third of a second apart, are no ringing together.
+TEST(StabilityMonitor, ForgetsWhatWasBefore) {
+    StabilityMonitor kicked;
+    for (int i = 0; i < 25; ++i) kicked.step({{0.0, 1.0}, {0.0, 2e-4}, 0.0}, tick_s);  // 5 mJ
+    for (int i = 0; i < 1500; ++i) kicked.step({{0.0, 0.5}, {1e-4, 0.0}, 0.0}, tick_s);
+    scan(kicked, 0.4, 50.0, 1000);
+    EXPECT_EQ(kicked.cuts(), 0U);
+    StabilityMonitor tapped;
+    for (int i = 0; i < 20; ++i) {
+        ring(tapped, 0.5, 80.0, 13);
+        for (int k = 0; k < 300; ++k) tapped.step({{0.0, 0.2}, {}, 4e-5}, tick_s);
+    }
+    EXPECT_EQ(tapped.cuts(), 0U);
+}
+
 /// A tick that is not continued is as good as nonsense: contact was dropped.
 TEST(StabilityMonitor, ADroppedContactIsNoEnergy) {
     StabilityMonitor monitor;

@@ -25,6 +25,8 @@ TEST(StiffnessRamp, FallsAtOnceWhereNothingPressesAndStopsAtTheWantedValue) {
     EXPECT_EQ(ramp.step(200.0, 0.0, 1e-3), 200.0);
     for (int i = 0; i < 2000; ++i) (void)ramp.step(210.0, 0.0, 1e-3);
     EXPECT_EQ(ramp.stiffness_N_per_m(), 210.0);
+    StiffnessRamp soft(2.0);
+    EXPECT_EQ(soft.step(0.5, 0.0, 1e-3), 0.5);
 }
 
 TEST(StiffnessRamp, BooksTheEnergyPutIntoTheSpring) {
