@@ -29,14 +29,17 @@ class Program:
                 library = words[words.index('qc') + 1]
                 self.objects_of_library[library] = [w for w in words if w.endswith('.o')]
             elif '-o' in words and Path(words[words.index('-o') + 1]).name == name:
-                self.link = words[words.index('-o') - len(words):]
                 first = next(i for i, w in enumerate(words) if re.search(r'(g\+\+|c\+\+)$', w))
                 last = words.index('&&', first) if '&&' in words[first:] else len(words)
                 self.link = words[first:last]
-        own = set(w for w in self.link if w.endswith('.o'))
         libraries = [w for w in self.link if w in self.objects_of_library]
-        self.own = sorted(own)
-        self.objects = own | {o for library in libraries for o in self.objects_of_library[library]}
+        self.own = sorted(set(w for w in self.link if w.endswith('.o')))
+        self.objects = set(self.own) | {o for library in libraries for o in self.objects_of_library[library]}
+
+    def includes(self, target, path):
+        """True if the source of the object names the header itself."""
+        command = self.compiles[target]
+        return f'"{path}"' in Path(command[command.index('-c') + 1]).read_text()
 
 
 def dependants(build):
@@ -65,7 +68,7 @@ def without_flags(words):
     return kept[1:] if kept[0].endswith('ccache') else kept
 
 
-def compiled(build, command, overlay, root, path, target, precompiled):
+def compiled(build, command, overlay, root, target, precompiled):
     """True if the object could be made at `target` with the overlay's files before the root's."""
     words = without_flags(command)
     source = Path(words[words.index('-c') + 1])

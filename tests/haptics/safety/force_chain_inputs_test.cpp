@@ -249,8 +249,10 @@ TEST(ForceChainInputs, AFaultForgetsWhatWasBefore) {
     }
     EXPECT_EQ(given.status().fault, Fault::energy);
     stopped_and_cleared(given, wanting({}));
+    const std::uint32_t damped = ticks_of(given, Limit::damped);
     (void)run(given, wanting({}), 200);
     EXPECT_EQ(given.state(), ForceState::live);
+    EXPECT_EQ(ticks_of(given, Limit::damped), damped);
 
     ForceChain alone = live_chain(limits);
     input = wanting({1.5, 0.0});

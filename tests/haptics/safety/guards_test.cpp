@@ -60,6 +60,7 @@ TEST(EnergyGuard, DampsFromAFiftiethOfAJouleAndForgets) {
     EnergyGuard guard;
     guard.step({1.0, 0.0}, {0.04, 0.0}, tick_s);
     EXPECT_EQ(guard.damping_Ns_per_m(), 0.0);
+    EXPECT_NEAR(guard.given_J(), 0.04, 1e-12);
     guard.step({1.0, 0.0}, {0.04, 0.0}, tick_s);
     EXPECT_GT(guard.damping_Ns_per_m(), 1.0);
     EXPECT_FALSE(guard.is_too_much());

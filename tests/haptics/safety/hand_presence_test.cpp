@@ -76,12 +76,18 @@ TEST(LoneHandle, IsRememberedForHalfASecondWithoutForce) {
     LoneTip soon({});
     EXPECT_FALSE(soon.driven({2.0, 0.0}, 20));
     EXPECT_FALSE(soon.coasting(400));
-    EXPECT_TRUE(soon.driven({2.0, 0.0}, 30));
+    EXPECT_TRUE(soon.driven({2.0, 0.0}, 20));
     LoneTip late({});
     EXPECT_FALSE(late.driven({2.0, 0.0}, 20));
     EXPECT_FALSE(late.coasting(600));
     EXPECT_FALSE(late.driven({2.0, 0.0}, 20));
     EXPECT_TRUE(late.driven({2.0, 0.0}, 20));
+    LoneTip in_parts({});  // each pause by itself counts
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_FALSE(in_parts.driven({2.0, 0.0}, 10));
+        EXPECT_FALSE(in_parts.coasting(300));
+    }
+    EXPECT_TRUE(in_parts.driven({2.0, 0.0}, 10));
 }
 
 TEST(LoneHandle, OneContradictionIsAHand) {

@@ -143,6 +143,22 @@ TEST(SafetyState, TheGraverAFaultIsTheLessEasilyItClears) {
     EXPECT_EQ(before, Fault::emergency_stop);
 }
 
+/// Of a state that a broken memory made.
+TEST(SafetyState, AStateThatIsNoneIsOff) {
+    const SafetyState none{static_cast<ForceState>(force_state_count), Fault::none, 1.0, 0.0, 2.0};
+    EXPECT_EQ(next(none, {}, times, tick_s), SafetyState{});
+}
+
+TEST(SafetyState, StatesAreEqualInEveryField) {
+    const SafetyState state{ForceState::ramp, Fault::none, 0.5, 0.1, 2.0};
+    EXPECT_EQ(state, state);
+    EXPECT_NE(state, (SafetyState{ForceState::live, Fault::none, 0.5, 0.1, 2.0}));
+    EXPECT_NE(state, (SafetyState{ForceState::ramp, Fault::energy, 0.5, 0.1, 2.0}));
+    EXPECT_NE(state, (SafetyState{ForceState::ramp, Fault::none, 0.6, 0.1, 2.0}));
+    EXPECT_NE(state, (SafetyState{ForceState::ramp, Fault::none, 0.5, 0.2, 2.0}));
+    EXPECT_NE(state, (SafetyState{ForceState::ramp, Fault::none, 0.5, 0.1, 2.5}));
+}
+
 TEST(SafetyState, NoTimeIsAFault) {
     const SafetyState live{ForceState::live, Fault::none, 1.0, 0.0, 2.0};
     for (const double dt_s : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),

@@ -66,6 +66,7 @@ TEST(StabilityMonitor, LeavesAloneWhatAHandFeelsOnPurpose) {
 TEST(StabilityMonitor, TakesNoSlowOrShortSwingForRinging) {
     EXPECT_EQ(rung(0.25, 18.0, 5000).cuts(), 0U);
     EXPECT_EQ(rung(0.5, 10.0, 5000).cuts(), 0U);
+    EXPECT_EQ(rung(0.8, 12.0, 5000).cuts(), 0U);
     EXPECT_EQ(rung(0.5, 80.0, 20).cuts(), 0U);
 }
 
@@ -136,7 +137,55 @@ TEST(StabilityMonitor, NonsenseBeginsAnewAndKeepsTheGain) {
     EXPECT_EQ(monitor.step({{nan, 0.0}, {}, 0.0}, tick_s), cut);
     EXPECT_EQ(monitor.step({{0.0, 0.0}, {nan, 0.0}, 0.0}, tick_s), cut);
     EXPECT_EQ(monitor.step({{0.0, 0.0}, {}, nan}, tick_s), cut);
-    EXPECT_EQ(monitor.step({{0.0, 0.0}, {}, 0.0}, nan), cut);
+    for (const double bad_s : {nan, 0.0, -1e-3, std::numeric_limits<double>::infinity()})
+        EXPECT_EQ(monitor.step({{0.0, 0.0}, {}, 0.0}, bad_s), cut);
+}
+
+/// Energy, spring and swings of before count for nothing.
+TEST(StabilityMonitor, AfterNonsenseNothingIsCompared) {
+    const StabilityMonitor::Tick nonsense{{std::numeric_limits<double>::quiet_NaN(), 0.0}, {}, 0.0};
+    StabilityMonitor spring;
+    spring.step({{1.0, 0.0}, {}, 0.0}, tick_s);
+    spring.step(nonsense, tick_s);
+    spring.step({{1.0, 0.0}, {}, 0.1}, tick_s);
+    EXPECT_EQ(spring.cuts(), 0U);
+    StabilityMonitor given;
+    for (int i = 0; i < 80; ++i) {
+        if (i % 40 == 0) given.step(nonsense, tick_s);
+        given.step({{1.0, 0.0}, {2e-4, 0.0}, 0.0}, tick_s);  // 8 mJ each time
+    }
+    EXPECT_EQ(given.cuts(), 0U);
+    StabilityMonitor swung;
+    for (int i = 0; i < 10; ++i) {
+        ring(swung, 0.5, 80.0, 20);
+        swung.step(nonsense, tick_s);
+    }
+    EXPECT_EQ(swung.cuts(), 0U);
+}
+
+/// Energy of a second ago, and swings a third of a second apart, are no ringing together.
+TEST(StabilityMonitor, ForgetsWhatWasBefore) {
+    StabilityMonitor kicked;
+    for (int i = 0; i < 25; ++i) kicked.step({{0.0, 1.0}, {0.0, 2e-4}, 0.0}, tick_s);  // 5 mJ
+    for (int i = 0; i < 1500; ++i) kicked.step({{0.0, 0.5}, {1e-4, 0.0}, 0.0}, tick_s);
+    scan(kicked, 0.4, 50.0, 1000);
+    EXPECT_EQ(kicked.cuts(), 0U);
+    StabilityMonitor tapped;
+    for (int i = 0; i < 20; ++i) {
+        ring(tapped, 0.5, 80.0, 13);
+        for (int k = 0; k < 300; ++k) tapped.step({{0.0, 0.2}, {}, 4e-5}, tick_s);
+    }
+    EXPECT_EQ(tapped.cuts(), 0U);
+}
+
+/// A tick that is not continued is as good as nonsense: contact was dropped.
+TEST(StabilityMonitor, ADroppedContactIsNoEnergy) {
+    StabilityMonitor monitor;
+    for (int i = 0; i < 10; ++i) {
+        monitor.step({{1.0, 0.0}, {}, i % 2 == 0 ? 0.0 : 0.1, false}, tick_s);
+        monitor.step({{1.0, 0.0}, {}, i % 2 == 0 ? 0.1 : 0.0}, tick_s);
+    }
+    EXPECT_EQ(monitor.cuts(), 0U);
 }
 
 }  // namespace

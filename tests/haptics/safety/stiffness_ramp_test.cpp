@@ -25,6 +25,8 @@ TEST(StiffnessRamp, FallsAtOnceWhereNothingPressesAndStopsAtTheWantedValue) {
     EXPECT_EQ(ramp.step(200.0, 0.0, 1e-3), 200.0);
     for (int i = 0; i < 2000; ++i) (void)ramp.step(210.0, 0.0, 1e-3);
     EXPECT_EQ(ramp.stiffness_N_per_m(), 210.0);
+    StiffnessRamp soft(2.0);
+    EXPECT_EQ(soft.step(0.5, 0.0, 1e-3), 0.5);
 }
 
 TEST(StiffnessRamp, BooksTheEnergyPutIntoTheSpring) {
@@ -42,7 +44,10 @@ TEST(StiffnessRamp, NonsenseChangesNothing) {
         EXPECT_EQ(ramp.step(bad, 0.001, 1e-3), 500.0);
     }
     EXPECT_EQ(ramp.step(600.0, nan, 1e-3), 500.0);
-    EXPECT_EQ(ramp.step(600.0, 0.001, nan), 500.0);
+    EXPECT_EQ(ramp.step(600.0, std::numeric_limits<double>::infinity(), 1e-3), 500.0);
+    for (const double bad_s : {nan, 0.0, -1e-3, std::numeric_limits<double>::infinity()})
+        EXPECT_EQ(ramp.step(600.0, 0.001, bad_s), 500.0);
+    EXPECT_EQ(ramp.step(200.0, 0.001, 0.0), 500.0);
     EXPECT_EQ(ramp.booked_J(), 0.0);
 }
 

@@ -1,0 +1,42 @@
+"""How a row of the tables is judged by its tests and figures."""
+import sys
+import unittest
+
+sys.dont_write_bytecode = True
+import hazards  # noqa: E402
+import tables  # noqa: E402
+
+
+def figure(row, name, passed):
+    return {'row': row, 'figure': name, 'value': '1', 'passed': passed}
+
+
+class Judged(unittest.TestCase):
+    def test_evidence_is_tests_and_figures_with_words(self):
+        self.assertEqual(hazards.evidence_of('A.Is figure:16:cases of it B.Is'), ['A.Is', 'figure:16:cases of it', 'B.Is'])
+        self.assertEqual(hazards.evidence_of('-'), [])
+
+    def test_every_case_of_a_name_counts(self):
+        cases = [('All/A.Is/1', 'passed'), ('All/A.Is/2', 'failed'), ('A.IsNot', 'passed')]
+        self.assertEqual(hazards.ended('A.Is', cases), 'failed')
+        self.assertEqual(hazards.ended('A.IsNot', cases), 'passed')
+        self.assertEqual(hazards.ended('B.Is', cases), '')
+
+    def test_a_row_is_as_good_as_its_worst_evidence(self):
+        known = {'A.Is': 'passed', 'B.Is': 'failed'}
+        figures = [figure('16', 'cases of it', 'yes')]
+        self.assertEqual(hazards.judged(['A.Is', 'figure:16:cases'], known, figures), 'passed')
+        self.assertEqual(hazards.judged(['A.Is', 'B.Is'], known, figures), 'failed')
+        self.assertEqual(hazards.judged(['A.Is', 'C.Is'], known, figures), 'passed as far as measured')
+        self.assertEqual(hazards.judged(['figure:17:cases'], known, figures), 'not measured yet')
+        self.assertEqual(hazards.judged([], known, figures), 'not run')
+
+    def test_a_row_without_figures_says_so(self):
+        self.assertEqual(tables.end_of([]), 'not measured yet')
+        self.assertEqual(tables.short([]), 'not measured yet')
+        self.assertEqual(tables.end_of([figure('1', 'a', 'yes'), figure('1', 'b', 'no')]), 'no')
+        self.assertEqual(tables.end_of([figure('1', 'a', 'yes'), figure('1', 'b', '-')]), 'yes')
+        self.assertEqual(tables.end_of([figure('1', 'a', '-')]), 'published')
+
+
+unittest.main()
