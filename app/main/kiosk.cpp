@@ -73,7 +73,8 @@ struct ServoCount {
 /// The kiosk in its window, in real time.
 class KioskWindow {
   public:
-    explicit KioskWindow(const KioskArguments& arguments) : arguments_(arguments) {}
+    KioskWindow(const KioskArguments& arguments, const ServoStarter& start)
+        : arguments_(arguments), start_servo_(start) {}
 
     Result<void> run() {
         auto opened = open_window().and_then([this] { return open_kiosk(); });
@@ -122,7 +123,7 @@ class KioskWindow {
     }
 
     Result<void> open_kiosk() {
-        auto servo = start_servo(hand_);
+        auto servo = start_servo_(hand_);
         if (!servo) return tl::unexpected(servo.error());
         report(servo->note);
         sound_.languages = offered(std::move(sound_.languages), settings_.languages);
@@ -268,6 +269,7 @@ class KioskWindow {
     }
 
     KioskArguments arguments_;
+    ServoStarter start_servo_;
     SoundParts sound_;                    // until the kiosk has them
     std::unique_ptr<OperatorDesk> desk_;  // likewise
     Settings settings_;                   // at the start
@@ -286,11 +288,11 @@ class KioskWindow {
 
 }  // namespace
 
-int run_kiosk(const KioskArguments& arguments) {
+int run_kiosk(const KioskArguments& arguments, const ServoStarter& start) {
     is_end_asked = false;
     std::signal(SIGINT, ask_for_end);
     std::signal(SIGTERM, ask_for_end);
-    const Result<void> done = KioskWindow(arguments).run();
+    const Result<void> done = KioskWindow(arguments, start).run();
     if (done) return 0;
     report(done.error().line);
     return 1;

@@ -11,6 +11,9 @@
 int main(int argc, char** argv) {
     touchline::forbid_core_dumps();
     const std::vector<std::string> arguments(argv + 1, argv + argc);
-    return touchline::run_command_line(arguments, {touchline::run_kiosk, touchline::run_tour},
-                                       std::cout, std::cerr);
+    const auto run_kiosk = [](const touchline::KioskArguments& kiosk) {
+        return touchline::run_kiosk(kiosk);
+    };
+    return touchline::run_command_line(arguments, {run_kiosk, touchline::run_tour}, std::cout,
+                                       std::cerr);
 }
