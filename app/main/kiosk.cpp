@@ -192,7 +192,8 @@ class KioskWindow {
     }
 
     void report_news() {
-        report(kiosk_->take_report());
+        std::istringstream lines(kiosk_->take_report());
+        for (std::string line; std::getline(lines, line);) report(line);
         const RealTimeTier tier = servo_->tier();
         if (has_motors_ && tier != told_tier_) report(fmt::format("timing: {}", describe(tier)));
         told_tier_ = tier;
