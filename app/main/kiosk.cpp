@@ -29,11 +29,13 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace touchline {
 
@@ -44,8 +46,18 @@ constexpr std::size_t loading_threads = PlanLimits{}.jobs;
 
 std::atomic<bool> is_end_asked{false};
 
+constexpr unsigned longest_end_s = 3;  // a servo fades out and ends in two
+
+/// Should anything hang by then: the servo zeroes the torque when its kiosk dies.
 void ask_for_end(int) {
     is_end_asked = true;
+    (void)alarm(longest_end_s);
+}
+
+void end_at_once(int) {
+    constexpr std::string_view line = "touchline: something hangs: ended without waiting for it\n";
+    (void)!write(STDERR_FILENO, line.data(), line.size());
+    _exit(1);
 }
 
 void report(const std::string& line) {
@@ -291,6 +303,7 @@ class KioskWindow {
 
 int run_kiosk(const KioskArguments& arguments, const ServoStarter& start) {
     is_end_asked = false;
+    std::signal(SIGALRM, end_at_once);
     std::signal(SIGINT, ask_for_end);
     std::signal(SIGTERM, ask_for_end);
     const Result<void> done = KioskWindow(arguments, start).run();

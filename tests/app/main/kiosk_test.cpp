@@ -150,6 +150,16 @@ TEST_F(Kiosk, EndsAsAskedByTheSystem) {
     EXPECT_EQ(run_script("kiosk; keys b; kill -TERM $pid; finish"), 0);
 }
 
+/// A display that does not answer holds the main thread for ever.
+TEST_F(Kiosk, EndsAsAskedThoughItsDisplayHangs) {
+    EXPECT_EQ(
+        run_script("server=$(pgrep -x Xvfb -P \"$(ps -o ppid= -p $PPID | tr -d ' ')\") || exit 9;"
+                   "kiosk; keys b; kill -STOP $server; kill -TERM $pid; wait $pid; status=$?;"
+                   "kill -CONT $server; exit $status"),
+        1);
+    EXPECT_NE(complaints().find("something hangs"), std::string::npos) << complaints();
+}
+
 TEST_F(Kiosk, ABadPictureIsOneLineAndTheSessionGoesOn) {
     EXPECT_EQ(
         run_script("echo 'not a picture' >bad.png; kiosk bad.png; keys b; sleep 1; keys Return "
