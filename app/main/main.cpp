@@ -3,6 +3,7 @@
 #include "app/cli/tour.h"
 #include "app/main/core_dumps.h"
 #include "app/main/kiosk.h"
+#include "app/process/compact_memory.h"
 
 #include <iostream>
 #include <string>
@@ -10,6 +11,7 @@
 
 int main(int argc, char** argv) {
     touchline::forbid_core_dumps();
+    touchline::keep_memory_compact();
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     const auto run_kiosk = [](const touchline::KioskArguments& kiosk) {
         return touchline::run_kiosk(kiosk);
