@@ -13,10 +13,9 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 0.05;     // of the visit
-constexpr double patience_s = 5.0;  // until sticks are missed
-constexpr double sign_s = 1.0;      // that the sign of a sound stays
-constexpr double moved_m = 0.002;   // less is no sign of a person
+constexpr double tick_s = 0.05;    // of the visit
+constexpr double sign_s = 1.0;     // that the sign of a sound stays
+constexpr double moved_m = 0.002;  // less is no sign of a person
 constexpr double tour_m_per_s = 0.035;
 
 /// Of a code; the first where it has none of these.
@@ -236,7 +235,6 @@ void Kiosk::wipe() {
 
 void Kiosk::step(std::int64_t now_ns) {
     const double now_s = 1e-9 * static_cast<double>(now_ns);
-    if (now_s_ == 0.0) watched_s_ = now_s;
     now_s_ = now_s;
     follow_headphones();
     follow_stick(now_ns);
@@ -288,11 +286,7 @@ void Kiosk::offer(std::vector<FilePtr> files, const std::string& sentence) {
 void Kiosk::follow_stick(std::int64_t now_ns) {
     if (!shelf_) return;
     auto change = shelf_->poll(now_ns);
-    if (shelf_->is_watching()) watched_s_ = now_s_;
-    if (!misses_sticks_ && now_s_ - watched_s_ > patience_s) {
-        misses_sticks_ = true;
-        report("USB sticks are not offered: udisks2 does not answer");
-    }
+    follow_part(Part::sticks, shelf_->is_watching());
     const bool was_listing = std::exchange(is_listing_, shelf_->is_listing());
     if (change && !change->files.empty()) {
         offer(std::move(change->files), change->sentence);
@@ -336,6 +330,7 @@ void Kiosk::follow_camera(double now_s) {
     PhotoNews news = photos_->step(now_s);
     const bool has_camera = news.condition != CameraCondition::absent;
     if (has_camera != std::exchange(has_camera_, has_camera)) happen(CameraChanged{has_camera});
+    follow_part(Part::camera, has_camera);
     trouble(TroubleKind::camera,
             news.condition == CameraCondition::stopped
                 ? language().text("camera", std::string(sentence(news.condition)))
@@ -382,7 +377,14 @@ std::optional<Position> Kiosk::target() const {
 
 void Kiosk::follow_troubles() {
     trouble(TroubleKind::device, device_trouble());
-    trouble(TroubleKind::sound, sound_->problem());
+    const std::string silence = sound_->problem();
+    trouble(TroubleKind::sound, silence);
+    follow_part(Part::sound, silence.empty());
+}
+
+void Kiosk::follow_part(Part part, bool is_there) {
+    const std::string line = missing_.step(part, is_there, now_s_);
+    if (!line.empty()) report(line);
 }
 
 std::string Kiosk::device_trouble() const {
@@ -403,7 +405,7 @@ void Kiosk::trouble(TroubleKind kind, const std::string& sentence) {
 
 void Kiosk::report(const std::string& line) {
     if (operator_) operator_->log(line);
-    report_ += (report_.empty() ? "" : "; ") + line;
+    report_ += line + '\n';
 }
 
 std::string Kiosk::take_report() {

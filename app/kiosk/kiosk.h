@@ -9,6 +9,7 @@
 #include "app/decode/reading_order.h"
 #include "app/keys/key_filter.h"
 #include "app/keys/two_switches.h"
+#include "app/kiosk/missing_parts.h"
 #include "app/kiosk/operator_desk.h"
 #include "app/kiosk/photo_desk.h"
 #include "app/kiosk/pictures.h"
@@ -104,7 +105,8 @@ class Kiosk {
     /// Of the camera, while it is to be shown; else null.
     [[nodiscard]] std::shared_ptr<const Canvas> preview() const;
 
-    /// One line for the log; empty: nothing new. It names no file and no text of a visitor.
+    /// Lines for the log, each ended; empty: nothing new. They name no file and no text of a
+    /// visitor.
     [[nodiscard]] std::string take_report();
 
     /// What the staff sees and wants.
@@ -160,6 +162,7 @@ class Kiosk {
     void follow_servo();
     void follow_guidance();
     void follow_troubles();
+    void follow_part(Part part, bool is_there);
     void trouble(TroubleKind kind, const std::string& sentence);
     void take(Delivery delivery);
     void load(const LoadPicture& order);
@@ -225,8 +228,7 @@ class Kiosk {
     std::optional<bool> are_headphones_in_;
     bool has_camera_ = false;
     bool is_listing_ = false;
-    double watched_s_ = 0.0;  // when sticks were last looked for
-    bool misses_sticks_ = false;
+    MissingParts missing_;
     bool is_previewing_ = false;
     std::optional<ScreenEvent> sign_;
     double signed_s_ = 0.0;

@@ -164,6 +164,10 @@ OperatorDesk::OperatorDesk(OperatorFiles files, const std::vector<Language>& lan
     auto counters = read_counters(files_.counters);
     if (!counters) problems.push_back(counters.error().line);
     counters_ = counters.value_or(Counters{});
+    can_keep_ = can_write();
+    if (!can_keep_)
+        problems.push_back("nothing can be kept in " + files_.counters.parent_path().string() +
+                           ": make room on its disk, and let the kiosk write there");
 }
 
 void OperatorDesk::read_site() {
@@ -268,15 +272,17 @@ void OperatorDesk::count_visit(double minutes) {
     ++counters_.sessions;
     counters_.minutes += static_cast<std::uint64_t>(std::max(0.0, std::round(minutes)));
     const auto kept = keep_counters(files_.counters, counters_);
-    if (!kept) note_ = kept.error().line;
+    if (!kept && can_keep_) note_ = kept.error().line;
+    can_keep_ = kept.has_value();
 }
 
 bool OperatorDesk::can_write() const {
     const fs::path probe = files_.counters.parent_path() / "write-test";
+    std::error_code error;
+    fs::create_directories(probe.parent_path(), error);
     std::ofstream file(probe);
     file << "touchline";
     file.close();
-    std::error_code error;
     return file.good() && fs::remove(probe, error);
 }
 

@@ -107,6 +107,7 @@ class OperatorDesk {
     std::future<std::string> import_;
     std::vector<std::string> log_;
     std::string note_;
+    bool can_keep_ = true;  // as it was last told
 };
 
 }  // namespace touchline

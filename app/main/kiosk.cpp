@@ -30,11 +30,13 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace touchline {
 
@@ -45,8 +47,18 @@ constexpr std::size_t loading_threads = PlanLimits{}.jobs;
 
 std::atomic<bool> is_end_asked{false};
 
+constexpr unsigned longest_end_s = 3;  // a servo fades out and ends in two
+
+/// Should anything hang by then: the servo zeroes the torque when its kiosk dies.
 void ask_for_end(int) {
     is_end_asked = true;
+    (void)alarm(longest_end_s);
+}
+
+void end_at_once(int) {
+    constexpr std::string_view line = "touchline: something hangs: ended without waiting for it\n";
+    (void)!write(STDERR_FILENO, line.data(), line.size());
+    _exit(1);
 }
 
 void report(const std::string& line) {
@@ -74,7 +86,8 @@ struct ServoCount {
 /// The kiosk in its window, in real time.
 class KioskWindow {
   public:
-    explicit KioskWindow(const KioskArguments& arguments) : arguments_(arguments) {}
+    KioskWindow(const KioskArguments& arguments, const ServoStarter& start)
+        : arguments_(arguments), start_servo_(start) {}
 
     Result<void> run() {
         auto opened = open_window().and_then([this] { return open_kiosk(); });
@@ -124,7 +137,7 @@ class KioskWindow {
     }
 
     Result<void> open_kiosk() {
-        auto servo = start_servo(hand_);
+        auto servo = start_servo_(hand_);
         if (!servo) return tl::unexpected(servo.error());
         report(servo->note);
         sound_.languages = offered(std::move(sound_.languages), settings_.languages);
@@ -193,7 +206,8 @@ class KioskWindow {
     }
 
     void report_news() {
-        report(kiosk_->take_report());
+        std::istringstream lines(kiosk_->take_report());
+        for (std::string line; std::getline(lines, line);) report(line);
         const RealTimeTier tier = servo_->tier();
         if (has_motors_ && tier != told_tier_) report(fmt::format("timing: {}", describe(tier)));
         told_tier_ = tier;
@@ -271,6 +285,7 @@ class KioskWindow {
     }
 
     KioskArguments arguments_;
+    ServoStarter start_servo_;
     SoundParts sound_;                    // until the kiosk has them
     std::unique_ptr<OperatorDesk> desk_;  // likewise
     Settings settings_;                   // at the start
@@ -290,11 +305,12 @@ class KioskWindow {
 
 }  // namespace
 
-int run_kiosk(const KioskArguments& arguments) {
+int run_kiosk(const KioskArguments& arguments, const ServoStarter& start) {
     is_end_asked = false;
+    std::signal(SIGALRM, end_at_once);
     std::signal(SIGINT, ask_for_end);
     std::signal(SIGTERM, ask_for_end);
-    const Result<void> done = KioskWindow(arguments).run();
+    const Result<void> done = KioskWindow(arguments, start).run();
     if (done) return 0;
     report(done.error().line);
     return 1;

@@ -65,7 +65,10 @@ Result<KioskServo> start_servo(const std::shared_ptr<MouseHand>& hand) {
     const auto device = find_device();
     if (device && *device) return with_motors(**device);
     auto servo = simulated(hand);
-    if (servo && !device) servo->note = device.error().line;
+    if (servo)
+        servo->note = device ? "there is no pantograph: the mouse is the hand of a simulated one; "
+                               "plug it in, then start the kiosk again"
+                             : device.error().line;
     return servo;
 }
 

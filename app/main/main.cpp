@@ -3,6 +3,7 @@
 #include "app/cli/tour.h"
 #include "app/main/core_dumps.h"
 #include "app/main/kiosk.h"
+#include "app/process/compact_memory.h"
 
 #include <iostream>
 #include <string>
@@ -10,7 +11,11 @@
 
 int main(int argc, char** argv) {
     touchline::forbid_core_dumps();
+    touchline::keep_memory_compact();
     const std::vector<std::string> arguments(argv + 1, argv + argc);
-    return touchline::run_command_line(arguments, {touchline::run_kiosk, touchline::run_tour},
-                                       std::cout, std::cerr);
+    const auto run_kiosk = [](const touchline::KioskArguments& kiosk) {
+        return touchline::run_kiosk(kiosk);
+    };
+    return touchline::run_command_line(arguments, {run_kiosk, touchline::run_tour}, std::cout,
+                                       std::cerr);
 }

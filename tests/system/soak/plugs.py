@@ -1,0 +1,121 @@
+"""A stick and the board, plugged in and pulled over and over: nothing of it stays in the kiosk."""
+
+import random
+import threading
+import time
+
+import processes
+from figures import quantile
+from world import Kiosk, Visitor, wait_for
+
+SEED = 12
+FAST_S = 0.002
+MOST_GROWTH_MB = 1.0
+
+
+class BoardPlug(threading.Thread):
+    """Pulls the board, sees its servo end, puts it in again, sees it tick; as long as it is wanted."""
+
+    def __init__(self, kiosk):
+        super().__init__(daemon=True)
+        self.kiosk, self.board = kiosk, kiosk.world.board
+        self.ends, self.cycles, self.back_s, self.problem = threading.Event(), 0, [], None
+        self.start()
+
+    def run(self):
+        while not self.ends.is_set():
+            try:
+                self.cycle()
+            except Exception as problem:  # told by the run that waits for it
+                self.problem = problem
+                return
+
+    def cycle(self):
+        opened = self.board.opened
+        servo = self.board.owner
+        self.board.plug(False)
+        wait_for('the end of a servo without its board', lambda: servo not in processes.alive())
+        self.board.plug(True)
+        begin = time.monotonic()
+        wait_for('the servo to take its board again',
+                 lambda: self.board.opened > opened and self.board.ticks_for(self.kiosk.pid) > 50)
+        self.back_s.append(time.monotonic() - begin)
+        self.cycles += 1
+
+    def end(self):
+        self.ends.set()
+        self.join()
+        if self.problem:
+            raise self.problem
+
+
+def imports(kiosk):
+    return [pid for pid, name in kiosk.children().items() if name == 'touchline-impor']
+
+
+def stick_cycle(world, kiosk, serial, chance):
+    """Half of the sticks are read to the end of their list, the others pulled at any moment."""
+    world.plug_stick(serial)
+    wait_for('the stick to be mounted', lambda: list(world.udisks.Asked('sdb1')))
+    if chance.random() < 0.5:
+        time.sleep(0.1 * chance.random())
+    else:
+        end = time.monotonic() + 1.0
+        while time.monotonic() < end and not imports(kiosk):
+            time.sleep(FAST_S)
+        wait_for('the end of its list', lambda: not imports(kiosk))
+    world.pull_stick(serial)
+    wait_for('the end of its reader', lambda: not imports(kiosk))
+
+
+def look(pid):
+    """(Rss of the kiosk in MB, its descriptors, its threads)."""
+    stat = processes.stat_of(pid)
+    return processes.memory_kB(pid)[0] / 1024.0, processes.descriptors(pid), stat['threads'] if stat else 0
+
+
+def run(world, figures, count):
+    world.start_bus()
+    world.make_stick()
+    world.board.move_hand(True)
+    kiosk = Kiosk(world)
+    wait_for('ready', kiosk.is_ready)
+    visitor = Visitor(kiosk, SEED, pause_s=2.0)
+    wait_for('torque', lambda: world.board.has_torque)
+    visitor.end()
+    plug = BoardPlug(kiosk)
+    chance, seen = random.Random(SEED), []
+    for serial in range(1, count + 1):
+        stick_cycle(world, kiosk, serial, chance)
+        seen.append(look(kiosk.pid))
+        if serial % 50 == 0:
+            print(f'  {serial} of {count} sticks, {plug.cycles} boards, {seen[-1]}', flush=True)
+    wait_for('a board', lambda: plug.cycles or plug.problem)
+    plug.end()
+    starts = kiosk.starts
+    lines = len(kiosk.log().splitlines())
+    status, _ = kiosk.end()
+    report(figures, count, seen, plug, {'starts': starts, 'status': status, 'lines': lines})
+
+
+def report(figures, count, seen, plug, end):
+    how = (f'tests/system/soak/run plugs {count}: seed {SEED}, udisks2 mocked on a bus of its own, board in a file; '
+           'first and last tenth compared, at least five cycles')
+    tenth = max(1, min(len(seen) // 3, max(5, len(seen) // 10)))
+    first, last = seen[tenth:2 * tenth], seen[-tenth:]
+    # The least: a list that is being read has a thread and descriptors of its own for a moment.
+    rss, descriptors, threads = ([min(look[i] for look in part) for part in (first, last)] for i in range(3))
+    figures.keep(19, 'plug cycles: sticks, boards', f'{count}, {plug.cycles}', f'{count} sticks',
+                 end['starts'] == 1 and end['status'] == 0, how)
+    figures.keep(19, 'time to ticks after the board is plugged in, s',
+                 f'{quantile(plug.back_s, 0.5):.1f} median, {max(plug.back_s):.1f} worst', 'reported (waits up to 8 by design)',
+                 None, how)
+    figures.keep(19, 'descriptors of the kiosk, early and late', f'{descriptors[0]}, {descriptors[1]}', 'equal',
+                 descriptors[0] == descriptors[1], how)
+    figures.keep(19, 'threads of the kiosk, early and late', f'{threads[0]}, {threads[1]}', 'equal',
+                 threads[0] == threads[1], how)
+    is_long = len(seen) >= 50
+    figures.keep(19, 'Rss of the kiosk, early and late, MB', f'{rss[0]:.1f}, {rss[1]:.1f}',
+                 f'grows by < {MOST_GROWTH_MB:.0f}' if is_long else 'reported: too short to judge',
+                 rss[1] - rss[0] < MOST_GROWTH_MB if is_long else None, how)
+    figures.keep(19, 'lines of the log per board cycle', f'{end["lines"] / max(1, plug.cycles):.1f}', 'reported', None, how)

@@ -1,0 +1,26 @@
+// The board of a kiosk that is soaked: that of the servo's tests, in a file that kiosk, servo and
+// the harness map, with a plug that can be pulled. The harness (soak/board.py) reads it by these
+// offsets.
+#pragma once
+
+#include "tests/app/servo/fake_board.h"
+
+#include <atomic>
+#include <cstddef>
+
+namespace touchline {
+
+struct SoakBoard {
+    FakeBoard board;  // is_pressed: the hand goes round, else it rests
+    std::atomic<int> is_unplugged{0};
+};
+
+static_assert(offsetof(FakeBoard, owner) == 8);
+static_assert(offsetof(FakeBoard, reads) == 16);
+static_assert(offsetof(FakeBoard, is_torque_on) == 24);
+static_assert(offsetof(SoakBoard, is_unplugged) == 56 && sizeof(SoakBoard) == 64);
+
+/// The file's name, in the environment of the kiosk.
+inline constexpr const char* soak_board_variable = "TOUCHLINE_SOAK_BOARD";
+
+}  // namespace touchline
