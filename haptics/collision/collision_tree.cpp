@@ -244,6 +244,25 @@ NodeRange CollisionTree::nodes(const CurveSet& curves, int piece, double level) 
     return {curves.first_point(piece, leaf), rendered < leaf};
 }
 
+TreeChildren CollisionTree::children(const CurveSet& curves, const TreeNode& node) const {
+    if (node.piece >= 0) {
+        if (node.level == 0) return {};
+        const int first = 2 * node.index;
+        const int level = node.level - 1;
+        const bool has_two = first + 1 < curves.segment_count(node.piece, level);
+        return {{{{node.piece, level, first}, {node.piece, level, first + 1}}}, has_two ? 2 : 1};
+    }
+    const Bound& bound = bounds_[static_cast<std::size_t>(node.index)];
+    if (bound.left >= 0) return {{{{-1, 0, bound.left}, {-1, 0, bound.left + 1}}}, 2};
+    const Stretch& roots = roots_[static_cast<std::size_t>(-bound.left - 1)];
+    TreeChildren out;
+    for (; out.count < roots.count; ++out.count) {
+        out.nodes[static_cast<std::size_t>(out.count)] = {roots.piece, roots.level,
+                                                          roots.first + out.count};
+    }
+    return out;
+}
+
 ErrorBox CollisionTree::box(const CurveSet& curves, int piece, int level, int j) const {
     return {corners_of(node_box(curves, {piece, level, j})), piece, level, j};
 }

@@ -42,6 +42,19 @@ struct NodeRange {
     bool is_blend = false;  // each holds two rendered segments, 2j and 2j + 1, not one
 };
 
+/// A node of the hierarchy over the coarsest segments (piece -1) or of a piece.
+struct TreeNode {
+    std::int32_t piece = -1;
+    std::int32_t level = 0;
+    std::int32_t index = 0;
+};
+
+/// The nodes that a node splits into.
+struct TreeChildren {
+    std::array<TreeNode, 4> nodes{};
+    int count = 0;
+};
+
 /// With less than about 64 boxes, or a deadline of under 7 us, a motion that starts among many
 /// lines may get nowhere: what is not looked at counts as an obstacle from the start.
 struct Budget {
@@ -135,6 +148,22 @@ class CollisionTree {
     /// that level. Appends to `section`; for drawing and tests, not for the tick.
     void boundary_section(const CurveSet& curves, Position handle, int level,
                           std::vector<ErrorBox>& section) const;
+
+    /// For who keeps a front of nodes from step to step. The top of the hierarchy; without outlines
+    /// there is none.
+    [[nodiscard]] bool has_nodes() const { return !bounds_.empty(); }
+
+    /// The top of the hierarchy.
+    [[nodiscard]] static TreeNode top() { return {}; }
+
+    /// A node of level 0 has none. O(1).
+    [[nodiscard]] TreeChildren children(const CurveSet& curves, const TreeNode& node) const;
+
+    /// What holds a node's curve as rendered at any level up to the node's. O(1).
+    [[nodiscard]] Box box_of_node(const CurveSet& curves, const TreeNode& node) const {
+        if (node.piece >= 0) return node_box(curves, {node.piece, node.level, node.index});
+        return bounds_[static_cast<std::size_t>(node.index)].box();
+    }
 
     /// The box of a node, for drawing and tests.
     [[nodiscard]] ErrorBox box(const CurveSet& curves, int piece, int level, int j) const;

@@ -1,0 +1,46 @@
+// The move of a shape that leaves the least energy in the coupling, where contacts forbid some.
+// Threads: pure functions, no allocation.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace touchline {
+
+/// A move as (x, y, angle times the lever of the turning spring), all in metres: in these the
+/// coupling's energy is K_t / 2 times the square of the distance left.
+using Coupled = std::array<double, 3>;
+
+[[nodiscard]] inline double square(const Coupled& move) {
+    return move[0] * move[0] + move[1] * move[1] + move[2] * move[2];
+}
+
+[[nodiscard]] inline Coupled operator*(double share, const Coupled& move) {
+    return {share * move[0], share * move[1], share * move[2]};
+}
+
+/// A contact allows moves with row . move + gap_m >= 0.
+struct Constraint {
+    Coupled row{};
+    double gap_m = 0.0;
+};
+
+inline constexpr std::size_t most_constraints = 64;
+
+inline constexpr int most_active = 3;  // contacts that can hold three freedoms
+
+/// The nearest move to the one wanted that the constraints allow.
+struct LeastMove {
+    Coupled move{};
+    std::array<int, most_active> active{-1, -1, -1};  // constraints that hold it back
+    std::array<double, most_active> push_m{};         // each one's push, metres times its row, >= 0
+    int active_count = 0;
+};
+
+/// Most violated first: what a move breaks most joins at most eight candidates, of which every
+/// subset of three or fewer is tried (92). Where no allowed move is found it is one that breaks the
+/// constraints least late; the caller's sweep stops it.
+[[nodiscard]] LeastMove least_move(std::span<const Constraint> constraints, const Coupled& wanted);
+
+}  // namespace touchline

@@ -1,0 +1,182 @@
+#include "haptics/probe/probe_front.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace touchline {
+namespace {
+
+constexpr std::size_t most_pairs = 4096;
+constexpr std::size_t most_near = 512;
+constexpr double margin_m = 2e-3;     // of the way before a front is made anew
+constexpr double straight_m = 1e-10;  // a node no thicker is the line that it holds
+constexpr double now = -std::numeric_limits<double>::infinity();
+constexpr std::int32_t rendered = -1;  // as a node's level
+
+double half_size(const Capsule& capsule) {
+    return norm(capsule.chord.b - capsule.chord.a) + 2.0 * capsule.thickness_m;
+}
+
+}  // namespace
+
+void ProbeFront::reset(const ProbeShape& shape, const Scene& scene, double level, FrontEnd end) {
+    shape_ = &shape;
+    end_ = end;
+    outlines_ = RenderedOutlines(scene, level);
+    due_m_.reserve(most_pairs);
+    pairs_.reserve(most_pairs);
+    near_.reserve(most_near);
+    is_stale_ = true;
+}
+
+void ProbeFront::set_level(double level) {
+    outlines_ = RenderedOutlines(outlines_.scene(), level);
+    is_stale_ = true;
+}
+
+void ProbeFront::remake(double reach_m) {
+    due_m_.clear();
+    pairs_.clear();
+    way_m_ = 0.0;
+    far_m_ = margin_m + 2.0 * reach_m;
+    is_stale_ = false;
+    if (!outlines_.scene().tree.has_nodes()) return;
+    due_m_.push_back(now);
+    pairs_.push_back({CollisionTree::top(), 0});
+}
+
+void ProbeFront::look(const Placement& shape, double keep_m, double reach_m, Spender& spender) {
+    near_.clear();
+    unopened_m_ = INFINITY;
+    const bool is_full = pairs_.size() > most_pairs - most_pairs / 4;
+    if (is_stale_ || is_full || way_m_ + reach_m >= far_m_) remake(reach_m);
+    const Look at{shape, keep_m, reach_m, spender};
+    const double limit = way_m_ + reach_m;
+    for (std::size_t i = 0; i < due_m_.size();) {
+        if (due_m_[i] > limit || examine(i, at)) ++i;
+    }
+}
+
+bool ProbeFront::examine(std::size_t i, const Look& look) {
+    const Pair pair = pairs_[i];
+    const ProbeNode& probe = shape_->nodes()[static_cast<std::size_t>(pair.probe)];
+    bool is_end = false;
+    const Capsule scene = capsule(pair.node, is_end);
+    const Segment chord = look.shape(probe.capsule.chord);
+    const Separation at = separation(chord, scene.chord);
+    const double gap_m =
+        at.distance_m - probe.capsule.thickness_m - scene.thickness_m - look.keep_m;
+    if (gap_m > look.reach_m) {
+        if (way_m_ + gap_m > far_m_) {
+            drop(i);
+            return false;
+        }
+        due_m_[i] = way_m_ + gap_m;
+        return true;
+    }
+    if (is_end && probe.edge >= 0) {
+        due_m_[i] = way_m_ + gap_m;
+        if (near_.size() < most_near) {
+            const Segment& edge = shape_->edges()[static_cast<std::size_t>(probe.edge)];
+            near_.push_back({{edge, scene.chord, at}, pair.node});
+        } else {
+            unopened_m_ = std::min(unopened_m_, gap_m);
+        }
+        return true;
+    }
+    const bool is_scene =
+        probe.edge >= 0 || (!is_end && half_size(scene) > half_size(probe.capsule));
+    if (look.spender.spend(1) && split(i, is_scene)) return false;
+    due_m_[i] = now;
+    unopened_m_ = std::min(unopened_m_, gap_m);
+    return true;
+}
+
+bool ProbeFront::split(std::size_t i, bool is_scene) {
+    if (pairs_.size() + 3 > most_pairs) return false;
+    const Pair pair = pairs_[i];
+    std::array<Pair, 4> parts;
+    std::size_t count = 2;
+    if (is_scene) {
+        const TreeChildren children = parts_of(pair.node);
+        count = static_cast<std::size_t>(children.count);
+        for (std::size_t k = 0; k < count; ++k) parts[k] = {children.nodes[k], pair.probe};
+    } else {
+        const std::int32_t left = shape_->nodes()[static_cast<std::size_t>(pair.probe)].left;
+        parts[0] = {pair.node, left};
+        parts[1] = {pair.node, left + 1};
+    }
+    replace(i, {parts.data(), count});
+    return true;
+}
+
+void ProbeFront::replace(std::size_t i, std::span<const Pair> parts) {
+    if (parts.empty()) {
+        drop(i);
+        return;
+    }
+    pairs_[i] = parts[0];
+    due_m_[i] = now;
+    for (const Pair& part : parts.subspan(1)) {
+        pairs_.push_back(part);
+        due_m_.push_back(now);
+    }
+}
+
+void ProbeFront::drop(std::size_t i) {
+    pairs_[i] = pairs_.back();
+    due_m_[i] = due_m_.back();
+    pairs_.pop_back();
+    due_m_.pop_back();
+}
+
+/// The level of the nodes that hold a piece as rendered.
+int ProbeFront::leaf_level(int piece) const {
+    return static_cast<int>(
+        std::ceil(outlines_.scene().curves.rendered_level(piece, outlines_.level())));
+}
+
+/// Down to the nodes that hold the rendered curve, then its segments: two of a blend.
+TreeChildren ProbeFront::parts_of(const TreeNode& node) const {
+    const Scene& scene = outlines_.scene();
+    if (node.piece < 0 || node.level > leaf_level(node.piece)) {
+        return scene.tree.children(scene.curves, node);
+    }
+    const double level = scene.curves.rendered_level(node.piece, outlines_.level());
+    if (level == node.level) return {{{{node.piece, rendered, node.index}}}, 1};
+    const int first = 2 * node.index;
+    const bool has_two = first + 1 < scene.curves.rendered_count(node.piece, level);
+    return {{{{node.piece, rendered, first}, {node.piece, rendered, first + 1}}}, has_two ? 2 : 1};
+}
+
+SegmentRef ProbeFront::segment_of(const NearPair& pair) const {
+    const TreeNode& node = pair.node;
+    if (node.level == rendered) return {node.piece, node.index};
+    const CurveSet& curves = outlines_.scene().curves;
+    const double level = curves.rendered_level(node.piece, outlines_.level());
+    const int parts = 1 << (node.level - static_cast<int>(std::floor(level)));
+    const double t = foot(pair.geometry.at.on_second, pair.geometry.line).parameter;
+    const int part = std::min(static_cast<int>(t * parts), parts - 1);
+    const int last = curves.rendered_count(node.piece, level) - 1;
+    return {node.piece, std::min(node.index * parts + part, last)};
+}
+
+Capsule ProbeFront::capsule(const TreeNode& node, bool& is_end) {
+    is_end = node.level == rendered;
+    if (is_end) return {outlines_.segment({node.piece, node.index}), 0.0};
+    const Scene& scene = outlines_.scene();
+    const Box box = scene.tree.box_of_node(scene.curves, node);
+    Capsule capsule = capsule_of(box);
+    if (node.piece < 0) return capsule;
+    if (end_ == FrontEnd::nodes) {
+        is_end = node.level == leaf_level(node.piece);
+        return capsule;
+    }
+    is_end = capsule.thickness_m <= straight_m && box.along_low >= 0.0 && box.along_high <= 1.0;
+    if (is_end) capsule.thickness_m = 0.0;
+    return capsule;
+}
+
+}  // namespace touchline

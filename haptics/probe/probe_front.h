@@ -1,0 +1,98 @@
+// Which edges of a shape are near which lines, kept from step to step: pairs of a node of the
+// scene's tree and a node of the shape's, each with the way that must be spent before it can
+// matter. Threads: one, the servo's. Allocates only in reset().
+#pragma once
+
+#include "haptics/collision/scene.h"
+#include "haptics/collision/spender.h"
+#include "haptics/contact/rendered_outlines.h"
+#include "haptics/probe/clear_share.h"
+#include "haptics/probe/probe_shape.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace touchline {
+
+/// An edge of the shape and a rendered segment that it can reach.
+struct NearPair {
+    EdgeAndLine geometry;
+    TreeNode node;  // level -1: the index is a rendered segment's; else a node that is straight
+};
+
+/// What a front ends at.
+enum class FrontEnd : std::uint8_t {
+    segments,  // as rendered
+    nodes,     // that hold whatever is rendered up to the next whole level
+};
+
+class ProbeFront {
+  public:
+    /// Both must outlive its use. Room for 4096 pairs.
+    void reset(const ProbeShape& shape, const Scene& scene, double level,
+               FrontEnd end = FrontEnd::segments);
+
+    /// Another level: the front is made anew at the next look.
+    void set_level(double level);
+
+    [[nodiscard]] double level() const { return outlines_.level(); }
+
+    /// Finds what comes within `keep_m` of the shape before `reach_m` of way are spent. A pair is
+    /// looked at only when its allowance is used up; nodes are opened within the budget.
+    void look(const Placement& shape, double keep_m, double reach_m, Spender& spender);
+
+    /// What the last look found.
+    [[nodiscard]] std::span<const NearPair> near() const { return near_; }
+
+    /// The rendered segment of a pair, at the line's point nearest to the edge.
+    [[nodiscard]] SegmentRef segment_of(const NearPair& pair) const;
+
+    /// The way that is free of whatever the last look left unopened; infinity: all was opened.
+    [[nodiscard]] double unopened_m() const { return unopened_m_; }
+
+    /// The shape has moved, none of its points by more than this.
+    void spend(double way_m) { way_m_ += way_m; }
+
+    /// Pairs kept.
+    [[nodiscard]] std::size_t size() const { return due_m_.size(); }
+
+    /// The outlines at the rendered level.
+    [[nodiscard]] RenderedOutlines& outlines() { return outlines_; }
+
+  private:
+    struct Pair {
+        TreeNode node;
+        std::int32_t probe = 0;
+    };
+
+    struct Look {
+        const Placement& shape;
+        double keep_m;
+        double reach_m;
+        Spender& spender;
+    };
+
+    void remake(double reach_m);
+    /// Whether pair i is done with; else there is another at its place, or none.
+    bool examine(std::size_t i, const Look& look);
+    bool split(std::size_t i, bool is_scene);
+    void replace(std::size_t i, std::span<const Pair> parts);
+    void drop(std::size_t i);
+    [[nodiscard]] TreeChildren parts_of(const TreeNode& node) const;
+    [[nodiscard]] int leaf_level(int piece) const;
+    [[nodiscard]] Capsule capsule(const TreeNode& node, bool& is_end);
+
+    const ProbeShape* shape_ = nullptr;
+    RenderedOutlines outlines_;
+    FrontEnd end_ = FrontEnd::segments;
+    std::vector<double> due_m_;  // of the way, at which a pair may matter
+    std::vector<Pair> pairs_;
+    std::vector<NearPair> near_;
+    double way_m_ = 0.0;  // spent since the front was made
+    double far_m_ = 0.0;  // nothing that was dropped matters before
+    double unopened_m_ = 0.0;
+    bool is_stale_ = true;
+};
+
+}  // namespace touchline

@@ -1,0 +1,280 @@
+#include "haptics/probe/probe_proxy.h"
+
+#include "haptics/probe/probe_distances.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchline {
+namespace {
+
+constexpr double least_lever_m = 5e-3;
+constexpr double rest_m = 1e-10;         // a shorter move is none
+constexpr int most_moves = 16;           // in a step
+constexpr int most_bends = 3;            // corrections of a move for what curves
+constexpr double longest_move_m = 5e-4;  // what a longer one may meet would not fit in the front
+
+ContactState state_of(int contacts) {
+    if (contacts == 0) return ContactState::free;
+    return contacts == 1 ? ContactState::edge : ContactState::vertex;
+}
+
+/// Twice the energy left after a move, over the stiffness.
+double left_of_move(const Coupled& wanted, const Coupled& move) {
+    return square({wanted[0] - move[0], wanted[1] - move[1], wanted[2] - move[2]});
+}
+
+}  // namespace
+
+double turn_stiffness_Nm_per_rad(const ProbeShape& shape, double stiffness_N_per_m) {
+    const double lever_m = std::max(shape.r_max_m(), least_lever_m);
+    return stiffness_N_per_m * lever_m * lever_m;
+}
+
+double ProbeProxy::Springs::energy_J(const ProbeMove& to) const {
+    const double turn_m = lever_m * to.turn_rad;
+    return 0.5 * k_N_per_m * (dot(to.by, to.by) + turn_m * turn_m);
+}
+
+ProbeProxy::Springs ProbeProxy::springs(const ProbeSettings& settings) const {
+    const double k = settings.stiffness_N_per_m;
+    const double k_r = settings.turn_stiffness_Nm_per_rad > 0.0
+                           ? settings.turn_stiffness_Nm_per_rad
+                           : turn_stiffness_Nm_per_rad(*shape_, k);
+    return {k, std::sqrt(k_r / k)};
+}
+
+void ProbeProxy::reset(const ProbeShape& shape, const Scene& scene, const ProbePose& handle,
+                       double level) {
+    shape_ = &shape;
+    keep_m_ = std::max(shape.radius_m(), probe_gap_m);
+    pose_ = handle;
+    front_.reset(shape, scene, level);
+    wide_.reset(shape, scene, level, FrontEnd::nodes);
+    constraints_.reserve(most_constraints);
+    touching_.reserve(most_constraints);
+    pairs_.reserve(most_constraints);
+    account_ = {};
+    state_ = ContactState::free;
+    last_reach_m_ = 0.0;
+    is_placed_ = false;
+}
+
+ProbeReport ProbeProxy::step(const ProbePose& handle, double level, const ProbeSettings& settings,
+                             const Budget& budget, double dt_s) {
+    ProbeReport report;
+    report.transitions = StateTrail(state_);
+    if (path_ != nullptr) path_->assign(1, pose_);
+    if (is_finite(handle)) {
+        Spender spender(budget);
+        const Springs coupling = springs(settings);
+        if (!is_placed_) {
+            front_.set_level(level);
+            place(handle, spender);
+        }
+        if (is_placed_) {
+            if (level != front_.level()) change_level(level, handle, coupling, spender);
+            const double before_J = coupling.energy_J(handle - pose_);
+            press(handle, coupling, spender, report);
+            const ProbeMove left = pose_ - handle;
+            report.stored_J = coupling.energy_J(left);
+            account_.earn(before_J - report.stored_J, dt_s);
+            report.force = along<Force>(left.by, coupling.k_N_per_m);
+            report.torque_Nm =
+                coupling.k_N_per_m * coupling.lever_m * coupling.lever_m * left.turn_rad;
+        }
+        report.boxes = spender.opened();
+    }
+    state_ = state_of(report.contact_count);
+    report.transitions.add(state_);
+    report.state = state_;
+    report.pose = pose_;
+    report.is_placed = is_placed_;
+    report.level = front_.level();
+    return report;
+}
+
+/// The proxy jumps to the handle, and stays there for good where nothing is near.
+void ProbeProxy::place(const ProbePose& handle, Spender& spender) {
+    front_.spend((handle - pose_).reach_m(shape_->r_max_m()));
+    pose_ = handle;
+    front_.look(Placement(pose_), keep_m_, probe_touch_m, spender);
+    is_placed_ = front_.near().empty() && std::isinf(front_.unopened_m());
+    if (path_ != nullptr) path_->assign(1, pose_);
+}
+
+void ProbeProxy::press(const ProbePose& handle, const Springs& springs, Spender& spender,
+                       ProbeReport& report) {
+    double look_m = std::max(last_reach_m_, probe_mind_m);
+    LeastMove held;
+    bool is_curved = true;
+    for (int i = 0; i < most_moves; ++i) {
+        front_.look(Placement(pose_), keep_m_, look_m, spender);
+        held = wanted_move(handle, springs, is_curved);
+        const ProbeMove move = move_of(held.move, springs);
+        const double reach_m = move.reach_m(shape_->r_max_m());
+        report.carried_m = 0.0;
+        if (reach_m < rest_m) break;
+
+        if (reach_m + probe_mind_m > look_m) {
+            front_.look(Placement(pose_), keep_m_, reach_m + probe_mind_m, spender);
+        }
+        const double share = advance(move, report);
+        if (i == 0) last_reach_m_ = share * reach_m;
+        report.carried_m = reach_m;
+        look_m = probe_mind_m;
+        // A curve that ends under the move is followed straight.
+        if (share * reach_m < rest_m && !is_curved) break;
+        is_curved = share * reach_m >= rest_m;
+    }
+    hold(held, springs, report);
+}
+
+ProbeMove ProbeProxy::move_of(const Coupled& move, const Springs& springs) {
+    return {{move[0], move[1]}, move[2] / springs.lever_m};
+}
+
+void ProbeProxy::find_touching(const Springs& springs) {
+    constraints_.clear();
+    touching_.clear();
+    pairs_.clear();
+    sunk_m_ = 0.0;
+    const Placement placed(pose_);
+    for (const NearPair& pair : front_.near()) {
+        const EdgeAndLine& g = pair.geometry;
+        const double gap_m = g.at.distance_m - keep_m_;
+        if (gap_m > probe_mind_m || constraints_.size() == most_constraints) continue;
+        touching_.emplace_back(placed(g.edge), g.line, g.at, pose_.place(), springs.lever_m);
+        constraints_.push_back({touching_.back().row(), gap_m});
+        pairs_.push_back(pair);
+    }
+}
+
+/// The move of least energy that what touches allows, no longer than is looked at at once. Its
+/// energy is no more than that of staying.
+LeastMove ProbeProxy::wanted_move(const ProbePose& handle, const Springs& springs, bool is_curved) {
+    find_touching(springs);
+    const ProbeMove left = handle - pose_;
+    const Coupled wanted{left.by.x, left.by.y, springs.lever_m * left.turn_rad};
+    LeastMove least = least_move(constraints_, wanted);
+    if (!(left_of_move(wanted, least.move) <= square(wanted))) {
+        // Making room again would cost energy: all are taken to be as much further off.
+        for (const Constraint& c : constraints_) sunk_m_ = std::max(sunk_m_, -c.gap_m);
+        for (Constraint& c : constraints_) c.gap_m += sunk_m_;
+        least = least_move(constraints_, wanted);
+    }
+    const auto is_worth = [&wanted](const Coupled& move) {
+        return left_of_move(wanted, move) <= square(wanted);
+    };
+    const CurvedEnergy energy(touching_, least);
+    const Coupled whole = energy.least(constraints_, wanted);
+    for (const double share : {shortening(whole, springs), gentleness(whole)}) {
+        if (least.active_count == 0 || !is_curved) break;
+        const Coupled curved = curved_move(energy, share * wanted, share * whole);
+        if (!is_worth(curved)) continue;
+        least.move = curved;
+        return least;
+    }
+    least.move = shortening(least.move, springs) * least.move;
+    if (!is_worth(least.move)) least.move = {};
+    return least;
+}
+
+/// The share of a move that is looked at at once.
+double ProbeProxy::shortening(const Coupled& move, const Springs& springs) const {
+    const double reach_m = move_of(move, springs).reach_m(shape_->r_max_m());
+    return reach_m > longest_move_m ? longest_move_m / reach_m : 1.0;
+}
+
+/// The share of a move under which no distance bends by more than the straight way may cut off.
+double ProbeProxy::gentleness(const Coupled& move) const {
+    double most_m = most_bend_m();
+    for (const Touching& touching : touching_) most_m = std::max(most_m, touching.bend_m(move));
+    return std::sqrt(most_bend_m() / most_m);
+}
+
+/// A chord cuts off a quarter of the bend between its ends.
+double ProbeProxy::most_bend_m() const {
+    return std::min(3.0 * probe_slack_m, 0.5 * keep_m_);
+}
+
+/// The least move along distances that curve: their bend under the move is found, and the move
+/// again.
+Coupled ProbeProxy::curved_move(const CurvedEnergy& energy, const Coupled& wanted, Coupled move) {
+    for (int round = 0; round < most_bends; ++round) {
+        for (std::size_t i = 0; i < constraints_.size(); ++i) {
+            const double gap_m = pairs_[i].geometry.at.distance_m - keep_m_ + sunk_m_;
+            constraints_[i].gap_m = gap_m + std::min(touching_[i].bend_m(move), most_bend_m());
+        }
+        const Coupled before = move;
+        move = energy.least(constraints_, wanted);
+        if (left_of_move(before, move) < rest_m * rest_m) break;
+    }
+    return move;
+}
+
+/// How much of the move is free of all that the last look found. What touches may come nearer on
+/// the way, by the slack, but not at its end.
+double ProbeProxy::clear_share_of(const ProbeMove& move) const {
+    const double reach_m = move.reach_m(shape_->r_max_m());
+    double share = 1.0;
+    if (front_.unopened_m() < reach_m) share = std::max(front_.unopened_m(), 0.0) / reach_m;
+    for (const NearPair& pair : front_.near()) {
+        const double least_m = least_distance_m(keep_m_, pair.geometry.at.distance_m);
+        share = clear_share(pair.geometry, pose_, move, least_m, share);
+    }
+    const Placement end(pose_ + share * move);
+    for (const NearPair& pair : front_.near()) {
+        const double start_m = pair.geometry.at.distance_m;
+        if (start_m > keep_m_ + probe_mind_m) continue;
+        const double least_m = std::min(start_m, keep_m_ - probe_graze_m);
+        if (separation(end(pair.geometry.edge), pair.geometry.line).distance_m >= least_m - 1e-15) {
+            continue;
+        }
+        for (const NearPair& strict : front_.near()) {
+            const double strict_m =
+                std::min(strict.geometry.at.distance_m, keep_m_ - probe_graze_m);
+            share = clear_share(strict.geometry, pose_, move, strict_m, share);
+        }
+        break;
+    }
+    return share;
+}
+
+/// Moves as far as nothing is in the way. Returns the share of the move.
+double ProbeProxy::advance(const ProbeMove& move, ProbeReport& report) {
+    const double reach_m = move.reach_m(shape_->r_max_m());
+    if (front_.unopened_m() < reach_m) {
+        report.clear = std::min(report.clear, std::max(front_.unopened_m(), 0.0) / reach_m);
+    }
+    const double share = clear_share_of(move);
+    pose_ = pose_ + share * move;
+    front_.spend(share * reach_m);
+    if (path_ != nullptr) path_->push_back(pose_);
+    return share;
+}
+
+void ProbeProxy::hold(const LeastMove& held, const Springs& springs, ProbeReport& report) {
+    for (int i = 0; i < held.active_count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const double force_N = springs.k_N_per_m * held.push_m[k];
+        if (!(force_N > 0.0)) continue;
+        ProbeContact& contact = report.contacts[static_cast<std::size_t>(report.contact_count++)];
+        contact = contact_at(pairs_[static_cast<std::size_t>(held.active[k])]);
+        contact.force_N = force_N;
+    }
+}
+
+ProbeContact ProbeProxy::contact_at(const NearPair& pair) {
+    const Separation& at = pair.geometry.at;
+    const Segment& line = pair.geometry.line;
+    ProbeContact contact;
+    contact.segment = front_.segment_of(pair);
+    contact.parameter = foot(at.on_second, front_.outlines().segment(contact.segment)).parameter;
+    contact.side = cross(line.b - line.a, at.normal) >= 0.0 ? Side::left : Side::right;
+    contact.place = at.on_first;
+    contact.normal = at.normal;
+    return contact;
+}
+
+}  // namespace touchline

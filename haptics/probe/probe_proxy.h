@@ -1,0 +1,138 @@
+// A shape in the hand, held back by lines: the paper's virtual handle with a place and an angle, as
+// a constrained god-object (after Ortega, Redon and Coquillart 2007). Threads: one, the servo's. No
+// allocation, lock, clock or log in step().
+#pragma once
+
+#include "config/types/hand_state.h"
+#include "haptics/collision/collision_tree.h"
+#include "haptics/contact/energy_account.h"
+#include "haptics/contact/proxy_state.h"
+#include "haptics/contact/state_trail.h"
+#include "haptics/probe/least_move.h"
+#include "haptics/probe/probe_front.h"
+#include "haptics/probe/probe_pose.h"
+#include "haptics/probe/probe_shape.h"
+#include "haptics/probe/touching.h"
+
+#include <array>
+#include <vector>
+
+namespace touchline {
+
+struct ProbeSettings {
+    double stiffness_N_per_m = 500.0;        // K_t, 0 < K_t <= 20000
+    double turn_stiffness_Nm_per_rad = 0.0;  // K_r; 0: turn_stiffness() of the shape
+};
+
+/// K_t r^2, r the shape's r_max, at least 5 mm: what is felt at the rim as stiff as in the middle.
+[[nodiscard]] double turn_stiffness_Nm_per_rad(const ProbeShape& shape, double stiffness_N_per_m);
+
+/// What holds the shape back: one line at one point.
+struct ProbeContact {
+    SegmentRef segment;      // as rendered
+    double parameter = 0.0;  // on it, 0 ... 1
+    Side side = Side::left;  // of the outline, on which the shape's edge lies there
+    Position place;          // on the shape's edge
+    Direction normal;        // from the line to the edge
+    double force_N = 0.0;    // on the shape, >= 0
+};
+
+/// What one step did.
+struct ProbeReport {
+    Force force;                              // on the hand: K_t (proxy - handle)
+    double torque_Nm = 0.0;                   // on the hand: K_r (proxy - handle)
+    double stored_J = 0.0;                    // in both springs
+    ProbePose pose;                           // of the proxy
+    bool is_placed = false;                   // false: there was no room yet; no force
+    ContactState state = ContactState::free;  // edge: one contact, vertex: two or three
+    double level = 0.0;                       // rendered
+    std::array<ProbeContact, most_active> contacts{};
+    int contact_count = 0;
+    StateTrail transitions;
+    double carried_m = 0.0;  // of the last move that was wanted, left for the next tick
+    int boxes = 0;           // opened
+    double clear = 1.0;      // smallest share of a move proven free of what was left unopened
+};
+
+class ProbeProxy {
+  public:
+    /// At the handle. Where lines pass through the shape, or nearer than its radius, it is not
+    /// placed: it follows the handle without force until it is clear of all. `shape` and `scene`
+    /// must outlive its use of them. Allocates.
+    void reset(const ProbeShape& shape, const Scene& scene, const ProbePose& handle, double level);
+
+    /// One tick of `dt_s` > 0. The rendered level comes nearer to `level`, then the proxy moves so
+    /// that the energy K_t/2 |d|^2 + K_r/2 angle^2 falls as far as contacts allow: straight to its
+    /// least under those that count, stopped where another line is reached, and on from there, at
+    /// most 16 times. No line passes through an edge of the shape at any moment. The energy never
+    /// grows by it but for a change of level, which the energy account covers. A handle that is not
+    /// finite gives no force and moves nothing.
+    [[nodiscard]] ProbeReport step(const ProbePose& handle, double level,
+                                   const ProbeSettings& settings, const Budget& budget,
+                                   double dt_s = 1e-3);
+
+    [[nodiscard]] const ProbePose& pose() const { return pose_; }
+
+    [[nodiscard]] double rendered_level() const { return front_.level(); }
+
+    /// Pairs kept from step to step.
+    [[nodiscard]] std::size_t pairs() const { return front_.size(); }
+
+    /// From the next step on `path` holds the poses of the last step, the first where it started;
+    /// between them the shape moved straight and turned steadily. nullptr: none are kept. For
+    /// tests: it may allocate.
+    void record_path(std::vector<ProbePose>* path) { path_ = path; }
+
+  private:
+    struct Springs {
+        double k_N_per_m = 0.0;
+        double lever_m = 0.0;  // sqrt(K_r / K_t)
+
+        [[nodiscard]] double energy_J(const ProbeMove& to) const;
+    };
+
+    /// Whether the lines may go to a level while the shape stays where it is.
+    struct Room {
+        bool is_free = false;      // they may
+        bool is_possible = false;  // or could, if it made room by as little as a tick allows
+    };
+
+    [[nodiscard]] Springs springs(const ProbeSettings& settings) const;
+    [[nodiscard]] static ProbeMove move_of(const Coupled& move, const Springs& springs);
+    void place(const ProbePose& handle, Spender& spender);
+    void press(const ProbePose& handle, const Springs& springs, Spender& spender,
+               ProbeReport& report);
+    void find_touching(const Springs& springs);
+    [[nodiscard]] LeastMove wanted_move(const ProbePose& handle, const Springs& springs,
+                                        bool is_curved);
+    [[nodiscard]] Coupled curved_move(const CurvedEnergy& energy, const Coupled& wanted,
+                                      Coupled move);
+    [[nodiscard]] double gentleness(const Coupled& move) const;
+    [[nodiscard]] double most_bend_m() const;
+    [[nodiscard]] double shortening(const Coupled& move, const Springs& springs) const;
+    [[nodiscard]] double clear_share_of(const ProbeMove& move) const;
+    double advance(const ProbeMove& move, ProbeReport& report);
+    void change_level(double level, const ProbePose& handle, const Springs& springs,
+                      Spender& spender);
+    bool try_level(double level, const ProbePose& handle, const Springs& springs, Spender& spender);
+    [[nodiscard]] Room room_at(double level, const Springs& springs, Spender& spender);
+    void hold(const LeastMove& held, const Springs& springs, ProbeReport& report);
+    [[nodiscard]] ProbeContact contact_at(const NearPair& pair);
+
+    const ProbeShape* shape_ = nullptr;
+    double keep_m_ = 0.0;  // the shape's radius, at least the gap
+    ProbePose pose_;
+    ProbeFront front_;
+    ProbeFront wide_;  // of nodes, for a change of level
+    std::vector<Constraint> constraints_;
+    std::vector<Touching> touching_;  // of each constraint
+    std::vector<NearPair> pairs_;     // the same
+    double sunk_m_ = 0.0;             // by which the deepest is nearer than kept, and stays so
+    EnergyAccount account_;
+    std::vector<ProbePose>* path_ = nullptr;
+    ContactState state_ = ContactState::free;
+    double last_reach_m_ = 0.0;  // of the last tick's first move: how far to look at once
+    bool is_placed_ = false;
+};
+
+}  // namespace touchline

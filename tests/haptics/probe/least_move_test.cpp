@@ -1,0 +1,61 @@
+// The least move: what it allows, and that nothing allowed is nearer.
+
+#include "haptics/probe/least_move.h"
+
+#include "tests/haptics/collision/trials.h"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+Coupled random_vector(trials::Random& random) {
+    return {random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5};
+}
+
+double dot3(const Coupled& a, const Coupled& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+TEST(LeastMove, WithoutContactIsTheMoveWanted) {
+    const LeastMove least = least_move({}, {1e-3, 2e-3, -3e-3});
+    EXPECT_EQ(least.move, (Coupled{1e-3, 2e-3, -3e-3}));
+    EXPECT_EQ(least.active_count, 0);
+}
+
+TEST(LeastMove, KeepsAllContactsAndNoAllowedMoveIsNearer) {
+    trials::Random random(7);
+    int held_by_three = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::vector<Constraint> constraints(1 + random.below(12));
+        for (Constraint& c : constraints) c = {random_vector(random), 0.1 * random.unit()};
+        const Coupled wanted = random_vector(random);
+        const LeastMove least = least_move(constraints, wanted);
+        for (const Constraint& c : constraints) {
+            ASSERT_GE(dot3(c.row, least.move) + c.gap_m, -1e-9) << trial;
+        }
+        const auto left = [&wanted](const Coupled& move) {
+            return square({wanted[0] - move[0], wanted[1] - move[1], wanted[2] - move[2]});
+        };
+        held_by_three += least.active_count == 3 ? 1 : 0;
+        for (int i = 0; i < 200; ++i) {  // nearer places, allowed?
+            Coupled other = least.move;
+            const double size = random.decade(-6.0, 0.0);
+            const Coupled by = random_vector(random);
+            for (std::size_t axis = 0; axis < 3; ++axis) other[axis] += size * by[axis];
+            if (left(other) >= left(least.move) - 1e-9) continue;
+            bool is_allowed = true;
+            for (const Constraint& c : constraints) {
+                if (dot3(c.row, other) + c.gap_m < -1e-12) is_allowed = false;
+            }
+            ASSERT_FALSE(is_allowed) << trial;
+        }
+    }
+    EXPECT_GT(held_by_three, 20);
+}
+
+}  // namespace
+}  // namespace touchline
