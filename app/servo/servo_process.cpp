@@ -4,7 +4,6 @@
 #include "app/servo/restart.h"
 #include "app/servo/servo_line.h"
 #include "app/servo/servo_watch.h"
-#include "config/types/map_bytes.h"
 #include "config/types/steady_clock.h"
 
 #include <algorithm>
@@ -192,14 +191,7 @@ void ServoProcess::set(const ServoCommands& commands) {
 }
 
 void ServoProcess::feel(const FeltPicture& picture) {
-    if (!guard_) return;
-    const auto bytes = bytes_of(*picture.map);
-    auto sealed = bytes ? sealed_copy(*bytes) : Result<Descriptor>(tl::unexpected(bytes.error()));
-    if (sealed) {
-        guard_->line.feel(std::move(*sealed), picture.order, picture.recorded.gallery_file);
-    } else {
-        guard_->line.note(sealed.error().line);
-    }
+    if (guard_) guard_->line.feel(picture);
 }
 
 const HandState& ServoProcess::latest() {
