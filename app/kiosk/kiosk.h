@@ -13,7 +13,7 @@
 #include "app/kiosk/operator_desk.h"
 #include "app/kiosk/photo_desk.h"
 #include "app/kiosk/pictures.h"
-#include "app/kiosk/stick_shelf.h"
+#include "app/kiosk/shelf.h"
 #include "app/loading/loader.h"
 #include "app/servo/servo_client.h"
 #include "app/session/keys.h"
@@ -42,7 +42,7 @@ struct KioskParts {
     std::unique_ptr<ServoClient> servo;
     std::unique_ptr<VisitorSound> sound;
     std::unique_ptr<Loader> loader;
-    std::unique_ptr<StickShelf> shelf;
+    std::unique_ptr<Shelf> shelf;
     std::unique_ptr<PhotoDesk> photos;
     Settings settings;
     KeyTable keys = default_keys();
@@ -180,7 +180,7 @@ class Kiosk {
     std::unique_ptr<ServoClient> servo_;
     std::unique_ptr<VisitorSound> sound_;
     std::unique_ptr<Loader> loader_;
-    std::unique_ptr<StickShelf> shelf_;
+    std::unique_ptr<Shelf> shelf_;
     std::unique_ptr<PhotoDesk> photos_;
     Settings settings_;
     DeviceProfile profile_;

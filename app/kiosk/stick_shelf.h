@@ -2,8 +2,8 @@
 // Threads: one; no call waits. It lists on a thread of its own, which the end waits for.
 #pragma once
 
+#include "app/kiosk/shelf.h"
 #include "app/kiosk/stick_files.h"
-#include "app/loading/stages.h"
 #include "app/sticks/stick_port.h"
 
 #include <cstdint>
@@ -15,34 +15,23 @@
 
 namespace touchline {
 
-/// The files that a stick offers now; none: it went, or offers nothing.
-struct ShelfChange {
-    std::vector<FilePtr> files;
-    std::string sentence;  // for the person; may be empty
-};
-
-class StickShelf {
+class StickShelf final : public Shelf {
   public:
     /// `import_program`: the path of touchline-import.
     StickShelf(std::unique_ptr<StickPort> port, const std::string& import_program);
 
-    /// The last thing that changed. Several times a second; `now_ns` of the monotonic clock.
-    [[nodiscard]] std::optional<ShelfChange> poll(std::int64_t now_ns);
+    [[nodiscard]] std::optional<ShelfChange> poll(std::int64_t now_ns) override;
 
-    /// Files of a stick are being looked for.
-    [[nodiscard]] bool is_listing() const { return is_due_ || listing_.valid(); }
+    [[nodiscard]] bool is_listing() const override { return is_due_ || listing_.valid(); }
 
-    /// The visitor is done: see StickPort.
-    void end_session() {
+    void end_session() override {
         port_->end_session();
         reader_->forget();
     }
 
-    /// Of the stick that is there; empty: none.
-    [[nodiscard]] const std::string& root() const { return root_; }
+    [[nodiscard]] const std::string& root() const override { return root_; }
 
-    /// False while sticks could come and nobody would tell.
-    [[nodiscard]] bool is_watching() const { return port_->is_watching(); }
+    [[nodiscard]] bool is_watching() const override { return port_->is_watching(); }
 
   private:
     using Listed = Result<StickListing, StickRefusal>;

@@ -1,5 +1,7 @@
 #include "app/servo/servo_line.h"
 
+#include "config/types/map_bytes.h"
+
 #include <utility>
 
 namespace touchline {
@@ -47,11 +49,14 @@ void ServoLine::set(const ServoCommands& commands) {
     if (connection_) connection_->region.channel().commands.write(commands);
 }
 
-void ServoLine::feel(Descriptor map, const SceneOrder& order, const std::string& gallery_file) {
+void ServoLine::feel(const FeltPicture& picture) {
+    const auto bytes = bytes_of(*picture.map);
+    auto sealed = bytes ? sealed_copy(*bytes) : Result<Descriptor>(tl::unexpected(bytes.error()));
+    if (!sealed) return note(sealed.error().line);
     const std::lock_guard lock(mutex_);
-    map_ = std::move(map);
-    order_ = order;
-    gallery_file_ = gallery_file;
+    map_ = std::move(*sealed);
+    order_ = picture.order;
+    gallery_file_ = picture.recorded.gallery_file;
     send_scene();
 }
 

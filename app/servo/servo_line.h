@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/servo/messages.h"
+#include "app/servo/servo_client.h"
 #include "app/servo/shared_region.h"
 #include "haptics/servo/exchange.h"
 
@@ -36,7 +37,8 @@ class ServoLine {
 
     // The main thread.
     void set(const ServoCommands& commands);
-    void feel(Descriptor map, const SceneOrder& order, const std::string& gallery_file);
+    /// Its map, sealed; one that cannot be is a notice.
+    void feel(const FeltPicture& picture);
     void keep_recording();
     /// The newest report, if it is sound; without force while there is no servo.
     void update(ServoReport& report, std::int64_t now_ns);

@@ -3,9 +3,8 @@
 #include "app/servo/restart.h"
 #include "app/servo/servo_line.h"
 #include "app/servo/servo_peer.h"
-#include "config/types/map_bytes.h"
+#include "app/servo/servo_watch.h"
 #include "config/types/steady_clock.h"
-#include "haptics/servo/peer_watch.h"
 
 #include <algorithm>
 #include <array>
@@ -23,14 +22,6 @@
 namespace touchline {
 namespace {
 
-constexpr int beat_ms = 2;
-constexpr double longest_beat_s = 2.0 * beat_ms * 1e-3;
-// A servo that falls silent with torque on is killed, so that the device can be opened and zeroed;
-// without torque it may have been slow.
-constexpr double longest_silence_under_force_s = 0.012;
-constexpr double longest_silence_s = 0.5;
-constexpr double longest_start_s = 10.0;
-constexpr double longest_end_s = 2.0;
 constexpr int most_zero_tries = 100;
 constexpr int between_tries_ms = 10;
 constexpr int longest_wait_ms = 500;  // without a turn
@@ -110,29 +101,18 @@ class ServoProcess::Guard {
     /// Beats and looks until the child is dead.
     void watch(const ServoPeer& servo, const Connection& connection) {
         ServoChannel& channel = connection.region.channel();
-        PeerWatch under_force(longest_silence_under_force_s, longest_beat_s);
-        PeerWatch at_rest(longest_silence_s, longest_beat_s);
-        const std::int64_t start_ns = steady_now_ns();
-        std::int64_t last_ns = start_ns;
-        std::int64_t ending_ns = 0;
+        ServoWatch watch;
+        std::int64_t last_ns = steady_now_ns();
+        bool is_end_wanted = false;
         is_closed_ = false;
         is_done_ = false;
         while (!is_dead(servo, connection)) {
             const std::int64_t now_ns = steady_now_ns();
             const double dt_s = 1e-9 * static_cast<double>(now_ns - std::exchange(last_ns, now_ns));
             if (line.is_kiosk_alive(now_ns)) channel.kiosk_beats.fetch_add(1);
-            const std::uint64_t beats = channel.servo_beats.load();
-            const bool is_silent_under_force =
-                under_force.step(beats, dt_s) && channel.is_force_on.load() != 0;
-            const bool is_silent = at_rest.step(beats, dt_s);
-            if ((is_ending_ || is_homing_wanted_.exchange(false)) && ending_ns == 0) {
-                ending_ns = now_ns;
-                channel.is_stop_wanted = 1;
-            }
-            const bool is_overdue = ending_ns != 0 && seconds_since(ending_ns) > longest_end_s;
-            const bool is_stuck =
-                beats != 0 ? is_silent : seconds_since(start_ns) > longest_start_s;
-            if (is_silent_under_force || (is_stuck && ending_ns == 0) || is_overdue) servo.kill();
+            is_end_wanted = is_ending_ || is_homing_wanted_.exchange(false) || is_end_wanted;
+            if (is_end_wanted) channel.is_stop_wanted = 1;
+            if (watch.step(channel, is_end_wanted, dt_s)) servo.kill();
         }
     }
 
@@ -141,7 +121,7 @@ class ServoProcess::Guard {
         ++turns_;
         std::array<pollfd, 2> waiting{
             {{servo.pidfd().number(), POLLIN, 0}, {connection.socket.number(), POLLIN, 0}}};
-        (void)::poll(waiting.data(), is_closed_ ? 1 : 2, beat_ms);
+        (void)::poll(waiting.data(), is_closed_ ? 1 : 2, guard_beat_ms);
         if (waiting[0].revents != 0) return true;
         Arrival arrival;
         const ReceiveStatus status = receive(connection.socket, arrival);
@@ -217,14 +197,7 @@ void ServoProcess::set(const ServoCommands& commands) {
 }
 
 void ServoProcess::feel(const FeltPicture& picture) {
-    if (!guard_) return;
-    const auto bytes = bytes_of(*picture.map);
-    auto sealed = bytes ? sealed_copy(*bytes) : Result<Descriptor>(tl::unexpected(bytes.error()));
-    if (sealed) {
-        guard_->line.feel(std::move(*sealed), picture.order, picture.recorded.gallery_file);
-    } else {
-        guard_->line.note(sealed.error().line);
-    }
+    if (guard_) guard_->line.feel(picture);
 }
 
 const HandState& ServoProcess::latest() {

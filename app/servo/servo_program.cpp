@@ -1,11 +1,10 @@
 #include "app/servo/servo_program.h"
 
+#include "app/servo/arrived_scene.h"
 #include "app/servo/black_box.h"
 #include "app/servo/messages.h"
 #include "app/servo/shared_region.h"
-#include "config/types/map_bytes.h"
 #include "config/types/steady_clock.h"
-#include "haptics/collision/scene.h"
 #include "haptics/servo/servo.h"
 
 #include <exception>
@@ -30,7 +29,6 @@ namespace touchline {
 namespace {
 
 constexpr std::int64_t longest_absence_ns = 2'000'000'000;
-constexpr std::size_t most_map_bytes = std::size_t{64} << 20U;
 constexpr int hello_ms = 5000;
 constexpr std::size_t most_words = 32;
 constexpr int look_ms = 50;                  // how often the ends are looked for that wake nobody
@@ -62,27 +60,6 @@ std::optional<Arrival> wait_for_message(const Descriptor& socket, int longest_ms
     Arrival arrival;
     if (receive(socket, arrival) != ReceiveStatus::received) return std::nullopt;
     return arrival;
-}
-
-struct BuiltScene {
-    std::shared_ptr<const Scene> scene;
-    RecordedMap recorded;
-};
-
-Result<BuiltScene> scene_of(const Arrival& arrival) {
-    try {
-        const auto memory = map_sealed(arrival.attached, most_map_bytes);
-        if (!memory) return tl::unexpected(memory.error());
-        const auto map = map_of(memory->bytes());
-        if (!map) return tl::unexpected(map.error());
-        auto scene = build_scene(*map, arrival.message.scene);
-        if (!scene) return tl::unexpected(scene.error());
-        return BuiltScene{
-            std::make_shared<const Scene>(std::move(*scene)),
-            {map->version, line_of(arrival.message), arrival.message.scene.detail, hash_of(*map)}};
-    } catch (const std::exception& problem) {
-        return failure(std::string("the scene cannot be built: ") + problem.what());
-    }
 }
 
 ServoOptions options_for(const OpenedDevice& opened) {

@@ -1,16 +1,11 @@
 #include "app/servo/usb_device.h"
 
-#include "app/device/procedures.h"
-#include "haptics/device/homing.h"
-#include "haptics/device/pantograph_board.h"
+#include "app/servo/watched_board.h"
 #include "haptics/device/usb_boards.h"
 #include "haptics/pantograph/profile.h"
 
-#include <algorithm>
 #include <array>
-#include <atomic>
 #include <charconv>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -21,53 +16,7 @@ namespace touchline {
 namespace {
 
 constexpr std::size_t argument_count = 12;
-constexpr double most_torque_Nm = 10.0;       // no motor of a desk
-constexpr double longest_homing_s = 86400.0;  // a kiosk waits for whoever comes
-
-/// The board, watched for whether the handle is where its angles say.
-class WatchedBoard final : public ForceDevice {
-  public:
-    WatchedBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
-                 const Calibration& calibration)
-        : board_(std::move(link), profile, calibration), drift_(homing_plan(profile)) {}
-
-    /// As UsbDevice asks for it. What homing found lasts as long as the board is set up.
-    [[nodiscard]] Result<void> open(const UsbDevice& device, const Opening& opening) {
-        if (auto opened = board_.open(); !opened || !device.is_homed_first) return opened;
-        MonotonicClock clock;
-        const auto found = home({board_, clock, opening.goes_on, opening.say, longest_homing_s},
-                                device.is_known ? std::optional(device.calibration) : std::nullopt);
-        if (!found) return tl::unexpected(found.error());
-        opening.keep(*found);
-        return {};
-    }
-
-    [[nodiscard]] const std::atomic<bool>& has_lost_place() const { return has_lost_place_; }
-
-    [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override {
-        // The loop's time begins after homing's: where the hand went meanwhile is no leap.
-        if (!(now_s >= last_s_)) board_.accept_position();
-        const auto angles = board_.read_angles(now_s);
-        const BoardReport& report = board_.report();
-        const bool has_drifted = angles && drift_.step(*angles, std::max(0.0, now_s - last_s_));
-        last_s_ = now_s;
-        if (has_drifted || report.is_position_doubtful || report.state == BoardState::jumped)
-            has_lost_place_ = true;
-        return has_lost_place_ ? std::nullopt : angles;
-    }
-
-    [[nodiscard]] bool write_torques(JointTorques torques) override {
-        return board_.write_torques(torques);
-    }
-
-    [[nodiscard]] bool release() { return board_.stop(); }
-
-  private:
-    PantographBoard board_;
-    DriftWatch drift_;
-    double last_s_ = std::numeric_limits<double>::infinity();  // of the loop
-    std::atomic<bool> has_lost_place_{false};
-};
+constexpr double most_torque_Nm = 10.0;  // no motor of a desk
 
 void write_zero(void* device) noexcept {
     (void)static_cast<WatchedBoard*>(device)->write_torques({});
@@ -143,7 +92,9 @@ Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& ope
     auto link = take_link(*boards, device);
     if (!link) return tl::unexpected(link.error());
     auto board = std::make_unique<WatchedBoard>(std::move(*link), *profile, device.calibration);
-    if (const auto opened = board->open(device, opening); !opened)
+    MonotonicClock clock;
+    const HomingWanted homing{device.is_homed_first, device.is_known, device.calibration};
+    if (const auto opened = board->open(homing, opening, clock); !opened)
         return tl::unexpected(opened.error());
     OpenedDevice result;
     result.zero = {write_zero, board.get()};

@@ -111,6 +111,9 @@ void ask_for_attention(VisitWork& work) {
 }  // namespace
 
 void pass_time(VisitWork& work, double now_s) {
+    Visitor& visitor = work.visitor;
+    // What came before the clock was first told came just now.
+    if (work.house.now_s == 0.0) visitor.active_s = visitor.key_s = visitor.entered_s = now_s;
     work.house.now_s = std::max(work.house.now_s, now_s);
     const VisitScreen screen = open_screen(work);
     if (screen == VisitScreen::goodbye && work.house.now_s - work.visitor.entered_s >= goodbye_s) {

@@ -24,6 +24,9 @@ class PantographPlant {
     /// Torques of the motors from now on.
     void turn_motors(JointTorques torques) { torques_ = torques; }
 
+    /// Another hand takes the tip where it is, or none does.
+    void grip(const HandModel& hand) { dynamics_.grip(hand); }
+
     /// Lives through span_s in even steps; nothing where that is not above 0.
     void advance(double span_s);
 

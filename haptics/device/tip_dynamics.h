@@ -35,6 +35,12 @@ class TipDynamics {
 
     void set_velocity(Velocity velocity) { tip_state_.velocity = velocity; }
 
+    /// Another hand takes it where it is, or none does.
+    void grip(const HandModel& hand) {
+        hand_ = hand;
+        hand_state_ = tip_state_;
+    }
+
     [[nodiscard]] const MassState& tip() const { return tip_state_; }
 
     /// The hand's own mass, where it holds through the skin; else the tip's state.

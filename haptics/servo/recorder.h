@@ -56,6 +56,11 @@ class Recorder {
     /// After it.
     void push(const TickRecord& tick);
 
+    /// The last one that was pushed; null: none is kept.
+    [[nodiscard]] const TickRecord* newest() const {
+        return ring_.empty() || pushed_ == 0 ? nullptr : &ring_[(pushed_ - 1) % ring_.size()];
+    }
+
     // The other side: any one thread.
     /// Asks the servo to leave the ticks as they are; is_held() tells when it does. Not while an
     /// earlier hold is left.

@@ -1,8 +1,11 @@
 #include "tests/app/kiosk/kiosk_world.h"
 
+#include "app/kiosk/stick_shelf.h"
 #include "app/loading/kiosk_stages.h"
 #include "app/process/places.h"
 #include "app/sticks/open_stick_port.h"
+#include "tests/sim/kiosk/due_jobs.h"
+#include "tests/sim/kiosk/house.h"
 #include "vision/camera/folder_camera.h"
 
 #include <chrono>
@@ -19,35 +22,10 @@ namespace fs = std::filesystem;
 
 constexpr double frame_s = 1.0 / 60.0;
 
-/// Jobs are done when their results are asked for: no thread, the same every time.
-class JobsAtOnce final : public Executor {
-  public:
-    void start(std::uint64_t number, std::function<JobOutcome()> work) override {
-        waiting_.emplace_back(number, std::move(work));
-    }
-
-    [[nodiscard]] std::vector<FinishedJob> take_finished() override {
-        std::vector<FinishedJob> finished;
-        for (auto& [number, work] : std::exchange(waiting_, {}))
-            finished.push_back({number, work()});
-        return finished;
-    }
-
-  private:
-    std::vector<std::pair<std::uint64_t, std::function<JobOutcome()>>> waiting_;
-};
-
 Result<cv::Mat> read_bgr(const fs::path& file) {
     auto picture = read_picture(file.string());
     if (!picture) return tl::unexpected(picture.error());
     return cv::Mat(picture->height, picture->width, CV_8UC3, picture->bgr.data()).clone();
-}
-
-std::vector<Language> all_languages() {
-    std::vector<Language> languages(1);
-    for (const char* code : {"de", "fr", "es"})
-        languages.push_back(Language::load(TOUCHLINE_CATALOGUES, code).value());
-    return languages;
 }
 
 /// Of a test of its own, as tests may run at once.
@@ -65,13 +43,12 @@ KioskWorld::KioskWorld() : folder_(own_folder_of_test()) {
     servo_ = servo.get();
     KioskParts parts;
     parts.languages = all_languages();
-    parts.gallery =
-        read_gallery(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures", "", parts.languages).value();
+    parts.gallery = whole_gallery(parts.languages);
     parts.servo = std::move(servo);
     parts.sound = std::make_unique<HeardSound>(heard_);
     parts.profile = default_profile();
     parts.loader = std::make_unique<Loader>(std::make_shared<const KioskStages>(parts.profile),
-                                            std::make_unique<JobsAtOnce>());
+                                            std::make_unique<DueJobs>(now_s_));
     parts.shelf = std::make_unique<StickShelf>(open_stick_port((folder_ / "stick").string()),
                                                companion("touchline-import"));
     parts.photos =
@@ -86,16 +63,7 @@ KioskWorld::KioskWorld() : folder_(own_folder_of_test()) {
 }
 
 OperatorFiles KioskWorld::site_files() const {
-    const fs::path site = folder_ / "site";
-    fs::create_directories(site);
-    return {{site / "kiosk.toml", site / "kiosk.toml.good"},
-            site / "operator.pin",
-            site / "counters.toml",
-            site / "keys.toml",
-            site / "sound.toml",
-            TOUCHLINE_SOURCE_DIR "/config/defaults/profiles",
-            site / "copies",
-            site / "packs"};
+    return site_files_in(folder_ / "site");
 }
 
 KioskWorld::~KioskWorld() {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "app/kiosk/kiosk.h"
-#include "tests/app/kiosk/heard.h"
 #include "tests/app/kiosk/stepped_servo.h"
+#include "tests/sim/kiosk/heard.h"
 
 #include <filesystem>
 #include <memory>

@@ -53,6 +53,7 @@ FakeHouse::FakeHouse(VisitRules house_rules) : rules(std::move(house_rules)) {
     visit = std::move(first.visit);
     orders = std::move(first.orders);
     happen(CameraChanged{true});
+    wait(0.05);  // the clock is told
 }
 
 void FakeHouse::carry_out_load(const LoadPicture& order) {

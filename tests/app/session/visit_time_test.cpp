@@ -20,6 +20,17 @@ TEST(Visit, TI1_AfterSilenceAQuestionInThreeSenses) {
     EXPECT_EQ(house.last<GiveCue>()[0].event, ScreenEvent::time_out);
 }
 
+/// A kiosk that is started anew on a machine that has run for long.
+TEST(Visit, TI1_AKeyBeforeTheClockIsToldWasNotLongAgo) {
+    FakeHouse house;
+    house.visit.house.now_s = 0.0;
+    house.press(KeyRole::select);
+    house.happen(Tick{5000.0});
+    EXPECT_EQ(house.open(), VisitScreen::language);
+    house.happen(Tick{5060.0});
+    EXPECT_EQ(house.open(), VisitScreen::language);
+}
+
 TEST(Visit, TI1_AnyKeyGivesMoreTimeAsOftenAsOneLikes) {
     FakeHouse house;
     to_picture(house);

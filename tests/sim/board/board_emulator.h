@@ -88,6 +88,9 @@ class BoardEmulator {
     /// An encoder misses counts.
     void lose_counts(int joint, std::int64_t counts);
 
+    /// Another hand takes the handle where it is, or none does: no_hand.
+    void grip(const HandModel& hand) { plant_.grip(hand); }
+
     // What only a test can see.
 
     [[nodiscard]] const Firmware& firmware() const { return firmware_; }
@@ -98,6 +101,11 @@ class BoardEmulator {
 
     /// Every change of the torque that the motors would make with power.
     [[nodiscard]] const std::vector<TorqueChange>& told_torques() const { return changes_; }
+
+    /// All but the last change are forgotten: for runs of hours.
+    void forget_told_torques() {
+        if (changes_.size() > 1) changes_.erase(changes_.begin(), changes_.end() - 1);
+    }
 
   private:
     [[nodiscard]] PortCounts port_counts();

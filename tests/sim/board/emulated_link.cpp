@@ -37,7 +37,14 @@ EmulatedLink::EmulatedLink(BoardEmulator& board, VirtualTime& time,
     board_.host_listens(true);
 }
 
+void EmulatedLink::sever() {
+    is_severed_ = true;
+    held_back_.reset();
+    board_.host_listens(false);
+}
+
 EmulatedLink::~EmulatedLink() {
+    if (is_severed_) return;
     catch_up();
     board_.host_listens(false);
     board_.set_lines(false, false);
@@ -45,14 +52,14 @@ EmulatedLink::~EmulatedLink() {
 
 LinkStatus EmulatedLink::send(std::span<const std::uint8_t> command) {
     catch_up();
-    if (!board_.is_plugged()) return LinkStatus::gone;
+    if (is_gone()) return LinkStatus::gone;
     if (sent().status == LinkStatus::under_way) return LinkStatus::under_way;
     if (is_out_stalled_) return LinkStatus::stalled;
-    const auto planned = std::find_if(faults_.begin(), faults_.end(), [&](const auto& fault) {
-        return fault.at_send == commands_.size();
-    });
+    const auto planned = std::find_if(faults_.begin(), faults_.end(),
+                                      [&](const auto& fault) { return fault.at_send == sends_; });
     now_ = planned == faults_.end() ? PlannedFault{} : *planned;
-    commands_.emplace_back(command.begin(), command.end());
+    ++sends_;
+    if (keeps_commands_) commands_.emplace_back(command.begin(), command.end());
     sending_ = {LinkStatus::done, command.size()};
     send_ends_s_ = time_.now_s + way_s;
     hand_over(command);
@@ -102,13 +109,13 @@ void EmulatedLink::hand_over(std::span<const std::uint8_t> command) {
 
 Sent EmulatedLink::sent() {
     catch_up();
-    if (!board_.is_plugged()) return {LinkStatus::gone, 0};
+    if (is_gone()) return {LinkStatus::gone, 0};
     return time_.now_s < send_ends_s_ ? Sent{LinkStatus::under_way, 0} : sending_;
 }
 
 Received EmulatedLink::receive() {
     catch_up();
-    if (!board_.is_plugged()) return {LinkStatus::gone, {}, 0};
+    if (is_gone()) return {LinkStatus::gone, {}, 0};
     if (waiting_.empty() || waiting_.front().at_s > time_.now_s) return {};
     Received received;
     received.status = waiting_.front().status;
@@ -120,7 +127,7 @@ Received EmulatedLink::receive() {
 
 LinkStatus EmulatedLink::set_lines(bool are_high) {
     rest(control_s);
-    if (!board_.is_plugged()) return LinkStatus::gone;
+    if (is_gone()) return LinkStatus::gone;
     board_.set_line_coding(115200);
     board_.set_lines(are_high, are_high);
     return LinkStatus::done;
@@ -128,7 +135,7 @@ LinkStatus EmulatedLink::set_lines(bool are_high) {
 
 LinkStatus EmulatedLink::clear_stall() {
     catch_up();
-    if (!board_.is_plugged()) return LinkStatus::gone;
+    if (is_gone()) return LinkStatus::gone;
     is_out_stalled_ = is_in_stalled_ = false;
     sending_.status = LinkStatus::done;
     return LinkStatus::done;
@@ -150,10 +157,11 @@ void EmulatedLink::rest(double span_s) {
 }
 
 bool EmulatedLink::has_news() const {
-    return !board_.is_plugged() || (!waiting_.empty() && waiting_.front().at_s <= time_.now_s);
+    return is_gone() || (!waiting_.empty() && waiting_.front().at_s <= time_.now_s);
 }
 
 void EmulatedLink::catch_up() {
+    if (is_severed_) return;
     if (held_back_ && time_.now_s >= send_ends_s_) {
         board_.advance_to(send_ends_s_);
         board_.host_sends(*held_back_);

@@ -69,8 +69,22 @@ class EmulatedLink final : public BoardLink {
     bool wait(double longest_s) override;
     void rest(double span_s) override;
 
-    /// Every command that was sent, whole.
+    /// Every command that was sent, whole; none while only the numbers are kept.
     [[nodiscard]] const std::vector<PacketBytes>& commands() const { return commands_; }
+
+    /// Commands are counted and no longer kept: for runs of hours.
+    void keep_no_commands() { keeps_commands_ = false; }
+
+    /// The fault of the next send, in place of those that were planned. Its at_send is not looked
+    /// at.
+    void spoil_next(PlannedFault fault) {
+        fault.at_send = sends_;
+        faults_ = {fault};
+    }
+
+    /// The process that holds it was killed: its transfers are cancelled, nothing passes any more,
+    /// and the board keeps what it was told last.
+    void sever();
 
   private:
     struct Waiting {
@@ -85,10 +99,15 @@ class EmulatedLink final : public BoardLink {
     void arrive(double at_s, LinkStatus status, PacketBytes bytes);
     [[nodiscard]] bool has_news() const;
 
+    [[nodiscard]] bool is_gone() const { return is_severed_ || !board_.is_plugged(); }
+
     BoardEmulator& board_;
     VirtualTime& time_;
     std::vector<PlannedFault> faults_;
     std::vector<PacketBytes> commands_;
+    std::size_t sends_ = 0;
+    bool keeps_commands_ = true;
+    bool is_severed_ = false;
     PlannedFault now_;  // of the newest send
     std::optional<PlannedFault> reply_fault_;
     Sent sending_;

@@ -1,4 +1,4 @@
-#include "tests/app/kiosk/heard.h"
+#include "tests/sim/kiosk/heard.h"
 
 namespace touchline {
 

@@ -1,0 +1,45 @@
+// What a stick offers, as it comes and goes, wherever that is known from: the seam between the
+// kiosk and the real sticks (stick_shelf.h). Threads: one; no call waits.
+#pragma once
+
+#include "app/loading/stages.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// The files that a stick offers now; none: it went, or offers nothing.
+struct ShelfChange {
+    std::vector<FilePtr> files;
+    std::string sentence;  // for the person; may be empty
+};
+
+class Shelf {
+  public:
+    Shelf() = default;
+    virtual ~Shelf() = default;
+    Shelf(const Shelf&) = delete;
+    Shelf(Shelf&&) = delete;
+    Shelf& operator=(const Shelf&) = delete;
+    Shelf& operator=(Shelf&&) = delete;
+
+    /// The last thing that changed. Several times a second; `now_ns` of the monotonic clock.
+    [[nodiscard]] virtual std::optional<ShelfChange> poll(std::int64_t now_ns) = 0;
+
+    /// Files of a stick are being looked for.
+    [[nodiscard]] virtual bool is_listing() const = 0;
+
+    /// The visitor is done: see StickPort.
+    virtual void end_session() = 0;
+
+    /// Of the stick that is there; empty: none.
+    [[nodiscard]] virtual const std::string& root() const = 0;
+
+    /// False while sticks could come and nobody would tell.
+    [[nodiscard]] virtual bool is_watching() const = 0;
+};
+
+}  // namespace touchline

@@ -1,0 +1,36 @@
+#include "app/servo/watched_board.h"
+
+#include "app/device/procedures.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr double longest_homing_s = 86400.0;  // a kiosk waits for whoever comes
+
+}  // namespace
+
+Result<void> WatchedBoard::open(const HomingWanted& wanted, const Opening& opening, Clock& clock) {
+    if (auto opened = board_.open(); !opened || !wanted.is_homed_first) return opened;
+    const auto found = home({board_, clock, opening.goes_on, opening.say, longest_homing_s},
+                            wanted.is_known ? std::optional(wanted.calibration) : std::nullopt);
+    if (!found) return tl::unexpected(found.error());
+    opening.keep(*found);
+    return {};
+}
+
+std::optional<JointAngles> WatchedBoard::read_angles(double now_s) {
+    // The loop's time begins after homing's: where the hand went meanwhile is no leap.
+    if (!(now_s >= last_s_)) board_.accept_position();
+    const auto angles = board_.read_angles(now_s);
+    const BoardReport& report = board_.report();
+    const bool has_drifted = angles && drift_.step(*angles, std::max(0.0, now_s - last_s_));
+    last_s_ = now_s;
+    if (has_drifted || report.is_position_doubtful || report.state == BoardState::jumped)
+        has_lost_place_ = true;
+    return has_lost_place_ ? std::nullopt : angles;
+}
+
+}  // namespace touchline

@@ -1,0 +1,54 @@
+// A pantograph's board as the servo has it: homed by a person when it is opened, watched for
+// whether the handle is where its angles say. Threads: as PantographBoard; has_lost_place() from
+// any.
+#pragma once
+
+#include "app/servo/servo_program.h"
+#include "haptics/device/homing.h"
+#include "haptics/device/pantograph_board.h"
+#include "haptics/servo/tick_clock.h"
+
+#include <atomic>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace touchline {
+
+/// What is known of the place of the handle before its board is opened.
+struct HomingWanted {
+    bool is_homed_first = true;  // false: the handle is at home
+    bool is_known = false;       // this unit's scale was measured before
+    Calibration calibration;
+};
+
+class WatchedBoard final : public ForceDevice {
+  public:
+    WatchedBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
+                 const Calibration& calibration)
+        : board_(std::move(link), profile, calibration), drift_(homing_plan(profile)) {}
+
+    /// What homing found is kept by `opening` and lasts as long as the board is set up. Waits on
+    /// `clock` for whoever comes, a day at most. Fails as PantographBoard::open() and home().
+    [[nodiscard]] Result<void> open(const HomingWanted& wanted, const Opening& opening,
+                                    Clock& clock);
+
+    [[nodiscard]] const std::atomic<bool>& has_lost_place() const { return has_lost_place_; }
+
+    [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
+
+    [[nodiscard]] bool write_torques(JointTorques torques) override {
+        return board_.write_torques(torques);
+    }
+
+    /// True when the board confirmed zero torque.
+    [[nodiscard]] bool release() { return board_.stop(); }
+
+  private:
+    PantographBoard board_;
+    DriftWatch drift_;
+    double last_s_ = std::numeric_limits<double>::infinity();  // of the loop
+    std::atomic<bool> has_lost_place_{false};
+};
+
+}  // namespace touchline

@@ -1,0 +1,85 @@
+// Every key is answered, every change that lasts is heard, and nobody is left in silence.
+#pragma once
+
+#include "tests/sim/kiosk/checkers/sight.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace touchline {
+
+class AnswersChecker {
+  public:
+    /// A key is about to be given to the kiosk.
+    void ask(double now_s, std::size_t heard) {
+        if (asked_s_) return;
+        asked_s_ = now_s;
+        heard_then_ = heard;
+        is_asked_by_fault_ = false;
+    }
+
+    /// There were no frames for a while, by a fault: nobody could answer.
+    void excuse(double now_s) {
+        asked_s_.reset();
+        heard_s_ = now_s;
+    }
+
+    void look(const FrameSight& sight, SimFigures& figures, Findings& findings) {
+        const bool is_on = is_visit_on(sight.kiosk.visit());
+        const VisitScreen screen = open_screen(sight.kiosk.visit());
+        const Fault fault = sight.kiosk.force().fault;
+        if (is_on && screen != screen_) ask(sight.now_s, before_);
+        if (is_on && fault > fault_ && !asked_s_) {
+            ask(sight.now_s, before_);
+            is_asked_by_fault_ = true;
+        }
+        // A hiccup that is over before anybody could speak of it is not spoken of.
+        if (is_asked_by_fault_ && fault == Fault::none) asked_s_.reset();
+        screen_ = screen;
+        fault_ = fault;
+        if (sight.heard != before_ || !is_on) heard_s_ = sight.now_s;
+        look_at_answer(sight, figures, findings);
+        look_at_silence(sight, figures, findings);
+        before_ = sight.heard;
+    }
+
+  private:
+    static constexpr double longest_answer_s = 0.150;
+    static constexpr double longest_silence_s = 100.0;  // a question comes after 90
+    static constexpr double longest_wait_s = 5.0;       // without a sound, while work is under way
+
+    void look_at_answer(const FrameSight& sight, SimFigures& figures, Findings& findings) {
+        if (!asked_s_) return;
+        const double after_s = sight.now_s - *asked_s_;
+        if (sight.heard != heard_then_) {
+            figures.longest_answer_s = std::max(figures.longest_answer_s, after_s);
+            asked_s_.reset();
+        }
+        findings.demand(after_s <= longest_answer_s, "answers", sight.now_s, [&] {
+            return fmt::format("nothing was heard for {:.3f} s, on screen {}, fault {}", after_s,
+                               static_cast<int>(screen_), static_cast<int>(fault_));
+        });
+    }
+
+    void look_at_silence(const FrameSight& sight, SimFigures& figures, Findings& findings) const {
+        const double silent_s = sight.now_s - heard_s_;
+        const bool is_waiting = sight.kiosk.visit().visitor.waiting.has_value();
+        figures.longest_silence_s = std::max(figures.longest_silence_s, silent_s);
+        findings.demand(silent_s <= (is_waiting ? longest_wait_s : longest_silence_s), "answers",
+                        sight.now_s, [&] {
+                            return fmt::format("a visitor was left in silence for {:.1f} s{}",
+                                               silent_s, is_waiting ? " while waiting" : "");
+                        });
+    }
+
+    std::optional<double> asked_s_;
+    std::size_t heard_then_ = 0;
+    bool is_asked_by_fault_ = false;
+    std::size_t before_ = 0;
+    double heard_s_ = 0.0;
+    VisitScreen screen_ = VisitScreen::attract;
+    Fault fault_ = Fault::none;
+};
+
+}  // namespace touchline

@@ -1,0 +1,40 @@
+// The motors make what the servo told in one of its last ticks, or nothing.
+#pragma once
+
+#include "tests/sim/kiosk/checkers/sight.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace touchline {
+
+class BoardTruthChecker {
+  public:
+    void look(const TickSight& sight, Findings& findings) {
+        if (sight.is_first_tick) told_ = {};
+        if (sight.tick != nullptr) told_[next_++ % told_.size()] = sight.tick->torques;
+        if (sight.tick == nullptr || sight.is_send_hanging || sight.held == JointTorques{}) return;
+        for (const JointTorques& told : told_)
+            if (is_same(told, sight.held)) return;
+        findings.demand(false, "board truth", sight.now_s, [&] {
+            return fmt::format("motors make {:.5f} and {:.5f} N m, which no tick told",
+                               sight.held.x, sight.held.y);
+        });
+    }
+
+  private:
+    static constexpr double duty_step_Nm = 0.123 / 1023.0;
+
+    static bool is_same(JointTorques told, JointTorques held) {
+        return std::abs(told.x - held.x) <= 1.5 * duty_step_Nm &&
+               std::abs(told.y - held.y) <= 1.5 * duty_step_Nm;
+    }
+
+    // One is on its way; a reply that is late holds the next one back for up to 5 ms.
+    std::array<JointTorques, 8> told_{};
+    std::size_t next_ = 0;
+};
+
+}  // namespace touchline

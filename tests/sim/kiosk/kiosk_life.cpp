@@ -1,0 +1,59 @@
+#include "tests/sim/kiosk/kiosk_life.h"
+
+#include "app/loading/kiosk_stages.h"
+#include "tests/sim/kiosk/house.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace touchline {
+namespace {
+
+/// Within `owner`, as it was made.
+template <class Part, class Owner, class... Arguments>
+Part* make(Owner& owner, Arguments&&... arguments) {
+    auto made = std::make_unique<Part>(std::forward<Arguments>(arguments)...);
+    Part* const part = made.get();
+    owner = std::move(made);
+    return part;
+}
+
+const std::vector<Language>& languages_read_once() {
+    static const std::vector<Language> languages = all_languages();
+    return languages;
+}
+
+}  // namespace
+
+KioskLife::KioskLife(const KioskPlace& place) : now_s_(place.now_s) {
+    KioskParts parts;
+    parts.languages = languages_read_once();
+    parts.gallery = gallery_without_workers();
+    parts.profile = default_profile();
+    servo = make<LineServo>(parts.servo, line, now_s_);
+    shelf = make<SimShelf>(parts.shelf);
+    parts.sound = std::make_unique<HeardSound>(place.heard);
+    std::unique_ptr<Executor> executor;
+    jobs = make<DueJobs>(executor, now_s_, place.fate);
+    parts.loader = std::make_unique<Loader>(std::make_shared<const KioskStages>(parts.profile),
+                                            std::move(executor));
+    std::unique_ptr<Camera> eye;
+    camera = make<SimCamera>(eye);
+    parts.photos = std::make_unique<PhotoDesk>(std::move(eye));
+    std::vector<std::string> problems;  // a file that cannot be read is one of the faults
+    parts.operator_desk =
+        std::make_unique<OperatorDesk>(site_files_in(place.folder), parts.languages, problems);
+    parts.settings = parts.operator_desk->settings();
+    parts.keys = parts.operator_desk->keys();
+    parts.minute_of_day = place.minute_of_day;
+    kiosk = std::make_unique<Kiosk>(std::move(parts));
+}
+
+void KioskLife::press(Key key) {
+    const PhysicalKey pressed{KeySource::key, static_cast<std::uint32_t>(key)};
+    kiosk->change_key({pressed, true, false, now_s_});
+    kiosk->change_key({pressed, false, false, now_s_});
+}
+
+}  // namespace touchline

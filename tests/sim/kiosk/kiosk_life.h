@@ -1,0 +1,50 @@
+// One kiosk process in a simulated house: the real kiosk with sound, loader, stick and camera that
+// a simulation leads, and its end of the line to the servo.
+// Threads: one.
+#pragma once
+
+#include "app/kiosk/kiosk.h"
+#include "app/servo/restart.h"
+#include "app/servo/servo_line.h"
+#include "tests/sim/kiosk/due_jobs.h"
+#include "tests/sim/kiosk/heard.h"
+#include "tests/sim/kiosk/line_servo.h"
+#include "tests/sim/kiosk/sim_camera.h"
+#include "tests/sim/kiosk/sim_shelf.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+namespace touchline {
+
+/// What a kiosk has of the house. All must outlive it.
+struct KioskPlace {
+    const double& now_s;           // of the house
+    std::filesystem::path folder;  // of the operator's files
+    std::shared_ptr<Heard> heard;
+    std::function<JobFate()> fate;
+    std::function<int()> minute_of_day;
+};
+
+class KioskLife {
+  public:
+    explicit KioskLife(const KioskPlace& place);
+
+    /// A key of the staff's keyboard.
+    void press(Key key);
+
+    ServoLine line;
+    Restart restart;  // of its servo
+    // Within the kiosk:
+    LineServo* servo = nullptr;
+    SimShelf* shelf = nullptr;
+    SimCamera* camera = nullptr;
+    DueJobs* jobs = nullptr;
+    std::unique_ptr<Kiosk> kiosk;
+
+  private:
+    const double& now_s_;
+};
+
+}  // namespace touchline

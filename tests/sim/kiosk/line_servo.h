@@ -1,0 +1,65 @@
+// The servo as a simulated kiosk has it: the real line to it, on the house's time.
+// Threads: one.
+#pragma once
+
+#include "app/servo/servo_client.h"
+#include "app/servo/servo_line.h"
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace touchline {
+
+class LineServo final : public ServoClient {
+  public:
+    /// Both must outlive it. `now_s` of the house.
+    LineServo(ServoLine& line, const double& now_s) : line_(line), now_s_(now_s) {}
+
+    void set(const ServoCommands& commands) override {
+        told = commands;
+        line_.set(commands);
+    }
+
+    void feel(const FeltPicture& picture) override {
+        felt = picture.map;
+        ++pictures;
+        line_.feel(picture);
+    }
+
+    [[nodiscard]] const HandState& latest() override {
+        line_.update(report_, std::llround(1e9 * now_s_));
+        return report_.hand;
+    }
+
+    [[nodiscard]] ForceStatus force_status() override { return report_.force; }
+
+    [[nodiscard]] std::optional<ContactEvent> next_event() override { return line_.next_event(); }
+
+    [[nodiscard]] RealTimeTier tier() const override { return line_.tier(); }
+
+    [[nodiscard]] LatenessBars lateness() const override { return {}; }
+
+    [[nodiscard]] std::string take_notice() override { return line_.take_notice(); }
+
+    [[nodiscard]] std::string device_words() override { return line_.device_words(); }
+
+    void home_again() override { is_homing_wanted = true; }
+
+    void keep_recording() override { line_.keep_recording(); }
+
+    void stop() override {}
+
+    ServoCommands told;
+    std::shared_ptr<const TactileMap> felt;
+    std::uint64_t pictures = 0;
+    bool is_homing_wanted = false;
+
+  private:
+    ServoLine& line_;
+    const double& now_s_;
+    ServoReport report_;
+};
+
+}  // namespace touchline

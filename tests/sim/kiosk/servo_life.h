@@ -1,0 +1,105 @@
+// One servo process in a simulated house, from its start to its end: what app/servo/servo_program.h
+// does with the real driver, loop and messages, in the house's one thread and time.
+// Threads: one.
+#pragma once
+
+#include "app/servo/messages.h"
+#include "app/servo/shared_region.h"
+#include "app/servo/watched_board.h"
+#include "haptics/servo/servo_loop.h"
+#include "tests/sim/board/emulated_link.h"
+#include "tests/sim/kiosk/visitor_hand.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace touchline {
+
+/// Breaks the product on purpose, so that a test sees that checkers see it.
+enum class Sabotage : std::uint8_t {
+    none,
+    doubled_torque,  // twice what the servo tells reaches the driver
+    held_torque,     // zero never does
+    silent_sound,    // nothing that is said or given is heard
+    deaf_guard,      // a servo that falls silent is not killed
+    lost_jobs,       // no picture ever comes
+};
+
+/// What a servo process has of the house. All must outlive it.
+struct ServoPlace {
+    BoardEmulator& board;
+    VirtualTime& time;
+    Clock& clock;
+    VisitorHand& hand;
+    Sabotage sabotage = Sabotage::none;
+};
+
+/// SIGKILL: thrown out of the loop's clock.
+struct ServoKilled {};
+
+class ServoLife {
+  public:
+    ServoLife(const ServoPlace& place, SharedRegion region, Descriptor socket)
+        : place_(place), region_(std::move(region)), socket_(std::move(socket)) {}
+
+    /// Opens and homes the board, then ticks until its end; the exit status. Throws ServoKilled.
+    [[nodiscard]] int run(const Calibration& stored);
+
+    /// Its main thread: messages that came, and whether the device still answers. Several times a
+    /// second.
+    void serve();
+
+    /// Killed: nothing of it reaches the board any more.
+    void die();
+
+    [[nodiscard]] bool is_ticking() const { return loop_start_s_.has_value(); }
+
+    /// Of the board's time, when the loop's began.
+    [[nodiscard]] double loop_start_s() const { return loop_start_s_.value_or(0.0); }
+
+    /// The newest tick; null before the first.
+    [[nodiscard]] const TickRecord* newest() const { return recorder_.newest(); }
+
+    /// Null once the board was given back.
+    [[nodiscard]] EmulatedLink* link() { return link_; }
+
+    void break_next_angle() { is_next_angle_broken_ = true; }
+
+    /// The kiosk died: SIGHUP.
+    void hang_up() { end_.is_cut = true; }
+
+    [[nodiscard]] std::uint64_t dropped_events() const { return exchange_.dropped_events(); }
+
+  private:
+    class Device;
+
+    void tell(MessageKind kind, const std::string& line) {
+        (void)send(socket_, message_of(kind, line));
+    }
+
+    [[nodiscard]] int fail(const std::string& line) {
+        tell(MessageKind::failed, line);
+        return 1;
+    }
+
+    [[nodiscard]] Opening opening();
+    void end_homing();
+    void feel(const Arrival& arrival);
+
+    ServoPlace place_;
+    SharedRegion region_;
+    Descriptor socket_;
+    std::unique_ptr<WatchedBoard> board_;
+    EmulatedLink* link_ = nullptr;
+    ServoExchange exchange_{region_.channel()};
+    Recorder recorder_{1};
+    LoopEnd end_;
+    std::optional<double> loop_start_s_;
+    double answered_s_ = 0.0;
+    std::string lost_;  // why it ends
+    bool is_next_angle_broken_ = false;
+};
+
+}  // namespace touchline

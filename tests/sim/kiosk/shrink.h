@@ -1,0 +1,22 @@
+// The smallest plan that still fails: fewer kinds of faults, no fault after the one that matters.
+// Threads: pure functions, each as long as many simulations.
+#pragma once
+
+#include "tests/sim/kiosk/figures.h"
+#include "tests/sim/kiosk/plan.h"
+
+#include <functional>
+
+namespace touchline {
+
+/// How a plan fails, if it does.
+using RunPlan = std::function<std::optional<SimFailure>(const Plan&)>;
+
+/// Of a plan that fails. Drops one kind after the other, then the last fault again and again, as
+/// long as the same checker finds something.
+[[nodiscard]] Plan shrunk(const Plan& failing, const RunPlan& run);
+
+/// The same by simulation.
+[[nodiscard]] Plan shrunk(const Plan& failing);
+
+}  // namespace touchline

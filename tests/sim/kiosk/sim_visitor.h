@@ -1,0 +1,84 @@
+// A visitor of a simulated house: hears nothing but knows the screens, presses keys, moves the
+// handle as people do, brings a stick, lets go, leaves. Threads: one.
+#pragma once
+
+#include "app/kiosk/kiosk.h"
+#include "tests/sim/board/board_emulator.h"
+#include "tests/sim/kiosk/dice.h"
+#include "tests/sim/kiosk/plan.h"
+#include "tests/sim/kiosk/sim_shelf.h"
+#include "tests/sim/kiosk/visitor_hand.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace touchline {
+
+/// What a visitor can reach. Of one frame.
+struct VisitorPlace {
+    Kiosk& kiosk;
+    BoardEmulator& board;
+    VisitorHand& hand;
+    SimShelf& shelf;
+    std::shared_ptr<const TactileMap> felt;  // null: nothing yet
+    double now_s = 0.0;                      // of the house
+    double awake_s = 0.0;                    // of the board
+    bool is_calm = false;                    // nothing wild now: something is being waited for
+};
+
+class SimVisitor {
+  public:
+    explicit SimVisitor(const PlannedVisit& visit);
+
+    /// One frame. A key that is to be pressed now.
+    [[nodiscard]] std::optional<KeyRole> act(const VisitorPlace& place);
+
+    /// For so long no hand is on the handle.
+    void lose_grip(double until_s) { hands_off_until_s_ = until_s; }
+
+    /// The handle is thrown at this speed.
+    void throw_handle(const VisitorPlace& place, double speed_m_per_s);
+
+    /// Said goodbye, or walked away and was not waited for any more.
+    [[nodiscard]] bool is_gone() const { return is_gone_; }
+
+    [[nodiscard]] bool holds_handle() const { return holds_; }
+
+  private:
+    enum class Doing : std::uint8_t { tracing, tapping, pushing, jerking, wandering, resting, off };
+
+    void move(const VisitorPlace& place);
+    void begin(Doing doing, const VisitorPlace& place);
+    void go_on(const VisitorPlace& place);
+    void hold(const VisitorPlace& place, const HandModel& hand);
+    void let_go(const VisitorPlace& place);
+    void bring_stick(const VisitorPlace& place);
+    [[nodiscard]] Doing next_doing(const VisitorPlace& place);
+    [[nodiscard]] std::optional<KeyRole> key(const VisitorPlace& place);
+    [[nodiscard]] KeyRole key_of_screen(const VisitorPlace& place, VisitScreen screen);
+    [[nodiscard]] KeyRole key_while_feeling(const VisitorPlace& place);
+    [[nodiscard]] Position somewhere(double most_x_m, double most_y_m);
+
+    PlannedVisit visit_;
+    Dice dice_;
+    HandModel grip_;
+    double pace_s_ = 1.0;  // between keys
+    double tremor_m_ = 0.0;
+    bool walks_away_ = false;  // without a goodbye
+    bool keeps_off_ = false;   // hands on the keys only
+    VisitItem wish_ = VisitItem::practise;
+    double next_key_s_ = 0.0;
+    double next_doing_s_ = 0.0;
+    double hands_off_until_s_ = 0.0;
+    Doing doing_ = Doing::off;
+    std::size_t outline_ = 0;
+    std::size_t point_ = 0;
+    bool is_tap_down_ = false;
+    bool holds_ = false;
+    bool has_begun_ = false;
+    bool has_stick_ = false;
+    bool is_gone_ = false;
+};
+
+}  // namespace touchline
