@@ -118,6 +118,7 @@ class CommandLine {
   public:
     CommandLine() {
         app_.set_help_flag("-h,--help", "Show what can be said here");
+        app_.set_version_flag("--version", "touchline " TOUCHLINE_VERSION, "Which version this is");
         app_.require_subcommand(0, 1);
         app_.add_flag("--window", kiosk_.in_window, "The kiosk in a window instead of full screen");
         app_.add_option("--measure", kiosk_.measure_s,
@@ -141,6 +142,9 @@ class CommandLine {
         } catch (const CLI::CallForHelp&) {
             const auto chosen = app_.get_subcommands();
             out << (chosen.empty() ? app_ : *chosen.front()).help();
+            return done;
+        } catch (const CLI::CallForVersion& version) {
+            out << version.what() << '\n';
             return done;
         } catch (const CLI::ParseError& error) {
             err << "touchline: " << error.what() << "; --help shows what can be said\n";

@@ -300,6 +300,12 @@ TEST_F(Cli, WrongUsageIsStatusTwoAndOneLine) {
     EXPECT_NE(out().find("--stiffness"), std::string::npos);
 }
 
+TEST_F(Cli, TellsItsVersion) {
+    EXPECT_EQ(run({"--version"}), 0);
+    EXPECT_EQ(out(), "touchline " TOUCHLINE_VERSION "\n");
+    EXPECT_EQ(err(), "");
+}
+
 TEST_F(Cli, InputThatCannotBeUsedIsStatusOneOneLineAndNoFile) {
     write("broken.svg", "<svg");
     write("empty.png", "");
