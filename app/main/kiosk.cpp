@@ -4,6 +4,7 @@
 #include "app/keys/operator_keyboard.h"
 #include "app/kiosk/content_of.h"
 #include "app/kiosk/kiosk.h"
+#include "app/kiosk/stick_shelf.h"
 #include "app/loading/kiosk_stages.h"
 #include "app/loading/page_reader.h"
 #include "app/loading/thread_executor.h"
