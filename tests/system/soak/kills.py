@@ -11,11 +11,13 @@ from world import Failed, Kiosk, Visitor, wait_for
 
 SEED = 11
 LONGEST_READY_S = 5.0
+LONG = 50  # kills; fewer judge no time: how busy the machine of a CI is decides nothing
 FIELD_RESTART_S = 2.0  # RestartSec of the unit (app/package/units); here it is shorter, and counted as in the field
 # Weights. A servo that dies thrice in a minute is started again ever later, by design (app/servo/restart.h).
-KINDS = {'kiosk': 8, 'servo': 5, 'voice': 3, 'decode': 3, 'import': 1}
+KINDS = {'kiosk': 8, 'servo': 5, 'voice': 3, 'decode': 1, 'import': 1}
 MOST_SERVO_KILLS = 2  # in one life of a kiosk
 NAMES = {'servo': 'soak_servo', 'voice': 'touchline-speak', 'decode': 'touchline-decod', 'import': 'touchline-impor'}
+UNDER_TORQUE = 0.3  # of the kills wait for a picture to be felt
 FAST_S = 0.002
 PATIENCE_S = 4.0  # for a worker to show itself
 
@@ -41,11 +43,19 @@ class Kills:
         if kind == 'servo' and self.servo_kills == MOST_SERVO_KILLS:
             kind = 'kiosk'
         self.ready()
+        if self.random.random() < UNDER_TORQUE:
+            self.wait_for_torque()
         time.sleep(self.random.random())
         if kind in ('voice', 'decode', 'import'):
             return self.kill_worker(kind)
         (self.kill_kiosk if kind == 'kiosk' else self.kill_servo)()
         return True
+
+    def wait_for_torque(self):
+        """Where it comes within a while: the visitor goes where chance leads."""
+        end = time.monotonic() + PATIENCE_S
+        while time.monotonic() < end and not self.world.board.has_torque:
+            time.sleep(FAST_S)
 
     def kill_kiosk(self):
         kiosk, board = self.kiosk, self.world.board
@@ -165,7 +175,8 @@ def kept_by_design(world):
 
 
 def report(figures, kills, done, count, left):
-    how = f'tests/system/soak/run kills {count}: seed {SEED}, Xvfb, RestartSec counted as {FIELD_RESTART_S:.0f} s, board in a file'
+    how = (f'tests/system/soak/run kills {count}: seed {SEED}, Xvfb, RestartSec counted as {FIELD_RESTART_S:.0f} s, '
+           f'board in a file, load {os.getloadavg()[0]:.0f}')
     kinds = ', '.join(f'{kind} {len(times)}' for kind, times in kills.took_s.items())
     figures.keep(20, 'SIGKILL at random moments: came back by themselves', f'{done} of {count} ({kinds})',
                  'all', done == count, how)
@@ -174,9 +185,11 @@ def report(figures, kills, done, count, left):
                         ('voice', 'time until the voice was there again')):
         times = kills.took_s[kind]
         if times:
+            is_long = count >= LONG
             figures.keep(20, words + ', s',
                          f'{quantile(times, 0.5):.2f} median, {quantile(times, 0.99):.2f} p99, {max(times):.2f} worst',
-                         f'< {LONGEST_READY_S:.0f}', max(times) < LONGEST_READY_S, how)
+                         f'< {LONGEST_READY_S:.0f}' if is_long else 'reported', max(times) < LONGEST_READY_S if is_long else None,
+                         how)
     if kills.zero_s:
         figures.keep(20, 'time to zero torque after a kill under torque, ms',
                      f'{1e3 * quantile(kills.zero_s, 0.5):.1f} median, {1e3 * max(kills.zero_s):.1f} worst of '
