@@ -198,26 +198,34 @@ class CommandLine {
             app_.add_subcommand("feel", "A hand's path over a picture or map, step by step");
         auto* input = add_input(*feel_command_, feel_.input, &feel_.as_picture)->required(false);
         auto* path = feel_command_->add_option("--path", feel_.path, "HAND.csv: t_s,x_m,y_m");
+        auto* probe = feel_command_->add_option(
+            "--probe", feel_.probe,
+            "SHAPE.svg, held in the middle of its drawing area; HAND.csv then has angle_rad");
         feel_command_
             ->add_option("--replay", replay_.recording,
                          "A recording of the kiosk's black box, run again")
             ->excludes(input)
-            ->excludes(path);
+            ->excludes(path)
+            ->excludes(probe);
         feel_command_->add_option("-o", feel_.output, "RUN.csv")->required();
         ContactSettings& contact = feel_.contact;
         feel_command_->add_option("--mode", mode_, "wall, groove, ridge or stay")
             ->check(
-                [this](const std::string& text) { return parse_mode(text, feel_.contact.mode); });
+                [this](const std::string& text) { return parse_mode(text, feel_.contact.mode); })
+            ->excludes(probe);
         feel_command_->add_option("--level", level_, "auto, or a level from 0 (finest)")
             ->check([this](const std::string& text) { return parse_level(text, feel_.level); });
         feel_command_->add_option("--stiffness", contact.stiffness_N_per_m, "N/m")
             ->check(above_zero(20000.0));
         feel_command_->add_option("--friction", contact.friction, "Coulomb coefficient")
-            ->check(from_zero(1.0));
-        feel_command_->add_option("--radius", contact.radius_m, "Proxy radius, m")
+            ->check(from_zero(1.0))
+            ->excludes(probe);
+        feel_command_
+            ->add_option("--radius", contact.radius_m, "Radius of proxy or shape's edges, m")
             ->check(from_zero(0.02));
         feel_command_->add_option("--capture", contact.capture_m, "Half width of a groove, m")
-            ->check(above_zero(0.1));
+            ->check(above_zero(0.1))
+            ->excludes(probe);
         feel_command_->add_option("--profile", feel_.profile,
                                   "Device whose encoders bound the level");
         add_curves(*feel_command_, feel_.curves);

@@ -1,5 +1,6 @@
 #include "app/cli/feel.h"
 
+#include "app/cli/feel_shape.h"
 #include "app/cli/hand_csv.h"
 #include "app/cli/load.h"
 #include "app/cli/names.h"
@@ -17,12 +18,10 @@
 namespace touchline {
 namespace {
 
-constexpr double first_period_s = 1e-3;  // of a path with a single row
-
-Result<std::vector<HandRow>> read_hand(const std::string& path) {
-    return read_file(path).and_then([&path](const std::vector<std::byte>& bytes) {
+Result<std::vector<HandRow>> read_hand(const std::string& path, HandColumns columns) {
+    return read_file(path).and_then([&path, columns](const std::vector<std::byte>& bytes) {
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a text
-        return parse_hand_csv({reinterpret_cast<const char*>(bytes.data()), bytes.size()})
+        return parse_hand_csv({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, columns)
             .map_error([&path](const Error& error) {
                 return Error{fmt::format("{}: {}", path, error.line)};
             });
@@ -79,9 +78,10 @@ class Feeling {
             const double dt_s = i > 0 ? hand[i].t_s - hand[i - 1].t_s : first_period_s;
             const std::int64_t begin_ns = options_.with_timing ? steady_now_ns() : 0;
             const double level = wanted_level(hand[i].p_WH, dt_s);
-            const ContactReport report =
-                i == 0 ? start(hand[0].p_WH, level)
-                       : machine_.step(hand[i].p_WH, level, options_.contact, budget(), dt_s);
+            const ContactReport report = i == 0
+                                             ? start(hand[0].p_WH, level)
+                                             : machine_.step(hand[i].p_WH, level, options_.contact,
+                                                             budget_of(options_), dt_s);
             limits_.cost = cost_.step(work_of(report), machine_.rendered_level());
             rule_.set_limits(limits_);
             const std::int64_t step_ns = options_.with_timing ? steady_now_ns() - begin_ns : 0;
@@ -109,16 +109,6 @@ class Feeling {
         return rule_.step(handle, dt_s);
     }
 
-    [[nodiscard]] Budget budget() const {
-        Budget budget;
-        if (options_.budget_boxes) budget.boxes = *options_.budget_boxes;
-        if (options_.deadline_us) {
-            budget.deadline_ns =
-                steady_now_ns() + static_cast<std::int64_t>(*options_.deadline_us * 1000.0);
-        }
-        return budget;
-    }
-
     const Scene& scene_;
     const FeelOptions& options_;
     LevelLimits limits_;
@@ -129,10 +119,22 @@ class Feeling {
 
 }  // namespace
 
+Budget budget_of(const FeelOptions& options) {
+    Budget budget;
+    if (options.budget_boxes) budget.boxes = *options.budget_boxes;
+    if (options.deadline_us) {
+        budget.deadline_ns =
+            steady_now_ns() + static_cast<std::int64_t>(*options.deadline_us * 1000.0);
+    }
+    return budget;
+}
+
 Result<void> run_feel(const FeelOptions& options) {
     const auto profile = find_profile(options.profile);
     if (!profile) return tl::unexpected(profile.error());
-    const auto hand = read_hand(options.path);
+    const bool has_shape = !options.probe.empty();
+    const auto hand =
+        read_hand(options.path, has_shape ? HandColumns::place_and_angle : HandColumns::place);
     if (!hand) return tl::unexpected(hand.error());
     const auto scene =
         load_map(options.input, options.as_picture).and_then([&](const TactileMap& map) {
@@ -141,6 +143,12 @@ Result<void> run_feel(const FeelOptions& options) {
             return build_scene(map, curves, options.contact.radius_m);
         });
     if (!scene) return tl::unexpected(scene.error());
+    if (has_shape) {
+        const auto shape = load_shape(options);
+        if (!shape) return tl::unexpected(shape.error());
+        const LevelLimits limits = limits_of(*scene, *profile, options.contact.radius_m);
+        return write_whole_file(options.output, feel_shape(*scene, *shape, options, limits, *hand));
+    }
     return write_whole_file(options.output, Feeling(*scene, options, *profile).run(*hand));
 }
 

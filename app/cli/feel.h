@@ -16,6 +16,7 @@ struct FeelOptions {
     bool as_picture = false;
     std::string path;    // HAND.csv
     std::string output;  // RUN.csv
+    std::string probe;   // the shape in the hand: a map; empty: a point
     ContactSettings contact;
     CurveOptions curves;
     std::optional<double> level;  // none: auto
@@ -24,6 +25,9 @@ struct FeelOptions {
     std::optional<double> deadline_us;
     bool with_timing = false;
 };
+
+/// What a step of the run may take; a deadline counts from now.
+[[nodiscard]] Budget budget_of(const FeelOptions& options);
 
 /// Writes RUN.csv whole or not at all.
 [[nodiscard]] Result<void> run_feel(const FeelOptions& options);

@@ -5,14 +5,23 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <span>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 namespace touchline {
 namespace {
 
 constexpr double largest_m = 1.0;
-constexpr std::array<std::string_view, 3> wanted{"t_s", "x_m", "y_m"};
+constexpr double largest_rad = 1000.0;
+constexpr std::array<std::string_view, 4> names_of{"t_s", "x_m", "y_m", "angle_rad"};
+
+std::span<const std::string_view> names_of_columns(HandColumns wanted) {
+    return std::span(names_of).first(wanted == HandColumns::place ? 3 : 4);
+}
+
+/// Where each wanted column stands, in the order of their names.
+using Columns = std::vector<std::size_t>;
 
 std::string_view trimmed(std::string_view text) {
     const auto first = text.find_first_not_of(" \t\r");
@@ -45,32 +54,31 @@ std::optional<double> number(std::string_view text) {
     return value;
 }
 
-/// Where each wanted column stands.
-Result<std::array<std::size_t, 3>> columns(std::string_view header) {
+Result<Columns> columns(std::string_view header, std::span<const std::string_view> wanted) {
     const auto names = fields(header);
-    std::array<std::size_t, 3> at{};
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const auto found = std::find(names.begin(), names.end(), wanted[i]);
+    Columns at;
+    for (const std::string_view name : wanted) {
+        const auto found = std::find(names.begin(), names.end(), name);
         if (found == names.end()) {
-            return failure(fmt::format("line 1: no column {}; the first line must name t_s,x_m,y_m",
-                                       wanted[i]));
+            return failure(fmt::format("line 1: no column {}; the first line must name {}", name,
+                                       fmt::join(wanted, ",")));
         }
-        at[i] = static_cast<std::size_t>(found - names.begin());
+        at.push_back(static_cast<std::size_t>(found - names.begin()));
     }
     return at;
 }
 
-Result<HandRow> row(std::string_view line, const std::array<std::size_t, 3>& at,
-                    std::size_t number_of) {
+Result<HandRow> row(std::string_view line, const Columns& at, std::size_t number_of) {
     const auto values = fields(line);
-    std::array<double, 3> read{};
+    std::array<double, names_of.size()> read{};
     for (std::size_t i = 0; i < at.size(); ++i) {
         if (at[i] >= values.size()) {
-            return failure(fmt::format("line {}: column {} is missing", number_of, wanted[i]));
+            return failure(fmt::format("line {}: column {} is missing", number_of, names_of[i]));
         }
         const auto value = number(values[at[i]]);
         if (!value) {
-            return failure(fmt::format("line {}: {} is not a finite number", number_of, wanted[i]));
+            return failure(
+                fmt::format("line {}: {} is not a finite number", number_of, names_of[i]));
         }
         read[i] = *value;
     }
@@ -78,15 +86,18 @@ Result<HandRow> row(std::string_view line, const std::array<std::size_t, 3>& at,
         return failure(fmt::format("line {}: more than 1 m from the centre; coordinates are metres",
                                    number_of));
     }
-    return HandRow{read[0], {read[1], read[2]}};
+    if (std::abs(read[3]) > largest_rad) {
+        return failure(fmt::format("line {}: more than 1000 rad; angles are radians", number_of));
+    }
+    return HandRow{read[0], {read[1], read[2]}, read[3]};
 }
 
 }  // namespace
 
-Result<std::vector<HandRow>> parse_hand_csv(std::string_view text) {
+Result<std::vector<HandRow>> parse_hand_csv(std::string_view text, HandColumns wanted) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    const auto at = columns(take_until(text, '\n'));
+    const auto at = columns(take_until(text, '\n'), names_of_columns(wanted));
     if (!at) return tl::unexpected(at.error());
     std::vector<HandRow> rows;
     for (std::size_t line = 2; !text.empty(); ++line) {

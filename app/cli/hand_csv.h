@@ -5,6 +5,7 @@
 #include "config/types/result.h"
 #include "config/types/vec2.h"
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -13,11 +14,19 @@ namespace touchline {
 struct HandRow {
     double t_s = 0.0;
     Position p_WH;
+    double angle_rad = 0.0;  // of a shape in the hand
 };
 
-/// Comma-separated, its first line naming the columns; t_s, x_m and y_m must be there, others are
-/// ignored. Times increase strictly, numbers are finite, |x| and |y| at most 1 m, at least one row.
-/// The error names the line.
-[[nodiscard]] Result<std::vector<HandRow>> parse_hand_csv(std::string_view text);
+/// The columns that must be there.
+enum class HandColumns : std::uint8_t {
+    place,            // t_s,x_m,y_m
+    place_and_angle,  // t_s,x_m,y_m,angle_rad
+};
+
+/// Comma-separated, its first line naming the columns; the wanted ones must be there, others are
+/// ignored. Times increase strictly, numbers are finite, |x| and |y| at most 1 m, |angle| at most
+/// 1000 rad, at least one row. The error names the line.
+[[nodiscard]] Result<std::vector<HandRow>> parse_hand_csv(std::string_view text,
+                                                          HandColumns wanted = HandColumns::place);
 
 }  // namespace touchline

@@ -58,7 +58,7 @@ double clear_share(const EdgeAndLine& pair, const ProbePose& from, const ProbeMo
     for (int i = 0; i < most_advances; ++i) {
         if (!(at.distance_m > 0.0)) return share;
         const ProbePose pose = from + share * move;
-        const Segment edge = Placement(pose)(pair.edge);
+        const Segment edge = ProbePlacement(pose)(pair.edge);
         double free = free_beside_line(edge, pair.line, at.normal, pose.place(), move, keep_m);
         if (!(share + free >= most)) {
             free = std::max(
@@ -66,7 +66,7 @@ double clear_share(const EdgeAndLine& pair, const ProbePose& from, const ProbeMo
         }
         share += free;
         if (!(share < most)) return most;
-        at = separation(Placement(from + share * move)(pair.edge), pair.line);
+        at = separation(ProbePlacement(from + share * move)(pair.edge), pair.line);
         if (at.distance_m - keep_m <= near_enough_m) return share;
     }
     return share;

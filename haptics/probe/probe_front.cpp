@@ -47,7 +47,8 @@ void ProbeFront::remake(double reach_m) {
     pairs_.push_back({CollisionTree::top(), 0});
 }
 
-void ProbeFront::look(const Placement& shape, double keep_m, double reach_m, Spender& spender) {
+void ProbeFront::look(const ProbePlacement& shape, double keep_m, double reach_m,
+                      Spender& spender) {
     near_.clear();
     unopened_m_ = INFINITY;
     const bool is_full = pairs_.size() > most_pairs - most_pairs / 4;

@@ -40,7 +40,7 @@ class ProbeFront {
 
     /// Finds what comes within `keep_m` of the shape before `reach_m` of way are spent. A pair is
     /// looked at only when its allowance is used up; nodes are opened within the budget.
-    void look(const Placement& shape, double keep_m, double reach_m, Spender& spender);
+    void look(const ProbePlacement& shape, double keep_m, double reach_m, Spender& spender);
 
     /// What the last look found.
     [[nodiscard]] std::span<const NearPair> near() const { return near_; }
@@ -67,7 +67,7 @@ class ProbeFront {
     };
 
     struct Look {
-        const Placement& shape;
+        const ProbePlacement& shape;
         double keep_m;
         double reach_m;
         Spender& spender;

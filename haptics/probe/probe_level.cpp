@@ -37,7 +37,7 @@ ProbeProxy::Room ProbeProxy::room_at(double level, const Springs& springs, Spend
     const int finer = static_cast<int>(std::floor(std::min(from, level)));
     const CurveSet& curves = front_.outlines().scene().curves;
     const double jump_m = largest_jump_N / springs.k_N_per_m;
-    const Placement placed(pose_);
+    const ProbePlacement placed(pose_);
     Room room{true, true};
     constraints_.clear();
     wide_.look(placed, keep_m_, probe_touch_m, spender);
@@ -81,7 +81,7 @@ bool ProbeProxy::try_level(double level, const ProbePose& handle, const Springs&
             springs.energy_J(handle - (pose_ + move)) - springs.energy_J(handle - pose_);
         if (!(springs.k_N_per_m * std::sqrt(square(least.move)) <= largest_jump_N)) return false;
         if (!(work_J <= account_.balance_J())) return false;
-        front_.look(Placement(pose_), keep_m_, reach_m + probe_touch_m, spender);
+        front_.look(ProbePlacement(pose_), keep_m_, reach_m + probe_touch_m, spender);
         if (clear_share_of(move) < 1.0) return false;
         pose_ = start + move;
         front_.spend(reach_m);

@@ -48,9 +48,9 @@ struct ProbeMove {
 }
 
 /// A pose with its sine and cosine worked out.
-class Placement {
+class ProbePlacement {
   public:
-    explicit Placement(const ProbePose& pose)
+    explicit ProbePlacement(const ProbePose& pose)
         : origin_(pose.place()), cos_(std::cos(pose.angle_rad)), sin_(std::sin(pose.angle_rad)) {}
 
     /// From the shape's frame to W.

@@ -98,7 +98,7 @@ ProbeReport ProbeProxy::step(const ProbePose& handle, double level, const ProbeS
 void ProbeProxy::place(const ProbePose& handle, Spender& spender) {
     front_.spend((handle - pose_).reach_m(shape_->r_max_m()));
     pose_ = handle;
-    front_.look(Placement(pose_), keep_m_, probe_touch_m, spender);
+    front_.look(ProbePlacement(pose_), keep_m_, probe_touch_m, spender);
     is_placed_ = front_.near().empty() && std::isinf(front_.unopened_m());
     if (path_ != nullptr) path_->assign(1, pose_);
 }
@@ -109,7 +109,7 @@ void ProbeProxy::press(const ProbePose& handle, const Springs& springs, Spender&
     LeastMove held;
     bool is_curved = true;
     for (int i = 0; i < most_moves; ++i) {
-        front_.look(Placement(pose_), keep_m_, look_m, spender);
+        front_.look(ProbePlacement(pose_), keep_m_, look_m, spender);
         held = wanted_move(handle, springs, is_curved);
         const ProbeMove move = move_of(held.move, springs);
         const double reach_m = move.reach_m(shape_->r_max_m());
@@ -117,7 +117,7 @@ void ProbeProxy::press(const ProbePose& handle, const Springs& springs, Spender&
         if (reach_m < rest_m) break;
 
         if (reach_m + probe_mind_m > look_m) {
-            front_.look(Placement(pose_), keep_m_, reach_m + probe_mind_m, spender);
+            front_.look(ProbePlacement(pose_), keep_m_, reach_m + probe_mind_m, spender);
         }
         const double share = advance(move, report);
         if (i == 0) last_reach_m_ = share * reach_m;
@@ -139,7 +139,7 @@ void ProbeProxy::find_touching(const Springs& springs) {
     touching_.clear();
     pairs_.clear();
     sunk_m_ = 0.0;
-    const Placement placed(pose_);
+    const ProbePlacement placed(pose_);
     for (const NearPair& pair : front_.near()) {
         const EdgeAndLine& g = pair.geometry;
         const double gap_m = g.at.distance_m - keep_m_;
@@ -223,7 +223,7 @@ double ProbeProxy::clear_share_of(const ProbeMove& move) const {
         const double least_m = least_distance_m(keep_m_, pair.geometry.at.distance_m);
         share = clear_share(pair.geometry, pose_, move, least_m, share);
     }
-    const Placement end(pose_ + share * move);
+    const ProbePlacement end(pose_ + share * move);
     for (const NearPair& pair : front_.near()) {
         const double start_m = pair.geometry.at.distance_m;
         if (start_m > keep_m_ + probe_mind_m) continue;

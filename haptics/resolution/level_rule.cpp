@@ -49,10 +49,14 @@ double radius_level(const LevelLimits& limits) {
     return level_of_spacing(limits, limits.radius_m / spacings_per_radius);
 }
 
+double low_pass_share(double dt_s) {
+    return 1.0 - std::exp(-2.0 * std::numbers::pi * f_low_pass_Hz * dt_s);
+}
+
 void SpeedMeasure::set_period(double dt_s) {
     dt_s_ = dt_s;
     per_dt_Hz_ = 1.0 / dt_s;
-    share_ = 1.0 - std::exp(-2.0 * std::numbers::pi * f_low_pass_Hz * dt_s);
+    share_ = low_pass_share(dt_s);
 }
 
 double SpeedMeasure::step(Position handle, double dt_s) {
@@ -106,7 +110,11 @@ void LevelRule::set_thresholds(double dt_s) {
 
 double LevelRule::step(Position handle, double dt_s) {
     if (!is_finite(handle) || !(dt_s > 0.0)) return level_;
-    speed2_m2_per_s2_ = measure_.step(handle, dt_s);
+    return step_at(measure_.step(handle, dt_s), dt_s);
+}
+
+double LevelRule::step_at(double speed2_m2_per_s2, double dt_s) {
+    speed2_m2_per_s2_ = speed2_m2_per_s2;
     since_change_s_ += dt_s;
     const bool is_known = dt_s == dt_s_;
     const bool stays = speed2_m2_per_s2_ <= coarsen_above_m2_per_s2_ &&

@@ -45,6 +45,9 @@ struct LevelLimits {
 /// rolls over anything finer.
 [[nodiscard]] double radius_level(const LevelLimits& limits);
 
+/// How much of a new velocity enters the 10 Hz low-pass after dt_s.
+[[nodiscard]] double low_pass_share(double dt_s);
+
 /// The hand's speed as the rule sees it: largest |10 Hz low-pass of v| of the last half second, so
 /// that a tremor does not switch levels. Starts at rest.
 class SpeedMeasure {
@@ -77,6 +80,9 @@ class LevelRule {
 
     /// One servo tick; dt_s > 0. Returns the wanted level.
     double step(Position handle, double dt_s);
+
+    /// The same where the speed is measured elsewhere: its square, >= 0.
+    double step_at(double speed2_m2_per_s2, double dt_s);
 
     /// Acts on level() at once. Limits that are as they were cost a comparison.
     void set_limits(const LevelLimits& limits);

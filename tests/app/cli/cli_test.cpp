@@ -197,6 +197,63 @@ TEST_F(Cli, FeelTakesStiffnessFrictionRadiusAndCapture) {
     EXPECT_EQ(number(rows()[150].at("fy_N")), 0.0);  // 3 mm away
 }
 
+TEST_F(Cli, FeelWithAShapeAddsAngleAndTorque) {
+    write("bar.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 30 30'>"
+          "<path d='M 5 14 L 25 14 L 25 16 L 5 16 Z'/></svg>");
+    std::string hand = "t_s,x_m,y_m,angle_rad\n";  // down onto the wall, tilted, and off again
+    for (int i = 0; i < 300; ++i) {
+        const double y = i < 150 ? 0.008 - 0.00008 * i : -0.004 + 0.00008 * (i - 150);
+        hand += std::to_string(0.001 * i) + ",-0.02," + std::to_string(y) + ",0.2\n";
+    }
+    write("hand.csv", hand);
+    ASSERT_EQ(feel({"--probe", path("bar.svg"), "--level", "0"}), 0) << err();
+    EXPECT_TRUE(text_of("run.csv").starts_with(
+        "t_s,x_m,y_m,proxy_x_m,proxy_y_m,fx_N,fy_N,state,level,outline,parameter,side,transitions,"
+        "carried_m,nodes,clear,angle_rad,proxy_angle_rad,torque_Nm\n"));
+    const auto run = rows();
+    ASSERT_EQ(run.size(), 300U);
+    EXPECT_EQ(run[0].at("state"), "free");
+    EXPECT_EQ(number(run[0].at("torque_Nm")), 0.0);
+    EXPECT_EQ(number(run[0].at("angle_rad")), 0.2);
+    const Row& deep = run[150];
+    EXPECT_EQ(deep.at("state"), "vertex");  // it has turned until it lies on the wall
+    EXPECT_EQ(deep.at("outline"), "0");
+    EXPECT_EQ(deep.at("side"), "left");
+    EXPECT_NEAR(number(deep.at("proxy_angle_rad")), 0.0, 1e-6);
+    EXPECT_NEAR(number(deep.at("proxy_y_m")), 0.001, 1e-6);
+    EXPECT_NEAR(number(deep.at("fy_N")), 500.0 * 0.005, 1e-3);
+    const double r_m = std::hypot(0.01, 0.001);
+    EXPECT_NEAR(number(deep.at("torque_Nm")), -0.2 * 500.0 * r_m * r_m, 1e-6);
+    EXPECT_EQ(run[299].at("state"), "free");
+    ASSERT_EQ(feel({"--probe", path("bar.svg")}, "auto.csv"), 0) << err();
+    EXPECT_EQ(rows("auto.csv").size(), 300U);
+    ASSERT_EQ(feel({"--probe", path("bar.svg"), "--timing"}, "timed.csv"), 0) << err();
+    EXPECT_GT(number(rows("timed.csv")[50].at("step_ns")), 0.0);
+}
+
+TEST_F(Cli, FeelSaysWhatIsWrongWithAShape) {
+    write("bar.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 30 30'>"
+          "<path d='M 5 14 L 25 14 L 25 16 L 5 16 Z'/></svg>");
+    EXPECT_EQ(feel({"--probe", path("bar.svg")}), 1);  // the path has no angle
+    EXPECT_NE(err().find("angle_rad"), std::string::npos) << err();
+    write("hand.csv", "t_s,x_m,y_m,angle_rad\n0,0,0.02,0\n");
+    EXPECT_EQ(feel({"--probe", path("bar.svg")}), 0) << err();
+    EXPECT_EQ(feel({"--probe", path("missing.svg")}, "b.csv"), 1);
+    EXPECT_EQ(lines_of_err(), 1) << err();
+    write("far.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 300'>"
+          "<path d='M 5 14 L 25 14'/></svg>");
+    EXPECT_EQ(feel({"--probe", path("far.svg")}, "b.csv"), 1);
+    EXPECT_NE(err().find("far.svg"), std::string::npos) << err();
+    EXPECT_FALSE(exists("b.csv"));
+    EXPECT_EQ(feel({"--probe", path("bar.svg"), "--friction", "0.1"}, "b.csv"), 2);
+    EXPECT_EQ(feel({"--probe", path("bar.svg"), "--mode", "groove"}, "b.csv"), 2);
+    write("hand.csv", "t_s,x_m,y_m,angle_rad\n0,0,0.02,2000\n");
+    EXPECT_EQ(feel({"--probe", path("bar.svg")}, "b.csv"), 1);
+}
+
 TEST_F(Cli, FeelHasFourModes) {
     std::map<std::string, double> force;
     for (const std::string mode : {"wall", "groove", "ridge", "stay"}) {

@@ -12,7 +12,7 @@ namespace {
 
 double share(const Segment& edge, const Segment& line, const ProbePose& from,
              const ProbeMove& move) {
-    const Separation at = separation(Placement(from)(edge), line);
+    const Separation at = separation(ProbePlacement(from)(edge), line);
     return clear_share({edge, line, at}, from, move, 1e-6, 1.0);
 }
 

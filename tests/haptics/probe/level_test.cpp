@@ -19,7 +19,7 @@ bool does_cut(const CurveSet& curves, double from, double to, const ProbeShape& 
               const ProbePose& pose) {
     constexpr int parts = 8;
     const int finer = static_cast<int>(std::floor(std::min(from, to)));
-    const Placement placed(pose);
+    const ProbePlacement placed(pose);
     for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
         for (int k = 0; k < parts; ++k) {
             const double w0 = from - finer + (to - from) * k / parts;

@@ -56,7 +56,7 @@ std::vector<Segment> SweptJudge::near(const ProbePose& from, double reach_m) con
 }
 
 bool SweptJudge::is_clear(const ProbePose& pose) const {
-    const Placement placed(pose);
+    const ProbePlacement placed(pose);
     for (const Segment& line : near(pose, 1e-6)) {
         for (const Segment& edge : shape_) {
             const Segment at = placed(edge);
@@ -67,7 +67,7 @@ bool SweptJudge::is_clear(const ProbePose& pose) const {
 }
 
 double SweptJudge::distance_m(const ProbePose& pose) const {
-    const Placement placed(pose);
+    const ProbePlacement placed(pose);
     double least_m = INFINITY;
     for (const Segment& line : segments_) {
         for (const Segment& edge : shape_) {
@@ -99,8 +99,8 @@ bool SweptJudge::is_free(const ProbePose& from, const ProbePose& to) const {
     for (int k = 0; k < parts; ++k) {
         const ProbePose begin = between(from, to, static_cast<double>(k) / parts);
         const ProbePose end = k + 1 == parts ? to : between(from, to, (k + 1.0) / parts);
-        const Placement placed_begin(begin);
-        const Placement placed_end(end);
+        const ProbePlacement placed_begin(begin);
+        const ProbePlacement placed_end(end);
         for (const Segment& edge : shape_) {
             const Position a = placed_begin(edge.a);
             const Position b = placed_end(edge.a);

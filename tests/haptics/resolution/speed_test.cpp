@@ -1,5 +1,6 @@
 // The level against the speed of the hand: the formula, the sweep, tremor.
 #include "haptics/resolution/level_rule.h"
+#include "haptics/resolution/shape_level_rule.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,6 +121,28 @@ INSTANTIATE_TEST_SUITE_P(LevelBySpeed, Tremors,
                                          Tremor{"7 Hz 0.18 mm", 7.0, 0.18e-3, 19, 15},
                                          Tremor{"5 Hz 2 mm", 5.0, 2e-3, 3, 0},
                                          Tremor{"5 Hz 10 mm", 5.0, 10e-3, 3, 0}));
+
+TEST(LevelOfAShape, IsThatOfAPointAsFastAsItsFastestPoint) {
+    constexpr double r_m = 0.02;
+    for (const double speed : {0.013, 0.07, 0.31}) {
+        LevelRule point(fine_device());
+        ShapeLevelRule slides(fine_device(), r_m);
+        ShapeLevelRule turns(fine_device(), r_m);
+        for (int i = 1; i <= 800; ++i) {
+            const double way_m = speed * 1e-3 * i;
+            const double expected = point.step({way_m, 0.0}, 1e-3);
+            EXPECT_EQ(slides.step({way_m, 0.0}, 0.3, 1e-3), expected);
+            EXPECT_EQ(turns.step({0.01, 0.0}, -way_m / r_m, 1e-3), expected);
+        }
+        EXPECT_NEAR(turns.speed_m_per_s(), speed, 1e-6);
+    }
+    ShapeLevelRule both(fine_device(), r_m);
+    for (int i = 1; i <= 800; ++i) (void)both.step({1e-4 * i, 0.0}, 5e-3 * i, 1e-3);
+    EXPECT_NEAR(both.speed_m_per_s(), 0.2, 1e-6);
+    const double level = both.step({0.08, 0.0}, 4.0, 1e-3);
+    EXPECT_EQ(both.step({NAN, 0.0}, 0.0, 1e-3), level);
+    EXPECT_EQ(both.step({0.0, 0.0}, NAN, 1e-3), level);
+}
 
 }  // namespace
 }  // namespace touchline
