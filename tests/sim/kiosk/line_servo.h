@@ -41,6 +41,8 @@ class LineServo final : public ServoClient {
 
     [[nodiscard]] LatenessBars lateness() const override { return {}; }
 
+    [[nodiscard]] std::uint64_t beats() override { return report_.hand.ticks; }
+
     [[nodiscard]] std::string take_notice() override { return line_.take_notice(); }
 
     [[nodiscard]] std::string device_words() override { return line_.device_words(); }

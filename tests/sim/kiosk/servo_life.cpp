@@ -49,7 +49,8 @@ Opening ServoLife::opening() {
                 region_.channel().servo_beats.fetch_add(1);
                 return region_.channel().is_stop_wanted == 0;
             },
-            [this](const Calibration& found) { (void)send(socket_, message_of(found)); }};
+            [this](const Calibration& found) { (void)send(socket_, message_of(found)); },
+            {}};
 }
 
 int ServoLife::run(const Calibration& stored) {
