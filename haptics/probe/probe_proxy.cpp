@@ -70,7 +70,7 @@ ProbeReport ProbeProxy::step(const ProbePose& handle, double level, const ProbeS
         Spender spender(budget);
         const Springs coupling = springs(settings);
         if (!is_placed_) {
-            front_.set_level(level);
+            if (level != front_.level()) front_.set_level(level);
             place(handle, spender);
         }
         if (is_placed_) {
