@@ -9,10 +9,11 @@ namespace touchline {
 namespace {
 
 constexpr double least_lever_m = 5e-3;
-constexpr double rest_m = 1e-10;         // a shorter move is none
-constexpr int most_moves = 16;           // in a step
-constexpr int most_bends = 3;            // corrections of a move for what curves
-constexpr double longest_move_m = 5e-4;  // what a longer one may meet would not fit in the front
+constexpr double rest_m = 1e-10;          // a shorter move is none
+constexpr int most_moves = 16;            // in a step
+constexpr std::size_t most_swept = 1024;  // pairs in a step; the rest is carried
+constexpr int most_bends = 3;             // corrections of a move for what curves
+constexpr double longest_move_m = 5e-4;   // what a longer one may meet would not fit in the front
 
 ContactState state_of(int contacts) {
     if (contacts == 0) return ContactState::free;
@@ -69,7 +70,7 @@ ProbeReport ProbeProxy::step(const ProbePose& handle, double level, const ProbeS
         Spender spender(budget);
         const Springs coupling = springs(settings);
         if (!is_placed_) {
-            front_.set_level(level);
+            if (level != front_.level()) front_.set_level(level);
             place(handle, spender);
         }
         if (is_placed_) {
@@ -108,6 +109,7 @@ void ProbeProxy::press(const ProbePose& handle, const Springs& springs, Spender&
     double look_m = std::max(last_reach_m_, probe_mind_m);
     LeastMove held;
     bool is_curved = true;
+    std::size_t swept = 0;
     for (int i = 0; i < most_moves; ++i) {
         front_.look(ProbePlacement(pose_), keep_m_, look_m, spender);
         held = wanted_move(handle, springs, is_curved);
@@ -120,9 +122,11 @@ void ProbeProxy::press(const ProbePose& handle, const Springs& springs, Spender&
             front_.look(ProbePlacement(pose_), keep_m_, reach_m + probe_mind_m, spender);
         }
         const double share = advance(move, report);
+        swept += front_.near().size();
         if (i == 0) last_reach_m_ = share * reach_m;
         report.carried_m = reach_m;
         look_m = probe_mind_m;
+        if (swept > most_swept) break;
         // A curve that ends under the move is followed straight.
         if (share * reach_m < rest_m && !is_curved) break;
         is_curved = share * reach_m >= rest_m;

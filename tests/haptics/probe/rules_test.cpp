@@ -211,6 +211,18 @@ TEST(ProbeRules, TheBudgetIsKeptAndTheRestIsCarried) {
     EXPECT_EQ(proxy.step(at, 0.0, {}, budget).clear, 1.0);
 }
 
+TEST(ProbeRules, AShapeIsPlacedWithTheSmallestBudget) {
+    const Scene scene = trials::scene_of(scenes::random_map(5, 5), 5);
+    const ProbeShape shape = any_shape(3);
+    Budget budget;
+    budget.boxes = 1;
+    const ProbePose beside{0.07, 0.07, 0.0};
+    ProbeProxy proxy;
+    proxy.reset(shape, scene, beside, 0.0);
+    for (int k = 0; k < 500; ++k) (void)proxy.step(beside, 0.0, {}, budget);
+    EXPECT_TRUE(proxy.step(beside, 0.0, {}, budget).is_placed);
+}
+
 TEST(ProbeRules, ARoomOfWallsCostsLessThanAThousandBoxes) {
     const Scene scene = scene_of_outlines({scenes::square(0.0206, 500)});
     const ProbeShape shape = polygon(0.01, 64);
