@@ -8,7 +8,7 @@ import tables  # noqa: E402
 
 
 def figure(row, name, passed):
-    return {'row': row, 'figure': name, 'value': '1', 'passed': passed}
+    return {'row': row, 'figure': name, 'value': '1', 'bar': '-' if passed == '-' else '1', 'passed': passed}
 
 
 class Judged(unittest.TestCase):
@@ -32,11 +32,17 @@ class Judged(unittest.TestCase):
         self.assertEqual(hazards.judged([], known, figures), 'not run')
 
     def test_a_row_without_figures_says_so(self):
-        self.assertEqual(tables.end_of([]), 'not measured yet')
+        self.assertEqual(tables.end_of([], '0'), 'not measured yet')
+        self.assertEqual(tables.end_of([], 'published'), 'not measured yet')
         self.assertEqual(tables.short([]), 'not measured yet')
-        self.assertEqual(tables.end_of([figure('1', 'a', 'yes'), figure('1', 'b', 'no')]), 'no')
-        self.assertEqual(tables.end_of([figure('1', 'a', 'yes'), figure('1', 'b', '-')]), 'yes')
-        self.assertEqual(tables.end_of([figure('1', 'a', '-')]), 'published')
+
+    def test_a_row_reaches_its_bar_if_all_its_figures_do(self):
+        yes, no, told = figure('1', 'a', 'yes'), figure('1', 'b', 'no'), figure('1', 'c', '-')
+        self.assertEqual(tables.end_of([yes, no, told], '0'), 'no')
+        self.assertEqual(tables.end_of([yes, told], '0'), 'yes')
+        self.assertEqual(tables.end_of([told], '0'), 'not measured yet')
+        self.assertEqual(tables.end_of([told], 'published'), 'published')
+        self.assertEqual(tables.end_of([yes, dict(told, bar='1')], '0'), 'in part')
 
 
 unittest.main()

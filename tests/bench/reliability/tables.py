@@ -69,12 +69,15 @@ def cell(text):
     return text.replace('|', '/').replace('\n', ' ')
 
 
-def end_of(rows):
-    """One word for all figures of a row."""
+def end_of(rows, bar):
+    """One word for all figures of a row whose bar is this; a figure with a bar that is not judged yet leaves it in part."""
     ends = [row['passed'] for row in rows]
-    if not rows:
+    if 'no' in ends:
+        return 'no'
+    if not re.match('published|stated|listed', bar) and 'yes' not in ends or not rows:
         return UNMEASURED
-    return 'no' if 'no' in ends else 'yes' if 'yes' in ends else 'published'
+    is_in_part = any(row['passed'] == '-' and row['bar'] != '-' for row in rows)
+    return 'in part' if is_in_part else 'yes' if 'yes' in ends else 'published'
 
 
 def short(rows):
@@ -95,7 +98,7 @@ def row_table(rows):
     with open(figures.HERE / 'rows.csv', newline='') as file:
         for row in csv.DictReader(file):
             of_row = [figure for figure in rows if figure['row'] == row['row']]
-            ends[row['row']] = end_of(of_row)
+            ends[row['row']] = end_of(of_row, row['bar'])
             lines.append(cell_row(row['row'], row['figure'], short(of_row), row['bar'], ends[row['row']]))
     return lines, ends
 
@@ -109,9 +112,9 @@ def listed(numbers):
 
 
 def words_of(ends):
-    of = {end: [row for row, e in ends.items() if e == end] for end in ('yes', 'no', 'published', UNMEASURED)}
+    of = {end: [row for row, e in ends.items() if e == end] for end in ('yes', 'no', 'in part', 'published', UNMEASURED)}
     return (f'Of {len(ends)} rows of figures {len(of["yes"])} reach their bar and {len(of["no"])} do not{listed(of["no"])}. '
-            f'Told without a bar: {len(of["published"])}; not measured yet: {len(of[UNMEASURED])}'
+            f'In part: {len(of["in part"])}{listed(of["in part"])}; told without a bar: {len(of["published"])}; not measured yet: {len(of[UNMEASURED])}'
             f'{listed(of[UNMEASURED])}.')
 
 

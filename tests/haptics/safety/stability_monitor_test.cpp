@@ -149,6 +149,8 @@ TEST(StabilityMonitor, AfterNonsenseNothingIsCompared) {
     spring.step(nonsense, tick_s);
     spring.step({{1.0, 0.0}, {}, 0.1}, tick_s);
     EXPECT_EQ(spring.cuts(), 0U);
+    spring.step({{1.0, 0.0}, {}, 0.2}, 0.0);  // in no time
+    EXPECT_EQ(spring.cuts(), 0U);
     StabilityMonitor given;
     for (int i = 0; i < 80; ++i) {
         if (i % 40 == 0) given.step(nonsense, tick_s);
