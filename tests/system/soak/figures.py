@@ -47,6 +47,13 @@ def slope(times, values):
     return rise, (left / (count - 2) / spread) ** 0.5
 
 
+def middle_slope(times, values):
+    """The median of the slopes between all pairs (Theil and Sen): a sample that stands out does not turn it."""
+    points = list(zip(times, values))
+    slopes = [(b - a) / (t - s) for i, (s, a) in enumerate(points) for t, b in points[i + 1:]]
+    return quantile(slopes, 0.5)
+
+
 def quantile(values, share):
     ordered = sorted(values)
     return ordered[min(len(ordered) - 1, int(share * len(ordered)))] if ordered else 0.0
