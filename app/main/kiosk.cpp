@@ -8,6 +8,7 @@
 #include "app/loading/page_reader.h"
 #include "app/loading/thread_executor.h"
 #include "app/main/kiosk_servo.h"
+#include "app/main/life_signs.h"
 #include "app/main/pointer_pace.h"
 #include "app/packs/pack_library.h"
 #include "app/process/places.h"
@@ -80,6 +81,7 @@ class KioskWindow {
         if (!opened) return opened;
         run_frames();
         if (arguments_.measure_s && !is_end_asked) measure_without_window();
+        signs_.end();
         kiosk_->stop();
         return {};
     }
@@ -232,6 +234,7 @@ class KioskWindow {
             kiosk_->step(time_ns);
             report_news();
             draw(time_ns);
+            signs_.beat(time_ns, servo_->beats());
             window_->wait_until(limiter.finish_frame(now_ns()));
         }
         if (arguments_.measure_s) {
@@ -273,6 +276,7 @@ class KioskWindow {
     Settings settings_;                   // at the start
     std::string operator_device_;
     OperatorKeyboard operator_keyboard_;
+    LifeSigns signs_;
     Position pointer_;  // where it is
     Position led_;      // where the hand means to be
     std::shared_ptr<MouseHand> hand_ = std::make_shared<MouseHand>(Position{});

@@ -14,6 +14,7 @@
 #include "haptics/servo/real_time.h"
 #include "haptics/servo/recording.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,6 +59,10 @@ class ServoClient {
 
     /// How late the ticks began since the servo started; nothing while none runs. Some 30 us.
     [[nodiscard]] virtual LatenessBars lateness() const = 0;
+
+    /// Counts on while the servo is looked after: its ticks, or the turns of the guard that watches
+    /// it, which go on while there is no device.
+    [[nodiscard]] virtual std::uint64_t beats() = 0;
 
     /// What befell the servo since this was last asked, a line for the operator; empty: nothing.
     [[nodiscard]] virtual std::string take_notice() = 0;

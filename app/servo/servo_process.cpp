@@ -33,6 +33,7 @@ constexpr double longest_start_s = 10.0;
 constexpr double longest_end_s = 2.0;
 constexpr int most_zero_tries = 100;
 constexpr int between_tries_ms = 10;
+constexpr int longest_wait_ms = 500;  // without a turn
 
 double seconds_since(std::int64_t start_ns) {
     return 1e-9 * static_cast<double>(steady_now_ns() - start_ns);
@@ -63,6 +64,9 @@ class ServoProcess::Guard {
 
     /// A servo homes its device when it starts.
     void home_again() { is_homing_wanted_ = true; }
+
+    /// How often it has looked, be there a servo or not.
+    [[nodiscard]] std::uint64_t turns() const { return turns_; }
 
   private:
     void run() {
@@ -139,6 +143,7 @@ class ServoProcess::Guard {
 
     /// Waits for a beat's time, and reads what the servo says meanwhile.
     bool is_dead(const Child& child, const Connection& connection) {
+        ++turns_;
         std::array<pollfd, 2> waiting{
             {{child.pidfd().number(), POLLIN, 0}, {connection.socket.number(), POLLIN, 0}}};
         (void)::poll(waiting.data(), is_closed_ ? 1 : 2, beat_ms);
@@ -188,14 +193,18 @@ class ServoProcess::Guard {
             ::poll(nullptr, 0, std::min(span_ms, between_tries_ms));
             return;
         }
-        pollfd waiting{wake_.number(), POLLIN, 0};
-        (void)::poll(&waiting, 1, span_ms);
+        for (; span_ms > 0 && !is_ending_; span_ms -= longest_wait_ms) {
+            ++turns_;
+            pollfd waiting{wake_.number(), POLLIN, 0};
+            (void)::poll(&waiting, 1, std::min(span_ms, longest_wait_ms));
+        }
     }
 
     ServoProcessOptions options_;
     Descriptor wake_;
     std::atomic<bool> is_ending_{false};
     std::atomic<bool> is_homing_wanted_{false};
+    std::atomic<std::uint64_t> turns_{0};
     Restart restart_;
     bool is_closed_ = false;  // the guard's: the servo's socket is gone
     std::thread thread_;      // last: it uses all of the above
@@ -240,6 +249,10 @@ RealTimeTier ServoProcess::tier() const {
 
 LatenessBars ServoProcess::lateness() const {
     return guard_ ? guard_->line.lateness() : LatenessBars{};
+}
+
+std::uint64_t ServoProcess::beats() {
+    return guard_ ? guard_->turns() : 0;
 }
 
 std::string ServoProcess::take_notice() {

@@ -9,6 +9,7 @@
 
 #include "app/servo/servo_client.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -45,6 +46,7 @@ class ServoProcess final : public ServoClient {
     [[nodiscard]] std::optional<ContactEvent> next_event() override;
     [[nodiscard]] RealTimeTier tier() const override;
     [[nodiscard]] LatenessBars lateness() const override;
+    [[nodiscard]] std::uint64_t beats() override;
     [[nodiscard]] std::string take_notice() override;
     [[nodiscard]] std::string device_words() override;
     void home_again() override;

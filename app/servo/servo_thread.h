@@ -6,6 +6,7 @@
 #include "app/servo/servo_client.h"
 #include "haptics/servo/servo.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,6 +47,8 @@ class ServoThread final : public ServoClient {
     [[nodiscard]] RealTimeTier tier() const override { return servo_.tier(); }
 
     [[nodiscard]] LatenessBars lateness() const override { return bars_of(servo_.lateness()); }
+
+    [[nodiscard]] std::uint64_t beats() override { return servo_.latest().ticks; }
 
     [[nodiscard]] std::string take_notice() override { return std::exchange(notice_, {}); }
 

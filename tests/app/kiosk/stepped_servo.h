@@ -7,6 +7,7 @@
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
 
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -37,6 +38,8 @@ class SteppedServo final : public ServoClient {
     [[nodiscard]] RealTimeTier tier() const override { return RealTimeTier::best_effort; }
 
     [[nodiscard]] LatenessBars lateness() const override { return {}; }
+
+    [[nodiscard]] std::uint64_t beats() override { return report_.hand.ticks; }
 
     [[nodiscard]] std::string take_notice() override { return {}; }
 
