@@ -34,19 +34,29 @@ Result<Page> open_pack_picture(const std::string& path, const LanguageTag& langu
     return page;
 }
 
+/// A visitor is told which picture, not where it lies on the disk.
+Result<Page> told_by_title(Result<Page> page, const std::string& path, const std::string& title) {
+    if (!page && page.error().line.starts_with(path))
+        return failure(title + page.error().line.substr(path.size()));
+    return page;
+}
+
 FilePtr gallery_file(const GalleryEntry& entry, const LanguageTag& language) {
     const std::string path = entry.path;
-    return std::make_shared<const PictureFile>(PictureFile{
-        entry.title, entry.title, fs::path(path).filename().string(), false,
-        [path, language](const PageOrder& order) { return open_in(path, language, order); }});
+    return std::make_shared<const PictureFile>(
+        PictureFile{entry.title, entry.title, fs::path(path).filename().string(), false,
+                    [path, title = entry.title, language](const PageOrder& order) {
+                        return told_by_title(open_in(path, language, order), path, title);
+                    }});
 }
 
 /// Nothing of a pack is parsed here.
 FilePtr pack_file(const GalleryEntry& entry, const LanguageTag& language) {
     const std::string path = entry.path;
     return std::make_shared<const PictureFile>(
-        PictureFile{entry.title, entry.title, "", false, [path, language](const PageOrder& order) {
-                        return open_pack_picture(path, language, order);
+        PictureFile{entry.title, entry.title, "", false,
+                    [path, title = entry.title, language](const PageOrder& order) {
+                        return told_by_title(open_pack_picture(path, language, order), path, title);
                     }});
 }
 

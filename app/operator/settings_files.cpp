@@ -14,6 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A file without a byte is what a power cut leaves of one that was being written in place.
+constexpr const char* nothing_set = "# Nothing is set: the program's own settings hold.\n";
+
 Result<std::string> text_in(const fs::path& file) {
     return read_file(file.string()).map([](const std::vector<std::byte>& bytes) {
         return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -59,6 +62,7 @@ KeptSettings read_settings(const SettingsFiles& files) {
     if (!is_there(files.site)) return {};
     const auto text = text_in(files.site);
     if (!text) return fall_back(files, text.error().line);
+    if (text->empty()) return fall_back(files, files.site.string() + ": is empty, as if cut off");
     const auto settings = settings_in(*text, files.site);
     if (!settings) return fall_back(files, settings.error().line);
     remember(files, *text);
@@ -71,7 +75,8 @@ Result<void> keep_settings(const SettingsFiles& files, const Settings& settings)
     if (error)
         return failure("the folder " + files.site.parent_path().string() +
                        " cannot be made: " + error.message());
-    return write_whole_file(files.site.string(), settings_text(settings, Settings{}));
+    const std::string text = settings_text(settings, Settings{});
+    return write_whole_file(files.site.string(), text.empty() ? nothing_set : text);
 }
 
 FileWatch::FileWatch(fs::path file) : file_(std::move(file)), seen_(look()) {}

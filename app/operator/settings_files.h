@@ -26,8 +26,9 @@ struct KeptSettings {
     std::string note;  // one line worth telling; may be empty
 };
 
-/// What holds at this site. A file that cannot be used changes nothing: the last good one holds,
-/// without one the program's own, and the note says so. A good one becomes the last good.
+/// What holds at this site. A file that cannot be used, or has not a byte, as one that was cut off,
+/// changes nothing: the last good one holds, without one the program's own, and the note says so. A
+/// good one becomes the last good.
 [[nodiscard]] KeptSettings read_settings(const SettingsFiles& files);
 
 /// Writes what differs from the program's own as the site's file.

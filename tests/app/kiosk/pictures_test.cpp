@@ -2,7 +2,11 @@
 
 #include "app/gallery/gallery.h"
 
+#include <filesystem>
+#include <string>
+
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -29,6 +33,21 @@ TEST(Pictures, ThatCannotBeReadAreOneLine) {
     const auto gallery = read_gallery("/nowhere", "", std::vector<Language>(1));
     ASSERT_FALSE(gallery.has_value());
     EXPECT_NE(gallery.error().line.find("/nowhere"), std::string::npos);
+}
+
+TEST(Pictures, OneThatCannotBeOpenedIsToldByItsTitle) {
+    namespace fs = std::filesystem;
+    const fs::path folder =
+        fs::path(testing::TempDir()) / ("touchline-gallery-" + std::to_string(getpid()));
+    fs::copy(TOUCHLINE_SOURCE_DIR "/app/gallery/pictures", folder);
+    const auto gallery = read_gallery(folder, "", std::vector<Language>(1));
+    fs::remove_all(folder);
+    ASSERT_TRUE(gallery.has_value()) << gallery.error().line;
+    const FilePtr picture = gallery->files.front().front();
+    const auto page = picture->open({});
+    ASSERT_FALSE(page.has_value());
+    EXPECT_TRUE(page.error().line.starts_with(picture->name + ": ")) << page.error().line;
+    EXPECT_EQ(page.error().line.find(folder.string()), std::string::npos) << page.error().line;
 }
 
 TEST(Pictures, AChoiceIsAFileOrNothing) {

@@ -67,8 +67,27 @@ TEST_F(SettingsFilesTest, AWrongFileLeavesTheLastGoodOneInForce) {
         EXPECT_TRUE(kept.note.ends_with("; the settings before hold")) << kept.note;
         EXPECT_EQ(kept.note.find('\n'), std::string::npos);
     }
+    put("# nothing\n");
+    EXPECT_EQ(read_settings(files).settings, Settings{})
+        << "a file that sets nothing is a good one";
+}
+
+TEST_F(SettingsFilesTest, AnEmptyFileIsOneThatWasCutOff) {
+    ASSERT_TRUE(keep_settings(files, soft()));
+    ASSERT_EQ(read_settings(files).note, "");
     put("");
-    EXPECT_EQ(read_settings(files).settings, Settings{}) << "an empty file is a good one";
+    const KeptSettings kept = read_settings(files);
+    EXPECT_EQ(kept.settings, soft());
+    EXPECT_EQ(kept.note,
+              files.site.string() + ": is empty, as if cut off; the settings before hold");
+}
+
+TEST_F(SettingsFilesTest, TheProgramsOwnAreKeptAsAFileThatIsNotEmpty) {
+    ASSERT_TRUE(keep_settings(files, soft()));
+    ASSERT_EQ(read_settings(files).settings, soft());
+    ASSERT_TRUE(keep_settings(files, Settings{}));
+    EXPECT_EQ(read_settings(files).settings, Settings{});
+    EXPECT_EQ(read_settings(files).note, "");
 }
 
 TEST_F(SettingsFilesTest, WithNoGoodOneTheProgramsOwnHold) {
@@ -93,7 +112,7 @@ TEST_F(SettingsFilesTest, CutOffAnywhereNothingIsHalf) {
         put(whole.substr(0, length));
         const KeptSettings kept = read_settings(files);
         const auto alone = apply_settings({}, whole.substr(0, length), "f", SettingLayer::site);
-        EXPECT_EQ(kept.settings, alone ? *alone : before) << length;
+        EXPECT_EQ(kept.settings, length > 0 && alone ? *alone : before) << length;
     }
 }
 
