@@ -20,7 +20,7 @@ constexpr double settling_s = 12.0;  // of a visit, before anything goes wrong
 constexpr double calm_s = 20.0;      // at the end of a visit nothing does
 constexpr double no_faults_at_all = 0.12;
 constexpr double kind_is_there = 0.4;
-constexpr double at_a_visit = 0.2;  // of a kind that is there
+constexpr double at_a_visit = 0.3;  // of a kind that is there
 
 std::vector<PlannedVisit> visits(const PlanOptions& options) {
     Dice dice = Dice::of(options.seed, of_visits);
@@ -29,7 +29,7 @@ std::vector<PlannedVisit> visits(const PlanOptions& options) {
     while (at_s + apart_s < options.span_s) {
         const double length_s = dice.between(45.0, 180.0);
         planned.push_back({at_s, length_s, dice.next()});
-        at_s += length_s + apart_s + dice.between(0.0, 2400.0);
+        at_s += length_s + apart_s + dice.between(0.0, 4500.0);
     }
     return planned;
 }
