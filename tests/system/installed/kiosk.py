@@ -1,0 +1,108 @@
+"""The installed kiosk in its machine: its unit, its visit by keys and by what the screen says."""
+import re
+import time
+
+from machine import Fault, wait_for
+
+UNIT = 'touchline-kiosk.service'
+SETTINGS = '/var/lib/touchline/kiosk.toml'
+TRIES = 5
+READY_S = 600  # an emulated machine beside other work; a real one needs seconds
+# Nobody presses a key for minutes while a slow machine reads: the visit must not end meanwhile.
+FIRST_SETTINGS = '[time]\ninactivity_s = 1800\n'
+
+
+# Times of the unit for an emulated processor, fifty times slower than a real one. The unit is else as installed.
+SLOW = '[Service]\nTimeoutStartSec=600\nTimeoutStopSec=120\nWatchdogSec=60\n'
+
+
+class Kiosk:
+    def __init__(self, machine):
+        self.machine = machine
+
+    def state(self):
+        """ActiveState, main process, restarts of the unit."""
+        said = self.machine.said(f'systemctl show -p ActiveState -p MainPID -p NRestarts {UNIT}')
+        values = dict(line.split('=', 1) for line in said.splitlines())
+        return values['ActiveState'], int(values['MainPID']), int(values['NRestarts'])
+
+    def is_ready(self):
+        """Type=notify: active is what the kiosk itself said, after its first frame."""
+        return self.state()[0] == 'active'
+
+    def wait_ready(self, not_process=0):
+        """Seconds until READY, by a process other than that one."""
+        start = time.monotonic()
+
+        def is_back():
+            active, process, _ = self.state()
+            return active == 'active' and process not in (0, not_process)
+        try:
+            wait_for(is_back, READY_S, 'the kiosk is ready')
+        except Fault as fault:
+            raise Fault(f'{fault}: {self.machine.run(f"journalctl -u {UNIT} -n 8 -o cat")[1]}') from None
+        return time.monotonic() - start
+
+    def begin(self):
+        """The settings of the test, the kiosk switched on as its operator does it."""
+        if self.machine.holds(f'systemctl is-active {UNIT}'):
+            return
+        self.machine.wait('[[ $(systemctl is-system-running) != starting ]]', READY_S, 'the machine is up')
+        self.put_settings(FIRST_SETTINGS)
+        self.machine.said(f"mkdir -p /etc/systemd/system/{UNIT}.d && printf '{SLOW}' "
+                          f'>/etc/systemd/system/{UNIT}.d/slow.conf && systemctl daemon-reload && sync')
+        self.machine.said(f'systemctl enable --now --no-block {UNIT}')
+
+    def put_settings(self, text):
+        self.machine.said(f"install -d -o touchline -g touchline -m 700 {SETTINGS.rsplit('/', 1)[0]} && "
+                          f"printf '%s' '{text}' >{SETTINGS}.new && chown touchline: {SETTINGS}.new && "
+                          f'mv {SETTINGS}.new {SETTINGS} && sync')
+
+    def process(self):
+        return self.state()[1]
+
+    # A visit
+
+    def press(self, key):
+        self.machine.press(key)
+
+    def go(self, is_there, else_key, what):
+        """Presses a key after each look at the screen that does not show it; the look is its words."""
+        words = ''
+
+        def step():
+            nonlocal words
+            words = self.machine.screen()
+            if not is_there(words):
+                self.press(else_key(words))
+                return False
+            return True
+        try:
+            wait_for(step, 400, what, 2)
+        except Fault as fault:
+            raise Fault(f'{fault}; the screen says: {words[-300:]}') from None
+
+    def to_choose(self):
+        """From wherever the visit is to the list of what to feel."""
+        def key(words):
+            return 'ret' if re.search('press any key|find your language|ny key skips|Go on', words) else 'left'
+        self.go(lambda words: 'What to feel' in words, key, 'the screen "What to feel"')
+
+    def to_item(self, name):
+        """Down until the name is on the screen twice: in the list, and in the caption, which tells what has the focus."""
+        self.go(lambda words: words.count(name) > 1, lambda _: 'down', f'the item "{name}"')
+
+    def open_stick(self, file):
+        """From "What to feel" to a picture of the stick that is felt. A worker that was too slow for its deadline, as
+        happens in an emulated machine beside other work, is asked again."""
+        for _ in range(TRIES):
+            self.to_item('Your USB stick')
+            self.press('ret')
+            self.machine.wait_screen([file])
+            self.to_item(file)
+            self.press('ret')
+            words = wait_for(lambda: re.search('Stiffness|Go on', self.machine.screen()), 300, 'a picture, or why not', 1)
+            if words.group() == 'Stiffness':
+                return
+            self.to_choose()
+        raise Fault(f'{file} was not opened in {TRIES} tries: {self.machine.screen()}')

@@ -1,0 +1,28 @@
+"""What the kiosk plays is recorded on the other side of a sound card that loops back."""
+from machine import Fault
+
+HEARD = '/run/heard.raw'
+
+
+def run(table, bench):
+    with table.check('sound', 'boot, READY', True):
+        kiosk = bench.start('sound')
+        machine = kiosk.machine
+        kiosk.begin()
+        kiosk.wait_ready()
+        machine.wait_screen(['Pictures to feel'])
+    with table.check('sound', 'the first words of a visit are heard') as note:
+        machine.said('grep -q Loopback /proc/asound/cards')
+        machine.said(f'systemd-run -q --unit=ear bash -c "arecord -q -D hw:Loopback,1 -t raw -f S16_LE '
+                     f'-r 48000 -c 2 >{HEARD}"')
+        machine.wait(f'[[ -s {HEARD} ]]', 120, 'something plays: the recording begins')
+        before = _loud_bytes(machine)
+        kiosk.press('ret')
+        # A second of speech is 192 000 bytes, some of them zero.
+        machine.wait(f'(($(tr -d "\\0" <{HEARD} | wc -c) > {before + 50_000}))', 180, 'speech is in the recording')
+        note(f'{_loud_bytes(machine) - before} bytes that are not silence')
+        machine.said('systemctl stop ear')
+
+
+def _loud_bytes(machine):
+    return int(machine.said(f'tr -d "\\0" <{HEARD} | wc -c'))

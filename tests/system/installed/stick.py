@@ -1,0 +1,130 @@
+"""Sticks as visitors bring them, plugged into a running kiosk, browsed, pulled; not a byte of them changes."""
+import os
+import shutil
+
+import sticks
+from kiosk import UNIT
+from machine import Fault
+
+# `ntfs` by ntfs-3g is fuseblk to the kernel.
+KINDS = {'FAT': sticks.make_fat, 'ext4': sticks.make_ext4, 'NTFS': sticks.make_ntfs, 'exFAT': None}
+OURS = 'findmnt -rno FSTYPE,OPTIONS,TARGET | grep /media/'
+
+
+def _make(machine, folder, is_short):
+    """(name, file, sum of its bytes) of each stick."""
+    files = sticks.make_files(f'{folder}/files')
+    made = []
+    for kind, make in list(KINDS.items())[:1 if is_short else None]:
+        for is_dirty in (False,) if is_short else (False, True):
+            file = f'{folder}/{kind}{"-dirty" if is_dirty else ""}'
+            if make:
+                make(file, files, is_dirty)
+            else:
+                sticks.make_exfat(machine, file, f'{folder}/ext4', is_dirty)
+            made.append((f'{kind}{", not unmounted" if is_dirty else ""}', file, sticks.sha256(file)))
+    return made
+
+
+def run(table, bench):
+    folder = bench.folder('stick')
+    with table.check('stick', 'boot, READY', True):
+        kiosk = bench.start('stick')
+        machine = kiosk.machine
+        made = _make(machine, folder, bench.is_short)
+        kiosk.begin()
+        kiosk.wait_ready()
+        process = kiosk.process()
+        kiosk.to_choose()
+    for name, file, _ in made:
+        _visit(table, kiosk, name, file)
+    if not bench.is_short:
+        for phase, name in PHASES.items():
+            with table.check('stick', f'pulled {name}'):
+                _pulled(kiosk, folder, phase)
+    with table.check('stick', 'the kiosk is the same process, and none of its workers is left'):
+        if kiosk.process() != process:
+            raise Fault(f'it was started again: {machine.run(f"journalctl -u {UNIT} -n 5 -o cat")[1]}')
+        machine.wait('! pgrep "touchline-(import|decode)"', 60)
+    changed = [name for name, file, bytes_of in made if sticks.sha256(file) != bytes_of]
+    with table.check('stick', 'not a byte of a stick has changed'):
+        if changed:
+            raise Fault(f'changed: {changed}')
+    table.figure(17, 'sticks of the guest whose bytes changed', len(changed), '0', not changed,
+                 f'sha256 before and after of {len(made)} sticks: {", ".join(name for name, _, _ in made)}')
+    passed, all_of = table.passed_of('stick')
+    table.figure(16, 'stick cases in the guest: passed', f'{passed} of {all_of}', 'all', passed == all_of,
+                 'installed package, real kernel, udisks2, emulated USB sticks')
+
+
+def _wait_gone(machine):
+    machine.wait(f'! {OURS}', 120, 'nothing of the stick is mounted')
+
+
+def _visit(table, kiosk, name, file):
+    """From plugging in to pulling out."""
+    with table.check('stick', f'{name}: mounted read only, listed, pulled, unmounted'):
+        plugged = _plug(kiosk, file)
+        try:
+            with table.check('stick', f'{name}: a PNG and a PDF open'):
+                kiosk.open_stick(sticks.PNG)
+                kiosk.to_choose()
+                kiosk.open_stick(sticks.PDF)
+        finally:
+            kiosk.machine.pull_stick(plugged)
+        _wait_gone(kiosk.machine)
+        kiosk.to_choose()
+
+
+def _plug(kiosk, file):
+    """Until the kiosk tells how many pictures the stick has."""
+    machine = kiosk.machine
+    plugged = machine.plug_stick(file)
+    try:
+        machine.wait(OURS, 240, 'the stick is mounted')
+        options = machine.said(OURS).split()[1].split(',')
+        for option in ('ro', 'nosuid', 'nodev', 'noexec'):
+            if option not in options:
+                raise Fault(f'mounted without {option}: {options}')
+        kiosk.to_choose()
+        machine.wait_screen(['2 pictures'])
+    except Fault:
+        machine.pull_stick(plugged)
+        raise
+    return plugged
+
+
+PHASES = {'mount': 'while it is mounted', 'list': 'while it is listed', 'read': 'while a file is read',
+          'felt': 'while its picture is felt'}
+
+
+def _pulled(kiosk, folder, phase):
+    """Pulled at a phase; then the next stick works."""
+    machine = kiosk.machine
+    file = f'{folder}/pulled'
+    shutil.copy(f'{folder}/FAT', file)
+    if phase in ('mount', 'list'):
+        plugged = machine.plug_stick(file)
+        machine.said('until ls /sys/block/sd? >/dev/null 2>&1; do :; done' if phase == 'mount' else
+                     'until pgrep touchline-impo >/dev/null; do :; done')
+    else:
+        plugged = _plug(kiosk, file)
+        if phase == 'felt':
+            kiosk.open_stick(sticks.PNG)
+        else:
+            _begin_reading(kiosk)
+    machine.pull_stick(plugged)
+    _wait_gone(machine)
+    os.remove(file)
+    kiosk.to_choose()
+    machine.pull_stick(_plug(kiosk, f'{folder}/FAT'))
+    _wait_gone(machine)
+
+
+def _begin_reading(kiosk):
+    kiosk.to_item('Your USB stick')
+    kiosk.press('ret')
+    kiosk.machine.wait_screen([sticks.PNG])
+    kiosk.to_item(sticks.PNG)
+    kiosk.press('ret')
+    kiosk.machine.said('for _ in {1..2000}; do pgrep touchline-impo >/dev/null && break; done')

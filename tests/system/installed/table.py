@@ -1,0 +1,66 @@
+"""What was checked, as a table and as rows of a file."""
+import contextlib
+import csv
+import os
+import time
+
+from machine import Fault
+
+
+class Table:
+    """Rows (group, check, passed or failed, seconds, note); figures of the reliability table."""
+
+    def __init__(self):
+        self.rows = []
+        self.figures = []
+
+    @contextlib.contextmanager
+    def check(self, group, name, is_needed=False):
+        """One check: fails by Fault. With is_needed the rest of the group cannot go on without it."""
+        start = time.monotonic()
+        note = []
+        try:
+            yield note.append
+        except Fault as fault:
+            self._add(group, name, False, start, [*note, str(fault)])
+            if is_needed:
+                raise
+        else:
+            self._add(group, name, True, start, note)
+
+    def _add(self, group, name, has_passed, start, notes):
+        row = (group, name, has_passed, time.monotonic() - start, '; '.join(notes))
+        self.rows.append(row)
+        print(f'  {name}: {"passed" if has_passed else "FAILED"}, {row[3]:.0f} s {row[4]}', flush=True)
+
+    def figure(self, row, figure, value, bar, has_passed, how):
+        """A row of section 4 of the reliability facts, as far as the machine gives it."""
+        self.figures.append((row, figure, value, bar, 'yes' if has_passed else 'no', how))
+
+    def failed(self):
+        return [row for row in self.rows if not row[2]]
+
+    def passed_of(self, group, word=''):
+        rows = [row for row in self.rows if row[0] == group and word in row[1]]
+        return sum(row[2] for row in rows), len(rows)
+
+    def print(self):
+        width = max([len(row[1]) for row in self.rows], default=5)
+        print(f'\n{"group":<8} {"check":<{width}} {"result":<7} seconds')
+        for group, name, has_passed, seconds, note in self.rows:
+            print(f'{group:<8} {name:<{width}} {"passed" if has_passed else "FAILED":<7} {seconds:7.0f}  {note}')
+        print(f'{len(self.rows) - len(self.failed())} passed, {len(self.failed())} failed')
+
+    def write(self, file):
+        """Rows of this run go before rows of the same figure of an earlier one."""
+        head = ['row', 'figure', 'value', 'bar', 'passed', 'how']
+        kept = {}
+        if os.path.exists(file):
+            with open(file, newline='') as old:
+                kept = {line['figure']: [line[name] for name in head] for line in csv.DictReader(old)}
+        kept.update({row[1]: list(row) for row in self.figures})
+        os.makedirs(os.path.dirname(file), exist_ok=True)
+        with open(file, 'w', newline='') as new:
+            out = csv.writer(new, lineterminator='\n')
+            out.writerow(head)
+            out.writerows(sorted(kept.values(), key=lambda row: (int(row[0]), row[1])))

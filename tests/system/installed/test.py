@@ -1,0 +1,80 @@
+"""test.py --image FOLDER --deb FILE --work FOLDER --figures FILE [--short] GROUP...: the groups, one
+machine after the other, and the table. Ends with 1 when a check failed."""
+import argparse
+import importlib
+import os
+import shutil
+import sys
+
+from kiosk import Kiosk
+from machine import Fault, Machine
+from table import Table
+
+GROUPS = ('boot', 'power', 'stick', 'sound', 'keys', 'screen', 'update')
+
+
+class Bench:
+    """What the groups are given: the image, the package, a folder of their own."""
+
+    def __init__(self, arguments):
+        self.image = arguments.image
+        self.deb = arguments.deb
+        self.work = arguments.work
+        self.is_short = arguments.short
+        self.cuts = arguments.cuts or (3 if arguments.short else 50)
+        self.kiosk = None
+
+    def folder(self, group):
+        os.makedirs(f'{self.work}/{group}', exist_ok=True)
+        return f'{self.work}/{group}'
+
+    def power(self, group):
+        """The power comes, on the overlay that the group has or on a new one; one machine at a time."""
+        self.stop()
+        folder = self.folder(group)
+        self.kiosk = Kiosk(Machine(self.image, f'{folder}/disk.qcow2', folder))
+        return self.kiosk
+
+    def start(self, group, longest_s=400):
+        """The kiosk's machine, booted so far that it answers. In the short form one machine serves all groups."""
+        if self.is_short and self.kiosk:
+            return self.kiosk
+        return self.boot(group, longest_s)
+
+    def boot(self, group, longest_s=400):
+        kiosk = self.power(group)
+        kiosk.machine.run('true', longest_s)
+        return kiosk
+
+    def stop(self):
+        if self.kiosk:
+            self.kiosk.machine.cut()
+        self.kiosk = None
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ('image', 'deb', 'work', 'figures'):
+        parser.add_argument(f'--{name}', required=True)
+    parser.add_argument('--short', action='store_true')
+    parser.add_argument('--cuts', type=int, default=0)
+    parser.add_argument('groups', nargs='+', choices=GROUPS)
+    arguments = parser.parse_args()
+    bench, table = Bench(arguments), Table()
+    for group in arguments.groups:
+        print(f'{group}:', flush=True)
+        shutil.rmtree(f'{bench.work}/{group}', ignore_errors=True)
+        try:
+            importlib.import_module(group).run(table, bench)
+        except Fault:
+            print('  the rest of the group cannot go on', flush=True)
+        if not bench.is_short:
+            bench.stop()
+    bench.stop()
+    table.print()
+    table.write(arguments.figures)
+    return 1 if table.failed() else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
