@@ -6,7 +6,7 @@ import time
 
 import processes
 from figures import quantile
-from world import Kiosk, Visitor, wait_for
+from world import Kiosk, wait_for
 
 SEED = 12
 FAST_S = 0.002
@@ -85,9 +85,8 @@ def run(world, figures, count):
     world.board.move_hand(True)
     kiosk = Kiosk(world)
     wait_for('ready', kiosk.is_ready)
-    visitor = Visitor(kiosk, SEED, pause_s=2.0)
+    kiosk.press('Return', 'Return', 'Return')  # the practice shape
     wait_for('torque', lambda: world.board.has_torque)
-    visitor.end()
     plug = BoardPlug(kiosk)
     chance, seen, lists = random.Random(SEED), [], 0
     for serial in range(1, count + 1):
