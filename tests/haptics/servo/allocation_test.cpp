@@ -3,10 +3,10 @@
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/call_counts.h"
+#include "tests/haptics/servo/crossing_hand.h"
 #include "tests/haptics/servo/rigs.h"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -23,24 +23,8 @@ constexpr int ticks = 100000;
 namespace touchline {
 namespace {
 
-std::shared_ptr<const Scene> turned_wave_scene(double phase) {
-    TactileMap map;
-    Outline wave;
-    for (int i = 0; i <= 1000; ++i) {
-        const double x = -0.05 + 0.1 * i / 1000.0;
-        wave.points.push_back({x, 0.01 * std::sin(150.0 * x + phase)});
-    }
-    map.outlines.push_back(wave);
-    return std::make_shared<const Scene>(build_scene(map, {}, 0.001).value());
-}
-
 TEST(Tick, AllocatesNothingInAHundredThousandTicks) {
-    std::vector<WaypointPath::Waypoint> waypoints;
-    for (int i = 0; i <= 200; ++i) {  // to and fro across the wave for 100 s
-        waypoints.push_back({0.5 * i, {0.04 * std::sin(0.7 * i), 0.02 * std::cos(1.3 * i)}});
-    }
-    SimulatedPantograph device(default_profile(), {},
-                               std::make_shared<WaypointPath>(std::move(waypoints)));
+    SimulatedPantograph device(default_profile(), {}, to_and_fro(200, 0.02));
     ServoExchange exchange;
     Recorder recorder(10000);
     ServoLoop loop(device, default_profile(), 1e-3, exchange, recorder);

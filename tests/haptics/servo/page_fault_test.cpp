@@ -4,15 +4,14 @@
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/real_time.h"
 #include "haptics/servo/servo_loop.h"
+#include "tests/haptics/servo/crossing_hand.h"
 #include "tests/haptics/servo/rigs.h"
 
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,23 +21,9 @@ namespace {
 constexpr int unarmed_ticks = 200;  // no force can act by the arm rule: first calls may fault
 constexpr int ticks = unarmed_ticks + 100'000;
 
-std::int64_t faults_of_this_thread() {
-    rusage usage{};
-    getrusage(RUSAGE_THREAD, &usage);
-    return usage.ru_minflt + usage.ru_majflt;
-}
-
-std::shared_ptr<const IntendedPath> to_and_fro() {
-    std::vector<WaypointPath::Waypoint> waypoints;
-    for (int i = 0; i <= 200; ++i) {
-        waypoints.push_back({0.5 * i, {0.04 * std::sin(0.7 * i), 0.01 * std::cos(1.3 * i)}});
-    }
-    return std::make_shared<WaypointPath>(std::move(waypoints));
-}
-
 /// Over 10^5 ticks, the scenes that come meanwhile made by this thread but not counted.
 std::int64_t faults_in_ticks() {
-    SimulatedPantograph device(default_profile(), {}, to_and_fro());
+    SimulatedPantograph device(default_profile(), {}, to_and_fro(200, 0.01));
     ServoExchange exchange;
     Recorder recorder(10'000);
     ServoLoop loop(device, default_profile(), 1e-3, exchange, recorder);

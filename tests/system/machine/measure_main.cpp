@@ -6,10 +6,10 @@
 #include "haptics/servo/servo_loop.h"
 #include "tests/app/sticks/stick_folder.h"
 #include "tests/haptics/call_counts.h"
+#include "tests/haptics/servo/crossing_hand.h"
 
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -25,30 +25,6 @@ constexpr int unarmed_ticks = 200;  // no force can act by the arm rule: first c
 constexpr int ticks = 1'000'000;
 constexpr int between_scenes = 5000;
 
-std::shared_ptr<const Scene> turned_wave_scene(double phase) {
-    TactileMap map;
-    Outline wave;
-    for (int i = 0; i <= 1000; ++i) {
-        const double x = -0.05 + 0.1 * i / 1000.0;
-        wave.points.push_back({x, 0.01 * std::sin(150.0 * x + phase)});
-    }
-    map.outlines.push_back(wave);
-    return std::make_shared<const Scene>(build_scene(map, {}, 0.001).value());
-}
-
-std::shared_ptr<const IntendedPath> to_and_fro() {
-    std::vector<WaypointPath::Waypoint> waypoints;
-    for (int i = 0; i <= 2000; ++i)
-        waypoints.push_back({0.5 * i, {0.04 * std::sin(0.7 * i), 0.02 * std::cos(1.3 * i)}});
-    return std::make_shared<WaypointPath>(std::move(waypoints));
-}
-
-std::int64_t faults_of_this_thread() {
-    rusage usage{};
-    getrusage(RUSAGE_THREAD, &usage);
-    return usage.ru_minflt + usage.ru_majflt;
-}
-
 /// Another scene and mode, from the kiosk's side.
 void change(ServoExchange& exchange, int k) {
     constexpr std::array modes{Mode::groove, Mode::wall, Mode::ridge, Mode::stay};
@@ -61,7 +37,7 @@ void change(ServoExchange& exchange, int k) {
 
 int measure_ticks() {
     (void)become_real_time(MemoryLock::whole);
-    SimulatedPantograph device(default_profile(), {}, to_and_fro());
+    SimulatedPantograph device(default_profile(), {}, to_and_fro(2000, 0.02));
     ServoExchange exchange;
     Recorder recorder(10'000);
     ServoLoop loop(device, default_profile(), 1e-3, exchange, recorder);
