@@ -354,6 +354,8 @@ void Kiosk::follow_servo() {
     if (map_) seen.part = part_at(*map_, parts_, hand_);
     seen.has_moved = norm(hand_.p_WH - last_seen_W_) > moved_m;
     if (seen.has_moved) last_seen_W_ = hand_.p_WH;
+    const GuidancePhase phase = hand_.guidance.phase;
+    seen.is_led = phase == GuidancePhase::running || phase == GuidancePhase::pausing;
     // The operator's hand keeps a visit, and begins none.
     if (is_operator_in()) seen.has_moved = is_visit_on(visit_);
     happen(seen);

@@ -41,6 +41,7 @@ struct HandleSeen {
     std::optional<std::size_t> part;  // of PictureFacts::parts that it is on
     bool has_moved = false;           // more than 2 mm since the last that said so
     double speed_m_per_s = 0.0;
+    bool is_led = false;  // it moves by itself now; not while it waits for a hand
 };
 
 struct HeadphonesChanged {

@@ -63,8 +63,7 @@ void follow_handle(VisitWork& work, const HandleSeen& handle) {
     Visitor& visitor = work.visitor;
     if (handle.part != visitor.handle.part) visitor.part_since_s = work.house.now_s;
     visitor.handle = handle;
-    // A handle that leads moves by itself.
-    const bool is_hand = handle.has_moved && !(visitor.leading && visitor.leading->has_begun);
+    const bool is_hand = handle.has_moved && !handle.is_led;
     if (is_hand) visitor.active_s = work.house.now_s;
     const VisitScreen screen = open_screen(work);
     if (is_hand && screen == VisitScreen::attract) return begin_visit(work);

@@ -17,12 +17,13 @@ void ask(VisitWork& work) {
     say_screen(work);
 }
 
-/// Who waits for work, or is led, is there.
+/// Who waits for work, or is led, is there. A handle that waits for a hand says nothing of one.
 bool is_busy(const VisitWork& work) {
     const Visitor& visitor = work.visitor;
     const double now_s = work.house.now_s;
     if (visitor.waiting && now_s - visitor.waiting->since_s < longest_lead_s) return true;
-    return visitor.leading && now_s - visitor.leading->begin_s < longest_lead_s;
+    return visitor.leading && visitor.handle.is_led &&
+           now_s - visitor.leading->begin_s < longest_lead_s;
 }
 
 void mind_presence(VisitWork& work) {

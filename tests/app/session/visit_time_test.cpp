@@ -58,11 +58,26 @@ TEST(Visit, TI1_MotionCountsButNotThatOfAHandleThatLeads) {
     EXPECT_EQ(house.open(), VisitScreen::picture);
     house.lead_s = 1e9;  // waits for a hand that is gone
     ASSERT_TRUE(house.choose("Lead me round"));
+    moved.is_led = true;
     for (int i = 0; i < 420 && house.open() == VisitScreen::picture; ++i) {
         house.wait(1.0);
         house.happen(moved);
     }
     EXPECT_EQ(house.open(), VisitScreen::question);
+}
+
+TEST(Visit, TI1_AHandleThatWaitsForAHandIsNobody) {
+    FakeHouse house;
+    to_picture(house);
+    house.lead_s = 1e9;
+    ASSERT_TRUE(house.choose("Lead me round"));
+    for (int i = 0; i < 89; ++i) {
+        house.wait(1.0);
+        house.happen(HandleSeen{});
+    }
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    house.wait(2.0);
+    EXPECT_EQ(house.open(), VisitScreen::question) << "not after the five minutes of being led";
 }
 
 TEST(Visit, TI1_NoAnswerEndsTheVisit) {
