@@ -6,8 +6,8 @@ namespace touchline {
 namespace {
 
 constexpr double window_s = 0.01;
-constexpr double telling_m_per_s = 0.1;  // gain in a window: well above the noise of the velocity
-constexpr double explained = 0.25;       // of the gain: a light hand takes three tenths away
+constexpr double telling_m_per_s = 0.07;  // gain in a window: less than 1 N of guidance gives
+constexpr double explained = 0.25;        // of the gain: a light hand takes three tenths away
 constexpr double off_after_s = 0.03;
 constexpr double forget_s = 0.5;
 constexpr double lag_s = 0.003;  // of the measured velocity and of the motors together

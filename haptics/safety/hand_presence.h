@@ -21,7 +21,7 @@ class HandPresence {
 
     /// One tick of dt_s > 0: `force` was told in the tick before, velocity and position are those
     /// of the handle now. A hand is taken for off where
-    ///   - forces of about 0.7 N and more moved the handle as its own mass and friction say, to a
+    ///   - forces of about 0.6 N and more moved the handle as its own mass and friction say, to a
     ///     quarter, for 30 ms, without a moment that they did not; or
     ///   - the handle stood still to 0.2 mm for 20 s under more than 0.5 N,
     /// and for back where the handle moves without that: after 0.5 s, in which it may coast, in the

@@ -66,7 +66,7 @@ TEST(LoneHandle, ItsFrictionIsTakenIntoAccount) {
     EXPECT_TRUE(viscous.driven({0.0, 3.0}, 31));
 }
 
-/// About 0.7 N: below, the noise of the encoders would decide.
+/// About 0.6 N: below, the noise of the encoders would decide.
 TEST(LoneHandle, IsNotJudgedByLittleForce) {
     LoneTip tip({});
     EXPECT_FALSE(tip.driven({0.5, 0.0}, 500));
