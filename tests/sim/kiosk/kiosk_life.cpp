@@ -50,10 +50,9 @@ KioskLife::KioskLife(const KioskPlace& place) : now_s_(place.now_s) {
     kiosk = std::make_unique<Kiosk>(std::move(parts));
 }
 
-void KioskLife::press(Key key) {
-    const PhysicalKey pressed{KeySource::key, static_cast<std::uint32_t>(key)};
-    kiosk->change_key({pressed, true, false, now_s_});
-    kiosk->change_key({pressed, false, false, now_s_});
+void KioskLife::strike(const PhysicalKey& key) {
+    kiosk->change_key({key, true, false, now_s_});
+    kiosk->change_key({key, false, false, now_s_});
 }
 
 }  // namespace touchline

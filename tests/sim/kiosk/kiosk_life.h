@@ -12,6 +12,7 @@
 #include "tests/sim/kiosk/sim_camera.h"
 #include "tests/sim/kiosk/sim_shelf.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -32,7 +33,10 @@ class KioskLife {
     explicit KioskLife(const KioskPlace& place);
 
     /// A key of the staff's keyboard.
-    void press(Key key);
+    void press(Key key) { strike({KeySource::key, static_cast<std::uint32_t>(key)}); }
+
+    /// A visitor's key.
+    void press(KeyRole role) { strike(keys_of(default_keys(), role).at(0)); }
 
     ServoLine line;
     Restart restart;  // of its servo
@@ -44,6 +48,9 @@ class KioskLife {
     std::unique_ptr<Kiosk> kiosk;
 
   private:
+    /// Now by the house's time, as a window stamps it: the kiosk's own stands while it hangs.
+    void strike(const PhysicalKey& key);
+
     const double& now_s_;
 };
 

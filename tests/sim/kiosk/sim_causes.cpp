@@ -269,7 +269,7 @@ void SimHouse::welcome() {
     if (!role) return;
     ++figures_.keys;
     answers_.ask(now_s_, heard_ever());
-    kiosk_->kiosk->press(*role);
+    kiosk_->press(*role);
 }
 
 /// Clears what only a person may clear, some seconds later.

@@ -186,6 +186,8 @@ KeyRole SimVisitor::key_of_screen(const VisitorPlace& place, VisitScreen screen)
         case VisitScreen::stick:
             if (is_leaving) return KeyRole::back;
             return dice_.is_hit(0.3) ? KeyRole::select : KeyRole::down;
+        case VisitScreen::help:
+            return KeyRole::help;  // twice leads out; every other key only says its use
         case VisitScreen::opening:
             return dice_.is_hit(0.05) ? KeyRole::select : KeyRole::next;
         case VisitScreen::practice:

@@ -17,6 +17,7 @@ class SafetyTransitionsChecker {
             before_ = ForceState::off;
             since_s_ = sight.now_s;
             fault_ = Fault::none;
+            force_ = {};
         }
         const ForceState now = tick.force_state;
         const auto demand = [&](bool holds, const char* words) {
@@ -31,7 +32,10 @@ class SafetyTransitionsChecker {
         demand(now != ForceState::fault || before_ != now || tick.fault >= fault_,
                "a fault became easier to clear by itself");
         const bool may_push = now == ForceState::ramp || now == ForceState::live;
-        demand(may_push || tick.force == Force{}, "force where there is none");
+        // Switched off at more than 1.5 N the force is gone a tick later: no change is faster.
+        const bool is_falling =
+            now == ForceState::off && norm(tick.force) <= norm(force_) - most_fall_N;
+        demand(may_push || is_falling || tick.force == Force{}, "force where there is none");
         if (now != before_) {
             const double lasted_s = sight.now_s - since_s_;
             const bool was_armed = before_ == ForceState::armed && now == ForceState::ramp;
@@ -43,10 +47,12 @@ class SafetyTransitionsChecker {
         }
         before_ = now;
         fault_ = tick.fault;
+        force_ = tick.force;
     }
 
   private:
-    static constexpr double arm_s = 0.198;  // 0.2 s, a tick at each end apart
+    static constexpr double arm_s = 0.198;        // 0.2 s, a tick at each end apart
+    static constexpr double most_fall_N = 1.499;  // 1500 N/s for a tick
     // 0.5 s from armed to live; 0.3 s where it was faded out and back on the way.
     static constexpr double resume_s = 0.298;
 
@@ -67,6 +73,7 @@ class SafetyTransitionsChecker {
 
     ForceState before_ = ForceState::off;
     Fault fault_ = Fault::none;
+    Force force_;  // told a tick before
     double since_s_ = 0.0;
     bool is_starting_ = false;
 };
