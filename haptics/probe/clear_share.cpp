@@ -51,22 +51,23 @@ double free_beside_edge(const Segment& edge, const Segment& line, Direction n, P
 
 }  // namespace
 
-double clear_share(const EdgeAndLine& pair, const ProbePose& from, const ProbeMove& move,
-                   double keep_m, double most) {
+double clear_share(const EdgeAndLine& pair, const ProbePose& from, const ProbePlacement& start,
+                   const ProbeMove& move, double keep_m, double most) {
     Separation at = pair.at;
+    Segment edge = start(pair.edge);
     double share = 0.0;
     for (int i = 0; i < most_advances; ++i) {
         if (!(at.distance_m > 0.0)) return share;
-        const ProbePose pose = from + share * move;
-        const Segment edge = ProbePlacement(pose)(pair.edge);
-        double free = free_beside_line(edge, pair.line, at.normal, pose.place(), move, keep_m);
+        const Position origin = from.place() + share * move.by;
+        double free = free_beside_line(edge, pair.line, at.normal, origin, move, keep_m);
         if (!(share + free >= most)) {
-            free = std::max(
-                free, free_beside_edge(edge, pair.line, at.normal, pose.place(), move, keep_m));
+            free =
+                std::max(free, free_beside_edge(edge, pair.line, at.normal, origin, move, keep_m));
         }
         share += free;
         if (!(share < most)) return most;
-        at = separation(ProbePlacement(from + share * move)(pair.edge), pair.line);
+        edge = ProbePlacement(from + share * move)(pair.edge);
+        at = separation(edge, pair.line);
         if (at.distance_m - keep_m <= near_enough_m) return share;
     }
     return share;

@@ -14,12 +14,13 @@ struct EdgeAndLine {
     Separation at;  // where the motion starts
 };
 
-/// The share of the move, at most `most`, over which the edge stays `keep_m` or more from the line;
-/// 0 where it starts nearer than that and comes nearer still. Up to it the two stay apart at every
-/// moment: along a direction that stands still the edge's ends stay beyond the line, or along one
-/// that turns with the edge the line's ends do; their approach is bounded by its rate at the start
-/// and their greatest acceleration.
+/// `start` is `from` placed. The share of the move, at most `most`, over which the edge stays
+/// `keep_m` or more from the line; 0 where it starts nearer than that and comes nearer still. Up to
+/// it the two stay apart at every moment: along a direction that stands still the edge's ends stay
+/// beyond the line, or along one that turns with the edge the line's ends do; their approach is
+/// bounded by its rate at the start and their greatest acceleration.
 [[nodiscard]] double clear_share(const EdgeAndLine& pair, const ProbePose& from,
-                                 const ProbeMove& move, double keep_m, double most);
+                                 const ProbePlacement& start, const ProbeMove& move, double keep_m,
+                                 double most);
 
 }  // namespace touchline

@@ -13,7 +13,8 @@ constexpr double rest_m = 1e-10;          // a shorter move is none
 constexpr int most_moves = 16;            // in a step
 constexpr std::size_t most_swept = 1024;  // pairs in a step; the rest is carried
 constexpr int most_bends = 3;             // corrections of a move for what curves
-constexpr double longest_move_m = 5e-4;   // what a longer one may meet would not fit in the front
+// A chord cuts off a quarter of the bend between its ends.
+constexpr double most_bend_m = 3.0 * probe_slack_m;
 
 ContactState state_of(int contacts) {
     if (contacts == 0) return ContactState::free;
@@ -108,11 +109,11 @@ void ProbeProxy::press(const ProbePose& handle, const Springs& springs, Spender&
                        ProbeReport& report) {
     double look_m = std::max(last_reach_m_, probe_mind_m);
     LeastMove held;
-    bool is_curved = true;
+    Following following;
     std::size_t swept = 0;
     for (int i = 0; i < most_moves; ++i) {
         front_.look(ProbePlacement(pose_), keep_m_, look_m, spender);
-        held = wanted_move(handle, springs, is_curved);
+        held = wanted_move(handle, springs, following);
         const ProbeMove move = move_of(held.move, springs);
         const double reach_m = move.reach_m(shape_->r_max_m());
         report.carried_m = 0.0;
@@ -127,11 +128,22 @@ void ProbeProxy::press(const ProbePose& handle, const Springs& springs, Spender&
         report.carried_m = reach_m;
         look_m = probe_mind_m;
         if (swept > most_swept) break;
-        // A curve that ends under the move is followed straight.
-        if (share * reach_m < rest_m && !is_curved) break;
-        is_curved = share * reach_m >= rest_m;
+        if (share * reach_m >= rest_m) {
+            following = {};
+        } else if (!follow_otherwise(following)) {
+            break;
+        }
     }
     hold(held, springs, report);
+}
+
+/// After a move that was none. A curve that another line cuts short is not where its bend puts it:
+/// it is found again, as short as was free. One that ends under the move is followed straight.
+bool ProbeProxy::follow_otherwise(Following& following) const {
+    if (!following.is_curved) return false;
+    const bool is_cut_short = free_m_ >= rest_m && following.longest_m == longest_move_m;
+    following = is_cut_short ? Following{true, free_m_} : Following{false, longest_move_m};
+    return true;
 }
 
 ProbeMove ProbeProxy::move_of(const Coupled& move, const Springs& springs) {
@@ -156,7 +168,8 @@ void ProbeProxy::find_touching(const Springs& springs) {
 
 /// The move of least energy that what touches allows, no longer than is looked at at once. Its
 /// energy is no more than that of staying.
-LeastMove ProbeProxy::wanted_move(const ProbePose& handle, const Springs& springs, bool is_curved) {
+LeastMove ProbeProxy::wanted_move(const ProbePose& handle, const Springs& springs,
+                                  const Following& following) {
     find_touching(springs);
     const ProbeMove left = handle - pose_;
     const Coupled wanted{left.by.x, left.by.y, springs.lever_m * left.turn_rad};
@@ -172,34 +185,30 @@ LeastMove ProbeProxy::wanted_move(const ProbePose& handle, const Springs& spring
     };
     const CurvedEnergy energy(touching_, least);
     const Coupled whole = energy.least(constraints_, wanted);
-    for (const double share : {shortening(whole, springs), gentleness(whole)}) {
-        if (least.active_count == 0 || !is_curved) break;
+    for (const double share :
+         {shortening(whole, springs, following.longest_m), gentleness(whole)}) {
+        if (least.active_count == 0 || !following.is_curved) break;
         const Coupled curved = curved_move(energy, share * wanted, share * whole);
         if (!is_worth(curved)) continue;
         least.move = curved;
         return least;
     }
-    least.move = shortening(least.move, springs) * least.move;
+    least.move = shortening(least.move, springs, following.longest_m) * least.move;
     if (!is_worth(least.move)) least.move = {};
     return least;
 }
 
 /// The share of a move that is looked at at once.
-double ProbeProxy::shortening(const Coupled& move, const Springs& springs) const {
+double ProbeProxy::shortening(const Coupled& move, const Springs& springs, double longest_m) const {
     const double reach_m = move_of(move, springs).reach_m(shape_->r_max_m());
-    return reach_m > longest_move_m ? longest_move_m / reach_m : 1.0;
+    return reach_m > longest_m ? longest_m / reach_m : 1.0;
 }
 
 /// The share of a move under which no distance bends by more than the straight way may cut off.
 double ProbeProxy::gentleness(const Coupled& move) const {
-    double most_m = most_bend_m();
+    double most_m = most_bend_m;
     for (const Touching& touching : touching_) most_m = std::max(most_m, touching.bend_m(move));
-    return std::sqrt(most_bend_m() / most_m);
-}
-
-/// A chord cuts off a quarter of the bend between its ends.
-double ProbeProxy::most_bend_m() const {
-    return std::min(3.0 * probe_slack_m, 0.5 * keep_m_);
+    return std::sqrt(most_bend_m / most_m);
 }
 
 /// The least move along distances that curve: their bend under the move is found, and the move
@@ -208,7 +217,7 @@ Coupled ProbeProxy::curved_move(const CurvedEnergy& energy, const Coupled& wante
     for (int round = 0; round < most_bends; ++round) {
         for (std::size_t i = 0; i < constraints_.size(); ++i) {
             const double gap_m = pairs_[i].geometry.at.distance_m - keep_m_ + sunk_m_;
-            constraints_[i].gap_m = gap_m + std::min(touching_[i].bend_m(move), most_bend_m());
+            constraints_[i].gap_m = gap_m + std::min(touching_[i].bend_m(move), most_bend_m);
         }
         const Coupled before = move;
         move = energy.least(constraints_, wanted);
@@ -219,14 +228,17 @@ Coupled ProbeProxy::curved_move(const CurvedEnergy& energy, const Coupled& wante
 
 /// How much of the move is free of all that the last look found. What touches may come nearer on
 /// the way, by the slack, but not at its end.
-double ProbeProxy::clear_share_of(const ProbeMove& move) const {
+double ProbeProxy::clear_share_of(const ProbeMove& move) {
     const double reach_m = move.reach_m(shape_->r_max_m());
     double share = 1.0;
     if (front_.unopened_m() < reach_m) share = std::max(front_.unopened_m(), 0.0) / reach_m;
+    const ProbePlacement start(pose_);
     for (const NearPair& pair : front_.near()) {
         const double least_m = least_distance_m(keep_m_, pair.geometry.at.distance_m);
-        share = clear_share(pair.geometry, pose_, move, least_m, share);
+        if (pair.geometry.at.distance_m - least_m >= share * reach_m) continue;
+        share = clear_share(pair.geometry, pose_, start, move, least_m, share);
     }
+    free_m_ = share * reach_m;
     const ProbePlacement end(pose_ + share * move);
     for (const NearPair& pair : front_.near()) {
         const double start_m = pair.geometry.at.distance_m;
@@ -238,7 +250,7 @@ double ProbeProxy::clear_share_of(const ProbeMove& move) const {
         for (const NearPair& strict : front_.near()) {
             const double strict_m =
                 std::min(strict.geometry.at.distance_m, keep_m_ - probe_graze_m);
-            share = clear_share(strict.geometry, pose_, move, strict_m, share);
+            share = clear_share(strict.geometry, pose_, start, move, strict_m, share);
         }
         break;
     }

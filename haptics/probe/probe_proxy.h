@@ -91,6 +91,15 @@ class ProbeProxy {
         [[nodiscard]] double energy_J(const ProbeMove& to) const;
     };
 
+    /// Of one move: what a longer one may meet would not fit in the front.
+    static constexpr double longest_move_m = 5e-4;
+
+    /// How a move follows what touches.
+    struct Following {
+        bool is_curved = true;
+        double longest_m = longest_move_m;
+    };
+
     /// Whether the lines may go to a level while the shape stays where it is.
     struct Room {
         bool is_free = false;      // they may
@@ -102,15 +111,16 @@ class ProbeProxy {
     void place(const ProbePose& handle, Spender& spender);
     void press(const ProbePose& handle, const Springs& springs, Spender& spender,
                ProbeReport& report);
+    [[nodiscard]] bool follow_otherwise(Following& following) const;
     void find_touching(const Springs& springs);
     [[nodiscard]] LeastMove wanted_move(const ProbePose& handle, const Springs& springs,
-                                        bool is_curved);
+                                        const Following& following);
     [[nodiscard]] Coupled curved_move(const CurvedEnergy& energy, const Coupled& wanted,
                                       Coupled move);
     [[nodiscard]] double gentleness(const Coupled& move) const;
-    [[nodiscard]] double most_bend_m() const;
-    [[nodiscard]] double shortening(const Coupled& move, const Springs& springs) const;
-    [[nodiscard]] double clear_share_of(const ProbeMove& move) const;
+    [[nodiscard]] double shortening(const Coupled& move, const Springs& springs,
+                                    double longest_m) const;
+    [[nodiscard]] double clear_share_of(const ProbeMove& move);
     double advance(const ProbeMove& move, ProbeReport& report);
     void change_level(double level, const ProbePose& handle, const Springs& springs,
                       Spender& spender);
@@ -127,6 +137,7 @@ class ProbeProxy {
     std::vector<Constraint> constraints_;
     std::vector<Touching> touching_;  // of each constraint
     std::vector<NearPair> pairs_;     // the same
+    double free_m_ = 0.0;             // of the last move, before what touches was asked
     double sunk_m_ = 0.0;             // by which the deepest is nearer than kept, and stays so
     EnergyAccount account_;
     std::vector<ProbePose>* path_ = nullptr;

@@ -13,7 +13,7 @@ namespace {
 double share(const Segment& edge, const Segment& line, const ProbePose& from,
              const ProbeMove& move) {
     const Separation at = separation(ProbePlacement(from)(edge), line);
-    return clear_share({edge, line, at}, from, move, 1e-6, 1.0);
+    return clear_share({edge, line, at}, from, ProbePlacement(from), move, 1e-6, 1.0);
 }
 
 TEST(ClearShare, OfAStraightFallEndsAtTheDistanceKept) {
