@@ -162,6 +162,8 @@ TEST(OperatorWalk, EveryScreenIsReachedAndLeftByFourPressesAtMost) {
     }
     for (const PlaceRow& row : place_rows()) EXPECT_TRUE(places.contains(row.place)) << row.title;
     EXPECT_GT(states.size(), 200U);
+    RecordProperty("states", static_cast<int>(states.size()));
+    RecordProperty("steps", static_cast<int>(states.size() * six_roles.size()));
     EXPECT_GE(most, 1);
     for (const P place : {P::cleaning_lock, P::key_wizard}) {
         OperatorWorld later = still_world(english);

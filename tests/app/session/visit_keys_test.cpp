@@ -96,6 +96,8 @@ TEST(Visit, IN5_ChooseIsFourPressesAwayFromAnywhere) {
 
 TEST(Visit, IN5_EveryKeyIsAnsweredAtOnceEverywhere) {
     EXPECT_EQ(scene_graph().unanswered, std::vector<std::string>{});
+    RecordProperty("states", static_cast<int>(scene_graph().visits.size()));
+    RecordProperty("steps", static_cast<int>(scene_graph().steps));
 }
 
 TEST(Visit, IN6_HelpNamesEachKeyAndLeavesAfterTwo) {

@@ -49,6 +49,7 @@ class Search {
         find(house_.visit);
         for (std::size_t at = 0; at < graph_.visits.size(); ++at) follow(at);
         measure();
+        graph_.steps = edges_.size();
         return std::move(graph_);
     }
 

@@ -29,6 +29,7 @@ struct SceneGraph {
     std::vector<int> presses_to_choose;   // -1: never
     std::vector<std::string> unanswered;  // keys that gave neither speech nor cue
     std::vector<std::string> lost;        // Back lost the picture
+    std::size_t steps = 0;                // keys and events that were tried
 };
 
 const SceneGraph& scene_graph();

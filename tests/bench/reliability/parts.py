@@ -117,6 +117,25 @@ def workers():
     figures.write('workers', rows)
 
 
+def machines():
+    rows = []
+    for program, case, what in (
+            ('safety_test', 'EveryStateUnderEveryCombinationOfFlags', 'force: states under every combination of 13 flags'),
+            ('session_test', 'IN5_EveryKeyIsAnsweredAtOnceEverywhere', 'visit: states that keys, work, time and trouble lead to'),
+            ('operator_test', 'EveryScreenIsReachedAndLeftByFourPressesAtMost', "operator's screens: states under six keys"),
+            ('contact_diagram_test', 'HoldsOnEvery*', 'contact: small worlds under every sequence of three places')):
+        found, failed = properties(program), [c for c, end in hazards.cases_of(OUT / f'{program}.xml') if end != 'passed']
+        states, steps = (sum(v) if isinstance(v, list) else v for v in (found['states'], found['steps']))
+        rows.append((24, what, f'{states} states, {steps} steps, {len(failed)} errors', 'all; 0 errors', not failed,
+                     f'tests/bench/reliability/run machines: {program}, {case}'))
+    claims = [line.split() for line in (OUT / 'guard.log').read_text().splitlines()]
+    whole = len(claims) == 3 and all(len(claim) == 3 and claim[2] == '0' for claim in claims)
+    rows.append((24, 'kiosk, guard and servo in every order of their steps', '; '.join(
+        f'{claim[0]}: {claim[1]} states, {claim[2]} errors' for claim in claims if len(claim) == 3), '0 errors', whole,
+        'tests/sim/guard/run: spin, a model by hand; three broken models are found out'))
+    figures.write('machines', rows)
+
+
 def stages():
     told = (OUT / 'stages.log').read_text()
     start = re.search(r"worker's start, to a refusal: ([\d.]+) \(([\d.]+)\)", told)
@@ -166,7 +185,7 @@ def exclusions():
 
 
 PARTS = {'coverage': coverage, 'hazards': hazard_rows, 'instructions': instructions, 'workers': workers,
-         'stages': stages,          'sanitizers': sanitizers, 'exclusions': exclusions}
+         'stages': stages, 'machines': machines, 'sanitizers': sanitizers, 'exclusions': exclusions}
 if sys.argv[1] == 'pattern':
     print('^(\\w+/)?(' + '|'.join(re.escape(name) for name in hazards.names()) + ')(/|$)')
 elif sys.argv[1] == 'fuzzing':

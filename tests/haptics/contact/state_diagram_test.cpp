@@ -189,6 +189,8 @@ Tally expect_the_diagram(const std::vector<TactileMap>& worlds, const Strides& s
               << ", round a vertex " << tally.round_a_vertex << "; longest path "
               << tally.longest_path << ", least width " << tally.least_width << ", restless "
               << tally.restless << "\n";
+    testing::Test::RecordProperty("states", static_cast<int>(worlds.size()));
+    testing::Test::RecordProperty("steps", std::to_string(tally.steps));
     EXPECT_EQ(tally.faults, 0U);
     for (const auto& [from, to] : {std::array<std::size_t, 2>{0, 1}, {1, 0}, {1, 2}, {2, 1}}) {
         EXPECT_GT(seen[from][to], tally.steps / 100) << from << ">" << to;

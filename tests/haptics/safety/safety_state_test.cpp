@@ -112,6 +112,8 @@ TEST(SafetyState, EveryStateUnderEveryCombinationOfFlags) {
         }
     }
     EXPECT_EQ(tried, 17 * (1 << 13));
+    RecordProperty("states", static_cast<int>(all_states().size()));
+    RecordProperty("steps", tried);
 }
 
 TEST(SafetyState, TimesAreReachedNotPassed) {

@@ -15,6 +15,8 @@ from figures import Figures, quantile
 BUILD = f'{ROOT}/build/release'
 HOW = 'tests/system/machine/run '
 SECONDS = 10
+# What each changes (haptics/servo/real_time.h).
+TIERS = {'A': 'full stiffness', 'B': 'full stiffness', 'C': 'half the stiffness and force, damped', 'D': 'no force, sound only'}
 
 
 def machine():
@@ -38,9 +40,9 @@ def ticks(figures):
 
 
 def lateness_of(command):
-    """(ticks, median, 99.9 %, worst in us), of tests/sim/jitter."""
+    """(tier, ticks, median, 99.9 %, worst in us), of tests/sim/jitter."""
     row = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split('|')
-    return int(row[4]), *(int(part) for part in row[-2].split('/'))
+    return row[3].strip(), int(row[4]), *(int(part) for part in row[-2].split('/'))
 
 
 def baseline():
@@ -50,7 +52,7 @@ def baseline():
     counts = [(int(us), int(count)) for us, count in re.findall(r'^(\d{6}) (\d+)', text, re.MULTILINE)]
     late = [us for us, count in counts for _ in range(count)]
     worst = int(re.search(r'# Max Latencies: (\d+)', text)[1])
-    return len(late), quantile(late, 0.5), quantile(late, 0.999), max(worst, late[-1] if late else 0)
+    return '', len(late), quantile(late, 0.5), quantile(late, 0.999), max(worst, late[-1] if late else 0)
 
 
 def lateness(figures):
@@ -65,7 +67,9 @@ def lateness(figures):
         stress = subprocess.Popen(command) if command else None
         try:
             for way, measure in ways.items():
-                count, median, most, worst = measure()
+                tier, count, median, most, worst = measure()
+                if tier:
+                    figures.keep(9, f'tier, {way}, {load}', f'{tier}: {TIERS[tier]}', 'stated', None, HOW + 'lateness: ' + machine())
                 figures.keep(8, f'lateness of a tick, {way}, {load}: median / 99.9 % / worst us, ticks missing',
                              f'{median} / {most} / {worst}, {max(0, SECONDS * 1000 - count)} of {SECONDS * 1000}',
                              'reported', None, HOW + f'lateness: {machine()}, load before {os.getloadavg()[0]:.1f}')
