@@ -143,10 +143,18 @@ Result<BoardSettings> settings_to_stop_by() {
     return settings ? settings : read_boards(board_files().boards);
 }
 
-Result<void> stop_board(const UsbBoards& usb, const FoundBoard& board, std::ostream& out) {
+/// As far as it is known: it says whether a motor is at the handle too.
+DeviceProfile profile_of(const BoardSettings& settings, const FoundBoard& board) {
+    const UnitSettings* unit = find_unit(settings, board.serial);
+    return unit == nullptr ? default_profile()
+                           : find_profile(unit->profile).value_or(default_profile());
+}
+
+Result<void> stop_board(const UsbBoards& usb, const FoundBoard& board, const DeviceProfile& profile,
+                        std::ostream& out) {
     auto link = usb.open(board);
     if (!link) return tl::unexpected(link.error());
-    if (!zero_torque(std::move(*link))) {
+    if (!zero_torque(std::move(*link), profile)) {
         return failure("board " + board.serial +
                        " did not confirm that its motors are off: cut the power of the motors");
     }
@@ -168,7 +176,8 @@ Result<void> stop(const DeviceCommandOptions& options, std::ostream& out) {
                                   : board.serial == options.serial;
         if (board.id.condition != BoardCondition::running || !is_meant) continue;
         was_any = true;
-        if (auto stopped = stop_board(*usb, board, out); !stopped) worst = stopped;
+        const DeviceProfile profile = profile_of(*settings, board);
+        if (auto stopped = stop_board(*usb, board, profile, out); !stopped) worst = stopped;
     }
     if (was_any) return worst;
     return usb->find(settings->boards, options.serial).map([](const FoundBoard&) {});

@@ -3,7 +3,7 @@
 #include "app/cli/load.h"
 #include "app/cli/names.h"
 #include "config/types/steady_clock.h"
-#include "haptics/probe/probe_proxy.h"
+#include "haptics/probe/held_shapes.h"
 #include "haptics/resolution/cost_term.h"
 #include "haptics/resolution/shape_level_rule.h"
 
@@ -25,18 +25,15 @@ ProbePose pose_of(const HandRow& row) {
 void write_row(fmt::memory_buffer& out, const CurveSet& curves, const HandRow& hand,
                const ProbeReport& report) {
     auto to = std::back_inserter(out);
+    const ContactReport contact = contact_of(report, curves);
     fmt::format_to(to, "{},{},{},{},{},{},{},{},{},", hand.t_s, hand.p_WH.x, hand.p_WH.y,
                    report.pose.x_m, report.pose.y_m, report.force.x, report.force.y,
                    name_of(report.state), report.level);
-    if (report.contact_count == 0) {
+    if (contact.outline < 0) {
         fmt::format_to(to, ",,,");
     } else {
-        const ProbeContact& contact = report.contacts[0];
-        const SegmentRef at = contact.segment;
-        fmt::format_to(
-            to, "{},{},{},", curves.pieces()[static_cast<std::size_t>(at.piece)].outline,
-            curves.outline_parameter(at.piece, report.level, at.index, contact.parameter),
-            contact.side == Side::left ? "left" : "right");
+        fmt::format_to(to, "{},{},{},", contact.outline, contact.parameter,
+                       contact.side == Side::left ? "left" : "right");
     }
     for (int i = 0; i < report.transitions.size(); ++i) {
         fmt::format_to(to, "{}{}", i == 0 ? "" : ">", static_cast<int>(report.transitions[i]));

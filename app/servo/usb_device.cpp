@@ -19,7 +19,9 @@ constexpr std::size_t argument_count = 12;
 constexpr double most_torque_Nm = 10.0;  // no motor of a desk
 
 void write_zero(void* device) noexcept {
-    (void)static_cast<WatchedBoard*>(device)->write_torques({});
+    auto& board = *static_cast<WatchedBoard*>(device);
+    board.turn_handle(0.0);
+    (void)board.write_torques({});
 }
 
 /// The whole text is a number.
@@ -106,11 +108,14 @@ Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& ope
 }
 
 Result<void> zero_usb_device(const UsbDevice& device) {
+    const auto profile = find_profile(device.profile);
+    if (!profile) return tl::unexpected(profile.error());
     auto boards = UsbBoards::create();
     if (!boards) return tl::unexpected(boards.error());
     auto link = take_link(*boards, device);
     if (!link) return tl::unexpected(link.error());
-    if (!zero_torque(std::move(*link))) return failure("the board did not confirm zero torque");
+    if (!zero_torque(std::move(*link), *profile))
+        return failure("the board did not confirm zero torque");
     return {};
 }
 

@@ -37,6 +37,12 @@ class WatchedBoard final : public ForceDevice {
 
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
 
+    [[nodiscard]] std::optional<double> handle_angle_rad() const override {
+        return has_lost_place_ ? std::nullopt : board_.handle_angle_rad();
+    }
+
+    void turn_handle(double torque_Nm) override { board_.turn_handle(torque_Nm); }
+
     [[nodiscard]] bool write_torques(JointTorques torques) override {
         return board_.write_torques(torques);
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "config/types/guidance.h"
+#include "config/types/held_shape.h"
 #include "config/types/level_terms.h"
 #include "config/types/vec2.h"
 
@@ -34,6 +35,11 @@ struct HandState {
     std::uint64_t missed_ticks = 0;  // ticks that could not run in their period and were skipped
     std::uint64_t map_version = 0;   // of the map felt
     GuidanceStatus guidance;
+    HeldShape shape = HeldShape::none;  // felt with
+    bool is_shape_placed = false;       // false: lines pass through it still, and nothing is felt
+    double angle_rad = 0.0;             // of the handle
+    double proxy_angle_rad = 0.0;
+    double torque_Nm = 0.0;  // of the shape on the hand, whether or not a motor can tell it
 };
 
 }  // namespace touchline

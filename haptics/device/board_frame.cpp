@@ -32,6 +32,10 @@ bool is_whole(double raw_deg, double quantum_deg) {
     return std::abs(counts) <= most_counts && std::abs(counts - std::round(counts)) <= tolerance;
 }
 
+double handle_quantum_deg(const TurningHandle& handle) {
+    return degrees_per_radian * encoder_quantum_rad(handle);
+}
+
 // Values of the two ports in the order of the joints, or the other way round: it is its own
 // inverse.
 template <class Out, class In>
@@ -66,13 +70,21 @@ BoardSetUp BoardFrame::set_up_at_home() const {
                     is_joint_1_on_port_2_ ? turn_1 : turn_2};
     set_up.offsets_deg = {static_cast<float>(home.x), static_cast<float>(home.y)};
     set_up.counts_told = {static_cast<float>(told.x), static_cast<float>(told.y)};
+    if (const auto& handle = profile_.handle) {
+        const double handle_told = handle->counts_per_turn * profile_.wiring.told_per_count;
+        set_up.handle = HandlePort{handle->turn, 0.0F, static_cast<float>(handle_told)};
+    }
     return set_up;
 }
 
-BoardSetUp BoardFrame::set_up_at(PortAngles raw) const {
+BoardSetUp BoardFrame::set_up_at(PortAngles raw, double handle_deg) const {
     BoardSetUp set_up = set_up_at_home();
     set_up.offsets_deg = {static_cast<float>(within_count(raw.x, quantum_.x)),
                           static_cast<float>(within_count(raw.y, quantum_.y))};
+    if (set_up.handle) {
+        set_up.handle->offset_deg =
+            static_cast<float>(within_count(handle_deg, handle_quantum_deg(*profile_.handle)));
+    }
     return set_up;
 }
 
@@ -91,8 +103,15 @@ JointAngles BoardFrame::joint_angles(PortAngles raw) const {
            JointAngles{scale.x * turned.x, scale.y * turned.y};
 }
 
-bool BoardFrame::is_whole_counts(PortAngles raw) const {
-    return is_whole(raw.x, quantum_.x) && is_whole(raw.y, quantum_.y);
+bool BoardFrame::is_whole_counts(PortAngles raw, double handle_deg) const {
+    return is_whole(raw.x, quantum_.x) && is_whole(raw.y, quantum_.y) &&
+           (!has_handle() || is_whole(handle_deg, handle_quantum_deg(*profile_.handle)));
+}
+
+std::optional<double> BoardFrame::handle_torque_Nm(double torque_Nm) const {
+    if (!has_handle()) return std::nullopt;
+    const double limit_Nm = profile_.handle->torque_limit_Nm;
+    return std::isfinite(torque_Nm) ? std::clamp(torque_Nm, -limit_Nm, limit_Nm) : 0.0;
 }
 
 PortTorques BoardFrame::port_torques(JointTorques torques) const {

@@ -22,8 +22,8 @@ class BoardFrame {
     /// The handle is at home: the board is to say the angles of the profile's home pose.
     [[nodiscard]] BoardSetUp set_up_at_home() const;
 
-    /// Sets the board up again where it was: it says `raw` again to the count.
-    [[nodiscard]] BoardSetUp set_up_at(PortAngles raw) const;
+    /// Sets the board up again where it was: it says the same again to the count.
+    [[nodiscard]] BoardSetUp set_up_at(PortAngles raw, double handle_deg = 0.0) const;
 
     /// What the board says at home: whole counts, rounded toward zero.
     [[nodiscard]] PortAngles home_reading() const;
@@ -32,7 +32,13 @@ class BoardFrame {
     [[nodiscard]] JointAngles joint_angles(PortAngles raw) const;
 
     /// Each angle is a whole number of counts, as all are that a board sends.
-    [[nodiscard]] bool is_whole_counts(PortAngles raw) const;
+    [[nodiscard]] bool is_whole_counts(PortAngles raw, double handle_deg = 0.0) const;
+
+    [[nodiscard]] bool has_handle() const { return profile_.handle.has_value(); }
+
+    /// What to write for a torque of the handle: within its limit, zero where it is not finite.
+    /// Nothing where the handle does not turn.
+    [[nodiscard]] std::optional<double> handle_torque_Nm(double torque_Nm) const;
 
     /// Turn of one count, degrees.
     [[nodiscard]] PortAngles quantum() const { return quantum_; }

@@ -7,7 +7,7 @@
 
 namespace touchline {
 
-/// Threads: one at a time, the servo's while it runs. Neither call allocates, locks or logs. Both
+/// Threads: one at a time, the servo's while it runs. No call allocates, locks or logs. All
 /// give up rather than wait longer than a servo period.
 class ForceDevice {
   public:
@@ -16,6 +16,13 @@ class ForceDevice {
     /// Joint angles in D, read at now_s (servo time, never going back). At most 4.5 ms
     /// old. Nothing when the device does not answer.
     [[nodiscard]] virtual std::optional<JointAngles> read_angles(double now_s) = 0;
+
+    /// How far the handle is turned, counter-clockwise, since the device was set up: as old as the
+    /// joint angles last read. Nothing where it does not turn, or where there were none.
+    [[nodiscard]] virtual std::optional<double> handle_angle_rad() const { return std::nullopt; }
+
+    /// On the hand, counter-clockwise: goes with the next torques. Nothing where it does not turn.
+    virtual void turn_handle(double /*torque_Nm*/) {}
 
     /// Torques that act from now on until the next call. False when the device did not take them.
     [[nodiscard]] virtual bool write_torques(JointTorques torques) = 0;

@@ -8,16 +8,27 @@ namespace touchline {
 
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
+namespace {
+
+Intention at_rest(const WaypointPath::Waypoint& waypoint) {
+    return {waypoint.position, {}, waypoint.angle_rad, 0.0};
+}
+
+}  // namespace
+
 Intention WaypointPath::at(double t_s) const {
     const auto after =
         std::upper_bound(waypoints_.begin(), waypoints_.end(), t_s,
                          [](double t, const Waypoint& waypoint) { return t < waypoint.t_s; });
-    if (after == waypoints_.begin()) return {waypoints_.front().position, {}};
-    if (after == waypoints_.end()) return {waypoints_.back().position, {}};
+    if (after == waypoints_.begin()) return at_rest(waypoints_.front());
+    if (after == waypoints_.end()) return at_rest(waypoints_.back());
     const Waypoint& from = *std::prev(after);
-    const auto velocity =
-        along<Velocity>(after->position - from.position, 1.0 / (after->t_s - from.t_s));
-    return {from.position + along<Position>(velocity, t_s - from.t_s), velocity};
+    const double span_s = after->t_s - from.t_s;
+    const auto velocity = along<Velocity>(after->position - from.position, 1.0 / span_s);
+    const double turn_rad_per_s = (after->angle_rad - from.angle_rad) / span_s;
+    const double since_s = t_s - from.t_s;
+    return {from.position + along<Position>(velocity, since_s), velocity,
+            from.angle_rad + since_s * turn_rad_per_s, turn_rad_per_s};
 }
 
 void MouseHand::move_to(Position position) {
@@ -33,7 +44,9 @@ Intention MouseHand::at(double /*t_s*/) const {
     const auto metres = [](std::uint64_t word) {
         return double{std::bit_cast<float>(static_cast<std::uint32_t>(word))};
     };
-    return {{metres(packed >> 32), metres(packed & 0xffffffffU)}, {}};
+    Intention intention;
+    intention.position = {metres(packed >> 32), metres(packed & 0xffffffffU)};
+    return intention;
 }
 
 }  // namespace touchline

@@ -35,6 +35,8 @@ inline constexpr HandModel stiff_arm{0.4, 12.0, 1000.0, {}};     // H4
 struct Intention {
     Position position;
     Velocity velocity;
+    double angle_rad = 0.0;  // of a handle that turns
+    double turn_rad_per_s = 0.0;
 };
 
 class IntendedPath {
@@ -58,6 +60,7 @@ class WaypointPath final : public IntendedPath {
     struct Waypoint {
         double t_s = 0.0;  // strictly increasing
         Position position;
+        double angle_rad = 0.0;
     };
 
     /// At least one way point.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace touchline {
@@ -10,13 +11,16 @@ namespace {
 constexpr double oldest_angles_s = 0.0045;  // four ticks that went without a reply
 constexpr double lost_reply_s = 0.02;
 constexpr double slow_send_s = 0.005;
-constexpr double tip_speed_m_per_s = 1.5;   // faster than any hand at the handle
-constexpr double joint_speed_per_s = 60.0;  // where the tip moves little for a turn
+constexpr double tip_speed_m_per_s = 1.5;        // faster than any hand at the handle
+constexpr double joint_speed_per_s = 60.0;       // where the tip moves little for a turn
+constexpr double handle_speed_rad_per_s = 40.0;  // faster than fingers twirl a knob
+constexpr double handle_step_rad = 0.01;         // more than two counts of any handle
 constexpr double sampling_s = 0.001;  // how much later a board may have looked than it was asked
 constexpr int jumps_that_count = 3;
 constexpr int most_packets_a_tick = 16;
 constexpr double rest_s = 0.001;
 constexpr double longest_send_s = 0.02;
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 }  // namespace
 
@@ -54,7 +58,7 @@ bool PantographBoard::stop() {
         report_.state = BoardState::closed;
         if (sending_bytes_ != 0) link_->wait(longest_send_s);
         judge_send();
-        send(write_command({}));
+        send(zero_command());
         note(link_->set_lines(true));
         start_resync(Rung::settle);
         run_resync();
@@ -84,20 +88,32 @@ std::optional<JointAngles> PantographBoard::read_angles(double now_s) {
     const bool is_good = report_.state == BoardState::ready && jumps_in_a_row_ == 0 && raw_ &&
                          raw_age_s_ < oldest_angles_s;
     if (!is_good) return std::nullopt;
-    return frame_.joint_angles(*raw_);
+    return frame_.joint_angles(raw_->joints);
+}
+
+std::optional<double> PantographBoard::handle_angle_rad() const {
+    if (!frame_.has_handle() || !raw_ || report_.state != BoardState::ready) return std::nullopt;
+    return raw_->handle_deg * radians_per_degree;
+}
+
+void PantographBoard::turn_handle(double torque_Nm) {
+    if (!std::isfinite(torque_Nm)) report_.was_torque_not_finite = true;
+    handle_Nm_ = torque_Nm;
 }
 
 bool PantographBoard::write_torques(JointTorques torques) {
     if (!is_finite(torques)) report_.was_torque_not_finite = true;
     const PortTorques told = frame_.port_torques(torques);
+    const auto handle_Nm = frame_.handle_torque_Nm(std::exchange(handle_Nm_, 0.0));
+    const bool is_zero = told == PortTorques{} && handle_Nm.value_or(0.0) == 0.0;
     if (report_.state == BoardState::closed || report_.state == BoardState::lost) return false;
-    if (report_.state == BoardState::resyncing) return told == PortTorques{};
-    const bool is_passed_on = report_.state == BoardState::ready || told == PortTorques{};
+    if (report_.state == BoardState::resyncing) return is_zero;
+    const bool is_passed_on = report_.state == BoardState::ready || is_zero;
     judge_send();
-    if (report_.state == BoardState::resyncing) return told == PortTorques{};
+    if (report_.state == BoardState::resyncing) return is_zero;
     // A send that hangs for a moment: the torque before goes on for that long.
     if (sending_bytes_ != 0) return is_passed_on && send_age_s_ < slow_send_s;
-    if (!send(write_command(is_passed_on ? told : PortTorques{}))) {
+    if (!send(is_passed_on ? write_command(told, handle_Nm) : zero_command())) {
         start_resync(Rung::settle);
         return false;
     }
@@ -135,16 +151,17 @@ void PantographBoard::sort(const Received& received, Arrivals& arrivals) {
         note(received.status);
         return;
     }
-    const Reply reply = decode_reply(received.packet());
+    const Reply reply = decode_reply(received.packet(), 0, frame_.has_handle());
     if (reply.kind == ReplyKind::empty) {
         ++report_.empty_packets;
     } else if (reply.kind == ReplyKind::unconfigured) {
         ++arrivals.unconfigured;
         ++report_.unconfigured;
-    } else if (reply.kind == ReplyKind::angles && frame_.is_whole_counts(reply.angles)) {
+    } else if (reply.kind == ReplyKind::angles &&
+               frame_.is_whole_counts(reply.angles, reply.handle_deg)) {
         ++arrivals.good;
         ++report_.replies;
-        arrivals.newest = reply.angles;
+        arrivals.newest = Said{reply.angles, reply.handle_deg};
     } else {
         ++arrivals.bad;
         ++report_.wrong_packets;
@@ -159,11 +176,12 @@ void PantographBoard::judge_send() {
     if (sent.status == LinkStatus::done && sent.bytes == wanted) return;
     ++report_.failed_sends;
     has_send_failed_ = true;
-    if (wanted == write_bytes) --owed_;
+    const bool is_write = wanted == write_size(frame_.has_handle());
+    if (is_write) --owed_;
     note(sent.status);
     // The board waits for the rest, with the old torque on.
-    if (wanted == write_bytes && sent.bytes > 0 && sent.bytes < write_bytes)
-        send(completing_command(sent.bytes));
+    if (is_write && sent.bytes > 0 && sent.bytes < wanted)
+        send(completing_command(sent.bytes, frame_.has_handle()));
     const bool is_from_before = std::exchange(is_old_send_open_, false);
     if (report_.state != BoardState::resyncing || is_from_before) start_resync(Rung::settle);
 }
@@ -194,7 +212,7 @@ void PantographBoard::judge_age(double elapsed_s) {
         start_resync(Rung::settle);
 }
 
-void PantographBoard::judge_position(PortAngles raw) {
+void PantographBoard::judge_position(const Said& raw) {
     if (!is_jump(raw)) {
         raw_ = raw;
         raw_age_s_ = 0.0;
@@ -208,12 +226,16 @@ void PantographBoard::judge_position(PortAngles raw) {
     report_.is_position_doubtful = true;
 }
 
-bool PantographBoard::is_jump(PortAngles raw) const {
+bool PantographBoard::is_jump(const Said& raw) const {
     if (!raw_) return false;
     const double age_s = (jumps_in_a_row_ == 0 ? raw_age_s_ : jump_age_s_) + sampling_s;
     const JointAngles quantum = encoder_quantum(frame_.profile());
-    const JointAngles then = frame_.joint_angles(*raw_);
-    const JointAngles now = frame_.joint_angles(raw);
+    if (frame_.has_handle()) {
+        const double turned_rad = radians_per_degree * std::abs(raw.handle_deg - raw_->handle_deg);
+        if (!(turned_rad <= handle_speed_rad_per_s * age_s + handle_step_rad)) return true;
+    }
+    const JointAngles then = frame_.joint_angles(raw_->joints);
+    const JointAngles now = frame_.joint_angles(raw.joints);
     const double turned = std::max(std::abs(now.x - then.x), std::abs(now.y - then.y));
     if (!(turned <= joint_speed_per_s * age_s + 2.0 * std::max(quantum.x, quantum.y))) return true;
     const auto from = forward(frame_.profile().geometry, then);
@@ -231,7 +253,7 @@ void PantographBoard::start_resync(Rung first) {
     owed_age_s_ = 0.0;
     jumps_in_a_row_ = 0;
     heard_.reset();
-    if (first == Rung::settle && sending_bytes_ == 0 && send(write_command({}))) ++owed_;
+    if (first == Rung::settle && sending_bytes_ == 0 && send(zero_command())) ++owed_;
     is_old_send_open_ = sending_bytes_ != 0 && send_age_s_ > 0.0;
     resync_ = Resync(first, std::max(owed_, 0));
     owed_ = 0;
@@ -245,9 +267,10 @@ void PantographBoard::step_resync(const Arrivals& arrivals, double elapsed_s) {
         resync_.step({elapsed_s, arrivals.good, arrivals.bad + arrivals.unconfigured,
                       sending_bytes_ == 0, has_failed});
     if (action == ResyncAction::flush) send(flush_command());
-    if (action == ResyncAction::write_zero) send(write_command({}));
+    if (action == ResyncAction::write_zero) send(zero_command());
     if (action == ResyncAction::set_up) {
-        send(set_up_command(raw_ ? frame_.set_up_at(*raw_) : frame_.set_up_at_home()));
+        send(set_up_command(raw_ ? frame_.set_up_at(raw_->joints, raw_->handle_deg)
+                                 : frame_.set_up_at_home()));
         report_.is_position_doubtful = true;
     }
     if (resync_.state() == ResyncState::lost) report_.state = BoardState::lost;
@@ -265,6 +288,10 @@ void PantographBoard::run_resync() {
         (void)read_angles(*last_s_ + rest_s);
     }
     last_s_.reset();
+}
+
+Command PantographBoard::zero_command() const {
+    return write_command({}, frame_.handle_torque_Nm(0.0));
 }
 
 bool PantographBoard::send(const Command& command) {
@@ -290,8 +317,8 @@ void PantographBoard::note(LinkStatus status) {
         report_.state = BoardState::lost;
 }
 
-bool zero_torque(std::unique_ptr<BoardLink> link) {
-    return PantographBoard(std::move(link), default_profile(), {}).stop();
+bool zero_torque(std::unique_ptr<BoardLink> link, const DeviceProfile& profile) {
+    return PantographBoard(std::move(link), profile, {}).stop();
 }
 
 }  // namespace touchline

@@ -65,6 +65,10 @@ class PantographBoard final : public ForceDevice {
     /// passed on. Not finite counts as zero and is reported.
     [[nodiscard]] bool write_torques(JointTorques torques) override;
 
+    [[nodiscard]] std::optional<double> handle_angle_rad() const override;
+
+    void turn_handle(double torque_Nm) override;
+
     /// Offset, scale and torque limit from the next call on; that plugs are swapped, or not, takes
     /// another driver. The position counts as known.
     void set_calibration(const Calibration& calibration);
@@ -82,9 +86,15 @@ class PantographBoard final : public ForceDevice {
     [[nodiscard]] const BoardFrame& frame() const { return frame_; }
 
   private:
+    /// What the board says of its encoders.
+    struct Said {
+        PortAngles joints;
+        double handle_deg = 0.0;  // where the handle turns
+    };
+
     struct Arrivals {
         int good = 0, bad = 0, unconfigured = 0;
-        std::optional<PortAngles> newest;
+        std::optional<Said> newest;
     };
 
     [[nodiscard]] Arrivals take_packets();
@@ -92,11 +102,12 @@ class PantographBoard final : public ForceDevice {
     void judge_send();
     void follow(const Arrivals& arrivals);
     void judge_age(double elapsed_s);
-    void judge_position(PortAngles raw);
+    void judge_position(const Said& raw);
     void start_resync(Rung first);
     void step_resync(const Arrivals& arrivals, double elapsed_s);
     void run_resync();
-    [[nodiscard]] bool is_jump(PortAngles raw) const;
+    [[nodiscard]] bool is_jump(const Said& raw) const;
+    [[nodiscard]] Command zero_command() const;
     bool send(const Command& command);
     void note(LinkStatus status);
 
@@ -104,13 +115,14 @@ class PantographBoard final : public ForceDevice {
     BoardFrame frame_;
     Resync resync_;
     BoardReport report_;
-    std::optional<PortAngles> raw_;    // last accepted
-    std::optional<PortAngles> heard_;  // last that came while resyncing
-    std::optional<double> last_s_;     // on the caller's clock
-    double raw_age_s_ = 0.0;           // since raw_ came
-    double owed_age_s_ = 0.0;          // since every reply was last in
-    double send_age_s_ = 0.0;          // of a send that has not ended
-    int owed_ = 0;                     // replies
+    std::optional<Said> raw_;       // last accepted
+    std::optional<Said> heard_;     // last that came while resyncing
+    double handle_Nm_ = 0.0;        // that goes with the next write
+    std::optional<double> last_s_;  // on the caller's clock
+    double raw_age_s_ = 0.0;        // since raw_ came
+    double owed_age_s_ = 0.0;       // since every reply was last in
+    double send_age_s_ = 0.0;       // of a send that has not ended
+    int owed_ = 0;                  // replies
     int jumps_in_a_row_ = 0;
     double jump_age_s_ = 0.0;        // raw_age_s_ at the first of them
     std::size_t sending_bytes_ = 0;  // of the send whose end was not seen yet; 0: none
@@ -120,6 +132,7 @@ class PantographBoard final : public ForceDevice {
 
 /// Zero torque on a board that somebody else drove, as stop() does it. A board that does not answer
 /// is set up again, which stops its motors but forgets where the handle is. True when confirmed.
-bool zero_torque(std::unique_ptr<BoardLink> link);
+/// `profile` tells whether a motor at the handle has to be stopped too.
+bool zero_torque(std::unique_ptr<BoardLink> link, const DeviceProfile& profile = default_profile());
 
 }  // namespace touchline

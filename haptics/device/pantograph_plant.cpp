@@ -22,7 +22,9 @@ PantographPlant::PantographPlant(const DeviceProfile& profile, const HandModel& 
     : profile_(profile),
       longest_step_s_(longest_step_s),
       path_(std::move(path)),
-      dynamics_(tip_of(profile.mechanics), hand, start_of(profile, *path_)) {}
+      dynamics_(tip_of(profile.mechanics), hand, start_of(profile, *path_)) {
+    if (profile.handle) handle_.emplace(*profile.handle, hand, path_->at(0.0).angle_rad);
+}
 
 void PantographPlant::advance(double span_s) {
     if (!(span_s > 0.0)) return;
@@ -30,7 +32,9 @@ void PantographPlant::advance(double span_s) {
     const double h_s = span_s / steps;
     for (int i = 0; i < static_cast<int>(steps); ++i) {
         const Position before = dynamics_.tip().position;
-        dynamics_.step(force_W(), path_->at(time_s_), h_s);
+        const Intention intention = path_->at(time_s_);
+        dynamics_.step(force_W(), intention, h_s);
+        if (handle_) handle_->step(handle_Nm_, intention, h_s);
         time_s_ += h_s;
         // The links stop the tip where they end.
         if (!angles()) dynamics_.stop_at(before);

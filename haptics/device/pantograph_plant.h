@@ -4,6 +4,7 @@
 
 #include "config/types/vec2.h"
 #include "haptics/device/hand.h"
+#include "haptics/device/handle_dynamics.h"
 #include "haptics/device/tip_dynamics.h"
 #include "haptics/pantograph/profile.h"
 
@@ -22,10 +23,16 @@ class PantographPlant {
                     std::shared_ptr<const IntendedPath> path);
 
     /// Torques of the motors from now on.
-    void turn_motors(JointTorques torques) { torques_ = torques; }
+    void turn_motors(JointTorques torques, double handle_Nm = 0.0) {
+        torques_ = torques;
+        handle_Nm_ = handle_Nm;
+    }
 
     /// Another hand takes the tip where it is, or none does.
-    void grip(const HandModel& hand) { dynamics_.grip(hand); }
+    void grip(const HandModel& hand) {
+        dynamics_.grip(hand);
+        if (handle_) handle_->grip(hand);
+    }
 
     /// Lives through span_s in even steps; nothing where that is not above 0.
     void advance(double span_s);
@@ -43,6 +50,11 @@ class PantographPlant {
 
     [[nodiscard]] JointTorques torques() const { return torques_; }
 
+    /// Of a handle that turns; else nothing.
+    [[nodiscard]] const std::optional<HandleDynamics>& handle() const { return handle_; }
+
+    [[nodiscard]] double handle_torque_Nm() const { return handle_Nm_; }
+
   private:
     [[nodiscard]] Force force_W() const;
 
@@ -50,8 +62,10 @@ class PantographPlant {
     double longest_step_s_;
     std::shared_ptr<const IntendedPath> path_;
     TipDynamics dynamics_;
+    std::optional<HandleDynamics> handle_;
     double time_s_ = 0.0;
     JointTorques torques_;
+    double handle_Nm_ = 0.0;
 };
 
 }  // namespace touchline

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace touchline {
 namespace {
@@ -39,12 +40,22 @@ std::optional<JointAngles> SimulatedPantograph::read_angles(double now_s) {
                        encoder_reading(angles->y, quantum.y)};
 }
 
+std::optional<double> SimulatedPantograph::handle_angle_rad() const {
+    if (!plant_.handle()) return std::nullopt;
+    return encoder_reading(plant_.handle()->angle_rad(), encoder_quantum_rad(*profile_.handle));
+}
+
+void SimulatedPantograph::turn_handle(double torque_Nm) {
+    if (profile_.handle) handle_Nm_ = motor_torque(torque_Nm, profile_.handle->torque_limit_Nm);
+}
+
 bool SimulatedPantograph::write_torques(JointTorques torques) {
     if (pending_count_ == pending_.size()) --pending_count_;  // the newest is overtaken
     const std::size_t slot = (first_pending_ + pending_count_) % pending_.size();
     const double limit = profile_.torque_limit_Nm;
     pending_[slot] = {plant_.time_s() + profile_.mechanics.delay_s,
-                      {motor_torque(torques.x, limit), motor_torque(torques.y, limit)}};
+                      {motor_torque(torques.x, limit), motor_torque(torques.y, limit)},
+                      std::exchange(handle_Nm_, 0.0)};
     ++pending_count_;
     return true;
 }
@@ -53,7 +64,7 @@ void SimulatedPantograph::advance_to(double t_s) {
     while (pending_count_ > 0 && pending_[first_pending_].from_s <= t_s) {
         const TimedTorques& command = pending_[first_pending_];
         plant_.advance(command.from_s - plant_.time_s());
-        plant_.turn_motors(command.torques);
+        plant_.turn_motors(command.torques, command.handle_Nm);
         first_pending_ = (first_pending_ + 1) % pending_.size();
         --pending_count_;
     }

@@ -1,6 +1,7 @@
 // A pantograph and a hand in software, on the clock that the servo passes in: same calls, same
 // bits. Models five-bar geometry, tip mass, viscous and Coulomb friction, encoder counts, motor
-// limits, transport delay and a scale error of one arm.
+// limits, transport delay, a scale error of one arm and, where the profile has one, a turning
+// handle.
 #pragma once
 
 #include "haptics/device/force_device.h"
@@ -37,16 +38,23 @@ class SimulatedPantograph final : public ForceDevice {
     /// profile's delay.
     [[nodiscard]] bool write_torques(JointTorques torques) override;
 
+    [[nodiscard]] std::optional<double> handle_angle_rad() const override;
+
+    void turn_handle(double torque_Nm) override;
+
     /// The true state of the tip in W, for tests and drawings.
     [[nodiscard]] const MassState& tip() const { return plant_.tip(); }
 
     /// Torques that act now.
     [[nodiscard]] JointTorques acting_torques() const { return plant_.torques(); }
 
+    [[nodiscard]] double acting_handle_torque_Nm() const { return plant_.handle_torque_Nm(); }
+
   private:
     struct TimedTorques {
         double from_s = 0.0;
         JointTorques torques;
+        double handle_Nm = 0.0;
     };
 
     void advance_to(double t_s);
@@ -54,6 +62,7 @@ class SimulatedPantograph final : public ForceDevice {
     DeviceProfile profile_;
     double arm_1_scale_error_;
     PantographPlant plant_;
+    double handle_Nm_ = 0.0;                  // that goes with the next torques
     std::array<TimedTorques, 64> pending_{};  // in order of time; first_pending_ is the oldest
     std::size_t first_pending_ = 0;
     std::size_t pending_count_ = 0;

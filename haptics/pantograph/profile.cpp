@@ -48,26 +48,35 @@ constexpr CheckStop gen2_stretched{degrees(90.0, 90.0), StopPlace::towards};
 constexpr CheckStop haplet_stretched{degrees(85.2198, 94.7802), StopPlace::towards};
 constexpr CheckStop mk2_stretched{degrees(84.8030, 95.1970), StopPlace::towards};
 
+// Nobody sells one: the arms of a gen 3.1 on a board with four ports, which resolves every count it
+// is told, and a third motor of the same make straight at the handle.
+constexpr BoardWiring turning_wiring{port_2_ccw, port_1_ccw, 1.0};
+constexpr TurningHandle turning_handle{2048.0, 0.1, Turn::counter_clockwise, 2e-5, 2e-4, 1e-3};
+
 // Areas: the largest 4:3 box in which the Jacobian's condition stays below 3. Force: up to 3 N,
 // which the motors give in their best direction (2.8 N: mk2).
 constexpr std::array profiles{
     DeviceProfile{"2diy-gen3.1", gen3_links, m0_counts(4880.0, 4880.0), 0.123, gen3_retracted,
                   Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0, plastic_arms, gen3_wiring,
-                  StopPlace::away, CheckStop{gen3_extended, StopPlace::towards}},
+                  StopPlace::away, CheckStop{gen3_extended, StopPlace::towards}, std::nullopt},
     DeviceProfile{
         "2diy-gen3", gen3_links, m0_counts(2048.0 * 2.5 * 1.0194 * 1.0154, 2048.0 * 2.5 * 1.0194),
         0.123, gen3_extended, Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0, plastic_arms,
-        gen3_wiring, StopPlace::towards, CheckStop{gen3_retracted, StopPlace::away}},
+        gen3_wiring, StopPlace::towards, CheckStop{gen3_retracted, StopPlace::away}, std::nullopt},
     DeviceProfile{"2diy-gen2", gen2_links, m0_counts(10752.0, 10752.0), 0.123,
                   degrees(241.0, -61.0), Area{0.144, 0.108}, Position{0.0, 0.076}, 3.0, 100.0,
-                  metal_arms, gen2_wiring, StopPlace::away, gen2_stretched},
+                  metal_arms, gen2_wiring, StopPlace::away, gen2_stretched, std::nullopt},
     DeviceProfile{"haplet", haplet_links, JointAngles{13824.0, 13824.0}, 0.123, degrees(180.0, 0.0),
                   Area{0.104, 0.076}, Position{0.010, 0.060}, 3.0, 100.0, small_arms, haplet_wiring,
-                  StopPlace::sideways, haplet_stretched},
+                  StopPlace::sideways, haplet_stretched, std::nullopt},
     // No home pose is published: the symmetric one near the centre of the area.
     DeviceProfile{"mk2", mk2_links, JointAngles{65536.0, 65536.0}, 0.1, degrees(150.0, 30.0),
                   Area{0.096, 0.072}, Position{0.0125, 0.084}, 2.8, 400.0, direct_drive, mk2_wiring,
-                  StopPlace::sideways, mk2_stretched},
+                  StopPlace::sideways, mk2_stretched, std::nullopt},
+    DeviceProfile{"gen3.1-turning", gen3_links, JointAngles{4880.0, 4880.0}, 0.123, gen3_retracted,
+                  Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0, plastic_arms,
+                  turning_wiring, StopPlace::away, CheckStop{gen3_extended, StopPlace::towards},
+                  turning_handle},
 };
 
 }  // namespace
@@ -93,6 +102,10 @@ Result<DeviceProfile> find_profile(std::string_view name) {
 
 JointAngles encoder_quantum(const DeviceProfile& profile) {
     return {2.0 * pi / profile.counts_per_turn.x, 2.0 * pi / profile.counts_per_turn.y};
+}
+
+double encoder_quantum_rad(const TurningHandle& handle) {
+    return 2.0 * pi / handle.counts_per_turn;
 }
 
 double encoder_step_m(const DeviceProfile& profile) {

@@ -8,6 +8,7 @@
 #include "haptics/pantograph/kinematics.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -40,6 +41,17 @@ struct BoardWiring {
     double told_per_count = 1.0;   // counts a turn that the board is told, over those it resolves
 };
 
+/// A handle that turns about its own axis, with a motor and an encoder on port 3: whoever holds a
+/// shape turns it and feels its torque. Mechanics are estimates, as those of the tip.
+struct TurningHandle {
+    double counts_per_turn = 0.0;  // that the board resolves
+    double torque_limit_Nm = 0.0;  // on the hand, at full duty
+    Turn turn = Turn::counter_clockwise;
+    double inertia_kg_m2 = 0.0;  // of the handle and its motor
+    double viscous_Nms = 0.0;
+    double coulomb_Nm = 0.0;
+};
+
 /// Where the arms are stopped, as a person finds it. away: the handle pushed towards the motors.
 /// towards: pulled towards the person. sideways: the arms straight out to both sides.
 enum class StopPlace : std::uint8_t { away, towards, sideways };
@@ -64,9 +76,10 @@ struct DeviceProfile {
     BoardWiring wiring;
     StopPlace home_place = StopPlace::away;
     CheckStop check;
+    std::optional<TurningHandle> handle;  // nothing: it does not turn
 };
 
-/// 2diy-gen3.1 (the default), 2diy-gen3, 2diy-gen2, haplet, mk2.
+/// 2diy-gen3.1 (the default), 2diy-gen3, 2diy-gen2, haplet, mk2, gen3.1-turning.
 [[nodiscard]] std::span<const DeviceProfile> device_profiles();
 
 [[nodiscard]] const DeviceProfile& default_profile();
@@ -91,6 +104,9 @@ template <class Quantity>
 
 /// Turn of each joint for one encoder count (rad).
 [[nodiscard]] JointAngles encoder_quantum(const DeviceProfile& profile);
+
+/// Turn of a handle for one count of its encoder (rad).
+[[nodiscard]] double encoder_quantum_rad(const TurningHandle& handle);
 
 /// The step of the tip for one encoder count, in the pose's worst direction, at the centre of the
 /// drawing area: the smallest motion that the device can surely tell.

@@ -21,13 +21,17 @@ double half_size(const Capsule& capsule) {
 
 }  // namespace
 
+void ProbeFront::reserve() {
+    due_m_.reserve(most_pairs);
+    pairs_.reserve(most_pairs);
+    near_.reserve(most_near);
+}
+
 void ProbeFront::reset(const ProbeShape& shape, const Scene& scene, double level, FrontEnd end) {
     shape_ = &shape;
     end_ = end;
     outlines_ = RenderedOutlines(scene, level);
-    due_m_.reserve(most_pairs);
-    pairs_.reserve(most_pairs);
-    near_.reserve(most_near);
+    reserve();
     is_stale_ = true;
 }
 

@@ -29,7 +29,10 @@ enum class FrontEnd : std::uint8_t {
 
 class ProbeFront {
   public:
-    /// Both must outlive its use. Room for 4096 pairs.
+    /// Takes all memory: room for 4096 pairs.
+    void reserve();
+
+    /// Both must outlive its use.
     void reset(const ProbeShape& shape, const Scene& scene, double level,
                FrontEnd end = FrontEnd::segments);
 

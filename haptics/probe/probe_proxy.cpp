@@ -46,6 +46,14 @@ ProbeProxy::Springs ProbeProxy::springs(const ProbeSettings& settings) const {
     return {k, std::sqrt(k_r / k)};
 }
 
+void ProbeProxy::reserve() {
+    front_.reserve();
+    wide_.reserve();
+    constraints_.reserve(most_constraints);
+    touching_.reserve(most_constraints);
+    pairs_.reserve(most_constraints);
+}
+
 void ProbeProxy::reset(const ProbeShape& shape, const Scene& scene, const ProbePose& handle,
                        double level) {
     shape_ = &shape;
@@ -53,9 +61,7 @@ void ProbeProxy::reset(const ProbeShape& shape, const Scene& scene, const ProbeP
     pose_ = handle;
     front_.reset(shape, scene, level);
     wide_.reset(shape, scene, level, FrontEnd::nodes);
-    constraints_.reserve(most_constraints);
-    touching_.reserve(most_constraints);
-    pairs_.reserve(most_constraints);
+    reserve();
     account_ = {};
     state_ = ContactState::free;
     last_reach_m_ = 0.0;

@@ -56,9 +56,12 @@ struct ProbeReport {
 
 class ProbeProxy {
   public:
+    /// Takes the memory that steps need, so that reset() allocates nothing.
+    void reserve();
+
     /// At the handle. Where lines pass through the shape, or nearer than its radius, it is not
     /// placed: it follows the handle without force until it is clear of all. `shape` and `scene`
-    /// must outlive its use of them. Allocates.
+    /// must outlive its use of them. Allocates the first time.
     void reset(const ProbeShape& shape, const Scene& scene, const ProbePose& handle, double level);
 
     /// One tick of `dt_s` > 0. The rendered level comes nearer to `level`, then the proxy moves so

@@ -12,10 +12,11 @@ namespace touchline {
 /// mJ. Forgotten in 1 s; what the hand gave is no credit.
 class EnergyGuard {
   public:
-    /// One tick of dt_s > 0 in which the handle moved under `force`.
-    void step(Force force, Position moved, double dt_s) {
+    /// One tick of dt_s > 0 in which the handle moved under `force`, and turned under a torque that
+    /// did `turning_J` of work.
+    void step(Force force, Position moved, double dt_s, double turning_J = 0.0) {
         const double kept_J = given_J_ * std::max(0.0, 1.0 - dt_s / forget_s);
-        const double given_J = kept_J + dot(force, moved);
+        const double given_J = kept_J + dot(force, moved) + turning_J;
         given_J_ = given_J <= 0.0 ? 0.0 : given_J;  // not a number stays one, and is too much
     }
 

@@ -23,8 +23,9 @@ bool is_finite(const Jacobian& j) {
 
 bool is_sound(const ChainInput& input, double dt_s) {
     return touchline::is_finite(input.wanted_D) && touchline::is_finite(input.p_D) &&
-           touchline::is_finite(input.velocity_D) && std::isfinite(dt_s) && dt_s > 0.0 &&
-           (!input.jacobian || is_finite(*input.jacobian));
+           touchline::is_finite(input.velocity_D) && std::isfinite(input.wanted_turn_Nm) &&
+           std::isfinite(input.handle_rad) && std::isfinite(input.turn_rad_per_s) &&
+           std::isfinite(dt_s) && dt_s > 0.0 && (!input.jacobian || is_finite(*input.jacobian));
 }
 
 // 1 where the pose is good, 0 where it is (nearly) singular.
@@ -55,16 +56,25 @@ ForceLimits limits_of(const DeviceProfile& profile) {
     limits.warming_s = mechanics.warming_s;
     limits.tip = {mechanics.tip_mass_kg, mechanics.viscous_Ns_per_m, mechanics.coulomb_N,
                   encoder_step_m(profile)};
+    if (const auto& handle = profile.handle) {
+        limits.handle.torque_Nm = 0.9 * handle->torque_limit_Nm;
+        limits.handle.continuous_torque_Nm = mechanics.continuous_torque * handle->torque_limit_Nm;
+        limits.handle.warming_s = mechanics.warming_s;
+    }
     return limits;
 }
 
 ForceChain::ForceChain(const ForceLimits& limits)
-    : limits_(limits), heat_(limits.continuous_torque_Nm, limits.warming_s), hand_(limits.tip) {}
+    : limits_(limits),
+      heat_(limits.continuous_torque_Nm, limits.warming_s),
+      handle_(limits.handle),
+      hand_(limits.tip) {}
 
 SafeForce ForceChain::step(const ChainInput& input, double dt_s) {
     status_.limit = Limit::none;
     const std::uint16_t found = faults(input, dt_s);
-    const bool is_quiet = norm(input.wanted_D) < limits_.arm_force_N;
+    const bool is_quiet =
+        norm(input.wanted_D) < limits_.arm_force_N && handle_.is_quiet(input.wanted_turn_Nm);
     const SafetyFlags flags{input.is_wanted && share_of(input) > 0.0,
                             is_quiet,
                             input.is_fading,
@@ -73,7 +83,8 @@ SafeForce ForceChain::step(const ChainInput& input, double dt_s) {
                             found};
     safety_ = next(safety_, flags, limits_.times, dt_s);
     SafeForce told = limited(input, dt_s);
-    if (!touchline::is_finite(told.force_D) || !touchline::is_finite(told.torques)) {
+    if (!touchline::is_finite(told.force_D) || !touchline::is_finite(told.torques) ||
+        !std::isfinite(told.handle_Nm)) {
         safety_ = {ForceState::fault, Fault::not_finite, 0.0, 0.0, 0.0};
         told = none(Limit::fault);
     }
@@ -100,7 +111,8 @@ std::uint16_t ForceChain::faults(const ChainInput& input, double dt_s) {
     }
     note(speed_.step(norm(input.velocity_D), dt_s), Fault::too_fast);
     const Position moved = has_position_ ? input.p_D - p_D_ : Position{};
-    energy_.step(last_D_, moved, dt_s);
+    const double turned_rad = has_position_ ? input.handle_rad - handle_rad_ : 0.0;
+    energy_.step(last_D_, moved, dt_s, handle_.told_Nm() * turned_rad);
     note(energy_.is_too_much(), Fault::energy);
     note(is_ringing(input.cuts, dt_s), Fault::ringing);
     (void)hand_.step(last_D_, input.velocity_D, input.p_D, dt_s);
@@ -135,7 +147,15 @@ SafeForce ForceChain::limited(const ChainInput& input, double dt_s) {
         torques = scale * torques;
         limit_by(Limit::torque);
     }
-    return {force, torques, Limit::none};
+    return {force, torques, limited_turn(input, dt_s), Limit::none};
+}
+
+/// The same state, gains and ceiling as of the force: a torque is a force at a lever.
+double ForceChain::limited_turn(const ChainInput& input, double dt_s) {
+    const double ceiling = std::min(1.0, ceiling_of(input) / limits_.force_N);
+    const double share = share_of(input);
+    return handle_.step(input.wanted_turn_Nm, input.turn_rad_per_s, share * safety_.gain,
+                        share * ceiling, dt_s);
 }
 
 /// Everything but the slew and the motors' limits.
@@ -169,6 +189,7 @@ Force ForceChain::slewed(Force target_D, double dt_s) const {
 void ForceChain::book(const ChainInput& input, const SafeForce& told, double dt_s) {
     last_D_ = told.force_D;
     p_D_ = input.p_D;
+    handle_rad_ = input.handle_rad;
     has_position_ = true;
     heat_.step(told.torques, dt_s);
 }
@@ -189,6 +210,7 @@ void ForceChain::limit_by(Limit limit) {
 SafeForce ForceChain::none(Limit limit) {
     limit_by(limit);
     last_D_ = {};
+    handle_.stop();
     return {};
 }
 

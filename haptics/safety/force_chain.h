@@ -12,6 +12,7 @@
 #include "haptics/pantograph/profile.h"
 #include "haptics/safety/energy_guard.h"
 #include "haptics/safety/hand_presence.h"
+#include "haptics/safety/handle_limit.h"
 #include "haptics/safety/motor_heat.h"
 #include "haptics/safety/safety_state.h"
 #include "haptics/safety/speed_limit.h"
@@ -36,6 +37,7 @@ struct ForceLimits {
     double warming_s = 60.0;                    // its time constant
     SafetyTimes times;
     TipMechanics tip;
+    HandleLimits handle;
 };
 
 /// Limits of a device: min(most_force_N, the device's), 0.9 of its torque, what its motors bear for
@@ -48,6 +50,9 @@ struct ChainInput {
     std::optional<Jacobian> jacobian;  // of the pose; nothing: unknown or out of reach
     Position p_D;                      // handle, the last known
     Velocity velocity_D;
+    double wanted_turn_Nm = 0.0;  // on the hand, counter-clockwise
+    double handle_rad = 0.0;      // how far the handle is turned, the last known
+    double turn_rad_per_s = 0.0;
     double share = 1.0;               // of force and limit that may act, 0 ... 1; 0: off
     double ceiling_N = most_force_N;  // the operator's, below the device's limit
     bool is_wanted = true;            // force is switched on
@@ -64,6 +69,7 @@ struct ChainInput {
 struct SafeForce {
     Force force_D;
     JointTorques torques;
+    double handle_Nm = 0.0;     // of the motor at the handle, where there is one
     Limit limit = Limit::none;  // the gravest
 };
 
@@ -91,6 +97,7 @@ class ForceChain {
     [[nodiscard]] bool is_ringing(std::uint64_t cuts, double dt_s);
     [[nodiscard]] SafeForce limited(const ChainInput& input, double dt_s);
     [[nodiscard]] Force bounded(const ChainInput& input);
+    [[nodiscard]] double limited_turn(const ChainInput& input, double dt_s);
     [[nodiscard]] Force slewed(Force target_D, double dt_s) const;
     void book(const ChainInput& input, const SafeForce& told, double dt_s);
     void forget_motion();
@@ -102,10 +109,12 @@ class ForceChain {
     SpeedWatch speed_;
     MotorHeat heat_;
     EnergyGuard energy_;
+    HandleLimit handle_;
     HandPresence hand_;
     ForceStatus status_;
-    Force last_D_;  // told in the last tick
-    Position p_D_;  // in the last tick
+    Force last_D_;             // told in the last tick
+    Position p_D_;             // in the last tick
+    double handle_rad_ = 0.0;  // the same
     bool has_position_ = false;
     std::uint64_t cuts_ = 0;    // known of
     double recent_cuts_ = 0.0;  // forgotten in 1 s

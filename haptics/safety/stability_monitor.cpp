@@ -33,7 +33,8 @@ void StabilityMonitor::begin_anew() {
 
 double StabilityMonitor::step(const Tick& tick, double dt_s) {
     const bool is_sound = is_finite(tick.force) && is_finite(tick.moved) &&
-                          std::isfinite(tick.stored_J) && std::isfinite(dt_s) && dt_s > 0.0;
+                          std::isfinite(tick.stored_J) && std::isfinite(tick.turning_J) &&
+                          std::isfinite(dt_s) && dt_s > 0.0;
     if (!is_sound || !tick.is_continued) {
         begin_anew();
         return gain_;
@@ -42,7 +43,7 @@ double StabilityMonitor::step(const Tick& tick, double dt_s) {
         slow_ = fast_ = tick.force;
         has_before_ = true;
     } else {
-        const double work_J = dot(force_, tick.moved) + tick.stored_J - stored_J_;
+        const double work_J = dot(force_, tick.moved) + tick.turning_J + tick.stored_J - stored_J_;
         generated_J_ = std::max(0.0, generated_J_ * std::exp(-dt_s / forget_s) + work_J);
         recent_J_ = recent_J_ * std::exp(-dt_s / ringing_s) + work_J;
     }

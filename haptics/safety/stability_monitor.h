@@ -28,6 +28,7 @@ class StabilityMonitor {
         Force force;               // on the hand, after all limits
         Position moved;            // the handle since the tick before
         double stored_J = 0.0;     // in the spring now
+        double turning_J = 0.0;    // given to the hand by a torque, since the tick before
         bool is_continued = true;  // false: contact was dropped, nothing is to be compared
     };
 

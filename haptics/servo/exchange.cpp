@@ -35,6 +35,7 @@ bool is_sound(const GuidanceCommand& command) {
 
 bool is_sound(const ServoCommands& commands) {
     constexpr double most_level = 64.0;
+    constexpr double most_turn_rad = 1e4;
     return commands.mode <= Mode::stay && is_bool(commands.is_level_auto) &&
            is_bool(commands.is_force_wanted) && is_bool(commands.is_emergency_stop) &&
            is_within(commands.stiffness_N_per_m, 1e-9, 20'000.0) &&
@@ -46,7 +47,9 @@ bool is_sound(const ServoCommands& commands) {
            is_within(commands.finest_level, 0.0, most_level) &&
            is_within(commands.coarsest_level, 0.0, most_level) &&
            is_within(commands.force_ceiling_N, 0.0, most_force_N) && is_bool(commands.has_frame) &&
-           is_sound(commands.guidance) && commands.pattern.pattern <= HandlePattern::time_out;
+           is_sound(commands.guidance) && commands.pattern.pattern <= HandlePattern::time_out &&
+           commands.shape <= HeldShape::key &&
+           is_within(commands.turn_rad, -most_turn_rad, most_turn_rad);
 }
 
 bool is_sound(const ServoReport& report) {
@@ -57,8 +60,10 @@ bool is_sound(const ServoReport& report) {
            is_bool(hand.is_level_auto) && hand.guidance.phase <= GuidancePhase::stopped &&
            is_bool(hand.guidance.is_on_line) && hand.guidance.outline >= -1 &&
            hand.guidance.label >= -1 && is_finite(hand.guidance.leading) &&
-           report.force.state <= ForceState::fault && report.force.fault <= Fault::emergency_stop &&
-           report.force.limit <= Limit::fault;
+           hand.shape <= HeldShape::key && is_bool(hand.is_shape_placed) &&
+           std::isfinite(hand.angle_rad) && std::isfinite(hand.proxy_angle_rad) &&
+           std::isfinite(hand.torque_Nm) && report.force.state <= ForceState::fault &&
+           report.force.fault <= Fault::emergency_stop && report.force.limit <= Limit::fault;
 }
 
 RealTimeTier tier_of(const ServoChannel& channel) {

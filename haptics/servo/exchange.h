@@ -125,6 +125,8 @@ struct ServoCommands {
     bool has_frame = true;             // the edge of the drawing area is felt
     GuidanceCommand guidance;
     PatternCommand pattern;
+    HeldShape shape = HeldShape::none;  // felt with; lines are walls then
+    double turn_rad = 0.0;              // of it, by keys or a knob, where the handle does not turn
 
     friend bool operator==(const ServoCommands&, const ServoCommands&) = default;
 };

@@ -19,6 +19,8 @@ TickRecord record_of(const StepInput& input, const ServoStep& after, JointTorque
     tick.p_WP = hand.p_WP;
     tick.force = hand.force;
     tick.torques = torques;
+    tick.handle_Nm = after.handle_torque_Nm();
+    tick.proxy_angle_rad = hand.proxy_angle_rad;
     tick.level = hand.level;
     tick.stiffness_N_per_m = hand.stiffness_N_per_m;
     tick.spring_gain = hand.spring_gain;
@@ -51,7 +53,8 @@ void Recorder::begin(const ServoStep& before) {
     Kept& kept = steps_[pushed_ / ticks_per_step % steps_.size()];
     kept.tick = pushed_;
     kept.map_version = before.scene() == nullptr ? 0 : before.scene()->map_version;
-    kept.step = before;
+    // A shape in the hand is no flat value: from within its use nothing can be run again.
+    kept.step = before.holds_shape() ? std::nullopt : std::optional(before);
 }
 
 void Recorder::push(const TickRecord& tick) {

@@ -28,6 +28,8 @@ struct TickRecord {
     Position p_WP;  // proxy
     Force force;    // commanded
     JointTorques torques;
+    double handle_Nm = 0.0;        // torque at the handle
+    double proxy_angle_rad = 0.0;  // of a shape that is held
     double level = 0.0;
     double stiffness_N_per_m = 0.0;
     double spring_gain = 1.0;

@@ -13,7 +13,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
 
 constexpr std::string_view magic = "TLBLACK\n";
-constexpr std::uint32_t layout = 2;
+constexpr std::uint32_t layout = 3;
 constexpr std::size_t longest_text = 255;
 constexpr std::uint64_t most_maps = 10'000;
 constexpr std::uint64_t most_start_bytes = 1 << 20;
@@ -126,7 +126,7 @@ class Reader {
 
 // The fields in their order, for both directions. A field that is added to one of these must be
 // named here, or a run could not be repeated.
-static_assert(sizeof(ServoCommands) == 160 && sizeof(StepInput) == 224);
+static_assert(sizeof(ServoCommands) == 176 && sizeof(StepInput) == 256);
 
 template <class File, class Vector>
 void vector(File& file, Vector& v) {
@@ -160,6 +160,8 @@ void commands(File& file, Commands& c) {
     file.number(c.guidance.speed_m_per_s);
     file.choice(c.pattern.pattern, HandlePattern::time_out);
     file.number(c.pattern.serial);
+    file.choice(c.shape, HeldShape::key);
+    file.number(c.turn_rad);
 }
 
 void angles(Writer& file, const std::optional<JointAngles>& angles) {
@@ -175,11 +177,25 @@ void angles(Reader& file, std::optional<JointAngles>& angles) {
     if (is_there) angles = told;
 }
 
+void angle(Writer& file, const std::optional<double>& angle_rad) {
+    file.flag(angle_rad.has_value());
+    file.number(angle_rad.value_or(0.0));
+}
+
+void angle(Reader& file, std::optional<double>& angle_rad) {
+    bool is_there = false;
+    double told_rad = 0.0;
+    file.flag(is_there);
+    file.number(told_rad);
+    if (is_there) angle_rad = told_rad;
+}
+
 template <class File, class Tick>
 void tick(File& file, Tick& t) {
     file.number(t.input.now_s);
     file.number(t.input.missed_ticks);
     angles(file, t.input.angles);
+    angle(file, t.input.handle_rad);
     commands(file, t.input.commands);
     file.number(t.input.delay_s);
     file.number(t.input.force_share);
@@ -191,6 +207,8 @@ void tick(File& file, Tick& t) {
     vector(file, t.p_WP);
     vector(file, t.force);
     vector(file, t.torques);
+    file.number(t.handle_Nm);
+    file.number(t.proxy_angle_rad);
     file.number(t.level);
     file.number(t.stiffness_N_per_m);
     file.number(t.spring_gain);

@@ -42,6 +42,7 @@ bool is_same(Vec2<Quantity> a, Vec2<Quantity> b) {
 bool came_out_same(const TickRecord& a, const TickRecord& b) {
     return is_same(a.time_s, b.time_s) && is_same(a.p_WH, b.p_WH) && is_same(a.p_WP, b.p_WP) &&
            is_same(a.force, b.force) && is_same(a.torques, b.torques) &&
+           is_same(a.handle_Nm, b.handle_Nm) && is_same(a.proxy_angle_rad, b.proxy_angle_rad) &&
            is_same(a.level, b.level) && is_same(a.stiffness_N_per_m, b.stiffness_N_per_m) &&
            is_same(a.spring_gain, b.spring_gain) && a.state == b.state && a.outline == b.outline &&
            a.map_version == b.map_version && a.force_state == b.force_state && a.fault == b.fault &&
@@ -54,8 +55,7 @@ Result<Replay> run_again(const Recording& recording, const SceneOf& scene_of) {
     if (recording.start.empty()) {
         return failure(
             "the recording cannot be run again: a visitor's picture was felt, of which only "
-            "inputs, "
-            "outputs and a number are kept");
+            "inputs, outputs and a number are kept, or a shape was in the hand all the time");
     }
     const auto profile = find_profile(recording.profile);
     if (!profile) return tl::unexpected(profile.error());
@@ -66,6 +66,8 @@ Result<Replay> run_again(const Recording& recording, const SceneOf& scene_of) {
     if (!step) {
         return failure("the recording cannot be run again: another build of touchline wrote it");
     }
+    ShapeInHand hand;
+    step->lend(&hand);
     Replay replay;
     replay.first = recording.start_tick;
     for (std::size_t i = recording.start_tick; i < recording.ticks.size(); ++i) {

@@ -26,6 +26,7 @@ ServoLoop::ServoLoop(ForceDevice& device, const DeviceProfile& profile, double p
       step_(limited(profile, limits_), period_s, limits_.extra_damping_Ns_per_m),
       kiosk_(longest_kiosk_silence_s, most_periods_of_silence * period_s),
       tier_(rules.granted) {
+    step_.lend(&hand_);
     exchange_.channel().tier.store(static_cast<std::uint8_t>(tier_), std::memory_order_relaxed);
 }
 
@@ -36,10 +37,11 @@ ServoCommands ServoLoop::commands() {
 }
 
 /// Whoever looks at a loop that died in between must take it that there is torque.
-bool ServoLoop::write(JointTorques torques) {
-    const bool is_zero = torques == JointTorques{};
+bool ServoLoop::write(JointTorques torques, double handle_Nm) {
+    const bool is_zero = torques == JointTorques{} && handle_Nm == 0.0;
     std::atomic<std::uint8_t>& is_force_on = exchange_.channel().is_force_on;
     if (!is_zero) is_force_on.store(1, std::memory_order_release);
+    device_.turn_handle(handle_Nm);
     const bool is_taken = device_.write_torques(torques);
     if (is_zero && is_taken) is_force_on.store(0, std::memory_order_release);
     return is_taken;
@@ -50,13 +52,14 @@ void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
     input.now_s = now_s;
     input.missed_ticks = missed_ticks;
     input.angles = device_.read_angles(now_s);
+    input.handle_rad = device_.handle_angle_rad();
     input.commands = commands();
     input.scene = exchange_.wanted_scene();
     input.delay_s = delay_s_;
     input.force_share = force_share_;
     recorder_.begin(step_);
     const JointTorques torques = step_.step(input);
-    const bool is_refused = !write(torques);
+    const bool is_refused = !write(torques, step_.handle_torque_Nm());
     recorder_.push(record_of(input, step_, torques, is_refused));
     if (is_refused) step_.lose_device();
     if (step_.scene() == input.scene) exchange_.release_older_scenes();

@@ -10,6 +10,7 @@
 #include "haptics/servo/real_time.h"
 #include "haptics/servo/recorder.h"
 #include "haptics/servo/servo_step.h"
+#include "haptics/servo/shape_in_hand.h"
 #include "haptics/servo/tick_clock.h"
 
 #include <atomic>
@@ -55,7 +56,7 @@ class ServoLoop {
     };
 
     [[nodiscard]] ServoCommands commands();
-    [[nodiscard]] bool write(JointTorques torques);
+    [[nodiscard]] bool write(JointTorques torques, double handle_Nm = 0.0);
     void judge_timing(double now_s, const Moment& moment, std::uint64_t missed_ticks);
     void watch(const Moment& moment);
 
@@ -65,6 +66,7 @@ class ServoLoop {
     LoopRules rules_;
     TierLimits limits_;
     double period_s_;
+    ShapeInHand hand_;
     ServoStep step_;
     MinuteOfTicks minute_;
     PeerWatch kiosk_;

@@ -1,9 +1,11 @@
 #include "haptics/servo/servo_step.h"
 
 #include "haptics/guidance/frame.h"
+#include "haptics/probe/held_shapes.h"
 #include "haptics/servo/virtual_damping.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <type_traits>
 #include <utility>
@@ -21,6 +23,12 @@ constexpr double groove_peak = 0.287;      // of K w: what a groove pulls at mos
 constexpr double led_groove_N = 0.2;       // of that, while the hand is led
 constexpr double pending_groove_N = 0.05;  // the same, until force is live
 constexpr double share_per_s = 1.0 / 0.3;
+constexpr double least_carried_m = 1e-9;  // a rest below is rounding, no lack of time
+constexpr double finger_lever_m = 0.01;   // from the handle's axis
+
+double count_of(const std::optional<TurningHandle>& handle) {
+    return handle ? encoder_quantum_rad(*handle) : 1e-3;
+}
 
 LevelLimits limits_of_device(const DeviceProfile& profile) {
     LevelLimits limits;
@@ -44,7 +52,8 @@ ServoStep::ServoStep(const DeviceProfile& profile, double period_s, double extra
       stiffness_(ServoCommands{}.stiffness_N_per_m),
       loop_(loop_settings(profile, period_s, 0.0)),
       measured_period_s_(period_s),
-      velocity_(encoder_step_m(profile)) {}
+      velocity_(encoder_step_m(profile)),
+      turn_(count_of(profile.handle)) {}
 
 std::optional<ServoStep> ServoStep::from_memory(std::span<const std::byte> bytes,
                                                 const Scene* scene, const DeviceProfile& profile) {
@@ -62,12 +71,14 @@ bool ServoStep::rebind(const Scene* scene, const DeviceProfile& profile) {
     const bool had_scene = felt_.scene != nullptr;
     profile_.name = profile.name;
     felt_.scene = scene;
+    hand_ = nullptr;
     events_ = {};
     const auto angles = inverse(profile_.geometry, profile_.centre);
     if (!angles || !forward(profile_.geometry, *angles)) return false;
-    return had_scene == (scene != nullptr) && period_s_ >= shortest_s && period_s_ <= 1.0 &&
-           level_rule_.is_sound() && cost_.is_sound() && velocity_.is_sound() &&
-           guidance_.fits(scene) && pattern_.is_sound() && contact_.rebind(scene);
+    return had_scene == (scene != nullptr) && !holds_shape() && turn_.is_sound() &&
+           period_s_ >= shortest_s && period_s_ <= 1.0 && level_rule_.is_sound() &&
+           cost_.is_sound() && velocity_.is_sound() && guidance_.fits(scene) &&
+           pattern_.is_sound() && contact_.rebind(scene);
 }
 
 JointTorques ServoStep::step(const StepInput& input) {
@@ -76,6 +87,7 @@ JointTorques ServoStep::step(const StepInput& input) {
     measure_loop(input, dt_s);
     const std::optional<Pose> pose = find_pose(input, dt_s);
     Force wanted_W;
+    twist_Nm_ = 0.0;
     if (!pose || sample_ == Sample::jumped) velocity_.reset();
     events_ = {};
     if (pose) {
@@ -83,8 +95,9 @@ JointTorques ServoStep::step(const StepInput& input) {
         p_WH_ = picture_from_device(profile_, pose->p_DH);
         moved_ = p_WH_ - before;
         (void)velocity_.step(p_WH_, dt_s);
-        (void)level_rule_.step(p_WH_, dt_s);
-        follow_shape(input);
+        turn(input, dt_s);
+        follow_speed(dt_s);
+        follow_wishes(input);
         bound_level(input.commands);
         lead(input);
         wanted_W = feel(input.commands, dt_s) + active_;
@@ -92,6 +105,7 @@ JointTorques ServoStep::step(const StepInput& input) {
     }
     const SafeForce safe = make_safe(wanted_W, pose, input);
     if (pose) watch(turned(safe.force_D), wanted_W, dt_s);
+    handle_Nm_ = safe.handle_Nm;
     fill(input, safe);
     return safe.torques;
 }
@@ -131,7 +145,11 @@ SafeForce ServoStep::make_safe(Force wanted_W, const std::optional<Pose>& pose,
     if (pose) chain.jacobian = pose->jacobian;
     chain.p_D = device_from_picture(profile_, p_WH_);
     chain.velocity_D = turned(velocity_.velocity());
-    chain.is_unreadable = input.angles && !is_finite(*input.angles);
+    chain.is_unreadable = (input.angles && !is_finite(*input.angles)) ||
+                          (input.handle_rad && !std::isfinite(*input.handle_rad));
+    chain.wanted_turn_Nm = damped_twist_Nm();
+    chain.handle_rad = turn_.angle_rad();
+    chain.turn_rad_per_s = turn_.rad_per_s();
     chain.share = input.force_share;
     ceiling_N_ =
         std::min(input.commands.force_ceiling_N, ceiling_N_ + ceiling_rise_N_per_s * period_s_);
@@ -156,9 +174,26 @@ void ServoStep::bound_level(const ServoCommands& commands) {
     level_rule_.set_limits(level_limits_);
 }
 
-void ServoStep::follow_shape(const StepInput& input) {
+void ServoStep::turn(const StepInput& input, double dt_s) {
+    const double shape_rad = holds_shape() ? proxy_angle_rad_ : turn_.angle_rad();
+    turn_.step(input.handle_rad, input.commands.turn_rad, shape_rad, dt_s);
+}
+
+void ServoStep::follow_speed(double dt_s) {
+    if (holds_shape()) {
+        (void)level_rule_.step_at(shape_speed_.step(p_WH_, turn_.angle_rad(), dt_s), dt_s);
+    } else {
+        (void)level_rule_.step(p_WH_, dt_s);
+    }
+}
+
+/// A hand that is led holds a point: lines must not stop it.
+void ServoStep::follow_wishes(const StepInput& input) {
     const ServoCommands& commands = input.commands;
-    const Shape wanted{input.scene, commands.radius_m, commands.capture_m};
+    const bool may_hold =
+        hand_ != nullptr && input.scene != nullptr && !guidance_.leads() && !guidance_.is_pending();
+    const Felt wanted{input.scene, commands.radius_m, commands.capture_m,
+                      may_hold ? commands.shape : HeldShape::none};
     is_swapping_ = wanted != felt_;
     if (!is_swapping_ || !chain_.is_faded()) return;
     if (felt_.scene != wanted.scene) guidance_.leave_scene();
@@ -166,13 +201,27 @@ void ServoStep::follow_shape(const StepInput& input) {
     contact_report_ = {};
     detector_.reset();
     if (felt_.scene == nullptr) return;
+    begin_to_feel();
+    bound_level(commands);
+    if (holds_shape()) {
+        hand_->take(felt_.shape, *felt_.scene, handle_pose(), level_rule_.level());
+    } else {
+        contact_.reset(*felt_.scene, p_WH_, level_rule_.level());
+    }
+}
+
+void ServoStep::begin_to_feel() {
     level_limits_.spacing_m = felt_.scene->curves.finest_spacing_m();
     level_limits_.radius_m = felt_.radius_m;
+    if (holds_shape()) {
+        const ProbeShape& shape = hand_->shape_of(felt_.shape);
+        level_limits_.radius_m = shape.radius_m();
+        shape_speed_ = ShapeSpeed(shape.r_max_m());
+        proxy_angle_rad_ = turn_.angle_rad();
+    }
     level_limits_.percept = felt_.scene->percept_level;
     level_limits_.safe = felt_.scene->curves.coarsest();
     cost_ = CostTerm(period_s_);
-    bound_level(commands);
-    contact_.reset(*felt_.scene, p_WH_, level_rule_.level());
 }
 
 Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
@@ -190,7 +239,24 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
         return {};
     }
     const bool is_led = guidance_.leads() || guidance_.is_pending();
-    mode_ = is_led ? Mode::groove : commands.mode;
+    if (holds_shape()) {
+        mode_ = Mode::wall;
+        feel_shape(level);
+    } else {
+        mode_ = is_led ? Mode::groove : commands.mode;
+        feel_point(commands, level);
+    }
+    share_lines(commands, is_led);
+    const FramePush frame =
+        commands.has_frame ? frame_push(felt_.scene->area, p_WH_, stiffness_.stiffness_N_per_m())
+                           : FramePush{};
+    frame_J_ = frame.stored_J;
+    // Softened where it rang, with the damping that keeps it from ringing.
+    return damped(monitor_.gain() * (line_share_ * contact_report_.force + frame.force),
+                  velocity_.velocity(), loop_.damping_Ns_per_m + extra_damping_Ns_per_m_);
+}
+
+void ServoStep::feel_point(const ServoCommands& commands, double level) {
     const ContactSettings settings{mode_,
                                    stiffness_.stiffness_N_per_m(),
                                    commands.friction,
@@ -200,14 +266,24 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
                                    commands.pop_through_s};
     contact_report_ = contact_.step(p_WH_, level, settings, Budget{boxes_per_tick_, 0}, period_s_);
     (void)cost_.step(work_of(contact_report_), contact_.rendered_level());
-    share_lines(commands, is_led);
-    const FramePush frame =
-        commands.has_frame ? frame_push(felt_.scene->area, p_WH_, stiffness_.stiffness_N_per_m())
-                           : FramePush{};
-    frame_J_ = frame.stored_J;
-    // Softened where it rang, with the damping that keeps it from ringing.
-    return damped(monitor_.gain() * (line_share_ * contact_report_.force + frame.force),
-                  velocity_.velocity(), loop_.damping_Ns_per_m + extra_damping_Ns_per_m_);
+}
+
+void ServoStep::feel_shape(double level) {
+    const ProbeReport report = hand_->step(handle_pose(), level, stiffness_.stiffness_N_per_m(),
+                                           Budget{boxes_per_tick_, 0}, period_s_);
+    contact_report_ = contact_of(report, felt_.scene->curves);
+    twist_Nm_ = report.torque_Nm;
+    proxy_angle_rad_ = report.pose.angle_rad;
+    is_shape_placed_ = report.is_placed;
+    (void)cost_.step({report.boxes, report.carried_m > least_carried_m}, report.level);
+}
+
+/// As damped() has it of a force: here of the force at the fingers.
+double ServoStep::damped_twist_Nm() const {
+    const Force spring{monitor_.gain() * line_share_ * twist_Nm_ / finger_lever_m, 0.0};
+    const Velocity fingers{turn_.rad_per_s() * finger_lever_m, 0.0};
+    const double damping_Ns_per_m = loop_.damping_Ns_per_m + extra_damping_Ns_per_m_;
+    return finger_lever_m * damped(spring, fingers, damping_Ns_per_m).x;
 }
 
 /// The hand is led across lines too: they must not hold it against what leads it, nor keep force
@@ -220,12 +296,13 @@ void ServoStep::share_lines(const ServoCommands& commands, bool is_led) {
     line_share_ = std::clamp(goal, line_share_ - step, line_share_ + step);
 }
 
-/// What pushes of its own accord, in a tick with a pose.
+/// What pushes of its own accord, in a tick with a pose; a shape is put down before.
 void ServoStep::lead(const StepInput& input) {
     const bool is_live = chain_.state() == ForceState::live && !is_swapping_ && !is_stopping_ &&
                          input.commands.is_force_wanted && !input.commands.is_emergency_stop;
-    active_ = guidance_.step(
-        {felt_.scene, p_WH_, velocity_.velocity(), is_live, input.commands.guidance}, period_s_);
+    active_ = guidance_.step({felt_.scene, p_WH_, velocity_.velocity(), is_live && !holds_shape(),
+                              input.commands.guidance},
+                             period_s_);
     active_ += pattern_.step(input.commands.pattern, is_live, period_s_);
 }
 
@@ -242,13 +319,14 @@ void ServoStep::watch(Force told, Force wanted, double dt_s) {
         std::max(0.0, gain * line_share_ * norm(contact_report_.force) - norm(told));
     const double lost_J = 0.5 * lost_N * lost_N / (gain * stiffness_.stiffness_N_per_m());
     const double stored_J = gain * (line_share_ * contact_report_.stored_J + frame_J_) - lost_J;
-    monitor_.step({told, moved_, stored_J, !is_swapping_}, dt_s);
+    const double turning_J = gain * line_share_ * twist_Nm_ * turn_.turned_rad();
+    monitor_.step({told, moved_, stored_J, turning_J, !is_swapping_}, dt_s);
 }
 
 void ServoStep::detect(const StepInput& input) {
     if (felt_.scene == nullptr) return;
-    events_ = detector_.step(
-        {input.now_s, p_WH_, mode_, contact_report_, contact_.rendered_level(), felt_.scene});
+    events_ =
+        detector_.step({input.now_s, p_WH_, mode_, contact_report_, rendered_level(), felt_.scene});
 }
 
 void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
@@ -271,6 +349,11 @@ void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
     hand.map_version = felt_.scene == nullptr ? 0 : felt_.scene->map_version;
     hand.guidance = guidance_.status();
     hand.guidance.pattern_serial = pattern_.serial();
+    hand.shape = felt_.shape;
+    hand.is_shape_placed = holds_shape() && is_shape_placed_;
+    hand.angle_rad = turn_.angle_rad();
+    hand.proxy_angle_rad = holds_shape() ? proxy_angle_rad_ : turn_.angle_rad();
+    hand.torque_Nm = monitor_.gain() * twist_Nm_;
     report_.force = chain_.status();
 }
 

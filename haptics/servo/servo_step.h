@@ -12,12 +12,15 @@
 #include "haptics/pantograph/profile.h"
 #include "haptics/resolution/cost_term.h"
 #include "haptics/resolution/level_rule.h"
+#include "haptics/resolution/shape_level_rule.h"
 #include "haptics/safety/force_chain.h"
 #include "haptics/safety/position_guard.h"
 #include "haptics/safety/stability_monitor.h"
 #include "haptics/safety/stiffness_ramp.h"
 #include "haptics/servo/exchange.h"
+#include "haptics/servo/handle_turn.h"
 #include "haptics/servo/loop_settings.h"
+#include "haptics/servo/shape_in_hand.h"
 #include "haptics/servo/velocity_estimate.h"
 
 #include <cstddef>
@@ -36,6 +39,7 @@ struct StepInput {
     double delay_s = 0.0;          // from reading the angles to the torques' effect, as measured
     // Of the force that is let through, 0 ... 1. At 0 it is off and comes on again by the arm rule.
     double force_share = 1.0;
+    std::optional<double> handle_rad = std::nullopt;  // of a handle that turns
 };
 
 class ServoStep {
@@ -50,6 +54,9 @@ class ServoStep {
                                                               const Scene* scene,
                                                               const DeviceProfile& profile);
 
+    /// What holds a shape and must outlive the step; without one every hand holds a point.
+    void lend(ShapeInHand* hand) { hand_ = hand; }
+
     /// kinematics -> handle in W -> level -> contact -> damping -> frame, guidance, pattern ->
     /// force chain. Stiffness is kept
     /// below what the period and delay measured so far allow (loop_settings.h). A new scene, proxy
@@ -59,6 +66,12 @@ class ServoStep {
     /// fault everything goes on but the force (haptics/safety/safety_state.h).
     /// While it leads, lines are a weak groove in every mode.
     [[nodiscard]] JointTorques step(const StepInput& input);
+
+    /// Of the last step, for a motor at the handle.
+    [[nodiscard]] double handle_torque_Nm() const { return handle_Nm_; }
+
+    /// Part of what the step knows lies elsewhere.
+    [[nodiscard]] bool holds_shape() const { return felt_.shape != HeldShape::none; }
 
     /// Fades force out for good; is_silent() tells when.
     void fade_out() { is_stopping_ = true; }
@@ -81,22 +94,37 @@ class ServoStep {
 
   private:
     /// What cannot change under a hand that is in contact.
-    struct Shape {
+    struct Felt {
         const Scene* scene = nullptr;
         double radius_m = 0.0;
         double capture_m = 0.0;
+        HeldShape shape = HeldShape::none;
 
-        friend bool operator==(const Shape&, const Shape&) = default;
+        friend bool operator==(const Felt&, const Felt&) = default;
     };
 
     [[nodiscard]] bool rebind(const Scene* scene, const DeviceProfile& profile);
     [[nodiscard]] std::optional<Pose> find_pose(const StepInput& input, double dt_s);
     [[nodiscard]] SafeForce make_safe(Force wanted_W, const std::optional<Pose>& pose,
                                       const StepInput& input);
-    void follow_shape(const StepInput& input);
+    void follow_wishes(const StepInput& input);
+    void begin_to_feel();
+    void turn(const StepInput& input, double dt_s);
+    void follow_speed(double dt_s);
     void bound_level(const ServoCommands& commands);
     void measure_loop(const StepInput& input, double dt_s);
     [[nodiscard]] Force feel(const ServoCommands& commands, double dt_s);
+    void feel_point(const ServoCommands& commands, double level);
+    void feel_shape(double level);
+
+    [[nodiscard]] ProbePose handle_pose() const { return {p_WH_.x, p_WH_.y, turn_.angle_rad()}; }
+
+    [[nodiscard]] double damped_twist_Nm() const;
+
+    [[nodiscard]] double rendered_level() const {
+        return holds_shape() ? hand_->rendered_level() : contact_.rendered_level();
+    }
+
     void lead(const StepInput& input);
     void share_lines(const ServoCommands& commands, bool is_led);
     void watch(Force told, Force wanted, double dt_s);
@@ -132,7 +160,14 @@ class ServoStep {
     double line_share_ = 1.0;  // of what lines would push
     double ceiling_N_ = most_force_N;
     TickEvents events_;
-    Shape felt_;
+    Felt felt_;
+    ShapeInHand* hand_ = nullptr;
+    HandleTurn turn_;
+    ShapeSpeed shape_speed_{0.0};
+    double proxy_angle_rad_ = 0.0;
+    double twist_Nm_ = 0.0;   // of the shape, on the hand
+    double handle_Nm_ = 0.0;  // told to the motor of the handle
+    bool is_shape_placed_ = false;
     Position p_WH_;   // the last that was known
     Position moved_;  // by the handle since the tick before
     double last_s_ = 0.0;

@@ -21,13 +21,17 @@ class Person final : public IntendedPath {
     }
 
     void hear(const std::string& words, double now_s) {
+        if (words.find("away from you") != std::string::npos) go(home_, now_s);
+        if (words.find("towards you") != std::string::npos) go(check_, now_s);
+        heard.push_back(words);
+    }
+
+    void go(Position to, double now_s) {
         const Position now = at(now_s).position;
         const std::lock_guard lock(mutex_);
         from_ = now;
+        to_ = to;
         since_s_ = now_s;
-        if (words.find("away from you") != std::string::npos) to_ = home_;
-        if (words.find("towards you") != std::string::npos) to_ = check_;
-        heard.push_back(words);
     }
 
     [[nodiscard]] Intention at(double t_s) const override {

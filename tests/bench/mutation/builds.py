@@ -1,14 +1,10 @@
-"""How a test program is made, as ninja tells it, and made again with one file of it changed."""
-import os
+"""How a test program is made, as ninja tells it, and made again with files of it changed."""
 import re
 import shlex
 import subprocess
 from pathlib import Path
 
-# A mutant's own object: soon compiled, quick enough to run. Warnings are not what is asked here.
-QUICK, TESTS_QUICK = ['-O1', '-g0', '-w'], ['-O0', '-g0', '-w']
-UNCACHED = dict(os.environ, CCACHE_DISABLE='1')  # none is compiled twice
-HEADERS_OF_TESTS = '#include <gtest/gtest.h>\n#include <rapidcheck/gtest.h>\n'
+SILENT = ['-g0', '-w', '-Wno-narrowing']  # warnings are not what is asked here
 
 
 def said_by_ninja(build, *words):
@@ -36,11 +32,6 @@ class Program:
         self.own = sorted(set(w for w in self.link if w.endswith('.o')))
         self.objects = set(self.own) | {o for library in libraries for o in self.objects_of_library[library]}
 
-    def includes(self, target, path):
-        """True if the source of the object names the header itself."""
-        command = self.compiles[target]
-        return f'"{path}"' in Path(command[command.index('-c') + 1]).read_text()
-
 
 def dependants(build):
     """The objects that are made from each file, by the file's whole path."""
@@ -65,32 +56,21 @@ def without_flags(words):
             skip = True
             continue
         kept.append(word)
-    return kept[1:] if kept[0].endswith('ccache') else kept
+    return kept
 
 
-def compiled(build, command, overlay, root, target, precompiled):
-    """True if the object could be made at `target` with the overlay's files before the root's."""
+def compiler_says(build, command, overlay, root, target, options):
+    """What the compiler complains of, nothing if the object was made at `target`, the overlay's files before the root's."""
     words = without_flags(command)
     source = Path(words[words.index('-c') + 1])
     changed = Path(overlay) / source.relative_to(root)
     if changed.exists():
         words[words.index('-c') + 1] = str(changed)
     words[words.index('-o') + 1] = str(target)
-    is_of_tests = 'tests' in source.relative_to(root).parts
-    words[1:1] = [f'-I{overlay}', *(['-include', str(precompiled), *TESTS_QUICK] if is_of_tests else QUICK)]
-    return subprocess.run(words, cwd=build, capture_output=True, env=UNCACHED).returncode == 0
-
-
-def precompiled_headers(build, command, folder):
-    """The headers of the test libraries, read once for all mutants of headers."""
-    header = Path(folder) / 'of_tests.h'
-    header.write_text(HEADERS_OF_TESTS)
-    words = without_flags(command)
-    words[words.index('-o') + 1] = f'{header}.gch'
-    words[words.index('-c') + 1] = str(header)
-    words[1:1] = ['-x', 'c++-header', *TESTS_QUICK]
-    subprocess.run(words, cwd=build, check=True, capture_output=True, env=UNCACHED)
-    return header
+    first = 2 if words[0].endswith('ccache') else 1
+    words[first:first] = [f'-I{overlay}', *SILENT, *options]
+    made = subprocess.run(words, cwd=build, capture_output=True, text=True)
+    return made.stderr if made.returncode else ''
 
 
 def linked(build, program, replaced, target):

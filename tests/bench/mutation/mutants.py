@@ -9,12 +9,12 @@ from dataclasses import dataclass
 
 # What stands in the source, and what takes its place. One mutant for each pair at each place.
 SWAPS = [
-    ('relation', ' < ', ' <= '), ('relation', ' <= ', ' < '), ('relation', ' > ', ' >= '), ('relation', ' >= ', ' > '),
-    ('equality', ' == ', ' != '), ('equality', ' != ', ' == '),
-    ('sum', ' + ', ' - '), ('sum', ' - ', ' + '), ('sum', ' += ', ' -= '), ('sum', ' -= ', ' += '),
-    ('product', ' * ', ' / '), ('product', ' / ', ' * '), ('product', ' *= ', ' /= '), ('product', ' /= ', ' *= '),
+    ('relation', '<', '<='), ('relation', '<=', '<'), ('relation', '>', '>='), ('relation', '>=', '>'),
+    ('equality', '==', '!='), ('equality', '!=', '=='),
+    ('sum', '+', '-'), ('sum', '-', '+'), ('sum', '+=', '-='), ('sum', '-=', '+='),
+    ('product', '*', '/'), ('product', '/', '*'), ('product', '*=', '/='), ('product', '/=', '*='),
     ('extremum', 'std::min(', 'std::max('), ('extremum', 'std::max(', 'std::min('),
-    ('logic', ' && ', ' || '), ('logic', ' || ', ' && '),
+    ('logic', '&&', '||'), ('logic', '||', '&&'),
 ]
 NUMBER = re.compile(r"(?<![\w.'])(?:0x[0-9a-fA-F']+|\d[\d']*\.?\d*(?:[eE][+-]?\d+)?)[uUlLfF]*(?![\w.])")
 TRUTH = re.compile(r'\b(?:true|false)\b')
@@ -23,7 +23,7 @@ TYPE_HEAD = re.compile(r'\b(?:class|struct|enum|union|namespace)\b')
 NO_STATEMENT = re.compile(
     r'(?:using|typedef|static_assert|static|constexpr|const|auto|class|struct|enum|case|default|public|private|'
     r'protected|else|return(?!$)|friend|template|extern|\[\[|explicit|virtual|goto)\b')
-DECLARATION = re.compile(r'[A-Za-z_][\w:]*(?:<[^;=()]*>)?[&*]* [A-Za-z_]\w*(?: =|;|\{|\(|,)')
+DECLARATION = re.compile(r'[A-Za-z_][\w:]*(?:<[^;=()]*>)?[&*]* [A-Za-z_]\w*(?: =|\{|\(|,|$)')
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,8 @@ def early_return(head):
 def found_in(code):
     """(operator, begin, end, after) of every mutant of the masked code."""
     for operator, before, after in SWAPS:
-        for at in (m.start() for m in re.finditer(re.escape(before), code)):
+        sign = re.escape(before) if operator == 'extremum' else rf'(?<= ){re.escape(before)}(?=[ \n])'
+        for at in (m.start() for m in re.finditer(sign, code)):
             yield operator, at, at + len(before), after
     for found in NUMBER.finditer(code):
         number = found.group(0)
@@ -152,7 +153,8 @@ def mutants_of(path, text):
         after = after.replace('{}', before) if operator == 'negation' else after
         line_begin = text.rfind('\n', 0, begin) + 1
         line_text = text[line_begin:text.find('\n', begin)].strip()
-        key = (path, operator, line_text, ' '.join(before.split()), after)
+        between_blanks = f' {after} ' if re.fullmatch(r'[-<>=!+*/&|]+', after) else after
+        key = (path, operator, line_text, ' '.join(before.split()), between_blanks)
         seen[key] = seen.get(key, 0) + 1
         name = hashlib.sha1('|'.join((*key, str(seen[key]))).encode()).hexdigest()[:10]
         shown = ' '.join(before.split()) or line_text
@@ -165,7 +167,5 @@ def applied(mutant, text):
     """The text of the file with the mutant in it. Lines stay where they are."""
     before = text[mutant.begin:mutant.end]
     after = {'drop': ';', 'negation': '(!' + before + ')', 'return': ' ' + mutant.after}.get(mutant.operator)
-    if after is None:
-        blank = ' ' if before[0] == ' ' else ''
-        after = blank + mutant.after + blank
+    after = mutant.after if after is None else after
     return text[:mutant.begin] + after + '\n' * (before.count('\n') - after.count('\n')) + text[mutant.end:]

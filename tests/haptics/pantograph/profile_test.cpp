@@ -35,7 +35,8 @@ double force_in_best_direction(const Pose& pose, double torque_Nm) {
 }
 
 TEST(Profiles, AreFoundByName) {
-    for (const char* name : {"2diy-gen2", "2diy-gen3", "2diy-gen3.1", "haplet", "mk2"}) {
+    for (const char* name :
+         {"2diy-gen2", "2diy-gen3", "2diy-gen3.1", "haplet", "mk2", "gen3.1-turning"}) {
         const auto profile = find_profile(name);
         ASSERT_TRUE(profile.has_value()) << name;
         EXPECT_EQ(profile->name, name);
@@ -49,7 +50,7 @@ TEST(Profiles, UnknownNameListsTheNamesThereAre) {
     EXPECT_EQ(
         profile.error().line,
         "no device profile is named 'omega3'; choose one of 2diy-gen3.1, 2diy-gen3, 2diy-gen2, "
-        "haplet, mk2");
+        "haplet, mk2, gen3.1-turning");
 }
 
 TEST(Profiles, FramesAreTurnedByHalfATurnAboutTheCentre) {
@@ -95,7 +96,7 @@ TEST(Profiles, ForceAndStepInTheAreaAreTheTabledOnes) {
     const std::map<std::string_view, WorkspaceNumbers> table{
         {"2diy-gen3.1", {1.6, 1.7, 3.1, 204, 144}}, {"2diy-gen3", {1.6, 1.7, 3.1, 190, 134}},
         {"2diy-gen2", {1.55, 1.9, 3.1, 76, 65}},    {"haplet", {2.1, 2.55, 4.4, 23, 18}},
-        {"mk2", {1.45, 1.55, 2.8, 6.9, 4.83}},
+        {"mk2", {1.45, 1.55, 2.8, 6.9, 4.83}},      {"gen3.1-turning", {1.6, 1.7, 3.1, 102, 72}},
     };
     for (const DeviceProfile& profile : device_profiles()) {
         std::vector<double> every, best, worst_step, fine_step;

@@ -31,6 +31,33 @@ TEST(SpeedLimit, LeavesWhatBrakesAndWhatGoesAcross) {
     EXPECT_TRUE(is_braked({nan, 0.0}));
 }
 
+/// Nothing is driven on, and there is no way to drive it along.
+TEST(SpeedLimit, LeavesEveryForceOnAHandleAtRest) {
+    EXPECT_EQ(without_drive({1.0, -2.0}, {}), (Force{1.0, -2.0}));
+}
+
+TEST(SpeedLimit, ATraceOfForceIsNone) {
+    EXPECT_EQ(without_drive({-1e-10, 0.0}, {3.0, 0.0}), Force{});
+}
+
+TEST(SpeedWatch, TooFastIsAboveTheLimit) {
+    SpeedWatch watch;
+    EXPECT_FALSE(watch.step(1.5, tick_s));
+    EXPECT_TRUE(watch.step(1.501, tick_s));
+}
+
+/// Slower than 0.2 m/s, for a second without a break.
+TEST(SpeedWatch, TooFastEndsAfterASecondOfSlowness) {
+    constexpr double quarter_s = 0.25;
+    SpeedWatch watch;
+    EXPECT_TRUE(watch.step(2.0, quarter_s));
+    for (int i = 0; i < 8; ++i) EXPECT_TRUE(watch.step(0.2, quarter_s));
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(watch.step(0.1, quarter_s));
+    EXPECT_TRUE(watch.step(0.5, quarter_s));
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(watch.step(0.1, quarter_s));
+    EXPECT_FALSE(watch.step(0.1, quarter_s));
+}
+
 TEST(SpeedWatch, NoNumberIsTooFast) {
     SpeedWatch watch;
     EXPECT_FALSE(watch.step(1.49, tick_s));
@@ -95,6 +122,22 @@ TEST(PositionGuard, AGlitchIsPassedOver) {
     EXPECT_EQ(guard.step({1e-3, 0.0}, tick_s), Sample::good);
     guard.miss(0.02);
     EXPECT_EQ(guard.step({0.03, 0.0}, tick_s), Sample::good);  // it had the time
+}
+
+/// What was far and right long ago does not make a jump of today possible.
+TEST(PositionGuard, AJumpIsHeldHoweverLongAllWasWell) {
+    PositionGuard guard(2e-4);
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(guard.step({}, tick_s), Sample::good);
+    EXPECT_EQ(guard.step({0.05, 0.0}, tick_s), Sample::held);
+}
+
+/// Three ticks in a row: those of a glitch before do not count.
+TEST(PositionGuard, EveryGlitchIsHeldForThreeTicks) {
+    PositionGuard guard(2e-4);
+    for (int glitch = 0; glitch < 3; ++glitch) {
+        ASSERT_EQ(guard.step({}, tick_s), Sample::good);
+        for (int i = 0; i < 3; ++i) ASSERT_EQ(guard.step({0.05, 0.0}, tick_s), Sample::held);
+    }
 }
 
 /// A device under a steady force in the hand of somebody who means to stay where they are. When it

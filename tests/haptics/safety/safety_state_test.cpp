@@ -133,6 +133,17 @@ TEST(SafetyState, TimesAreReachedNotPassed) {
               (SafetyState{ForceState::armed, Fault::none, 0.0, 0.0, 0.0}));
 }
 
+/// A force that ends is felt to end: it does not break off.
+TEST(SafetyState, ForceFadesWithinFiftyMilliseconds) {
+    SafetyState state{ForceState::live, Fault::none, 1.0, 0.0, 2.0};
+    SafetyFlags fading;
+    fading.is_fading = true;
+    for (int i = 0; i < 25; ++i) state = next(state, fading, times, tick_s);
+    EXPECT_NEAR(state.gain, 0.5, 1e-9);
+    for (int i = 0; i < 26; ++i) state = next(state, fading, times, tick_s);
+    EXPECT_EQ(state.gain, 0.0);
+}
+
 TEST(SafetyState, TheGraverAFaultIsTheLessEasilyItClears) {
     Fault before = Fault::none;
     FaultClears clears = FaultClears::when_gone;

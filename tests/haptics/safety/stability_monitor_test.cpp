@@ -190,5 +190,14 @@ TEST(StabilityMonitor, ADroppedContactIsNoEnergy) {
     EXPECT_EQ(monitor.cuts(), 0U);
 }
 
+/// A wall that is pressed already when the monitor begins was not charged in that tick.
+TEST(StabilityMonitor, TheFirstTickIsComparedWithNothing) {
+    StabilityMonitor monitor;
+    monitor.step({{0.0, 1.0}, {}, 0.05}, tick_s);
+    EXPECT_EQ(monitor.cuts(), 0U);
+    monitor.step({{0.0, 1.0}, {}, 0.1}, tick_s);
+    EXPECT_EQ(monitor.cause(), Ringing::energy);
+}
+
 }  // namespace
 }  // namespace touchline

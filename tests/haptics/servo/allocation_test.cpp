@@ -43,6 +43,8 @@ TEST(Tick, AllocatesNothingInAHundredThousandTicks) {
             constexpr std::array kinds{GuidanceKind::tour, GuidanceKind::to_line,
                                        GuidanceKind::none, GuidanceKind::to_place};
             commands.guidance.kind = kinds[static_cast<std::size_t>(k / 5000) % kinds.size()];
+            commands.shape = static_cast<HeldShape>(k / 5000 % 5);
+            commands.turn_rad = 0.3 * (k / 5000);
             ++commands.guidance.serial;
             exchange.set(commands);
         }

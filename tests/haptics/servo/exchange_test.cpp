@@ -211,6 +211,12 @@ TEST(ServoExchange, UnsoundReportsAreTold) {
     report = {};
     report.hand.guidance.leading.y = std::numeric_limits<double>::infinity();
     EXPECT_FALSE(is_sound(report));
+    report = {};
+    report.hand.shape = static_cast<HeldShape>(held_shape_count);
+    EXPECT_FALSE(is_sound(report));
+    report = {};
+    report.hand.torque_Nm = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(is_sound(report));
 }
 
 TEST(ServoExchange, CommandsAndReportsAreTheNewest) {

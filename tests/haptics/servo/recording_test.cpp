@@ -50,6 +50,9 @@ struct Session {
             commands.guidance.serial = static_cast<std::uint32_t>(k / 1300);
             commands.pattern.pattern = static_cast<HandlePattern>(k / 900 % 6);
             commands.pattern.serial = static_cast<std::uint32_t>(k / 900);
+            // Not where the whole step is kept: a shape is no flat value.
+            commands.shape = static_cast<HeldShape>(k / 700 % 7 < 5 ? 0 : k / 700 % 5);
+            commands.turn_rad = 0.5 * (k / 500 % 7);
             exchange.set(commands);
             loop.tick(k * tick_s, static_cast<std::uint64_t>(k / 1000));
         }
@@ -81,6 +84,9 @@ TEST(Recording, RunAgainGivesTheSameBits) {
     double most_N = 0.0;
     for (const TickRecord& tick : replay->ticks) most_N = std::max(most_N, norm(tick.force));
     EXPECT_GT(most_N, 0.3);
+    EXPECT_TRUE(std::any_of(replay->ticks.begin(), replay->ticks.end(), [](const TickRecord& tick) {
+        return tick.input.commands.shape != HeldShape::none && tick.state != ContactState::free;
+    }));
 }
 
 TEST(Recording, ASingleBitThatWasDifferentIsFound) {

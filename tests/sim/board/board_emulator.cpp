@@ -15,6 +15,10 @@ std::uint64_t seed_of(std::uint64_t seed, int power_up) {
     return seed + 1000003 * static_cast<std::uint64_t>(power_up);
 }
 
+std::int64_t as_clockwise(std::int64_t count, Turn turn) {
+    return turn == Turn::clockwise ? count : -count;
+}
+
 }  // namespace
 
 BoardEmulator::BoardEmulator(const BoardTruth& truth, std::shared_ptr<const IntendedPath> path)
@@ -118,7 +122,7 @@ PortCounts BoardEmulator::port_counts() {
     angles_ = plant_.angles().value_or(angles_);
     const JointAngles quantum = encoder_quantum(truth_.profile);
     PortCounts counts{};
-    for (std::size_t port = 0; port < counts.size(); ++port) {
+    for (std::size_t port = 0; port < 2; ++port) {
         const bool is_1 = joint_on_port(port) == 1;
         const double turned = is_1 ? angles_.x * (1.0 + truth_.scale_error.x) / quantum.x
                                    : angles_.y * (1.0 + truth_.scale_error.y) / quantum.y;
@@ -126,9 +130,21 @@ PortCounts BoardEmulator::port_counts() {
             static_cast<std::int64_t>(std::floor(turned)) - lost_counts_[is_1 ? 0 : 1];
         const JointWiring& wiring =
             is_1 ? truth_.profile.wiring.joint_1 : truth_.profile.wiring.joint_2;
-        counts[port] = wiring.turn == Turn::clockwise ? count : -count;
+        counts[port] = as_clockwise(count, wiring.turn);
+    }
+    if (const auto& handle = plant_.handle()) {
+        const TurningHandle& made = *truth_.profile.handle;
+        const double turned = handle->angle_rad() / encoder_quantum_rad(made);
+        counts[2] = as_clockwise(static_cast<std::int64_t>(std::floor(turned)), made.turn);
     }
     return counts;
+}
+
+double BoardEmulator::told_handle_torque_Nm() const {
+    if (!truth_.profile.handle) return 0.0;
+    const bool is_right =
+        firmware_.motor_turns()[2] == static_cast<std::uint8_t>(truth_.profile.handle->turn);
+    return firmware_.duty()[2] * full_duty_Nm * (is_right ? 1.0 : -1.0);
 }
 
 void BoardEmulator::update_torques() {
@@ -142,9 +158,13 @@ void BoardEmulator::update_torques() {
         const double torque = firmware_.duty()[port] * full_duty_Nm * (is_right ? 1.0 : -1.0);
         (is_1 ? torques.x : torques.y) = torque;
     }
-    if (changes_.empty() || changes_.back().torques != torques)
-        changes_.push_back({now_s(), torques});
-    plant_.turn_motors(truth_.have_motors_power ? torques : JointTorques{});
+    const double handle_Nm = told_handle_torque_Nm();
+    if (changes_.empty() || changes_.back().torques != torques ||
+        changes_.back().handle_Nm != handle_Nm) {
+        changes_.push_back({now_s(), torques, handle_Nm});
+    }
+    const bool have_power = truth_.have_motors_power;
+    plant_.turn_motors(have_power ? torques : JointTorques{}, have_power ? handle_Nm : 0.0);
 }
 
 }  // namespace touchline

@@ -42,6 +42,7 @@ struct SentPacket {
 struct TorqueChange {
     double at_s = 0.0;
     JointTorques torques;
+    double handle_Nm = 0.0;  // where the handle turns
 };
 
 class BoardEmulator {
@@ -110,6 +111,7 @@ class BoardEmulator {
   private:
     [[nodiscard]] PortCounts port_counts();
     [[nodiscard]] int joint_on_port(std::size_t port) const;
+    [[nodiscard]] double told_handle_torque_Nm() const;
     void update_torques();
     void leave(PacketBytes packet);
 

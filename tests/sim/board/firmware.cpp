@@ -80,7 +80,7 @@ std::uint8_t Firmware::read(double now_s) {
 }
 
 // Turns are stored by running index, not by port.
-std::uint8_t Firmware::read_mask(double now_s, std::array<std::uint8_t, 2>& turns) {
+std::uint8_t Firmware::read_mask(double now_s, std::array<std::uint8_t, port_count>& turns) {
     const auto mask = static_cast<std::uint8_t>(read(now_s) & (type_ == BoardType::m0 ? 0x3 : 0xf));
     std::size_t index = 0;
     for (unsigned port = 0; port < 4; ++port) {

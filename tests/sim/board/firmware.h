@@ -25,8 +25,11 @@ inline constexpr double never_s = std::numeric_limits<double>::infinity();
 
 using PacketBytes = std::vector<std::uint8_t>;
 
+/// Ports that are looked at here: the fourth has nothing to do.
+inline constexpr std::size_t port_count = 3;
+
 /// Counts of the encoders since the board got power, counted clockwise, by port.
-using PortCounts = std::array<std::int64_t, 2>;
+using PortCounts = std::array<std::int64_t, port_count>;
 
 class Firmware {
   public:
@@ -46,10 +49,10 @@ class Firmware {
     void hold_until(double t_s) { busy_until_s_ = t_s; }
 
     /// Fraction of full duty by port, as told: -1 to 1. Held for ever.
-    [[nodiscard]] std::array<double, 2> duty() const { return duty_; }
+    [[nodiscard]] std::array<double, port_count> duty() const { return duty_; }
 
     /// Direction bits that the motors were set up with, by port.
-    [[nodiscard]] std::array<std::uint8_t, 2> motor_turns() const { return motor_turns_; }
+    [[nodiscard]] std::array<std::uint8_t, port_count> motor_turns() const { return motor_turns_; }
 
     [[nodiscard]] bool is_set_up() const { return address_ != 0; }
 
@@ -83,7 +86,7 @@ class Firmware {
     };
 
     [[nodiscard]] std::uint8_t read(double now_s);
-    [[nodiscard]] std::uint8_t read_mask(double now_s, std::array<std::uint8_t, 2>& turns);
+    [[nodiscard]] std::uint8_t read_mask(double now_s, std::array<std::uint8_t, port_count>& turns);
     void begin_set_up(double now_s);
     [[nodiscard]] std::optional<PacketBytes> begin_write(double now_s);
     [[nodiscard]] std::optional<PacketBytes> finish(double now_s, const PortCounts& counts);
@@ -103,9 +106,9 @@ class Firmware {
     std::uint8_t address_to_set_up_ = 0;
     std::uint8_t motors_ = 0, encoders_ = 0;  // masks
     std::size_t analog_inputs_ = 0, pwm_outputs_ = 0;
-    std::array<std::uint8_t, 2> motor_turns_{}, encoder_turns_{};
-    std::array<Encoder, 2> encoder_{};
-    std::array<double, 2> duty_{};
+    std::array<std::uint8_t, port_count> motor_turns_{}, encoder_turns_{};
+    std::array<Encoder, port_count> encoder_{};
+    std::array<double, port_count> duty_{};
     std::uint64_t set_ups_ = 0;
     bool is_broken_ = false;
 };

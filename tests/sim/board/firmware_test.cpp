@@ -138,7 +138,7 @@ TEST(Firmware, ZerosCompleteWhatItWaitsFor) {
         const auto bytes = whole.bytes().first(sent);
         (void)bench.tell(PacketBytes(bytes.begin(), bytes.end()));
         EXPECT_EQ(bench.tell(completing_command(sent)).size(), sent == 1 ? 1U : 2U);
-        EXPECT_EQ(bench.firmware.duty(), (std::array<double, 2>{}));
+        EXPECT_EQ(bench.firmware.duty(), (std::array<double, port_count>{}));
         EXPECT_TRUE(bench.firmware.is_set_up());
     }
 }
@@ -147,11 +147,11 @@ TEST(Firmware, SetUpStopsTheMotorsResetDoesNot) {
     Bench bench;
     bench.set_up();
     (void)bench.tell(write_command({0.123, -0.123}));
-    EXPECT_EQ(bench.firmware.duty(), (std::array<double, 2>{1.0, -1.0}));
+    EXPECT_EQ(bench.firmware.duty(), (std::array<double, port_count>{1.0, -1.0}));
     (void)bench.tell(reset_command());
-    EXPECT_EQ(bench.firmware.duty(), (std::array<double, 2>{1.0, -1.0}));
+    EXPECT_EQ(bench.firmware.duty(), (std::array<double, port_count>{1.0, -1.0}));
     bench.set_up();
-    EXPECT_EQ(bench.firmware.duty(), (std::array<double, 2>{}));
+    EXPECT_EQ(bench.firmware.duty(), (std::array<double, port_count>{}));
 }
 
 TEST(Firmware, DutyIsTruncatedToItsStepsAndClampedPerMotor) {

@@ -1,13 +1,16 @@
-// redirected_board SOCKET [UNPLUG_AFTER_WRITES]: an emulated 2diy gen 3.1 for QEMU's usb-redir
-// device, which connects to the unix socket. After that many writes the plug is pulled, once, and
-// put back when QEMU connects again. Ends when QEMU has gone; says on stdout what torque the board
-// was left with.
+// redirected_board SOCKET [UNPLUG_AFTER_WRITES | led]: an emulated 2diy gen 3.1 for QEMU's
+// usb-redir device, which connects to the unix socket. After that many writes the plug is pulled,
+// once, and put back when QEMU connects again. `led`: hand and plug follow orders on stdin
+// (board_orders.h). Ends when QEMU has gone; says on stdout what torque the board was left with.
 #include "tests/sim/board/board_rig.h"
+#include "tests/sim/usbredir/board_orders.h"
 #include "tests/sim/usbredir/redirected_device.h"
 
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <sys/socket.h>
@@ -19,8 +22,9 @@ using namespace touchline;
 /// The board, with a plug that goes at a certain write.
 class BoardFunction : public RedirectedFunction {
   public:
-    BoardFunction(BoardEmulator& board, int unplug_after_writes)
-        : board_(board), writes_until_unplugged_(unplug_after_writes) {}
+    /// `orders`: null where nobody gives any.
+    BoardFunction(BoardEmulator& board, int unplug_after_writes, BoardOrders* orders)
+        : board_(board), writes_until_unplugged_(unplug_after_writes), orders_(orders) {}
 
     [[nodiscard]] std::uint8_t speed() const override { return usb_redir_speed_full; }
 
@@ -50,6 +54,7 @@ class BoardFunction : public RedirectedFunction {
     void advance_to(double now_s) override {
         if (!start_s_) start_s_ = now_s - board_.now_s();
         board_.advance_to(now_s - *start_s_);
+        if (orders_ != nullptr) orders_->follow();
     }
 
     [[nodiscard]] bool is_plugged() const override { return board_.is_plugged(); }
@@ -57,34 +62,53 @@ class BoardFunction : public RedirectedFunction {
   private:
     BoardEmulator& board_;
     int writes_until_unplugged_;
+    BoardOrders* orders_;
     std::optional<double> start_s_;
 };
+
+/// Until QEMU has gone. Without orders the plug is put back at once.
+void serve(int listener, BoardEmulator& board, int unplug_after, BoardOrders* orders) {
+    for (;;) {
+        BoardFunction function(board, unplug_after, orders);
+        RedirectedDevice(function, accept(listener, nullptr, nullptr)).serve();
+        if (board.is_plugged()) return;
+        unplug_after = 0;
+        std::puts("unplugged");
+        std::fflush(stdout);
+        if (orders == nullptr) board.plug();
+        if (orders != nullptr && !orders->wait_for_plug()) return;
+    }
+}
+
+/// What it was left with; the exit status.
+int say_what_is_left(const BoardEmulator& board) {
+    const auto& changes = board.told_torques();
+    const auto left = changes.empty() ? JointTorques{} : changes.back().torques;
+    std::printf("left with %.4f %.4f N m after %zu changes; set up %llu times\n", left.x, left.y,
+                changes.size(), static_cast<unsigned long long>(board.firmware().set_ups()));
+    return left == JointTorques{} ? 0 : 1;
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
     if (argc < 2 || argc > 3) {
-        std::fputs("usage: redirected_board SOCKET [UNPLUG_AFTER_WRITES]\n", stderr);
+        std::fputs("usage: redirected_board SOCKET [UNPLUG_AFTER_WRITES | led]\n", stderr);
         return 2;
     }
-    const int listener = touchline::listen_at(argv[1]);
+    const int listener = listen_at(argv[1]);
     if (listener < 0) {
         std::perror("redirected_board");
         return 1;
     }
-    touchline::BoardEmulator board({}, touchline::resting_hand(touchline::default_profile()));
-    int unplug_after = argc > 2 ? std::atoi(argv[2]) : 0;
-    for (;;) {
-        BoardFunction function(board, unplug_after);
-        touchline::RedirectedDevice(function, accept(listener, nullptr, nullptr)).serve();
-        if (board.is_plugged()) break;
-        unplug_after = 0;
-        std::puts("unplugged");
-        board.plug();
+    if (argc > 2 && argv[2] == std::string_view("led")) {
+        const auto person = std::make_shared<Person>(default_profile());
+        BoardEmulator board({}, person);
+        BoardOrders orders(board, person);
+        serve(listener, board, 0, &orders);
+        return say_what_is_left(board);
     }
-    const auto& changes = board.told_torques();
-    const auto left = changes.empty() ? touchline::JointTorques{} : changes.back().torques;
-    std::printf("left with %.4f %.4f N m after %zu changes; set up %llu times\n", left.x, left.y,
-                changes.size(), static_cast<unsigned long long>(board.firmware().set_ups()));
-    return left == touchline::JointTorques{} ? 0 : 1;
+    BoardEmulator board({}, resting_hand(default_profile()));
+    serve(listener, board, argc > 2 ? std::atoi(argv[2]) : 0, nullptr);
+    return say_what_is_left(board);
 }

@@ -3,12 +3,8 @@ from machine import Fault
 
 
 def run(table, bench):
-    with table.check('keys', 'boot, READY', True):
-        kiosk = bench.start('keys')
-        machine = kiosk.machine
-        kiosk.begin()
-        kiosk.wait_ready()
-        machine.wait_screen(['Pictures to feel'])
+    kiosk = bench.ready(table, 'keys')
+    machine = kiosk.machine
     with table.check('keys', 'a USB keypad is plugged in and noticed by the X server', True):
         machine.ask('device_add', driver='usb-kbd', id='keypad', bus='xhci.0')
         machine.wait('grep -q "QEMU USB Keyboard" /proc/bus/input/devices', 120)

@@ -6,6 +6,7 @@ from machine import Fault, wait_for
 
 UNIT = 'touchline-kiosk.service'
 SETTINGS = '/var/lib/touchline/kiosk.toml'
+X = 'DISPLAY=:0 XAUTHORITY=/run/touchline-display/cookie'  # for those who ask the X server
 TRIES = 5
 READY_S = 600  # an emulated machine beside other work; a real one needs seconds
 # Nobody presses a key for minutes while a slow machine reads: the visit must not end meanwhile.

@@ -79,12 +79,13 @@ class Machine:
                            check=True)
         words = ('root=/dev/vda ro console=ttyS0 loglevel=5 panic=-1 mitigations=off nokaslr tsc=reliable '
                  'no_timer_check random.trust_cpu=on systemd.show_status=1')
+        # cache: what the machine flushes is flushed; after a cut it has to be there, in qcow2's own tables too.
         self.console = open(f'{folder}/console.txt', 'ab')
         self.process = subprocess.Popen(
             ['qemu-system-x86_64', '-M', 'q35,usb=off', '-accel', 'tcg,thread=multi,tb-size=512', '-cpu', 'Westmere',
              '-smp', str(cores), '-m', '2G', '-nodefaults', '-no-reboot', '-display', 'none',
              '-kernel', f'{image}/vmlinuz', '-initrd', f'{image}/initrd.img', '-append', words,
-             '-drive', f'file={overlay},if=none,id=disk,cache=unsafe,discard=unmap',
+             '-drive', f'file={overlay},if=none,id=disk,cache=writeback,discard=unmap',
              '-device', 'virtio-blk-pci,drive=disk', '-device', 'VGA,edid=on,xres=800,yres=600',
              '-device', 'virtio-rng-pci', '-device', 'qemu-xhci,id=xhci,p2=8,p3=8',
              '-device', 'virtio-serial-pci', '-chardev', f'socket,id=agent,path={folder}/agent,server=on,wait=off',

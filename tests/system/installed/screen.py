@@ -1,16 +1,11 @@
 """The screen is never dark, and no key leads out of the kiosk."""
+from kiosk import X
 from machine import Fault
-
-X = 'DISPLAY=:0 XAUTHORITY=/run/touchline-display/cookie'
 
 
 def run(table, bench):
-    with table.check('screen', 'boot, READY', True):
-        kiosk = bench.start('screen')
-        machine = kiosk.machine
-        kiosk.begin()
-        kiosk.wait_ready()
-        machine.wait_screen(['Pictures to feel'])
+    kiosk = bench.ready(table, 'screen')
+    machine = kiosk.machine
     with table.check('screen', 'no blanking, no saver, no power saving, by what the X server says'):
         said = machine.said(f'{X} xset q')
         if 'timeout:  0' not in said:

@@ -1,16 +1,11 @@
 """What the kiosk plays is recorded on the other side of a sound card that loops back."""
-from machine import Fault
 
 HEARD = '/run/heard.raw'
 
 
 def run(table, bench):
-    with table.check('sound', 'boot, READY', True):
-        kiosk = bench.start('sound')
-        machine = kiosk.machine
-        kiosk.begin()
-        kiosk.wait_ready()
-        machine.wait_screen(['Pictures to feel'])
+    kiosk = bench.ready(table, 'sound')
+    machine = kiosk.machine
     with table.check('sound', 'the first words of a visit are heard') as note:
         machine.said('grep -q Loopback /proc/asound/cards')
         machine.said(f'systemd-run -q --unit=ear bash -c "arecord -q -D hw:Loopback,1 -t raw -f S16_LE '

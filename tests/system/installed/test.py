@@ -1,16 +1,17 @@
-"""test.py --image FOLDER --deb FILE --work FOLDER --figures FILE [--short] GROUP...: the groups, one
-machine after the other, and the table. Ends with 1 when a check failed."""
+"""test.py --image FOLDER --deb FILE --devices FOLDER --work FOLDER --figures FILE [--short] [--cuts N] GROUP...:
+the groups, one machine after the other, and the table. Ends with 1 when a check failed."""
 import argparse
 import importlib
 import os
 import shutil
+import signal
 import sys
 
 from kiosk import Kiosk
 from machine import Fault, Machine
 from table import Table
 
-GROUPS = ('boot', 'power', 'stick', 'sound', 'keys', 'screen', 'update')
+GROUPS = ('boot', 'power', 'stick', 'sound', 'keys', 'board', 'camera', 'screen', 'idle', 'update')
 
 
 class Bench:
@@ -19,6 +20,7 @@ class Bench:
     def __init__(self, arguments):
         self.image = arguments.image
         self.deb = arguments.deb
+        self.devices = arguments.devices
         self.work = arguments.work
         self.is_short = arguments.short
         self.cuts = arguments.cuts or (3 if arguments.short else 50)
@@ -46,6 +48,17 @@ class Bench:
         kiosk.machine.run('true', longest_s)
         return kiosk
 
+    def ready(self, table, group, plug_first=None):
+        """The kiosk switched on, its first words on the screen; plug_first(machine) before that."""
+        with table.check(group, 'boot, READY', True):
+            kiosk = self.start(group)
+            if plug_first:
+                plug_first(kiosk.machine)
+            kiosk.begin()
+            kiosk.wait_ready()
+            kiosk.machine.wait_screen(['Pictures to feel'])
+        return kiosk
+
     def stop(self):
         if self.kiosk:
             self.kiosk.machine.cut()
@@ -54,13 +67,14 @@ class Bench:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    for name in ('image', 'deb', 'work', 'figures'):
+    for name in ('image', 'deb', 'devices', 'work', 'figures'):
         parser.add_argument(f'--{name}', required=True)
     parser.add_argument('--short', action='store_true')
     parser.add_argument('--cuts', type=int, default=0)
     parser.add_argument('groups', nargs='+', choices=GROUPS)
     arguments = parser.parse_args()
     bench, table = Bench(arguments), Table()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     for group in arguments.groups:
         print(f'{group}:', flush=True)
         shutil.rmtree(f'{bench.work}/{group}', ignore_errors=True)
@@ -68,6 +82,8 @@ def main():
             importlib.import_module(group).run(table, bench)
         except Fault:
             print('  the rest of the group cannot go on', flush=True)
+        except KeyboardInterrupt:  # what is done counts, what is not is missing in the table
+            break
         if not bench.is_short:
             bench.stop()
     bench.stop()

@@ -1,0 +1,34 @@
+// Motion of a handle that turns and the fingers that hold it, as tip_dynamics.h has it of the tip:
+//   I phi'' = tau + k (phi_d - phi) + c (phi_d' - phi') - b phi' - Coulomb friction
+// Threads: a plain value. No allocation.
+#pragma once
+
+#include "haptics/device/hand.h"
+#include "haptics/pantograph/profile.h"
+
+namespace touchline {
+
+class HandleDynamics {
+  public:
+    /// At rest at an angle. The fingers hold it at 10 mm from its axis.
+    HandleDynamics(const TurningHandle& handle, const HandModel& hand, double start_rad)
+        : handle_(handle), hand_(hand), angle_rad_(start_rad) {}
+
+    /// One integration step of h_s with the motor's torque and the hand's intention held.
+    void step(double torque_Nm, const Intention& intention, double h_s);
+
+    /// Other fingers take it where it is, or none do.
+    void grip(const HandModel& hand) { hand_ = hand; }
+
+    [[nodiscard]] double angle_rad() const { return angle_rad_; }
+
+    [[nodiscard]] double speed_rad_per_s() const { return speed_rad_per_s_; }
+
+  private:
+    TurningHandle handle_;
+    HandModel hand_;
+    double angle_rad_ = 0.0;
+    double speed_rad_per_s_ = 0.0;
+};
+
+}  // namespace touchline

@@ -1,0 +1,79 @@
+"""A pantograph on the USB: the servo's unit takes it, words lead the hand to its stops, a line is met; and again after
+its plug was pulled."""
+from kiosk import SETTINGS
+from machine import Fault, wait_for
+from redirected import Redirected
+
+UNITS = f'{SETTINGS.rsplit("/", 1)[0]}/units.toml'
+SERVO = "systemctl list-units --state=running --plain --no-legend 'touchline-servo@*' | grep -q ."
+STOPS = ('away from you', 'towards you')
+ON_THE_CIRCLE = "go 35 0"  # of the practice shape, in millimetres from the middle
+LONGEST_S = 400
+
+
+def run(table, bench):
+    board = []
+
+    def plug(machine):
+        board.append(Redirected(machine, f'{bench.devices}/redirected_board', 'led'))
+    kiosk = bench.ready(table, 'board', plug)
+    pantograph = board[0]
+    try:
+        _visits(table, kiosk, pantograph)
+    finally:
+        left = pantograph.pull()
+    with table.check('board', 'in the end it was told zero torque') as note:
+        note(left)
+        if not left.startswith('left with 0.0000 0.0000'):
+            raise Fault(left)
+
+
+def _visits(table, kiosk, board):
+    with table.check('board', "the servo's unit takes it", True):
+        kiosk.machine.wait(SERVO, 120)
+    with table.check('board', 'the words lead the hand to the stops: homed, kept', True) as note:
+        note(f'{_home(kiosk, board)} words')
+        kiosk.machine.wait(f'grep -q serial {UNITS}', 60)
+    with table.check('board', 'a line is met under the hand') as note:
+        note(_feel(kiosk, board))
+    with table.check('board', 'unplugged: told on the screen, the kiosk stays', True):
+        process = kiosk.process()
+        board.order('unplug')
+        kiosk.machine.wait_screen(['does not answer'])
+    with table.check('board', 'plugged again: homed by two words, a line is met') as note:
+        board.order('plug')
+        words = _home(kiosk, board)
+        note(f'{words} words; {_feel(kiosk, board)}')
+        if kiosk.process() != process:
+            raise Fault('the kiosk was started again')
+
+
+def _home(kiosk, board):
+    """Does what the words on the screen say until none are there; how many it followed."""
+    followed = []
+
+    def is_over():
+        words = kiosk.machine.screen()
+        stop = next((stop for stop in STOPS if stop in words), None)
+        if stop and followed[-1:] != [stop]:
+            followed.append(stop)
+            board.order(f'hear {stop}')
+        return followed and not stop
+    kiosk.to_choose()
+    wait_for(is_over, LONGEST_S, f'homing is over; followed: {followed}')
+    return len(followed)
+
+
+def _feel(kiosk, board):
+    """The practice circle, the hand led to its line; what the staff's live view says of it."""
+    kiosk.to_choose()
+    kiosk.to_item('Practice shape')
+    kiosk.press('ret')
+    kiosk.machine.wait_screen(['until a line holds it'])
+    for place in ('go 0 0', ON_THE_CIRCLE):
+        board.order(place)
+    kiosk.press('v')
+    kiosk.machine.wait_screen(['pantograph', 'on an edge'])
+    kiosk.press('v')
+    board.order('tell')
+    return board.said()
