@@ -171,6 +171,8 @@ void Kiosk::set_servo() {
     commands.pattern = pattern_;
     commands.is_emergency_stop = is_emergency_stop_;
     commands.faults_cleared = faults_cleared_;
+    commands.shape = feel_.shape;
+    commands.turn_rad = feel_.turn_rad;
     servo_->set(commands);
 }
 

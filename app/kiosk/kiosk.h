@@ -67,6 +67,9 @@ class Kiosk {
     /// The key that the table gives this role first.
     void press(KeyRole role);
 
+    /// Of a joystick's axis, counter-clockwise: turns a shape in the hand.
+    void turn_knob(double by_rad) { happen(KnobTurned{by_rad}); }
+
     /// Of the operator's own keyboard (Settings::operator_device): for the operator alone.
     void strike_operator_key(const PhysicalKey& key);
 

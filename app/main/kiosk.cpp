@@ -121,7 +121,10 @@ class KioskWindow {
                                         kiosk_->change_key({key, is_down, is_repeat,
                                                             1e-9 * static_cast<double>(now_ns())});
                                     },
-                                    [this](PixelPoint place) { lead_hand(place); }});
+                                    [this](PixelPoint place) { lead_hand(place); },
+                                    [this](double by_rad) {
+                                        if (kiosk_) kiosk_->turn_knob(by_rad);
+                                    }});
         if (!window) return tl::unexpected(window.error());
         window_ = std::move(*window);
         auto screen = KioskScreen::make(cap_height_px(settings_.viewing_distance_m, mm_per_px()));

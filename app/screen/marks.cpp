@@ -1,6 +1,7 @@
 #include "app/screen/marks.h"
 
 #include "app/screen/rendered_path.h"
+#include "app/screen/shape_marks.h"
 
 #include <algorithm>
 
@@ -33,7 +34,8 @@ void add_hand(Strokes& strokes, const View& view, const HandState& hand, double 
     const double px_per_N = arrow_units_per_N * unit_px;
     const PixelPoint reach{px_per_N * hand.force.x, -px_per_N * hand.force.y};
     const double disc_px = std::max(view.px_per_m * proxy_radius_m, 2.5 * unit_px);
-    strokes.add_dot(proxy, disc_px, {palette.proxy});
+    if (hand.shape == HeldShape::none) strokes.add_dot(proxy, disc_px, {palette.proxy});
+    add_shape(strokes, view, hand, unit_px, palette);
     strokes.add_line(handle, proxy, unit_px, {palette.handle});
     strokes.add_ring(handle, 5.0 * unit_px, 2.5 * unit_px, {palette.background});
     strokes.add_ring(handle, 5.0 * unit_px, 1.25 * unit_px, {palette.handle});

@@ -166,9 +166,18 @@ void Window::read_joysticks() {
     }
 }
 
+void Window::read_knob() {
+    int count = 0;
+    const float* const axes = glfwGetJoystickAxes(GLFW_JOYSTICK_1, &count);
+    const bool is_there = axes != nullptr && count > 0;
+    const double turned_rad = knob_.step(is_there ? std::optional(double{axes[0]}) : std::nullopt);
+    if (turned_rad != 0.0) listener_.knob_turned(turned_rad);
+}
+
 void Window::wait_until(std::int64_t due_ns) {
     glfwPollEvents();
     read_joysticks();
+    read_knob();
     for (std::int64_t left_ns = due_ns - now_ns(); left_ns > 0; left_ns = due_ns - now_ns())
         glfwWaitEventsTimeout(static_cast<double>(left_ns) * 1e-9);
 }

@@ -2,6 +2,7 @@
 // Threads: the main thread only, as GLFW demands. One window at a time.
 #pragma once
 
+#include "app/screen/knob.h"
 #include "app/screen/layout.h"
 #include "config/settings/keys.h"
 #include "config/types/result.h"
@@ -24,6 +25,7 @@ class Window {
     struct Listener {
         std::function<void(const PhysicalKey&, bool is_down, bool is_repeat)> key_changed;
         std::function<void(PixelPoint)> pointer_moved;
+        std::function<void(double by_rad)> knob_turned;  // counter-clockwise
     };
 
     /// Full screen on the first monitor, or a window of 1280 x 800. Fails where there is no display
@@ -56,12 +58,14 @@ class Window {
 
     void update_size();
     void read_joysticks();
+    void read_knob();
 
     GLFWwindow* window_;
     Listener listener_;
     int width_px_ = 1;
     int height_px_ = 1;
     std::vector<bool> buttons_;  // of the joystick: is it down?
+    Knob knob_;                  // its first axis
 };
 
 }  // namespace touchline

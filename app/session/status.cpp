@@ -84,6 +84,14 @@ std::string force_words(const HandState& hand, const ForceStatus& status) {
     return fmt::format("{}, softened to {:.0f} %: it rang", force, 100.0 * hand.spring_gain);
 }
 
+/// "bar, -4.2 mN m": torque on the hand, counter-clockwise.
+std::string shape_words(const HandState& hand) {
+    constexpr std::array names{"point", "disc", "bar", "angle", "key"};
+    const char* const name = names[static_cast<std::size_t>(hand.shape)];
+    if (!hand.is_shape_placed) return fmt::format("{}, a line goes through it", name);
+    return fmt::format("{}, {:.1f} mN m", name, 1000.0 * hand.torque_Nm);
+}
+
 std::string mode_words(const HandState& hand, bool gives_way) {
     const bool is_soft = hand.mode == Mode::wall && gives_way;
     return words_of(hand.mode) + (is_soft ? ", gives way to a push" : "");
@@ -162,6 +170,8 @@ Status describe(const LiveFacts& facts, const HandState& hand, const ForceStatus
         {"Detail", detail_text(facts.detail)},
         {"Hand", facts.hand_words},
     };
+    if (hand.shape != HeldShape::none)
+        status.lines.insert(status.lines.end() - 1, {"Shape", shape_words(hand)});
     if (const std::string page = page_words(facts.place); !page.empty())
         status.lines.insert(status.lines.end() - 1, {"Page", page});
     status.message = force.fault == Fault::none ? facts.message : announcement_of(force.fault);

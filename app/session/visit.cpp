@@ -161,6 +161,8 @@ struct Take {
 
     void operator()(const DeadKeyPressed&) { press_dead_key(work); }
 
+    void operator()(const KnobTurned& knob) { follow_knob(work, knob.by_rad); }
+
     void operator()(const HandleSeen& handle) { follow_handle(work, handle); }
 
     void operator()(const HeadphonesChanged& change) { headphones_changed(work, change.are_in); }
@@ -222,6 +224,7 @@ VisitOrders changes(const Visit& before, const Visit& after) {
 VisitStep finish(const Visit& before, VisitWork work) {
     Visitor& visitor = work.visitor;
     visitor.feel.is_force_wanted = visitor.felt.has_value();
+    if (!work.world.settings.offers_shapes) visitor.feel.shape = HeldShape::none;
     if (!is_waited_for(visitor)) {
         visitor.waiting.reset();
     } else if (!visitor.waiting) {

@@ -35,6 +35,11 @@ struct SpeechKeyPressed {
 /// A key without a meaning.
 struct DeadKeyPressed {};
 
+/// A knob, since the last.
+struct KnobTurned {
+    double by_rad = 0.0;  // counter-clockwise
+};
+
 /// Where the handle is, as often as convenient (10 to 60 times a second).
 struct HandleSeen {
     Position place_W;                 // of the map that is felt
@@ -134,9 +139,9 @@ struct OpeningChanged {
 struct StaffCalledOff {};
 
 using VisitEvent =
-    std::variant<Tick, KeyPressed, SpeechKeyPressed, DeadKeyPressed, HandleSeen, HeadphonesChanged,
-                 StickArriving, StickCame, StickGone, PictureReady, PictureFailed, CameraChanged,
-                 CameraCaptured, CameraFailed, GuidanceEnded, TroubleBegan, TroubleEnded,
-                 OpeningChanged, StaffCalledOff>;
+    std::variant<Tick, KeyPressed, SpeechKeyPressed, DeadKeyPressed, KnobTurned, HandleSeen,
+                 HeadphonesChanged, StickArriving, StickCame, StickGone, PictureReady,
+                 PictureFailed, CameraChanged, CameraCaptured, CameraFailed, GuidanceEnded,
+                 TroubleBegan, TroubleEnded, OpeningChanged, StaffCalledOff>;
 
 }  // namespace touchline

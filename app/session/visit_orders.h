@@ -80,6 +80,8 @@ struct Feel {
     int fixed_level = 0;
     bool gives_way = false;
     bool is_force_wanted = false;
+    HeldShape shape = HeldShape::none;
+    double turn_rad = 0.0;  // of it, counter-clockwise, where the handle does not turn
 
     friend bool operator==(const Feel&, const Feel&) = default;
 };

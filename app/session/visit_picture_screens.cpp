@@ -68,6 +68,7 @@ void put_picture(VisitSheet& sheet) {
     sheet.item(VisitItem::zoom, "Zoom", told_zoom(sheet));
     sheet.setting(VisitItem::mode);
     sheet.setting(VisitItem::firmness);
+    if (sheet.world.settings.offers_shapes && facts.outline_count > 0) put_shape(sheet);
     const std::string page = told_page(facts.place, sheet.language);
     if (!page.empty()) sheet.item(VisitItem::pages, "Pages", page);
     sheet.item(VisitItem::another_picture, "Another picture");

@@ -144,6 +144,10 @@ void take_picture_item(VisitWork& work, VisitItem item) {
             return open(work, VisitScreen::explore);
         case VisitItem::zoom:
             return open(work, VisitScreen::zoom);
+        case VisitItem::turn_left:
+        case VisitItem::turn_right:
+        case VisitItem::turn_back:
+            return turn_shape(work, item);
         case VisitItem::pages:
             return open(work, VisitScreen::pages);
         case VisitItem::other_shape:
@@ -230,6 +234,7 @@ void take(VisitWork& work, VisitItem item) {
         case VisitItem::detail:
         case VisitItem::mode:
         case VisitItem::firmness:
+        case VisitItem::held_shape:
             return open_values(work, item);
         default:
             return take_picture_item(work, item);

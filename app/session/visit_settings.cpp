@@ -11,6 +11,7 @@ namespace {
 
 // In the order of their enumerations or steps.
 constexpr std::array modes{"wall", "groove", "ridge", "stay on line"};
+constexpr std::array shapes{"a point", "a disc", "a bar", "an angle", "a key"};
 constexpr std::array details{"silhouette", "main parts", "parts", "details", "everything"};
 constexpr std::array amounts{"none of them", "short ones", "all of them"};
 constexpr std::array sizes{"ordinary", "large", "larger", "largest"};
@@ -87,6 +88,8 @@ std::string name_of(VisitItem setting, const Language& language) {
             return language.text("visit", "Kind of line");
         case VisitItem::firmness:
             return language.text("visit", "Firmness");
+        case VisitItem::held_shape:
+            return language.text("visit", "Shape in the hand");
         default:
             return {};
     }
@@ -118,6 +121,8 @@ ValueList values_of(const Visit& visit, const VisitWorld& world, VisitItem setti
             return {named(language, "mode", modes), static_cast<std::size_t>(visitor.feel.mode)};
         case VisitItem::firmness:
             return {firmness_names(language), visitor.feel.firmness};
+        case VisitItem::held_shape:
+            return {named(language, "shape", shapes), static_cast<std::size_t>(visitor.feel.shape)};
         default:
             return {};
     }
@@ -153,6 +158,9 @@ void choose_value(VisitWork& work, VisitItem setting, std::size_t value) {
             break;
         case VisitItem::firmness:
             visitor.feel.firmness = value;
+            break;
+        case VisitItem::held_shape:
+            visitor.feel.shape = static_cast<HeldShape>(value);
             break;
         default:
             break;

@@ -52,4 +52,7 @@ void put_explore(VisitSheet& sheet);
 void put_zoom(VisitSheet& sheet);
 void put_pages(VisitSheet& sheet);
 
+/// The items of a shape in the hand, on the screen of the picture (visit_shape.cpp).
+void put_shape(VisitSheet& sheet);
+
 }  // namespace touchline

@@ -116,6 +116,14 @@ void follow_handle(VisitWork& work, const HandleSeen& handle);
 /// The name of the part that the hand rests on.
 void name_part(VisitWork& work);
 
+// A shape in the hand (visit_shape.cpp).
+
+/// turn_left, turn_right or turn_back.
+void turn_shape(VisitWork& work, VisitItem item);
+
+/// Without a word: a knob is felt.
+void follow_knob(VisitWork& work, double by_rad);
+
 // Settings (visit_settings.cpp).
 
 struct ValueList {

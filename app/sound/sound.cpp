@@ -128,11 +128,13 @@ void Sound::follow_hand(const HandMoment& moment) {
     if (moment.scene != nullptr) hand_cues_.area = area_of(*moment.scene);
     loop_.set(hand_cues_);
     const bool is_wanted =
-        moment.scene != nullptr && (wanted_.amount == CueAmount::full || moment.target);
+        moment.scene != nullptr && (wanted_.amount == CueAmount::full || moment.target ||
+                                    moment.hand.shape != HeldShape::none);
+    const ContinuousChoice choice{wanted_.amount, false, moment.target, moment.hand.torque_Nm};
     const ContinuousTone tone =
-        is_wanted ? continuous_tone({wanted_.amount, false, moment.target}, moment.hand.p_WP,
-                                    distance_to_line_m(moment), hand_cues_.area)
-                  : ContinuousTone{};
+        is_wanted
+            ? continuous_tone(choice, moment.hand.p_WP, distance_to_line_m(moment), hand_cues_.area)
+            : ContinuousTone{};
     const bool is_on = tone.level > 0.0;
     if (is_on || is_tone_on_) mixer_.send({0, SetContinuous{tone}});
     is_tone_on_ = is_on;

@@ -10,6 +10,9 @@ namespace {
 constexpr double continuous_level = 0.3;
 constexpr double lowest_Hz = 220.0;
 constexpr double octaves = 2.0;
+constexpr double hum_Hz = 110.0;
+constexpr double hum_octaves = 1.5;
+constexpr double hum_pan = 0.8;
 
 /// 0 at far_m ... 1 at near_m, by halvings.
 double nearness(double distance_m) {
@@ -58,9 +61,21 @@ ContinuousTone sonar_tone(Position hand_W, Position target_W) {
             .timbre = Timbre::bright};
 }
 
+ContinuousTone torque_tone(double torque_Nm) {
+    const double size_Nm = std::abs(torque_Nm);
+    if (!std::isfinite(size_Nm) || size_Nm <= quiet_Nm) return {};
+    const double share = std::min(1.0, (size_Nm - quiet_Nm) / (strong_Nm - quiet_Nm));
+    return {.frequency_Hz = hum_Hz * std::exp2(hum_octaves * share),
+            .level = continuous_level * (1.0 + 2.0 * share) / 3.0,
+            .pan = torque_Nm > 0.0 ? -hum_pan : hum_pan,
+            .timbre = Timbre::bright};
+}
+
 ContinuousTone continuous_tone(const ContinuousChoice& choice, Position hand_W, double distance_m,
                                const CueArea& area) {
     if (choice.target_W) return sonar_tone(hand_W, *choice.target_W);
+    const bool is_twisted = std::abs(choice.torque_Nm) > quiet_Nm;
+    if (is_twisted && choice.amount != CueAmount::none) return torque_tone(choice.torque_Nm);
     if (choice.amount != CueAmount::full) return {};
     return choice.has_position_tone ? position_tone(hand_W, area) : distance_tone(distance_m);
 }

@@ -33,14 +33,23 @@ inline constexpr double slow_Hz = 1.5;
 /// lies away from the visitor, lower when towards. Silence nearer than near_m: it is reached.
 [[nodiscard]] ContinuousTone sonar_tone(Position hand_W, Position target_W);
 
+/// Weaker twists of a shape in the hand make no sound; the strongest sounds from strong_Nm on.
+inline constexpr double quiet_Nm = 1e-3;
+inline constexpr double strong_Nm = 15e-3;
+
+/// A hum, an octave and a half higher and three times as loud for the strongest, on the side to
+/// which the shape is twisted: left where counter-clockwise. Silence for what is not finite.
+[[nodiscard]] ContinuousTone torque_tone(double torque_Nm);
+
 /// What a visitor chose to hear all the time.
 struct ContinuousChoice {
     CueAmount amount = CueAmount::cues;
     bool has_position_tone = false;
     std::optional<Position> target_W;  // asked for: before all else, whatever the amount
+    double torque_Nm = 0.0;            // of a shape in the hand
 };
 
-/// The one continuous sound: target, else the position tone, else the distance.
+/// The one continuous sound: target, else the torque, else the position tone, else the distance.
 [[nodiscard]] ContinuousTone continuous_tone(const ContinuousChoice& choice, Position hand_W,
                                              double distance_m, const CueArea& area);
 

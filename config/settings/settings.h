@@ -17,6 +17,7 @@ struct Settings {
     double capture_mm = 3.0;
     bool gives_way = false;
     double give_way_N = 1.5;  // twice what one needs to feel a line: nobody falls through by chance
+    bool offers_shapes = false;  // a visitor may hold one instead of a point
     // levels
     bool is_level_automatic = true;
     int fixed_level = 0;

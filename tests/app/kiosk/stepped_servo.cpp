@@ -13,7 +13,9 @@ SteppedServo::SteppedServo()
     : profile_(default_profile()),
       hand_(std::make_shared<MouseHand>(Position{})),
       device_(profile_, SimulationOptions{}, hand_),
-      step_(profile_, period_s) {}
+      step_(profile_, period_s) {
+    step_.lend(&shape_);
+}
 
 void SteppedServo::run_until(double now_s) {
     while (now_s_ + period_s <= now_s) {

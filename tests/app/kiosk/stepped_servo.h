@@ -6,6 +6,7 @@
 #include "haptics/device/hand.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
+#include "haptics/servo/shape_in_hand.h"
 
 #include <cstdint>
 #include <deque>
@@ -69,6 +70,7 @@ class SteppedServo final : public ServoClient {
     DeviceProfile profile_;
     std::shared_ptr<MouseHand> hand_;
     SimulatedPantograph device_;
+    ShapeInHand shape_;
     ServoStep step_;
     ServoCommands commands_;
     FeltPicture picture_;

@@ -49,6 +49,7 @@ PictureFacts fake_facts(const LoadPicture& order) {
 
 FakeHouse::FakeHouse(VisitRules house_rules) : rules(std::move(house_rules)) {
     for (const Language& language : languages) gallery.push_back(twelve_pictures(language.code()));
+    settings.offers_shapes = true;
     VisitStep first = start_visit(world());
     visit = std::move(first.visit);
     orders = std::move(first.orders);

@@ -32,6 +32,8 @@ std::string name_of(const Visit& visit) {
     name += visitor.is_capturing ? "c" : "";
     name += visitor.leading ? "g" : "";
     name += visitor.is_stick_listed ? "s" : "";
+    const bool is_picture = visitor.path.back().screen == VisitScreen::picture;
+    name += is_picture && visitor.feel.shape != HeldShape::none ? "h" : "";
     return name;
 }
 

@@ -98,5 +98,31 @@ TEST(Guidance, TheNinePlacesAreThirdsOfTheArea) {
     EXPECT_EQ(place_of({0.05, -0.04}, area), Place::lower_right);
 }
 
+TEST(Guidance, ATwistHumsOnItsSideHigherAndLouderTheStrongerItIs) {
+    const ContinuousTone left = torque_tone(4e-3);
+    const ContinuousTone right = torque_tone(-8e-3);
+    EXPECT_LT(left.pan, -0.5);
+    EXPECT_GT(right.pan, 0.5);
+    EXPECT_GT(right.level, left.level);
+    EXPECT_GT(right.frequency_Hz, left.frequency_Hz);
+    EXPECT_EQ(torque_tone(strong_Nm).frequency_Hz, torque_tone(1.0).frequency_Hz);
+    for (const double quiet : {0.0, 1e-3, -1e-3, none, infinite})
+        EXPECT_EQ(torque_tone(quiet).level, 0.0) << quiet;
+}
+
+TEST(Guidance, ATwistGoesBeforeTheDistanceAndAfterATarget) {
+    ContinuousChoice choice;
+    choice.torque_Nm = 5e-3;
+    const CueArea area;
+    const double hum_Hz = torque_tone(5e-3).frequency_Hz;
+    EXPECT_EQ(continuous_tone(choice, {}, 0.0, area).frequency_Hz, hum_Hz);
+    choice.amount = CueAmount::full;
+    EXPECT_EQ(continuous_tone(choice, {}, 0.005, area).frequency_Hz, hum_Hz);
+    choice.target_W = Position{0.02, 0.0};
+    EXPECT_NE(continuous_tone(choice, {}, 0.005, area).frequency_Hz, hum_Hz);
+    choice = {CueAmount::none, false, std::nullopt, 5e-3};
+    EXPECT_EQ(continuous_tone(choice, {}, 0.005, area).level, 0.0);
+}
+
 }  // namespace
 }  // namespace touchline
