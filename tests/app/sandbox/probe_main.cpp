@@ -1,25 +1,46 @@
 // Shuts itself in and then tries one act.
 //
 //   sandbox_probe STEPS KIND ACT    STEPS: all, files (Landlock alone), calls (seccomp alone),
-//   none,
-//                                   system (only reading the system's files)
+//                                   none, system (only reading the system's files), without:CALL
+//                                   (all, on a kernel that refuses the call), without:CALL/N
+//                                   (that call with N as its first argument)
 //
 // Exit status: 0 the act worked, 1 it was refused, 2 usage, 3 the sandbox could not be entered.
 #include "app/sandbox/sandbox.h"
 #include "tests/app/sandbox/acts.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include <seccomp.h>
 #include <unistd.h>
 
 namespace touchline {
 namespace {
 
+constexpr std::string_view without = "without:";
+
+/// From here on the kernel refuses the call, as one does that does not know it.
+bool refuse_call(const std::string& call) {
+    const std::size_t slash = call.find('/');
+    const int number = seccomp_syscall_resolve_name(call.substr(0, slash).c_str());
+    scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
+    const std::uint32_t refused = SCMP_ACT_ERRNO(ENOSYS);
+    const bool has_argument = slash != std::string::npos;
+    const unsigned long first = has_argument ? std::stoul(call.substr(slash + 1)) : 0;
+    const int error =
+        has_argument ? seccomp_rule_add(filter, refused, number, 1, SCMP_A0_32(SCMP_CMP_EQ, first))
+                     : seccomp_rule_add(filter, refused, number, 0);
+    return error == 0 && seccomp_load(filter) == 0;
+}
+
 Result<void> enter(const std::string& steps, WorkerKind kind) {
-    if (steps == "all") return enter_sandbox(kind);
+    if (steps.starts_with(without) && !refuse_call(steps.substr(without.size()))) _exit(2);
+    if (steps == "all" || steps.starts_with(without)) return enter_sandbox(kind);
     if (steps == "files") return deny_files(kind);
     if (steps == "system") return allow_only_reading_the_system();
     if (steps == "calls") return filter_calls(kind);

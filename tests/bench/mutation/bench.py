@@ -124,15 +124,16 @@ class Switched:
         runtime = [*next(iter(commands.values()))]
         runtime[runtime.index('-c') + 1] = str(HERE / 'switches.cpp')
         objects = {o: self.bench.work / f'{i}.o' for i, o in enumerate(commands)}
-        left = dict(commands)
+        made, left = set(), [o for o in commands if not o.startswith('tests/')]  # first what is soon compiled
         while left:
             for path, source in self.sources.items():
                 (self.tree / path).parent.mkdir(parents=True, exist_ok=True)
                 (self.tree / path).write_text(str(source))
-            said = list(self.bench.pool.map(lambda o: self.compiled(left[o], objects[o]), left))
+            said = list(self.bench.pool.map(lambda o: self.compiled(commands[o], objects[o]), left))
             complaints = {o: s for o, s in zip(left, said) if s}
             is_header_changed = self.leave_what_fails(complaints.values())
-            left = commands if is_header_changed else {o: commands[o] for o in complaints}
+            made = set() if is_header_changed else made.union(left) - complaints.keys()
+            left = list(complaints) or [o for o in commands if o not in made]
         self.compiled(runtime, self.bench.work / 'switches.o')
         for program in self.bench.programs.values():
             program.link.insert(program.link.index('-o'), str(self.bench.work / 'switches.o'))
@@ -169,8 +170,8 @@ class Switched:
     def tested(self, at, deadline_s, **surroundings):
         return tested(self.bench.work / at[0], at[1], deadline_s, **surroundings)
 
-    def judged(self, mutant):
-        """(end, by): only the cases that reach it are run, first those that have killed near it and take little time."""
+    def judged(self, mutant, least_s, most_s):
+        """(end, by): only cases that reach it are run, and take so long; first those that have killed near it, quickly."""
         number = self.number_of[mutant.name]
         states = {self.states[at][number] for at in self.states}
         if DOES_NOT_COMPILE in states:
@@ -182,7 +183,8 @@ class Switched:
         def worth(at):
             return (self.kills[mutant.path, at] + 0.1) / (self.seconds[at] + 0.02)
 
-        for at in sorted(reaching, key=worth, reverse=True):
+        in_time = [at for at in reaching if least_s <= self.seconds[at] < most_s]
+        for at in sorted(in_time, key=worth, reverse=True):
             end = self.tested(at, max(LEAST_DEADLINE_S, 10.0 * self.seconds[at]), TOUCHLINE_MUTANT=str(number))
             if end != 'passed':
                 self.kills[mutant.path, at] += 1
