@@ -5,18 +5,26 @@
 //                                   (all, on a kernel that refuses the call), without:CALL/N
 //                                   (that call with N as its first argument)
 //
-// Exit status: 0 the act worked, 1 it was refused, 2 usage, 3 the sandbox could not be entered.
+// Exit status: 0 the act worked, 1 it was refused, 2 usage, 3 the sandbox could not be entered; for
+// the act "settings" only if what was set before says that the process dies with its parent and
+// cannot be traced.
 #include "app/sandbox/sandbox.h"
 #include "tests/app/sandbox/acts.h"
 
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include <seccomp.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -68,6 +76,34 @@ int write_much() {
     return 0;
 }
 
+/// As far as the sandbox was entered.
+bool is_shut_off() {
+    int death = 0;
+    return prctl(PR_GET_DUMPABLE) == 0 && prctl(PR_GET_PDEATHSIG, &death) == 0 && death == SIGKILL;
+}
+
+/// One that a library has started before the process shuts itself in.
+class EarlierThread {
+  public:
+    EarlierThread()
+        : thread_([this] {
+              may_act_.wait(false);
+              has_socket_ = socket(AF_UNIX, SOCK_STREAM, 0) >= 0;
+          }) {}
+
+    bool opens_socket() {
+        may_act_ = true;
+        may_act_.notify_one();
+        thread_.join();
+        return has_socket_;
+    }
+
+  private:
+    std::atomic<bool> may_act_ = false;
+    bool has_socket_ = false;
+    std::thread thread_;
+};
+
 int try_act(const std::string& name) {
     if (name == "spin") spin();
     if (name == "allocate") return allocate();
@@ -85,10 +121,14 @@ int try_act(const std::string& name) {
 int main(int argc, char** argv) {
     using namespace touchline;
     if (argc != 4) return 2;
+    const std::string act = argv[3];
+    std::optional<EarlierThread> thread;
+    if (act == "thread") thread.emplace();
     const auto entered = enter(argv[1], static_cast<WorkerKind>(std::atoi(argv[2])));
     if (!entered) {
         std::fprintf(stderr, "%s\n", entered.error().line.c_str());
-        return 3;
+        return act == "settings" && !is_shut_off() ? 0 : 3;
     }
-    _exit(try_act(argv[3]));
+    if (thread) _exit(thread->opens_socket() ? 0 : 1);
+    _exit(try_act(act));
 }

@@ -136,6 +136,16 @@ TEST_F(SandboxAlone, IsNotEnteredWhereAnyStepFails) {
     }
 }
 
+/// Asked where the last step fails: inside no one could ask any more.
+TEST_F(SandboxAlone, DiesWithItsParentAndCannotBeTraced) {
+    EXPECT_EQ(probe("without:seccomp", WorkerKind::raster, "settings"), was_not_shut_in);
+}
+
+TEST_F(SandboxAlone, TheFilterOfCallsHoldsForThreadsStartedBefore) {
+    EXPECT_EQ(probe("calls", WorkerKind::film, "thread"), was_killed);
+    EXPECT_EQ(probe("none", WorkerKind::film, "thread"), worked);
+}
+
 /// Or the tests above would prove nothing.
 TEST_F(SandboxAlone, WithoutItTheActsWork) {
     for (const char* act : {"open", "openat", "stat", "socket", "unix socket", "fork",

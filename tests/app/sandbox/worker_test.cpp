@@ -2,7 +2,9 @@
 // the liars.
 #include "app/sandbox/worker.h"
 
+#include "app/process/child.h"
 #include "app/process/memory.h"
+#include "app/sandbox/sandbox.h"
 
 #include <algorithm>
 #include <ctime>
@@ -41,6 +43,13 @@ TEST(Worker, ReadsItsInputAndItsOutputIsSealed) {
     EXPECT_EQ(outcome.end, WorkerEnd::done);
     EXPECT_EQ(text_of(outcome), "hello\n");
     EXPECT_LT(write(outcome.output.number(), "x", 1), 0);
+}
+
+/// Both sides count the descriptors alike.
+TEST(Worker, FindsItsDescriptorsWhereTheyAreHanded) {
+    EXPECT_EQ(worker_input, Child::first_handed);
+    EXPECT_EQ(worker_output, Child::first_handed + 1);
+    EXPECT_EQ(worker_descriptors, Child::first_handed + 2);
 }
 
 TEST(Worker, HasOneThreadOfOpenMP) {

@@ -37,13 +37,16 @@ def enumerated(folder):
 
 
 def tested(at, case, deadline_s, **surroundings):
-    """'passed', 'killed' or 'timeout': what the program at this place says of the case ('*': of all)."""
+    """What the program at this place says of the case ('*': of all): 'passed', 'killed' or 'timeout'; and its work in s."""
     environment = dict(os.environ, RC_PARAMS='seed=1', TOUCHLINE_PROGRAMS=str(BUILD / 'app/main'), **surroundings)
     words = ['prlimit', f'--as={MOST_MEMORY}', 'timeout', '-k', '1', str(deadline_s), str(at), '--gtest_fail_fast',
              '--gtest_brief=1', f'--gtest_filter={case}']
     with open(os.devnull, 'r+') as nothing:
-        status = subprocess.run(words, cwd=BUILD, env=environment, stdin=nothing, stdout=nothing, stderr=nothing)
-    return {0: 'passed', 124: 'timeout', 137: 'timeout'}.get(status.returncode, 'killed')
+        run = subprocess.Popen(words, cwd=BUILD, env=environment, stdin=nothing, stdout=nothing, stderr=nothing)
+    _, status, used = os.wait4(run.pid, 0)
+    run.returncode = os.waitstatus_to_exitcode(status)
+    end = {0: 'passed', 124: 'timeout', 137: 'timeout'}.get(run.returncode, 'killed')
+    return end, used.ru_utime + used.ru_stime
 
 
 class Bench:
@@ -94,7 +97,7 @@ class Bench:
             if not self.linked(objects, where):
                 return 'not compiling', 'linker'
             for name in self.names:
-                end = tested(where / name, '*', WHOLE_DEADLINE_S)
+                end, _ = tested(where / name, '*', WHOLE_DEADLINE_S)
                 if end != 'passed':
                     return end, name
             return 'survived', ''
@@ -114,7 +117,7 @@ class Switched:
         self.build()
         self.names = set().union(*(s.switched() for s in self.sources.values()))
         print(f'{bench.folder}: {len(self.names)} of {len(all_mutants)} mutants in one build', flush=True)
-        self.seconds, self.states = {}, {}  # of each case, (program, its name)
+        self.seconds, self.work_s, self.states = {}, {}, {}  # of each case, (program, its name)
         self.kills = collections.Counter()
         self.watch()
 
@@ -159,7 +162,8 @@ class Switched:
             told = self.bench.work / f'states-{len(self.seconds)}-{at[1].replace("/", "-")}'
             told.write_bytes(bytes(len(self.number_of) + 1))
             begin = time.monotonic()
-            if self.tested(at, 600, TOUCHLINE_MUTANTS_REACHED=str(told)) != 'passed':
+            end, self.work_s[at] = self.tested(at, 600, TOUCHLINE_MUTANTS_REACHED=str(told))
+            if end != 'passed':
                 sys.exit(f'{" ".join(at)} fails without a mutant: mend it first')
             self.seconds[at] = time.monotonic() - begin
             self.states[at] = told.read_bytes()
@@ -171,7 +175,7 @@ class Switched:
         return tested(self.bench.work / at[0], at[1], deadline_s, **surroundings)
 
     def judged(self, mutant, least_s, most_s):
-        """(end, by): only cases that reach it are run, and take so long; first those that have killed near it, quickly."""
+        """(end, by): only cases that reach it are run, and cost so much; first those that have killed near it for little."""
         number = self.number_of[mutant.name]
         states = {self.states[at][number] for at in self.states}
         if DOES_NOT_COMPILE in states:
@@ -181,11 +185,12 @@ class Switched:
             return self.bench.judged_alone(mutant, is_reached=False)
 
         def worth(at):
-            return (self.kills[mutant.path, at] + 0.1) / (self.seconds[at] + 0.02)
+            return (self.kills[mutant.path, at] + 0.1) / (self.work_s[at] + 0.01)
 
-        in_time = [at for at in reaching if least_s <= self.seconds[at] < most_s]
+        in_time = [at for at in reaching if least_s <= self.work_s[at] < most_s]
         for at in sorted(in_time, key=worth, reverse=True):
-            end = self.tested(at, max(LEAST_DEADLINE_S, 10.0 * self.seconds[at]), TOUCHLINE_MUTANT=str(number))
+            deadline_s = max(LEAST_DEADLINE_S, 10.0 * self.seconds[at])
+            end, _ = self.tested(at, deadline_s, TOUCHLINE_MUTANT=str(number))
             if end != 'passed':
                 self.kills[mutant.path, at] += 1
                 return end, at[1]
