@@ -5,6 +5,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -18,6 +19,7 @@ ROOT = HERE.parents[2]
 BUILD = ROOT / 'build/release'
 WORK = ROOT / 'build/mutation'
 LEAST_DEADLINE_S, WHOLE_DEADLINE_S = 4.0, 300.0
+SINGLES = 5
 DOES_NOT_COMPILE = 2  # as in switches.h
 MOST_MEMORY = 4 << 30  # a mutant may grow without end
 
@@ -36,17 +38,19 @@ def enumerated(folder):
     return [m for p in paths for m in mutants.mutants_of(str(p), (ROOT / p).read_text())]
 
 
-def tested(at, case, deadline_s, **surroundings):
-    """What the program at this place says of the case ('*': of all): 'passed', 'killed' or 'timeout'; and its work in s."""
+def tested(at, cases, deadline_s, **surroundings):
+    """What the program at this place says of the cases: ('passed', 'killed' or 'timeout', the last that it ran, its work in s)."""
     environment = dict(os.environ, RC_PARAMS='seed=1', TOUCHLINE_PROGRAMS=str(BUILD / 'app/main'), **surroundings)
-    words = ['prlimit', f'--as={MOST_MEMORY}', 'timeout', '-k', '1', str(deadline_s), str(at), '--gtest_fail_fast',
-             '--gtest_brief=1', f'--gtest_filter={case}']
-    with open(os.devnull, 'r+') as nothing:
-        run = subprocess.Popen(words, cwd=BUILD, env=environment, stdin=nothing, stdout=nothing, stderr=nothing)
-    _, status, used = os.wait4(run.pid, 0)
-    run.returncode = os.waitstatus_to_exitcode(status)
+    words = ['prlimit', f'--as={MOST_MEMORY}', 'timeout', '-k', '1', f'{deadline_s:.0f}', str(at), '--gtest_fail_fast',
+             f'--gtest_filter={":".join(cases)}']
+    with tempfile.TemporaryFile() as told:
+        run = subprocess.Popen(words, cwd=BUILD, env=environment, stdin=subprocess.DEVNULL, stdout=told, stderr=told)
+        _, status, used = os.wait4(run.pid, 0)
+        run.returncode = os.waitstatus_to_exitcode(status)
+        told.seek(0)
+        last = re.findall(rb'^\[ RUN      \] (\S+)', told.read(1 << 20), re.M)
     end = {0: 'passed', 124: 'timeout', 137: 'timeout'}.get(run.returncode, 'killed')
-    return end, used.ru_utime + used.ru_stime
+    return end, last[-1].decode() if last else '', used.ru_utime + used.ru_stime
 
 
 class Bench:
@@ -97,9 +101,9 @@ class Bench:
             if not self.linked(objects, where):
                 return 'not compiling', 'linker'
             for name in self.names:
-                end, _ = tested(where / name, '*', WHOLE_DEADLINE_S)
+                end, case, _ = tested(where / name, '*', WHOLE_DEADLINE_S)
                 if end != 'passed':
-                    return end, name
+                    return end, case or name
             return 'survived', ''
         finally:
             shutil.rmtree(where)
@@ -162,7 +166,7 @@ class Switched:
             told = self.bench.work / f'states-{len(self.seconds)}-{at[1].replace("/", "-")}'
             told.write_bytes(bytes(len(self.number_of) + 1))
             begin = time.monotonic()
-            end, self.work_s[at] = self.tested(at, 600, TOUCHLINE_MUTANTS_REACHED=str(told))
+            end, _, self.work_s[at] = tested(self.bench.work / at[0], at[1:], 600, TOUCHLINE_MUTANTS_REACHED=str(told))
             if end != 'passed':
                 sys.exit(f'{" ".join(at)} fails without a mutant: mend it first')
             self.seconds[at] = time.monotonic() - begin
@@ -170,9 +174,6 @@ class Switched:
 
         cases = [(p, case) for p in self.bench.names for case in cases_of(self.bench.work / p)]
         list(self.bench.pool.map(one, cases))
-
-    def tested(self, at, deadline_s, **surroundings):
-        return tested(self.bench.work / at[0], at[1], deadline_s, **surroundings)
 
     def judged(self, mutant, least_s, most_s):
         """(end, by): only cases that reach it are run, and cost so much; first those that have killed near it for little."""
@@ -187,13 +188,16 @@ class Switched:
         def worth(at):
             return (self.kills[mutant.path, at] + 0.1) / (self.work_s[at] + 0.01)
 
-        in_time = [at for at in reaching if least_s <= self.work_s[at] < most_s]
-        for at in sorted(in_time, key=worth, reverse=True):
-            deadline_s = max(LEAST_DEADLINE_S, 10.0 * self.seconds[at])
-            end, _ = self.tested(at, deadline_s, TOUCHLINE_MUTANT=str(number))
+        order = sorted((at for at in reaching if least_s <= self.work_s[at] < most_s), key=worth, reverse=True)
+        # The most promising by themselves, the others together: to start a program costs more than a small case.
+        together = [[at for at in order[SINGLES:] if at[0] == program] for program in self.bench.names]
+        for some in [*([at] for at in order[:SINGLES]), *filter(None, together)]:
+            program, cases = some[0][0], [case for _, case in some]
+            deadline_s = max(LEAST_DEADLINE_S, 10.0 * sum(self.seconds[at] for at in some))
+            end, case, _ = tested(self.bench.work / program, cases, deadline_s, TOUCHLINE_MUTANT=str(number))
             if end != 'passed':
-                self.kills[mutant.path, at] += 1
-                return end, at[1]
+                self.kills[mutant.path, (program, case)] += 1
+                return end, case or program
         return 'survived', ''
 
 
