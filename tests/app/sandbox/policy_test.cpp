@@ -308,6 +308,7 @@ TEST(SandboxPolicy, AKindThatIsNoneMayDoNothing) {
     const WorkerLimits none = limits_of(static_cast<WorkerKind>(worker_kind_count));
     EXPECT_EQ(none.address_space_bytes, 0U);
     EXPECT_EQ(none.input_bytes, 0U);
+    EXPECT_EQ(none.file_bytes, 0U);
     EXPECT_FALSE(none.has_threads);
     EXPECT_FALSE(none.reads_fonts);
 }

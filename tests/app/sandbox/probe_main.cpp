@@ -1,25 +1,54 @@
 // Shuts itself in and then tries one act.
 //
 //   sandbox_probe STEPS KIND ACT    STEPS: all, files (Landlock alone), calls (seccomp alone),
-//   none,
-//                                   system (only reading the system's files)
+//                                   none, system (only reading the system's files), without:CALL
+//                                   (all, on a kernel that refuses the call), without:CALL/N
+//                                   (that call with N as its first argument)
 //
-// Exit status: 0 the act worked, 1 it was refused, 2 usage, 3 the sandbox could not be entered.
+// Exit status: 0 the act worked, 1 it was refused, 2 usage, 3 the sandbox could not be entered; for
+// the act "settings" only if what was set before says that the process dies with its parent and
+// cannot be traced.
 #include "app/sandbox/sandbox.h"
 #include "tests/app/sandbox/acts.h"
 
+#include <atomic>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <thread>
 #include <vector>
 
+#include <seccomp.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 namespace touchline {
 namespace {
 
+constexpr std::string_view without = "without:";
+
+/// From here on the kernel refuses the call, as one does that does not know it.
+bool refuse_call(const std::string& call) {
+    const std::size_t slash = call.find('/');
+    const int number = seccomp_syscall_resolve_name(call.substr(0, slash).c_str());
+    scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
+    const std::uint32_t refused = SCMP_ACT_ERRNO(ENOSYS);
+    const bool has_argument = slash != std::string::npos;
+    const unsigned long first = has_argument ? std::stoul(call.substr(slash + 1)) : 0;
+    const int error =
+        has_argument ? seccomp_rule_add(filter, refused, number, 1, SCMP_A0_32(SCMP_CMP_EQ, first))
+                     : seccomp_rule_add(filter, refused, number, 0);
+    return error == 0 && seccomp_load(filter) == 0;
+}
+
 Result<void> enter(const std::string& steps, WorkerKind kind) {
-    if (steps == "all") return enter_sandbox(kind);
+    if (steps.starts_with(without) && !refuse_call(steps.substr(without.size()))) _exit(2);
+    if (steps == "all" || steps.starts_with(without)) return enter_sandbox(kind);
     if (steps == "files") return deny_files(kind);
     if (steps == "system") return allow_only_reading_the_system();
     if (steps == "calls") return filter_calls(kind);
@@ -47,6 +76,34 @@ int write_much() {
     return 0;
 }
 
+/// As far as the sandbox was entered.
+bool is_shut_off() {
+    int death = 0;
+    return prctl(PR_GET_DUMPABLE) == 0 && prctl(PR_GET_PDEATHSIG, &death) == 0 && death == SIGKILL;
+}
+
+/// One that a library has started before the process shuts itself in.
+class EarlierThread {
+  public:
+    EarlierThread()
+        : thread_([this] {
+              may_act_.wait(false);
+              has_socket_ = socket(AF_UNIX, SOCK_STREAM, 0) >= 0;
+          }) {}
+
+    bool opens_socket() {
+        may_act_ = true;
+        may_act_.notify_one();
+        thread_.join();
+        return has_socket_;
+    }
+
+  private:
+    std::atomic<bool> may_act_ = false;
+    bool has_socket_ = false;
+    std::thread thread_;
+};
+
 int try_act(const std::string& name) {
     if (name == "spin") spin();
     if (name == "allocate") return allocate();
@@ -64,10 +121,14 @@ int try_act(const std::string& name) {
 int main(int argc, char** argv) {
     using namespace touchline;
     if (argc != 4) return 2;
+    const std::string act = argv[3];
+    std::optional<EarlierThread> thread;
+    if (act == "thread") thread.emplace();
     const auto entered = enter(argv[1], static_cast<WorkerKind>(std::atoi(argv[2])));
     if (!entered) {
         std::fprintf(stderr, "%s\n", entered.error().line.c_str());
-        return 3;
+        return act == "settings" && !is_shut_off() ? 0 : 3;
     }
-    _exit(try_act(argv[3]));
+    if (thread) _exit(thread->opens_socket() ? 0 : 1);
+    _exit(try_act(act));
 }

@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,6 +32,7 @@ struct Ending {
 constexpr Ending worked{0, 0};
 constexpr Ending was_refused{1, 0};
 constexpr Ending was_killed{-1, SIGSYS};
+constexpr Ending was_not_shut_in{3, 0};
 
 /// It stands beside this program.
 fs::path probe_program() {
@@ -119,6 +121,29 @@ TEST_F(SandboxAlone, WhileLibrariesArePreparedOnlyTheSystemIsRead) {
         EXPECT_EQ(probe("system", WorkerKind::document, act.name), was_refused) << act.name;
     }
     EXPECT_EQ(probe("system", WorkerKind::document, "read system file"), worked);
+}
+
+/// Each step in turn, on a kernel that cannot take it. A worker that is not shut in does no work.
+TEST_F(SandboxAlone, IsNotEnteredWhereAnyStepFails) {
+    const std::string prctl = "without:prctl/";
+    for (const std::string& steps :
+         {prctl + std::to_string(PR_SET_PDEATHSIG), prctl + std::to_string(PR_SET_DUMPABLE),
+          prctl + std::to_string(PR_SET_NO_NEW_PRIVS), std::string("without:close_range"),
+          std::string("without:prlimit64"), std::string("without:landlock_create_ruleset"),
+          std::string("without:landlock_add_rule"), std::string("without:landlock_restrict_self"),
+          std::string("without:openat"), std::string("without:seccomp")}) {
+        EXPECT_EQ(probe(steps, WorkerKind::document, "nothing"), was_not_shut_in) << steps;
+    }
+}
+
+/// Asked where the last step fails: inside no one could ask any more.
+TEST_F(SandboxAlone, DiesWithItsParentAndCannotBeTraced) {
+    EXPECT_EQ(probe("without:seccomp", WorkerKind::raster, "settings"), was_not_shut_in);
+}
+
+TEST_F(SandboxAlone, TheFilterOfCallsHoldsForThreadsStartedBefore) {
+    EXPECT_EQ(probe("calls", WorkerKind::film, "thread"), was_killed);
+    EXPECT_EQ(probe("none", WorkerKind::film, "thread"), worked);
 }
 
 /// Or the tests above would prove nothing.

@@ -2,15 +2,19 @@
 // the liars.
 #include "app/sandbox/worker.h"
 
+#include "app/process/child.h"
 #include "app/process/memory.h"
+#include "app/sandbox/sandbox.h"
 
 #include <algorithm>
+#include <csignal>
 #include <ctime>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,6 +45,13 @@ TEST(Worker, ReadsItsInputAndItsOutputIsSealed) {
     EXPECT_EQ(outcome.end, WorkerEnd::done);
     EXPECT_EQ(text_of(outcome), "hello\n");
     EXPECT_LT(write(outcome.output.number(), "x", 1), 0);
+}
+
+/// Both sides count the descriptors alike.
+TEST(Worker, FindsItsDescriptorsWhereTheyAreHanded) {
+    EXPECT_EQ(worker_input, Child::first_handed);
+    EXPECT_EQ(worker_output, Child::first_handed + 1);
+    EXPECT_EQ(worker_descriptors, Child::first_handed + 2);
 }
 
 TEST(Worker, HasOneThreadOfOpenMP) {
@@ -96,6 +107,20 @@ TEST(Worker, ThatSleepsIsEndedAtItsDeadline) {
 /// Somebody listens to a voice for as long as it speaks.
 TEST(Worker, ThatSpeaksHasNoDeadline) {
     EXPECT_EQ(text_of(worked("sleep 0.2; echo spoken >&4", WorkerKind::speech)), "spoken\n");
+}
+
+/// A timer's, a profiler's: the wait goes on where they interrupt it.
+TEST(Worker, IsWaitedForThroughSignals) {
+    struct sigaction nothing {};
+
+    nothing.sa_handler = [](int) {};
+    sigaction(SIGALRM, &nothing, nullptr);
+    const itimerval often{{0, 20'000}, {0, 20'000}};
+    const itimerval never{};
+    setitimer(ITIMER_REAL, &often, nullptr);
+    const std::string text = text_of(worked("sleep 0.2; echo spoken >&4"));
+    setitimer(ITIMER_REAL, &never, nullptr);
+    EXPECT_EQ(text, "spoken\n");
 }
 
 /// Every descriptor that this process may have is taken.

@@ -5,6 +5,7 @@
 #include "tests/app/sandbox/acts.h"
 #include "tests/app/sticks/stick_folder.h"
 
+#include <array>
 #include <csignal>
 #include <functional>
 
@@ -73,6 +74,19 @@ TEST_F(Fence, LetsTheStickBeRead) {
                   char byte = 0;
                   return file.is_open() && read(file.number(), &byte, 1) == 1 && byte == 'w' ? 0
                                                                                              : -1;
+              }),
+              Outcome::worked);
+}
+
+TEST_F(Fence, LetsTheStickBeListed) {
+    EXPECT_EQ(try_inside([](const Descriptor& root) -> long {
+                  const Descriptor folder(
+                      static_cast<int>(open_anyhow(root.number(), ".", O_RDONLY | O_DIRECTORY)));
+                  std::array<char, 1024> entries{};
+                  return folder.is_open() && syscall(SYS_getdents64, folder.number(),
+                                                     entries.data(), entries.size()) > 0
+                             ? 0
+                             : -1;
               }),
               Outcome::worked);
 }

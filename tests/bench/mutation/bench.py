@@ -5,6 +5,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -18,6 +19,7 @@ ROOT = HERE.parents[2]
 BUILD = ROOT / 'build/release'
 WORK = ROOT / 'build/mutation'
 LEAST_DEADLINE_S, WHOLE_DEADLINE_S = 4.0, 300.0
+SINGLES = 5
 DOES_NOT_COMPILE = 2  # as in switches.h
 MOST_MEMORY = 4 << 30  # a mutant may grow without end
 
@@ -36,14 +38,19 @@ def enumerated(folder):
     return [m for p in paths for m in mutants.mutants_of(str(p), (ROOT / p).read_text())]
 
 
-def tested(at, case, deadline_s, **surroundings):
-    """'passed', 'killed' or 'timeout': what the program at this place says of the case ('*': of all)."""
+def tested(at, cases, deadline_s, **surroundings):
+    """What the program at this place says of the cases: ('passed', 'killed' or 'timeout', the last that it ran, its work in s)."""
     environment = dict(os.environ, RC_PARAMS='seed=1', TOUCHLINE_PROGRAMS=str(BUILD / 'app/main'), **surroundings)
-    words = ['prlimit', f'--as={MOST_MEMORY}', 'timeout', '-k', '1', str(deadline_s), str(at), '--gtest_fail_fast',
-             '--gtest_brief=1', f'--gtest_filter={case}']
-    with open(os.devnull, 'r+') as nothing:
-        status = subprocess.run(words, cwd=BUILD, env=environment, stdin=nothing, stdout=nothing, stderr=nothing)
-    return {0: 'passed', 124: 'timeout', 137: 'timeout'}.get(status.returncode, 'killed')
+    words = ['prlimit', f'--as={MOST_MEMORY}', 'timeout', '-k', '1', f'{deadline_s:.0f}', str(at), '--gtest_fail_fast',
+             f'--gtest_filter={":".join(cases)}']
+    with tempfile.TemporaryFile() as told:
+        run = subprocess.Popen(words, cwd=BUILD, env=environment, stdin=subprocess.DEVNULL, stdout=told, stderr=told)
+        _, status, used = os.wait4(run.pid, 0)
+        run.returncode = os.waitstatus_to_exitcode(status)
+        told.seek(0)
+        last = re.findall(rb'^\[ RUN      \] (\S+)', told.read(1 << 20), re.M)
+    end = {0: 'passed', 124: 'timeout', 137: 'timeout'}.get(run.returncode, 'killed')
+    return end, last[-1].decode() if last else '', used.ru_utime + used.ru_stime
 
 
 class Bench:
@@ -94,9 +101,9 @@ class Bench:
             if not self.linked(objects, where):
                 return 'not compiling', 'linker'
             for name in self.names:
-                end = tested(where / name, '*', WHOLE_DEADLINE_S)
+                end, case, _ = tested(where / name, '*', WHOLE_DEADLINE_S)
                 if end != 'passed':
-                    return end, name
+                    return end, case or name
             return 'survived', ''
         finally:
             shutil.rmtree(where)
@@ -114,7 +121,7 @@ class Switched:
         self.build()
         self.names = set().union(*(s.switched() for s in self.sources.values()))
         print(f'{bench.folder}: {len(self.names)} of {len(all_mutants)} mutants in one build', flush=True)
-        self.seconds, self.states = {}, {}  # of each case, (program, its name)
+        self.seconds, self.work_s, self.states = {}, {}, {}  # of each case, (program, its name)
         self.kills = collections.Counter()
         self.watch()
 
@@ -124,15 +131,16 @@ class Switched:
         runtime = [*next(iter(commands.values()))]
         runtime[runtime.index('-c') + 1] = str(HERE / 'switches.cpp')
         objects = {o: self.bench.work / f'{i}.o' for i, o in enumerate(commands)}
-        left = dict(commands)
+        made, left = set(), [o for o in commands if not o.startswith('tests/')]  # first what is soon compiled
         while left:
             for path, source in self.sources.items():
                 (self.tree / path).parent.mkdir(parents=True, exist_ok=True)
                 (self.tree / path).write_text(str(source))
-            said = list(self.bench.pool.map(lambda o: self.compiled(left[o], objects[o]), left))
+            said = list(self.bench.pool.map(lambda o: self.compiled(commands[o], objects[o]), left))
             complaints = {o: s for o, s in zip(left, said) if s}
             is_header_changed = self.leave_what_fails(complaints.values())
-            left = commands if is_header_changed else {o: commands[o] for o in complaints}
+            made = set() if is_header_changed else made.union(left) - complaints.keys()
+            left = list(complaints) or [o for o in commands if o not in made]
         self.compiled(runtime, self.bench.work / 'switches.o')
         for program in self.bench.programs.values():
             program.link.insert(program.link.index('-o'), str(self.bench.work / 'switches.o'))
@@ -158,7 +166,8 @@ class Switched:
             told = self.bench.work / f'states-{len(self.seconds)}-{at[1].replace("/", "-")}'
             told.write_bytes(bytes(len(self.number_of) + 1))
             begin = time.monotonic()
-            if self.tested(at, 600, TOUCHLINE_MUTANTS_REACHED=str(told)) != 'passed':
+            end, _, self.work_s[at] = tested(self.bench.work / at[0], at[1:], 600, TOUCHLINE_MUTANTS_REACHED=str(told))
+            if end != 'passed':
                 sys.exit(f'{" ".join(at)} fails without a mutant: mend it first')
             self.seconds[at] = time.monotonic() - begin
             self.states[at] = told.read_bytes()
@@ -166,11 +175,8 @@ class Switched:
         cases = [(p, case) for p in self.bench.names for case in cases_of(self.bench.work / p)]
         list(self.bench.pool.map(one, cases))
 
-    def tested(self, at, deadline_s, **surroundings):
-        return tested(self.bench.work / at[0], at[1], deadline_s, **surroundings)
-
-    def judged(self, mutant):
-        """(end, by): only the cases that reach it are run, first those that have killed near it and take little time."""
+    def judged(self, mutant, least_s, most_s):
+        """(end, by): only cases that reach it are run, and cost so much; first those that have killed near it for little."""
         number = self.number_of[mutant.name]
         states = {self.states[at][number] for at in self.states}
         if DOES_NOT_COMPILE in states:
@@ -180,13 +186,18 @@ class Switched:
             return self.bench.judged_alone(mutant, is_reached=False)
 
         def worth(at):
-            return (self.kills[mutant.path, at] + 0.1) / (self.seconds[at] + 0.02)
+            return (self.kills[mutant.path, at] + 0.1) / (self.work_s[at] + 0.01)
 
-        for at in sorted(reaching, key=worth, reverse=True):
-            end = self.tested(at, max(LEAST_DEADLINE_S, 10.0 * self.seconds[at]), TOUCHLINE_MUTANT=str(number))
+        order = sorted((at for at in reaching if least_s <= self.work_s[at] < most_s), key=worth, reverse=True)
+        # The most promising by themselves, the others together: to start a program costs more than a small case.
+        together = [[at for at in order[SINGLES:] if at[0] == program] for program in self.bench.names]
+        for some in [*([at] for at in order[:SINGLES]), *filter(None, together)]:
+            program, cases = some[0][0], [case for _, case in some]
+            deadline_s = max(LEAST_DEADLINE_S, 10.0 * sum(self.seconds[at] for at in some))
+            end, case, _ = tested(self.bench.work / program, cases, deadline_s, TOUCHLINE_MUTANT=str(number))
             if end != 'passed':
-                self.kills[mutant.path, at] += 1
-                return end, at[1]
+                self.kills[mutant.path, (program, case)] += 1
+                return end, case or program
         return 'survived', ''
 
 

@@ -38,6 +38,11 @@ class Mutants(unittest.TestCase):
             (11, 'constant', '2', '0'), (11, 'constant', '2', '1'), (11, 'product', '*', '/'), (11, 'sum', '+', '-'),
             (11, 'constant', '1', '0')])
 
+    def test_an_operator_may_end_a_line_and_a_declaration_is_no_statement(self):
+        source = 'bool held() {\n    Force force;\n    return is_on() &&\n           is_near(force);\n}\n'
+        found = [(m.line, m.before, m.after) for m in mutants.mutants_of('a.cpp', source)]
+        self.assertEqual(found, [(1, 'bool held() {', 'return {};'), (3, '&&', '||')])
+
     def test_one_place_is_changed_and_lines_stay(self):
         for mutant in mutants.mutants_of('a.cpp', SOURCE):
             changed = mutants.applied(mutant, SOURCE).split('\n')

@@ -22,7 +22,7 @@ extern unsigned char* states;  // of all mutants: reached or not
 
 inline bool on(int mutant) {
     states[mutant] = reached;
-    return active == mutant;
+    return __builtin_expect(active == mutant, false);
 }
 
 template <class T>
