@@ -30,7 +30,8 @@ def _take(kiosk):
     kiosk.machine.wait_screen(['under the camera'])
     kiosk.to_item('Take the picture')
     kiosk.press('ret')
-    kiosk.machine.wait_screen(['Stiffness'], 300)
+    if not kiosk.is_felt():
+        raise Fault(f'no picture: {kiosk.machine.screen()}')
 
 
 def _wait_lost(kiosk):

@@ -66,10 +66,10 @@ def _visit(table, kiosk, name, file):
     with table.check('stick', f'{name}: mounted read only, listed, pulled, unmounted'):
         plugged = _plug(kiosk, file)
         try:
-            with table.check('stick', f'{name}: a PNG and a PDF open'):
-                kiosk.open_stick(sticks.PNG)
+            with table.check('stick', f'{name}: a PNG and a PDF open') as note:
+                png = kiosk.open_stick(sticks.PNG)
                 kiosk.to_choose()
-                kiosk.open_stick(sticks.PDF)
+                note(f'asked {png} and {kiosk.open_stick(sticks.PDF)} times')
         finally:
             kiosk.machine.pull_stick(plugged)
         _wait_gone(kiosk.machine)
