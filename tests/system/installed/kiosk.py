@@ -107,15 +107,20 @@ class Kiosk:
         said = wait_for(lambda: re.search(f'{FELT}|{TROUBLE}', self.machine.screen()), 300, 'a picture, or why not', 1)
         return not re.fullmatch(TROUBLE, said.group())
 
+    def ask_stick(self, file):
+        """From "What to feel" to a picture of the stick being opened."""
+        name = file.rsplit('.', 1)[0]
+        self.to_item('Your USB stick')
+        self.press('ret')
+        self.machine.wait_screen(['1 of 3'])
+        self.to_item(name)
+        self.press('ret')
+
     def open_stick(self, file):
         """From "What to feel" to a picture of the stick that is felt. A worker that was too slow for its deadline, as
         happens in an emulated machine beside other work, is asked again; how often it was asked."""
         for tries in range(1, TRIES + 1):
-            self.to_item('Your USB stick')
-            self.press('ret')
-            self.machine.wait_screen([file])
-            self.to_item(file)
-            self.press('ret')
+            self.ask_stick(file)
             if self.is_felt():
                 return tries
             self.to_choose()
