@@ -7,16 +7,14 @@ def run(table, bench):
     kiosk = bench.ready(table, 'camera')
     program = f'{bench.devices}/redirected_camera'
     with table.check('camera', 'none: the kiosk says so'):
-        kiosk.to_choose()
-        kiosk.machine.wait_screen(['Camera, not ready'])
+        _wait_lost(kiosk)
     with table.check('camera', 'plugged in: a picture is taken and can be felt'):
         camera = Redirected(kiosk.machine, program)
         _take(kiosk)
     with table.check('camera', 'pulled out: the kiosk says so and stays') as note:
         process = kiosk.process()
         note(camera.pull())
-        kiosk.to_choose()
-        kiosk.machine.wait_screen(['not ready'])
+        _wait_lost(kiosk)
     with table.check('camera', 'plugged in again: another picture'):
         camera = Redirected(kiosk.machine, program)
         _take(kiosk)
@@ -32,4 +30,11 @@ def _take(kiosk):
     kiosk.machine.wait_screen(['under the camera'])
     kiosk.to_item('Take the picture')
     kiosk.press('ret')
-    kiosk.machine.wait_screen(['Stiffness'], 300)
+    if not kiosk.is_felt():
+        raise Fault(f'no picture: {kiosk.machine.screen()}')
+
+
+def _wait_lost(kiosk):
+    kiosk.to_choose()
+    kiosk.to_item('Camera')
+    kiosk.machine.wait_screen(['Camera', 'not ready'])

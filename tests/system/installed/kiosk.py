@@ -8,6 +8,9 @@ UNIT = 'touchline-kiosk.service'
 SETTINGS = '/var/lib/touchline/kiosk.toml'
 X = 'DISPLAY=:0 XAUTHORITY=/run/touchline-display/cookie'  # for those who ask the X server
 TRIES = 5
+FELT = 'Lead me round|Explore freely|Bring me back'  # some of what can be done with a picture
+TROUBLE = 'Something is wrong|Select goes on'
+MOST_LOOKS = 6  # at a screen that does not answer a key
 READY_S = 600  # an emulated machine beside other work; a real one needs seconds
 # Nobody presses a key for minutes while a slow machine reads: the visit must not end meanwhile.
 FIRST_SETTINGS = '[time]\ninactivity_s = 1800\n'
@@ -68,42 +71,57 @@ class Kiosk:
         self.machine.press(key)
 
     def go(self, is_there, else_key, what):
-        """Presses a key after each look at the screen that does not show it; the look is its words."""
-        words = ''
+        """Presses a key after each look at the screen that does not show it; the look is its words. The next key waits
+        until the screen has answered the last one, or did not for a while."""
+        words = pressed_at = ''
+        looks = 0
 
         def step():
-            nonlocal words
+            nonlocal words, pressed_at, looks
             words = self.machine.screen()
-            if not is_there(words):
+            if is_there(words):
+                return True
+            looks += 1
+            if words != pressed_at or looks > MOST_LOOKS:
                 self.press(else_key(words))
-                return False
-            return True
+                pressed_at, looks = words, 0
+            return False
         try:
-            wait_for(step, 400, what, 2)
+            wait_for(step, 400, what, 1)
         except Fault as fault:
             raise Fault(f'{fault}; the screen says: {words[-300:]}') from None
 
     def to_choose(self):
         """From wherever the visit is to the list of what to feel."""
         def key(words):
-            return 'ret' if re.search('press any key|find your language|ny key skips|Go on', words) else 'left'
+            return 'ret' if re.search('press any key|find your language|ny key skips|' + TROUBLE, words) else 'left'
         self.go(lambda words: 'What to feel' in words, key, 'the screen "What to feel"')
 
     def to_item(self, name):
-        """Down until the name is on the screen twice: in the list, and in the caption, which tells what has the focus."""
-        self.go(lambda words: words.count(name) > 1, lambda _: 'down', f'the item "{name}"')
+        """Down until the caption tells of it, and which of how many it is: its frame in the list hides it from tesseract."""
+        focus = re.compile(re.escape(name) + r'[^:]{0,40}, \d+ of \d+')
+        self.go(focus.search, lambda _: 'down', f'the item "{name}"')
+
+    def is_felt(self):
+        """Waits for the screen of a picture that is felt, or of why there is none; which of them it is."""
+        said = wait_for(lambda: re.search(f'{FELT}|{TROUBLE}', self.machine.screen()), 300, 'a picture, or why not', 1)
+        return not re.fullmatch(TROUBLE, said.group())
+
+    def ask_stick(self, file):
+        """From "What to feel" to a picture of the stick being opened."""
+        name = file.rsplit('.', 1)[0]
+        self.to_item('Your USB stick')
+        self.press('ret')
+        self.machine.wait_screen(['1 of 3'])
+        self.to_item(name)
+        self.press('ret')
 
     def open_stick(self, file):
         """From "What to feel" to a picture of the stick that is felt. A worker that was too slow for its deadline, as
-        happens in an emulated machine beside other work, is asked again."""
-        for _ in range(TRIES):
-            self.to_item('Your USB stick')
-            self.press('ret')
-            self.machine.wait_screen([file])
-            self.to_item(file)
-            self.press('ret')
-            words = wait_for(lambda: re.search('Stiffness|Go on', self.machine.screen()), 300, 'a picture, or why not', 1)
-            if words.group() == 'Stiffness':
-                return
+        happens in an emulated machine beside other work, is asked again; how often it was asked."""
+        for tries in range(1, TRIES + 1):
+            self.ask_stick(file)
+            if self.is_felt():
+                return tries
             self.to_choose()
         raise Fault(f'{file} was not opened in {TRIES} tries: {self.machine.screen()}')

@@ -66,10 +66,10 @@ def _visit(table, kiosk, name, file):
     with table.check('stick', f'{name}: mounted read only, listed, pulled, unmounted'):
         plugged = _plug(kiosk, file)
         try:
-            with table.check('stick', f'{name}: a PNG and a PDF open'):
-                kiosk.open_stick(sticks.PNG)
+            with table.check('stick', f'{name}: a PNG and a PDF open') as note:
+                png = kiosk.open_stick(sticks.PNG)
                 kiosk.to_choose()
-                kiosk.open_stick(sticks.PDF)
+                note(f'asked {png} and {kiosk.open_stick(sticks.PDF)} times')
         finally:
             kiosk.machine.pull_stick(plugged)
         _wait_gone(kiosk.machine)
@@ -87,9 +87,10 @@ def _plug(kiosk, file):
             if option not in options:
                 raise Fault(f'mounted without {option}: {options}')
         kiosk.to_choose()
-        machine.wait_screen(['2 pictures'])
+        kiosk.to_item('Your USB stick, 2 pictures')
     except Fault:
         machine.pull_stick(plugged)
+        _wait_gone(machine)
         raise
     return plugged
 
@@ -122,9 +123,5 @@ def _pulled(kiosk, folder, phase):
 
 
 def _begin_reading(kiosk):
-    kiosk.to_item('Your USB stick')
-    kiosk.press('ret')
-    kiosk.machine.wait_screen([sticks.PNG])
-    kiosk.to_item(sticks.PNG)
-    kiosk.press('ret')
+    kiosk.ask_stick(sticks.PNG)
     kiosk.machine.said('for _ in {1..2000}; do pgrep touchline-impo >/dev/null && break; done')

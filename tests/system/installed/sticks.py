@@ -103,7 +103,7 @@ def make_exfat(machine, file, other, is_dirty=False):
     size = os.path.getsize(file) // 512
     machine.said(f'for disk in /sys/block/sd?; do [[ $(<$disk/size) == {size} ]] && to=/dev/${{disk##*/}} || '
                  'from=/dev/${disk##*/}; done; udevadm settle; mkfs.exfat "$to" && mkdir -p /run/to /run/from && '
-                 'mount "$to" /run/to && mount -o ro "$from" /run/from && cp /run/from/* /run/to && '
+                 'mount "$to" /run/to && mount -o ro "$from" /run/from && cp /run/from/*.* /run/to && '
                  'umount /run/to /run/from && sync')
     machine.pull_stick(to)
     machine.pull_stick(source)
