@@ -84,8 +84,8 @@ void draw_and_measure(Window& window, KioskScreen& screen, ScreenContent& conten
 }
 
 void run(const std::string& file, TextSize size) {
-    const auto window =
-        value_of(Window::open(true, {[](const PhysicalKey&, bool, bool) {}, [](PixelPoint) {}}));
+    const auto window = value_of(Window::open(
+        true, {[](const PhysicalKey&, bool, bool) {}, [](PixelPoint) {}, [](double) {}}));
     KioskScreen screen = value_of(KioskScreen::make(cap_px));
     ScreenContent content = fish_content();
     content.text_size = size;
