@@ -19,6 +19,24 @@ double exhausted(double room, double rate, double bend) {
     return bend > 0.0 ? (root + rate) / bend : never;
 }
 
+/// Whether exhausted() is `share` or later: between its ends a falling parabola is above them.
+bool lasts(double room, double rate, double bend, double share) {
+    return room + share * (rate - 0.5 * bend * share) >= 0.0;
+}
+
+/// What free_beside_line() finds is `share` or more: most pairs, and without a root.
+bool is_free_beside_line(const Segment& edge, const Segment& line, Direction n, Position origin,
+                         const ProbeMove& move, double keep_m, double share) {
+    const double reach = std::max(dot(n, line.a), dot(n, line.b)) + keep_m;
+    for (const Position end : {edge.a, edge.b}) {
+        const Position arm = end - origin;
+        const double rate = dot(n, move.by) + move.turn_rad * cross(arm, n);
+        const double bend = move.turn_rad * move.turn_rad * norm(arm);
+        if (!lasts(std::max(dot(n, end) - reach, 0.0), rate, bend, share)) return false;
+    }
+    return true;
+}
+
 /// Until the ends of the edge are too near along a direction that stands still.
 double free_beside_line(const Segment& edge, const Segment& line, Direction n, Position origin,
                         const ProbeMove& move, double keep_m) {
@@ -59,12 +77,11 @@ double clear_share(const EdgeAndLine& pair, const ProbePose& from, const ProbePl
     for (int i = 0; i < most_advances; ++i) {
         if (!(at.distance_m > 0.0)) return share;
         const Position origin = from.place() + share * move.by;
-        double free = free_beside_line(edge, pair.line, at.normal, origin, move, keep_m);
-        if (!(share + free >= most)) {
-            free =
-                std::max(free, free_beside_edge(edge, pair.line, at.normal, origin, move, keep_m));
-        }
-        share += free;
+        const Direction n = at.normal;
+        if (is_free_beside_line(edge, pair.line, n, origin, move, keep_m, most - share))
+            return most;
+        share += std::max(free_beside_line(edge, pair.line, n, origin, move, keep_m),
+                          free_beside_edge(edge, pair.line, n, origin, move, keep_m));
         if (!(share < most)) return most;
         edge = ProbePlacement(from + share * move)(pair.edge);
         at = separation(edge, pair.line);

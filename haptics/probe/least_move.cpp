@@ -66,23 +66,25 @@ class Candidates {
 
     void add(int constraint) { index_[static_cast<std::size_t>(count_++)] = constraint; }
 
-    /// The allowed move nearest to the one wanted; false: none found.
+    /// The allowed move nearest to the one wanted; false: none found. The newest candidate forbids
+    /// the nearest that the others allow, so it holds the next one back: only subsets with it can
+    /// be the one, and the first that pushes and breaks nothing is.
     bool best(LeastMove& out) {
-        least_ = INFINITY;
-        try_subset({}, 0);
-        for (int i = 0; i < count_; ++i) {
-            try_subset({i}, 1);
+        const int newest = count_ - 1;
+        if (is_least({newest}, 1, out)) return true;
+        for (int i = 0; i < newest; ++i) {
+            if (is_least({newest, i}, 2, out)) return true;
+        }
+        for (int i = 0; i < newest; ++i) {
             for (int j = 0; j < i; ++j) {
-                try_subset({i, j}, 2);
-                for (int k = 0; k < j; ++k) try_subset({i, j, k}, 3);
+                if (is_least({newest, i, j}, 3, out)) return true;
             }
         }
-        if (std::isfinite(least_)) out = best_;
-        return std::isfinite(least_);
+        return false;
     }
 
   private:
-    void try_subset(const std::array<int, most_active>& subset, int k) {
+    bool is_least(const std::array<int, most_active>& subset, int k, LeastMove& out) const {
         LeastMove tried;
         std::array<const Constraint*, most_active> rows{};
         for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
@@ -90,36 +92,31 @@ class Candidates {
             rows[i] = &constraints_[static_cast<std::size_t>(tried.active[i])];
         }
         tried.active_count = k;
-        if (!solve(rows, k, wanted_, tried.push_m)) return;
+        if (!solve(rows, k, wanted_, tried.push_m)) return false;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
+            if (!(tried.push_m[i] >= 0.0)) return false;
+        }
         tried.move = wanted_;
-        double square = 0.0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             double push = 0.0;
             for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
                 push += tried.push_m[i] * rows[i]->row[axis];
             }
             tried.move[axis] += push;
-            square += push * push;
-        }
-        if (!(square < least_)) return;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i) {
-            if (!(tried.push_m[i] >= 0.0)) return;
         }
         for (int i = 0; i < count_; ++i) {
             const Constraint& c =
                 constraints_[static_cast<std::size_t>(index_[static_cast<std::size_t>(i)])];
-            if (dot3(c.row, tried.move) + c.gap_m < -tolerance_m) return;
+            if (dot3(c.row, tried.move) + c.gap_m < -tolerance_m) return false;
         }
-        least_ = square;
-        best_ = tried;
+        out = tried;
+        return true;
     }
 
     std::span<const Constraint> constraints_;
     const Coupled& wanted_;
     std::array<int, most_candidates> index_{};
     int count_ = 0;
-    double least_ = INFINITY;
-    LeastMove best_;
 };
 
 /// -1: none is broken by more than the tolerance.

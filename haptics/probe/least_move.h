@@ -38,9 +38,9 @@ struct LeastMove {
     int active_count = 0;
 };
 
-/// Most violated first: what a move breaks most joins at most eight candidates, of which every
-/// subset of three or fewer is tried (92). Where no allowed move is found it is one that breaks the
-/// constraints least late; the caller's sweep stops it.
+/// Most violated first: what a move breaks most joins at most eight candidates, of which the
+/// subsets of three or fewer with the newest are tried (29 at most). Where no allowed move is found
+/// it is one that breaks the constraints least late; the caller's sweep stops it.
 [[nodiscard]] LeastMove least_move(std::span<const Constraint> constraints, const Coupled& wanted);
 
 }  // namespace touchline

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t most_pairs = 4096;
 constexpr std::size_t most_near = 512;
+constexpr std::size_t block = 32;
 constexpr double margin_m = 2e-3;     // of the way before a front is made anew
 constexpr double straight_m = 1e-10;  // a node no thicker is the line that it holds
 constexpr double now = -std::numeric_limits<double>::infinity();
@@ -23,6 +24,7 @@ double half_size(const Capsule& capsule) {
 
 void ProbeFront::reserve() {
     due_m_.reserve(most_pairs);
+    block_due_m_.reserve(most_pairs / block + 1);
     pairs_.reserve(most_pairs);
     near_.reserve(most_near);
 }
@@ -42,13 +44,13 @@ void ProbeFront::set_level(double level) {
 
 void ProbeFront::remake(double reach_m) {
     due_m_.clear();
+    block_due_m_.clear();
     pairs_.clear();
     way_m_ = 0.0;
     far_m_ = margin_m + 2.0 * reach_m;
     is_stale_ = false;
     if (!outlines_.scene().tree.has_nodes()) return;
-    due_m_.push_back(now);
-    pairs_.push_back({CollisionTree::top(), 0});
+    add({CollisionTree::top(), 0});
 }
 
 void ProbeFront::look(const ProbePlacement& shape, double keep_m, double reach_m,
@@ -58,17 +60,39 @@ void ProbeFront::look(const ProbePlacement& shape, double keep_m, double reach_m
     const bool is_full = pairs_.size() > most_pairs - most_pairs / 4;
     if (is_stale_ || is_full || way_m_ + reach_m >= far_m_) remake(reach_m);
     const Look at{shape, keep_m, reach_m, spender};
-    const double limit = way_m_ + reach_m;
-    for (std::size_t i = 0; i < due_m_.size();) {
-        if (due_m_[i] > limit || examine(i, at)) ++i;
+    for (std::size_t i = 0; i * block < due_m_.size(); ++i) {
+        if (block_due_m_[i] <= way_m_ + reach_m) look_at_block(i * block, at);
     }
 }
 
+void ProbeFront::look_at_block(std::size_t first, const Look& look) {
+    const double limit = way_m_ + look.reach_m;
+    const auto end = [&] { return std::min(first + block, due_m_.size()); };
+    for (std::size_t i = first; i < end();) {
+        if (due_m_[i] > limit || examine(i, look)) ++i;
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = first; i < end(); ++i) least = std::min(least, due_m_[i]);
+    block_due_m_[first / block] = least;
+}
+
+void ProbeFront::add(const Pair& pair) {
+    const std::size_t i = due_m_.size() / block;
+    if (i == block_due_m_.size()) block_due_m_.push_back(now);
+    block_due_m_[i] = now;
+    pairs_.push_back(pair);
+    due_m_.push_back(now);
+}
+
 bool ProbeFront::examine(std::size_t i, const Look& look) {
-    const Pair pair = pairs_[i];
+    Pair& pair = pairs_[i];
     const ProbeNode& probe = shape_->nodes()[static_cast<std::size_t>(pair.probe)];
-    bool is_end = false;
-    const Capsule scene = capsule(pair.node, is_end);
+    if (!pair.is_known) {
+        pair.scene = capsule(pair.node, pair.is_end);
+        pair.is_known = true;
+    }
+    const bool is_end = pair.is_end;
+    const Capsule& scene = pair.scene;
     const Segment chord = look.shape(probe.capsule.chord);
     const Separation at = separation(chord, scene.chord);
     const double gap_m =
@@ -124,10 +148,7 @@ void ProbeFront::replace(std::size_t i, std::span<const Pair> parts) {
     }
     pairs_[i] = parts[0];
     due_m_[i] = now;
-    for (const Pair& part : parts.subspan(1)) {
-        pairs_.push_back(part);
-        due_m_.push_back(now);
-    }
+    for (const Pair& part : parts.subspan(1)) add(part);
 }
 
 void ProbeFront::drop(std::size_t i) {

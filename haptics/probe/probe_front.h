@@ -67,6 +67,9 @@ class ProbeFront {
     struct Pair {
         TreeNode node;
         std::int32_t probe = 0;
+        bool is_known = false;  // the scene's side below: worked out once
+        bool is_end = false;
+        Capsule scene{};
     };
 
     struct Look {
@@ -77,6 +80,8 @@ class ProbeFront {
     };
 
     void remake(double reach_m);
+    void look_at_block(std::size_t first, const Look& look);
+    void add(const Pair& pair);
     /// Whether pair i is done with; else there is another at its place, or none.
     bool examine(std::size_t i, const Look& look);
     bool split(std::size_t i, bool is_scene);
@@ -89,7 +94,8 @@ class ProbeFront {
     const ProbeShape* shape_ = nullptr;
     RenderedOutlines outlines_;
     FrontEnd end_ = FrontEnd::segments;
-    std::vector<double> due_m_;  // of the way, at which a pair may matter
+    std::vector<double> due_m_;        // of the way, at which a pair may matter
+    std::vector<double> block_due_m_;  // the least of 32 neighbours, or less: most are passed by
     std::vector<Pair> pairs_;
     std::vector<NearPair> near_;
     double way_m_ = 0.0;  // spent since the front was made

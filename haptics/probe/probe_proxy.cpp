@@ -51,6 +51,7 @@ void ProbeProxy::reserve() {
     wide_.reserve();
     constraints_.reserve(most_constraints);
     touching_.reserve(most_constraints);
+    seen_.reserve(most_constraints);
     pairs_.reserve(most_constraints);
 }
 
@@ -132,7 +133,7 @@ void ProbeProxy::press(const ProbePose& handle, const Springs& springs, Spender&
         swept += front_.near().size();
         if (i == 0) last_reach_m_ = share * reach_m;
         report.carried_m = reach_m;
-        look_m = probe_mind_m;
+        look_m = reach_m + 2.0 * probe_mind_m;  // the next is about as long
         if (swept > most_swept) break;
         if (share * reach_m >= rest_m) {
             following = {};
@@ -190,7 +191,7 @@ LeastMove ProbeProxy::wanted_move(const ProbePose& handle, const Springs& spring
         return left_of_move(wanted, move) <= square(wanted);
     };
     const CurvedEnergy energy(touching_, least);
-    const Coupled whole = energy.least(constraints_, wanted);
+    const Coupled whole = energy.least(constraints_, wanted, seen_);
     for (const double share :
          {shortening(whole, springs, following.longest_m), gentleness(whole)}) {
         if (least.active_count == 0 || !following.is_curved) break;
@@ -226,7 +227,7 @@ Coupled ProbeProxy::curved_move(const CurvedEnergy& energy, const Coupled& wante
             constraints_[i].gap_m = gap_m + std::min(touching_[i].bend_m(move), most_bend_m);
         }
         const Coupled before = move;
-        move = energy.least(constraints_, wanted);
+        move = energy.least(constraints_, wanted, seen_);
         if (left_of_move(before, move) < rest_m * rest_m) break;
     }
     return move;

@@ -138,6 +138,7 @@ class ProbeProxy {
     ProbeFront front_;
     ProbeFront wide_;  // of nodes, for a change of level
     std::vector<Constraint> constraints_;
+    std::vector<Constraint> seen_;    // the same, as a curved energy sees them
     std::vector<Touching> touching_;  // of each constraint
     std::vector<NearPair> pairs_;     // the same
     double free_m_ = 0.0;             // of the last move, before what touches was asked

@@ -106,13 +106,11 @@ CurvedEnergy::CurvedEnergy(std::span<const Touching> touching, const LeastMove& 
     if (!factor(factor_)) factor_ = plain;
 }
 
-Coupled CurvedEnergy::least(std::span<const Constraint> constraints, const Coupled& wanted) const {
-    std::array<Constraint, most_constraints> seen;
-    const std::size_t count = std::min(constraints.size(), most_constraints);
-    for (std::size_t i = 0; i < count; ++i) {
-        seen[i] = {forward(factor_, constraints[i].row), constraints[i].gap_m};
-    }
-    const LeastMove least = least_move({seen.data(), count}, forward(factor_, wanted));
+Coupled CurvedEnergy::least(std::span<const Constraint> constraints, const Coupled& wanted,
+                            std::vector<Constraint>& seen) const {
+    seen.clear();
+    for (const Constraint& c : constraints) seen.push_back({forward(factor_, c.row), c.gap_m});
+    const LeastMove least = least_move(seen, forward(factor_, wanted));
     return backward(factor_, least.move);
 }
 

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace touchline {
 
@@ -47,8 +48,8 @@ class CurvedEnergy {
     CurvedEnergy(std::span<const Touching> touching, const LeastMove& least);
 
     /// As least_move(), of this energy.
-    [[nodiscard]] Coupled least(std::span<const Constraint> constraints,
-                                const Coupled& wanted) const;
+    [[nodiscard]] Coupled least(std::span<const Constraint> constraints, const Coupled& wanted,
+                                std::vector<Constraint>& seen) const;
 
   private:
     Curvature factor_{};  // lower triangle L, the energy being L L^T

@@ -64,10 +64,12 @@ void run_steps(const BenchOptions& options) {
     }
 }
 
-/// Metres between the shape's places in two runs; ascending.
+/// Metres between the shape's places in two runs, until one slips off: after that they are on
+/// different sides of the curve for good. Ascending.
 std::vector<double> apart_m(const TurningRun& run, const TurningRun& reference) {
     std::vector<double> found;
-    for (std::size_t i = 0; i < run.proxies.size(); ++i) {
+    const std::size_t end = std::min({run.first_slip, reference.first_slip, run.proxies.size()});
+    for (std::size_t i = 0; i < end; ++i) {
         found.push_back(norm(run.proxies[i].place() - reference.proxies[i].place()));
     }
     std::sort(found.begin(), found.end());
@@ -75,8 +77,9 @@ std::vector<double> apart_m(const TurningRun& run, const TurningRun& reference) 
 }
 
 void run_accuracy(const BenchOptions& options) {
-    CsvFile csv(options.folder, "probe_accuracy.csv",
-                "curve,level,spacing_mm,median_ns,p99_ns,place_median_mm,place_rms_mm,slip_offs");
+    CsvFile csv(
+        options.folder, "probe_accuracy.csv",
+        "curve,level,spacing_mm,median_ns,p99_ns,place_median_mm,place_rms_mm,compared,slip_offs");
     const ProbeShape shape = regular_shape(shape_radius_m, measured_edges);
     for (const auto kind : {workload::Kind::radial, workload::Kind::fractal}) {
         const std::vector<ProbePose> hand = turning_hand(kind, options.steps);
@@ -89,10 +92,11 @@ void run_accuracy(const BenchOptions& options) {
             const std::vector<double> apart = apart_m(run, reference);
             double squares = 0.0;
             for (const double m : apart) squares += m * m;
-            csv.line(fmt::format(
-                "{},{},{:.4f},{:.0f},{:.0f},{:.4f},{:.4f},{}", name_of(kind), name, spacing_m * 1e3,
-                times.median_ns, times.p99_ns, apart[apart.size() / 2] * 1e3,
-                std::sqrt(squares / static_cast<double>(apart.size())) * 1e3, run.slip_offs));
+            csv.line(fmt::format("{},{},{:.4f},{:.0f},{:.0f},{:.4f},{:.4f},{},{}", name_of(kind),
+                                 name, spacing_m * 1e3, times.median_ns, times.p99_ns,
+                                 apart[apart.size() / 2] * 1e3,
+                                 std::sqrt(squares / static_cast<double>(apart.size())) * 1e3,
+                                 apart.size(), run.slip_offs));
         };
         for (int level = 0; level <= scene.curves.coarsest(); ++level) {
             line(std::to_string(level), mean_spacing_m(scene.curves, level), level);

@@ -2,6 +2,7 @@
 
 #include "tests/bench/collision/touchline_rows.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -65,6 +66,7 @@ TurningRun run_shape(const Scene& scene, const ProbeShape& shape,
             if (pass > 0) continue;
             run.proxies.push_back(report.pose);
             run.slip_offs += is_slip ? 1U : 0U;
+            if (is_slip) run.first_slip = std::min(run.first_slip, i);
             run.boxes_max = std::max(run.boxes_max, static_cast<std::size_t>(report.boxes));
         }
     }

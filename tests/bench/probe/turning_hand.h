@@ -8,6 +8,7 @@
 #include "tests/bench/collision/run.h"
 #include "tests/bench/workload.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct TurningRun {
                                              // all passes
     std::vector<ProbePose> proxies;          // of each step
     std::size_t slip_offs = 0;
+    std::size_t first_slip = SIZE_MAX;  // step
     std::size_t boxes_max = 0;
 };
 

@@ -39,12 +39,15 @@ TEST(ProbeEnergy, NoStepAddsAnyAndTheWorkPerSampleIsBounded) {
             const ProbeReport report = proxy.step(next, 0.0, {}, {});
             const bool was_placed = last.is_placed;
             if (was_placed) {
-                ASSERT_LE(report.stored_J, before_J + 1e-15) << "seed " << seed << " step " << k;
+                // Of rounding, where a hand far off has stored a joule.
+                const double rounding_J = 1e-15 * (1.0 + before_J);
+                ASSERT_LE(report.stored_J, before_J + rounding_J)
+                    << "seed " << seed << " step " << k;
                 const double work_J = dot(last.force, by.by) + last.torque_Nm * by.turn_rad;
                 worked_J += work_J;
                 allowed_J += energy_J(shape, {}, ProbePose{} + by);
                 ASSERT_LE(work_J - (last.stored_J - report.stored_J),
-                          energy_J(shape, {}, ProbePose{} + by) + 1e-15);
+                          energy_J(shape, {}, ProbePose{} + by) + rounding_J);
             }
             at = next;
             last = report;
