@@ -170,5 +170,71 @@ TEST(ContactReport, AStepOpensNoMoreBoxesThanItMay) {
     }
 }
 
+/// As a servo that starts anew does with what the one before has left, its scene elsewhere.
+TEST(ContactRebind, AMachineGoesOnWithItsSceneElsewhere) {
+    const Scene scene = busy_scene();
+    for (const Mode mode : modes) {
+        for (const int stop : {1, 35, 110, 200, 330}) {
+            ContactMachine machine;
+            std::vector<Position> path;
+            machine.record_path(&path);
+            machine.reset(scene, {-0.02, 4e-3}, 0.0);
+            for (int i = 0; i < stop; ++i) {
+                const Position hand{-0.02 + 1e-4 * i, 4e-3 - 1e-4 * (i % 80)};
+                (void)machine.step(hand, i / 15 % 2 == 0 ? 0.0 : 2.5, giving_way(mode), {});
+            }
+            ContactMachine moved = machine;
+            {
+                const Scene elsewhere = busy_scene();
+                ASSERT_TRUE(moved.rebind(&elsewhere)) << static_cast<int>(mode) << ' ' << stop;
+                path.clear();
+                const auto found = session(moved, mode);
+                EXPECT_TRUE(path.empty());  // that was the other's
+                const auto expected = session(machine, mode);
+                for (std::size_t i = 0; i < found.size(); ++i) expect_equal(found[i], expected[i]);
+            }
+        }
+    }
+}
+
+TEST(ContactRebind, WithoutASceneThereIsNoForceUntilTheReset) {
+    const Scene scene = scene_of(map_of({outline({{-0.05, 0.0}, {0.05, 0.0}}, false)}));
+    ContactMachine machine;
+    machine.reset(scene, {0.0, 0.001}, 0.0);
+    EXPECT_GT(machine.step({0.0, -0.002}, 0.0, {}, {}).force.y, 0.9);
+    ASSERT_TRUE(machine.rebind(nullptr));
+    EXPECT_EQ(machine.step({0.0, -0.002}, 0.0, {}, {}).force, Force{});
+    machine.reset(scene, {0.0, 0.001}, 0.0);
+    EXPECT_GT(machine.step({0.0, -0.002}, 0.0, {}, {}).force.y, 0.9);
+}
+
+/// What it touches is not there.
+TEST(ContactRebind, AMachineDoesNotFitAnotherScene) {
+    const Outline low = outline({{-0.05, -0.02}, {0.05, -0.02}}, false);
+    const Outline bent = outline({{-0.02, 0.02}, {0.0, 0.0}, {0.02, 0.02}}, false);
+    const Scene both = scene_of(map_of({low, bent}));
+    const Scene one = scene_of(map_of({low}));
+    const Scene straight = scene_of(map_of({low, outline({{-0.02, 0.02}, {0.0, 0.0}}, false)}));
+    for (const Mode mode : modes) {
+        for (const Position hand : {Position{0.005, 0.004}, Position{0.0, -0.001}}) {
+            ContactMachine machine;
+            machine.reset(both, {0.0, 0.012}, 0.0);
+            ASSERT_EQ(machine.step(hand, 0.0, settings_of(mode), {}).outline, 1);
+            ContactMachine same = machine;
+            EXPECT_TRUE(same.rebind(&both)) << static_cast<int>(mode);
+            ContactMachine other = machine;
+            EXPECT_FALSE(other.rebind(&one)) << static_cast<int>(mode);
+            // In the corner a wall holds by both edges; a groove's bead lies on the first alone.
+            const bool is_on_first = mode != Mode::wall && hand.x == 0.0;
+            other = machine;
+            EXPECT_EQ(other.rebind(&straight), is_on_first) << static_cast<int>(mode);
+        }
+    }
+    ContactMachine free;
+    free.reset(both, {0.0, 0.012}, 0.0);
+    EXPECT_EQ(free.step({0.0, 0.015}, 0.0, {}, {}).outline, -1);
+    EXPECT_TRUE(free.rebind(&one));
+}
+
 }  // namespace
 }  // namespace touchline
