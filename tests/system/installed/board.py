@@ -7,7 +7,8 @@ from redirected import Redirected
 UNITS = f'{SETTINGS.rsplit("/", 1)[0]}/units.toml'
 SERVO = "systemctl list-units --state=running --plain --no-legend 'touchline-servo@*' | grep -q ."
 STOPS = ('away from you', 'towards you')
-ON_THE_CIRCLE = "go 35 0"  # of the practice shape, in millimetres from the middle
+ON_THE_CIRCLE = 'go 35 0'  # of the practice shape, in millimetres from the middle
+LOOKS = 15
 LONGEST_S = 400
 
 
@@ -24,8 +25,8 @@ def run(table, bench):
         left = pantograph.pull()
     with table.check('board', 'in the end it was told zero torque') as note:
         note(left)
-        if not left.startswith('left with 0.0000 0.0000'):
-            raise Fault(left)
+        if pantograph.process.returncode != 0:
+            raise Fault('there is torque')
 
 
 def _visits(table, kiosk, board):
@@ -39,6 +40,7 @@ def _visits(table, kiosk, board):
     with table.check('board', 'unplugged: told on the screen, the kiosk stays', True):
         process = kiosk.process()
         board.order('unplug')
+        board.said()
         kiosk.machine.wait_screen(['does not answer'])
     with table.check('board', 'plugged again: homed by two words, a line is met') as note:
         board.order('plug')
@@ -49,16 +51,19 @@ def _visits(table, kiosk, board):
 
 
 def _home(kiosk, board):
-    """Does what the words on the screen say until none are there; how many it followed."""
-    followed = []
+    """Does what the words on the screen say until none are there for some looks: long words have pages, which turn by
+    themselves. How many it followed."""
+    followed, looks = [], 0
 
     def is_over():
+        nonlocal looks
         words = kiosk.machine.screen()
         stop = next((stop for stop in STOPS if stop in words), None)
+        looks = 0 if stop else looks + 1
         if stop and followed[-1:] != [stop]:
             followed.append(stop)
             board.order(f'hear {stop}')
-        return followed and not stop
+        return followed and looks > LOOKS
     kiosk.to_choose()
     wait_for(is_over, LONGEST_S, f'homing is over; followed: {followed}')
     return len(followed)

@@ -10,6 +10,8 @@ import socket
 import subprocess
 import time
 
+from ticks import ticks_kHz
+
 
 class Fault(Exception):
     """A condition that did not come true, or a machine that has gone."""
@@ -78,7 +80,8 @@ class Machine:
             subprocess.run(['qemu-img', 'create', '-q', '-f', 'qcow2', '-F', 'raw', '-b', f'{image}/disk', overlay],
                            check=True)
         words = ('root=/dev/vda ro console=ttyS0 loglevel=5 panic=-1 mitigations=off nokaslr tsc=reliable '
-                 'no_timer_check random.trust_cpu=on systemd.show_status=1')
+                 f'tsc_early_khz={ticks_kHz() or 0} no_timer_check random.trust_cpu=on systemd.show_status=1 '
+                 'systemd.default_timeout_start_sec=600')
         # cache: what the machine flushes is flushed; after a cut it has to be there, in qcow2's own tables too.
         self.console = open(f'{folder}/console.txt', 'ab')
         self.process = subprocess.Popen(

@@ -13,7 +13,8 @@ class Redirected:
         self.machine = machine
         self.name = os.path.basename(program)
         path = f'{machine.folder}/{self.name}'
-        self.process = subprocess.Popen([program, path, *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.process = subprocess.Popen([program, path, *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        bufsize=0)
         wait_for(lambda: os.path.exists(path), 30, f'{self.name} listens', 0.05)
         # QEMU asks again each second after a plug was pulled at the device's end.
         address = {'type': 'unix', 'data': {'path': path}}
@@ -23,7 +24,6 @@ class Redirected:
 
     def order(self, line):
         self.process.stdin.write(line.encode() + b'\n')
-        self.process.stdin.flush()
 
     def said(self, longest_s=30):
         """The next line that the program says."""

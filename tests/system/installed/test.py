@@ -49,14 +49,19 @@ class Bench:
         return kiosk
 
     def ready(self, table, group, plug_first=None):
-        """The kiosk switched on, its first words on the screen; plug_first(machine) before that."""
+        """The kiosk switched on, its first words on the screen; plug_first(machine) before that. Where another group had
+        the machine, its visit goes on."""
         with table.check(group, 'boot, READY', True):
+            is_under_way = self.is_short and self.kiosk
             kiosk = self.start(group)
             if plug_first:
                 plug_first(kiosk.machine)
             kiosk.begin()
             kiosk.wait_ready()
-            kiosk.machine.wait_screen(['Pictures to feel'])
+            if is_under_way:
+                kiosk.to_choose()
+            else:
+                kiosk.machine.wait_screen(['Pictures to feel'])
         return kiosk
 
     def stop(self):
