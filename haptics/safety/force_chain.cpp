@@ -8,6 +8,7 @@ namespace {
 
 constexpr double cuts_forgotten_s = 1.0;
 constexpr double one_cut = 0.5;
+constexpr double finger_lever_m = 0.01;  // from the handle's axis
 // The spring is at its softest after three; two more within half a second say that it was no use.
 constexpr double hopeless_cuts = 3.5;
 
@@ -115,7 +116,9 @@ std::uint16_t ForceChain::faults(const ChainInput& input, double dt_s) {
     energy_.step(last_D_, moved, dt_s, handle_.told_Nm() * turned_rad);
     note(energy_.is_too_much(), Fault::energy);
     note(is_ringing(input.cuts, dt_s), Fault::ringing);
-    (void)hand_.step(last_D_, input.velocity_D, input.p_D, dt_s);
+    // Whoever only turns what is held is there too.
+    const Position fingers_D = input.p_D + Position{finger_lever_m * input.handle_rad, 0.0};
+    (void)hand_.step(last_D_, input.velocity_D, fingers_D, dt_s);
     const bool rang = recent_cuts_ > one_cut;
     note(hand_.is_alone() && rang, Fault::knob_lost);
     return found;

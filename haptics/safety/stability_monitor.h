@@ -28,8 +28,8 @@ class StabilityMonitor {
         Force force;               // on the hand, after all limits
         Position moved;            // the handle since the tick before
         double stored_J = 0.0;     // in the spring now
-        double turning_J = 0.0;    // given to the hand by a torque, since the tick before
         bool is_continued = true;  // false: contact was dropped, nothing is to be compared
+        double turning_J = 0.0;    // given to the hand by a torque, since the tick before
     };
 
     /// `dt_s` > 0. A tick that is not finite, or not continued, begins anew with the gain kept.

@@ -320,7 +320,7 @@ void ServoStep::watch(Force told, Force wanted, double dt_s) {
     const double lost_J = 0.5 * lost_N * lost_N / (gain * stiffness_.stiffness_N_per_m());
     const double stored_J = gain * (line_share_ * contact_report_.stored_J + frame_J_) - lost_J;
     const double turning_J = gain * line_share_ * twist_Nm_ * turn_.turned_rad();
-    monitor_.step({told, moved_, stored_J, turning_J, !is_swapping_}, dt_s);
+    monitor_.step({told, moved_, stored_J, !is_swapping_, turning_J}, dt_s);
 }
 
 void ServoStep::detect(const StepInput& input) {

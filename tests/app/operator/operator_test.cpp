@@ -150,7 +150,7 @@ TEST_F(OperatorTest, ASettingIsHeldTurnedAndKept) {
     ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Stiffness"}));
     EXPECT_NE(rig.heard().find("Next is more, Back is less."), std::string::npos);
     rig.press(R::back);
-    EXPECT_EQ(rig.heard(), "Stiffness, 450 newtons per metre, setting, 2 of 7\n");
+    EXPECT_EQ(rig.heard(), "Stiffness, 450 newtons per metre, setting, 2 of 8\n");
     EXPECT_EQ(rig.felt.stiffness_N_per_m, 450.0) << "felt while it is turned";
     EXPECT_EQ(rig.world().settings.stiffness_N_per_m, 500.0) << "not yet on the disk";
     rig.press(R::select);

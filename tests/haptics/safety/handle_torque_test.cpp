@@ -114,6 +114,18 @@ TEST(HandleTorque, WorkOfTheTorqueIsBooked) {
     EXPECT_EQ(chain.status().fault, Fault::energy);
 }
 
+TEST(HandleTorque, AHandThatOnlyTurnsIsThere) {
+    for (const bool turns : {false, true}) {
+        ForceChain chain = live_chain(with_handle());
+        ChainInput input = wanting({0.8, 0.0});
+        for (int i = 0; i < 25'000; ++i) {
+            input.handle_rad = turns ? 0.2 * std::sin(0.002 * i) : 0.0;
+            (void)chain.step(input, tick_s);
+        }
+        EXPECT_EQ(chain.state() == ForceState::live, turns);
+    }
+}
+
 TEST(HandleTorque, ArmingWaitsUntilItIsSmall) {
     ForceChain chain(with_handle());
     (void)run(chain, twisting(0.01), 1000);
