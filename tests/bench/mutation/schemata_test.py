@@ -66,7 +66,7 @@ class Schemata(unittest.TestCase):
         self.assertTrue(source.leave(2))  # the size of an array stays one
         numbers = [n for m, n in self.number_of.items() if m in source.switched()]
         self.assertGreater(len(numbers), 60)
-        switches = ['-include', str(HERE / 'switches.h'), str(HERE / 'switches.cpp')]
+        switches = [f'-I{HERE.parents[2]}', '-include', str(HERE / 'switches.h'), str(HERE / 'switches.cpp')]
         self.assertEqual(self.compiled(str(source) + 'int main() { tell(); }', *switches), '')
         together = [self.told(n) for n in (0, *numbers)]
         alone = {0: SOURCE, **{n: mutants.applied(self.all[n - 1], SOURCE) for n in numbers}}

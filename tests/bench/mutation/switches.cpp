@@ -1,4 +1,4 @@
-#include "switches.h"
+#include "tests/bench/mutation/switches.h"
 
 #include <cstdlib>
 
