@@ -16,7 +16,7 @@ cpp_sources() { find "${folders[@]}" -type f \( -name '*.h' -o -name '*.cpp' \) 
 
 # texts: every file that people write, ended by NUL: all but pictures, data and catalogues of words.
 texts() {
-    find "${folders[@]}" .ci -type f ! -path 'tests/data/*' ! -path '*/results/*.tsv' \
+    find "${folders[@]}" .ci -type f ! -path 'tests/data/*' \
         ! -name '*.svg' ! -name '*.png' ! -name '*.csv' ! -name '*.json' ! -name '*.po' ! -name '*.pot' -print0 2>/dev/null
     find . -maxdepth 1 -type f ! -name LICENSE ! -name compile_commands.json -printf '%P\0'
 }
