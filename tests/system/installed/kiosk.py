@@ -100,7 +100,7 @@ class Kiosk:
     def to_item(self, name):
         """Down until the caption tells of it, and which of how many it is: its frame in the list hides it from tesseract."""
         focus = re.compile(re.escape(name) + r'[^:]{0,40}, \d+ of \d+')
-        self.go(focus.search, lambda _: 'down', f'the item "{name}"')
+        self.go(focus.search, lambda words: 'ret' if re.search(TROUBLE, words) else 'down', f'the item "{name}"')
 
     def is_felt(self):
         """Waits for the screen of a picture that is felt, or of why there is none; which of them it is."""
