@@ -21,8 +21,10 @@ class Person final : public IntendedPath {
     }
 
     void hear(const std::string& words, double now_s) {
-        if (words.find("away from you") != std::string::npos) go(home_, now_s);
-        if (words.find("towards you") != std::string::npos) go(check_, now_s);
+        Position to = to_;
+        if (words.find("away from you") != std::string::npos) to = home_;
+        if (words.find("towards you") != std::string::npos) to = check_;
+        go(to, now_s);
         heard.push_back(words);
     }
 

@@ -10,7 +10,7 @@ X = 'DISPLAY=:0 XAUTHORITY=/run/touchline-display/cookie'  # for those who ask t
 TRIES = 5
 FELT = 'Lead me round|Explore freely|Bring me back'  # some of what can be done with a picture
 TROUBLE = 'Something is wrong|Select goes on'
-MOST_LOOKS = 6  # at a screen that does not answer a key
+MOST_LOOKS = 20  # at a screen that does not answer a key
 READY_S = 600  # an emulated machine beside other work; a real one needs seconds
 # Nobody presses a key for minutes while a slow machine reads: the visit must not end meanwhile.
 FIRST_SETTINGS = '[time]\ninactivity_s = 1800\n'
@@ -71,17 +71,19 @@ class Kiosk:
         self.machine.press(key)
 
     def go(self, is_there, else_key, what):
-        """Presses a key after each look at the screen that does not show it; the look is its words. The next key waits
-        until the screen has answered the last one, or did not for a while."""
+        """Presses a key after a look at the screen that does not show it; the look is its words. The next key waits until
+        the screen has answered the last one, or did not for a while. Two looks have to show it: an answer to an earlier
+        key may still come."""
         words = pressed_at = ''
-        looks = 0
+        looks = hits = 0
 
         def step():
-            nonlocal words, pressed_at, looks
+            nonlocal words, pressed_at, looks, hits
             words = self.machine.screen()
             if is_there(words):
-                return True
-            looks += 1
+                hits += 1
+                return hits == 2
+            looks, hits = looks + 1, 0
             if words != pressed_at or looks > MOST_LOOKS:
                 self.press(else_key(words))
                 pressed_at, looks = words, 0
@@ -100,7 +102,7 @@ class Kiosk:
     def to_item(self, name):
         """Down until the caption tells of it, and which of how many it is: its frame in the list hides it from tesseract."""
         focus = re.compile(re.escape(name) + r'[^:]{0,40}, \d+ of \d+')
-        self.go(focus.search, lambda _: 'down', f'the item "{name}"')
+        self.go(focus.search, lambda words: 'ret' if re.search(TROUBLE, words) else 'down', f'the item "{name}"')
 
     def is_felt(self):
         """Waits for the screen of a picture that is felt, or of why there is none; which of them it is."""

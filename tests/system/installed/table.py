@@ -60,7 +60,8 @@ class Table:
                 kept = {line['figure']: [line[name] for name in head] for line in csv.DictReader(old)}
         kept.update({row[1]: list(row) for row in self.figures})
         os.makedirs(os.path.dirname(file), exist_ok=True)
-        with open(file, 'w', newline='') as new:
+        with open(f'{file}.{os.getpid()}', 'w', newline='') as new:
             out = csv.writer(new, lineterminator='\n')
             out.writerow(head)
             out.writerows(sorted(kept.values(), key=lambda row: (int(row[0]), row[1])))
+        os.replace(new.name, file)  # whole at once: another run may be reading it
