@@ -184,7 +184,7 @@ TEST(StabilityMonitor, ForgetsWhatWasBefore) {
 TEST(StabilityMonitor, ADroppedContactIsNoEnergy) {
     StabilityMonitor monitor;
     for (int i = 0; i < 10; ++i) {
-        monitor.step({{1.0, 0.0}, {}, i % 2 == 0 ? 0.0 : 0.1, 0.0, false}, tick_s);
+        monitor.step({{1.0, 0.0}, {}, i % 2 == 0 ? 0.0 : 0.1, false}, tick_s);
         monitor.step({{1.0, 0.0}, {}, i % 2 == 0 ? 0.1 : 0.0}, tick_s);
     }
     EXPECT_EQ(monitor.cuts(), 0U);
