@@ -121,7 +121,7 @@ def machines():
     rows = []
     for program, case, what in (
             ('safety_test', 'EveryStateUnderEveryCombinationOfFlags', 'force: states under every combination of 13 flags'),
-            ('session_test', 'IN5_EveryKeyIsAnsweredAtOnceEverywhere', 'visit: states that keys, work, time and trouble lead to'),
+            ('visit_test', 'IN5_EveryKeyIsAnsweredAtOnceEverywhere', 'visit: states that keys, work, time and trouble lead to'),
             ('operator_test', 'EveryScreenIsReachedAndLeftByFourPressesAtMost', "operator's screens: states under six keys"),
             ('contact_diagram_test', 'HoldsOnEvery*', 'contact: small worlds under every sequence of three places')):
         found, failed = properties(program), [c for c, end in hazards.cases_of(OUT / f'{program}.xml') if end != 'passed']
