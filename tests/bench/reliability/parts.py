@@ -123,7 +123,7 @@ def machines():
             ('safety_test', 'EveryStateUnderEveryCombinationOfFlags', 'force: states under every combination of 13 flags'),
             ('visit_test', 'IN5_EveryKeyIsAnsweredAtOnceEverywhere', 'visit: states that keys, work, time and trouble lead to'),
             ('operator_test', 'EveryScreenIsReachedAndLeftByFourPressesAtMost', "operator's screens: states under six keys"),
-            ('contact_diagram_test', 'HoldsOnEvery*', 'contact: small worlds under every sequence of three places')):
+            ('contact_diagram_test', 'HoldsOnEvery*', 'contact: small worlds under sequences of three places, the everyday share of them')):
         found, failed = properties(program), [c for c, end in hazards.cases_of(OUT / f'{program}.xml') if end != 'passed']
         states, steps = (sum(v) if isinstance(v, list) else v for v in (found['states'], found['steps']))
         rows.append((24, what, f'{states} states, {steps} steps, {len(failed)} errors', 'all; 0 errors', not failed,
