@@ -108,6 +108,10 @@ TEST_F(SpeakerTest, AKilledVoiceIsNotHeard) {
         }
         speaker.stop(now_s_);
         for (int i = 0; i < 10; ++i) (void)step();
+        // From its first word on: on a busy machine that may come a part later.
+        sound.erase(sound.begin(), std::find_if(sound.begin(), sound.end(),
+                                                [](float value) { return value != 0.0F; }));
+        sound.resize(400'000);
         return sound;
     };
     const auto whole = ten_seconds(false);
