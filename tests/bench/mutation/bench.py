@@ -27,7 +27,7 @@ MOST_MEMORY = 4 << 30  # a mutant may grow without end
 PROGRAMS = {
     'safety': ('haptics/safety', ['safety_test']),
     'sandbox': ('app/sandbox', ['sandbox_policy_test', 'worker_test', 'stick_fence_test', 'sandbox_test']),
-    'contact': ('haptics/contact', ['contact_test', 'groove_test', 'contact_diagram_test']),
+    'contact': ('haptics/contact', ['contact_traces_test', 'contact_test', 'groove_test', 'contact_diagram_test']),
 }
 STARTED = {'sandbox_test': ['sandbox_probe']}
 

@@ -114,16 +114,44 @@ TEST(HandleTorque, WorkOfTheTorqueIsBooked) {
     EXPECT_EQ(chain.status().fault, Fault::energy);
 }
 
+/// Half a turn away nothing is done by a handle that is held there.
+TEST(HandleTorque, NoWorkIsDoneAtRest) {
+    ForceChain chain = live_chain(with_handle());
+    ChainInput input = twisting(0.08);
+    input.handle_rad = 3.0;
+    (void)run(chain, input, 1000);
+    EXPECT_EQ(chain.status().fault, Fault::none);
+}
+
+/// Turns that come to less than 0.2 mm at the fingers are the encoder's.
 TEST(HandleTorque, AHandThatOnlyTurnsIsThere) {
-    for (const bool turns : {false, true}) {
+    for (const double turn_rad : {0.0, 0.005, 0.2}) {
         ForceChain chain = live_chain(with_handle());
         ChainInput input = wanting({0.8, 0.0});
         for (int i = 0; i < 25'000; ++i) {
-            input.handle_rad = turns ? 0.2 * std::sin(0.002 * i) : 0.0;
+            input.handle_rad = turn_rad * std::sin(0.002 * i);
             (void)chain.step(input, tick_s);
         }
-        EXPECT_EQ(chain.state() == ForceState::live, turns);
+        EXPECT_EQ(chain.state() == ForceState::live, turn_rad > 0.1) << turn_rad;
     }
+}
+
+/// Whatever it was told before.
+TEST(HandleTorque, BeginsAtZeroAfterAFault) {
+    ForceChain chain = live_chain(with_handle());
+    (void)run(chain, twisting(0.05));
+    ChainInput lost = twisting(0.05);
+    lost.is_lost = true;
+    (void)run(chain, lost);
+    ChainInput cleared = twisting(0.0);
+    cleared.is_cleared = true;
+    for (int i = 0; i < 2000; ++i) EXPECT_EQ(chain.step(cleared, tick_s).handle_Nm, 0.0);
+    EXPECT_EQ(chain.state(), ForceState::live);
+}
+
+TEST(HandleTorque, IsNoneWhereNobodyAskedForOne) {
+    ForceChain chain = live_chain(with_handle());
+    EXPECT_EQ(run(chain, wanting({0.5, 0.0})).handle_Nm, 0.0);
 }
 
 TEST(HandleTorque, ArmingWaitsUntilItIsSmall) {

@@ -70,6 +70,15 @@ TEST(StabilityMonitor, TakesNoSlowOrShortSwingForRinging) {
     EXPECT_EQ(rung(0.5, 80.0, 20).cuts(), 0U);
 }
 
+/// 0.1 W given by a torque while the force rests; taken, it is none.
+TEST(StabilityMonitor, CountsTheWorkOfATorque) {
+    for (const double turning_J : {1e-4, -1e-4}) {
+        StabilityMonitor monitor;
+        for (int i = 0; i < 300; ++i) monitor.step({{0.0, 0.5}, {}, 0.0, true, turning_J}, tick_s);
+        EXPECT_EQ(monitor.cause(), turning_J > 0.0 ? Ringing::energy : Ringing::none);
+    }
+}
+
 TEST(StabilityMonitor, CutsTenTimesASecondAtMostAndEachOverTwentyMilliseconds) {
     StabilityMonitor monitor;
     int ticks = 0;

@@ -1,0 +1,85 @@
+// Reference traces: what the contact machine did with a given hand on given lines, tick by tick, in
+// whole numbers, so that any other implementation can be compared with it. README.md tells the
+// columns.
+#pragma once
+
+#include "config/types/tactile_map.h"
+#include "haptics/collision/scene.h"
+#include "haptics/contact/contact_machine.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace touchline::traces {
+
+/// The first five are given, the others are what came of them.
+enum Column : std::size_t {
+    starts,
+    mode,
+    level,
+    handle_x,
+    handle_y,
+    state,
+    trail,
+    outline,
+    piece,
+    side,
+    parameter,
+    is_at_end,
+    has_popped,
+    proxy_x,
+    proxy_y,
+    force_x,
+    force_y,
+    stored,
+    rendered_level,
+    felt_level,
+    path,
+    carried,
+    clear,
+    boxes,
+    told,
+    told_outline,
+    column_count
+};
+
+/// Value = whole number / `per_unit`; two numbers that are up to `tolerance` apart are the same.
+struct ColumnKind {
+    std::string_view name;
+    double per_unit = 1.0;
+    int tolerance = 0;
+};
+
+extern const std::array<ColumnKind, column_count> columns;
+
+using Row = std::array<std::int64_t, column_count>;
+
+/// A row of data/traces.csv.
+struct Trace {
+    std::string name;   // data/NAME.csv
+    std::string lines;  // data/LINES.lines.csv
+    ContactSettings settings;
+    int boxes = 0;  // of the collision tree that a tick may open; 0: any number
+};
+
+inline constexpr double per_m = 1e9;  // of every length
+
+[[nodiscard]] Scene scene_of(const TactileMap& map, const Trace& trace);
+
+/// The rows with what came of them; of `hand` only the given columns are read.
+[[nodiscard]] std::vector<Row> follow(const Scene& scene, const Trace& trace,
+                                      std::span<const Row> hand);
+
+/// Files; an exception where one cannot be read or written.
+[[nodiscard]] std::vector<Trace> read_traces();
+[[nodiscard]] TactileMap read_lines(const std::string& name);
+[[nodiscard]] std::vector<Row> read_rows(const std::string& name);
+void write_traces(std::span<const Trace> traces);
+void write_lines(const std::string& name, const TactileMap& map);
+void write_rows(const std::string& name, std::span<const Row> rows);
+
+}  // namespace touchline::traces

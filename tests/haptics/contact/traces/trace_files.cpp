@@ -1,0 +1,115 @@
+#include "tests/haptics/contact/traces/trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace touchline::traces {
+namespace {
+
+constexpr const char* traces_head =
+    "name,lines,stiffness_N_per_m,friction,radius_m,capture_m,pop_through_N,pop_through_s,boxes";
+constexpr const char* lines_head = "outline,is_closed,x,y";
+
+std::string path_of(const std::string& name) {
+    return std::string(TOUCHLINE_SOURCE_DIR) + "/tests/haptics/contact/traces/data/" + name +
+           ".csv";
+}
+
+/// The lines of a file after the first, with blanks for commas.
+std::vector<std::istringstream> lines_of(const std::string& name) {
+    std::ifstream file(path_of(name));
+    std::vector<std::istringstream> found;
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        std::ranges::replace(line, ',', ' ');
+        found.emplace_back(line);
+    }
+    if (found.empty()) throw std::runtime_error(path_of(name) + " is missing or empty");
+    return found;
+}
+
+std::ofstream opened(const std::string& name) {
+    std::ofstream file(path_of(name));
+    file.exceptions(std::ios::failbit | std::ios::badbit);
+    return file;
+}
+
+void check(const std::istringstream& line, const std::string& name) {
+    if (line.fail()) throw std::runtime_error(path_of(name) + " has a line that cannot be read");
+}
+
+}  // namespace
+
+std::vector<Trace> read_traces() {
+    std::vector<Trace> found;
+    for (std::istringstream& line : lines_of("traces")) {
+        Trace& t = found.emplace_back();
+        line >> t.name >> t.lines >> t.settings.stiffness_N_per_m >> t.settings.friction >>
+            t.settings.radius_m >> t.settings.capture_m >> t.settings.pop_through_N >>
+            t.settings.pop_through_s >> t.boxes;
+        check(line, "traces");
+    }
+    return found;
+}
+
+TactileMap read_lines(const std::string& name) {
+    TactileMap map;
+    for (std::istringstream& line : lines_of(name + ".lines")) {
+        std::size_t outline = 0;
+        bool is_closed = false;
+        double x = 0.0;
+        double y = 0.0;
+        line >> outline >> is_closed >> x >> y;
+        check(line, name);
+        map.outlines.resize(outline + 1);
+        map.outlines.back().is_closed = is_closed;
+        map.outlines.back().points.push_back({x / per_m, y / per_m});
+    }
+    return map;
+}
+
+std::vector<Row> read_rows(const std::string& name) {
+    std::vector<Row> rows;
+    for (std::istringstream& line : lines_of(name)) {
+        for (std::int64_t& value : rows.emplace_back()) line >> value;
+        check(line, name);
+    }
+    return rows;
+}
+
+void write_traces(std::span<const Trace> traces) {
+    std::ofstream file = opened("traces");
+    file << traces_head << '\n';
+    for (const Trace& t : traces) {
+        file << t.name << ',' << t.lines << ',' << t.settings.stiffness_N_per_m << ','
+             << t.settings.friction << ',' << t.settings.radius_m << ',' << t.settings.capture_m
+             << ',' << t.settings.pop_through_N << ',' << t.settings.pop_through_s << ',' << t.boxes
+             << '\n';
+    }
+}
+
+void write_lines(const std::string& name, const TactileMap& map) {
+    std::ofstream file = opened(name + ".lines");
+    file << lines_head << '\n';
+    for (std::size_t i = 0; i < map.outlines.size(); ++i) {
+        for (const Position& p : map.outlines[i].points) {
+            file << i << ',' << map.outlines[i].is_closed << ',' << std::llround(p.x * per_m) << ','
+                 << std::llround(p.y * per_m) << '\n';
+        }
+    }
+}
+
+void write_rows(const std::string& name, std::span<const Row> rows) {
+    std::ofstream file = opened(name);
+    for (std::size_t i = 0; i < column_count; ++i) file << (i > 0 ? "," : "") << columns[i].name;
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < column_count; ++i) file << (i > 0 ? ',' : '\n') << row[i];
+    }
+    file << '\n';
+}
+
+}  // namespace touchline::traces
