@@ -5,11 +5,9 @@
 namespace touchline::traces {
 namespace {
 
-constexpr int ticks = 240;
-constexpr int ticks_at_a_line = 48;
+constexpr int ticks = 192;
 constexpr int ticks_at_a_place = 3;
-constexpr double new_level = 0.08;  // chances in a tick
-constexpr double new_mode = 0.02;
+constexpr double new_mode = 0.02;  // chance in a tick
 
 /// Along the points of an outline, from any of them, forth or back; at an end it goes on at the
 /// other.
@@ -59,13 +57,13 @@ std::vector<Row> hand_over(const TactileMap& map, const Hand& hand, const std::v
     std::vector<Row> rows(ticks);
     for (int tick = 0; tick < ticks; ++tick) {
         Row& row = rows[static_cast<std::size_t>(tick)];
-        row[starts] = tick % ticks_at_a_line == 0 ? 1 : 0;
-        if (tick % (leaps ? ticks_at_a_place : ticks_at_a_line) == 0) walk = Walk(map, chance);
-        if (chance.unit() < new_level) wanted = chance.one_of(levels);
+        row[starts] = tick % hand.ticks_at_a_line == 0 ? 1 : 0;
+        if (tick % (leaps ? ticks_at_a_place : hand.ticks_at_a_line) == 0) walk = Walk(map, chance);
+        if (chance.unit() < hand.new_level) wanted = chance.one_of(levels);
         if (chance.unit() < new_mode) now = chance.one_of(modes);
-        const double kept = leaps ? 0.0 : 0.9;
-        aside = kept * aside + 3.0 * (1.0 - kept) *
-                                   Position{chance.about(hand.aside_m), chance.about(hand.aside_m)};
+        aside = hand.kept * aside +
+                3.0 * (1.0 - hand.kept) *
+                    Position{chance.about(hand.aside_m), chance.about(hand.aside_m)};
         Position handle = walk.next(1e-3 * hand.speed_m_per_s) + aside;
         if (hand.grid_m > 0.0) {
             handle = hand.grid_m * Position{std::round(handle.x / hand.grid_m),

@@ -32,6 +32,9 @@ struct Hand {
     double speed_m_per_s = 0.0;  // along a line; 0: it leaps from place to place
     double aside_m = 2e-3;       // from there, about
     double grid_m = 0.0;         // > 0: every position is one of a grid's
+    int ticks_at_a_line = 48;    // then it is put down anew at another
+    double new_level = 0.08;     // chance in a tick
+    double kept = 0.9;           // of where it is aside, from tick to tick; 0: anywhere
 };
 
 /// The given columns of a trace: along a line or from place to place, then anew at another line;

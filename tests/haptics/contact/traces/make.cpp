@@ -89,10 +89,14 @@ struct Case {
 
 constexpr Hand slow{0.05};
 constexpr Hand brisk{0.3, 1e-3};
-constexpr Hand leaping{0.0, 3e-3};
-constexpr Hand on_grid{0.0, 3e-3, 0.5 * pitch_m};
+constexpr Hand leaping{0.0, 3e-3, 0.0, 48, 0.08, 0.0};
+constexpr Hand still{0.005, 4e-4, 0.0, 48, 0.2};
+constexpr Hand pressing{0.005, 8e-3, 0.0, 96, 0.08, 0.985};
+constexpr Hand far{0.05, 0.1, 0.0, 192};
+constexpr Hand on_grid{0.0, 3e-3, 0.5 * pitch_m, 48, 0.08, 0.0};
 const std::vector<double> finest{0.0};
 const std::vector<double> between{1.5};
+const std::vector<double> gentle{0.0, 0.3, 0.6, 1.0, 1.3, 1.7, 2.0, 2.5, 3.0};
 const std::vector<double> changing{0.0, 1.0, 1.4, 2.0, 2.75, 3.5, 5.0};
 
 ContactSettings wall(double friction, double radius_m, double pop_through_N = 0.0) {
@@ -132,8 +136,32 @@ void add_walls(std::vector<Case>& cases) {
     }
     cases.push_back({{"ring_pops", "ring", wall(0.0, 0.0, 0.3)}, slow, walls, finest});
     cases.push_back({{"tips_pops", "tips", wall(0.0, 5e-4, 0.3)}, slow, walls, changing});
+    cases.push_back({{"lattice_levels", "lattice", wall(0.1, 5e-4)}, on_grid, walls, changing});
+    cases.push_back(
+        {{"lattice_levels_disc", "lattice", wall(0.0, 1e-3)}, on_grid, walls, changing});
+    cases.push_back({{"lattice_again", "lattice", wall(0.1, 0.0)}, on_grid, walls, finest});
+    cases.push_back({{"lattice_again_disc", "lattice", wall(0.1, 3e-3)}, on_grid, walls, finest});
     cases.push_back({{"knot_few_boxes", "knot", wall(0.1, 1e-3), 40}, slow, walls, changing});
     cases.push_back({{"coast_few_boxes", "coast", wall(0.0, 0.0), 24}, leaping, walls, between});
+}
+
+void add_still_hands(std::vector<Case>& cases) {
+    const std::vector<Mode> walls{Mode::wall};
+    for (const char* const lines : {"tangle", "knot", "tips", "coast", "ring", "lattice"}) {
+        const std::string name = lines;
+        cases.push_back({{name + "_still", name, wall(0.1, 0.0)}, still, walls, gentle});
+        cases.push_back({{name + "_still_disc", name, wall(0.0, 1e-3)}, still, walls, gentle});
+    }
+    cases.push_back({{"knot_still_few_boxes", "knot", wall(0.0, 1e-3), 30}, still, walls, gentle});
+    cases.push_back(
+        {{"tangle_still_few_boxes", "tangle", wall(0.1, 0.0), 20}, still, walls, gentle});
+    for (const char* const lines : {"bars", "knot", "tips", "coast"}) {
+        const std::string name = lines;
+        cases.push_back({{name + "_pressed", name, wall(0.1, name == "knot" ? 4e-4 : 0.0, 0.2)},
+                         pressing,
+                         walls,
+                         finest});
+    }
 }
 
 void add_ties(std::vector<Case>& cases) {
@@ -151,6 +179,8 @@ void add_ties(std::vector<Case>& cases) {
     const std::vector<Mode> all{Mode::wall, Mode::groove, Mode::ridge, Mode::stay};
     cases.push_back({{"tangle_modes", "tangle", wall(0.1, 1e-3)}, slow, all, changing});
     cases.push_back({{"bars_modes", "bars", wall(0.0, 0.0, 0.3)}, slow, all, finest});
+    cases.push_back({{"bars_far", "bars", wall(0.0, 0.0)}, far, all, finest});
+    cases.push_back({{"tangle_far", "tangle", wall(0.0, 0.0)}, far, {Mode::groove}, changing});
     cases.push_back({{"knot_groove_few_boxes", "knot", {}, 20}, slow, {Mode::groove}, finest});
 }
 
@@ -159,6 +189,7 @@ void make() {
     for (const auto& [name, map] : lines) write_lines(name, map);
     std::vector<Case> cases;
     add_walls(cases);
+    add_still_hands(cases);
     add_ties(cases);
     std::vector<Trace> made;
     unsigned seed = 0;
