@@ -170,6 +170,30 @@ TEST(ContactReport, AStepOpensNoMoreBoxesThanItMay) {
     }
 }
 
+/// A deadline of long ago leaves the proxy where it is, held by what it is behind; one that never
+/// comes is none.
+TEST(ContactReport, AStepThatIsLateMovesNothing) {
+    const Scene scene = busy_scene();
+    constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
+    const Position from{-0.02, 4e-3};
+    const Position to{-0.02, -6e-3};
+    for (const std::int64_t deadline_ns : {std::int64_t{1}, never_ns}) {
+        ContactMachine machine;
+        ContactMachine in_time;
+        ContactSettings settings;
+        machine.reset(scene, from, 0.0);
+        in_time.reset(scene, from, 0.0);
+        for (int i = 0; i < 3; ++i) {
+            const Budget budget{std::numeric_limits<int>::max(), deadline_ns};
+            const ContactReport report = machine.step(to, 0.0, settings, budget);
+            const ContactReport wanted = in_time.step(to, 0.0, settings, {});
+            EXPECT_EQ(report.p_WP, deadline_ns == never_ns ? wanted.p_WP : from);
+            EXPECT_EQ(report.carried_m,
+                      deadline_ns == never_ns ? wanted.carried_m : norm(to - from));
+        }
+    }
+}
+
 /// As a servo that starts anew does with what the one before has left, its scene elsewhere.
 TEST(ContactRebind, AMachineGoesOnWithItsSceneElsewhere) {
     const Scene scene = busy_scene();
