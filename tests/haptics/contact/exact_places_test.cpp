@@ -98,6 +98,19 @@ TEST(ExactPlace, OnASharpTipIsTouchedOnItsOuterSide) {
     }
 }
 
+/// What a motion is known to be free of is not known of one that is rounding.
+TEST(ExactPlace, AMotionBelowRoundingProvesNothing) {
+    const Scene scene = build_scene(scenes::map_of({line({-1, 0}, {1, 0})}), {}, 0.0).value();
+    const ContactSettings settings;
+    ContactMachine machine;
+    const Position above{0.0, pitch_m};
+    machine.reset(scene, above, 0.0);
+    static_cast<void>(machine.step(above + Position{5e-15, 0.0}, 0.0, settings, {}));
+    const ContactReport report = machine.step(-above, 0.0, settings, {});
+    EXPECT_EQ(report.state, ContactState::edge);
+    EXPECT_GE(report.p_WP.y, 0.0);
+}
+
 /// Wherever it starts: on a vertex, on an edge, between two with less room than its radius.
 TEST(DiscWithoutRoom, CrossesNoLine) {
     const Outline ring = scenes::outline({{-pitch_m, -pitch_m}, {0, -pitch_m}, {0, 0}}, true);
