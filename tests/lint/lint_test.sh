@@ -53,7 +53,14 @@ bad_include() {
 }
 
 start_tree
-for name in includes format text layout readme_paths charts; do passes "$name"; done
+for name in includes types format text layout readme_paths charts; do passes "$name"; done
+
+start_tree
+write haptics/curve/curve.h 'namespace touchline {' 'struct Segment {' '};' '}  // namespace touchline'
+write vision/contour/grid.h 'namespace touchline {' 'struct Grid;' 'struct Segment {' '};' '}  // namespace touchline'
+finds types 'vision/contour/grid.h:3: touchline::Segment is defined in haptics/curve/curve.h too'
+write vision/contour/grid.h 'namespace touchline {' 'namespace {' 'struct Segment {' '};' '}  // namespace' '}  // namespace touchline'
+passes types
 
 bad_include config/types/vec2.h '"haptics/curve/curve.h"' 'config may include only: itself'
 bad_include vision/contour/edges.h '"haptics/curve/curve.h"' 'vision may include only: config'

@@ -30,8 +30,8 @@ std::optional<SelfCrossing> self_crossing(const Chain& line) {
     SegmentGrid grid({high.x - low.x, high.y - low.y}, kCell_mm);
     std::optional<SelfCrossing> best;
     for (std::size_t i = 0; i < count; ++i) {
-        const Segment here{line.points[i].at - low, line.points[(i + 1) % n].at - low, 0, i};
-        grid.near(here.a, here.b, 0.0, [&](const Segment& before) {
+        const LineSegment here{line.points[i].at - low, line.points[(i + 1) % n].at - low, 0, i};
+        grid.near(here.a, here.b, 0.0, [&](const LineSegment& before) {
             const std::size_t apart = i - before.index;
             const bool is_neighbour = apart <= 1 || (line.is_closed && apart + 1 >= count);
             const std::optional<cv::Point2d> at =

@@ -11,7 +11,7 @@ constexpr double kHairpinAlong = 2.0;  // gaps: further, and there and back on p
 constexpr double kParallel = 0.985;    // cosine of 10 degrees
 
 /// Whether a segment leads back along another.
-bool is_back(cv::Point2d way, const Segment& other) {
+bool is_back(cv::Point2d way, const LineSegment& other) {
     const cv::Point2d along = other.b - other.a;
     return way.dot(along) < -kParallel * cv::norm(way) * cv::norm(along);
 }
@@ -27,7 +27,7 @@ std::vector<double> arc_lengths(const std::vector<EdgePoint>& points) {
 
 }  // namespace
 
-Segment segment_of(const Chain& line, std::size_t i, std::size_t number) {
+LineSegment segment_of(const Chain& line, std::size_t i, std::size_t number) {
     return {line.points[i].at, line.points[(i + 1) % line.points.size()].at, number, i};
 }
 
@@ -45,7 +45,7 @@ OwnStretch clear_of_itself(const std::vector<EdgePoint>& points, std::size_t fir
         double least_mm = scale.clearance_mm();
         std::optional<OwnStretch::Foot> foot;
         bool is_hairpin = false;
-        own.near(p, p, scale.clearance_mm(), [&](const Segment& before) {
+        own.near(p, p, scale.clearance_mm(), [&](const LineSegment& before) {
             const cv::Point2d on = nearest_on(before, p);
             const double apart_mm = distance(on, p);
             const double along_mm = at_mm[i] - at_mm[before.index + 1];
@@ -76,7 +76,7 @@ std::optional<std::size_t> too_near_itself(const Chain& ring, const SpacingScale
     for (std::size_t i = 0; i < ring.points.size(); ++i) {
         const cv::Point2d p = ring.points[i].at;
         bool is_near = false;
-        own.near(p, p, scale.clearance_mm(), [&](const Segment& other) {
+        own.near(p, p, scale.clearance_mm(), [&](const LineSegment& other) {
             const double there_mm = std::abs(at_mm[i] - at_mm[other.index]);
             const double along_mm = std::min(there_mm, around_mm - there_mm);
             const double apart_mm = distance(nearest_on(other, p), p);

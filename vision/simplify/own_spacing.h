@@ -22,7 +22,7 @@ struct SpacingScale {
 /// Number of segments, the closing one of a ring included.
 [[nodiscard]] std::size_t segments_of(const Chain& line);
 
-[[nodiscard]] Segment segment_of(const Chain& line, std::size_t i, std::size_t number);
+[[nodiscard]] LineSegment segment_of(const Chain& line, std::size_t i, std::size_t number);
 
 /// The points first ... last of a line, which are clear of one another.
 struct OwnStretch {

@@ -13,7 +13,7 @@
 namespace touchline {
 
 /// A segment of a line, by the number of the line and of the segment's first point.
-struct Segment {
+struct LineSegment {
     cv::Point2d a;
     cv::Point2d b;
     std::size_t line = 0;
@@ -21,7 +21,7 @@ struct Segment {
 };
 
 /// The point of segment a b nearest to p.
-[[nodiscard]] inline cv::Point2d nearest_on(const Segment& s, cv::Point2d p) {
+[[nodiscard]] inline cv::Point2d nearest_on(const LineSegment& s, cv::Point2d p) {
     const cv::Point2d along = s.b - s.a;
     const double squared = along.dot(along);
     const double t = squared > 0.0 ? std::clamp((p - s.a).dot(along) / squared, 0.0, 1.0) : 0.0;
@@ -29,7 +29,8 @@ struct Segment {
 }
 
 /// Where two segments cross, ends included; nothing for parallel ones.
-[[nodiscard]] inline std::optional<cv::Point2d> crossing_of(const Segment& s, const Segment& t) {
+[[nodiscard]] inline std::optional<cv::Point2d> crossing_of(const LineSegment& s,
+                                                            const LineSegment& t) {
     const cv::Point2d u = s.b - s.a;
     const cv::Point2d v = t.b - t.a;
     const cv::Point2d w = t.a - s.a;
@@ -54,7 +55,7 @@ class SegmentGrid {
           rows_(1 + static_cast<int>(size_mm.height / cell_mm)),
           cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-    void add(const Segment& segment) {
+    void add(const LineSegment& segment) {
         visit_cells(segment.a, segment.b, 0.0,
                     [&](std::size_t cell) { cells_[cell].push_back(segment); });
     }
@@ -64,7 +65,7 @@ class SegmentGrid {
     template <class Visit>
     void near(cv::Point2d a, cv::Point2d b, double reach_mm, Visit&& visit) const {
         visit_cells(a, b, reach_mm, [&](std::size_t cell) {
-            for (const Segment& segment : cells_[cell]) {
+            for (const LineSegment& segment : cells_[cell]) {
                 visit(segment);
             }
         });
@@ -94,7 +95,7 @@ class SegmentGrid {
     double cell_mm_;
     int columns_;
     int rows_;
-    std::vector<std::vector<Segment>> cells_;
+    std::vector<std::vector<LineSegment>> cells_;
 };
 
 }  // namespace touchline

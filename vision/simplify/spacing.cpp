@@ -18,7 +18,7 @@ SpacedLines::SpacedLines(cv::Size2d area_mm, double gap_mm, double step_mm)
 
 std::optional<SpacedLines::Near> SpacedLines::nearest(cv::Point2d p, double reach_mm) const {
     std::optional<Near> best;
-    grid_.near(p, p, reach_mm, [&](const Segment& segment) {
+    grid_.near(p, p, reach_mm, [&](const LineSegment& segment) {
         const cv::Point2d foot = nearest_on(segment, p);
         const double apart_mm = distance(foot, p);
         if (apart_mm < reach_mm && (!best || apart_mm < best->distance_mm)) {
@@ -77,11 +77,11 @@ bool SpacedLines::crosses_on(const std::vector<EdgePoint>& points, std::size_t f
     double after_mm = 0.0;
     const auto end = step > 0 ? points.size() - 1 : std::size_t{0};
     for (std::size_t i = from; i != end; i += static_cast<std::size_t>(step)) {
-        const Segment piece{points[i].at, points[i + static_cast<std::size_t>(step)].at, 0, 0};
+        const LineSegment piece{points[i].at, points[i + static_cast<std::size_t>(step)].at, 0, 0};
         if (is_crossed) {
             after_mm += distance(piece.a, piece.b);
         }
-        grid_.near(piece.a, piece.b, 0.0, [&](const Segment& other) {
+        grid_.near(piece.a, piece.b, 0.0, [&](const LineSegment& other) {
             is_crossed = is_crossed || crossing_of(piece, other).has_value();
         });
         if (!nearest(piece.b, scale_.clearance_mm())) {
@@ -95,7 +95,7 @@ bool SpacedLines::crosses_on(const std::vector<EdgePoint>& points, std::size_t f
 bool SpacedLines::append(cv::Point2d to, std::vector<EdgePoint>& line) const {
     const EdgePoint from = line.back();
     const cv::Point2d way = to - from.at;
-    const Segment inner{from.at + 1e-3 * way, from.at + 0.999 * way, 0, 0};
+    const LineSegment inner{from.at + 1e-3 * way, from.at + 0.999 * way, 0, 0};
     for (std::size_t i = 1; i < line.size(); ++i) {
         if (crossing_of({line[i - 1].at, line[i].at, 0, 0}, inner)) {
             return false;
@@ -162,7 +162,7 @@ std::optional<Fit> SpacedLines::fit(const Candidate& candidate) const {
     const auto at = [&](std::size_t i) { return points.begin() + static_cast<std::ptrdiff_t>(i); };
     Fit fit{{{at(best->first), at(best->last) + 1}, false, chain.width_px}, {}, {}, 0, {}};
     if (best->foot && append(best->foot->at, fit.line.points)) {
-        fit.back = Foot{best->foot->at, lines_.size(), best->foot->index - best->first};
+        fit.back = LineFoot{best->foot->at, lines_.size(), best->foot->index - best->first};
     } else if (!best->foot) {
         bridge(points, best->last, 1, candidate.back_goes_on, fit);
     }
@@ -185,7 +185,7 @@ void SpacedLines::add(Fit fit) {
     }
     lines_.push_back(std::move(fit.line));
     feet_.emplace_back();
-    for (const std::optional<Foot>& foot : {fit.front, fit.back}) {
+    for (const std::optional<LineFoot>& foot : {fit.front, fit.back}) {
         if (foot) {
             feet_[foot->line].push_back(*foot);
         }
@@ -195,10 +195,10 @@ void SpacedLines::add(Fit fit) {
 std::vector<Chain> SpacedLines::lines() const {
     std::vector<Chain> result = lines_;
     for (std::size_t i = 0; i < result.size(); ++i) {
-        std::vector<Foot> feet = feet_[i];
+        std::vector<LineFoot> feet = feet_[i];
         std::vector<EdgePoint>& points = result[i].points;
         const std::vector<EdgePoint> old = points;
-        std::ranges::stable_sort(feet, [&](const Foot& a, const Foot& b) {
+        std::ranges::stable_sort(feet, [&](const LineFoot& a, const LineFoot& b) {
             return std::pair(a.index, distance(a.at, old[a.index].at)) <
                    std::pair(b.index, distance(b.at, old[b.index].at));
         });

@@ -19,7 +19,7 @@ struct Candidate {
 };
 
 /// Where an end meets a line that is already there (or an earlier part of its own line).
-struct Foot {
+struct LineFoot {
     cv::Point2d at;
     std::size_t line = 0;
     std::size_t index = 0;  // of the segment that it lies on
@@ -27,9 +27,9 @@ struct Foot {
 
 /// The longest part of a candidate that keeps its distance.
 struct Fit {
-    Chain line;                 // with its bridges to the feet
-    std::optional<Foot> front;  // set: that end meets a line
-    std::optional<Foot> back;
+    Chain line;                     // with its bridges to the feet
+    std::optional<LineFoot> front;  // set: that end meets a line
+    std::optional<LineFoot> back;
     int crossings_opened = 0;
     std::vector<Candidate> rest;  // before and after; to be fitted again once this one is added
 };
@@ -63,7 +63,7 @@ class SpacedLines {
   private:
     struct Near {
         double distance_mm = 0.0;
-        Foot foot;
+        LineFoot foot;
     };
 
     [[nodiscard]] std::optional<Near> nearest(cv::Point2d p, double reach_mm) const;
@@ -78,7 +78,7 @@ class SpacedLines {
     SpacingScale scale_;
     SegmentGrid grid_;
     std::vector<Chain> lines_;
-    std::vector<std::vector<Foot>> feet_;  // on each line
+    std::vector<std::vector<LineFoot>> feet_;  // on each line
 };
 
 }  // namespace touchline

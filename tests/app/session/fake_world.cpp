@@ -135,7 +135,7 @@ bool FakeHouse::choose(const std::string& name) {
 bool FakeHouse::has_said(const std::string& part, std::size_t from) const {
     return std::any_of(
         transcript.begin() + static_cast<std::ptrdiff_t>(from), transcript.end(),
-        [&](const Heard& heard) { return heard.text.find(part) != std::string::npos; });
+        [&](const HeardText& heard) { return heard.text.find(part) != std::string::npos; });
 }
 
 std::string FakeHouse::last_said() const {

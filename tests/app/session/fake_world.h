@@ -17,7 +17,7 @@ const std::vector<Language>& all_languages();
 /// Facts of picture `index`, in a language: two pages where it comes from the stick.
 PictureFacts fake_facts(const LoadPicture& order);
 
-struct Heard {
+struct HeardText {
     double time_s = 0.0;
     std::string language;
     std::string text;
@@ -74,9 +74,9 @@ class FakeHouse {
     bool loads_fail = false;
 
     Visit visit;
-    VisitOrders orders;             // of the last step
-    VisitOrders all_orders;         // of all steps
-    std::vector<Heard> transcript;  // nothing is ever taken away
+    VisitOrders orders;                 // of the last step
+    VisitOrders all_orders;             // of all steps
+    std::vector<HeardText> transcript;  // nothing is ever taken away
     double now_s = 0.0;
     double sounded_s = 0.0;  // the last speech or cue
     bool is_leading = false;

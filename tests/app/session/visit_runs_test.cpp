@@ -315,7 +315,7 @@ TEST(VisitRun, TheSameEventsGiveTheSameVisit) {
             house.wait(0.2);
         }
         std::string text;
-        for (const Heard& heard : house.transcript) text += heard.text + "\n";
+        for (const HeardText& heard : house.transcript) text += heard.text + "\n";
         return text;
     };
     EXPECT_EQ(run(), run());

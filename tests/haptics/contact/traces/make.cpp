@@ -17,6 +17,8 @@ namespace {
 // Lines
 
 constexpr double pitch_m = 4e-3;
+constexpr double exact_m =
+    0x1p-8;  // whole nanometres, and its half: nothing is rounded on that grid
 
 /// Short lines between points of a grid: they share ends, cross, lie in one another and run back.
 TactileMap lattice() {
@@ -32,6 +34,27 @@ TactileMap lattice() {
         }
         made.push_back(
             scenes::outline(points, count > 2 && points[0] != points.back() && i % 3 == 0));
+    }
+    return scenes::map_of(made);
+}
+
+/// Lines of steps of one length along a grid, where lengths, depths and angles are equal to the
+/// last bit.
+TactileMap steps() {
+    Chance chance(8);
+    std::vector<Outline> made;
+    for (int i = 0; i < 5; ++i) {
+        Position at{chance.below(9) - 4.0, chance.below(7) - 3.0};
+        std::vector<Position> points{exact_m * at};
+        while (points.size() < 26) {
+            const double way = chance.unit() < 0.5 ? 1.0 : -1.0;
+            const Position next =
+                at + (chance.unit() < 0.5 ? Position{way, 0.0} : Position{0.0, way});
+            if (std::abs(next.x) > 6.0 || std::abs(next.y) > 4.0) continue;
+            at = next;
+            points.push_back(exact_m * at);
+        }
+        made.push_back(scenes::outline(points, false));
     }
     return scenes::map_of(made);
 }
@@ -72,6 +95,7 @@ std::map<std::string, TactileMap> all_lines() {
     return {{"tangle", scenes::random_map(5, 12)},
             {"knot", scenes::random_map(11, 16)},
             {"lattice", lattice()},
+            {"steps", steps()},
             {"tips", tips()},
             {"bars", bars()},
             {"ring", scenes::rough_ring(3, 2e-4)},
@@ -152,6 +176,16 @@ void add_still_hands(std::vector<Case>& cases) {
         cases.push_back({{name + "_still", name, wall(0.1, 0.0)}, still, walls, gentle});
         cases.push_back({{name + "_still_disc", name, wall(0.0, 1e-3)}, still, walls, gentle});
     }
+    constexpr Hand nestling{0.005, 1.5e-3, 0.0, 64, 0.2};
+    for (const char* const lines : {"tangle", "knot", "coast", "ring"}) {
+        const std::string name = lines;
+        for (const double radius_m : {5e-4, 2e-3}) {
+            ContactSettings soft = wall(radius_m > 1e-3 ? 0.2 : 0.0, radius_m);
+            soft.stiffness_N_per_m = 50.0;
+            const char* const size = radius_m > 1e-3 ? "_large" : "_small";
+            cases.push_back({{name + "_soft" + size, name, soft}, nestling, walls, gentle});
+        }
+    }
     cases.push_back({{"knot_still_few_boxes", "knot", wall(0.0, 1e-3), 30}, still, walls, gentle});
     cases.push_back(
         {{"tangle_still_few_boxes", "tangle", wall(0.1, 0.0), 20}, still, walls, gentle});
@@ -162,6 +196,29 @@ void add_still_hands(std::vector<Case>& cases) {
                          walls,
                          finest});
     }
+}
+
+void add_exact_hands(std::vector<Case>& cases) {
+    const std::vector<Mode> walls{Mode::wall};
+    constexpr Hand exact{0.0, 3e-3, 0.5 * exact_m, 48, 0.08, 0.0};
+    for (const double radius_m : {0.0, 0.25 * exact_m, 0.5 * exact_m}) {
+        for (const double friction : {0.0, 0.5}) {
+            const std::string name = "steps_" + std::to_string(std::lround(1e6 * radius_m)) +
+                                     (friction > 0.0 ? "_rough" : "");
+            for (const char* const again : {"", "_again"}) {
+                cases.push_back(
+                    {{name + again, "steps", wall(friction, radius_m)}, exact, walls, finest});
+            }
+        }
+    }
+    ContactSettings ties;
+    ties.capture_m = exact_m;
+    cases.push_back({{"steps_groove", "steps", ties}, exact, {Mode::groove}, finest});
+    cases.push_back({{"steps_ridge", "steps", ties}, exact, {Mode::ridge}, {0.0, 1.0}});
+    cases.push_back({{"steps_stay", "steps", ties}, exact, {Mode::stay}, finest});
+    ContactSettings giving = wall(0.0, 0.0, 500.0 * 0.5 * exact_m);
+    giving.pop_through_s = 2e-3;
+    cases.push_back({{"steps_pops", "steps", giving}, exact, walls, finest});
 }
 
 void add_ties(std::vector<Case>& cases) {
@@ -190,6 +247,7 @@ void make() {
     std::vector<Case> cases;
     add_walls(cases);
     add_still_hands(cases);
+    add_exact_hands(cases);
     add_ties(cases);
     std::vector<Trace> made;
     unsigned seed = 0;

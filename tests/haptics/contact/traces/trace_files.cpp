@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 namespace touchline::traces {
 namespace {
 
@@ -85,10 +87,10 @@ void write_traces(std::span<const Trace> traces) {
     std::ofstream file = opened("traces");
     file << traces_head << '\n';
     for (const Trace& t : traces) {
-        file << t.name << ',' << t.lines << ',' << t.settings.stiffness_N_per_m << ','
-             << t.settings.friction << ',' << t.settings.radius_m << ',' << t.settings.capture_m
-             << ',' << t.settings.pop_through_N << ',' << t.settings.pop_through_s << ',' << t.boxes
-             << '\n';
+        const ContactSettings& s = t.settings;
+        file << fmt::format("{},{},{},{},{},{},{},{},{}\n", t.name, t.lines, s.stiffness_N_per_m,
+                            s.friction, s.radius_m, s.capture_m, s.pop_through_N, s.pop_through_s,
+                            t.boxes);
     }
 }
 
