@@ -115,6 +115,7 @@ TEST(ContactReport, AGrooveStoresWhatItsLawSays) {
 
 /// What could not be used changes nothing, and is told as it was.
 TEST(ContactReport, WithoutAHandleTheProxyIsToldWhereItIs) {
+    EXPECT_EQ(ContactReport{}.stored_J, 0.0);
     const Scene scene = scene_of(map_of({scenes::circle(0.03, 256)}));
     ContactMachine machine;
     machine.reset(scene, {0.0, 0.0}, 2.0);
@@ -192,6 +193,36 @@ TEST(ContactReport, AStepThatIsLateMovesNothing) {
                       deadline_ns == never_ns ? wanted.carried_m : norm(to - from));
         }
     }
+}
+
+/// Beside the corner where it left the line, a proxy is beyond no end: the line goes on there.
+TEST(ContactReport, ACornerIsNoEnd) {
+    const Scene scene =
+        build_scene(map_of({outline({{-0.01, 0.0}, {0.0, 0.0}, {0.0, -0.01}}, false)}), {}, 0.0)
+            .value();
+    ContactMachine machine;
+    machine.reset(scene, {1e-3, -1e-3}, 0.0);
+    const ContactSettings settings;
+    ContactReport report = machine.step({-5e-4, -1e-3}, 0.0, settings, {});
+    EXPECT_EQ(report.piece, 1);
+    report = machine.step({5e-4, 3e-4}, 0.0, settings, {});
+    EXPECT_EQ(report.state, ContactState::free);
+    EXPECT_FALSE(report.is_at_end);
+}
+
+/// What was free for a point is not free for a disc.
+TEST(ContactReport, ADiscThatHasGrownLooksAnew) {
+    constexpr double radius_m = 1e-3;
+    const Scene scene =
+        build_scene(map_of({outline({{-0.01, 0.0}, {0.01, 0.0}}, false)}), {}, radius_m).value();
+    ContactMachine machine;
+    ContactSettings settings;
+    machine.reset(scene, {0.0, 0.010}, 0.0);
+    (void)machine.step({0.0, 0.009}, 0.0, settings, {});
+    settings.radius_m = radius_m;
+    (void)machine.step({0.0, 0.008}, 0.0, settings, {});
+    const ContactReport report = machine.step({0.0, 0.3e-3}, 0.0, settings, {});
+    EXPECT_GE(report.p_WP.y, radius_m - 1e-9);
 }
 
 /// As a servo that starts anew does with what the one before has left, its scene elsewhere.
