@@ -42,7 +42,7 @@ class Kiosk:
             active, process, _ = self.state()
             return active == 'active' and process not in (0, not_process)
         try:
-            wait_for(is_back, READY_S, 'the kiosk is ready')
+            wait_for(is_back, READY_S, 'the kiosk is ready', 2)  # asking costs an emulated machine what it boots with
         except Fault as fault:
             raise Fault(f'{fault}: {self.machine.run(f"journalctl -u {UNIT} -n 8 -o cat")[1]}') from None
         return time.monotonic() - start
