@@ -14,7 +14,6 @@ constexpr std::int64_t longest_absence_ns = 500'000'000;
 void ServoLine::connect(std::shared_ptr<const Connection> connection) {
     const std::lock_guard lock(mutex_);
     connection_ = std::move(connection);
-    words_.clear();
     connection_->region.channel().commands.write(commands_);
     send_scene();
 }

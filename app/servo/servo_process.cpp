@@ -138,7 +138,7 @@ class ServoProcess::Guard {
     }
 
     void hear(const Message& message) {
-        // Why there is no servo stays to be read until there is one.
+        // Why there is no servo stays to be read until one has its device, and says so by no words.
         if (message.kind == MessageKind::say || message.kind == MessageKind::failed)
             line.say(line_of(message));
         if (message.kind == MessageKind::done) is_done_ = true;

@@ -81,8 +81,8 @@ class ServoProgram {
 
     int run(const DeviceOpener& open_device) {
         auto opened = open_device(opening());
-        tell(MessageKind::say, {});
         if (!opened) return fail(opened.error().line);
+        tell(MessageKind::say, {});
         BlackBox box(recordings_folder(), std::string(opened->profile.name),
                      [this](const std::string& line) { tell(MessageKind::notice, line); });
         box_ = &box;

@@ -1,5 +1,7 @@
 // The servo as a real process, and a kiosk around it: what is asked of both, and what a servo makes
 // of a kiosk that is mad or gone. What kills them is in process_fault_test.cpp.
+#include "app/servo/servo_process.h"
+
 #include "app/process/child.h"
 #include "app/servo/messages.h"
 #include "app/servo/shared_region.h"
@@ -34,6 +36,24 @@ TEST_F(ServoProcess, TheGuardZeroesABoardThatDidNotConfirmItAtTheEnd) {
     EXPECT_EQ(end_kiosk(SIGTERM), 0);
     EXPECT_EQ(board_.is_torque_on, 0);
     EXPECT_EQ(board_.zeroed_by_guard, 1);
+}
+
+/// Each start of a servo that fails as the one before would be news of a repair otherwise.
+TEST_F(ServoProcess, WhyThereIsNoServoStaysToBeReadWhileTheNextIsTried) {
+    board_.owner = getpid();  // the board is busy
+    int failures = 0;
+    int silences = 0;
+    {
+        touchline::ServoProcess servo(
+            {TOUCHLINE_SERVO_RIG, {path_}, [] { return Result<void>(); }, {}, {}});
+        EXPECT_TRUE(wait_until([&] {
+            if (!servo.take_notice().empty()) ++failures;
+            if (failures > 0 && servo.device_words().empty()) ++silences;
+            return failures == 3;
+        }));
+    }
+    EXPECT_EQ(silences, 0);
+    board_.owner = 0;
 }
 
 /// A kiosk gone mad: it scribbles over all that is shared, sends nonsense, and dies.

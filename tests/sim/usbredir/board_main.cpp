@@ -1,7 +1,9 @@
-// redirected_board SOCKET [UNPLUG_AFTER_WRITES | led]: an emulated 2diy gen 3.1 for QEMU's
+// redirected_board SOCKET [UNPLUG_AFTER_WRITES | led PACE]: an emulated 2diy gen 3.1 for QEMU's
 // usb-redir device, which connects to the unix socket. After that many writes the plug is pulled,
 // once, and put back when QEMU connects again. `led`: hand and plug follow orders on stdin
-// (board_orders.h). Ends when QEMU has gone; says on stdout what torque the board was left with.
+// (board_orders.h), and both live PACE seconds in a second: a machine that is emulated slower than
+// it takes itself to be sees the hand leap otherwise. Ends when QEMU has gone; says on stdout what
+// torque the board was left with.
 #include "tests/sim/board/board_rig.h"
 #include "tests/sim/usbredir/board_orders.h"
 #include "tests/sim/usbredir/redirected_device.h"
@@ -23,8 +25,11 @@ using namespace touchline;
 class BoardFunction : public RedirectedFunction {
   public:
     /// `orders`: null where nobody gives any.
-    BoardFunction(BoardEmulator& board, int unplug_after_writes, BoardOrders* orders)
-        : board_(board), writes_until_unplugged_(unplug_after_writes), orders_(orders) {}
+    BoardFunction(BoardEmulator& board, int unplug_after_writes, BoardOrders* orders, double pace)
+        : board_(board),
+          writes_until_unplugged_(unplug_after_writes),
+          orders_(orders),
+          pace_(pace) {}
 
     [[nodiscard]] std::uint8_t speed() const override { return usb_redir_speed_full; }
 
@@ -52,8 +57,8 @@ class BoardFunction : public RedirectedFunction {
     }
 
     void advance_to(double now_s) override {
-        if (!start_s_) start_s_ = now_s - board_.now_s();
-        board_.advance_to(now_s - *start_s_);
+        if (!start_s_) start_s_ = pace_ * now_s - board_.now_s();
+        board_.advance_to(pace_ * now_s - *start_s_);
         if (orders_ != nullptr) orders_->follow();
     }
 
@@ -63,13 +68,14 @@ class BoardFunction : public RedirectedFunction {
     BoardEmulator& board_;
     int writes_until_unplugged_;
     BoardOrders* orders_;
+    double pace_;
     std::optional<double> start_s_;
 };
 
 /// Until QEMU has gone. Without orders the plug is put back at once.
-void serve(int listener, BoardEmulator& board, int unplug_after, BoardOrders* orders) {
+void serve(int listener, BoardEmulator& board, int unplug_after, BoardOrders* orders, double pace) {
     for (;;) {
-        BoardFunction function(board, unplug_after, orders);
+        BoardFunction function(board, unplug_after, orders, pace);
         RedirectedDevice(function, accept(listener, nullptr, nullptr)).serve();
         if (board.is_plugged()) return;
         unplug_after = 0;
@@ -92,8 +98,9 @@ int say_what_is_left(const BoardEmulator& board) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 2 || argc > 3) {
-        std::fputs("usage: redirected_board SOCKET [UNPLUG_AFTER_WRITES | led]\n", stderr);
+    const bool is_led = argc == 4 && argv[2] == std::string_view("led") && std::atof(argv[3]) > 0.0;
+    if (argc < 2 || (argc > 3 && !is_led)) {
+        std::fputs("usage: redirected_board SOCKET [UNPLUG_AFTER_WRITES | led PACE]\n", stderr);
         return 2;
     }
     const int listener = listen_at(argv[1]);
@@ -101,14 +108,14 @@ int main(int argc, char** argv) {
         std::perror("redirected_board");
         return 1;
     }
-    if (argc > 2 && argv[2] == std::string_view("led")) {
+    if (is_led) {
         const auto person = std::make_shared<Person>(default_profile());
         BoardEmulator board({}, person);
         BoardOrders orders(board, person);
-        serve(listener, board, 0, &orders);
+        serve(listener, board, 0, &orders, std::atof(argv[3]));
         return say_what_is_left(board);
     }
     BoardEmulator board({}, resting_hand(default_profile()));
-    serve(listener, board, argc > 2 ? std::atoi(argv[2]) : 0, nullptr);
+    serve(listener, board, argc > 2 ? std::atoi(argv[2]) : 0, nullptr, 1.0);
     return say_what_is_left(board);
 }

@@ -1,5 +1,7 @@
 """A pantograph on the USB: the servo's unit takes it, words lead the hand to its stops, a line is met; and again after
 its plug was pulled."""
+import time
+
 from kiosk import SETTINGS
 from machine import Fault, wait_for
 from redirected import Redirected
@@ -8,15 +10,16 @@ UNITS = f'{SETTINGS.rsplit("/", 1)[0]}/units.toml'
 SERVO = "systemctl list-units --state=running --plain --no-legend 'touchline-servo@*' | grep -q ."
 STOPS = ('away from you', 'towards you')
 ON_THE_CIRCLE = 'go 35 0'  # of the practice shape, in millimetres from the middle
-LOOKS = 15
-LONGEST_S = 400
+LOOKS = 20  # at an unplugged board: the servo is tried again three times
+PACE = '0.1'  # of board and hand, beside a machine whose second takes five to ten
+LONGEST_S = 900
 
 
 def run(table, bench):
     board = []
 
     def plug(machine):
-        board.append(Redirected(machine, f'{bench.devices}/redirected_board', 'led'))
+        board.append(Redirected(machine, f'{bench.devices}/redirected_board', 'led', PACE))
     kiosk = bench.ready(table, 'board', plug)
     pantograph = board[0]
     try:
@@ -42,6 +45,10 @@ def _visits(table, kiosk, board):
         board.order('unplug')
         board.said()
         kiosk.machine.wait_screen(['does not answer'])
+        for _ in range(LOOKS):
+            if 'works again' in kiosk.machine.screen():
+                raise Fault('it is said to work again, without a board')
+            time.sleep(1)
     with table.check('board', 'plugged again: homed by two words, a line is met') as note:
         board.order('plug')
         words = _home(kiosk, board)
@@ -51,34 +58,43 @@ def _visits(table, kiosk, board):
 
 
 def _home(kiosk, board):
-    """Does what the words on the screen say until none are there for some looks: long words have pages, which turn by
-    themselves. How many it followed."""
-    followed, looks = [], 0
+    """Does what the words on the screen say, until they say that it works; how many it followed. Long words have pages,
+    which turn by themselves."""
+    followed = []
 
     def is_over():
-        nonlocal looks
         words = kiosk.machine.screen()
         stop = next((stop for stop in STOPS if stop in words), None)
-        looks = 0 if stop else looks + 1
         if stop and followed[-1:] != [stop]:
             followed.append(stop)
             board.order(f'hear {stop}')
-        return followed and looks > LOOKS
+        return followed and 'It works again' in words
     kiosk.to_choose()
     wait_for(is_over, LONGEST_S, f'homing is over; followed: {followed}')
     return len(followed)
 
 
 def _feel(kiosk, board):
-    """The practice circle, the hand led to its line; what the staff's live view says of it."""
+    """The practice circle, the hand led to its line once there may be force; what the staff's live view says of it, and
+    that there was torque."""
     kiosk.to_choose()
     kiosk.to_item('Practice shape')
     kiosk.press('ret')
     kiosk.machine.wait_screen(['until a line holds it'])
-    for place in ('go 0 0', ON_THE_CIRCLE):
-        board.order(place)
+    board.order('go 0 0')
     kiosk.press('v')
+    kiosk.machine.wait_screen(['pantograph', 'Motors on'])
+    _told(board)
+    board.order(ON_THE_CIRCLE)
     kiosk.machine.wait_screen(['pantograph', 'on an edge'])
     kiosk.press('v')
+    told = _told(board)
+    if float(told.split()[1]) == 0:
+        raise Fault(f'the line has no force: {told}')
+    return told
+
+
+def _told(board):
+    """The largest torque since this was last asked, and where the hand is."""
     board.order('tell')
     return board.said()

@@ -42,7 +42,7 @@ class Kiosk:
             active, process, _ = self.state()
             return active == 'active' and process not in (0, not_process)
         try:
-            wait_for(is_back, READY_S, 'the kiosk is ready')
+            wait_for(is_back, READY_S, 'the kiosk is ready', 2)  # asking costs an emulated machine what it boots with
         except Fault as fault:
             raise Fault(f'{fault}: {self.machine.run(f"journalctl -u {UNIT} -n 8 -o cat")[1]}') from None
         return time.monotonic() - start
@@ -100,8 +100,9 @@ class Kiosk:
         self.go(lambda words: 'What to feel' in words, key, 'the screen "What to feel"')
 
     def to_item(self, name):
-        """Down until the caption tells of it, and which of how many it is: its frame in the list hides it from tesseract."""
-        focus = re.compile(re.escape(name) + r'[^:]{0,40}, \d+ of \d+')
+        """Down until the caption tells of it, and which of how many it is: its frame in the list hides it from tesseract.
+        The list itself, with another item's caption behind it, must not pass for that."""
+        focus = re.compile(re.escape(name) + r'(, [^,:]{1,30})?, \d+ of \d+')
         self.go(focus.search, lambda words: 'ret' if re.search(TROUBLE, words) else 'down', f'the item "{name}"')
 
     def is_felt(self):

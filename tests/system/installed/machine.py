@@ -17,6 +17,11 @@ class Fault(Exception):
     """A condition that did not come true, or a machine that has gone."""
 
 
+def own_cores():
+    """As many processors as QEMU may use, two at most: two emulated ones on one real one wait for each other."""
+    return min(2, len(os.sched_getaffinity(0)))
+
+
 def wait_for(condition, longest_s, what, pause_s=0.5):
     """The first true value of condition(); Fault when there was none within longest_s."""
     end = time.monotonic() + longest_s
@@ -66,9 +71,11 @@ class Line:
 
 class Machine:
     """`image`: the folder that tests/system/installed/image made. `overlay`: a qcow2 file on its disk, made
-    here when it is not there. `folder`: where console, sockets and pictures of the screen go."""
+    here when it is not there. `folder`: where console, sockets and pictures of the screen go. `counts_instructions`: its
+    clock goes a nanosecond with each instruction, so that it keeps its deadlines however slow it is emulated; a second of
+    it takes five to ten."""
 
-    def __init__(self, image, overlay, folder, cores=2):
+    def __init__(self, image, overlay, folder, counts_instructions=False):
         self.folder = folder
         self.ids = 0
         self.commands = 0
@@ -79,14 +86,20 @@ class Machine:
         if not os.path.exists(overlay):
             subprocess.run(['qemu-img', 'create', '-q', '-f', 'qcow2', '-F', 'raw', '-b', f'{image}/disk', overlay],
                            check=True)
+        if counts_instructions:
+            pace, ticks = ['tcg,thread=single,tb-size=512', '-icount', 'shift=0,sleep=on'], 1_000_000
+            preemption = 'full'  # Debian's kernel can; by itself it lets a tick wait for whole calls of other programs
+        else:
+            pace, ticks = ['tcg,thread=multi,tb-size=512', '-smp', str(own_cores())], ticks_kHz() or 0
+            preemption = 'voluntary'
         words = ('root=/dev/vda ro console=ttyS0 loglevel=5 panic=-1 mitigations=off nokaslr tsc=reliable '
-                 f'tsc_early_khz={ticks_kHz() or 0} no_timer_check random.trust_cpu=on systemd.show_status=1 '
+                 f'preempt={preemption} tsc_early_khz={ticks} no_timer_check random.trust_cpu=on systemd.show_status=1 '
                  'systemd.default_timeout_start_sec=600')
         # cache: what the machine flushes is flushed; after a cut it has to be there, in qcow2's own tables too.
         self.console = open(f'{folder}/console.txt', 'ab')
         self.process = subprocess.Popen(
-            ['qemu-system-x86_64', '-M', 'q35,usb=off', '-accel', 'tcg,thread=multi,tb-size=512', '-cpu', 'Westmere',
-             '-smp', str(cores), '-m', '2G', '-nodefaults', '-no-reboot', '-display', 'none',
+            ['qemu-system-x86_64', '-M', 'q35,usb=off', '-accel', *pace, '-cpu', 'Westmere', '-m', '2G',
+             '-nodefaults', '-no-reboot', '-display', 'none',
              '-kernel', f'{image}/vmlinuz', '-initrd', f'{image}/initrd.img', '-append', words,
              '-drive', f'file={overlay},if=none,id=disk,cache=writeback,discard=unmap',
              '-device', 'virtio-blk-pci,drive=disk', '-device', 'VGA,edid=on,xres=800,yres=600',
@@ -142,11 +155,16 @@ class Machine:
 
     # Plugs
 
-    def plug_stick(self, file):
-        """A USB stick with these bytes, writable for whoever would write; its name for `pull`."""
+    def plug_stick(self, file, reads_a_s=0):
+        """A USB stick with these bytes, writable for whoever would write; its name for `pull`. reads_a_s: a slow one, which
+        answers so often at most."""
         self.ids += 1
         name = f'stick{self.ids}'
-        self.ask('blockdev-add', **{'driver': 'raw', 'node-name': f'{name}-bytes',
+        # All sticks are of one group, which has no limit but for a slow one: there is no other beside it.
+        if self.ids == 1:
+            self.ask('object-add', **{'qom-type': 'throttle-group', 'id': 'pace'})
+        self.ask('qom-set', path='/objects/pace', property='limits', value={'iops-total': reads_a_s})
+        self.ask('blockdev-add', **{'driver': 'throttle', 'node-name': f'{name}-bytes', 'throttle-group': 'pace',
                                     'file': {'driver': 'file', 'filename': file, 'locking': 'off'}})
         self.ask('device_add', driver='usb-storage', id=name, drive=f'{name}-bytes', bus='xhci.0', removable=True)
         return name

@@ -37,7 +37,8 @@ def run(table, bench):
         finally:
             note(cuts.words())
             table.figure(20, 'power cuts in the guest: came back with good settings',
-                         f'{len(cuts.seconds)} of {bench.cuts}', 'all', len(cuts.seconds) == bench.cuts,
+                         f'{len(cuts.seconds)} of {cuts.done}', f'all of {bench.cuts}',
+                         len(cuts.seconds) == bench.cuts,
                          f'QEMU killed while settings are saved, each {IN_BOOT}th time again while it boots; the disk '
                          f'keeps what was written to it; {cuts.words()}')
         if cuts.faults:
@@ -50,6 +51,7 @@ class Cuts:
     def __init__(self, bench):
         self.bench = bench
         self.seconds = []
+        self.done = 0
         self.copies = 0
         self.faults = []
 
@@ -67,6 +69,7 @@ class Cuts:
             self.faults.append(f'cut {number}: {fault}')
         else:
             self.seconds.append(took)
+        self.done += 1
         print(f'    {number}: {self.words()}', flush=True)
 
     def words(self):

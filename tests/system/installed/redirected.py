@@ -34,14 +34,9 @@ class Redirected:
     def pull(self):
         """The plug at the machine's end; the program ends and leaves its last line."""
         self.machine.ask('device_del', id=f'{self.name}-plug')
-
-        def is_gone():
-            try:
-                self.machine.ask('chardev-remove', id=self.name)
-                return True
-            except Fault:
-                return False
-        wait_for(is_gone, 60, f'{self.name} is out', 0.1)
+        # The plug takes its line to the program along.
+        wait_for(lambda: self.name not in [line['label'] for line in self.machine.ask('query-chardev')], 60,
+                 f'{self.name} is out', 0.1)
         try:
             return self.process.communicate(timeout=30)[0].decode().strip()
         finally:

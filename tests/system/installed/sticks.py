@@ -30,13 +30,25 @@ def _pdf(shapes):
                    % (table, len(text)))
 
 
-def make_files(folder):
-    """The two files of every stick, in a new folder."""
+def make_files(folder, is_large=False):
+    """The two files of every stick, in a new folder; large: the picture is one that takes long to read."""
     os.makedirs(folder, exist_ok=True)
-    _run('convert', '-size', '320x240', 'xc:white', '-fill', 'none', '-stroke', 'black', '-strokewidth', '6',
-         '-draw', 'circle 160,120 160,40', f'{folder}/{PNG}')
+    if is_large:
+        _run('convert', '-size', '2400x2400', 'xc:gray', '+noise', 'Random', f'{folder}/{PNG}')
+    else:
+        _run('convert', '-size', '320x240', 'xc:white', '-fill', 'none', '-stroke', 'black', '-strokewidth', '6',
+             '-draw', 'circle 160,120 160,40', f'{folder}/{PNG}')
     with open(f'{folder}/{PDF}', 'wb') as out:
         out.write(_pdf(b'4 w 40 20 120 70 re S 40 90 m 100 140 l 160 90 l S'))
+    return folder
+
+
+def make_many_folders(folder, count=300):
+    """Folders with a file each, which take long to list."""
+    for number in range(count):
+        os.makedirs(f'{folder}/{number}')
+        with open(f'{folder}/{number}/{PNG}', 'wb') as out:
+            out.write(b'a picture')
     return folder
 
 
@@ -60,7 +72,7 @@ def make_fat(file, folder, is_dirty=False):
     _blank(file, 66)
     subprocess.run(['sfdisk', '-q', file], input=b'start=2048, type=c\n', check=True)
     _run('mkfs.vfat', '-F', '32', '--offset', start // 512, file, 65 << 10)
-    _run('mcopy', '-i', f'{file}@@{start}', *(f'{folder}/{name}' for name in sorted(os.listdir(folder))), '::')
+    _run('mcopy', '-s', '-i', f'{file}@@{start}', *(f'{folder}/{name}' for name in sorted(os.listdir(folder))), '::')
     if is_dirty:
         _set_bits(file, start + 0x41, 1)
         with open(file, 'r+b') as disk:

@@ -25,8 +25,15 @@ class Table:
             self._add(group, name, False, start, [*note, str(fault)])
             if is_needed:
                 raise
+        except KeyboardInterrupt:
+            self._add(group, name, False, start, [*note, 'stopped from outside'])
+            raise
         else:
             self._add(group, name, True, start, note)
+
+    def fail(self, group, name, fault):
+        """What never came to be checked."""
+        self._add(group, name, False, time.monotonic(), [str(fault)])
 
     def _add(self, group, name, has_passed, start, notes):
         row = (group, name, has_passed, time.monotonic() - start, '; '.join(notes))
