@@ -6,6 +6,7 @@ import time
 
 import processes
 from figures import quantile
+from missing import feel_a_picture
 from world import Kiosk, wait_for
 
 SEED = 12
@@ -82,11 +83,9 @@ def look(pid):
 def run(world, figures, count):
     world.start_bus()
     world.make_stick()
-    world.board.move_hand(True)
     kiosk = Kiosk(world)
     wait_for('ready', kiosk.is_ready)
-    kiosk.press('Return', 'Return', 'Return')  # the practice shape
-    wait_for('torque', lambda: world.board.has_torque)
+    feel_a_picture(kiosk)
     before = look(kiosk.pid)
     plug = BoardPlug(kiosk)
     chance, seen, lists = random.Random(SEED), [], 0
