@@ -198,8 +198,7 @@ TEST(ContactReport, AStepThatIsLateMovesNothing) {
 /// Beside the corner where it left the line, a proxy is beyond no end: the line goes on there.
 TEST(ContactReport, ACornerIsNoEnd) {
     const Scene scene =
-        build_scene(map_of({outline({{-0.01, 0.0}, {0.0, 0.0}, {0.0, -0.01}}, false)}), {}, 0.0)
-            .value();
+        scene_of(map_of({outline({{-0.01, 0.0}, {0.0, 0.0}, {0.0, -0.01}}, false)}));
     ContactMachine machine;
     machine.reset(scene, {1e-3, -1e-3}, 0.0);
     const ContactSettings settings;
