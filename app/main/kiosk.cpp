@@ -212,8 +212,9 @@ class KioskWindow {
     void report_news() {
         std::istringstream lines(kiosk_->take_report());
         for (std::string line; std::getline(lines, line);) report(line);
-        const RealTimeTier tier = servo_->tier();
-        if (has_motors_ && tier != told_tier_) report(fmt::format("timing: {}", describe(tier)));
+        const std::optional<RealTimeTier> tier = servo_->tier();
+        if (!has_motors_ || !tier || tier == told_tier_) return;
+        report(fmt::format("timing: {}", describe(*tier)));
         told_tier_ = tier;
     }
 
@@ -300,7 +301,7 @@ class KioskWindow {
     Position led_;      // where the hand means to be
     std::shared_ptr<MouseHand> hand_ = std::make_shared<MouseHand>(Position{});
     bool has_motors_ = false;
-    RealTimeTier told_tier_ = RealTimeTier::best_effort;
+    std::optional<RealTimeTier> told_tier_;
     std::unique_ptr<Window> window_;
     std::unique_ptr<KioskScreen> screen_;  // dies before the window that has its OpenGL context
     std::unique_ptr<Kiosk> kiosk_;

@@ -55,7 +55,8 @@ class ServoClient {
     /// As Servo::next_event(), of one thread.
     [[nodiscard]] virtual std::optional<ContactEvent> next_event() = 0;
 
-    [[nodiscard]] virtual RealTimeTier tier() const = 0;
+    /// Nothing while no servo runs.
+    [[nodiscard]] virtual std::optional<RealTimeTier> tier() const = 0;
 
     /// How late the ticks began since the servo started; nothing while none runs. Some 30 us.
     [[nodiscard]] virtual LatenessBars lateness() const = 0;

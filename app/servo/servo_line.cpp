@@ -93,9 +93,9 @@ std::optional<ContactEvent> ServoLine::next_event() {
     return connection_->region.channel().events.pop();
 }
 
-RealTimeTier ServoLine::tier() const {
+std::optional<RealTimeTier> ServoLine::tier() const {
     const std::lock_guard lock(mutex_);
-    return connection_ ? tier_of(connection_->region.channel()) : RealTimeTier::best_effort;
+    return connection_ ? tier_of(connection_->region.channel()) : std::nullopt;
 }
 
 LatenessBars ServoLine::lateness() const {

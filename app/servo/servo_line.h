@@ -43,7 +43,7 @@ class ServoLine {
     /// The newest report, if it is sound; without force while there is no servo.
     void update(ServoReport& report, std::int64_t now_ns);
     [[nodiscard]] std::optional<ContactEvent> next_event();
-    [[nodiscard]] RealTimeTier tier() const;
+    [[nodiscard]] std::optional<RealTimeTier> tier() const;
     [[nodiscard]] LatenessBars lateness() const;
     [[nodiscard]] std::string take_notice();
     [[nodiscard]] std::string device_words() const;

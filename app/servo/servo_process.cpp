@@ -213,8 +213,8 @@ std::optional<ContactEvent> ServoProcess::next_event() {
     return guard_ ? guard_->line.next_event() : std::nullopt;
 }
 
-RealTimeTier ServoProcess::tier() const {
-    return guard_ ? guard_->line.tier() : RealTimeTier::best_effort;
+std::optional<RealTimeTier> ServoProcess::tier() const {
+    return guard_ ? guard_->line.tier() : std::nullopt;
 }
 
 LatenessBars ServoProcess::lateness() const {

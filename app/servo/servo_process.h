@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,7 @@ class ServoProcess final : public ServoClient {
     [[nodiscard]] const HandState& latest() override;
     [[nodiscard]] ForceStatus force_status() override;
     [[nodiscard]] std::optional<ContactEvent> next_event() override;
-    [[nodiscard]] RealTimeTier tier() const override;
+    [[nodiscard]] std::optional<RealTimeTier> tier() const override;
     [[nodiscard]] LatenessBars lateness() const override;
     [[nodiscard]] std::uint64_t beats() override;
     [[nodiscard]] std::string take_notice() override;

@@ -44,7 +44,7 @@ class ServoThread final : public ServoClient {
 
     [[nodiscard]] std::optional<ContactEvent> next_event() override { return servo_.next_event(); }
 
-    [[nodiscard]] RealTimeTier tier() const override { return servo_.tier(); }
+    [[nodiscard]] std::optional<RealTimeTier> tier() const override { return servo_.tier(); }
 
     [[nodiscard]] LatenessBars lateness() const override { return bars_of(servo_.lateness()); }
 

@@ -66,10 +66,11 @@ bool is_sound(const ServoReport& report) {
            report.force.fault <= Fault::emergency_stop && report.force.limit <= Limit::fault;
 }
 
-RealTimeTier tier_of(const ServoChannel& channel) {
+std::optional<RealTimeTier> tier_of(const ServoChannel& channel) {
     const std::uint8_t told = channel.tier.load(std::memory_order_relaxed);
     const auto last = static_cast<std::uint8_t>(RealTimeTier::too_late);
-    return told <= last ? static_cast<RealTimeTier>(told) : RealTimeTier::too_late;
+    if (told > last) return std::nullopt;
+    return static_cast<RealTimeTier>(told);
 }
 
 ServoExchange::ServoExchange() : own_(std::make_unique<ServoChannel>()), channel_(*own_) {}

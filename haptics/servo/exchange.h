@@ -150,17 +150,18 @@ struct ServoChannel {
     TripleBuffer<ServoReport> reports;
     EventRing<ContactEvent, 1024> events;
     LatenessHistogram lateness;
-    std::atomic<std::uint64_t> kiosk_beats{0};  // goes up while the kiosk lives
-    std::atomic<std::uint64_t> servo_beats{0};  // ticks
-    std::atomic<std::uint8_t> tier{static_cast<std::uint8_t>(RealTimeTier::best_effort)};
+    std::atomic<std::uint64_t> kiosk_beats{0};      // goes up while the kiosk lives
+    std::atomic<std::uint64_t> servo_beats{0};      // ticks
+    std::atomic<std::uint8_t> tier{0xff};           // a RealTimeTier once its loop is made
     std::atomic<std::uint8_t> is_force_on{0};       // the device may hold torque
     std::atomic<std::uint8_t> fault{0};             // of the last tick
     std::atomic<std::uint8_t> is_device_silent{0};  // it gave no angles in the last tick
     std::atomic<std::uint8_t> is_stop_wanted{0};
 };
 
-/// The tier that the channel tells; too_late where it tells none that there is.
-[[nodiscard]] RealTimeTier tier_of(const ServoChannel& channel);
+/// The tier that the channel tells; nothing before a servo told one, or where it tells none that
+/// there is.
+[[nodiscard]] std::optional<RealTimeTier> tier_of(const ServoChannel& channel);
 
 /// Threads: set(), feel(), report() from the kiosk's, next_event() from any one; the rest from the
 /// servo's. Scenes are only ever freed by the kiosk's thread, once the servo has moved on to a

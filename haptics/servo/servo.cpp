@@ -88,8 +88,8 @@ std::uint64_t Servo::dropped_events() const {
     return exchange_.dropped_events();
 }
 
-RealTimeTier Servo::tier() const {
-    return running_ ? tier_of(exchange_.channel()) : RealTimeTier::best_effort;
+std::optional<RealTimeTier> Servo::tier() const {
+    return running_ ? tier_of(exchange_.channel()) : std::nullopt;
 }
 
 std::unique_ptr<ForceDevice> Servo::stop() {

@@ -68,8 +68,8 @@ class Servo {
 
     [[nodiscard]] std::uint64_t dropped_events() const;
 
-    /// How far the loop can be trusted to be in time; best_effort while nothing runs.
-    [[nodiscard]] RealTimeTier tier() const;
+    /// How far the loop can be trusted to be in time; nothing while none runs.
+    [[nodiscard]] std::optional<RealTimeTier> tier() const;
 
     /// How late its ticks began.
     [[nodiscard]] const LatenessHistogram& lateness() const { return exchange_.channel().lateness; }

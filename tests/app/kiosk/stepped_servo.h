@@ -36,7 +36,9 @@ class SteppedServo final : public ServoClient {
 
     [[nodiscard]] std::optional<ContactEvent> next_event() override { return std::nullopt; }
 
-    [[nodiscard]] RealTimeTier tier() const override { return RealTimeTier::best_effort; }
+    [[nodiscard]] std::optional<RealTimeTier> tier() const override {
+        return RealTimeTier::best_effort;
+    }
 
     [[nodiscard]] LatenessBars lateness() const override { return {}; }
 

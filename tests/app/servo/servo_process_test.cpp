@@ -38,21 +38,25 @@ TEST_F(ServoProcess, TheGuardZeroesABoardThatDidNotConfirmItAtTheEnd) {
     EXPECT_EQ(board_.zeroed_by_guard, 1);
 }
 
-/// Each start of a servo that fails as the one before would be news of a repair otherwise.
+/// Each start of a servo that fails as the one before would be news of a repair otherwise; and of a
+/// tier.
 TEST_F(ServoProcess, WhyThereIsNoServoStaysToBeReadWhileTheNextIsTried) {
     board_.owner = getpid();  // the board is busy
     int failures = 0;
     int silences = 0;
+    int tiers = 0;
     {
         touchline::ServoProcess servo(
             {TOUCHLINE_SERVO_RIG, {path_}, [] { return Result<void>(); }, {}, {}});
         EXPECT_TRUE(wait_until([&] {
             if (!servo.take_notice().empty()) ++failures;
             if (failures > 0 && servo.device_words().empty()) ++silences;
+            if (servo.tier()) ++tiers;
             return failures == 3;
         }));
     }
     EXPECT_EQ(silences, 0);
+    EXPECT_EQ(tiers, 0);
     board_.owner = 0;
 }
 

@@ -21,6 +21,15 @@ struct Pair {
     std::uint64_t b = ~std::uint64_t{0};
 };
 
+TEST(ServoChannel, TellsNoTierBeforeAServoDoesAndNoneThatThereIsNot) {
+    ServoChannel channel;
+    EXPECT_EQ(tier_of(channel), std::nullopt);
+    channel.tier = static_cast<std::uint8_t>(RealTimeTier::too_late);
+    EXPECT_EQ(tier_of(channel), RealTimeTier::too_late);
+    ++channel.tier;
+    EXPECT_EQ(tier_of(channel), std::nullopt);
+}
+
 TEST(TripleBuffer, ReaderSeesTheInitialValueFirst) {
     TripleBuffer<int> buffer(7);
     EXPECT_FALSE(buffer.update());

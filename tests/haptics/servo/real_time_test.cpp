@@ -82,7 +82,7 @@ TEST(RealTimeTier, OfAServoWithMotorsThatAnOrdinaryUserStartsIsNoBetterThanC) {
             servo.start(std::make_unique<PlacedDevice>(above), default_profile(), options);
         if (!started) return 98;
         while (servo.latest().ticks < 10) std::this_thread::yield();
-        return static_cast<int>(servo.tier());
+        return static_cast<int>(servo.tier().value());
     });
     // D where this machine has been too busy meanwhile.
     EXPECT_TRUE(tier == static_cast<int>(RealTimeTier::best_effort) ||

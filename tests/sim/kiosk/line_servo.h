@@ -37,7 +37,7 @@ class LineServo final : public ServoClient {
 
     [[nodiscard]] std::optional<ContactEvent> next_event() override { return line_.next_event(); }
 
-    [[nodiscard]] RealTimeTier tier() const override { return line_.tier(); }
+    [[nodiscard]] std::optional<RealTimeTier> tier() const override { return line_.tier(); }
 
     [[nodiscard]] LatenessBars lateness() const override { return {}; }
 

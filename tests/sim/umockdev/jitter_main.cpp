@@ -57,7 +57,8 @@ std::unique_ptr<ForceDevice> board_through(const UsbBoards& usb) {
 void print(const std::string& way, const Servo& servo) {
     const LatenessHistogram& late = servo.lateness();
     std::printf("| %s | %s | %.1s | %llu |", way.c_str(), geteuid() == 0 ? "root" : "ordinary",
-                describe(servo.tier()).data(), static_cast<unsigned long long>(late.count()));
+                describe(servo.tier().value()).data(),
+                static_cast<unsigned long long>(late.count()));
     std::uint64_t below = 0;
     for (const std::size_t bound_us : bounds_us) {
         const std::uint64_t now = late.count_below(bound_us);
