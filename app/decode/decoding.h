@@ -18,6 +18,9 @@ namespace touchline {
 /// page than 1. O(bytes + pixels).
 [[nodiscard]] Result<Page> decode_raster(std::span<const std::byte> bytes, const PageOrder& order);
 
+/// Likewise a picture that a film's codec made: HEIC, AVIF.
+[[nodiscard]] Result<Page> decode_film(std::span<const std::byte> bytes, const PageOrder& order);
+
 /// A page of what is drawn: SVG, PDF. Fails likewise.
 [[nodiscard]] Result<Page> decode_document(std::span<const std::byte> bytes,
                                            const PageOrder& order);

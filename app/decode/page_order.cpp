@@ -33,7 +33,14 @@ WorkerKind kind_of(std::span<const std::byte> bytes) {
 }
 
 std::string program_for(WorkerKind kind) {
-    return kind == WorkerKind::document ? "touchline-decode-document" : "touchline-decode";
+    switch (kind) {
+        case WorkerKind::document:
+            return "touchline-decode-document";
+        case WorkerKind::film:
+            return "touchline-decode-film";
+        default:
+            return "touchline-decode";
+    }
 }
 
 std::vector<std::string> arguments_of(const DecodeWork& work) {

@@ -1,60 +1,37 @@
 #include "app/decode/decoding.h"
-#include "app/decode/formats.h"
-#include "app/decode/metadata.h"
-#include "app/decode/signature.h"
-
-#include <utility>
+#include "app/decode/pixel_page.h"
 
 namespace touchline {
 namespace decode {
 namespace {
 
-Result<Picture> read_pixels(Bytes bytes) {
-    const FileFormat format = format_of(bytes);
+Result<Picture> refuse(Bytes bytes) {
+    return not_a_picture(format_of(bytes));
+}
+
+PixelReader reader_of(FileFormat format) {
     switch (format) {
         case FileFormat::png:
-            return read_png(bytes);
+            return {read_png};
         case FileFormat::jpeg:
-            return read_jpeg(bytes);
+            return {read_jpeg};
         case FileFormat::webp:
-            return read_webp(bytes);
+            return {read_webp};
         case FileFormat::tiff:
-            return read_tiff(bytes);
+            return {read_tiff, true};
         case FileFormat::gif:
-            return read_gif(bytes);
+            return {read_gif};
         case FileFormat::bmp:
-            return read_bmp(bytes);
+            return {read_bmp};
         case FileFormat::pnm:
-            return read_pnm(bytes);
-        case FileFormat::heif:
-            return read_heif(bytes);
+            return {read_pnm};
         default:
-            return not_a_picture(format);
+            return {refuse};
     }
 }
 
-/// TIFF's reader and libheif turn a picture themselves.
-bool is_turned_by_its_reader(FileFormat format) {
-    return format == FileFormat::tiff || format == FileFormat::heif;
-}
-
-Page page_of(Picture picture, Metadata metadata, FileFormat format) {
-    convert_to_srgb(metadata.colour_profile, picture);
-    Page page;
-    page.picture = is_turned_by_its_reader(format)
-                       ? std::move(picture)
-                       : upright(std::move(picture), metadata.orientation);
-    page.told.area = told_area(page.picture);
-    page.told.title = std::move(metadata.title);
-    page.told.description = std::move(metadata.description);
-    return page;
-}
-
 Result<Page> read_raster(Bytes bytes, const PageOrder& order) {
-    if (order.page != 1) return failure("the file has one page only");
-    return read_pixels(bytes).map([bytes](Picture picture) {
-        return page_of(std::move(picture), metadata_of(bytes), format_of(bytes));
-    });
+    return page_by(reader_of(format_of(bytes)), bytes, order);
 }
 
 }  // namespace

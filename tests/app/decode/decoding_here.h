@@ -7,8 +7,14 @@
 namespace touchline {
 
 inline Result<Page> decode_page(std::span<const std::byte> bytes, const PageOrder& order = {}) {
-    return kind_of(bytes) == WorkerKind::document ? decode_document(bytes, order)
-                                                  : decode_raster(bytes, order);
+    switch (kind_of(bytes)) {
+        case WorkerKind::document:
+            return decode_document(bytes, order);
+        case WorkerKind::film:
+            return decode_film(bytes, order);
+        default:
+            return decode_raster(bytes, order);
+    }
 }
 
 inline Result<Picture> decode_picture(std::span<const std::byte> bytes) {
