@@ -99,7 +99,8 @@ int say_what_is_left(const BoardEmulator& board) {
 
 int main(int argc, char** argv) {
     const bool is_led = argc == 4 && argv[2] == std::string_view("led") && std::atof(argv[3]) > 0.0;
-    if (argc < 2 || (argc > 3 && !is_led)) {
+    const int unplug_after = argc == 3 ? std::atoi(argv[2]) : 0;
+    if (!is_led && argc != 2 && unplug_after <= 0) {
         std::fputs("usage: redirected_board SOCKET [UNPLUG_AFTER_WRITES | led PACE]\n", stderr);
         return 2;
     }
@@ -116,6 +117,6 @@ int main(int argc, char** argv) {
         return say_what_is_left(board);
     }
     BoardEmulator board({}, resting_hand(default_profile()));
-    serve(listener, board, argc > 2 ? std::atoi(argv[2]) : 0, nullptr, 1.0);
+    serve(listener, board, unplug_after, nullptr, 1.0);
     return say_what_is_left(board);
 }
