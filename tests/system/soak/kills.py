@@ -106,8 +106,7 @@ class Kills:
             self.replug()
         for pid in self.children_of(kind):
             time.sleep(0.02 * self.random.random())
-            if pid in self.children_of(kind):
-                os.kill(pid, signal.SIGKILL)
+            if pid in self.children_of(kind) and dies(pid):
                 return pid
         return None
 
@@ -133,6 +132,15 @@ class Kills:
             wait_for('no orphan', lambda: not strays(), longest_s=5.0)
         except Failed:
             self.orphans += len(strays())
+
+
+def dies(pid):
+    """False: it had ended by itself."""
+    try:
+        os.kill(pid, signal.SIGKILL)
+    except ProcessLookupError:
+        return False
+    return True
 
 
 def shared_memory():
