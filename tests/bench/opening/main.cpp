@@ -10,10 +10,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/chrono.h>
 
 namespace touchline {
 namespace {
@@ -82,12 +83,14 @@ int main(int argc, char** argv) {
     const int runs = std::atoi(argv[1]);
     double load = 0.0;
     (void)getloadavg(&load, 1);
-    fmt::print("load {:.2f}, {} runs, least (median)\n", load, runs);
-    fmt::print("worker's start, to a refusal: {} ms\n\n", touchline::start_of(10 * runs));
+    const std::string start = touchline::start_of(10 * runs);
+    fmt::print("Least of {} runs (median), load {:.2f}, {:%F}:\n\n", runs, load,
+               fmt::localtime(std::time(nullptr)));
     fmt::print(
         "| file | pixels | opened, ms | traced, ms | scene, ms | read, ms | labels "
         "|\n|---|---|---|---|---|---|---|\n");
     bool is_done = true;
     for (int i = 2; i < argc; ++i) is_done = touchline::measure(argv[i], runs) && is_done;
+    fmt::print("\nA worker's start, to a refusal: {} ms.\n", start);
     return is_done ? 0 : 1;
 }

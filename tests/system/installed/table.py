@@ -1,10 +1,45 @@
-"""What was checked, as a table and as rows of a file."""
+"""What was checked, as a table, as rows of files, and as a page."""
 import contextlib
 import csv
 import os
 import time
 
 from machine import Fault
+
+CHECKS = ['group', 'check', 'result', 'seconds', 'note', 'date']
+
+
+def read(file):
+    """The rows of a CSV file, none where it is not there."""
+    if not os.path.exists(file):
+        return []
+    with open(file, newline='') as old:
+        return list(csv.DictReader(old))
+
+
+def replace(file, head, rows):
+    """Whole at once: another run may be reading it."""
+    os.makedirs(os.path.dirname(file), exist_ok=True)
+    with open(f'{file}.{os.getpid()}', 'w', newline='') as new:
+        out = csv.writer(new, lineterminator='\n')
+        out.writerow(head)
+        out.writerows(rows)
+    os.replace(new.name, file)
+
+
+def page(checks, groups):
+    """The outcome of each group, from its last run."""
+    lines = ['| group | passed | minutes | on | what was noted |', '|---|---|---|---|---|']
+    for group in groups:
+        rows = [row for row in checks if row['group'] == group]
+        if not rows:
+            lines.append(f'| `{group}` | not run | | | |')
+            continue
+        passed = sum(row['result'] == 'passed' for row in rows)
+        notes = '; '.join(f'{row["check"]}: {row["note"]}' for row in rows if row['note'] or row['result'] != 'passed')
+        lines.append(f'| `{group}` | {passed} of {len(rows)} | {sum(float(row["seconds"]) for row in rows) / 60:.0f} | '
+                     f'{rows[0]["date"]} | {notes.replace("|", "/")} |')
+    return '\n'.join(lines) + '\n'
 
 
 class Table:
@@ -58,17 +93,14 @@ class Table:
             print(f'{group:<8} {name:<{width}} {"passed" if has_passed else "FAILED":<7} {seconds:7.0f}  {note}')
         print(f'{len(self.rows) - len(self.failed())} passed, {len(self.failed())} failed')
 
-    def write(self, file):
-        """Rows of this run go before rows of the same figure of an earlier one."""
+    def write(self, figures, checks):
+        """Figures and groups of this run take the place of those of an earlier one."""
         head = ['row', 'figure', 'value', 'bar', 'passed', 'how']
-        kept = {}
-        if os.path.exists(file):
-            with open(file, newline='') as old:
-                kept = {line['figure']: [line[name] for name in head] for line in csv.DictReader(old)}
+        kept = {line['figure']: [line[name] for name in head] for line in read(figures)}
         kept.update({row[1]: list(row) for row in self.figures})
-        os.makedirs(os.path.dirname(file), exist_ok=True)
-        with open(f'{file}.{os.getpid()}', 'w', newline='') as new:
-            out = csv.writer(new, lineterminator='\n')
-            out.writerow(head)
-            out.writerows(sorted(kept.values(), key=lambda row: (int(row[0]), row[1])))
-        os.replace(new.name, file)  # whole at once: another run may be reading it
+        replace(figures, head, sorted(kept.values(), key=lambda row: (int(row[0]), row[1])))
+        ours = {row[0] for row in self.rows}
+        rows = [[line[name] for name in CHECKS] for line in read(checks) if line['group'] not in ours]
+        rows += [[group, name, 'passed' if has_passed else 'failed', f'{seconds:.0f}', note, time.strftime('%Y-%m-%d')]
+                 for group, name, has_passed, seconds, note in self.rows]
+        replace(checks, CHECKS, rows)

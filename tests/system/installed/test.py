@@ -1,19 +1,21 @@
-"""test.py --image FOLDER --deb FILE --devices FOLDER --work FOLDER --figures FILE [--short] [--cuts N] GROUP...:
-the groups, one machine after the other, and the table. Ends with 1 when a check failed."""
+"""test.py --image FOLDER --deb FILE --devices FOLDER --work FOLDER --figures FILE --checks FILE [--page FILE] [--short]
+[--cuts N] GROUP...: the groups, one machine after the other, and the table, in the page too. Ends with 1 when a check failed."""
 import argparse
 import importlib
 import os
 import shutil
 import signal
+import subprocess
 import sys
 
 from kiosk import Kiosk
 from machine import Fault, Machine
-from table import Table
+from table import Table, page, read
 
 GROUPS = ('boot', 'power', 'stick', 'sound', 'keys', 'board', 'camera', 'screen', 'idle', 'update')
 # Those in which the kiosk has to keep deadlines of milliseconds, or of seconds with much to do.
 BY_INSTRUCTIONS = ('board', 'camera')
+FILL = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../bench/fill.awk')
 
 
 class Bench:
@@ -72,10 +74,19 @@ class Bench:
         self.kiosk = None
 
 
+def fill(readme, groups, work):
+    with open(f'{work}/groups.md', 'w') as file:
+        file.write(groups)
+    filled = subprocess.run(['awk', '-v', f'tables={work}', '-f', FILL, readme], capture_output=True, check=True).stdout
+    with open(readme, 'wb') as file:
+        file.write(filled)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    for name in ('image', 'deb', 'devices', 'work', 'figures'):
+    for name in ('image', 'deb', 'devices', 'work', 'figures', 'checks'):
         parser.add_argument(f'--{name}', required=True)
+    parser.add_argument('--page')
     parser.add_argument('--short', action='store_true')
     parser.add_argument('--cuts', type=int, default=0)
     parser.add_argument('groups', nargs='+', choices=GROUPS)
@@ -92,10 +103,12 @@ def main():
         except KeyboardInterrupt:  # what is done counts, what is not is missing in the table
             break
         finally:
-            table.write(arguments.figures)
+            table.write(arguments.figures, arguments.checks)
         if not bench.is_short:
             bench.stop()
     bench.stop()
+    if arguments.page:
+        fill(arguments.page, page(read(arguments.checks), GROUPS), arguments.work)
     table.print()
     return 1 if table.failed() else 0
 
