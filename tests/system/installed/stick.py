@@ -45,7 +45,7 @@ def run(table, bench):
     with table.check('stick', 'the kiosk is the same process, and none of its workers is left'):
         if kiosk.process() != process:
             raise Fault(f'it was started again: {machine.run(f"journalctl -u {UNIT} -n 5 -o cat")[1]}')
-        machine.wait('! pgrep "touchline-(import|decode)"', 60)
+        machine.wait('! pgrep "^touchline-(impor|decod)"', 60)
     changed = [name for name, file, bytes_of in made if sticks.sha256(file) != bytes_of]
     with table.check('stick', 'not a byte of a stick has changed'):
         if changed:

@@ -36,14 +36,15 @@ def page(checks, groups):
             lines.append(f'| `{group}` | not run | | | |')
             continue
         passed = sum(row['result'] == 'passed' for row in rows)
-        notes = '; '.join(f'{row["check"]}: {row["note"]}' for row in rows if row['note'] or row['result'] != 'passed')
+        notes = '; '.join(f'{row["check"]}: {row["note"] if row["result"] == "passed" else "FAILED"}'
+                          for row in rows if row['note'] or row['result'] != 'passed')
         lines.append(f'| `{group}` | {passed} of {len(rows)} | {sum(float(row["seconds"]) for row in rows) / 60:.0f} | '
-                     f'{rows[0]["date"]} | {notes.replace("|", "/")} |')
+                     f'{rows[0]["date"]} | {" ".join(notes.replace("|", "/").split())} |')
     return '\n'.join(lines) + '\n'
 
 
 class Table:
-    """Rows (group, check, passed or failed, seconds, note); figures of the reliability table."""
+    """Rows (group, check, passed or failed, seconds, note, date); figures of the reliability table."""
 
     def __init__(self):
         self.rows = []
@@ -71,7 +72,7 @@ class Table:
         self._add(group, name, False, time.monotonic(), [str(fault)])
 
     def _add(self, group, name, has_passed, start, notes):
-        row = (group, name, has_passed, time.monotonic() - start, '; '.join(notes))
+        row = (group, name, has_passed, time.monotonic() - start, '; '.join(notes), time.strftime('%Y-%m-%d'))
         self.rows.append(row)
         print(f'  {name}: {"passed" if has_passed else "FAILED"}, {row[3]:.0f} s {row[4]}', flush=True)
 
@@ -89,7 +90,7 @@ class Table:
     def print(self):
         width = max([len(row[1]) for row in self.rows], default=5)
         print(f'\n{"group":<8} {"check":<{width}} {"result":<7} seconds')
-        for group, name, has_passed, seconds, note in self.rows:
+        for group, name, has_passed, seconds, note, _ in self.rows:
             print(f'{group:<8} {name:<{width}} {"passed" if has_passed else "FAILED":<7} {seconds:7.0f}  {note}')
         print(f'{len(self.rows) - len(self.failed())} passed, {len(self.failed())} failed')
 
@@ -101,6 +102,6 @@ class Table:
         replace(figures, head, sorted(kept.values(), key=lambda row: (int(row[0]), row[1])))
         ours = {row[0] for row in self.rows}
         rows = [[line[name] for name in CHECKS] for line in read(checks) if line['group'] not in ours]
-        rows += [[group, name, 'passed' if has_passed else 'failed', f'{seconds:.0f}', note, time.strftime('%Y-%m-%d')]
-                 for group, name, has_passed, seconds, note in self.rows]
+        rows += [[group, name, 'passed' if has_passed else 'failed', f'{seconds:.0f}', note, date]
+                 for group, name, has_passed, seconds, note, date in self.rows]
         replace(checks, CHECKS, rows)

@@ -100,6 +100,8 @@ def main():
             importlib.import_module(group).run(table, bench)
         except Fault as fault:
             table.fail(group, 'the rest of the group', fault)
+        except Exception as problem:  # whatever it is: a group that broke off has not passed
+            table.fail(group, 'the rest of the group', repr(problem))
         except KeyboardInterrupt:  # what is done counts, what is not is missing in the table
             break
         finally:

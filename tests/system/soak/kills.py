@@ -135,7 +135,7 @@ class Kills:
 
 
 def dies(pid):
-    """False: it had ended by itself."""
+    """False: it had ended by itself, and the kiosk knows."""
     try:
         os.kill(pid, signal.SIGKILL)
     except ProcessLookupError:
