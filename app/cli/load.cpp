@@ -27,17 +27,17 @@ bool is_map_name(const std::string& path) {
                       });
 }
 
-Result<Trace> trace_picture(const std::string& path, const TraceOptions& options) {
+Result<TracedMap> trace_picture(const std::string& path, const TraceRequest& request) {
     const auto page = open_page_of(path);
     if (!page) return tl::unexpected(page.error());
-    return trace_page(*page, options).map_error([&path](const Error& error) {
+    return trace_page(*page, request).map_error([&path](const Error& error) {
         return of_file(path, error);
     });
 }
 
 Result<TactileMap> load_map(const std::string& path, bool as_picture) {
     if (is_map_name(path) && !as_picture) return read_map_svg(path);
-    return trace_picture(path, {}).map([](Trace found) { return std::move(found.map); });
+    return trace_picture(path, {}).map([](TracedMap found) { return std::move(found.map); });
 }
 
 Result<TactileMap> load_drawing(const std::string& path, int detail) {

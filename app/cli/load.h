@@ -2,9 +2,9 @@
 // Threads: any, each call by itself.
 #pragma once
 
+#include "app/trace/tracing.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
-#include "vision/simplify/trace.h"
 
 #include <string>
 
@@ -13,8 +13,8 @@ namespace touchline {
 /// True for a name that ends in .svg, which is a map to every command but `trace`.
 [[nodiscard]] bool is_map_name(const std::string& path);
 
-/// Opens a picture by a worker and traces it.
-[[nodiscard]] Result<Trace> trace_picture(const std::string& path, const TraceOptions& options);
+/// Opens a picture by a worker, and has another one trace it.
+[[nodiscard]] Result<TracedMap> trace_picture(const std::string& path, const TraceRequest& request);
 
 /// The map of a file: read as it is, or traced with the defaults of `trace`. `as_picture` makes an
 /// .svg a picture.

@@ -29,7 +29,8 @@ Result<std::vector<WordBox>> boxes_in(std::span<const std::byte> bytes,
     return boxes;
 }
 
-/// What is spoken and shown of a map is one line each, of a length that can be listened to.
+}  // namespace
+
 void clean_texts(TactileMap& map) {
     constexpr std::size_t longest_name = 200;
     constexpr std::size_t longest_description = 4000;
@@ -38,8 +39,6 @@ void clean_texts(TactileMap& map) {
     for (Label& label : map.labels) label.text = one_spaced(label.text, longest_name);
     for (Outline& outline : map.outlines) outline.label = one_spaced(outline.label, longest_name);
 }
-
-}  // namespace
 
 Result<std::vector<std::byte>> answer_with(AnswerHeader header,
                                            std::span<const std::uint8_t> pixels,

@@ -1,5 +1,5 @@
-// Private to app/decode: what pages and found words share on their way from a worker.
-// Threads: pure functions.
+// What is in an answer of a worker, for whoever reads it without copying its pixels: pages, found
+// words, and the worker that finds lines. Threads: pure functions.
 #pragma once
 
 #include "app/decode/answer_header.h"
@@ -28,6 +28,9 @@ struct AnswerParts {
                                                          std::span<const std::uint8_t> pixels,
                                                          std::span<const WordBox> boxes,
                                                          const TactileMap& map);
+
+/// What is spoken and shown of a map is one line each, of a length that can be listened to.
+void clean_texts(TactileMap& map);
 
 [[nodiscard]] Result<std::vector<std::byte>> refusal(const std::string& line);
 

@@ -37,6 +37,7 @@ Page with_words(Page page, const FoundWords& found) {
         page.told.labels.push_back(
             {label.text, {scale_x * label.place.x, scale_y * label.place.y}});
     page.words = found.boxes;
+    page.answer.reset();
     return page;
 }
 

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace touchline {
 namespace {
@@ -40,12 +41,19 @@ Result<Page> open_page(std::span<const std::byte> bytes, const PageOrder& order)
     const auto input = sealed_copy(bytes);
     if (!input) return tl::unexpected(input.error());
     const WorkerKind kind = kind_of(bytes);
-    const auto outcome =
+    auto outcome =
         run_worker({companion(program_for(kind)), arguments_of({kind, order}), kind}, *input);
     if (outcome.end != WorkerEnd::done) return failure(words_of(outcome.end));
-    const auto answer = map_sealed(outcome.output, most_answer_bytes);
-    if (!answer) return failure(words_of(WorkerEnd::no_answer));
-    return page_of(answer->bytes());
+    return page_in(std::make_shared<const Descriptor>(std::move(outcome.output)));
+}
+
+Result<Page> page_in(std::shared_ptr<const Descriptor> answer) {
+    const auto bytes = map_sealed(*answer, most_answer_bytes);
+    if (!bytes) return failure(words_of(WorkerEnd::no_answer));
+    return page_of(bytes->bytes()).map([&answer](Page page) {
+        page.answer = std::move(answer);
+        return page;
+    });
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include "app/decode/page.h"
 #include "app/decode/page_order.h"
 
+#include <memory>
 #include <span>
 #include <string>
 
@@ -13,8 +14,11 @@ namespace touchline {
 /// A page of a document. Fails with one line: why, and what to do.
 [[nodiscard]] Result<Page> open_page(std::span<const std::byte> bytes, const PageOrder& order = {});
 
-/// The same of a file, with what stands in a text beside it (side_car.h); errors start with its
-/// name.
+/// The page that a worker has answered; `answer` is sealed memory. Fails as page_of() does.
+[[nodiscard]] Result<Page> page_in(std::shared_ptr<const Descriptor> answer);
+
+/// The same as open_page() of a file, with what stands in a text beside it (side_car.h); errors
+/// start with its name.
 [[nodiscard]] Result<Page> open_page_of(const std::string& path, const PageOrder& order = {});
 
 }  // namespace touchline

@@ -16,11 +16,13 @@
 
 #include "app/decode/answer_header.h"
 #include "app/decode/picture.h"
+#include "app/process/descriptor.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -55,6 +57,9 @@ struct Page {
     int number = 1;               // 1 ... count
     int count = 1;
     int dpi = 0;  // 0: not known
+    /// The worker's answer that this is, sealed, for the worker that finds its lines. Null where
+    /// the page was made in another way, or its pixels or words were changed since.
+    std::shared_ptr<const Descriptor> answer;
 };
 
 /// What a worker answers: a page, or one line that says why there is none.

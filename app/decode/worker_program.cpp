@@ -2,40 +2,41 @@
 
 #include "app/decode/page.h"
 #include "app/process/descriptor.h"
+#include "app/process/memory.h"
 #include "app/sandbox/sandbox.h"
 #include "app/sandbox/worker.h"
 
 #include <cstdio>
 #include <new>
 
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 namespace touchline {
 namespace {
 
-Result<std::vector<std::byte>> read_input(const WorkerLimits& limits) {
+/// As it lies in the memory that the kiosk has sealed: a large picture is not copied once more.
+Result<Mapping> map_input(const WorkerLimits& limits) {
     struct stat status {};
 
     if (::fstat(worker_input, &status) != 0 || !S_ISREG(status.st_mode))
         return failure("the file cannot be read");
-    if (static_cast<std::size_t>(status.st_size) > limits.input_bytes)
+    const auto size = static_cast<std::size_t>(status.st_size);
+    if (size > limits.input_bytes)
         return failure("the file is larger than " + std::to_string(limits.input_bytes >> 20U) +
                        " MiB; save it smaller");
-    std::vector<std::byte> bytes(static_cast<std::size_t>(status.st_size));
-    std::size_t got = 0;
-    while (got < bytes.size()) {
-        const ssize_t read =
-            ::pread(worker_input, bytes.data() + got, bytes.size() - got, static_cast<off_t>(got));
-        if (read <= 0) return failure("the file cannot be read");
-        got += static_cast<std::size_t>(read);
-    }
-    return bytes;
+    if (size == 0) return Mapping(nullptr, 0);
+    void* const start = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, worker_input, 0);
+    if (start == MAP_FAILED) return failure("the file cannot be read");
+    return Mapping(start, size);
 }
 
 /// 0: answered.
 int answer(const WorkerProgram& program) {
-    auto bytes = read_input(limits_of(program.kind)).and_then(program.work);
+    auto bytes = map_input(limits_of(program.kind)).and_then([&program](const Mapping& input) {
+        return program.work(input.bytes());
+    });
     if (!bytes) bytes = answer_of(Result<Page>(failure(bytes.error().line)));
     if (!bytes) return 1;
     const Descriptor output(worker_output);

@@ -5,6 +5,7 @@
 
 #include "app/loading/stages.h"
 #include "app/screen/canvas.h"
+#include "app/trace/photo_cut.h"
 #include "config/types/result.h"
 #include "vision/camera/camera.h"
 
@@ -27,15 +28,8 @@ class PhotoDesk {
   public:
     explicit PhotoDesk(std::unique_ptr<Camera> camera) : camera_(std::move(camera)) {}
 
-    /// So much of every picture is left out at its sides, percent, 0 ... 40 each.
-    struct Cut {
-        double left = 0.0;
-        double right = 0.0;
-        double top = 0.0;
-        double bottom = 0.0;
-    };
-
-    void set(const Cut& cut) { cut_ = cut; }
+    /// So much is left out at the sides of every picture from now on.
+    void set(const PhotoCut& cut) { cut_ = cut; }
 
     /// Previews are wanted from now on, or no more: then the last one is forgotten.
     void show(bool is_wanted);
@@ -59,7 +53,7 @@ class PhotoDesk {
 
   private:
     std::unique_ptr<Camera> camera_;
-    Cut cut_;
+    PhotoCut cut_;
     bool is_shown_ = false;
     bool is_awaited_ = false;  // a photograph
     bool is_stale_ = false;    // the next one is of a visitor who is gone
@@ -69,7 +63,7 @@ class PhotoDesk {
 /// A photograph as a file of the list: opened, it is the page that was laid down, without the shade
 /// of the lamp; where no page is found, the photograph as it is. One sentence says what keeps it
 /// from being used (too dark, a page that is cut off).
-[[nodiscard]] FilePtr file_of(CameraFrame frame, const PhotoDesk::Cut& cut);
+[[nodiscard]] FilePtr file_of(CameraFrame frame, const PhotoCut& cut);
 
 /// The camera of this machine: a folder of pictures where TOUCHLINE_CAMERA names one, else the
 /// first that libcamera finds, now or later. Fails where libcamera does not start.

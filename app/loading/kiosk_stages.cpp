@@ -35,26 +35,28 @@ Error of_page(const PictureFile& file, const PagePlace& place, const Error& erro
     return {file.name + page + ": " + error.line};
 }
 
-std::size_t bytes_of(const Page& page, const std::optional<Found>& lines, const Canvas& picture) {
-    std::size_t bytes = page.picture.bgr.size() + static_cast<std::size_t>(picture.stride()) *
-                                                      static_cast<std::size_t>(picture.height());
-    if (!lines) return bytes;
-    for (const Chain& chain : lines->lines.chains)
-        bytes += sizeof chain + chain.points.size() * sizeof chain.points.front();
-    return bytes;
+std::size_t bytes_in(const FoundView& found) {
+    return bytes_of(*found.view) + (found.lines ? found.lines->bytes : 0) +
+           static_cast<std::size_t>(found.picture->stride()) *
+               static_cast<std::size_t>(found.picture->height());
 }
 
-Result<FoundPtr> found_in(PagePtr view, const PagePlace& place) {
+TraceOptions options_for(const FeltPart& part) {
+    return {Area{}, part.detail, part.zoom};
+}
+
+Result<FoundPtr> found_in(PagePtr view, const PagePlace& place, const FeltPart& part) {
     FoundView found;
     if (view->told.outlines.empty()) {
-        auto lines = find_page_lines(*view, {});
-        if (!lines) return tl::unexpected(lines.error());
-        found.lines = std::move(*lines);
+        auto traced = find_page_lines(*view, {options_for(part)});
+        if (!traced) return tl::unexpected(traced.error());
+        found.lines = std::move(traced->lines);
+        found.first = TracedPart{part, std::move(traced->map)};
     }
     found.picture = std::make_shared<const Canvas>(canvas_of(view->picture, longest_picture_px));
     found.place = place;
-    found.bytes = bytes_of(*view, found.lines, *found.picture);
     found.view = std::move(view);
+    found.bytes = bytes_in(found);
     return std::make_shared<const FoundView>(std::move(found));
 }
 
@@ -73,12 +75,16 @@ struct FeltMap {
     std::string warning;
 };
 
+Result<TracedMap> traced_map(const FoundView& found, const FeltPart& part) {
+    if (found.first && found.first->part == part) return found.first->map;
+    return trace_page_lines(*found.view, *found.lines, options_for(part));
+}
+
 Result<FeltMap> felt_map(const FoundView& found, const FeltPart& part) {
     if (found.lines)
-        return trace_page_lines(*found.view, *found.lines, {Area{}, part.detail, part.zoom})
-            .map([](Trace trace) {
-                return FeltMap{std::move(trace.map), std::move(trace.report.warning)};
-            });
+        return traced_map(found, part).map([](TracedMap traced) {
+            return FeltMap{std::move(traced.map), std::move(traced.warning)};
+        });
     auto whole = drawn_lines(*found.view, part.detail);
     if (!whole) return tl::unexpected(whole.error());
     TactileMap map = enlarged(*whole, part.zoom);
@@ -120,12 +126,13 @@ Result<PagePtr> KioskStages::open(const PictureFile& file, int page) const {
     return std::make_shared<const Page>(std::move(*opened));
 }
 
-Result<FoundPtr> KioskStages::find(const PictureFile& file, const PagePtr& page, int view) const {
+Result<FoundPtr> KioskStages::find(const PictureFile& file, const PagePtr& page, int view,
+                                   const FeltPart& part) const {
     const int views = view_count(*page);
     const PagePtr fine = fine_page(file, page, view);
     const PagePtr cut = view < views ? std::make_shared<const Page>(view_of(*fine, view)) : fine;
     const PagePlace place{page->number, page->count, view, views};
-    return found_in(cut, place).map_error([&](const Error& error) {
+    return found_in(cut, place, part).map_error([&](const Error& error) {
         return of_page(file, place, error);
     });
 }
@@ -160,7 +167,9 @@ bool KioskStages::has_reading() const {
 FoundPtr KioskStages::reread(const FoundView& found) const {
     auto read = reader_(*found.view);
     if (!read) return nullptr;
-    return found_in(std::make_shared<const Page>(std::move(*read)), found.place).value_or(nullptr);
+    const FeltPart part = found.first ? found.first->part : FeltPart{};
+    return found_in(std::make_shared<const Page>(std::move(*read)), found.place, part)
+        .value_or(nullptr);
 }
 
 FeltPicture nothing_to_feel(const DeviceProfile& profile) {

@@ -21,8 +21,8 @@ class KioskStages final : public Stages {
     explicit KioskStages(DeviceProfile profile, PageReader reader = {});
 
     [[nodiscard]] Result<PagePtr> open(const PictureFile& file, int page) const override;
-    [[nodiscard]] Result<FoundPtr> find(const PictureFile& file, const PagePtr& page,
-                                        int view) const override;
+    [[nodiscard]] Result<FoundPtr> find(const PictureFile& file, const PagePtr& page, int view,
+                                        const FeltPart& part) const override;
     [[nodiscard]] Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
                                             const FeltPart& part) const override;
     [[nodiscard]] bool has_reading() const override;

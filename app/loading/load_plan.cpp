@@ -68,8 +68,7 @@ void LoadPlan::forget() {
 
 std::size_t LoadPlan::kept_bytes() const {
     std::size_t bytes = 0;
-    for (const Kept& kept : kept_)
-        bytes += kept.page ? kept.page->picture.bgr.size() : kept.found->bytes;
+    for (const Kept& kept : kept_) bytes += kept.page ? bytes_of(*kept.page) : kept.found->bytes;
     return bytes;
 }
 

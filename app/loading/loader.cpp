@@ -13,7 +13,7 @@ JobOutcome done(const Stages& stages, const LoadJob& job) {
         case JobKind::open:
             return stages.open(file, job.order.page);
         case JobKind::find:
-            return stages.find(file, job.page, job.order.view);
+            return stages.find(file, job.page, job.order.view, job.order.part);
         case JobKind::build:
             return stages.build(file, *job.found, job.order.part);
         case JobKind::reread:

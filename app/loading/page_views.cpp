@@ -69,6 +69,10 @@ std::vector<Label> labels_in(const Page& page, const Figure& figure, double m_pe
 
 }  // namespace
 
+std::size_t bytes_of(const Page& page) {
+    return page.picture.bgr.size() * (page.answer ? 2U : 1U);
+}
+
 int view_count(const Page& page) {
     return static_cast<int>(page.figures.size()) + 1;
 }

@@ -8,8 +8,9 @@
 #include "app/loading/loaded_facts.h"
 #include "app/screen/shown_scene.h"
 #include "app/servo/servo_client.h"
+#include "app/trace/tracing.h"
 #include "config/types/result.h"
-#include "vision/simplify/trace.h"
+#include "vision/simplify/zoom.h"
 
 #include <cstddef>
 #include <functional>
@@ -40,10 +41,18 @@ struct FeltPart {
     friend bool operator==(const FeltPart&, const FeltPart&) = default;
 };
 
+/// What is felt of a part, where it was traced already.
+struct TracedPart {
+    FeltPart part;
+    Result<TracedMap> map;
+};
+
 /// A view with its lines, for every part.
 struct FoundView {
     PagePtr view;
-    std::optional<Found> lines;  // none: the view's own outlines are felt
+    std::optional<FoundLines> lines;  // none: the view's own outlines are felt
+    std::optional<TracedPart>
+        first;  // of these lines: of the part that was wanted when they were found
     std::shared_ptr<const Canvas> picture;
     PagePlace place;        // all of it known
     std::size_t bytes = 0;  // about what it holds
@@ -70,11 +79,13 @@ class Stages {
     /// Page 1 ... of a file. Waits for a worker.
     [[nodiscard]] virtual Result<PagePtr> open(const PictureFile& file, int page) const = 0;
 
-    /// A view, 1 ... view_count(page), with its lines. May open the page again, drawn finer.
+    /// A view, 1 ... view_count(page), with its lines, and what is felt of `part`. May open the
+    /// page again, drawn finer. Waits for a worker.
     [[nodiscard]] virtual Result<FoundPtr> find(const PictureFile& file, const PagePtr& page,
-                                                int view) const = 0;
+                                                int view, const FeltPart& part) const = 0;
 
-    /// What is felt and shown of it. Milliseconds.
+    /// What is felt and shown of it. Milliseconds; waits for a worker where the part is another
+    /// one.
     [[nodiscard]] virtual Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
                                                     const FeltPart& part) const = 0;
 

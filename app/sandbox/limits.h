@@ -10,10 +10,11 @@ namespace touchline {
 /// raster: one picture. film: one picture of a film's codec (HEIC, AVIF), which has threads and
 /// waits for them for ever where it gets none. document: SVG and PDF. ocr: words in a picture.
 /// speech: one text to sound, for as long as somebody listens. pack: an archive, a recording or a
-/// map of a picture pack.
-enum class WorkerKind : std::uint8_t { raster, film, document, ocr, speech, pack };
+/// map of a picture pack. trace: the lines of a picture. network: the same by a network of the
+/// user's own, which is slow on one thread.
+enum class WorkerKind : std::uint8_t { raster, film, document, ocr, speech, pack, trace, network };
 
-inline constexpr int worker_kind_count = 6;
+inline constexpr int worker_kind_count = 8;
 
 struct WorkerLimits {
     std::size_t input_bytes = 0;  // of the file
@@ -44,9 +45,9 @@ struct WorkerLimits {
         case WorkerKind::document:
             return {.input_bytes = 128 * MiB,
                     .address_space_bytes = 1024 * MiB,
-                    .cpu_s = 15,
+                    .cpu_s = 8,
                     .file_bytes = 200 * MiB,
-                    .deadline_s = 20.0,
+                    .deadline_s = 10.0,
                     .has_threads = true,  // Pango matches fonts so
                     .reads_fonts = true};
         case WorkerKind::ocr:
@@ -67,6 +68,18 @@ struct WorkerLimits {
                     .cpu_s = 6,
                     .file_bytes = 112 * MiB,
                     .deadline_s = 8.0};
+        case WorkerKind::trace:
+            return {.input_bytes = 256 * MiB,
+                    .address_space_bytes = 1024 * MiB,
+                    .cpu_s = 8,
+                    .file_bytes = 200 * MiB,
+                    .deadline_s = 10.0};
+        case WorkerKind::network:
+            return {.input_bytes = 512 * MiB,
+                    .address_space_bytes = 4096 * MiB,
+                    .cpu_s = 120,
+                    .file_bytes = 200 * MiB,
+                    .deadline_s = 150.0};
     }
     return {};
 }

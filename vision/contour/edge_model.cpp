@@ -18,7 +18,7 @@ constexpr int kMultiple_px = 32;  // of free sizes: networks halve the picture u
 constexpr std::int64_t kLargest_px = 4096;
 
 tl::unexpected<Error> unusable(const std::string& why) {
-    return failure("the edge model cannot be used, because " + why +
+    return failure(std::string(unusable_edge_model) + ", because " + why +
                    "; it must be an ONNX network from 1 x 3 x height x width to 1 x 1 x height x "
                    "width");
 }

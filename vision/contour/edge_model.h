@@ -8,10 +8,14 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include <opencv2/core.hpp>
 
 namespace touchline {
+
+/// How every line begins that says what is wrong with a network.
+inline constexpr std::string_view unusable_edge_model = "the edge model cannot be used";
 
 /// The network takes one picture, 1 x 3 x height x width, planes red, green, blue, values 0 to 1
 /// (other means and scales belong into the model when it is exported), and gives its last output as

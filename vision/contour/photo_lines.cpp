@@ -81,13 +81,13 @@ struct Evidence {
     double smoothing_px = 0.0;
 };
 
-Result<Evidence> evidence_of(const Working& working, EdgeModel* model) {
-    if (model == nullptr) {
+Result<Evidence> evidence_of(const Working& working, const Boundaries& model) {
+    if (!model) {
         GradientField field = colour_gradient(working.lab, working.smoothing_px);
         const Hysteresis limits = thresholds_for(field, working.noise, working.smoothing_px);
         return Evidence{std::move(field), limits, working.smoothing_px};
     }
-    return model->boundaries(working.picture).map([](const cv::Mat1f& boundaries) {
+    return model(working.picture).map([](const cv::Mat1f& boundaries) {
         return Evidence{ridges_of(boundaries), kRidgeLimits, kPhotoSmoothing_px};
     });
 }
@@ -128,8 +128,9 @@ void find(const GradientField& field, const Hysteresis& limits, double px_per_mm
 
 }  // namespace
 
-Result<PhotoLines> photo_lines(const cv::Mat& picture, double longer_side_mm, EdgeModel* model) {
-    const Working working = prepared(picture, model != nullptr);
+Result<PhotoLines> photo_lines(const cv::Mat& picture, double longer_side_mm,
+                               const Boundaries& model) {
+    const Working working = prepared(picture, static_cast<bool>(model));
     const Result<Evidence> evidence = evidence_of(working, model);
     if (!evidence) {
         return tl::unexpected(evidence.error());
@@ -140,7 +141,7 @@ Result<PhotoLines> photo_lines(const cv::Mat& picture, double longer_side_mm, Ed
     found.smoothing_px = evidence->smoothing_px;
     const double px_per_mm = std::max(found.size.width, found.size.height) / longer_side_mm;
     find(evidence->field, evidence->limits, px_per_mm, found);
-    if (found.chains.empty() && working.noise >= kGrain && model == nullptr) {
+    if (found.chains.empty() && working.noise >= kGrain && !model) {
         find(evidence->field, grain_thresholds(evidence->field), px_per_mm, found);
         found.is_grain = true;
     }

@@ -7,8 +7,8 @@
 
 #include "config/types/result.h"
 #include "vision/contour/chain.h"
-#include "vision/contour/edge_model.h"
 
+#include <functional>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -35,6 +35,11 @@ struct PhotoLines {
     cv::Mat edge_strength;
 };
 
+/// Tells where the boundaries of an 8-bit picture, BGR or grey, are: 0 to 1 at each of its pixels.
+/// Empty: nobody does, and the picture's own gradient is taken. edge_model.h has one that is a
+/// network.
+using Boundaries = std::function<Result<cv::Mat1f>(const cv::Mat& picture)>;
+
 /// The lines of an 8-bit picture, BGR or grey, whose longer side will be `longer_side_mm` long at
 /// the handle; arms of a junction share their point bit for bit. Lines shorter than 4 mm (and 8
 /// working pixels) are specks. In photos stripes narrower than 3.2 mm become one line and textures
@@ -42,6 +47,6 @@ struct PhotoLines {
 /// chains: nothing was found. Throws cv::Exception without memory. Deterministic. Threads: pure
 /// function but for the model (OpenCV may use its own threads inside). O(pixels).
 [[nodiscard]] Result<PhotoLines> photo_lines(const cv::Mat& picture, double longer_side_mm,
-                                             EdgeModel* model = nullptr);
+                                             const Boundaries& model = {});
 
 }  // namespace touchline

@@ -103,8 +103,8 @@ void add_main_shape(const cv::Mat& picture, PhotoLines& found) {
 }  // namespace
 
 Result<ClassLines> class_lines(const cv::Mat& picture, PictureClass picture_class,
-                               double longer_side_mm, EdgeModel* model) {
-    if (picture_class != PictureClass::photo && model == nullptr) {
+                               double longer_side_mm, const Boundaries& model) {
+    if (picture_class != PictureClass::photo && !model) {
         PhotoLines found = drawn_lines(picture, picture_class, longer_side_mm);
         constexpr std::size_t kMostSpecks = 50;
         if (!found.chains.empty() &&

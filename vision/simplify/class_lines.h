@@ -23,6 +23,6 @@ struct ClassLines {
 /// cause of an error. Throws cv::Exception without memory. Deterministic. Threads: pure function
 /// but for the model. O(pixels).
 [[nodiscard]] Result<ClassLines> class_lines(const cv::Mat& picture, PictureClass picture_class,
-                                             double longer_side_mm, EdgeModel* model);
+                                             double longer_side_mm, const Boundaries& model);
 
 }  // namespace touchline

@@ -104,7 +104,7 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
         if (lines->found.chains.empty()) return failure(nothing_found(picture, lines->found));
         if (lines->picture_class != decision.picture_class) {
             decision.picture_class = lines->picture_class;
-            decision.reason = options.edge_model != nullptr
+            decision.reason = options.edge_model
                                   ? "The network that was given told its lines, as of a photo."
                                   : "It could only be taken as a photo.";
         }

@@ -20,7 +20,7 @@ struct TraceOptions {
     int detail = 3;  // 1 silhouette ... 5 all
     Zoom zoom = {};
     std::optional<PictureClass> picture_class = std::nullopt;  // instead of what it looks like
-    EdgeModel* edge_model = nullptr;  // tells a photo's boundaries; not owned
+    Boundaries edge_model = {};  // tells a photo's boundaries, instead of its gradient
 };
 
 /// What the tracer chose, found and left out.

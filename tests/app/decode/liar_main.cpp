@@ -1,9 +1,11 @@
-// A worker that lies, as its input says: what a captured decoder or reader could do. In the place
-// of touchline-decode or touchline-read (TOUCHLINE_PROGRAMS), shut in like it.
+// A worker that lies, as its input says: what a captured decoder, reader or tracer could do. In the
+// place of touchline-decode, touchline-read or touchline-trace (TOUCHLINE_PROGRAMS), shut in like
+// it.
 #include "app/decode/found_words.h"
 #include "app/process/descriptor.h"
 #include "app/sandbox/sandbox.h"
 #include "app/sandbox/worker.h"
+#include "app/trace/traced.h"
 
 #include <array>
 #include <csignal>
@@ -39,14 +41,40 @@ FoundWords words_elsewhere() {
     return words;
 }
 
+TracedMap honest_trace() {
+    TracedMap traced;
+    traced.map.title = "honest";
+    traced.map.outlines = {{{{0.0, 0.0}, {0.01, 0.0}}, false, "1", "a line"}};
+    traced.report = "{}\n";
+    return traced;
+}
+
+/// Of the worker whose place it takes.
+Bytes honest_answer(WorkerKind kind) {
+    switch (kind) {
+        case WorkerKind::ocr:
+            return answer_of(Result<FoundWords>(honest_words())).value();
+        case WorkerKind::trace:
+            return bytes_of(honest_trace(), Bytes(8)).value();
+        default:
+            return answer_of(Result<Page>(honest_page())).value();
+    }
+}
+
+/// By the end of its name.
+WorkerKind kind_of(std::string_view program) {
+    if (program.ends_with("read")) return WorkerKind::ocr;
+    return program.ends_with("trace") ? WorkerKind::trace : WorkerKind::raster;
+}
+
 void put(const Bytes& bytes) {
     const Descriptor output(worker_output);
     (void)write_all(output, bytes);
     _exit(0);
 }
 
-/// The text after "liar ", which makes the input a file of no format; a reader has it in its
-/// pixels.
+/// The text after "liar ", which makes the input a file of no format; a reader and a tracer have it
+/// in their pixels.
 std::string lie() {
     std::array<char, 128> text{};
     const ssize_t size = pread(worker_input, text.data(), text.size() - 1, 0);
@@ -57,9 +85,9 @@ std::string lie() {
     return {whole.c_str() + start + 5};
 }
 
-void tell_lie(const std::string& lie, bool is_reader) {
-    const Bytes page = answer_of(Result<Page>(honest_page())).value();
-    Bytes answer = is_reader ? answer_of(Result<FoundWords>(honest_words())).value() : page;
+void tell_lie(const std::string& lie, WorkerKind kind) {
+    const Bytes page = honest_answer(WorkerKind::raster);
+    Bytes answer = honest_answer(kind);
     if (lie == "honest") put(answer);
     if (lie == "a page") put(page);
     if (lie == "elsewhere") put(answer_of(Result<FoundWords>(words_elsewhere())).value());
@@ -80,6 +108,13 @@ void tell_lie(const std::string& lie, bool is_reader) {
     if (lie == "crash") {
         const volatile std::uintptr_t nowhere = 8;
         *reinterpret_cast<volatile int*>(nowhere) = 1;
+    }
+    if (lie == "no lines") put(bytes_of(honest_trace(), {}).value());
+    if (lie == "empty map") put(bytes_of(TracedMap{}, Bytes(8)).value());
+    if (lie == "escapes") {
+        TracedMap traced = honest_trace();
+        traced.report = "\x1b[2J";
+        put(bytes_of(traced, Bytes(8)).value());
     }
     if (lie == "figure outside") {
         Page with_figure = honest_page();
@@ -116,11 +151,10 @@ void tell_lie(const std::string& lie, bool is_reader) {
 
 int main(int /*argc*/, char** argv) {
     using namespace touchline;
-    const bool is_reader = std::string_view(argv[0]).ends_with("read");
+    const WorkerKind kind = kind_of(argv[0]);
     try {
-        if (!enter_sandbox(is_reader ? WorkerKind::ocr : WorkerKind::raster))
-            _exit(worker_refused_to_start);
-        tell_lie(lie(), is_reader);
+        if (!enter_sandbox(kind)) _exit(worker_refused_to_start);
+        tell_lie(lie(), kind);
     } catch (const std::bad_alloc&) {
         _exit(worker_out_of_memory);
     }

@@ -3,6 +3,7 @@
 #include "app/decode/files.h"
 #include "app/decode/one_line.h"
 #include "app/decode/side_car.h"
+#include "app/trace/tracing.h"
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/files_of_formats.h"
 
@@ -133,22 +134,19 @@ TEST(Told, PdfIsAsLargeAsAskedFor) {
     EXPECT_EQ(decode_page(pdf, {1, 144})->dpi, 144);
 }
 
+/// None where nothing is found.
+std::size_t outlines_of(const Page& page) {
+    const auto traced = trace_page(page, {});
+    return traced ? traced->map.outlines.size() : 0;
+}
+
 TEST(Told, WordsAreNotFelt) {
     const auto page = decode_page(tagged_pdf({"Fish"}, ""), {1, 150});
     ASSERT_TRUE(page.has_value());
-    const WordBox word = page->words.at(0);
-    const auto darkest = [&word](const Picture& picture) {
-        int found = 255;
-        for (int y = word.top; y < word.bottom; ++y)
-            for (int x = word.left; x < word.right; ++x)
-                found = std::min<int>(found,
-                                      picture.bgr[3 * (static_cast<std::size_t>(y) *
-                                                           static_cast<std::size_t>(picture.width) +
-                                                       static_cast<std::size_t>(x))]);
-        return found;
-    };
-    EXPECT_LT(darkest(page->picture), 50);
-    EXPECT_EQ(darkest(without_words(*page)), 255);
+    ASSERT_FALSE(page->words.empty());
+    Page with_letters = *page;
+    with_letters.words.clear();
+    EXPECT_LT(outlines_of(*page), outlines_of(with_letters));
 }
 
 TEST(Told, LabelsLieWhereTheyLieInTheTracedMap) {

@@ -36,7 +36,7 @@ struct Document {
 LoadedScene felt(const KioskStages& stages, const Document& document, int page, int view) {
     const auto opened = stages.open(*document.file, page);
     EXPECT_TRUE(opened.has_value()) << opened.error().line;
-    const auto found = stages.find(*document.file, *opened, view);
+    const auto found = stages.find(*document.file, *opened, view, {3});
     EXPECT_TRUE(found.has_value()) << found.error().line;
     auto scene = stages.build(*document.file, **found, {3});
     EXPECT_TRUE(scene.has_value()) << scene.error().line;
@@ -75,7 +75,7 @@ TEST(KioskStages, ASmallFigureIsDrawnAgainFiner) {
     const KioskStages stages(default_profile());
     const Document document(two_pages());
     const auto page = stages.open(*document.file, 1);
-    const auto found = stages.find(*document.file, *page, 2);
+    const auto found = stages.find(*document.file, *page, 2, {3});
     ASSERT_TRUE(found.has_value()) << found.error().line;
     EXPECT_EQ(document.opened, 2);
     // 100 points, rounded up at 150 dpi before: 209 pixels.
@@ -95,7 +95,7 @@ TEST(KioskStages, ADetailCostsNoWorker) {
     const KioskStages stages(default_profile());
     const Document document(two_pages());
     const auto page = stages.open(*document.file, 2);
-    const auto found = stages.find(*document.file, *page, 1);
+    const auto found = stages.find(*document.file, *page, 1, {3});
     const int opened = document.opened;
     for (int detail = 1; detail <= 5; ++detail) {
         const auto scene = stages.build(*document.file, **found, {detail});
@@ -111,7 +111,7 @@ TEST(KioskStages, AGalleryPictureIsFeltByItsOwnLines) {
     EXPECT_EQ(fish->gallery_file, "06-fish.svg");
     const auto page = stages.open(*fish, 1);
     ASSERT_TRUE(page.has_value()) << page.error().line;
-    const auto found = stages.find(*fish, *page, 1);
+    const auto found = stages.find(*fish, *page, 1, {3});
     ASSERT_TRUE(found.has_value()) << found.error().line;
     EXPECT_FALSE((*found)->lines.has_value());
     const auto first = stages.build(*fish, **found, {3});
@@ -125,7 +125,7 @@ TEST(KioskStages, APartIsFeltEnlargedAndShownSo) {
     const KioskStages stages(default_profile());
     const FilePtr fish = file_at(gallery_folder() + "/06-fish.svg");
     const auto page = stages.open(*fish, 1);
-    const auto found = stages.find(*fish, *page, 1);
+    const auto found = stages.find(*fish, *page, 1, {3});
     const auto whole = stages.build(*fish, **found, {3});
     const auto part = stages.build(*fish, **found, {3, {{-0.02, 0.0}, 2.0}});
     ASSERT_TRUE(whole.has_value() && part.has_value());
@@ -155,7 +155,7 @@ TEST(KioskStages, APageWithNothingToFeelSaysWhichOneItIs) {
     const Document document(drawn_pdf({{{100, 100, 200, 200}}, {}}));
     const auto page = stages.open(*document.file, 2);
     ASSERT_TRUE(page.has_value()) << page.error().line;
-    const auto found = stages.find(*document.file, *page, 1);
+    const auto found = stages.find(*document.file, *page, 1, {3});
     ASSERT_FALSE(found.has_value());
     EXPECT_EQ(found.error().line.find("a.pdf, page 2: "), 0U) << found.error().line;
 }
@@ -181,7 +181,7 @@ TEST(KioskStages, WordsThatWereReadAreHeardAndNotFelt) {
     EXPECT_FALSE(KioskStages(default_profile()).has_reading());
     const Document document(two_pages());
     const auto page = stages.open(*document.file, 1);
-    const auto found = stages.find(*document.file, *page, 1);
+    const auto found = stages.find(*document.file, *page, 1, {3});
     const FoundPtr better = stages.reread(**found);
     ASSERT_NE(better, nullptr);
     EXPECT_EQ(better->place, (*found)->place);
@@ -206,7 +206,7 @@ TEST(KioskStages, WordsInPixelsAreHeardAndNoLongerFelt) {
     const Document scan(encoders::png(drawn->picture));
     const auto page = stages.open(*scan.file, 1);
     ASSERT_TRUE(page.has_value()) << page.error().line;
-    const auto first = stages.find(*scan.file, *page, 1);
+    const auto first = stages.find(*scan.file, *page, 1, {3});
     ASSERT_TRUE(first.has_value()) << first.error().line;
     const FoundPtr better = stages.reread(**first);
     ASSERT_NE(better, nullptr);

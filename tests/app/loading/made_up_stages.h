@@ -58,8 +58,8 @@ class MadeUpStages final : public Stages {
         return std::make_shared<const Page>(std::move(page));
     }
 
-    [[nodiscard]] Result<FoundPtr> find(const PictureFile& file, const PagePtr& page,
-                                        int view) const override {
+    [[nodiscard]] Result<FoundPtr> find(const PictureFile& file, const PagePtr& page, int view,
+                                        const FeltPart&) const override {
         ++found;
         if (documents_.at(&file).empty_views.contains({page->number, view}))
             return failure("empty view");

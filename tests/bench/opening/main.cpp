@@ -1,11 +1,11 @@
 // Stages from the bytes of a file to what is felt, the least and the median of some runs:
 //
 //   opening_bench RUNS FILE...
-#include "app/cli/page_map.h"
 #include "app/decode/files.h"
 #include "app/decode/opening.h"
 #include "app/decode/words_in_picture.h"
 #include "app/servo/scene_order.h"
+#include "app/trace/tracing.h"
 #include "config/types/steady_clock.h"
 
 #include <algorithm>
@@ -47,11 +47,19 @@ std::string start_of(int runs) {
     return start.words();
 }
 
+/// What finding lines takes without a worker: what a worker costs is the difference.
+Result<Trace> traced_here(const Picture& picture) {
+    const cv::Mat bgr(picture.height, picture.width, CV_8UC3,
+                      const_cast<std::uint8_t*>(picture.bgr.data()));
+    return trace_outlines(bgr, {});
+}
+
 bool measure(const std::string& path, int runs) {
     const auto bytes = read_file(path);
     if (!bytes) return false;
     Stage open;
     Stage trace;
+    Stage here;
     Stage scene;
     Stage read;
     std::size_t labels = 0;
@@ -68,10 +76,12 @@ bool measure(const std::string& path, int runs) {
         }
         const auto traced = trace.time([&] { return trace_page(*page, {}); });
         if (!traced) continue;
+        (void)here.time([&] { return traced_here(page->picture); });
         (void)scene.time([&] { return build_scene(traced->map, felt_order(default_profile())); });
     }
-    fmt::print("| {} | {} x {} | {} | {} | {} | {} | {} |\n", path.substr(path.rfind('/') + 1),
-               width, height, open.words(), trace.words(), scene.words(), read.words(), labels);
+    fmt::print("| {} | {} x {} | {} | {} | {} | {} | {} | {} |\n", path.substr(path.rfind('/') + 1),
+               width, height, open.words(), trace.words(), here.words(), scene.words(),
+               read.words(), labels);
     return true;
 }
 
@@ -87,8 +97,8 @@ int main(int argc, char** argv) {
     fmt::print("Least of {} runs (median), load {:.2f}, {:%F}:\n\n", runs, load,
                fmt::localtime(std::time(nullptr)));
     fmt::print(
-        "| file | pixels | opened, ms | traced, ms | scene, ms | read, ms | labels "
-        "|\n|---|---|---|---|---|---|---|\n");
+        "| file | pixels | opened, ms | traced, ms | without a worker, ms | scene, ms | read, ms | "
+        "labels |\n|---|---|---|---|---|---|---|---|\n");
     bool is_done = true;
     for (int i = 2; i < argc; ++i) is_done = touchline::measure(argv[i], runs) && is_done;
     fmt::print("\nA worker's start, to a refusal: {} ms.\n", start);

@@ -75,7 +75,9 @@ TEST(EdgeModel, ItsBoundariesAreLinkedAsTheGradientsAre) {
         if (shape.name == "star") {
             continue;  // its tips are narrower than this network sees
         }
-        const auto found = photo_lines(drawn(shape, size, {.blur_px = 0.5}), 105.0, &*model);
+        const auto found =
+            photo_lines(drawn(shape, size, {.blur_px = 0.5}), 105.0,
+                        [&model](const cv::Mat& picture) { return model->boundaries(picture); });
         ASSERT_TRUE(found.has_value()) << shape.name;
         const std::vector<Ring> lines = lines_in_pixels(*found, size);
         EXPECT_EQ(lines.size(), shape.rings.size()) << shape.name;

@@ -1,0 +1,19 @@
+// A camera's frame as it crosses to the worker that makes a page of it: format, width, height and
+// bytes a row, u32 each, then its bytes. Threads: pure functions.
+#pragma once
+
+#include "config/types/result.h"
+#include "vision/camera/frame.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace touchline {
+
+[[nodiscard]] std::vector<std::byte> bytes_of(const CameraFrame& frame);
+
+/// Fails for an unknown format, and for a size beyond app/decode/picture.h.
+[[nodiscard]] Result<CameraFrame> frame_of(std::span<const std::byte> bytes);
+
+}  // namespace touchline

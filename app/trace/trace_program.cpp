@@ -1,0 +1,87 @@
+#include "app/trace/trace_program.h"
+
+#include "app/decode/worker_program.h"
+#include "app/trace/frame_bytes.h"
+#include "app/trace/lines_bytes.h"
+#include "app/trace/page_lines.h"
+#include "app/trace/photo_page.h"
+#include "app/trace/trace_report.h"
+#include "app/trace/trace_work.h"
+#include "app/trace/traced.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <opencv2/core/utility.hpp>
+
+namespace touchline {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+/// A worker has no other threads, and OpenCV would wait for those that it wants.
+void work_on_one_thread() {
+    cv::setNumThreads(1);
+}
+
+EdgePicture edges_of(const cv::Mat& strength) {
+    return {strength.cols, strength.rows, {strength.data, strength.data + strength.total()}};
+}
+
+Result<TracedMap> traced(const Found& found, const TraceWork& work) {
+    return trace_lines(found, work.options).map([&work](Trace trace) {
+        TracedMap felt;
+        felt.report = report_json(trace.map, trace.report);
+        felt.warning = std::move(trace.report.warning);
+        if (work.wants_edges) felt.edges = edges_of(trace.report.found.edge_strength);
+        felt.map = std::move(trace.map);
+        return felt;
+    });
+}
+
+/// That there are no lines is an answer too.
+Result<Bytes> lines_and_map(std::span<const std::byte> page, const TraceWork& work) {
+    const auto found = find_lines_of_page(page, work.options);
+    if (!found) return bytes_of(tl::unexpected(found.error()), {});
+    return bytes_of(traced(*found, work), bytes_of(*found));
+}
+
+Result<Bytes> map_of_lines(std::span<const std::byte> answer, const TraceWork& work) {
+    return bytes_of(found_of(lines_in(answer)).and_then([&work](const Found& found) {
+        return traced(found, work);
+    }),
+                    {});
+}
+
+Result<Bytes> page_of_photo(std::span<const std::byte> frame, const TraceWork& work) {
+    return answer_of(frame_of(frame).and_then(
+        [&work](const CameraFrame& seen) { return photo_page(seen, work.cut); }));
+}
+
+Result<Bytes> done(TraceWork work, const Result<TraceInput>& input) {
+    if (!input) return bytes_of(tl::unexpected(input.error()), {});
+    work.options.edge_model = input->boundaries;
+    switch (work.step) {
+        case TraceStep::photo:
+            return page_of_photo(input->work, work);
+        case TraceStep::lines:
+            return lines_and_map(input->work, work);
+        case TraceStep::map:
+            return map_of_lines(input->work, work);
+    }
+    return failure("there is no such step");
+}
+
+}  // namespace
+
+void run_trace_program(const Tracer& tracer, int argc, char** argv) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    const auto work = trace_work_in(arguments);
+    if (!work) refuse_to_run(argv[0]);
+    run_worker_program({tracer.kind, work_on_one_thread, [&](std::span<const std::byte> bytes) {
+                            return done(*work, tracer.input(bytes));
+                        }});
+}
+
+}  // namespace touchline

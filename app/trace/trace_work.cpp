@@ -1,0 +1,75 @@
+#include "app/trace/trace_work.h"
+
+#include <array>
+#include <charconv>
+#include <system_error>
+
+namespace touchline {
+namespace {
+
+constexpr int any_class = -1;
+constexpr std::size_t number_count = 13;
+
+/// The shortest text that reads back to the same bits.
+std::string text_of(double number) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+    return {text.data(), end};
+}
+
+bool read_number(const std::string& text, double& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+/// A whole number from `least` to `most`; NaN is none.
+bool is_choice(double number, int least, int most) {
+    return number >= least && number <= most && number == static_cast<int>(number);
+}
+
+}  // namespace
+
+std::vector<std::string> arguments_of(const TraceWork& work) {
+    const TraceOptions& options = work.options;
+    const std::array<double, number_count> numbers{
+        static_cast<double>(work.step),
+        options.area.width_m,
+        options.area.height_m,
+        static_cast<double>(options.detail),
+        options.zoom.centre.x,
+        options.zoom.centre.y,
+        options.zoom.factor,
+        options.picture_class ? static_cast<double>(*options.picture_class) : any_class,
+        work.wants_edges ? 1.0 : 0.0,
+        work.cut.left,
+        work.cut.right,
+        work.cut.top,
+        work.cut.bottom};
+    std::vector<std::string> arguments;
+    for (const double number : numbers) arguments.push_back(text_of(number));
+    return arguments;
+}
+
+Result<TraceWork> trace_work_in(std::span<const std::string> arguments) {
+    std::array<double, number_count> numbers{};
+    bool is_read = arguments.size() == number_count;
+    for (std::size_t i = 0; is_read && i < number_count; ++i)
+        is_read = read_number(arguments[i], numbers[i]);
+    const auto [step, width_m, height_m, detail, x_m, y_m, factor, class_number, edges, left, right,
+                top, bottom] = numbers;
+    const bool are_choices = is_choice(step, 0, 2) && is_choice(detail, -1000, 1000) &&
+                             is_choice(class_number, any_class, 3) && is_choice(edges, 0, 1);
+    if (!is_read || !are_choices) return failure("not what the kiosk starts it with");
+    TraceWork work;
+    work.step = static_cast<TraceStep>(step);
+    work.options.area = {width_m, height_m};
+    work.options.detail = static_cast<int>(detail);
+    work.options.zoom = {{x_m, y_m}, factor};
+    if (class_number != any_class)
+        work.options.picture_class = static_cast<PictureClass>(class_number);
+    work.wants_edges = edges == 1.0;
+    work.cut = {left, right, top, bottom};
+    return work;
+}
+
+}  // namespace touchline

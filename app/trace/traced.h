@@ -1,0 +1,62 @@
+// What a worker answers that found the lines of a picture: the map that is felt, and the lines
+// themselves, which only another worker looks into. Nobody who reads it trusts it.
+//
+//   header   magic u32, then the sizes of what follows, u32 each: refusal, map, warning, report,
+//   width and height of the
+//            edges, lines
+//   refusal  why there is no map; empty where there is one
+//   map      config/types/map_bytes.h
+//   warning  one sentence
+//   report   JSON
+//   edges    1 byte a pixel, rows from the top
+//   lines    lines_bytes.h
+//
+// Little-endian. No offsets: one size fits a given header. Threads: pure functions.
+#pragma once
+
+#include "config/types/result.h"
+#include "config/types/tactile_map.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+/// How strong each candidate for a line is (vision/contour/photo_lines.h); no pixels where nobody
+/// asked for it.
+struct EdgePicture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> grey;
+};
+
+/// What of a picture is felt at one detail and zoom.
+struct TracedMap {
+    TactileMap map;
+    std::string warning;  // one sentence where a visitor should expect little, else empty
+    std::string report;   // what was chosen, found and left out, as JSON (trace_report.h)
+    EdgePicture edges;
+};
+
+struct Traced {
+    Result<TracedMap> map;   // or one line that says why nothing is felt at this detail and zoom
+    bool has_lines = false;  // for other details and zooms
+};
+
+/// `lines` may be empty. Fails as config/types/map_bytes.h does for the map.
+[[nodiscard]] Result<std::vector<std::byte>> bytes_of(const Result<TracedMap>& map,
+                                                      std::span<const std::byte> lines);
+
+/// Any bytes may be given: texts come out as harmless single lines, the report as lines of text.
+/// Fails, with one line, unless every size is in its range. Allocates no more than the bytes hold.
+/// O(bytes) without those of the lines.
+[[nodiscard]] Result<Traced> traced_of(std::span<const std::byte> bytes);
+
+/// The bytes of the lines in an answer, for the worker that is given it; empty where there are
+/// none.
+[[nodiscard]] std::span<const std::byte> lines_in(std::span<const std::byte> bytes);
+
+}  // namespace touchline

@@ -1,0 +1,137 @@
+#include "app/trace/tracing.h"
+
+#include "app/decode/opening.h"
+#include "app/process/memory.h"
+#include "app/process/places.h"
+#include "app/sandbox/worker.h"
+#include "app/trace/frame_bytes.h"
+#include "app/trace/network_input.h"
+#include "app/trace/trace_work.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace touchline {
+namespace {
+
+using Sealed = std::shared_ptr<const Descriptor>;
+
+std::string words_of(WorkerEnd end) {
+    switch (end) {
+        case WorkerEnd::not_started:
+            return "the part of Touchline that finds outlines cannot be started safely here; "
+                   "have it installed anew";
+        case WorkerEnd::out_of_time:
+            return "finding its outlines takes too long; choose a simpler picture";
+        case WorkerEnd::out_of_memory:
+            return "finding its outlines needs too much memory; save it smaller";
+        case WorkerEnd::done:
+        case WorkerEnd::crashed:
+        case WorkerEnd::no_answer:
+            return "its outlines could not be found safely; choose another picture";
+    }
+    return {};
+}
+
+Result<Sealed> shared(Result<Descriptor> memory) {
+    if (!memory) return tl::unexpected(memory.error());
+    return std::make_shared<const Descriptor>(std::move(*memory));
+}
+
+/// The page as its worker answered it, without a copy, where nothing was changed in it since.
+Result<Sealed> sealed(const Page& page) {
+    if (page.answer) return page.answer;
+    return shared(answer_of(page).and_then(
+        [](const std::vector<std::byte>& bytes) { return sealed_copy(bytes); }));
+}
+
+Result<Sealed> with_network(const Sealed& page, std::span<const std::byte> network) {
+    const auto picture = map_sealed(*page, limits_of(WorkerKind::trace).input_bytes);
+    if (!picture) return tl::unexpected(picture.error());
+    return shared(sealed_copy(bytes_of(NetworkInput{network, picture->bytes()})));
+}
+
+/// The worker's answer, sealed.
+Result<Sealed> worked(const TraceWork& work, const Descriptor& input,
+                      WorkerKind kind = WorkerKind::trace) {
+    const std::string program =
+        kind == WorkerKind::network ? "touchline-trace-network" : "touchline-trace";
+    auto outcome = run_worker({companion(program), arguments_of(work), kind}, input);
+    if (outcome.end != WorkerEnd::done) return failure(words_of(outcome.end));
+    return std::make_shared<const Descriptor>(std::move(outcome.output));
+}
+
+Result<Mapping> mapped(const Sealed& answer) {
+    auto bytes = map_sealed(*answer, limits_of(WorkerKind::trace).file_bytes);
+    if (!bytes) return failure(words_of(WorkerEnd::no_answer));
+    return bytes;
+}
+
+/// Labels from the page's area to that of the map; the picture is fitted in it, centred.
+std::vector<Label> placed(std::vector<Label> labels, const Area& from, const Area& to) {
+    const double scale = std::min(to.width_m / from.width_m, to.height_m / from.height_m);
+    for (Label& label : labels) label.place = {scale * label.place.x, scale * label.place.y};
+    return labels;
+}
+
+/// What is written of the page is the map's.
+void tell(const Page& page, const TraceOptions& options, TactileMap& map) {
+    map.title = page.told.title;
+    map.description = page.told.description;
+    map.labels = enlarged(placed(page.told.labels, page.told.area, options.area), options.area,
+                          options.zoom);
+}
+
+}  // namespace
+
+Result<FirstTrace> find_page_lines(const Page& page, const TraceRequest& request) {
+    const bool has_network = !request.network.empty();
+    auto input = sealed(page);
+    if (input && has_network) input = with_network(*input, request.network);
+    if (!input) return tl::unexpected(input.error());
+    const TraceWork work{TraceStep::lines, request.options, request.wants_edges, {}};
+    const auto answer =
+        worked(work, **input, has_network ? WorkerKind::network : WorkerKind::trace);
+    if (!answer) return tl::unexpected(answer.error());
+    const auto bytes = mapped(*answer);
+    if (!bytes) return tl::unexpected(bytes.error());
+    auto traced = traced_of(bytes->bytes());
+    if (!traced) return tl::unexpected(traced.error());
+    if (!traced->has_lines)
+        return failure(traced->map ? words_of(WorkerEnd::no_answer) : traced->map.error().line);
+    if (traced->map) tell(page, request.options, traced->map->map);
+    return FirstTrace{{*answer, bytes->bytes().size()}, std::move(traced->map)};
+}
+
+Result<TracedMap> trace_page_lines(const Page& page, const FoundLines& lines,
+                                   const TraceOptions& options) {
+    const auto answer = worked({TraceStep::map, options, false, {}}, *lines.memory);
+    if (!answer) return tl::unexpected(answer.error());
+    const auto bytes = mapped(*answer);
+    if (!bytes) return tl::unexpected(bytes.error());
+    auto traced = traced_of(bytes->bytes());
+    if (!traced) return tl::unexpected(traced.error());
+    if (traced->map) tell(page, options, traced->map->map);
+    return std::move(traced->map);
+}
+
+Result<TracedMap> trace_page(const Page& page, const TraceRequest& request) {
+    return find_page_lines(page, request).and_then([](FirstTrace first) {
+        return std::move(first.map);
+    });
+}
+
+Result<Page> page_of_photo(const CameraFrame& frame, const PhotoCut& cut) {
+    const auto input = sealed_copy(bytes_of(frame));
+    if (!input) return tl::unexpected(input.error());
+    TraceWork work;
+    work.step = TraceStep::photo;
+    work.cut = cut;
+    const auto answer = worked(work, *input);
+    if (!answer) return tl::unexpected(answer.error());
+    return page_in(*answer);
+}
+
+}  // namespace touchline
