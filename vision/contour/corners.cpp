@@ -46,7 +46,7 @@ class Run {
         const double length = length_of({points, false});
         const int n = std::max(1, static_cast<int>(std::lround(length / kStep_px)));
         samples_ = evenly_spaced(points, n);
-        step_px_ = length / n;
+        step_px_ = length > 0.0 ? length / n : kStep_px;
         if (is_ring) {
             samples_.pop_back();
         }
@@ -69,7 +69,11 @@ class Run {
   private:
     int count() const { return static_cast<int>(samples_.size()); }
 
-    int samples_in(double length_px) const { return static_cast<int>(length_px / step_px_); }
+    /// As many as a run may have: the steps of a very short one are as short as it is.
+    int samples_in(double length_px) const {
+        constexpr double kMost = 1e8;
+        return static_cast<int>(std::min(length_px / step_px_, kMost));
+    }
 
     bool has(int i) const { return is_ring_ || (i >= 0 && i < count()); }
 
@@ -247,6 +251,9 @@ class Run {
 }  // namespace
 
 Chain with_sharp_corners(const Chain& chain, double blur_px, const Accepts& accepts) {
+    if (chain.points.empty()) {
+        return chain;
+    }
     std::vector<EdgePoint> points = chain.points;
     if (chain.is_closed) {
         const auto fixed = std::ranges::find_if(points, &EdgePoint::is_fixed);

@@ -12,7 +12,8 @@ namespace touchline {
 /// and after is straight, the rounded stretch is replaced by the crossing of the two courses, a
 /// fixed point. Courses are lines fitted beyond the blur. A corner that is rounder than `blur_px`
 /// (Gaussian sigma of picture and smoothing together) explains is a round one and stays as it is.
-/// Fixed points stay. A corner whose place `accepts` refuses stays as it is.
+/// Fixed points stay, and a chain without length or points. A corner whose place `accepts` refuses
+/// stays as it is.
 [[nodiscard]] Chain with_sharp_corners(
     const Chain& chain, double blur_px,
     const std::function<bool(const cv::Point2d&)>& accepts = [](const cv::Point2d&) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kCoarse_px = 160;  // longer side, for GrabCut
 constexpr double kFinePixels = 1.2e5;
+constexpr int kBorder_px = 2;  // of the coarse copy: at least so wide
 constexpr int kRounds = 2;
 constexpr double kLeastPart = 0.02;  // of the picture
 constexpr double kGreatestPart = 0.7;
@@ -38,7 +39,7 @@ cv::Mat sized(const cv::Mat& picture, int side_px) {
 
 /// How unlike the colours of the border each pixel is, grey levels, less far from the middle.
 cv::Mat1f salience(const LabPicture& lab) {
-    const int band = std::max(2, std::min(lab.cols, lab.rows) / 20);
+    const int band = std::max(kBorder_px, std::min(lab.cols, lab.rows) / 20);
     LabPicture border(2 * band, lab.cols + lab.rows);
     for (int i = 0; i < band; ++i) {
         for (int x = 0; x < lab.cols; ++x) {
@@ -76,7 +77,7 @@ cv::Mat1b seeded_by_salience(const LabPicture& lab) {
     const float limit = std::max(10.0F, 0.5F * quantile(unlike, 0.98));
     cv::Mat1b seed(lab.size(), uchar{cv::GC_PR_BGD});
     seed.setTo(cv::GC_PR_FGD, unlike > limit);
-    cv::rectangle(seed, cv::Rect({}, lab.size()), cv::GC_BGD, 2);
+    cv::rectangle(seed, cv::Rect({}, lab.size()), cv::GC_BGD, kBorder_px);
     return seed;
 }
 
@@ -165,8 +166,9 @@ double likeness(const LabPicture& lab, const cv::Mat1b& inside) {
     return common / std::sqrt(std::max(1.0, sum[0] * sum[1]));
 }
 
-/// The longest ring round the mask, in its pixels; the frame closes what it cuts.
-Chain ring_round(const cv::Mat1b& mask) {
+/// The longest ring round the mask, in its pixels; the frame closes what it cuts. Nothing round a
+/// mask that is one pixel wide everywhere: smoothing leaves no inside.
+std::optional<Chain> ring_round(const cv::Mat1b& mask) {
     cv::Mat1f soft;
     mask.convertTo(soft, CV_32F, 2.0 / 255.0);
     cv::copyMakeBorder(soft, soft, 3, 3, 3, 3, cv::BORDER_CONSTANT, 0.0);
@@ -179,6 +181,9 @@ Chain ring_round(const cv::Mat1b& mask) {
         if (ring.is_closed && length_of(ring) > length_of(longest)) {
             longest = std::move(ring);
         }
+    }
+    if (longest.points.empty()) {
+        return std::nullopt;
     }
     for (EdgePoint& point : longest.points) {
         point.at.x = std::clamp(point.at.x - 3.0, -0.5, mask.cols - 0.5);
@@ -264,6 +269,9 @@ std::optional<Chain> main_shape(const cv::Mat& picture, std::optional<cv::Point2
         return std::nullopt;
     }
     const cv::Mat coarse = sized(picture, kCoarse_px);
+    if (std::min(coarse.cols, coarse.rows) < kBorder_px) {  // of a strip nothing is left but border
+        return std::nullopt;
+    }
     std::optional<cv::Point> coarse_spot;
     if (spot) {
         coarse_spot = cv::Point(
@@ -280,7 +288,11 @@ std::optional<Chain> main_shape(const cv::Mat& picture, std::optional<cv::Point2
     const LabPicture fine = to_lab(reduced(picture, kFinePixels));
     constexpr double kSmoothing_px = 1.5;
     const cv::Mat1f strength = colour_gradient(fine, kSmoothing_px).strength;
-    Chain ring = ring_round(object);
+    std::optional<Chain> found = ring_round(object);
+    if (!found) {
+        return std::nullopt;
+    }
+    Chain& ring = *found;
     scale(ring, static_cast<double>(fine.cols) / coarse.cols,
           static_cast<double>(fine.rows) / coarse.rows);
     ring = resampled(ring, 1.0);
@@ -291,7 +303,7 @@ std::optional<Chain> main_shape(const cv::Mat& picture, std::optional<cv::Point2
     }
     scale(ring, static_cast<double>(picture.cols) / fine.cols,
           static_cast<double>(picture.rows) / fine.rows);
-    return ring;
+    return found;
 }
 
 }  // namespace touchline

@@ -48,6 +48,9 @@ Chain even_ring(std::vector<EdgePoint> ring, double spacing_px) {
 }  // namespace
 
 std::vector<EdgePoint> evenly_spaced(const std::vector<EdgePoint>& line, int n) {
+    if (line.empty()) {
+        return {};
+    }
     const double step = length_of({line, false}) / n;
     std::vector<EdgePoint> even;
     even.reserve(static_cast<std::size_t>(n) + 1);
@@ -57,7 +60,7 @@ std::vector<EdgePoint> evenly_spaced(const std::vector<EdgePoint>& line, int n) 
         const EdgePoint& a = line[i - 1];
         const EdgePoint& b = line[i];
         const double piece = distance(a.at, b.at);
-        while (static_cast<int>(even.size()) < n &&
+        while (piece > 0.0 && static_cast<int>(even.size()) < n &&
                passed + piece >= step * static_cast<double>(even.size())) {
             const double t = (step * static_cast<double>(even.size()) - passed) / piece;
             even.push_back({a.at + t * (b.at - a.at), a.strength + t * (b.strength - a.strength)});
@@ -73,6 +76,9 @@ std::vector<EdgePoint> evenly_spaced(const std::vector<EdgePoint>& line, int n) 
 }
 
 Chain resampled(const Chain& chain, double spacing_px) {
+    if (chain.points.empty()) {
+        return chain;
+    }
     std::vector<EdgePoint> points = chain.points;
     if (chain.is_closed) {
         const auto fixed = std::ranges::find_if(points, &EdgePoint::is_fixed);

@@ -48,6 +48,23 @@ TEST(Corners, ARoundBendStaysRound) {
     EXPECT_EQ(fixed_points(round), 0);
 }
 
+TEST(Corners, WhatHasNoLengthStaysInItsPlace) {
+    const EdgePoint p{{3.0, 4.0}, 2.0};
+    EdgePoint hair = p;
+    hair.at.x += 1e-12;
+    for (const bool is_closed : {false, true}) {
+        EXPECT_TRUE(with_sharp_corners({{}, is_closed}, 1.3).points.empty());
+        for (const std::vector<EdgePoint>& points :
+             {std::vector{p}, std::vector{p, p, p}, std::vector{p, hair}}) {
+            const Chain sharp = with_sharp_corners({points, is_closed}, 1.3);
+            EXPECT_FALSE(sharp.points.empty());
+            for (const EdgePoint& q : sharp.points) {
+                EXPECT_LE(distance(q.at, p.at), 1.1e-12);
+            }
+        }
+    }
+}
+
 TEST(Corners, ACircleHasNone) {
     for (const double radius : {4.0, 10.0, 60.0}) {
         Chain circle{{}, true};

@@ -4,6 +4,7 @@
 #include "tests/vision/pictures/scenes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -59,6 +60,33 @@ TEST(MainShape, NothingWhereNothingStandsOut) {
     random.fill(noise, cv::RNG::UNIFORM, 0, 256);
     EXPECT_FALSE(main_shape(noise, std::nullopt));
     EXPECT_FALSE(main_shape(cv::Mat(4, 4, CV_8UC3, cv::Scalar(90, 90, 90)), std::nullopt));
+}
+
+/// From red over green to blue, from top to bottom, as a file with a gamma of its own holds it.
+cv::Mat3b hue_ramp(cv::Size size) {
+    const auto level = [](double share) {
+        return cv::saturate_cast<uchar>(255.0 * std::pow(std::clamp(share, 0.0, 1.0), 0.45));
+    };
+    cv::Mat3b picture(size);
+    for (int y = 0; y < size.height; ++y) {
+        const double sixth = 4.0 * y / size.height;  // of the circle of hues
+        picture.row(y).setTo(
+            cv::Scalar(level(sixth - 2.0), level(2.0 - std::abs(sixth - 2.0)), level(2.0 - sixth)));
+    }
+    return picture;
+}
+
+TEST(MainShape, AThingOnePixelWideHasNoOutline) {
+    // The uppermost row is unlike all others: it is the object, and smoothing leaves nothing of it.
+    EXPECT_FALSE(main_shape(hue_ramp({32, 32}), std::nullopt));
+}
+
+TEST(MainShape, AStripIsAllBorder) {
+    cv::Mat3b strip(16, 4000, cv::Vec3b(200, 90, 30));
+    strip.colRange(1000, 3000) = cv::Vec3b(10, 200, 90);
+    EXPECT_FALSE(main_shape(strip, std::nullopt));
+    EXPECT_FALSE(main_shape(strip.t(), std::nullopt));
+    EXPECT_FALSE(main_shape(strip, cv::Point2d(2000.0, 8.0)));
 }
 
 TEST(MainShape, TheSameTwiceWhateverTheRandomState) {

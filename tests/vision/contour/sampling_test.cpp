@@ -49,6 +49,34 @@ RC_GTEST_PROP(Sampling, FixedPointsAndEndsStay, ()) {
     }
 }
 
+TEST(Sampling, NothingStaysNothing) {
+    EXPECT_TRUE(evenly_spaced({}, 4).empty());
+    for (const bool is_closed : {false, true}) {
+        const Chain even = resampled({{}, is_closed}, 1.0);
+        EXPECT_TRUE(even.points.empty());
+        EXPECT_EQ(even.is_closed, is_closed);
+    }
+}
+
+TEST(Sampling, WhatHasNoLengthStaysInItsPlace) {
+    const EdgePoint p{{3.0, 4.0}, 2.0};
+    for (const std::size_t count : {1U, 2U, 5U}) {
+        const std::vector<EdgePoint> line(count, p);
+        const std::vector<EdgePoint> even = evenly_spaced(line, 3);
+        ASSERT_EQ(even.size(), 4U);
+        for (const bool is_closed : {false, true}) {
+            const Chain chain = resampled({line, is_closed}, 1.0);
+            EXPECT_GE(chain.points.size(), is_closed ? 4U : 1U);
+            for (const EdgePoint& q : chain.points) {
+                EXPECT_EQ(q.at, p.at);
+            }
+        }
+        for (const EdgePoint& q : even) {
+            EXPECT_EQ(q.at, p.at);
+        }
+    }
+}
+
 TEST(Sampling, ACircleStaysACircle) {
     Chain circle{{}, true};
     for (int i = 0; i < 300; ++i) {
