@@ -79,7 +79,7 @@ Result<std::unique_ptr<LibcameraStream>> LibcameraStream::start(
 }
 
 Result<void> LibcameraStream::configure(const StreamPlan& plan) {
-    libcamera::StreamRoles roles{StreamRole::Viewfinder};
+    std::vector<StreamRole> roles{StreamRole::Viewfinder};
     if (plan.still) roles.push_back(StreamRole::StillCapture);
     configuration_ = camera_->generateConfiguration(roles);
     if (!configuration_ || configuration_->size() != roles.size())
