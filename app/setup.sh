@@ -27,6 +27,15 @@ release_of() {
     esac
 }
 
+# suite_of RELEASE: what Debian's archive calls it.
+suite_of() {
+    case $1 in
+        12) echo bookworm ;;
+        13) echo trixie ;;
+        *) stop "there is no Debian $1 here: 12 or 13" ;;
+    esac
+}
+
 # packages LIST...: the names in config/packages/LIST.txt that hold here, one a line.
 packages() {
     local list
