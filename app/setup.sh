@@ -12,11 +12,41 @@ stop() {
 
 mkdir -p "$root/build" 2>/dev/null || stop "cannot write in $root"
 
-# missing_packages LIST...: names in config/packages/LIST.txt that dpkg does not have installed.
+# The system, as in "debian 12", and the Debian that it is or was made from, as in "12.5" or "trixie/sid".
+os_name=$(. /etc/os-release 2>/dev/null && echo "${ID:-unknown} ${VERSION_ID:-}" || echo unknown)
+os_origin=$(cat /etc/debian_version 2>/dev/null || echo unknown)
+
+# is_tried NAME: whether that is a system of ours. Raspberry Pi OS calls itself debian or raspbian.
+is_tried() { [[ $1 =~ ^(debian|raspbian)\ (12|13)$ ]]; }
+
+# release_of ORIGIN: the Debian, 12 or 13, whose names of packages hold there; of another the nearest.
+release_of() {
+    case $1 in
+        1[0-2] | 1[0-2].* | bookworm*) echo 12 ;;
+        *) echo 13 ;;
+    esac
+}
+
+# suite_of RELEASE: what Debian's archive calls it.
+suite_of() {
+    case $1 in
+        12) echo bookworm ;;
+        13) echo trixie ;;
+        *) stop "there is no Debian $1 here: 12 or 13" ;;
+    esac
+}
+
+# packages LIST...: the names in config/packages/LIST.txt that hold here, one a line.
+packages() {
+    local list
+    for list; do sed 's/#.*//' "$root/config/packages/$list.txt"; done | tr -s '[:space:]' '\n' |
+        awk -F@ -v release="$(release_of "$os_origin")" '$1 && (NF == 1 || $2 == release) { print $1 }' | LC_ALL=C sort -u
+}
+
+# missing_packages LIST...: those of the names that dpkg does not have installed.
 missing_packages() {
-    local list wanted
-    wanted=$(for list; do sed 's/#.*//' "$root/config/packages/$list.txt"; done |
-        tr -s '[:space:]' '\n' | sed '/^$/d' | LC_ALL=C sort -u)
+    local wanted
+    wanted=$(packages "$@")
     # shellcheck disable=SC2086 # one name a word
     LC_ALL=C comm -23 <(printf '%s\n' "$wanted") \
         <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' $wanted 2>/dev/null |
@@ -35,7 +65,7 @@ why_apt_failed() {
         *'Failed to fetch'* | *'Temporary failure resolving'* | *'Unable to connect'*)
             echo 'the package server cannot be reached: check the network, then start again' ;;
         *'Unable to locate package'* | *'no installation candidate'*)
-            echo "apt does not know a package: check that apt's sources name Debian 12 main" ;;
+            echo "apt does not know a package: check that apt's sources name all of Debian's main" ;;
         *)
             echo "apt-get says: $(grep -m1 '^E: ' "$1" || tail -n 1 "$1")" ;;
     esac
@@ -43,14 +73,13 @@ why_apt_failed() {
 
 # install_packages LIST...: asks dpkg first; apt and sudo come in only where something is missing.
 install_packages() {
-    command -v dpkg-query >/dev/null || stop 'there is no dpkg here: Touchline builds on Debian 12'
-    local missing system log=$root/build/packages.log as_root=()
+    command -v dpkg-query >/dev/null || stop "this is $os_name, without dpkg: Touchline builds on Debian 12 and 13"
+    local missing log=$root/build/packages.log as_root=()
     mapfile -t missing < <(missing_packages "$@")
     ((${#missing[@]} > 0)) || return 0
 
-    system=$(. /etc/os-release && echo "${ID:-unknown} ${VERSION_ID:-}")
-    [[ $system == 'debian 12' ]] ||
-        stop "this is $system, not Debian 12: install these by hand, then start again: ${missing[*]}"
+    is_tried "$os_name" ||
+        say "this is $os_name, where Touchline was never tried: it takes the packages of Debian $(release_of "$os_origin"), the nearest"
     if ((EUID != 0)); then
         command -v sudo >/dev/null ||
             stop "packages are missing and there is no sudo; as root: apt-get install ${missing[*]}"

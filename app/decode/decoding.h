@@ -21,6 +21,10 @@ namespace touchline {
 /// Likewise a picture that a film's codec made: HEIC, AVIF.
 [[nodiscard]] Result<Page> decode_film(std::span<const std::byte> bytes, const PageOrder& order);
 
+/// Loads the codecs, which are files of their own since Debian 13: shut in they could not be
+/// opened.
+void prepare_films();
+
 /// A page of what is drawn: SVG, PDF. Fails likewise.
 [[nodiscard]] Result<Page> decode_document(std::span<const std::byte> bytes,
                                            const PageOrder& order);

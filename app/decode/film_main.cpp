@@ -4,5 +4,5 @@
 
 int main(int argc, char** argv) {
     using namespace touchline;
-    run_decode_program({nullptr, decode_film}, argc, argv);
+    run_decode_program({prepare_films, decode_film}, argc, argv);
 }

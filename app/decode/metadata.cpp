@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <exception>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include <exiv2/exiv2.hpp>
 
@@ -10,6 +15,37 @@ namespace touchline::decode {
 namespace {
 
 constexpr std::size_t longest_text = 4000;
+
+// Exiv2 names a whole number, a number of bytes and a profile in one way until 0.27 (Debian 12) and
+// in another since 0.28.
+#if EXIV2_TEST_VERSION(0, 28, 0)
+
+using Count = std::size_t;
+
+std::int64_t whole_of(const Exiv2::Exifdatum& field) {
+    return field.toInt64();
+}
+
+std::span<const Exiv2::byte> profile_of(const Exiv2::Image& image) {
+    const Exiv2::DataBuf& profile = image.iccProfile();
+    return {profile.c_data(), profile.size()};
+}
+
+#else
+
+using Count = long;
+
+std::int64_t whole_of(const Exiv2::Exifdatum& field) {
+    return field.toLong();
+}
+
+std::span<const Exiv2::byte> profile_of(Exiv2::Image& image) {
+    const Exiv2::DataBuf* const profile = image.iccProfile();
+    if (profile == nullptr || profile->size_ <= 0) return {};
+    return {profile->pData_, static_cast<std::size_t>(profile->size_)};
+}
+
+#endif
 
 /// Programs and cameras fill the field in by themselves.
 bool is_of_a_machine(const std::string& text) {
@@ -70,15 +106,14 @@ void read_texts(const Exiv2::Image& image, Metadata& metadata) {
 void read_orientation(const Exiv2::Image& image, Metadata& metadata) {
     const auto found = image.exifData().findKey(Exiv2::ExifKey("Exif.Image.Orientation"));
     if (found == image.exifData().end() || found->count() == 0) return;
-    const auto orientation = static_cast<int>(found->toLong());
-    if (orientation >= 1 && orientation <= 8) metadata.orientation = orientation;
+    const auto orientation = whole_of(*found);
+    if (orientation >= 1 && orientation <= 8) metadata.orientation = static_cast<int>(orientation);
 }
 
 void read_profile(Exiv2::Image& image, Metadata& metadata) {
     if (!image.iccProfileDefined()) return;
-    const Exiv2::DataBuf* const profile = image.iccProfile();
-    if (profile == nullptr || profile->size_ <= 0) return;
-    metadata.colour_profile.assign(profile->pData_, profile->pData_ + profile->size_);
+    const auto profile = profile_of(image);
+    metadata.colour_profile.assign(profile.begin(), profile.end());
 }
 
 }  // namespace
@@ -88,7 +123,7 @@ Metadata metadata_of(Bytes bytes) {
     try {
         Exiv2::LogMsg::setLevel(Exiv2::LogMsg::mute);
         const auto image = Exiv2::ImageFactory::open(
-            reinterpret_cast<const Exiv2::byte*>(bytes.data()), static_cast<long>(bytes.size()));
+            reinterpret_cast<const Exiv2::byte*>(bytes.data()), static_cast<Count>(bytes.size()));
         image->readMetadata();
         read_orientation(*image, metadata);
         read_profile(*image, metadata);

@@ -33,9 +33,7 @@ class Writer {
   public:
     template <class Number>
     void number(Number value) {
-        const auto at = bytes.size();
-        bytes.resize(at + sizeof value);
-        std::memcpy(&bytes[at], &value, sizeof value);
+        raw(std::as_bytes(std::span(&value, 1)));
     }
 
     void raw(std::span<const std::byte> more) {

@@ -82,6 +82,9 @@ std::int64_t now_ns() {
 }
 
 Result<std::unique_ptr<Window>> Window::open(bool is_full_screen, Listener listener) {
+#ifdef GLFW_PLATFORM  // 3.4 (Debian 13) would take Wayland, which numbers keys otherwise
+    glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
     if (glfwInit() != GLFW_TRUE)
         return failure(fmt::format("no window: {}; start it on a display, or use touchline tour",
                                    glfw_reason()));

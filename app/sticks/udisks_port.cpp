@@ -1,5 +1,6 @@
 #include "app/sticks/udisks_port.h"
 
+#include "app/sticks/bus_generations.h"
 #include "app/sticks/udisks_volumes.h"
 
 #include <cstdint>
@@ -8,8 +9,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <sdbus-c++/sdbus-c++.h>
 
 namespace touchline {
 namespace {
@@ -47,20 +46,20 @@ class UdisksPort::Bus {
   public:
     /// Throws sdbus::Error where there is no bus.
     explicit Bus(UdisksPort& port) : port_(port), bus_(sdbus::createSystemBusConnection()) {
-        main_ = sdbus::createProxy(*bus_, service, main_object);
-        main_->registerSignalHandler(object_manager, "InterfacesAdded",
-                                     [this](sdbus::Signal&) { ask(); });
-        main_->registerSignalHandler(object_manager, "InterfacesRemoved",
-                                     [this](sdbus::Signal& signal) { on_removed(signal); });
-        main_->finishRegistration();
-        changes_ = bus_->addMatch(changes, [this](sdbus::Message&) { ask(); });
-        owners_ = bus_->addMatch(owners, [this](sdbus::Message& message) { on_owner(message); });
+        main_ = proxy_of(*bus_, service, main_object);
+        main_->registerSignalHandler(InterfaceName(object_manager), SignalName("InterfacesAdded"),
+                                     [this](auto&&) { ask(); });
+        main_->registerSignalHandler(InterfaceName(object_manager), SignalName("InterfacesRemoved"),
+                                     [this](auto&& signal) { on_removed(signal); });
+        finish_registration(*main_);
+        changes_ = match(*bus_, changes, [this](auto&&) { ask(); });
+        owners_ = match(*bus_, owners, [this](auto&& message) { on_owner(message); });
         ask();
     }
 
     /// What has come. Throws sdbus::Error where the bus is gone.
     void process() {
-        while (bus_->processPendingRequest()) {
+        while (process_one(*bus_)) {
         }
         for (const std::uint64_t number : answered_) proxies_.erase(number);
         answered_.clear();
@@ -78,9 +77,10 @@ class UdisksPort::Bus {
 
   private:
     void send(const StickOrder& order) {
-        auto proxy = sdbus::createProxy(*bus_, service, order.object);
+        auto proxy = proxy_of(*bus_, service, order.object);
         const bool is_mount = order.kind == OrderKind::mount;
-        auto call = proxy->createMethodCall(file_system, is_mount ? "Mount" : "Unmount");
+        auto message = proxy->createMethodCall(InterfaceName(file_system),
+                                               MethodName(is_mount ? "Mount" : "Unmount"));
         BusProperties options{{"auth.no_user_interaction", sdbus::Variant(true)}};
         if (is_mount) {
             options.emplace("fstype", sdbus::Variant(order.file_system));
@@ -88,11 +88,11 @@ class UdisksPort::Bus {
         } else {
             options.emplace("force", sdbus::Variant(true));  // nothing was written
         }
-        call << options;
-        proxy->callMethod(
-            call,
-            [this, order](sdbus::MethodReply& reply, const sdbus::Error* error) {
-                on_answer(order, reply, error);
+        message << options;
+        call(
+            *proxy, message,
+            [this, order](auto&& reply, const auto& error) {
+                on_answer(order, reply, error ? &*error : nullptr);
             },
             answer_us);
         proxies_.emplace(order.number, std::move(proxy));
@@ -104,10 +104,11 @@ class UdisksPort::Bus {
         if (is_asking_) return;
         is_asking_ = true;
         is_stale_ = false;
-        auto call = main_->createMethodCall(object_manager, "GetManagedObjects");
-        main_->callMethod(call, [this](sdbus::MethodReply& reply, const sdbus::Error* error) {
+        const auto message =
+            main_->createMethodCall(InterfaceName(object_manager), MethodName("GetManagedObjects"));
+        call(*main_, message, [this](auto&& reply, const auto& error) {
             is_asking_ = false;
-            on_objects(reply, error);
+            on_objects(reply, error ? &*error : nullptr);
             if (is_stale_) ask();
         });
     }

@@ -18,7 +18,7 @@ cpp_sources() { find "${folders[@]}" -type f \( -name '*.h' -o -name '*.cpp' \) 
 texts() {
     find "${folders[@]}" .ci -type f ! -path 'tests/data/*' ! -path 'tests/fuzz/corpus/*' \
         ! -name '*.svg' ! -name '*.png' ! -name '*.csv' ! -name '*.json' ! -name '*.po' ! -name '*.pot' -print0 2>/dev/null
-    find . -maxdepth 1 -type f ! -name LICENSE ! -name compile_commands.json -printf '%P\0'
+    find . -maxdepth 1 -type f ! -name LICENSE ! -name compile_commands.json ! -name .git -printf '%P\0'
 }
 
 # verdict LINES: prints them and fails, unless there are none.

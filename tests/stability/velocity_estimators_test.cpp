@@ -5,6 +5,7 @@
 #include "tests/stability/linear_loop.h"
 #include "tests/stability/wall_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>

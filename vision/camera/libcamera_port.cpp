@@ -23,7 +23,8 @@ std::optional<PixelFormat> known_format(const libcamera::PixelFormat& format) {
 }
 
 std::string name_of(const libcamera::Camera& camera) {
-    return camera.properties().get(libcamera::properties::Model).value_or(camera.id());
+    const auto model = camera.properties().get(libcamera::properties::Model);
+    return model ? std::string(*model) : camera.id();
 }
 
 std::vector<StreamMode> modes_of(const libcamera::StreamFormats& formats) {

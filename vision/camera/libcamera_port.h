@@ -1,7 +1,7 @@
-// Cameras through libcamera 0.0.3 (Debian 12): USB cameras of the UVC class, which have one stream
-// and neither focus nor a report of their exposure there, and those of boards with an image
-// processor, which have more. Frames arrive on libcamera's own thread and wait here, the newest
-// only. Threads: one caller; one object in a process, which libcamera demands.
+// Cameras through libcamera 0.0.3 (Debian 12) or 0.4 (Debian 13): USB cameras of the UVC class,
+// which have one stream and neither focus nor a report of their exposure there, and those of boards
+// with an image processor, which have more. Frames arrive on libcamera's own thread and wait here,
+// the newest only. Threads: one caller; one object in a process, which libcamera demands.
 #pragma once
 
 #include "vision/camera/camera_port.h"

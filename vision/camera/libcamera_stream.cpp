@@ -4,6 +4,7 @@
 
 #include <libcamera/control_ids.h>
 #include <libcamera/formats.h>
+#include <libcamera/version.h>
 #include <sys/mman.h>
 
 namespace touchline {
@@ -40,11 +41,23 @@ void set_mode(libcamera::StreamConfiguration& stream, const StreamMode& mode) {
     stream.bufferCount = buffers_wanted;
 }
 
+/// Reported in another way since libcamera 0.5, which Raspberry Pi OS has; compiled with 0.7, not
+/// tried.
+std::optional<bool> is_exposure_settled(const libcamera::ControlList& told) {
+#if LIBCAMERA_VERSION_MAJOR == 0 && LIBCAMERA_VERSION_MINOR < 5
+    return told.get(controls::AeLocked);
+#else
+    const auto state = told.get(controls::AeState);
+    if (!state) return std::nullopt;
+    return *state == controls::AeStateConverged;
+#endif
+}
+
 LoopReport loops_of(const libcamera::ControlList& told) {
     LoopReport report;
     if (const auto state = told.get(controls::AfState))
         report.is_focused = *state == controls::AfStateFocused;
-    report.is_exposure_settled = told.get(controls::AeLocked);
+    report.is_exposure_settled = is_exposure_settled(told);
     return report;
 }
 
@@ -79,7 +92,7 @@ Result<std::unique_ptr<LibcameraStream>> LibcameraStream::start(
 }
 
 Result<void> LibcameraStream::configure(const StreamPlan& plan) {
-    libcamera::StreamRoles roles{StreamRole::Viewfinder};
+    std::vector<StreamRole> roles{StreamRole::Viewfinder};
     if (plan.still) roles.push_back(StreamRole::StillCapture);
     configuration_ = camera_->generateConfiguration(roles);
     if (!configuration_ || configuration_->size() != roles.size())

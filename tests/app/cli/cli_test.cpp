@@ -6,6 +6,7 @@
 #include "app/decode/png_writer.h"
 #include "haptics/contact/contact_machine.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>

@@ -2,6 +2,7 @@
 
 #include "app/decode/files.h"
 
+#include <algorithm>
 #include <csetjmp>
 #include <cstdio>
 #include <cstdlib>

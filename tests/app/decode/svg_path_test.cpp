@@ -2,6 +2,7 @@
 #include "app/decode/map_svg.h"
 #include "app/decode/svg_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -5,6 +5,7 @@
 #include "tests/app/screen/probes.h"
 #include "tests/app/screen/sample_screens.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <tuple>

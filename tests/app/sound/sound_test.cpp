@@ -3,6 +3,7 @@
 
 #include "tests/audio-cues/spectrum.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <memory>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/process/child.h"
+#include "app/sticks/bus_generations.h"
 #include "tests/app/sticks/stick_folder.h"
 
 #include <array>
@@ -16,7 +17,6 @@
 #include <vector>
 
 #include <poll.h>
-#include <sdbus-c++/sdbus-c++.h>
 
 namespace touchline {
 
@@ -125,7 +125,7 @@ class MockedUdisks {
 
     bool has_owner() {
         bool has = false;
-        sdbus::createProxy(*control_, "org.freedesktop.DBus", "/org/freedesktop/DBus")
+        proxy_of(*control_, "org.freedesktop.DBus", "/org/freedesktop/DBus")
             ->callMethod("NameHasOwner")
             .onInterface("org.freedesktop.DBus")
             .withArguments(std::string("org.freedesktop.UDisks2"))
@@ -134,7 +134,7 @@ class MockedUdisks {
     }
 
     std::unique_ptr<sdbus::IProxy> main() {
-        return sdbus::createProxy(*control_, "org.freedesktop.UDisks2", "/org/freedesktop/UDisks2");
+        return proxy_of(*control_, "org.freedesktop.UDisks2", "/org/freedesktop/UDisks2");
     }
 
     std::string mock_;

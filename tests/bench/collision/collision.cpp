@@ -10,6 +10,7 @@
 #include "tests/bench/collision/rtree.h"
 #include "tests/bench/collision/touchline_rows.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 

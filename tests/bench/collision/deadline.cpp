@@ -2,6 +2,7 @@
 #include "tests/bench/collision/report.h"
 #include "tests/bench/collision/touchline_rows.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace touchline::bench {

@@ -1,5 +1,6 @@
 #include "tests/bench/collision/grid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -4,6 +4,8 @@
 #include "tests/bench/collision/report.h"
 #include "tests/bench/collision/touchline_rows.h"
 
+#include <algorithm>
+
 namespace touchline::bench {
 namespace {
 

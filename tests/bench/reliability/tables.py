@@ -20,7 +20,9 @@ UNMEASURED = 'not measured yet'
 def machine():
     model = re.search(r'model name\s*: (.*)', open('/proc/cpuinfo').read())
     name = model[1] if model else platform.machine()
-    return f'{os.cpu_count()} processors ({name}), Linux {platform.release().split("-")[0]}, load {os.getloadavg()[2]:.0f}'
+    release = platform.freedesktop_os_release()
+    system = f'{release["NAME"].split()[0]} {release.get("VERSION_ID", "")}'.strip()
+    return f'{os.cpu_count()} processors ({name}), {system}, Linux {platform.release().split("-")[0]}, load {os.getloadavg()[2]:.0f}'
 
 
 def commit():

@@ -6,6 +6,7 @@
 #include "tests/haptics/probe/swept_judge.h"
 #include "tests/haptics/scenes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "tests/sim/kiosk/sim_report.h"
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <string>

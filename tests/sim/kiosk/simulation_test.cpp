@@ -5,6 +5,7 @@
 #include "tests/sim/kiosk/shrink.h"
 #include "tests/sim/kiosk/sim_report.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
