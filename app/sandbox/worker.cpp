@@ -49,9 +49,10 @@ WorkerOutcome run_worker(const WorkerOrder& order, const Descriptor& input) {
     auto output = fresh_memory();
     if (!output) return {WorkerEnd::out_of_memory, Descriptor{}};
     const std::array<const Descriptor*, 2> handed{&input, &*output};
-    // OpenMP would start threads that a worker cannot have, and end the program for it.
+    // Threads that a worker cannot have: OpenMP would end the program for the want of them, and
+    // OpenBLAS, which OpenCV may bring along, would start its own before the worker is shut in.
     auto child = Child::start(order.program, order.arguments, handed, StandardStreams::nothing,
-                              {"OMP_THREAD_LIMIT=1"});
+                              {"OMP_THREAD_LIMIT=1", "OPENBLAS_NUM_THREADS=1"});
     if (!child) return {WorkerEnd::not_started, Descriptor{}};
     const bool has_ended = wait_for_end(*child, limits_of(order.kind).deadline_s);
     if (!has_ended) child->kill();

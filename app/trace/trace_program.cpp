@@ -20,11 +20,6 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// A worker has no other threads, and OpenCV would wait for those that it wants.
-void work_on_one_thread() {
-    cv::setNumThreads(1);
-}
-
 EdgePicture edges_of(const cv::Mat& strength) {
     return {strength.cols, strength.rows, {strength.data, strength.data + strength.total()}};
 }
@@ -79,7 +74,8 @@ void run_trace_program(const Tracer& tracer, int argc, char** argv) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     const auto work = trace_work_in(arguments);
     if (!work) refuse_to_run(argv[0]);
-    run_worker_program({tracer.kind, work_on_one_thread, [&](std::span<const std::byte> bytes) {
+    cv::setNumThreads(1);  // a worker has no others
+    run_worker_program({tracer.kind, nullptr, [&](std::span<const std::byte> bytes) {
                             return done(*work, tracer.input(bytes));
                         }});
 }
