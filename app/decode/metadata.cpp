@@ -1,51 +1,17 @@
 #include "app/decode/metadata.h"
 
+#include "app/decode/exiv2_generations.h"
+
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <exception>
-#include <span>
 #include <string>
 #include <string_view>
-
-#include <exiv2/exiv2.hpp>
 
 namespace touchline::decode {
 namespace {
 
 constexpr std::size_t longest_text = 4000;
-
-// Exiv2 names a whole number, a number of bytes and a profile in one way until 0.27 (Debian 12) and
-// in another since 0.28.
-#if EXIV2_TEST_VERSION(0, 28, 0)
-
-using Count = std::size_t;
-
-std::int64_t whole_of(const Exiv2::Exifdatum& field) {
-    return field.toInt64();
-}
-
-std::span<const Exiv2::byte> profile_of(const Exiv2::Image& image) {
-    const Exiv2::DataBuf& profile = image.iccProfile();
-    return {profile.c_data(), profile.size()};
-}
-
-#else
-
-using Count = long;
-
-std::int64_t whole_of(const Exiv2::Exifdatum& field) {
-    return field.toLong();
-}
-
-std::span<const Exiv2::byte> profile_of(Exiv2::Image& image) {
-    const Exiv2::DataBuf* const profile = image.iccProfile();
-    if (profile == nullptr || profile->size_ <= 0) return {};
-    return {profile->pData_, static_cast<std::size_t>(profile->size_)};
-}
-
-#endif
 
 /// Programs and cameras fill the field in by themselves.
 bool is_of_a_machine(const std::string& text) {
@@ -122,8 +88,9 @@ Metadata metadata_of(Bytes bytes) {
     Metadata metadata;
     try {
         Exiv2::LogMsg::setLevel(Exiv2::LogMsg::mute);
-        const auto image = Exiv2::ImageFactory::open(
-            reinterpret_cast<const Exiv2::byte*>(bytes.data()), static_cast<Count>(bytes.size()));
+        const auto image =
+            Exiv2::ImageFactory::open(reinterpret_cast<const Exiv2::byte*>(bytes.data()),
+                                      static_cast<Exiv2Count>(bytes.size()));
         image->readMetadata();
         read_orientation(*image, metadata);
         read_profile(*image, metadata);

@@ -109,6 +109,7 @@ void allow_reading_fonts(Rules& rules) {
     constexpr int changes = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND | O_PATH | O_TMPFILE;
     allow(rules, SCMP_SYS(openat), has_none(2, changes & ~O_DIRECTORY));
     allow(rules, SCMP_SYS(fcntl), equals(1, F_SETFD));
+    allow(rules, SCMP_SYS(fcntl), equals(1, F_GETFL));  // of std::filesystem, since Debian 13
     for (const int change : {O_WRONLY, O_RDWR, O_CREAT})
         refuse(rules, SCMP_SYS(openat), EACCES, has(2, static_cast<std::uint64_t>(change)));
 }

@@ -1,11 +1,11 @@
 // Colours of another profile become sRGB.
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/encoders.h"
+#include "tests/app/decode/with_metadata.h"
 
-#include <memory>
+#include <utility>
 #include <vector>
 
-#include <exiv2/exiv2.hpp>
 #include <gtest/gtest.h>
 #include <lcms2.h>
 
@@ -31,17 +31,13 @@ std::vector<std::uint8_t> profile_of_light() {
 }
 
 Bytes with_profile(const Bytes& bytes, const std::vector<std::uint8_t>& profile) {
-    auto image = Exiv2::ImageFactory::open(reinterpret_cast<const Exiv2::byte*>(bytes.data()),
-                                           static_cast<long>(bytes.size()));
-    image->readMetadata();
-    Exiv2::DataBuf data(profile.data(), static_cast<long>(profile.size()));
-    image->setIccProfile(data, false);
-    image->writeMetadata();
-    Exiv2::BasicIo& io = image->io();
-    io.open();
-    const Exiv2::DataBuf written = io.read(static_cast<long>(io.size()));
-    const auto* const first = reinterpret_cast<const std::byte*>(written.pData_);
-    return {first, first + written.size_};
+    return with_metadata(bytes, [&profile](auto& image) {
+        Exiv2::DataBuf data(profile.data(), static_cast<decode::Exiv2Count>(profile.size()));
+        if constexpr (requires { image.setIccProfile(data, false); })
+            image.setIccProfile(data, false);
+        else
+            image.setIccProfile(std::move(data), false);  // since 0.28
+    });
 }
 
 Picture grey(std::uint8_t level) {

@@ -6,11 +6,11 @@
 #include "app/trace/tracing.h"
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/files_of_formats.h"
+#include "tests/app/decode/with_metadata.h"
 
 #include <filesystem>
 #include <string>
 
-#include <exiv2/exiv2.hpp>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -24,22 +24,6 @@ TactileMap told_of(const Bytes& bytes) {
     const auto page = decode_page(bytes);
     EXPECT_TRUE(page.has_value()) << page.error().line;
     return page ? page->told : TactileMap{};
-}
-
-/// The file with metadata put in by libexiv2.
-template <class Change>
-Bytes with_metadata(const Bytes& bytes, const Change& change) {
-    auto image = Exiv2::ImageFactory::open(reinterpret_cast<const Exiv2::byte*>(bytes.data()),
-                                           static_cast<long>(bytes.size()));
-    image->readMetadata();
-    change(*image);
-    image->writeMetadata();
-    Exiv2::BasicIo& io = image->io();
-    io.open();
-    const Exiv2::DataBuf written = io.read(static_cast<long>(io.size()));
-    Bytes changed(static_cast<std::size_t>(written.size_));
-    std::memcpy(changed.data(), written.pData_, changed.size());
-    return changed;
 }
 
 std::vector<Bytes> pictures() {

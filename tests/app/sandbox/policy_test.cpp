@@ -204,8 +204,9 @@ TEST(SandboxPolicy, FilesAreOpenedForReadingOnlyAndOnlyWhereDocumentsAreDrawn) {
         }
         EXPECT_EQ(answer(rules, SCMP_SYS(openat), opened_with(O_RDONLY)),
                   limits_of(kind).reads_fonts ? allowed : refused(EACCES));
-        EXPECT_EQ(answer(rules, SCMP_SYS(fcntl), {0, F_SETFD}),
-                  limits_of(kind).reads_fonts ? allowed : killed);
+        for (const int asked : {F_SETFD, F_GETFL})
+            EXPECT_EQ(answer(rules, SCMP_SYS(fcntl), {0, asked}),
+                      limits_of(kind).reads_fonts ? allowed : killed);
         EXPECT_EQ(answer(rules, SCMP_SYS(fcntl), {0, F_SETFL}), killed);
     }
 }
