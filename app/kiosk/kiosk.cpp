@@ -6,6 +6,7 @@
 #include "app/session/first_feel.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/guidance_words.h"
+#include "config/types/plain_line.h"
 
 #include <algorithm>
 #include <utility>
@@ -408,8 +409,9 @@ void Kiosk::trouble(TroubleKind kind, const std::string& sentence) {
 }
 
 void Kiosk::report(const std::string& line) {
-    if (operator_) operator_->log(line);
-    report_ += line + '\n';
+    const std::string plain = plain_line(line);
+    if (operator_) operator_->log(plain);
+    report_ += plain + '\n';
 }
 
 std::string Kiosk::take_report() {

@@ -6,6 +6,7 @@
 #include "app/packs/pack.h"
 #include "app/packs/pack_library.h"
 #include "app/process/places.h"
+#include "config/types/plain_line.h"
 
 #include <algorithm>
 #include <chrono>
@@ -79,7 +80,7 @@ struct OperatorDesk::Office {
             left.push_back(std::move(order));
     }
 
-    void answer(std::string line) const { tell(OrderAnswered{std::move(line)}); }
+    void answer(const std::string& line) const { tell(OrderAnswered{plain_line(line)}); }
 
     void operator()(const CheckPin& check) const {
         const auto right = is_right_pin(desk.files_.pin, check.pin);
