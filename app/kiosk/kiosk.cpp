@@ -149,6 +149,7 @@ void Kiosk::follow_rules() {
     rules_.offers_staff = settings_.offers_staff;
     rules_.notice = settings_.notice;
     rules_.first_firmness = firmness_for(std::min(loop_N_per_m_, settings_.stiffness_N_per_m));
+    if (shelf_) shelf_->allow(settings_.more_file_systems ? FileSystems::more : FileSystems::usual);
     if (photos_)
         photos_->set({settings_.cut_left_percent, settings_.cut_right_percent,
                       settings_.cut_top_percent, settings_.cut_bottom_percent});

@@ -43,6 +43,7 @@ enum class OperatorPlace : std::uint8_t {
     keys,
     key_wizard,
     screen,
+    sticks,
     device,
     homing,
     self_test,
@@ -60,10 +61,22 @@ enum class OperatorPlace : std::uint8_t {
     question,
 };
 
-inline constexpr std::size_t operator_place_count = 38;
+inline constexpr std::size_t operator_place_count = 39;
+
+/// Where nobody comes without the PIN.
+[[nodiscard]] constexpr bool is_inside(OperatorPlace place) {
+    return place > OperatorPlace::new_pin_again;
+}
 
 /// What is asked before it is done.
-enum class Question : std::uint8_t { ceiling, restore, close, zero_counters, first_settings };
+enum class Question : std::uint8_t {
+    ceiling,
+    restore,
+    close,
+    zero_counters,
+    first_settings,
+    file_systems
+};
 
 struct Operator {
     OperatorPlace place = OperatorPlace::closed;

@@ -27,6 +27,7 @@ void begin_cleaning(OperatorTurn& turn) {
 void carry_out(OperatorTurn& turn, Question question) {
     switch (question) {
         case Question::ceiling:
+        case Question::file_systems:
             return turn.order(WriteSettings{turn.state().settings});
         case Question::restore:
             return turn.order(Restore{});
@@ -52,6 +53,8 @@ OperatorPlace place_of(Question question) {
             return OperatorPlace::close;
         case Question::zero_counters:
             return OperatorPlace::counters;
+        case Question::file_systems:
+            return OperatorPlace::sticks;
     }
     return OperatorPlace::home;
 }

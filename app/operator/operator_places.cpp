@@ -35,6 +35,7 @@ constexpr std::array places{
     PlaceRow{P::keys, P::senses, "Keys", "", "keys"},
     PlaceRow{P::key_wizard, P::keys, "Learn the keys", "", "", false},
     PlaceRow{P::screen, P::senses, "Screen", "", "screen"},
+    PlaceRow{P::sticks, P::senses, "Sticks", "Sticks with FAT and exFAT are always read.", "stick"},
     PlaceRow{P::device, P::home, "Handle and tests", "", ""},
     PlaceRow{P::homing, P::device, "Find the handle's home",
              "The kiosk says where to lead the handle. Force is off meanwhile.", ""},
@@ -54,7 +55,7 @@ constexpr std::array places{
     PlaceRow{P::backup, P::upkeep, "Backup of the settings",
              "All settings but the PIN are copied beside them, or come back.", ""},
     PlaceRow{P::paths, P::upkeep, "Set in the file only",
-             "These are written in the kiosk's file of settings.", "stick"},
+             "These are written in the kiosk's file of settings.", "operator"},
     PlaceRow{P::close, P::upkeep, "Close the kiosk", "The program ends.", ""},
     PlaceRow{P::question, P::home, "Are you sure?", "", "", false},
 };
@@ -109,6 +110,8 @@ std::string_view words_of(Question question) {
             return "All counts begin again from zero.";
         case Question::first_settings:
             return "All that was set is lost.";
+        case Question::file_systems:
+            return "A hostile stick may then take the machine over. Allow it for a while only.";
     }
     return {};
 }

@@ -146,6 +146,26 @@ TEST_F(OperatorTest, AnAnswerThatNobodyAskedForOpensNothing) {
     EXPECT_EQ(rig.state.place, P::pin);
 }
 
+TEST_F(OperatorTest, MoreFileSystemsAreWarnedOfAndAskedFor) {
+    ASSERT_TRUE(rig.open({"Camera, keys and screen", "Sticks"}));
+    (void)rig.heard();
+    ASSERT_TRUE(rig.find("Read ext4 and NTFS sticks too"));
+    EXPECT_FALSE(rig.world().settings.more_file_systems);
+    rig.press(R::next);
+    EXPECT_NE(rig.heard().find("may take the machine over"), std::string::npos);
+    rig.press(R::select);
+    EXPECT_EQ(rig.state.place, P::question);
+    EXPECT_NE(rig.heard().find("may then take the machine over"), std::string::npos);
+    EXPECT_FALSE(rig.world().settings.more_file_systems) << "not before the answer";
+    rig.press(R::back);
+    EXPECT_FALSE(rig.world().settings.more_file_systems);
+    EXPECT_EQ(rig.state.place, P::sticks);
+    ASSERT_TRUE(rig.open({"Read ext4 and NTFS sticks too", "Yes"}));
+    EXPECT_TRUE(rig.world().settings.more_file_systems);
+    ASSERT_TRUE(rig.open({"Read ext4 and NTFS sticks too"}));
+    EXPECT_FALSE(rig.world().settings.more_file_systems) << "off without a question";
+}
+
 TEST_F(OperatorTest, ASettingIsHeldTurnedAndKept) {
     ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Stiffness"}));
     EXPECT_NE(rig.heard().find("Next is more, Back is less."), std::string::npos);

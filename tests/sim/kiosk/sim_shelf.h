@@ -41,6 +41,8 @@ class SimShelf final : public Shelf {
 
     [[nodiscard]] bool is_listing() const override { return due_ns_.has_value(); }
 
+    void allow(FileSystems /*allowed*/) override {}
+
     void end_session() override { pull(); }
 
     [[nodiscard]] const std::string& root() const override { return root_; }
