@@ -102,7 +102,6 @@ void Kiosk::tell_operator(const OperatorEvent& event) {
     }
     for (const OperatorOrder& order : operator_->happen(event, language(), now_s_))
         std::visit(OperatorCarrying{*this}, order);
-    if (is_operator_in() && !was_in && shelf_) operator_->put_stick(shelf_->root());
 }
 
 void Kiosk::say_for_operator(const std::string& text) {
@@ -121,7 +120,8 @@ void Kiosk::follow_operator() {
     follow_motor_test();
     operator_->set_private(sound_->output().kind == OutputKind::headset);
     operator_->set_live(live_words());
-    if (const auto line = operator_->poll_import()) tell_operator(OrderAnswered{*line});
+    if (shelf_) operator_->put_stick(shelf_->root());
+    if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});
     const std::string words = is_homing_ ? servo_->device_words() : std::string();
     if (words != std::exchange(homing_words_, words) && !words.empty())
         tell_operator(OrderAnswered{words});

@@ -21,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_log = 1000;
-constexpr std::size_t most_packs = 50;
 
 /// One sentence of a file that could not be written or read, in the operator's language as far as
 /// it is ours.
@@ -29,32 +28,26 @@ std::string outcome(const Result<void>& done, const std::string& sentence) {
     return done ? sentence : done.error().line;
 }
 
-std::vector<fs::path> zips_in(const fs::path& root) {
-    std::vector<fs::path> zips;
-    std::error_code error;
-    fs::directory_iterator at(root, error);
-    for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-        const fs::directory_entry& entry = *at;
-        if (entry.path().extension() == ".zip" && entry.is_regular_file(error))
-            zips.push_back(entry.path());
-        if (zips.size() == most_packs) break;
-    }
-    std::ranges::sort(zips);
-    return zips;
-}
+using PackReader = std::function<Result<Mapping, StickRefusal>()>;
 
-/// Waits for workers: beside the screen's thread.
-std::string import_of(const fs::path& zip, const fs::path& library, const Language& language) {
-    const auto pack = read_pack(zip.string());
+/// `name`: the pack's, for the screen.
+std::string import_of(const PackReader& read, const std::string& name, const fs::path& library,
+                      const Language& language) {
+    const auto bytes = read();
+    if (!bytes) return language.text("trouble", sentence_of(bytes.error(), name));
+    auto pack = read_pack(bytes->bytes());
+    if (!pack && pack.error().file.empty()) pack.error().file = name;
     if (!pack) return sentence_of(pack.error(), language);
     const auto folder = import_pack(*pack, library.string());
     if (!folder) return sentence_of(folder.error(), language);
     return language.text("operator", "The pictures are there when the kiosk starts again.");
 }
 
-std::string imported(const fs::path& zip, const fs::path& library, const Language& language) {
+/// Waits for the stick and for workers: beside the screen's thread.
+std::string imported(const PackReader& read, const std::string& name, const fs::path& library,
+                     const Language& language) {
     try {
-        return import_of(zip, library, language);
+        return import_of(read, name, library, language);
     } catch (const std::exception&) {
         return language.text("operator", "There is not enough memory for these pictures.");
     }
@@ -64,8 +57,9 @@ std::string imported(const fs::path& zip, const fs::path& library, const Languag
 
 OperatorFiles operator_files() {
     const fs::path folder = settings_files().site.parent_path();
-    return {settings_files(),  pin_file(),        counters_file(),   keys_file(),
-            site_sound_file(), profiles_folder(), folder / "copies", library_folder()};
+    return {settings_files(),  pin_file(),        counters_file(),
+            keys_file(),       site_sound_file(), profiles_folder(),
+            folder / "copies", library_folder(),  companion("touchline-import")};
 }
 
 /// Carries out what concerns files alone; everything else is left to the kiosk.
@@ -150,7 +144,8 @@ OperatorDesk::OperatorDesk(OperatorFiles files, const std::vector<Language>& lan
                            std::vector<std::string>& problems)
     : files_(std::move(files)),
       watch_(files_.settings.site),
-      profiles_(read_profiles(files_.profiles, problems)) {
+      profiles_(read_profiles(files_.profiles, problems)),
+      packs_(files_.import_program) {
     for (const Language& language : languages)
         languages_.push_back({language.code(), language.name()});
     read_site();
@@ -194,7 +189,7 @@ OperatorWorld OperatorDesk::world(const Language& language, double now_s) const 
     OperatorWorld world{language,   now_s, has_pin(files_.pin), is_private_, site_, sound_, keys_,
                         languages_, {},    counters_,           {},          live_};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
-    for (const fs::path& pack : packs_) world.packs.push_back(pack.stem().string());
+    world.packs = packs_.names();
     return world;
 }
 
@@ -244,16 +239,15 @@ std::string OperatorDesk::export_log(const Language& language) const {
                 : language.text("operator", "The log cannot be written. Make room on the disk.");
 }
 
-void OperatorDesk::put_stick(const fs::path& root) {
-    packs_ = root.empty() ? std::vector<fs::path>() : zips_in(root);
-}
-
 void OperatorDesk::import_pack(std::size_t pack, const Language& language) {
-    if (pack >= packs_.size() || import_.valid()) return;
-    import_ = std::async(std::launch::async, imported, packs_[pack], files_.library, language);
+    if (pack >= packs_.names().size() || import_.valid()) return;
+    import_ = std::async(std::launch::async, imported, packs_.reader_of(pack), packs_.names()[pack],
+                         files_.library, language);
 }
 
-std::optional<std::string> OperatorDesk::poll_import() {
+std::optional<std::string> OperatorDesk::poll_stick(const Language& language) {
+    const std::string problem = packs_.poll();
+    if (!problem.empty()) return language.text("trouble", problem);
     const bool has_ended =
         import_.valid() && import_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     if (!has_ended) return std::nullopt;
