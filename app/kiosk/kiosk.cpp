@@ -235,6 +235,7 @@ void Kiosk::wipe() {
     parts_.clear();
     order_ = {};
     servo_->feel(nothing_to_feel(profile_));
+    servo_->forget_recording();
 }
 
 void Kiosk::step(std::int64_t now_ns) {
@@ -418,6 +419,7 @@ void Kiosk::report(const std::string& line) {
 std::string Kiosk::take_report() {
     const std::string notice = servo_->take_notice();
     if (!notice.empty()) report(notice);
+    tell_of_recording(notice);
     return std::exchange(report_, {});
 }
 

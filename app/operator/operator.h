@@ -212,6 +212,8 @@ struct ZeroCounters {};
 
 struct ExportLog {};
 
+struct SaveRecording {};  // of the last minute, as a file
+
 struct BackUp {};
 
 struct Restore {};
@@ -220,10 +222,10 @@ struct CloseKiosk {};
 
 struct Leave {};  // back to the visitors
 
-using OperatorOrder =
-    std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings, WriteSound, WriteKeys,
-                 FindHome, StopHoming, ClearFault, RunTest, StopTest, ShowLive, LockHandle,
-                 ImportPictures, ZeroCounters, ExportLog, BackUp, Restore, CloseKiosk, Leave>;
+using OperatorOrder = std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings,
+                                   WriteSound, WriteKeys, FindHome, StopHoming, ClearFault, RunTest,
+                                   StopTest, ShowLive, LockHandle, ImportPictures, ZeroCounters,
+                                   ExportLog, SaveRecording, BackUp, Restore, CloseKiosk, Leave>;
 
 struct OperatorStep {
     Operator state;

@@ -78,6 +78,8 @@ void do_action(OperatorTurn& turn, std::size_t action) {
             return turn.ask(Question::zero_counters);
         case OperatorAction::export_log:
             return turn.order(ExportLog{});
+        case OperatorAction::save_recording:
+            return turn.order(SaveRecording{});
         case OperatorAction::back_up:
             return turn.order(BackUp{});
         case OperatorAction::restore:
