@@ -2,6 +2,7 @@
 
 #include "app/operator/backup.h"
 #include "app/operator/pin_file.h"
+#include "app/operator/pin_tries_file.h"
 #include "app/operator/site_files.h"
 #include "app/packs/pack.h"
 #include "app/packs/pack_library.h"
@@ -76,15 +77,26 @@ struct OperatorDesk::Office {
 
     void answer(const std::string& line) const { tell(OrderAnswered{plain_line(line)}); }
 
+    /// Counted as wrong first: who pulls the plug before the answer has tried all the same.
     void operator()(const CheckPin& check) const {
+        const fs::path tries = pin_tries_file(desk.files_.pin);
+        const auto noted = keep_pin_tries(tries, desk.state_.tries.wrong + 1);
+        if (!noted) desk.note_ = noted.error().line;
         const auto right = is_right_pin(desk.files_.pin, check.pin);
         if (!right) desk.note_ = right.error().line;
-        tell(PinChecked{right.value_or(false)});
+        if (right.value_or(false)) forget_tries(tries);
+        tell(PinChecked{right.value_or(false), noted.has_value()});
+    }
+
+    void forget_tries(const fs::path& tries) const {
+        const auto forgotten = keep_pin_tries(tries, 0);
+        if (!forgotten) desk.note_ = forgotten.error().line;
     }
 
     void operator()(const KeepPin& keep) const {
         const auto kept = keep_pin(desk.files_.pin, keep.pin);
-        if (!kept) answer(kept.error().line);
+        if (!kept) return answer(kept.error().line);
+        forget_tries(pin_tries_file(desk.files_.pin));
     }
 
     void operator()(const SetSettings& set) const {
@@ -160,6 +172,9 @@ OperatorDesk::OperatorDesk(OperatorFiles files, const std::vector<Language>& lan
     auto counters = read_counters(files_.counters);
     if (!counters) problems.push_back(counters.error().line);
     counters_ = counters.value_or(Counters{});
+    const auto wrong_pins = read_pin_tries(pin_tries_file(files_.pin));
+    if (!wrong_pins) problems.push_back(wrong_pins.error().line);
+    wrong_pins_ = wrong_pins.value_or(most_wrong_pins);
     can_keep_ = can_write();
     if (!can_keep_)
         problems.push_back("nothing can be kept in " + files_.counters.parent_path().string() +
@@ -199,12 +214,18 @@ SpokenScreen OperatorDesk::screen(const Language& language) const {
 
 std::vector<OperatorOrder> OperatorDesk::happen(const OperatorEvent& event,
                                                 const Language& language, double now_s) {
+    count_tries_on(now_s);
     OperatorStep step = step_operator(state_, event, world(language, now_s));
     state_ = std::move(step.state);
     std::vector<OperatorOrder> left;
     for (const OperatorOrder& order : step.orders)
         std::visit(Office{*this, language, now_s, left}, order);
     return left;
+}
+
+void OperatorDesk::count_tries_on(double now_s) {
+    if (const auto wrong = std::exchange(wrong_pins_, std::nullopt))
+        state_.tries = tries_after_restart(*wrong, now_s);
 }
 
 std::string OperatorDesk::back_up(const Language& language) const {

@@ -89,6 +89,7 @@ class OperatorDesk {
   private:
     struct Office;
 
+    void count_tries_on(double now_s);
     [[nodiscard]] OperatorWorld world(const Language& language, double now_s) const;
     void read_site();
     void hold(const Settings& site);
@@ -102,6 +103,7 @@ class OperatorDesk {
     std::vector<OfferedLanguage> languages_;
     std::vector<Profile> profiles_;
     Operator state_;
+    std::optional<int> wrong_pins_;  // of the last run, until it is known what time it is
     Settings site_;
     Settings settings_;
     SoundSettings sound_;

@@ -137,6 +137,7 @@ struct MomentPassed {};
 
 struct PinChecked {
     bool is_right = false;
+    bool is_noted = true;  // the try was counted on the disk before it was judged
 };
 
 struct TestAnswered {

@@ -119,6 +119,20 @@ TEST(OperatorPin, FiveWrongOnesLockForGrowingTimes) {
     }
 }
 
+/// One that a restart would forget must cost its time at once.
+TEST(OperatorPin, AWrongOneThatCouldNotBeNotedLocks) {
+    PinTries tries = after_wrong_pin({}, 100.0, false);
+    EXPECT_EQ(tries.locked_until_s, 160.0);
+    tries = after_wrong_pin(tries, 200.0, false);
+    EXPECT_EQ(tries.locked_until_s, 320.0);
+}
+
+TEST(OperatorPin, ARestartCountsTheWholeWaitAnew) {
+    EXPECT_EQ(tries_after_restart(4, 10.0).locked_until_s, 0.0);
+    EXPECT_EQ(tries_after_restart(5, 10.0).locked_until_s, 70.0);
+    EXPECT_EQ(tries_after_restart(most_wrong_pins, 10.0).locked_until_s, 3610.0);
+}
+
 TEST_F(OperatorTest, ALockOutlastsLeavingAndTheRightPin) {
     rig.press(R::back);
     rig.enter();
