@@ -8,6 +8,7 @@
 #include "app/cli/settings_command.h"
 #include "app/cli/trace_command.h"
 #include "app/packs/pack_toml.h"
+#include "config/types/plain_line.h"
 #include "haptics/pantograph/profile.h"
 
 #include <charconv>
@@ -147,7 +148,7 @@ class CommandLine {
             out << version.what() << '\n';
             return done;
         } catch (const CLI::ParseError& error) {
-            err << "touchline: " << error.what() << "; --help shows what can be said\n";
+            tell(err, std::string(error.what()) + "; --help shows what can be said");
             return wrong_usage;
         }
         return start(programs, out, err);
@@ -305,7 +306,7 @@ class CommandLine {
     int start(const Programs& programs, std::ostream& out, std::ostream& err) {
         if (trace_command_->parsed()) {
             return finish(run_trace(trace_).map([&err](const std::string& warning) {
-                if (!warning.empty()) err << "touchline: " << warning << '\n';
+                if (!warning.empty()) tell(err, warning);
             }),
                           err);
         }
@@ -324,18 +325,19 @@ class CommandLine {
     int start_feel(std::ostream& out, std::ostream& err) {
         if (!replay_.recording.empty()) {
             replay_.output = feel_.output;
-            return finish(
-                run_replay(replay_).map([&out](const std::string& said) { out << said << '\n'; }),
-                err);
+            return finish(run_replay(replay_).map(
+                              [&out](const std::string& said) { out << plain_line(said) << '\n'; }),
+                          err);
         }
         if (feel_.input.empty() || feel_.path.empty()) {
-            err << "touchline: feel needs a picture or map and --path, or --replay; --help shows "
-                   "what can be said\n";
+            tell(err,
+                 "feel needs a picture or map and --path, or --replay; --help shows what can be "
+                 "said");
             return wrong_usage;
         }
         // A profile that does not exist is wrong usage, like a mode that does not exist.
         if (const auto profile = find_profile(feel_.profile); !profile) {
-            err << "touchline: " << profile.error().line << '\n';
+            tell(err, profile.error().line);
             return wrong_usage;
         }
         return finish(run_feel(feel_), err);
@@ -343,7 +345,7 @@ class CommandLine {
 
     int start_device(std::ostream& out, std::ostream& err) {
         if (!device_.profile.empty() && !find_profile(device_.profile)) {
-            err << "touchline: " << find_profile(device_.profile).error().line << '\n';
+            tell(err, find_profile(device_.profile).error().line);
             return wrong_usage;
         }
         return finish(run_device(device_, out), err);
@@ -351,8 +353,13 @@ class CommandLine {
 
     static int finish(const Result<void>& result, std::ostream& err) {
         if (result) return done;
-        err << "touchline: " << result.error().line << '\n';
+        tell(err, result.error().line);
         return unusable_input;
+    }
+
+    /// Names in it may be anything: whoever reads it has a terminal that obeys.
+    static void tell(std::ostream& err, const std::string& line) {
+        err << "touchline: " << plain_line(line) << '\n';
     }
 
     CLI::App app_{"Feel the outlines of a picture with a force-feedback pantograph", "touchline"};

@@ -3,6 +3,7 @@
 #include "app/device/board_files.h"
 #include "app/device/device_words.h"
 #include "app/device/procedures.h"
+#include "config/types/plain_line.h"
 #include "haptics/device/usb_boards.h"
 #include "haptics/device/usb_pantograph.h"
 #include "haptics/servo/lateness.h"
@@ -65,7 +66,7 @@ Result<void> list(std::ostream& out) {
     const auto usb = UsbBoards::create();
     if (!usb) return tl::unexpected(usb.error());
     const std::vector<FoundBoard> found = usb->list(known->boards);
-    for (const FoundBoard& board : found) out << describe(board) << '\n';
+    for (const FoundBoard& board : found) out << plain_line(describe(board)) << '\n';
     if (!found.empty()) return {};
     out << "No board of a pantograph is plugged in. Looked for:\n";
     for (const BoardId& id : known->boards)
@@ -93,8 +94,8 @@ Result<void> probe(TakenUnit& unit, std::ostream& out) {
     out << fmt::format(
         "Board {}: {} answers to {} questions, {} ticks went on without a new one, "
         "{} answers lost, {} wrong.\nUnit: profile {}, {}.\n",
-        unit.board.found.serial, report.replies, asked, report.late, report.lost_replies,
-        report.wrong_packets + report.unconfigured, unit.profile,
+        plain_line(unit.board.found.serial), report.replies, asked, report.late,
+        report.lost_replies, report.wrong_packets + report.unconfigured, unit.profile,
         plugs(board.frame().calibration()));
     out << fmt::format(
         "This computer began the ticks {} us late (half of them less), {} us (all but 1 %), {} us "
@@ -107,7 +108,7 @@ Result<void> probe(TakenUnit& unit, std::ostream& out) {
 
 Procedure procedure(PantographBoard& board, Clock& clock, std::ostream& out) {
     return {board, clock, [] { return !is_stop_wanted; },
-            [&out](const std::string& line) { out << line << std::endl; }};
+            [&out](const std::string& line) { out << plain_line(line) << std::endl; }};
 }
 
 Result<void> home_unit(TakenUnit& unit, std::ostream& out) {
@@ -122,7 +123,7 @@ Result<void> home_unit(TakenUnit& unit, std::ostream& out) {
     const BoardFiles files = board_files();
     if (auto kept = keep_unit(files, settings); !kept) return kept;
     out << fmt::format("Scale {:.3f} and {:.3f}, {}; kept in {}.\n", found->scale.x, found->scale.y,
-                       plugs(*found), files.units.string());
+                       plugs(*found), plain_line(files.units.string()));
     return {};
 }
 
@@ -158,7 +159,8 @@ Result<void> stop_board(const UsbBoards& usb, const FoundBoard& board, const Dev
         return failure("board " + board.serial +
                        " did not confirm that its motors are off: cut the power of the motors");
     }
-    out << fmt::format("The motors of board {} are off: it confirmed zero torque.\n", board.serial);
+    out << fmt::format("The motors of board {} are off: it confirmed zero torque.\n",
+                       plain_line(board.serial));
     return {};
 }
 

@@ -5,6 +5,7 @@
 #include "app/packs/pack_export.h"
 #include "app/packs/pack_library.h"
 #include "audio-cues/words/language.h"
+#include "config/types/plain_line.h"
 
 #include <algorithm>
 #include <ostream>
@@ -34,15 +35,15 @@ std::string_view word_for(FindingSeverity severity) {
 Result<void> check(const std::string& input, std::ostream& out) {
     const auto findings = check_pack(input);
     for (const PackFinding& finding : findings)
-        out << word_for(severity_of(finding.kind)) << ": " << sentence_of(finding, Language())
-            << '\n';
+        out << word_for(severity_of(finding.kind)) << ": "
+            << plain_line(sentence_of(finding, Language())) << '\n';
     const auto refusals =
         std::count_if(findings.begin(), findings.end(), [](const PackFinding& finding) {
             return severity_of(finding.kind) == FindingSeverity::refusal;
         });
     if (refusals > 0)
         return failure(fmt::format("{}: cannot be used; correct what is called an error", input));
-    out << input << ": can be used"
+    out << plain_line(input) << ": can be used"
         << (findings.empty() ? "" : fmt::format("; {} hints for a better one", findings.size()))
         << '\n';
     return {};
@@ -60,7 +61,7 @@ Result<void> import(const PackCommandOptions& options, std::ostream& out) {
                        (is_older ? " with --take-older" : ""));
     }
     out << fmt::format("{} {}: installed in {}\n", pack->info.id, text_of(pack->info.version),
-                       *folder);
+                       plain_line(*folder));
     return {};
 }
 

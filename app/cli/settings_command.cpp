@@ -3,6 +3,7 @@
 #include "app/decode/files.h"
 #include "app/operator/settings_files.h"
 #include "config/settings/settings_text.h"
+#include "config/types/plain_line.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -41,9 +42,9 @@ Result<void> run_settings(const SettingsCommandOptions& options, std::ostream& o
     if (options.action == SettingsAction::print) {
         out << settings_text(*settings);
     } else if (is_missing) {
-        out << file << ": is not there; the program's own settings hold\n";
+        out << plain_line(file) << ": is not there; the program's own settings hold\n";
     } else {
-        out << verdict(file, *settings) << '\n';
+        out << plain_line(verdict(file, *settings)) << '\n';
     }
     return {};
 }

@@ -6,6 +6,7 @@
 #include "app/screen/tour_figure.h"
 #include "app/servo/scene_order.h"
 #include "app/session/first_feel.h"
+#include "config/types/plain_line.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
 
@@ -147,9 +148,9 @@ Result<void> run_tour(const TourArguments& arguments) {
     const Canvas canvas = paint_tour(figure, *scene, canvas_of(*picture, longest_picture_px));
     auto written = write_png(arguments.output, picture_of(canvas));
     if (!written) return written;
-    fmt::print("{}\n", figure.title);
+    fmt::print("{}\n", plain_line(figure.title));
     for (const std::string& line : lines) fmt::print("{}\n", line);
-    fmt::print("Drawn in {}\n", arguments.output);
+    fmt::print("Drawn in {}\n", plain_line(arguments.output));
     return {};
 }
 

@@ -6,6 +6,7 @@
 #include "app/session/first_feel.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/guidance_words.h"
+#include "config/types/plain_line.h"
 
 #include <algorithm>
 #include <utility>
@@ -148,6 +149,7 @@ void Kiosk::follow_rules() {
     rules_.offers_staff = settings_.offers_staff;
     rules_.notice = settings_.notice;
     rules_.first_firmness = firmness_for(std::min(loop_N_per_m_, settings_.stiffness_N_per_m));
+    if (shelf_) shelf_->allow(settings_.more_file_systems ? FileSystems::more : FileSystems::usual);
     if (photos_)
         photos_->set({settings_.cut_left_percent, settings_.cut_right_percent,
                       settings_.cut_top_percent, settings_.cut_bottom_percent});
@@ -233,6 +235,7 @@ void Kiosk::wipe() {
     parts_.clear();
     order_ = {};
     servo_->feel(nothing_to_feel(profile_));
+    servo_->forget_recording();
 }
 
 void Kiosk::step(std::int64_t now_ns) {
@@ -408,13 +411,15 @@ void Kiosk::trouble(TroubleKind kind, const std::string& sentence) {
 }
 
 void Kiosk::report(const std::string& line) {
-    if (operator_) operator_->log(line);
-    report_ += line + '\n';
+    const std::string plain = plain_line(line);
+    if (operator_) operator_->log(plain);
+    report_ += plain + '\n';
 }
 
 std::string Kiosk::take_report() {
     const std::string notice = servo_->take_notice();
     if (!notice.empty()) report(notice);
+    tell_of_recording(notice);
     return std::exchange(report_, {});
 }
 

@@ -140,6 +140,9 @@ class Kiosk {
     void act(Action action);
     void press_for_visit(KeyRole role);
     void tell_operator(const OperatorEvent& event);
+    void strike_key(const KeyStruck& struck);
+    void keep_recording();
+    void tell_of_recording(const std::string& notice);
     void follow_operator();
     void follow_hours();
     void run_test(TestStep step);
@@ -200,6 +203,7 @@ class Kiosk {
     bool is_handle_locked_ = false;
     double motor_test_s_ = 0.0;  // when it began; 0: none
     bool is_motor_test_due_ = false;
+    bool is_recording_due_ = false;  // the operator waits for what became of it
     HouseOpening opening_ = HouseOpening::open;
     double hours_looked_s_ = -1e9;
     double visit_began_s_ = 0.0;

@@ -7,9 +7,13 @@ namespace touchline {
 
 namespace {
 
+bool is_key_of(Action action, const PhysicalKey& key) {
+    return key.source == KeySource::key && action_of(Key{key.code}) == action;
+}
+
 /// Whoever is in: it comes before everything.
 bool is_emergency_stop(const PhysicalKey& key) {
-    return key.source == KeySource::key && action_of(Key{key.code}) == Action::emergency_stop;
+    return is_key_of(Action::emergency_stop, key);
 }
 
 }  // namespace
@@ -20,7 +24,7 @@ void Kiosk::change_key(const KeyChange& change) {
     if (!role && is_emergency_stop(change.key)) return act(Action::emergency_stop);
     const bool was_in = is_operator_in();
     // With a keyboard of the operator's own no other one opens the way in.
-    tell_operator(KeyStruck{change.key, role, settings_.operator_device.empty()});
+    strike_key(KeyStruck{change.key, role, settings_.operator_device.empty()});
     if (was_in || is_operator_in()) return;
     if (role) return press_for_visit(*role);
     const bool is_named = change.key.source == KeySource::key;
@@ -37,7 +41,15 @@ void Kiosk::press(KeyRole role) {
 
 void Kiosk::strike_operator_key(const PhysicalKey& key) {
     if (is_emergency_stop(key)) return act(Action::emergency_stop);
-    tell_operator(KeyStruck{key, role_of(keys_, key), true});
+    strike_key(KeyStruck{key, role_of(keys_, key), true});
+}
+
+/// R saves for who gave the PIN, at a keyboard that may; for all others act() holds in memory.
+void Kiosk::strike_key(const KeyStruck& struck) {
+    const bool is_inside = operator_ && operator_->is_inside() && struck.is_allowed;
+    if (is_inside && !struck.role && is_key_of(Action::hold_recording, struck.key))
+        return keep_recording();
+    tell_operator(struck);
 }
 
 /// With two switches a key selects, or moves on.
@@ -71,8 +83,8 @@ void Kiosk::act(Action action) {
             is_emergency_stop_ = false;
             ++faults_cleared_;
             return set_servo();
-        case Action::keep_recording:
-            return servo_->keep_recording();
+        case Action::hold_recording:
+            return servo_->hold_recording();
         case Action::home_again:
             return servo_->home_again();
         case Action::toggle_live_view:

@@ -1,5 +1,6 @@
 // The operator at the kiosk: what the screens order of servo, sound, camera and stick.
 #include "app/kiosk/kiosk.h"
+#include "app/servo/black_box.h"
 #include "config/settings/setting_texts.h"
 
 #include <array>
@@ -59,6 +60,8 @@ struct Kiosk::OperatorCarrying {
         kiosk.set_servo();
     }
 
+    void operator()(const SaveRecording&) const { kiosk.keep_recording(); }
+
     void operator()(const CloseKiosk&) const { kiosk.desk_.is_quitting = true; }
 
     /// The visitors' screen says where it is.
@@ -102,7 +105,21 @@ void Kiosk::tell_operator(const OperatorEvent& event) {
     }
     for (const OperatorOrder& order : operator_->happen(event, language(), now_s_))
         std::visit(OperatorCarrying{*this}, order);
-    if (is_operator_in() && !was_in && shelf_) operator_->put_stick(shelf_->root());
+}
+
+void Kiosk::keep_recording() {
+    is_recording_due_ = true;
+    servo_->keep_recording();
+}
+
+void Kiosk::tell_of_recording(const std::string& notice) {
+    const bool is_kept = notice.find(recording_kept) != std::string::npos;
+    const bool is_lost = notice.find(recording_not_kept) != std::string::npos;
+    if (!is_recording_due_ || (!is_kept && !is_lost)) return;
+    is_recording_due_ = false;
+    tell_operator(OrderAnswered{language().text(
+        "operator", is_kept ? "The recording is saved. The log says where."
+                            : "The recording could not be saved. The log says why.")});
 }
 
 void Kiosk::say_for_operator(const std::string& text) {
@@ -121,7 +138,8 @@ void Kiosk::follow_operator() {
     follow_motor_test();
     operator_->set_private(sound_->output().kind == OutputKind::headset);
     operator_->set_live(live_words());
-    if (const auto line = operator_->poll_import()) tell_operator(OrderAnswered{*line});
+    if (shelf_) operator_->put_stick(shelf_->root());
+    if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});
     const std::string words = is_homing_ ? servo_->device_words() : std::string();
     if (words != std::exchange(homing_words_, words) && !words.empty())
         tell_operator(OrderAnswered{words});

@@ -2,10 +2,12 @@
 
 #include "app/operator/backup.h"
 #include "app/operator/pin_file.h"
+#include "app/operator/pin_tries_file.h"
 #include "app/operator/site_files.h"
 #include "app/packs/pack.h"
 #include "app/packs/pack_library.h"
 #include "app/process/places.h"
+#include "config/types/plain_line.h"
 
 #include <algorithm>
 #include <chrono>
@@ -20,7 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_log = 1000;
-constexpr std::size_t most_packs = 50;
 
 /// One sentence of a file that could not be written or read, in the operator's language as far as
 /// it is ours.
@@ -28,32 +29,26 @@ std::string outcome(const Result<void>& done, const std::string& sentence) {
     return done ? sentence : done.error().line;
 }
 
-std::vector<fs::path> zips_in(const fs::path& root) {
-    std::vector<fs::path> zips;
-    std::error_code error;
-    fs::directory_iterator at(root, error);
-    for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-        const fs::directory_entry& entry = *at;
-        if (entry.path().extension() == ".zip" && entry.is_regular_file(error))
-            zips.push_back(entry.path());
-        if (zips.size() == most_packs) break;
-    }
-    std::ranges::sort(zips);
-    return zips;
-}
+using PackReader = std::function<Result<Mapping, StickRefusal>()>;
 
-/// Waits for workers: beside the screen's thread.
-std::string import_of(const fs::path& zip, const fs::path& library, const Language& language) {
-    const auto pack = read_pack(zip.string());
+/// `name`: the pack's, for the screen.
+std::string import_of(const PackReader& read, const std::string& name, const fs::path& library,
+                      const Language& language) {
+    const auto bytes = read();
+    if (!bytes) return language.text("trouble", sentence_of(bytes.error(), name));
+    auto pack = read_pack(bytes->bytes());
+    if (!pack && pack.error().file.empty()) pack.error().file = name;
     if (!pack) return sentence_of(pack.error(), language);
     const auto folder = import_pack(*pack, library.string());
     if (!folder) return sentence_of(folder.error(), language);
     return language.text("operator", "The pictures are there when the kiosk starts again.");
 }
 
-std::string imported(const fs::path& zip, const fs::path& library, const Language& language) {
+/// Waits for the stick and for workers: beside the screen's thread.
+std::string imported(const PackReader& read, const std::string& name, const fs::path& library,
+                     const Language& language) {
     try {
-        return import_of(zip, library, language);
+        return import_of(read, name, library, language);
     } catch (const std::exception&) {
         return language.text("operator", "There is not enough memory for these pictures.");
     }
@@ -63,8 +58,9 @@ std::string imported(const fs::path& zip, const fs::path& library, const Languag
 
 OperatorFiles operator_files() {
     const fs::path folder = settings_files().site.parent_path();
-    return {settings_files(),  pin_file(),        counters_file(),   keys_file(),
-            site_sound_file(), profiles_folder(), folder / "copies", library_folder()};
+    return {settings_files(),  pin_file(),        counters_file(),
+            keys_file(),       site_sound_file(), profiles_folder(),
+            folder / "copies", library_folder(),  companion("touchline-import")};
 }
 
 /// Carries out what concerns files alone; everything else is left to the kiosk.
@@ -79,17 +75,28 @@ struct OperatorDesk::Office {
             left.push_back(std::move(order));
     }
 
-    void answer(std::string line) const { tell(OrderAnswered{std::move(line)}); }
+    void answer(const std::string& line) const { tell(OrderAnswered{plain_line(line)}); }
 
+    /// Counted as wrong first: who pulls the plug before the answer has tried all the same.
     void operator()(const CheckPin& check) const {
+        const fs::path tries = pin_tries_file(desk.files_.pin);
+        const auto noted = keep_pin_tries(tries, desk.state_.tries.wrong + 1);
+        if (!noted) desk.note_ = noted.error().line;
         const auto right = is_right_pin(desk.files_.pin, check.pin);
         if (!right) desk.note_ = right.error().line;
-        tell(PinChecked{right.value_or(false)});
+        if (right.value_or(false)) forget_tries(tries);
+        tell(PinChecked{right.value_or(false), noted.has_value()});
+    }
+
+    void forget_tries(const fs::path& tries) const {
+        const auto forgotten = keep_pin_tries(tries, 0);
+        if (!forgotten) desk.note_ = forgotten.error().line;
     }
 
     void operator()(const KeepPin& keep) const {
         const auto kept = keep_pin(desk.files_.pin, keep.pin);
-        if (!kept) answer(kept.error().line);
+        if (!kept) return answer(kept.error().line);
+        forget_tries(pin_tries_file(desk.files_.pin));
     }
 
     void operator()(const SetSettings& set) const {
@@ -149,7 +156,8 @@ OperatorDesk::OperatorDesk(OperatorFiles files, const std::vector<Language>& lan
                            std::vector<std::string>& problems)
     : files_(std::move(files)),
       watch_(files_.settings.site),
-      profiles_(read_profiles(files_.profiles, problems)) {
+      profiles_(read_profiles(files_.profiles, problems)),
+      packs_(files_.import_program) {
     for (const Language& language : languages)
         languages_.push_back({language.code(), language.name()});
     read_site();
@@ -164,6 +172,9 @@ OperatorDesk::OperatorDesk(OperatorFiles files, const std::vector<Language>& lan
     auto counters = read_counters(files_.counters);
     if (!counters) problems.push_back(counters.error().line);
     counters_ = counters.value_or(Counters{});
+    const auto wrong_pins = read_pin_tries(pin_tries_file(files_.pin));
+    if (!wrong_pins) problems.push_back(wrong_pins.error().line);
+    wrong_pins_ = wrong_pins.value_or(most_wrong_pins);
     can_keep_ = can_write();
     if (!can_keep_)
         problems.push_back("nothing can be kept in " + files_.counters.parent_path().string() +
@@ -193,7 +204,7 @@ OperatorWorld OperatorDesk::world(const Language& language, double now_s) const 
     OperatorWorld world{language,   now_s, has_pin(files_.pin), is_private_, site_, sound_, keys_,
                         languages_, {},    counters_,           {},          live_};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
-    for (const fs::path& pack : packs_) world.packs.push_back(pack.stem().string());
+    world.packs = packs_.names();
     return world;
 }
 
@@ -203,12 +214,18 @@ SpokenScreen OperatorDesk::screen(const Language& language) const {
 
 std::vector<OperatorOrder> OperatorDesk::happen(const OperatorEvent& event,
                                                 const Language& language, double now_s) {
+    count_tries_on(now_s);
     OperatorStep step = step_operator(state_, event, world(language, now_s));
     state_ = std::move(step.state);
     std::vector<OperatorOrder> left;
     for (const OperatorOrder& order : step.orders)
         std::visit(Office{*this, language, now_s, left}, order);
     return left;
+}
+
+void OperatorDesk::count_tries_on(double now_s) {
+    if (const auto wrong = std::exchange(wrong_pins_, std::nullopt))
+        state_.tries = tries_after_restart(*wrong, now_s);
 }
 
 std::string OperatorDesk::back_up(const Language& language) const {
@@ -243,16 +260,15 @@ std::string OperatorDesk::export_log(const Language& language) const {
                 : language.text("operator", "The log cannot be written. Make room on the disk.");
 }
 
-void OperatorDesk::put_stick(const fs::path& root) {
-    packs_ = root.empty() ? std::vector<fs::path>() : zips_in(root);
-}
-
 void OperatorDesk::import_pack(std::size_t pack, const Language& language) {
-    if (pack >= packs_.size() || import_.valid()) return;
-    import_ = std::async(std::launch::async, imported, packs_[pack], files_.library, language);
+    if (pack >= packs_.names().size() || import_.valid()) return;
+    import_ = std::async(std::launch::async, imported, packs_.reader_of(pack), packs_.names()[pack],
+                         files_.library, language);
 }
 
-std::optional<std::string> OperatorDesk::poll_import() {
+std::optional<std::string> OperatorDesk::poll_stick(const Language& language) {
+    const std::string problem = packs_.poll();
+    if (!problem.empty()) return language.text("trouble", problem);
     const bool has_ended =
         import_.valid() && import_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     if (!has_ended) return std::nullopt;

@@ -3,6 +3,7 @@
 // Threads: one; small files are read and written in its calls, packs of pictures beside it.
 #pragma once
 
+#include "app/kiosk/stick_packs.h"
 #include "app/operator/counters.h"
 #include "app/operator/operator.h"
 #include "app/operator/profiles.h"
@@ -29,6 +30,7 @@ struct OperatorFiles {
     std::filesystem::path profiles;  // folder of those that are installed
     std::filesystem::path copies;    // folder of backups and logs
     std::filesystem::path library;   // folder of picture packs
+    std::string import_program;      // touchline-import, which reads sticks
 };
 
 /// Of this machine.
@@ -42,14 +44,18 @@ class OperatorDesk {
 
     [[nodiscard]] bool is_open() const { return state_.place != OperatorPlace::closed; }
 
+    /// The PIN was given.
+    [[nodiscard]] bool is_inside() const { return touchline::is_inside(state_.place); }
+
     [[nodiscard]] SpokenScreen screen(const Language& language) const;
 
     /// What the kiosk itself is to do about it.
     [[nodiscard]] std::vector<OperatorOrder> happen(const OperatorEvent& event,
                                                     const Language& language, double now_s);
 
-    /// The stick that is there now: its packs of pictures can be taken into the library.
-    void put_stick(const std::filesystem::path& root);
+    /// The stick that is there now; empty: none. Its packs of pictures can be taken into the
+    /// library by who gave the PIN, and are not even listed before.
+    void put_stick(const std::string& root) { packs_.look_at(is_inside() ? root : ""); }
 
     void set_live(std::vector<std::string> facts) { live_ = std::move(facts); }
 
@@ -74,8 +80,8 @@ class OperatorDesk {
     /// Of the log that can be exported: the last 1000 lines.
     void log(const std::string& line);
 
-    /// An import ended: one sentence.
-    [[nodiscard]] std::optional<std::string> poll_import();
+    /// One sentence for the operator: an import ended, or the stick cannot be read.
+    [[nodiscard]] std::optional<std::string> poll_stick(const Language& language);
 
     /// One line for the log; empty: nothing new.
     [[nodiscard]] std::string take_note() { return std::exchange(note_, {}); }
@@ -83,6 +89,7 @@ class OperatorDesk {
   private:
     struct Office;
 
+    void count_tries_on(double now_s);
     [[nodiscard]] OperatorWorld world(const Language& language, double now_s) const;
     void read_site();
     void hold(const Settings& site);
@@ -96,6 +103,7 @@ class OperatorDesk {
     std::vector<OfferedLanguage> languages_;
     std::vector<Profile> profiles_;
     Operator state_;
+    std::optional<int> wrong_pins_;  // of the last run, until it is known what time it is
     Settings site_;
     Settings settings_;
     SoundSettings sound_;
@@ -103,7 +111,7 @@ class OperatorDesk {
     Counters counters_;
     bool is_private_ = true;
     std::vector<std::string> live_;
-    std::vector<std::filesystem::path> packs_;  // on the stick
+    StickPacks packs_;
     std::future<std::string> import_;
     std::vector<std::string> log_;
     std::string note_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/loading/stages.h"
+#include "app/sticks/mount_options.h"
 
 #include <cstdint>
 #include <optional>
@@ -31,6 +32,9 @@ class Shelf {
 
     /// Files of a stick are being looked for.
     [[nodiscard]] virtual bool is_listing() const = 0;
+
+    /// See StickPort.
+    virtual void allow(FileSystems allowed) = 0;
 
     /// The visitor is done: see StickPort.
     virtual void end_session() = 0;

@@ -24,6 +24,8 @@ class StickShelf final : public Shelf {
 
     [[nodiscard]] bool is_listing() const override { return is_due_ || listing_.valid(); }
 
+    void allow(FileSystems allowed) override { port_->allow(allowed); }
+
     void end_session() override {
         port_->end_session();
         reader_->forget();

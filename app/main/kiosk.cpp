@@ -18,6 +18,7 @@
 #include "app/screen/window.h"
 #include "app/sound/sound.h"
 #include "app/sticks/open_stick_port.h"
+#include "config/types/plain_line.h"
 #include "haptics/servo/loop_settings.h"
 #include "haptics/servo/servo.h"
 
@@ -63,7 +64,7 @@ void end_at_once(int) {
 }
 
 void report(const std::string& line) {
-    if (!line.empty()) fmt::print(stderr, "touchline: {}\n", line);
+    if (!line.empty()) fmt::print(stderr, "touchline: {}\n", plain_line(line));
 }
 
 /// Those that the operator offers, in that order; English where none of them is there.

@@ -5,6 +5,7 @@
 #include "app/servo/servo_process.h"
 #include "app/servo/servo_thread.h"
 #include "app/servo/usb_search.h"
+#include "config/types/plain_line.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/pantograph/profile.h"
 
@@ -30,7 +31,7 @@ std::vector<std::string> keep_home(UsbDevice device, const Message& message) {
     device.calibration = *found;
     device.is_known = true;
     const auto kept = keep_unit(board_files(), {device.serial, device.profile, device.calibration});
-    if (!kept) fmt::print(stderr, "touchline: {}\n", kept.error().line);
+    if (!kept) fmt::print(stderr, "touchline: {}\n", plain_line(kept.error().line));
     return arguments_of(device);
 }
 

@@ -43,6 +43,7 @@ enum class OperatorPlace : std::uint8_t {
     keys,
     key_wizard,
     screen,
+    sticks,
     device,
     homing,
     self_test,
@@ -60,10 +61,22 @@ enum class OperatorPlace : std::uint8_t {
     question,
 };
 
-inline constexpr std::size_t operator_place_count = 38;
+inline constexpr std::size_t operator_place_count = 39;
+
+/// Where nobody comes without the PIN.
+[[nodiscard]] constexpr bool is_inside(OperatorPlace place) {
+    return place > OperatorPlace::new_pin_again;
+}
 
 /// What is asked before it is done.
-enum class Question : std::uint8_t { ceiling, restore, close, zero_counters, first_settings };
+enum class Question : std::uint8_t {
+    ceiling,
+    restore,
+    close,
+    zero_counters,
+    first_settings,
+    file_systems
+};
 
 struct Operator {
     OperatorPlace place = OperatorPlace::closed;
@@ -124,6 +137,7 @@ struct MomentPassed {};
 
 struct PinChecked {
     bool is_right = false;
+    bool is_noted = true;  // the try was counted on the disk before it was judged
 };
 
 struct TestAnswered {
@@ -199,6 +213,8 @@ struct ZeroCounters {};
 
 struct ExportLog {};
 
+struct SaveRecording {};  // of the last minute, as a file
+
 struct BackUp {};
 
 struct Restore {};
@@ -207,10 +223,10 @@ struct CloseKiosk {};
 
 struct Leave {};  // back to the visitors
 
-using OperatorOrder =
-    std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings, WriteSound, WriteKeys,
-                 FindHome, StopHoming, ClearFault, RunTest, StopTest, ShowLive, LockHandle,
-                 ImportPictures, ZeroCounters, ExportLog, BackUp, Restore, CloseKiosk, Leave>;
+using OperatorOrder = std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings,
+                                   WriteSound, WriteKeys, FindHome, StopHoming, ClearFault, RunTest,
+                                   StopTest, ShowLive, LockHandle, ImportPictures, ZeroCounters,
+                                   ExportLog, SaveRecording, BackUp, Restore, CloseKiosk, Leave>;
 
 struct OperatorStep {
     Operator state;

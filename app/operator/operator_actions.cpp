@@ -27,6 +27,7 @@ void begin_cleaning(OperatorTurn& turn) {
 void carry_out(OperatorTurn& turn, Question question) {
     switch (question) {
         case Question::ceiling:
+        case Question::file_systems:
             return turn.order(WriteSettings{turn.state().settings});
         case Question::restore:
             return turn.order(Restore{});
@@ -52,6 +53,8 @@ OperatorPlace place_of(Question question) {
             return OperatorPlace::close;
         case Question::zero_counters:
             return OperatorPlace::counters;
+        case Question::file_systems:
+            return OperatorPlace::sticks;
     }
     return OperatorPlace::home;
 }
@@ -75,6 +78,8 @@ void do_action(OperatorTurn& turn, std::size_t action) {
             return turn.ask(Question::zero_counters);
         case OperatorAction::export_log:
             return turn.order(ExportLog{});
+        case OperatorAction::save_recording:
+            return turn.order(SaveRecording{});
         case OperatorAction::back_up:
             return turn.order(BackUp{});
         case OperatorAction::restore:

@@ -107,10 +107,8 @@ struct List {
     void add_settings() {
         const std::string_view table = row_of(state.place).table;
         const auto rows = setting_rows();
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const bool is_path = state.place == OperatorPlace::paths && rows[i].table == "operator";
-            if (rows[i].table == table || is_path) add_row(i, rows[i]);
-        }
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (rows[i].table == table) add_row(i, rows[i]);
     }
 
     void add_volumes() {

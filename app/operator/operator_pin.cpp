@@ -35,6 +35,7 @@ void compare_pins(OperatorTurn& turn) {
     if (!is_same)
         return turn.go(OperatorPlace::new_pin,
                        turn.words("The two were not the same. Choose again."));
+    state.tries = {};
     turn.order(KeepPin{chosen});
     turn.go(OperatorPlace::home, turn.words("The PIN is kept."));
 }
@@ -90,16 +91,16 @@ void press_pin_key(OperatorTurn& turn, KeyRole role) {
     tell(turn, std::to_string(state.pin.digit));
 }
 
-void judge_pin(OperatorTurn& turn, bool is_right) {
+void judge_pin(OperatorTurn& turn, const PinChecked& checked) {
     Operator& state = turn.state();
     if (!state.is_checking) return;
     state.is_checking = false;
-    if (is_right) {
+    if (checked.is_right) {
         state.tries = {};
         if (state.place == OperatorPlace::pin) turn.go(OperatorPlace::home);
         return;
     }
-    state.tries = after_wrong_pin(state.tries, turn.world.now_s);
+    state.tries = after_wrong_pin(state.tries, turn.world.now_s, checked.is_noted);
     if (state.place != OperatorPlace::pin) return;
     if (!is_locked(turn)) turn.say(turn.words("That is not the PIN. Try again."));
 }

@@ -35,6 +35,7 @@ constexpr std::array places{
     PlaceRow{P::keys, P::senses, "Keys", "", "keys"},
     PlaceRow{P::key_wizard, P::keys, "Learn the keys", "", "", false},
     PlaceRow{P::screen, P::senses, "Screen", "", "screen"},
+    PlaceRow{P::sticks, P::senses, "Sticks", "Sticks with FAT and exFAT are always read.", "stick"},
     PlaceRow{P::device, P::home, "Handle and tests", "", ""},
     PlaceRow{P::homing, P::device, "Find the handle's home",
              "The kiosk says where to lead the handle. Force is off meanwhile.", ""},
@@ -49,12 +50,12 @@ constexpr std::array places{
     PlaceRow{P::library, P::upkeep, "Pictures from a stick",
              "Choose a pack of pictures to copy it into this kiosk.", ""},
     PlaceRow{P::counters, P::upkeep, "What was counted", "People and names are never counted.", ""},
-    PlaceRow{P::log, P::upkeep, "Log",
+    PlaceRow{P::log, P::upkeep, "Log and recording",
              "The log is copied beside the settings. Nothing of visitors is in it.", ""},
     PlaceRow{P::backup, P::upkeep, "Backup of the settings",
              "All settings but the PIN are copied beside them, or come back.", ""},
     PlaceRow{P::paths, P::upkeep, "Set in the file only",
-             "These are written in the kiosk's file of settings.", "stick"},
+             "These are written in the kiosk's file of settings.", "operator"},
     PlaceRow{P::close, P::upkeep, "Close the kiosk", "The program ends.", ""},
     PlaceRow{P::question, P::home, "Are you sure?", "", "", false},
 };
@@ -71,6 +72,8 @@ constexpr std::array actions{
     ActionRow{P::cleaning, A::begin_cleaning, "Begin", ""},
     ActionRow{P::counters, A::zero_counters, "Begin again from zero", ""},
     ActionRow{P::log, A::export_log, "Copy the log", ""},
+    ActionRow{P::log, A::save_recording, "Save what was felt in the last minute",
+              "The file tells where the hand was. Ask the visitor before."},
     ActionRow{P::backup, A::back_up, "Copy the settings", ""},
     ActionRow{P::backup, A::restore, "Take the settings from the copy",
               "They are checked first; wrong ones change nothing."},
@@ -109,6 +112,8 @@ std::string_view words_of(Question question) {
             return "All counts begin again from zero.";
         case Question::first_settings:
             return "All that was set is lost.";
+        case Question::file_systems:
+            return "A hostile stick may then take the machine over. Allow it for a while only.";
     }
     return {};
 }

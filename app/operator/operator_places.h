@@ -31,6 +31,7 @@ enum class OperatorAction : std::uint8_t {
     begin_cleaning,
     zero_counters,
     export_log,
+    save_recording,
     back_up,
     restore,
     first_settings,

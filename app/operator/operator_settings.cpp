@@ -106,8 +106,14 @@ ItemMeaning focused(const OperatorTurn& turn) {
                                                 : ItemMeaning{};
 }
 
+/// Asked before it is on; off it is at once.
+bool lets_more_in(const Settings& before, const Settings& after) {
+    return after.more_file_systems && !before.more_file_systems;
+}
+
 void switch_to(OperatorTurn& turn, const Settings& settings) {
     turn.state().settings = settings;
+    if (lets_more_in(turn.world.settings, settings)) return turn.ask(Question::file_systems);
     turn.order(WriteSettings{settings});
     turn.say_item();
 }

@@ -215,7 +215,7 @@ struct Take {
 
     void operator()(const MomentPassed&) const { wait(turn); }
 
-    void operator()(const PinChecked& checked) const { judge_pin(turn, checked.is_right); }
+    void operator()(const PinChecked& checked) const { judge_pin(turn, checked); }
 
     void operator()(const TestAnswered& answer) const {
         if (turn.state().place != OperatorPlace::test_step) return;

@@ -88,7 +88,7 @@ void turn_value(OperatorTurn& turn, const ItemMeaning& meaning, bool is_up);
 /// operator_pin.cpp: the three screens of the PIN.
 void press_pin_key(OperatorTurn& turn, KeyRole role);
 
-void judge_pin(OperatorTurn& turn, bool is_right);
+void judge_pin(OperatorTurn& turn, const PinChecked& checked);
 
 /// operator_actions.cpp
 void do_action(OperatorTurn& turn, std::size_t action);

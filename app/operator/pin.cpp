@@ -31,12 +31,15 @@ bool is_pin(const std::string& text) {
                        [](char letter) { return letter >= '0' && letter <= '9'; });
 }
 
-PinTries after_wrong_pin(PinTries tries, double now_s) {
-    ++tries.wrong;
-    if (tries.wrong < free_tries) return tries;
-    const double lock_s = first_lock_s * std::exp2(tries.wrong - free_tries);
-    tries.locked_until_s = now_s + std::min(lock_s, longest_lock_s);
-    return tries;
+PinTries after_wrong_pin(PinTries tries, double now_s, bool is_noted) {
+    const int wrong = std::min(tries.wrong + 1, most_wrong_pins);
+    return tries_after_restart(is_noted ? wrong : std::max(wrong, free_tries), now_s);
+}
+
+PinTries tries_after_restart(int wrong, double now_s) {
+    if (wrong < free_tries) return {wrong, 0.0};
+    const double lock_s = first_lock_s * std::exp2(wrong - free_tries);
+    return {wrong, now_s + std::min(lock_s, longest_lock_s)};
 }
 
 }  // namespace touchline

@@ -29,6 +29,14 @@ struct PinTries {
     double locked_until_s = 0.0;
 };
 
-[[nodiscard]] PinTries after_wrong_pin(PinTries tries, double now_s);
+/// With as many the wait is the longest; more are not counted.
+inline constexpr int most_wrong_pins = 11;
+
+/// `is_noted`: it was written down before it was judged. One that was not is forgotten by a restart
+/// and costs the wait of the fifth at least.
+[[nodiscard]] PinTries after_wrong_pin(PinTries tries, double now_s, bool is_noted = true);
+
+/// What the last wrong one cost counts anew after a restart, in full: no clock has to be believed.
+[[nodiscard]] PinTries tries_after_restart(int wrong, double now_s);
 
 }  // namespace touchline

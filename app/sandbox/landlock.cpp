@@ -3,6 +3,7 @@
 // here than holds there.
 #include "app/sandbox/policy.h"
 #include "app/sandbox/sandbox.h"
+#include "app/sandbox/shared_machine.h"
 
 #include <cerrno>
 #include <cstdint>
@@ -71,6 +72,7 @@ Result<void> restrict_to_reading(Folders folders) {
 }  // namespace
 
 Result<void> allow_only_reading_the_system() {
+    be_killed_first();
     return restrict_to_reading(folders_of_the_system());
 }
 

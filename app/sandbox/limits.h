@@ -22,9 +22,13 @@ struct WorkerLimits {
     unsigned cpu_s = 0;          // 0: no end; the process dies a second later
     std::size_t file_bytes = 0;  // that it can make its output grow to
     double deadline_s = 0.0;     // of the whole work, by the clock on the wall; 0: none
-    bool has_threads = false;    // a codec needs them
+    bool has_threads = false;    // a codec needs them: most_worker_threads
     bool reads_fonts = false;    // the system's, while it draws
 };
+
+/// That a kind with threads can have, and all that its user starts meanwhile: a codec has one a
+/// processor, and three more workers may begin beside it.
+inline constexpr unsigned most_worker_threads = 64;
 
 [[nodiscard]] constexpr WorkerLimits limits_of(WorkerKind kind) {
     constexpr std::size_t MiB = std::size_t{1} << 20U;

@@ -1,6 +1,7 @@
 #include "app/sandbox/sandbox.h"
 
 #include "app/sandbox/policy.h"
+#include "app/sandbox/shared_machine.h"
 #include "app/sandbox/worker.h"
 
 #include <cerrno>
@@ -37,6 +38,7 @@ tl::unexpected<Error> refused(const std::string& step) {
 }
 
 Result<void> belong_to_parent() {
+    be_killed_first();
     if (prctl(PR_SET_PDEATHSIG, SIGKILL, 0UL, 0UL, 0UL) != 0) return refused("death signal");
     if (prctl(PR_SET_DUMPABLE, 0UL, 0UL, 0UL, 0UL) != 0) return refused("tracing");
     return {};
@@ -50,6 +52,8 @@ Result<void> close_what_was_not_meant() {
 }  // namespace
 
 Result<void> limit_resources(const WorkerLimits& limits) {
+    if (limits.has_threads && !is_sanitized)
+        if (auto limited = limit_threads(); !limited) return limited;
     for (const ResourceLimit& most : resource_limits(limits, !is_sanitized)) {
         const rlimit limit{most.soft, most.hard};
         if (setrlimit(static_cast<__rlimit_resource_t>(most.what), &limit) != 0)

@@ -20,10 +20,10 @@ inline constexpr int worker_descriptors = 5;
 /// nothing else.
 [[nodiscard]] Result<void> allow_only_reading_the_system();
 
-/// In this order: dies with its parent, cannot be traced, closes what it was not meant to have,
-/// limits (limits.h), no new privileges, Landlock, seccomp. Not to be undone. What the work needs
-/// from files (fonts, dictionaries) must have been read before. On failure the process must end at
-/// once; the line says which step failed.
+/// In this order: is killed first where memory is short, dies with its parent, cannot be traced,
+/// closes what it was not meant to have, limits (limits.h), no new privileges, Landlock, seccomp.
+/// Not to be undone. What the work needs from files (fonts, dictionaries) must have been read
+/// before. On failure the process must end at once; the line says which step failed.
 [[nodiscard]] Result<void> enter_sandbox(WorkerKind kind);
 
 /// The same for a process that reads the files below one folder, and no others, while it is shut

@@ -45,17 +45,18 @@ fs::path next_file(const fs::path& folder) {
 Result<std::string> write(const Recorder& recorder, const std::string& folder,
                           const std::string& profile, const std::vector<RecordedMap>& maps) {
     if (folder.empty()) {
-        return failure("a recording was not kept: there is no home; set TOUCHLINE_RECORDINGS");
+        return failure("there is no home; set TOUCHLINE_RECORDINGS");
     }
     try {
         std::error_code error;
         fs::create_directories(folder, error);
         const std::string path = next_file(folder);
-        return write_whole_file(path, encode(make_recording(recorder, profile, maps))).map([&path] {
+        return write_whole_file(path, encode(make_recording(recorder, profile, maps))).map([&] {
+            fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write, error);
             return path;
         });
     } catch (const std::exception& problem) {  // no memory, or names that are none
-        return failure(std::string("a recording was not kept: ") + problem.what());
+        return failure(problem.what());
     }
 }
 
@@ -79,29 +80,62 @@ void BlackBox::remember(const RecordedMap& map) {
     maps_.push_back(map);
 }
 
+void BlackBox::forget() {
+    is_forget_wanted_ = true;
+    is_hold_wanted_ = false;
+    if (!std::exchange(is_keep_wanted_, false) || writing_.valid()) return;
+    tell_(std::string(recording_not_kept) + "the visit is over, and what was felt is forgotten");
+}
+
 void BlackBox::update(Recorder& recorder, Fault fault) {
     const bool is_new = fault != Fault::none && fault != last_fault_;
     last_fault_ = fault;
-    if (is_new) is_wanted_ = true;
-    if (writing_.valid()) {
-        finish(recorder);
-    } else if (is_holding_ && recorder.is_held()) {
-        is_holding_ = false;
-        is_wanted_ = false;
-        writing_ = std::async(std::launch::async, [this, &recorder, maps = maps_] {
-            return write(recorder, folder_, profile_, maps);
-        });
-    } else if (is_wanted_ && !is_holding_ && !recorder.is_held()) {
+    if (is_new && !is_forget_wanted_) is_hold_wanted_ = true;
+    if (writing_.valid()) return finish_writing(recorder);
+    if (!is_hold_wanted_ && !is_keep_wanted_ && !is_forget_wanted_) return;
+    if (!is_holding_ && !recorder.is_held()) {
         is_holding_ = true;
         recorder.hold();
+    } else if (is_holding_ && recorder.is_held()) {
+        do_what_is_wanted(recorder);
     }
 }
 
-void BlackBox::finish(Recorder& recorder) {
+void BlackBox::do_what_is_wanted(Recorder& recorder) {
+    if (is_forget_wanted_) return wipe(recorder);
+    if (is_keep_wanted_) begin_writing(recorder);
+}
+
+void BlackBox::let_go(Recorder& recorder) {
+    is_holding_ = false;
+    is_hold_wanted_ = false;
+    recorder.release();
+}
+
+/// The newest map is the one that is felt now.
+void BlackBox::wipe(Recorder& recorder) {
+    is_forget_wanted_ = false;
+    recorder.wipe();
+    if (maps_.size() > 1) maps_.erase(maps_.begin(), maps_.end() - 1);
+    let_go(recorder);
+}
+
+void BlackBox::begin_writing(Recorder& recorder) {
+    is_keep_wanted_ = false;
+    writing_ = std::async(std::launch::async, [this, &recorder, maps = maps_] {
+        return write(recorder, folder_, profile_, maps);
+    });
+}
+
+void BlackBox::finish_writing(Recorder& recorder) {
     if (writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     const auto written = writing_.get();
-    recorder.release();
-    tell_(written ? "a recording was kept: " + *written : written.error().line);
+    if (is_forget_wanted_)
+        wipe(recorder);
+    else
+        let_go(recorder);
+    tell_(written ? std::string(recording_kept) + *written
+                  : std::string(recording_not_kept) + written.error().line);
 }
 
 }  // namespace touchline

@@ -1,4 +1,5 @@
-// Keeps the servo's recordings as files: after each fault, and when somebody asks.
+// The servo's recording, from which could be drawn what somebody felt. It stays in memory: a fault
+// holds it, the visit's end overwrites it, and a file is made of it only when the operator asks.
 // Threads: all calls from one thread; it writes on another.
 #pragma once
 
@@ -10,12 +11,17 @@
 #include <functional>
 #include <future>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchline {
 
 /// A minute, and as much as may lie before the first step that is kept in it.
 inline constexpr double recorded_s = 65.0;
+
+/// How the line about a file begins, and the line where there is none.
+inline constexpr std::string_view recording_kept = "a recording was kept: ";
+inline constexpr std::string_view recording_not_kept = "a recording was not kept: ";
 
 [[nodiscard]] inline std::size_t recorded_ticks(double period_s) {
     return static_cast<std::size_t>(recorded_s / period_s);
@@ -27,28 +33,40 @@ inline constexpr double recorded_s = 65.0;
 
 class BlackBox {
   public:
-    /// `tell` is given one line for every file, written or not. Eight are kept, the newest.
+    /// `tell` is given one line for every file that was asked for. Eight are kept, the newest.
     BlackBox(std::string folder, std::string profile, std::function<void(const std::string&)> tell);
 
     /// A map is about to be felt.
     void remember(const RecordedMap& map);
 
-    /// The last minute is wanted as a file.
-    void keep() { is_wanted_ = true; }
+    /// The last minute stays in memory as it is, until it is kept or forgotten.
+    void hold() { is_hold_wanted_ = true; }
 
-    /// Now and then, some times a second. A fault that was not there before asks for a file. The
-    /// recorder is held while it is read, and begins anew after it.
+    /// The operator wants it as a file. It begins anew after that.
+    void keep() { is_keep_wanted_ = true; }
+
+    /// Whoever was felt here is gone: the recording is overwritten and begins anew. What was to be
+    /// kept and is not being written yet is not kept.
+    void forget();
+
+    /// Now and then, some times a second. A fault that was not there before holds the recording.
     void update(Recorder& recorder, Fault fault);
 
   private:
-    void finish(Recorder& recorder);
+    void do_what_is_wanted(Recorder& recorder);
+    void let_go(Recorder& recorder);
+    void wipe(Recorder& recorder);
+    void begin_writing(Recorder& recorder);
+    void finish_writing(Recorder& recorder);
 
     std::string folder_;
     std::string profile_;
     std::function<void(const std::string&)> tell_;
     std::vector<RecordedMap> maps_;
-    bool is_wanted_ = false;
-    bool is_holding_ = false;
+    bool is_hold_wanted_ = false;
+    bool is_keep_wanted_ = false;
+    bool is_forget_wanted_ = false;
+    bool is_holding_ = false;  // the recorder was asked to hold
     Fault last_fault_ = Fault::none;
     std::future<Result<std::string>> writing_;  // the path
 };

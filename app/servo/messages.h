@@ -17,16 +17,18 @@
 namespace touchline {
 
 /// region: the memory to share, first of all. scene: a map to be felt, the line its file in the
-/// gallery, if it is one. keep: the last minute as a file. failed: why the servo ends. notice: a
-/// map that cannot be felt, a recording that was kept. say: what the person at the handle is to do
-/// now. home: what homing found of this unit. here: the servo's first, its own pidfd attached.
-/// word: one of those that name the device, to a servo that has none on its command line; before
-/// the region. done: the servo's last, when it ended as asked. That the servo runs shows in its
-/// beats.
+/// gallery, if it is one. hold, keep, forget: the last minute stays in memory, becomes a file, is
+/// overwritten. failed: why the servo ends. notice: a map that cannot be felt, a recording that was
+/// kept. say: what the person at the handle is to do now. home: what homing found of this unit.
+/// here: the servo's first, its own pidfd attached. word: one of those that name the device, to a
+/// servo that has none on its command line; before the region. done: the servo's last, when it
+/// ended as asked. That the servo runs shows in its beats.
 enum class MessageKind : std::uint32_t {
     region,
     scene,
+    hold,
     keep,
+    forget,
     failed,
     notice,
     say,

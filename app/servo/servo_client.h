@@ -74,8 +74,14 @@ class ServoClient {
     /// Force off, and the handle's home is looked for anew. A simulated one knows where it is.
     virtual void home_again() = 0;
 
-    /// The last minute as a file; a notice says where.
+    /// As BlackBox::hold(): the last minute stays in memory.
+    virtual void hold_recording() = 0;
+
+    /// The last minute as a file, for the operator alone; a notice says where.
     virtual void keep_recording() = 0;
+
+    /// As BlackBox::forget(): the visit is over.
+    virtual void forget_recording() = 0;
 
     /// As Servo::stop().
     virtual void stop() = 0;

@@ -59,9 +59,9 @@ void ServoLine::feel(const FeltPicture& picture) {
     send_scene();
 }
 
-void ServoLine::keep_recording() {
+void ServoLine::ask_recorder(MessageKind wish) {
     const std::lock_guard lock(mutex_);
-    if (connection_) (void)send(connection_->socket, message_of(MessageKind::keep));
+    if (connection_) (void)send(connection_->socket, message_of(wish));
 }
 
 /// The socket holds many such messages; a servo that reads none of them is killed for its silence.

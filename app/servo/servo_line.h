@@ -39,7 +39,8 @@ class ServoLine {
     void set(const ServoCommands& commands);
     /// Its map, sealed; one that cannot be is a notice.
     void feel(const FeltPicture& picture);
-    void keep_recording();
+    /// hold, keep or forget: what is to become of the last minute.
+    void ask_recorder(MessageKind wish);
     /// The newest report, if it is sound; without force while there is no servo.
     void update(ServoReport& report, std::int64_t now_ns);
     [[nodiscard]] std::optional<ContactEvent> next_event();

@@ -237,8 +237,16 @@ void ServoProcess::home_again() {
     if (guard_) guard_->home_again();
 }
 
+void ServoProcess::hold_recording() {
+    if (guard_) guard_->line.ask_recorder(MessageKind::hold);
+}
+
 void ServoProcess::keep_recording() {
-    if (guard_) guard_->line.keep_recording();
+    if (guard_) guard_->line.ask_recorder(MessageKind::keep);
+}
+
+void ServoProcess::forget_recording() {
+    if (guard_) guard_->line.ask_recorder(MessageKind::forget);
 }
 
 void ServoProcess::stop() {

@@ -54,7 +54,9 @@ class ServoProcess final : public ServoClient {
     [[nodiscard]] std::string take_notice() override;
     [[nodiscard]] std::string device_words() override;
     void home_again() override;
+    void hold_recording() override;
     void keep_recording() override;
+    void forget_recording() override;
     /// Waits until the servo has faded out and ended, two seconds at most; then it is killed and
     /// the torque zeroed.
     void stop() override;

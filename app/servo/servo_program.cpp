@@ -162,7 +162,9 @@ class ServoProgram {
                 break;
         }
         if (arrival.message.kind == MessageKind::scene) feel(arrival);
+        if (arrival.message.kind == MessageKind::hold) box_->hold();
         if (arrival.message.kind == MessageKind::keep) box_->keep();
+        if (arrival.message.kind == MessageKind::forget) box_->forget();
         return true;
     }
 

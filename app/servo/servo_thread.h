@@ -52,7 +52,11 @@ class ServoThread final : public ServoClient {
 
     [[nodiscard]] std::string take_notice() override { return std::exchange(notice_, {}); }
 
+    void hold_recording() override { box_->hold(); }
+
     void keep_recording() override { box_->keep(); }
+
+    void forget_recording() override { box_->forget(); }
 
     [[nodiscard]] std::string device_words() override { return {}; }
 

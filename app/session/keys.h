@@ -20,7 +20,7 @@ enum class Action : std::uint8_t {
     faster_speech,
     emergency_stop,
     clear_fault,
-    keep_recording,
+    hold_recording,
     home_again,
     toggle_live_view,
     toggle_boxes,

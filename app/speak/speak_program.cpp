@@ -6,6 +6,7 @@
 #include "app/speak/messages.h"
 #include "audio-cues/speech/espeak_engine.h"
 #include "audio-cues/speech/resampler.h"
+#include "config/types/plain_line.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -78,7 +79,7 @@ bool say(EspeakEngine& engine, const SpeakOrder& order, int socket) {
 }
 
 int failed(const Error& error, int status) {
-    std::fprintf(stderr, "touchline-speak: %s\n", error.line.c_str());
+    std::fprintf(stderr, "touchline-speak: %s\n", plain_line(error.line).c_str());
     return status;
 }
 

@@ -39,16 +39,26 @@ constexpr std::array<std::string_view, 8> folders_of_systems{"System Volume Info
                                                              "LOST.DIR",
                                                              "FOUND.000"};
 
+/// Without its dot; empty where there is none.
+std::string_view ending_of(std::string_view name) {
+    const std::size_t dot = name.rfind('.');
+    const bool has_ending = dot != std::string_view::npos && dot > 0;
+    return has_ending ? name.substr(dot + 1) : std::string_view();
+}
+
 }  // namespace
 
 std::optional<StickFileKind> kind_of_name(std::string_view name) {
-    const std::size_t dot = name.rfind('.');
-    if (dot == std::string_view::npos || dot == 0) return std::nullopt;
-    const std::string_view ending = name.substr(dot + 1);
+    const std::string_view ending = ending_of(name);
     if (is_one_of(ending, pictures)) return StickFileKind::picture;
     if (is_one_of(ending, documents)) return StickFileKind::document;
     if (is_one_of(ending, office_files)) return StickFileKind::office;
     return std::nullopt;
+}
+
+std::optional<StickFileKind> pack_of_name(std::string_view name) {
+    if (!is_same(ending_of(name), "zip")) return std::nullopt;
+    return StickFileKind::pack;
 }
 
 bool is_left_out(std::string_view name) {

@@ -21,6 +21,8 @@ class FolderPort final : public StickPort {
 
     [[nodiscard]] std::vector<StickEvent> poll(std::int64_t now_ns) override;
 
+    void allow(FileSystems /*allowed*/) override {}
+
     /// What is in the folder is the operator's: it is offered to the next visitor too.
     void end_session() override {}
 

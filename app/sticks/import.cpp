@@ -51,15 +51,36 @@ bool is_empty(const Descriptor& memory) {
 }  // namespace
 
 std::size_t most_bytes_of(StickFileKind kind) {
-    return limits_of(kind == StickFileKind::picture ? WorkerKind::raster : WorkerKind::document)
-        .input_bytes;
+    switch (kind) {
+        case StickFileKind::picture:
+            return limits_of(WorkerKind::raster).input_bytes;
+        case StickFileKind::pack:
+            return limits_of(WorkerKind::pack).input_bytes;
+        case StickFileKind::document:
+        case StickFileKind::office:
+            break;
+    }
+    return limits_of(WorkerKind::document).input_bytes;
 }
 
 StickImport::StickImport(std::string program, ImportDeadlines deadlines)
     : program_(std::move(program)), deadlines_(deadlines) {}
 
 Result<StickListing, StickRefusal> StickImport::list(const std::string& root) {
-    const auto answer = run({"list", root}, deadlines_.list_s);
+    return listed({"list", root});
+}
+
+Result<StickListing, StickRefusal> StickImport::list_packs(const std::string& root) {
+    auto packs = listed({"packs", root});
+    if (packs)
+        std::erase_if(packs->entries, [](const StickEntry& entry) {
+            return entry.kind != StickFileKind::pack || !entry.folder.empty();
+        });
+    return packs;
+}
+
+Result<StickListing, StickRefusal> StickImport::listed(const std::vector<std::string>& words) {
+    const auto answer = run(words, deadlines_.list_s);
     if (!answer) return Refused(answer.error());
     const auto mapping = map_sealed(*answer, most_listing_bytes);
     if (!mapping) return Refused(StickRefusal::unreadable);

@@ -33,6 +33,9 @@ class StickImport {
     /// What the stick with this root offers. Waits at most list_s and a moment.
     [[nodiscard]] Result<StickListing, StickRefusal> list(const std::string& root);
 
+    /// The same of the packs of pictures in its root, for the operator.
+    [[nodiscard]] Result<StickListing, StickRefusal> list_packs(const std::string& root);
+
     /// All bytes of a file, in sealed memory. Waits at most read_s and a moment.
     [[nodiscard]] Result<Descriptor, StickRefusal> read(const std::string& root,
                                                         const StickEntry& entry);
@@ -45,6 +48,7 @@ class StickImport {
     [[nodiscard]] std::size_t left_behind() const { return left_behind_.size(); }
 
   private:
+    Result<StickListing, StickRefusal> listed(const std::vector<std::string>& words);
     Result<Descriptor, StickRefusal> run(const std::vector<std::string>& words, double deadline_s);
     Result<Descriptor, StickRefusal> copy(const std::string& root, const StickEntry& entry,
                                           const std::string& name, std::size_t most_bytes);

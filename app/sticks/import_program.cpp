@@ -34,14 +34,14 @@ std::optional<std::size_t> number_of(const std::string& word) {
     return value;
 }
 
-int list(const Descriptor& root, const Descriptor& output) {
+int list(const Descriptor& root, const Descriptor& output, StickSearch search) {
     const NaturalOrder order;
     if (!shut_in(root, most_listing_bytes)) return status_of(StickRefusal::not_started);
     ScanLimits limits;
     limits.is_time_up = [end_ns = steady_now_ns() + list_time_ns] {
         return steady_now_ns() > end_ns;
     };
-    const auto listing = scan_stick(root, order, limits);
+    const auto listing = scan_stick(root, order, limits, search);
     if (!listing) return status_of(listing.error());
     return write_all(output, bytes_of(*listing)) ? 0 : status_of(StickRefusal::unreadable);
 }
@@ -66,13 +66,14 @@ Result<void> shut_in(const Descriptor& root, std::size_t most_bytes) {
 }
 
 int run_import(const std::vector<std::string>& words) {
-    const bool is_list = words.size() == 2 && words[0] == "list";
+    const bool is_list = words.size() == 2 && (words[0] == "list" || words[0] == "packs");
     const bool is_read = words.size() == 5 && words[0] == "read";
     if (!is_list && !is_read) return wrong_words;
     const Descriptor output(import_output);
     const Descriptor root(::open(words[1].c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
     if (!root.is_open()) return status_of(errno == ENOENT ? StickRefusal::gone : refusal_of(errno));
-    return is_list ? list(root, output) : read(root, output, words);
+    if (is_read) return read(root, output, words);
+    return list(root, output, words[0] == "packs" ? StickSearch::packs : StickSearch::pictures);
 }
 
 }  // namespace touchline

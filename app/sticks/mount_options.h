@@ -2,14 +2,20 @@
 // Threads: pure functions.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace touchline {
 
+/// usual: FAT and exFAT. more: ext4 and NTFS too, which only the operator allows: what parses them
+/// is large, and rarely tried with hostile sticks.
+enum class FileSystems : std::uint8_t { usual, more };
+
 /// For udisks2 and mount(8), of a file system by its kernel name; none for those that are not
-/// mounted: what parses them is too rarely used to be trusted with a stranger's bytes.
-[[nodiscard]] std::optional<std::string> mount_options(std::string_view file_system);
+/// mounted.
+[[nodiscard]] std::optional<std::string> mount_options(std::string_view file_system,
+                                                       FileSystems allowed);
 
 }  // namespace touchline

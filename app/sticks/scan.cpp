@@ -70,14 +70,16 @@ EntryType type_of(const Descriptor& folder, const dirent64& entry) {
 
 class Scan {
   public:
-    Scan(const NaturalOrder& order, const ScanLimits& limits) : order_(order), limits_(limits) {}
+    Scan(const NaturalOrder& order, const ScanLimits& limits, StickSearch search)
+        : order_(order), limits_(limits), search_(search) {}
 
     Result<StickListing, StickRefusal> run(const Descriptor& root) {
         FirstNames folders(order_, limits_.most_folders);
         // The handed descriptor's place in the folder is its owner's.
         const Descriptor open_root = open_beneath(root, ".", O_DIRECTORY);
         if (!open_root.is_open()) return tl::unexpected(refusal_of(errno));
-        const int error = read_folder(open_root, "", &folders);
+        const bool has_folders = search_ == StickSearch::pictures;
+        const int error = read_folder(open_root, "", has_folders ? &folders : nullptr);
         if (error != 0 && listing_.entries.empty() && folders.is_empty())
             return tl::unexpected(refusal_of(error));
         if (folders.beyond() > 0) listing_.is_whole = false;
@@ -98,7 +100,7 @@ class Scan {
         if (error != 0) listing_.is_whole = false;
         listing_.not_listed += static_cast<std::uint32_t>(files.beyond());
         for (std::string& file : files.take()) {
-            const auto kind = kind_of_name(file);
+            const auto kind = kind_of(file);
             if (kind) listing_.entries.push_back({*kind, name, std::move(file)});
         }
         return error;
@@ -119,12 +121,16 @@ class Scan {
         return 0;
     }
 
-    static void add(const Descriptor& folder, const dirent64& entry, FirstNames& files,
-                    FirstNames* folders) {
+    [[nodiscard]] std::optional<StickFileKind> kind_of(std::string_view name) const {
+        return search_ == StickSearch::packs ? pack_of_name(name) : kind_of_name(name);
+    }
+
+    void add(const Descriptor& folder, const dirent64& entry, FirstNames& files,
+             FirstNames* folders) const {
         const std::string_view name = entry.d_name;
         if (is_left_out(name) || !is_file_name(name)) return;
         // First what costs nothing: most names are neither.
-        const bool may_be_file = kind_of_name(name).has_value();
+        const bool may_be_file = kind_of(name).has_value();
         if (!may_be_file && folders == nullptr) return;
         const EntryType type = type_of(folder, entry);
         if (type == EntryType::file && may_be_file) files.add(name);
@@ -141,6 +147,7 @@ class Scan {
 
     const NaturalOrder& order_;
     const ScanLimits& limits_;
+    StickSearch search_;
     StickListing listing_;
     std::size_t names_ = 0;
     bool is_over_ = false;
@@ -149,8 +156,8 @@ class Scan {
 }  // namespace
 
 Result<StickListing, StickRefusal> scan_stick(const Descriptor& root, const NaturalOrder& order,
-                                              const ScanLimits& limits) {
-    return Scan(order, limits).run(root);
+                                              const ScanLimits& limits, StickSearch search) {
+    return Scan(order, limits, search).run(root);
 }
 
 }  // namespace touchline

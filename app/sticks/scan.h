@@ -9,9 +9,14 @@
 #include "app/sticks/refusal.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 
 namespace touchline {
+
+/// pictures: what visitors are offered, in the root and its folders. packs: of pictures, in the
+/// root alone, for the operator.
+enum class StickSearch : std::uint8_t { pictures, packs };
 
 /// What a scan may take; beyond, the listing says that it is not whole.
 struct ScanLimits {
@@ -26,6 +31,7 @@ struct ScanLimits {
 /// for n names and k listed.
 [[nodiscard]] Result<StickListing, StickRefusal> scan_stick(const Descriptor& root,
                                                             const NaturalOrder& order,
-                                                            const ScanLimits& limits);
+                                                            const ScanLimits& limits,
+                                                            StickSearch search);
 
 }  // namespace touchline

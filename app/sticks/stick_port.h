@@ -2,6 +2,8 @@
 // Threads: one.
 #pragma once
 
+#include "app/sticks/mount_options.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -33,6 +35,9 @@ class StickPort {
     /// What happened since, in order. `now_ns` of the monotonic clock. Never waits; to be called
     /// several times a second.
     [[nodiscard]] virtual std::vector<StickEvent> poll(std::int64_t now_ns) = 0;
+
+    /// Which file systems are mounted from now on. Of no meaning where nothing is mounted.
+    virtual void allow(FileSystems allowed) = 0;
 
     /// The visitor is done: the stick is let go, and not offered again before it was pulled out.
     virtual void end_session() = 0;

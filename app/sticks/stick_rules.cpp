@@ -1,7 +1,5 @@
 #include "app/sticks/stick_rules.h"
 
-#include "app/sticks/mount_options.h"
-
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -20,20 +18,11 @@ bool is_visitors(const Volume& volume) {
 
 /// Is there something on it that a visitor would expect to be read?
 bool is_promising(const Volume& volume) {
-    // Ours are the rules that ignore what is not mounted; ignored by others, it is not for
+    // Ours are the rules that ignore what is never mounted; ignored by others, it is not for
     // visitors.
-    if (volume.is_ignored && mount_options(volume.file_system)) return false;
+    if (volume.is_ignored && mount_options(volume.file_system, FileSystems::more)) return false;
     return is_visitors(volume) && !volume.is_partitioned && volume.usage != "other" &&
            volume.usage != "raid";
-}
-
-std::string sentence_for(const Volume& volume) {
-    if (volume.usage == "crypto")
-        return "The stick is locked with a password and cannot be read here; bring one without";
-    if (volume.usage == "filesystem" && !mount_options(volume.file_system))
-        return "The stick is in a format that is not read here; bring one formatted as FAT or "
-               "exFAT";
-    return "The stick cannot be read; put it in again or try another one";
 }
 
 /// "sdb2" before "sdb10".
@@ -123,13 +112,19 @@ bool StickRules::is_mounted(const Mount& mount) const {
            std::count(volume->roots.begin(), volume->roots.end(), mount.second) > 0;
 }
 
+std::string StickRules::sentence_for(const Volume& volume) const {
+    if (volume.usage == "crypto") return "The stick is locked with a password. Bring one without.";
+    if (volume.usage == "filesystem" && !options_for(volume))
+        return "The stick's format is not read here. Bring one formatted as FAT or exFAT.";
+    return "The stick cannot be read; put it in again or try another one";
+}
+
 bool StickRules::can_be_read(const Volume& volume) const {
     const auto tries = std::count_if(spent_.begin(), spent_.end(), [&volume](const auto& spent) {
         return spent.second == volume.drive;
     });
     return is_promising(volume) && volume.usage == "filesystem" &&
-           mount_options(volume.file_system).has_value() &&
-           !spent_.contains({volume.object, volume.drive}) &&
+           options_for(volume).has_value() && !spent_.contains({volume.object, volume.drive}) &&
            static_cast<std::size_t>(tries) < most_tries;
 }
 
@@ -236,7 +231,7 @@ const StickRules::Mount* StickRules::superfluous(const Volume* wanted) const {
 void StickRules::mount_or_offer(const Volume& volume, StickStep& step) {
     if (volume.roots.empty()) {
         give({OrderKind::mount, 0, volume.object, volume.file_system,
-              mount_options(volume.file_system).value_or("")},
+              options_for(volume).value_or("")},
              step);
         return;
     }

@@ -3,6 +3,7 @@
 // Threads: a value.
 #pragma once
 
+#include "app/sticks/mount_options.h"
 #include "app/sticks/stick_port.h"
 
 #include <cstdint>
@@ -52,6 +53,9 @@ struct StickStep {
 /// before us: the operator's, not a visitor's, and left alone.
 class StickRules {
   public:
+    /// Of sticks that are mounted from now on; FAT and exFAT at first.
+    void allow(FileSystems allowed) { allowed_ = allowed; }
+
     /// All block devices that there are now.
     [[nodiscard]] StickStep on_volumes(std::vector<Volume> all);
 
@@ -84,6 +88,12 @@ class StickRules {
 
     [[nodiscard]] const Volume* find(const std::string& object) const;
     [[nodiscard]] bool is_mounted(const Mount& mount) const;
+
+    [[nodiscard]] std::optional<std::string> options_for(const Volume& volume) const {
+        return mount_options(volume.file_system, allowed_);
+    }
+
+    [[nodiscard]] std::string sentence_for(const Volume& volume) const;
     [[nodiscard]] bool can_be_read(const Volume& volume) const;
     [[nodiscard]] const Volume* best() const;
     void apply_answers();
@@ -98,6 +108,7 @@ class StickRules {
     void refuse_what_cannot_be_read(StickStep& step);
     void spend(const std::string& object, const std::string& drive);
 
+    FileSystems allowed_ = FileSystems::usual;
     std::vector<Volume> all_;
     std::optional<Offer> offer_;
     std::optional<StickOrder> order_;     // not answered yet

@@ -23,6 +23,9 @@ class UdisksPort final : public StickPort {
     UdisksPort& operator=(UdisksPort&&) = delete;
 
     [[nodiscard]] std::vector<StickEvent> poll(std::int64_t now_ns) override;
+
+    void allow(FileSystems allowed) override { rules_.allow(allowed); }
+
     /// The stick is unmounted by the polls that follow.
     void end_session() override;
     [[nodiscard]] bool is_watching() const override;

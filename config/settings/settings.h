@@ -63,6 +63,7 @@ struct Settings {
     // profile
     std::string profile;  // its name; empty: none
     // stick
+    bool more_file_systems = false;  // ext4 and NTFS beside FAT and exFAT
     std::string watched_folder;
     // operator
     std::string operator_device;

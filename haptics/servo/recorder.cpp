@@ -1,8 +1,24 @@
 #include "haptics/servo/recorder.h"
 
 #include <algorithm>
+#include <cstring>
+#include <memory>
+#include <span>
 
 namespace touchline {
+namespace {
+
+/// Not one byte of what they were is left in their place; a compiler cannot leave this out.
+template <class T>
+void overwrite(std::span<T> values) {
+    for (T& value : values) {
+        std::destroy_at(&value);
+        ::explicit_bzero(static_cast<void*>(&value), sizeof value);
+        std::construct_at(&value);
+    }
+}
+
+}  // namespace
 
 TickRecord record_of(const StepInput& input, const ServoStep& after, JointTorques torques,
                      bool is_refused) {
@@ -61,6 +77,12 @@ void Recorder::push(const TickRecord& tick) {
     if (ring_.empty() || gate_.is_shut.load(std::memory_order_relaxed)) return;
     ring_[pushed_ % ring_.size()] = tick;
     ++pushed_;
+}
+
+void Recorder::wipe() {
+    overwrite(std::span(ring_));
+    overwrite(std::span(steps_));
+    pushed_ = 0;
 }
 
 std::uint64_t Recorder::oldest() const {

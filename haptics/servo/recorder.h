@@ -74,6 +74,9 @@ class Recorder {
     /// there is no gap among the rest.
     void release() { gate_.is_asked.store(false, std::memory_order_release); }
 
+    /// While it is held: every tick and step is overwritten. O(capacity), some 10 ms.
+    void wipe();
+
     /// Oldest first. O(n).
     [[nodiscard]] std::vector<TickRecord> ticks() const;
 

@@ -108,6 +108,7 @@ bad_text "GTEST_""SKIP();" 'no test is skipped'
 bad_text "TEST(Curve, DISABLED""_Slow) {}" 'no test is skipped'
 bad_text 'open("/wor''k/x");' 'a path of one machine'
 bad_text 'int y; ' 'blanks at the end'
+bad_text 'err << error.line;' 'printed as it came'
 start_tree
 write app/screen/window.cpp 'mkstemp("mapXXXXXX");' 'auto home = "http/work/";'
 passes text

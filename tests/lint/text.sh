@@ -12,6 +12,8 @@ verdict "$(
     find_text 'no test is skipped' -E 'GTEST_SKI[P]|DISABLE[D]_'
     find_text 'a path of one machine' -E '(^|[^A-Za-z0-9_.])/(work|root|farm|home|tmp)/'
     find_text 'blanks at the end of the line' -E '[[:blank:]]+$'
+    find_text 'printed as it came: a name in it may command the terminal' -E \
+        '(err <<|stder[r]).*(error\(\)\.line|error\.line|what\(\))' | grep '^app/' | grep -v 'plain_lin[e](' || true
     texts | xargs -0 -r awk '
         FNR == 601 { print FILENAME ":601: longer than 600 lines" }
         FNR == 151 && FILENAME ~ /(^|\/)README\.md$/ { print FILENAME ":151: a README has at most 150 lines" }'

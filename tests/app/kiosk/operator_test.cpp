@@ -114,6 +114,60 @@ TEST(OperatorRun, TheEmergencyStopActsWhileTheOperatorIsIn) {
     EXPECT_TRUE(world.servo().commands().is_emergency_stop);
 }
 
+void strike_r(KioskWorld& world) {
+    world.kiosk().change_key({{KeySource::key, 'R'}, true, false, world.now_s()});
+    world.kiosk().change_key({{KeySource::key, 'R'}, false, false, world.now_s()});
+    world.run(1.0);
+}
+
+/// Anybody at a keyboard may hold the last minute in memory; a file is made behind the PIN alone.
+TEST(OperatorRun, OnlyWhoGaveThePinSavesARecording) {
+    KioskWorld world;
+    strike_r(world);
+    EXPECT_EQ(world.servo().recordings_held, 1);
+    BlindVisitor staff(world, 0.2);
+    enter(staff);
+    strike_r(world);  // the PIN is asked for
+    enter_pin(staff);
+    strike_r(world);
+    EXPECT_EQ(world.servo().recordings_kept, 0);
+    enter_pin(staff);
+    strike_r(world);
+    EXPECT_EQ(world.servo().recordings_kept, 1);
+    ASSERT_TRUE(staff.choose("Upkeep")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Log and recording")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Save what was felt in the last minute")) << staff.heard();
+    EXPECT_EQ(world.servo().recordings_kept, 2);
+    world.servo().notice = "a recording was kept: /a/folder/recording-1.touchline";
+    EXPECT_NE(world.kiosk().take_report().find("/a/folder/recording-1.touchline"),
+              std::string::npos);
+    EXPECT_TRUE(world.heard().was_said("The recording is saved."));
+}
+
+TEST(OperatorRun, AKeyboardThatIsNotTheOperatorsSavesNoRecording) {
+    KioskWorld world;
+    Settings settings;
+    settings.operator_device = "/dev/input/by-id/the-operators";
+    world.kiosk().set(settings);
+    BlindVisitor staff(world, 0.2);
+    const auto strike = [&](KeyRole role, int times) {
+        for (int i = 0; i < times; ++i)
+            world.kiosk().strike_operator_key(keys_of(default_keys(), role).at(0));
+    };
+    for (const KeyRole role :
+         {KeyRole::help, KeyRole::up, KeyRole::up, KeyRole::down, KeyRole::down, KeyRole::select})
+        strike(role, 1);
+    for (int i = 0; i < 2; ++i) {
+        strike(KeyRole::next, 4);
+        strike(KeyRole::select, 1);
+    }
+    ASSERT_TRUE(world.kiosk().is_operator_in());
+    strike_r(world);
+    EXPECT_EQ(world.servo().recordings_kept, 0);
+    world.kiosk().strike_operator_key({KeySource::key, 'R'});
+    EXPECT_EQ(world.servo().recordings_kept, 1);
+}
+
 TEST(OperatorRun, APinIsOnNoScreen) {
     KioskWorld world;
     BlindVisitor staff(world, 0.2);

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace touchline {
 
@@ -44,13 +45,17 @@ class SteppedServo final : public ServoClient {
 
     [[nodiscard]] std::uint64_t beats() override { return report_.hand.ticks; }
 
-    [[nodiscard]] std::string take_notice() override { return {}; }
+    [[nodiscard]] std::string take_notice() override { return std::exchange(notice, {}); }
 
     [[nodiscard]] std::string device_words() override { return words; }
 
     void home_again() override { ++homings; }
 
-    void keep_recording() override { ++recordings; }
+    void hold_recording() override { ++recordings_held; }
+
+    void keep_recording() override { ++recordings_kept; }
+
+    void forget_recording() override { ++recordings_forgotten; }
 
     void stop() override {}
 
@@ -64,8 +69,11 @@ class SteppedServo final : public ServoClient {
 
     int felt_count = 0;
     int homings = 0;
-    int recordings = 0;
+    int recordings_held = 0;
+    int recordings_kept = 0;
+    int recordings_forgotten = 0;
     std::string words;
+    std::string notice;  // told when it is next asked for
     double most_force_N = 0.0;
 
   private:

@@ -22,12 +22,15 @@ class ToldPort final : public StickPort {
   public:
     std::vector<StickEvent> poll(std::int64_t) override { return std::exchange(events, {}); }
 
+    void allow(FileSystems now) override { allowed = now; }
+
     void end_session() override { is_ended = true; }
 
     [[nodiscard]] bool is_watching() const override { return true; }
 
     std::vector<StickEvent> events;
     bool is_ended = false;
+    FileSystems allowed = FileSystems::usual;
 };
 
 std::string text_of(const encoders::Bytes& bytes) {

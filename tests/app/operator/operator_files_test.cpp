@@ -1,7 +1,9 @@
 // The operator's files: what is kept comes back; what is wrong is refused in one sentence.
 #include "app/operator/backup.h"
 #include "app/operator/counters.h"
+#include "app/operator/pin.h"
 #include "app/operator/pin_file.h"
+#include "app/operator/pin_tries_file.h"
 #include "app/operator/profiles.h"
 #include "app/operator/settings_files.h"
 #include "app/operator/site_files.h"
@@ -94,6 +96,45 @@ TEST_F(OperatorFilesTest, ABrokenPinLetsNobodyIn) {
     fs::create_symlink(folder / "elsewhere", pin);
     EXPECT_TRUE(has_pin(pin)) << "a link to nothing is no fresh install";
     EXPECT_FALSE(is_right_pin(pin, "1234"));
+}
+
+TEST_F(OperatorFilesTest, WrongPinsAreCountedOnTheDisk) {
+    const fs::path tries = pin_tries_file(pin);
+    EXPECT_EQ(tries, folder / "operator.tries");
+    EXPECT_EQ(read_pin_tries(tries), 0) << "nothing was tried";
+    for (const int wrong : {1, 4, most_wrong_pins}) {
+        ASSERT_TRUE(keep_pin_tries(tries, wrong));
+        EXPECT_EQ(read_pin_tries(tries), wrong);
+
+        struct stat state {};
+
+        ASSERT_EQ(::stat(tries.c_str(), &state), 0);
+        EXPECT_EQ(state.st_mode & 0777U, 0600U);
+    }
+    ASSERT_TRUE(keep_pin_tries(tries, most_wrong_pins + 1));
+    EXPECT_EQ(read_pin_tries(tries), most_wrong_pins);
+    ASSERT_TRUE(keep_pin_tries(tries, 0));
+    EXPECT_FALSE(fs::exists(tries));
+    EXPECT_TRUE(keep_pin_tries(tries, 0)) << "twice is as good";
+}
+
+TEST_F(OperatorFilesTest, ADamagedCountOfWrongPinsIsOneLineAndNoNumber) {
+    const fs::path tries = pin_tries_file(pin);
+    for (const char* text : {"", "1\n", "wrong PINs: ", "wrong PINs: 3", "wrong PINs: 0\n",
+                             "wrong PINs: -1\n", "wrong PINs: 12\n", "wrong PINs: 3\n\n",
+                             "wrong PINs: 99999999999999\n", "wrong PINs: x\n"}) {
+        put("operator.tries", text);
+        fs::permissions(tries, fs::perms::owner_read | fs::perms::owner_write);
+        const auto wrong = read_pin_tries(tries);
+        ASSERT_FALSE(wrong.has_value()) << text;
+        EXPECT_NE(wrong.error().line.find("does not say how many"), std::string::npos);
+    }
+    ASSERT_TRUE(keep_pin_tries(tries, 3));
+    fs::permissions(tries, fs::perms::others_write, fs::perm_options::add);
+    EXPECT_FALSE(read_pin_tries(tries));
+    fs::remove(tries);
+    fs::create_symlink(folder / "elsewhere", tries);
+    EXPECT_FALSE(read_pin_tries(tries)) << "a link to nothing is no fresh start";
 }
 
 TEST_F(OperatorFilesTest, CountersComeBackAndHoldNothingElse) {

@@ -119,6 +119,20 @@ TEST(OperatorPin, FiveWrongOnesLockForGrowingTimes) {
     }
 }
 
+/// One that a restart would forget must cost its time at once.
+TEST(OperatorPin, AWrongOneThatCouldNotBeNotedLocks) {
+    PinTries tries = after_wrong_pin({}, 100.0, false);
+    EXPECT_EQ(tries.locked_until_s, 160.0);
+    tries = after_wrong_pin(tries, 200.0, false);
+    EXPECT_EQ(tries.locked_until_s, 320.0);
+}
+
+TEST(OperatorPin, ARestartCountsTheWholeWaitAnew) {
+    EXPECT_EQ(tries_after_restart(4, 10.0).locked_until_s, 0.0);
+    EXPECT_EQ(tries_after_restart(5, 10.0).locked_until_s, 70.0);
+    EXPECT_EQ(tries_after_restart(most_wrong_pins, 10.0).locked_until_s, 3610.0);
+}
+
 TEST_F(OperatorTest, ALockOutlastsLeavingAndTheRightPin) {
     rig.press(R::back);
     rig.enter();
@@ -144,6 +158,26 @@ TEST_F(OperatorTest, AnAnswerThatNobodyAskedForOpensNothing) {
     rig.enter();
     rig.take(PinChecked{true});
     EXPECT_EQ(rig.state.place, P::pin);
+}
+
+TEST_F(OperatorTest, MoreFileSystemsAreWarnedOfAndAskedFor) {
+    ASSERT_TRUE(rig.open({"Camera, keys and screen", "Sticks"}));
+    (void)rig.heard();
+    ASSERT_TRUE(rig.find("Read ext4 and NTFS sticks too"));
+    EXPECT_FALSE(rig.world().settings.more_file_systems);
+    rig.press(R::next);
+    EXPECT_NE(rig.heard().find("may take the machine over"), std::string::npos);
+    rig.press(R::select);
+    EXPECT_EQ(rig.state.place, P::question);
+    EXPECT_NE(rig.heard().find("may then take the machine over"), std::string::npos);
+    EXPECT_FALSE(rig.world().settings.more_file_systems) << "not before the answer";
+    rig.press(R::back);
+    EXPECT_FALSE(rig.world().settings.more_file_systems);
+    EXPECT_EQ(rig.state.place, P::sticks);
+    ASSERT_TRUE(rig.open({"Read ext4 and NTFS sticks too", "Yes"}));
+    EXPECT_TRUE(rig.world().settings.more_file_systems);
+    ASSERT_TRUE(rig.open({"Read ext4 and NTFS sticks too"}));
+    EXPECT_FALSE(rig.world().settings.more_file_systems) << "off without a question";
 }
 
 TEST_F(OperatorTest, ASettingIsHeldTurnedAndKept) {

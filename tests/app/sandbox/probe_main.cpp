@@ -22,6 +22,7 @@
 #include <thread>
 #include <vector>
 
+#include <pthread.h>
 #include <seccomp.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -69,6 +70,22 @@ int allocate() {
     return 0;
 }
 
+void* wait_for_ever(void* /*unused*/) {
+    for (std::atomic<int> never = 0;;) never.wait(0);
+}
+
+/// As many threads as there may be, 3000 at most, each with the smallest stack; writes how many.
+int start_threads() {
+    constexpr int wanted = 3000;
+    pthread_attr_t small;
+    pthread_attr_init(&small);
+    pthread_attr_setstacksize(&small, std::size_t{16} << 10U);
+    int count = 0;
+    for (pthread_t one{}; count < wanted; ++count)
+        if (pthread_create(&one, &small, wait_for_ever, nullptr) != 0) break;
+    return write(worker_output, &count, sizeof count) == sizeof count ? 0 : 1;
+}
+
 int write_much() {
     const std::vector<char> block(std::size_t{1} << 20U, 'x');
     for (int i = 0; i < 1024; ++i)
@@ -108,6 +125,7 @@ int try_act(const std::string& name) {
     if (name == "spin") spin();
     if (name == "allocate") return allocate();
     if (name == "write much") return write_much();
+    if (name == "threads") return start_threads();
     if (name == "nothing") return 0;
     if (name == "read system file") return read_system_file() >= 0 ? 0 : 1;
     for (const Act& act : acts())

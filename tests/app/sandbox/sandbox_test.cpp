@@ -39,19 +39,32 @@ fs::path probe_program() {
     return fs::read_symlink("/proc/self/exe").parent_path() / "sandbox_probe";
 }
 
-Ending probe(const std::string& steps, WorkerKind kind, std::string_view act) {
+constexpr uid_t id_of_nobody = 65534;
+
+/// As whom the probe runs: root, as which a test may run, is bound by no limit of processes.
+enum class As : std::uint8_t { we_are, nobody };
+
+/// Its process; its output goes to `memory`.
+pid_t start_probe(const std::string& steps, WorkerKind kind, std::string_view act, int memory,
+                  As who = As::we_are) {
     const std::string kind_text = std::to_string(static_cast<int>(kind));
     const std::string act_text(act);
     const std::string program = probe_program().string();
     const pid_t pid = fork();
-    if (pid == 0) {
-        const int memory = memfd_create("probe", 0);
-        dup2(memory, worker_input);
-        dup2(memory, worker_output);
-        execl(program.c_str(), "probe", steps.c_str(), kind_text.c_str(), act_text.c_str(),
-              nullptr);
-        _exit(127);
-    }
+    if (pid != 0) return pid;
+    dup2(memory, worker_input);
+    dup2(memory, worker_output);
+    if (who == As::nobody && geteuid() == 0 &&
+        (setgid(id_of_nobody) != 0 || setuid(id_of_nobody) != 0))
+        _exit(126);
+    execl(program.c_str(), "probe", steps.c_str(), kind_text.c_str(), act_text.c_str(), nullptr);
+    _exit(127);
+}
+
+Ending probe(const std::string& steps, WorkerKind kind, std::string_view act) {
+    const int memory = memfd_create("probe", 0);
+    const pid_t pid = start_probe(steps, kind, act, memory);
+    close(memory);
     int status = 0;
     waitpid(pid, &status, 0);
     if (WIFSIGNALED(status)) return {-1, WTERMSIG(status)};
@@ -157,6 +170,48 @@ TEST_F(SandboxAlone, WithoutItTheActsWork) {
 
 TEST_F(SandboxAlone, MemoryHasAnEnd) {
     EXPECT_EQ(probe("all", WorkerKind::raster, "allocate"), (Ending{70, 0}));
+}
+
+/// How many of 3000 threads it got.
+int threads_started(const std::string& steps, WorkerKind kind) {
+    const int memory = memfd_create("probe", 0);
+    const pid_t pid = start_probe(steps, kind, "threads", memory, As::nobody);
+    int status = 0;
+    waitpid(pid, &status, 0);
+    EXPECT_EQ(status, 0);
+    int count = -1;
+    EXPECT_EQ(pread(memory, &count, sizeof count, 0), static_cast<ssize_t>(sizeof count));
+    close(memory);
+    return count;
+}
+
+TEST_F(SandboxAlone, ThreadsHaveAnEnd) {
+    for (const WorkerKind kind : {WorkerKind::film, WorkerKind::document}) {
+        const int count = threads_started("all", kind);
+        EXPECT_GE(count, 48) << "a codec needs some";
+        EXPECT_LE(count, static_cast<int>(most_worker_threads) + 8);
+        EXPECT_EQ(threads_started("calls", kind), 3000) << "without the limit it gets all";
+        RecordProperty("threads", count);
+    }
+}
+
+/// What the kernel would kill first when memory is short.
+TEST_F(SandboxAlone, GoesBeforeAllOthersWhenMemoryIsShort) {
+    for (const WorkerKind kind : {WorkerKind::raster, WorkerKind::film, WorkerKind::document,
+                                  WorkerKind::ocr, WorkerKind::speech, WorkerKind::pack}) {
+        const int memory = memfd_create("probe", 0);
+        const pid_t pid = start_probe("all", kind, "spin", memory);
+        close(memory);
+        const std::string file = "/proc/" + std::to_string(pid) + "/oom_score_adj";
+        int score = 0;
+        for (int i = 0; i < 10'000 && score != 1000; ++i) {
+            std::ifstream(file) >> score;
+            usleep(1000);
+        }
+        EXPECT_EQ(score, 1000) << static_cast<int>(kind);
+        kill(pid, SIGKILL);
+        waitpid(pid, nullptr, 0);
+    }
 }
 
 TEST_F(SandboxAlone, TheOutputHasAnEnd) {

@@ -42,8 +42,22 @@ class BlackBoxFiles : public testing::Test {
 
     [[nodiscard]] int files() const {
         int count = 0;
+        if (!fs::exists(folder_)) return count;
         for (const auto& entry : fs::directory_iterator(folder_)) count += entry.exists() ? 1 : 0;
         return count;
+    }
+
+    /// The device is lost for so long, and is back.
+    void fault() {
+        device_.angles.reset();
+        for (int i = 0; i < 100; ++i) tick();
+        ASSERT_EQ(exchange_.report().force.fault, Fault::device_lost);
+        device_.angles = angles_at(default_profile(), {0.0, 0.01});
+        for (int i = 0; i < 500; ++i) tick();
+    }
+
+    [[nodiscard]] Recording kept() const {
+        return decode(read_file(folder_ / "recording-1.touchline").value()).value();
     }
 
     fs::path folder_ = fs::path(testing::TempDir()) /
@@ -58,24 +72,69 @@ class BlackBoxFiles : public testing::Test {
     int now_ = 0;
 };
 
-TEST_F(BlackBoxFiles, AFaultLeavesAFileAndTheNextOneAnother) {
+TEST_F(BlackBoxFiles, AFaultHoldsTheRecordingInMemoryAndWritesNothing) {
     for (int i = 0; i < 500; ++i) tick();
-    EXPECT_FALSE(fs::exists(folder_));
-    device_.angles.reset();
+    EXPECT_FALSE(recorder_.is_held());
+    fault();
+    EXPECT_TRUE(recorder_.is_held());
+    fault();  // another one changes nothing
+    EXPECT_EQ(files(), 0);
+    EXPECT_TRUE(told_.empty());
+    ASSERT_FALSE(recorder_.ticks().empty());
+    EXPECT_EQ(recorder_.ticks().back().fault, Fault::device_lost);
+    EXPECT_EQ(recorder_.ticks().front().time_s, 0.0) << "as it was at the first of the faults";
+}
+
+TEST_F(BlackBoxFiles, WhatAFaultHeldTheOperatorMayKeep) {
+    for (int i = 0; i < 500; ++i) tick();
+    fault();
+    box_.keep();
     tick_until_told();
-    EXPECT_EQ(files(), 1);
-    const auto recording = decode(read_file(folder_ / "recording-1.touchline").value());
-    ASSERT_TRUE(recording.has_value()) << recording.error().line;
-    EXPECT_EQ(recording->ticks.back().fault, Fault::device_lost);
-    EXPECT_GT(recording->ticks.size(), 500U);
-    EXPECT_FALSE(recording->start.empty());
+    EXPECT_EQ(told_[0].find(recording_kept), 0U) << told_[0];
+    const Recording recording = kept();
+    EXPECT_EQ(recording.ticks.back().fault, Fault::device_lost);
+    EXPECT_GT(recording.ticks.size(), 500U);
+    EXPECT_FALSE(recording.start.empty());
+    constexpr auto others = fs::perms::group_all | fs::perms::others_all;
+    EXPECT_EQ(fs::status(folder_ / "recording-1.touchline").permissions() & others,
+              fs::perms::none);
+    for (int i = 0; i < 100; ++i) tick();
+    EXPECT_FALSE(recorder_.is_held()) << "it records again";
+}
+
+TEST_F(BlackBoxFiles, WhatSomebodyHeldIsOverwrittenWhenTheVisitIsOver) {
     for (int i = 0; i < 500; ++i) tick();
-    EXPECT_EQ(told_.size(), 1U);  // the same fault still
-    device_.angles = angles_at(default_profile(), {0.0, 0.01});
+    box_.hold();
+    for (int i = 0; i < 10; ++i) tick();
+    ASSERT_TRUE(recorder_.is_held());
+    const TickRecord* const place = recorder_.newest();
+    ASSERT_NE(place->p_WH, Position{});
+    // Held until it is overwritten: nothing else can change it.
+    box_.forget();
+    box_.update(recorder_, Fault::none);
+    EXPECT_EQ(place->p_WH, Position{});
+    for (int i = 0; i < 100; ++i) tick();
+    EXPECT_FALSE(recorder_.is_held());
+    EXPECT_GT(recorder_.ticks().front().time_s, 0.5);
+    EXPECT_EQ(files(), 0);
+}
+
+TEST_F(BlackBoxFiles, WhatNobodyHeldIsOverwrittenToo) {
     for (int i = 0; i < 500; ++i) tick();
-    device_.angles.reset();
-    tick_until_told();
-    EXPECT_EQ(files(), 2);
+    box_.forget();
+    for (int i = 0; i < 100; ++i) tick();
+    ASSERT_FALSE(recorder_.ticks().empty());
+    EXPECT_GT(recorder_.ticks().front().time_s, 0.499);
+}
+
+TEST_F(BlackBoxFiles, WhoseVisitIsOverIsNotKeptAnyMore) {
+    for (int i = 0; i < 500; ++i) tick();
+    box_.keep();
+    box_.forget();
+    ASSERT_EQ(told_.size(), 1U);
+    EXPECT_EQ(told_[0].find(recording_not_kept), 0U) << told_[0];
+    for (int i = 0; i < 100; ++i) tick();
+    EXPECT_EQ(files(), 0);
 }
 
 TEST_F(BlackBoxFiles, OnDemandEightAreKept) {

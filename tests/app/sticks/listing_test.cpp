@@ -67,7 +67,7 @@ rc::Gen<StickListing> listing() {
     const auto entry = rc::gen::build<StickEntry>(
         rc::gen::set(&StickEntry::kind,
                      rc::gen::element(StickFileKind::picture, StickFileKind::document,
-                                      StickFileKind::office)),
+                                      StickFileKind::office, StickFileKind::pack)),
         rc::gen::set(&StickEntry::folder, rc::gen::oneOf(rc::gen::just(""s), file_name())),
         rc::gen::set(&StickEntry::name, file_name()));
     return rc::gen::build<StickListing>(

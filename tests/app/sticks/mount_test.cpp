@@ -40,7 +40,9 @@ class MountedStick : public testing::Test {
         fs::rename(live, image);
     }
 
-    static std::string options() { return mount_options("ext4").value_or("none"); }
+    static std::string options() {
+        return mount_options("ext4", FileSystems::more).value_or("none");
+    }
 
     StickFolder content;
     StickFolder mount_point;

@@ -16,8 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-StickListing scan(const StickFolder& stick, const ScanLimits& limits = {}) {
-    const auto listing = scan_stick(stick.open(), NaturalOrder(), limits);
+StickListing scan(const StickFolder& stick, const ScanLimits& limits = {},
+                  StickSearch search = StickSearch::pictures) {
+    const auto listing = scan_stick(stick.open(), NaturalOrder(), limits, search);
     EXPECT_TRUE(listing.has_value());
     return listing.value_or(StickListing{});
 }
@@ -158,7 +159,21 @@ TEST(StickScan, DeepFoldersEndAfterOneLevel) {
 
 TEST(StickScan, ARootThatIsGoneIsRefused) {
     const Descriptor nothing(::open("/dev/null", O_PATH | O_CLOEXEC));
-    EXPECT_FALSE(scan_stick(nothing, NaturalOrder(), {}).has_value());
+    EXPECT_FALSE(scan_stick(nothing, NaturalOrder(), {}, StickSearch::pictures).has_value());
+}
+
+TEST(StickScan, ForTheOperatorFindsPacksInTheRootAlone) {
+    const StickFolder stick;
+    for (const char* name : {"b.zip", "A.ZIP", "a.png", ".hidden.zip", "zip", "a.zip.txt"})
+        stick.file(name);
+    stick.folder("d.zip");
+    stick.folder("d");
+    stick.file("d/c.zip");
+    fs::create_symlink("/etc/passwd", stick.path() / "link.zip");
+    const StickListing packs = scan(stick, {}, StickSearch::packs);
+    EXPECT_EQ(paths_of(packs), (Paths{"A.ZIP", "b.zip"}));
+    EXPECT_EQ(packs.entries[0].kind, StickFileKind::pack);
+    EXPECT_EQ(paths_of(scan(stick)), Paths{"a.png"}) << "visitors are offered no packs";
 }
 
 }  // namespace

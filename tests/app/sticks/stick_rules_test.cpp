@@ -84,18 +84,38 @@ TEST_F(StickRulesTest, AStickIsMountedAndOffered) {
 
 TEST_F(StickRulesTest, EachFileSystemHasItsOptions) {
     const std::string plain = "ro,nosuid,nodev,noexec,nosymfollow";
-    const auto options = [this](const std::string& file_system) {
+    const auto options = [](const std::string& file_system, FileSystems allowed) {
         StickRules fresh;
+        fresh.allow(allowed);
         (void)fresh.on_volumes({});
         const auto step = fresh.on_volumes({stick("sdb1", "one", 10, file_system)});
         return step.orders.empty() ? "not mounted" : step.orders[0].options;
     };
-    EXPECT_EQ(options("vfat"), plain);
-    EXPECT_EQ(options("exfat"), plain);
-    EXPECT_EQ(options("ext4"), plain + ",noload");
-    EXPECT_EQ(options("ntfs"), plain + ",norecover");
-    for (const char* other : {"ext2", "btrfs", "hfsplus", "iso9660", "udf", "xfs", "", "VFAT"})
-        EXPECT_EQ(options(other), "not mounted") << other;
+    for (const FileSystems allowed : {FileSystems::usual, FileSystems::more}) {
+        EXPECT_EQ(options("vfat", allowed), plain);
+        EXPECT_EQ(options("exfat", allowed), plain);
+        for (const char* other : {"ext2", "btrfs", "hfsplus", "iso9660", "udf", "xfs", "", "VFAT"})
+            EXPECT_EQ(options(other, allowed), "not mounted") << other;
+    }
+    EXPECT_EQ(options("ext4", FileSystems::usual), "not mounted");
+    EXPECT_EQ(options("ntfs", FileSystems::usual), "not mounted");
+    EXPECT_EQ(options("ext4", FileSystems::more), plain + ",noload");
+    EXPECT_EQ(options("ntfs", FileSystems::more), plain + ",norecover");
+}
+
+/// Whoever mounted it: what the operator has not allowed is not read.
+TEST_F(StickRulesTest, WhatIsNotAllowedIsRefusedWithWhatToDo) {
+    for (const char* kind : {"ext4", "ntfs"}) {
+        StickRules fresh;
+        (void)fresh.on_volumes({});
+        const auto step = fresh.on_volumes({mounted(stick("sdb1", "one", 10, kind), "/m")});
+        EXPECT_TRUE(step.orders.empty());
+        ASSERT_EQ(step.events.size(), 1U);
+        EXPECT_EQ(step.events[0].sentence,
+                  "The stick's format is not read here. Bring one formatted as FAT or exFAT.");
+        fresh.allow(FileSystems::more);
+        EXPECT_EQ(mounts(fresh.on_volumes({stick("sdc1", "two", 20, kind)}), "sdc1"), 1U);
+    }
 }
 
 TEST_F(StickRulesTest, WhatIsNoVisitorsIsNeitherMountedNorTold) {

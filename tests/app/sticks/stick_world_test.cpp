@@ -22,7 +22,11 @@ struct Partition {
 
 class World {
   public:
-    World() { tell_volumes(); }
+    /// ext4 is one that the operator has allowed.
+    World() {
+        rules_.allow(FileSystems::more);
+        tell_volumes();
+    }
 
     void plug(int slot, const std::string& file_system, bool fails, int partitions) {
         if (has_slot(slot)) return;

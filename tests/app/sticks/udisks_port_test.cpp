@@ -54,6 +54,7 @@ TEST_F(UdisksPortTest, AStickIsMountedReadOnlyAndUnmountedAtTheSessionsEnd) {
     udisks.start_service();
     ASSERT_TRUE(udisks.is_up());
     ASSERT_TRUE(watches(true));
+    port.allow(FileSystems::more);
     udisks.plug("sdb1", "one", "ext4", 10);
     EXPECT_EQ(news(1), Lines{"ready /media/sdb1"});
     EXPECT_EQ(udisks.asked("sdb1"), Lines{"Mount ext4 ro,nosuid,nodev,noexec,nosymfollow,noload"});
@@ -81,12 +82,23 @@ TEST_F(UdisksPortTest, PulledOutAndAnotherPutIn) {
     udisks.pull("sdb1", "one");
     udisks.plug("sdb1", "two", "exfat", 20);  // under the same name, at once
     EXPECT_EQ(news(2), (Lines{"gone /media/sdb1", "ready /media/sdb1"}));
+    port.allow(FileSystems::more);
     udisks.plug("sdc1", "three", "ntfs", 30);
     EXPECT_EQ(news(2), (Lines{"gone /media/sdb1", "ready /media/sdc1"}));
     EXPECT_EQ(udisks.asked("sdc1"),
               Lines{"Mount ntfs ro,nosuid,nodev,noexec,nosymfollow,norecover"});
     udisks.pull("sdc1", "three");
     EXPECT_EQ(news(2), (Lines{"gone /media/sdc1", "ready /media/sdb1"}));
+}
+
+TEST_F(UdisksPortTest, WhatTheOperatorHasNotAllowedIsNeverAskedFor) {
+    udisks.start_service();
+    ASSERT_TRUE(watches(true));
+    udisks.plug("sdb1", "one", "ext4", 10);
+    udisks.plug("sdc1", "two", "ntfs", 20);
+    EXPECT_EQ(news(2), (Lines{"refused", "refused"}));
+    EXPECT_TRUE(udisks.asked("sdb1").empty());
+    EXPECT_TRUE(udisks.asked("sdc1").empty());
 }
 
 TEST_F(UdisksPortTest, WhatCannotBeReadIsRefused) {

@@ -54,6 +54,29 @@ TEST(Recorder, KeepsTheNewestOldestFirst) {
     EXPECT_EQ(ticks[2].time_s, 7.0);
 }
 
+TEST(Recorder, WhatIsWipedIsOverwrittenWhereItLay) {
+    PlacedDevice device({0.0123, 0.0456});
+    ServoExchange exchange;
+    Recorder recorder(8000);
+    ServoLoop loop(device, default_profile(), 1e-3, exchange, recorder);
+    for (int i = 0; i < 6000; ++i) loop.tick(1e-3 * i, 0);
+    const TickRecord* const place = recorder.newest();  // memory of the recorder's own
+    ASSERT_NE(place->p_WH.x, 0.0);
+    recorder.hold();
+    loop.tick(6.0, 0);
+    ASSERT_TRUE(recorder.is_held());
+    recorder.wipe();
+    EXPECT_EQ(place->p_WH, Position{});
+    EXPECT_EQ(place->input.angles, TickRecord{}.input.angles);
+    EXPECT_EQ(recorder.newest(), nullptr);
+    EXPECT_TRUE(recorder.ticks().empty());
+    EXPECT_FALSE(recorder.start().has_value());
+    recorder.release();
+    loop.tick(6.001, 0);
+    loop.tick(6.002, 0);
+    EXPECT_FALSE(recorder.ticks().empty()) << "and it records again";
+}
+
 TEST(Recorder, WithoutRoomKeepsNothing) {
     Recorder recorder;
     recorder.push(at(1.0));

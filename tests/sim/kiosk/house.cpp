@@ -1,6 +1,7 @@
 #include "tests/sim/kiosk/house.h"
 
 #include "app/decode/map_svg.h"
+#include "app/process/places.h"
 
 #include <cmath>
 #include <cstdint>
@@ -73,7 +74,8 @@ OperatorFiles site_files_in(const fs::path& folder) {
             folder / "sound.toml",
             TOUCHLINE_SOURCE_DIR "/config/defaults/profiles",
             folder / "copies",
-            folder / "packs"};
+            folder / "packs",
+            companion("touchline-import")};
 }
 
 }  // namespace touchline

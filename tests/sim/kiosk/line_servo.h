@@ -49,7 +49,11 @@ class LineServo final : public ServoClient {
 
     void home_again() override { is_homing_wanted = true; }
 
-    void keep_recording() override { line_.keep_recording(); }
+    void hold_recording() override { line_.ask_recorder(MessageKind::hold); }
+
+    void keep_recording() override { line_.ask_recorder(MessageKind::keep); }
+
+    void forget_recording() override { line_.ask_recorder(MessageKind::forget); }
 
     void stop() override {}
 

@@ -144,7 +144,7 @@ bool SimHouse::break_house(const PlannedCause& cause) {
             armed_decoder_s_ = cause.span_s;
             return false;  // counted when a job meets it
         case SimFault::stick_yanked:
-            if (kiosk_->shelf->root().empty())
+            if (!kiosk_->shelf->is_in())
                 kiosk_->shelf->put(gallery_without_workers().files.front(), 0.5);
             break;
         case SimFault::camera_lost:

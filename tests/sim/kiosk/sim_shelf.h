@@ -21,6 +21,8 @@ class SimShelf final : public Shelf {
         is_new_ = true;
     }
 
+    [[nodiscard]] bool is_in() const { return !root_.empty(); }
+
     /// At any moment, that of listing too.
     void pull() {
         if (root_.empty()) return;
@@ -41,9 +43,12 @@ class SimShelf final : public Shelf {
 
     [[nodiscard]] bool is_listing() const override { return due_ns_.has_value(); }
 
+    void allow(FileSystems /*allowed*/) override {}
+
     void end_session() override { pull(); }
 
-    [[nodiscard]] const std::string& root() const override { return root_; }
+    /// None that a program beside this one could read at a time of its own.
+    [[nodiscard]] const std::string& root() const override { return no_root_; }
 
     [[nodiscard]] bool is_watching() const override { return true; }
 
@@ -51,6 +56,7 @@ class SimShelf final : public Shelf {
     std::vector<FilePtr> files_;
     double listing_s_ = 0.0;
     std::string root_;
+    std::string no_root_;
     bool is_new_ = false;
     bool is_gone_ = false;
     std::optional<std::int64_t> due_ns_;

@@ -13,6 +13,7 @@ ON_THE_CIRCLE = 'go 35 0'  # of the practice shape, in millimetres from the midd
 LOOKS = 20  # at an unplugged board: the servo is tried again three times
 PACE = '0.1'  # of board and hand, beside a machine whose second takes five to ten
 LONGEST_S = 900
+LOCKED_KB = 30_000  # the recording of the last minute alone
 
 
 def run(table, bench):
@@ -37,6 +38,10 @@ def run(table, bench):
 def _visits(table, kiosk, board):
     with table.check('board', "the servo's unit takes it", True):
         kiosk.machine.wait(SERVO, 120)
+    with table.check('board', "the servo's memory is locked") as note:
+        locked_kB = 'grep VmLck /proc/$(pgrep -x touchline-servo)/status | tr -dc 0-9'
+        kiosk.machine.wait(f'(($({locked_kB}) > {LOCKED_KB}))', 120, f'more than {LOCKED_KB} kB are locked')
+        note(f'VmLck {kiosk.machine.said(locked_kB).strip()} kB')
     with table.check('board', 'the words lead the hand to the stops: homed, kept', True) as note:
         note(f'{_home(kiosk, board)} words')
         kiosk.machine.wait(f'grep -q serial {UNITS}', 60)

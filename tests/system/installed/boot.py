@@ -24,6 +24,10 @@ def run(table, bench):
         fed = f'systemctl show -P WatchdogTimestampMonotonic {UNIT}'
         first = machine.said(fed)
         machine.wait(f'[[ $({fed}) != {first} ]]', 180, 'the watchdog is fed')
+    with table.check('boot', 'memory is not limited in locking and never swapped; no memory left ends a worker, not the kiosk'):
+        _limits(machine)
+    with table.check('boot', 'no login on a spare terminal, no SysRq'):
+        _closed(machine)
     _killed(table, kiosk, 1 if bench.is_short else 10)
     if not bench.is_short:
         with table.check('boot', 'stopped (SIGSTOP): the watchdog ends it, READY again'):
@@ -31,6 +35,12 @@ def run(table, bench):
             machine.said(f'kill -STOP {process}')
             kiosk.wait_ready(process)
             machine.said(f'journalctl -u {UNIT} -o cat | grep -qi watchdog')
+    with table.check('boot', 'still no login and no SysRq; switched off: both are back, as they were'):
+        _closed(machine)
+        machine.said(f'systemctl stop {UNIT}', 240)
+        machine.wait('[[ $(cat /proc/sys/kernel/sysrq) != 0 ]] && systemctl is-active -q getty@tty1', 120, 'they are back')
+        machine.said(f'systemctl start --no-block {UNIT}')
+        kiosk.wait_ready()
     with table.check('boot', 'settings are kept'):
         if not same_settings(machine):
             raise Fault('the settings are others')
@@ -38,6 +48,19 @@ def run(table, bench):
         failed = machine.said('systemctl --failed --no-legend --plain')
         if failed:
             raise Fault(failed)
+
+
+def _limits(machine):
+    for unit in (UNIT, 'touchline-servo@test.service'):
+        said = machine.said(f'systemctl show -p LimitMEMLOCK -p MemorySwapMax -p OOMPolicy {unit}').split()
+        if sorted(said) != ['LimitMEMLOCK=infinity', 'MemorySwapMax=0', 'OOMPolicy=continue']:
+            raise Fault(f'{unit}: {said}')
+    machine.said(f'[[ $(cat /sys/fs/cgroup$(systemctl show -P ControlGroup {UNIT})/memory.swap.max) == 0 ]]')
+
+
+def _closed(machine):
+    machine.said('[[ $(cat /proc/sys/kernel/sysrq) == 0 ]]')
+    machine.said('systemctl start getty@tty1 autovt@tty3; ! systemctl is-active -q getty@tty1 && ! pgrep -a agetty | grep -q tty[1-9]')
 
 
 def _killed(table, kiosk, times):

@@ -3,7 +3,7 @@ import os
 import shutil
 
 import sticks
-from kiosk import UNIT
+from kiosk import FIRST_SETTINGS, UNIT
 from machine import Fault
 
 # `ntfs` by ntfs-3g is fuseblk to the kernel.
@@ -36,6 +36,10 @@ def run(table, bench):
         kiosk.wait_ready()
         process = kiosk.process()
         kiosk.to_choose()
+    if not bench.is_short:
+        with table.check('stick', 'ext4 is told and not mounted before the operator allows it'):
+            _refused(kiosk, f'{folder}/ext4')
+    kiosk.put_settings(f'{FIRST_SETTINGS}[stick]\nmore_file_systems = true\n')
     for name, file, _ in made:
         _visit(table, kiosk, name, file)
     if not bench.is_short:
@@ -59,6 +63,18 @@ def run(table, bench):
 
 def _wait_gone(machine):
     machine.wait(f'! {OURS}', 120, 'nothing of the stick is mounted')
+
+
+def _refused(kiosk, file):
+    machine = kiosk.machine
+    plugged = machine.plug_stick(file)
+    try:
+        machine.wait_screen(['format is not read here'])
+        if machine.holds(OURS):
+            raise Fault(f'mounted: {machine.said(OURS)}')
+    finally:
+        machine.pull_stick(plugged)
+    kiosk.to_choose()
 
 
 def _visit(table, kiosk, name, file):

@@ -177,9 +177,8 @@ def run(world, figures, count):
 
 
 def kept_by_design(world):
-    """Settings, counters, and the recordings that the black box keeps for the operator."""
-    return {path for path in world.files()
-            if path.startswith((f'{world.folder}/person/', f'{world.folder}/kept/'))}
+    """Settings and counters. A recording is saved when the operator asks, which nobody does here."""
+    return {path for path in world.files() if path.startswith(f'{world.folder}/person/')}
 
 
 def report(figures, kills, done, count, left):

@@ -1,0 +1,62 @@
+// The packs of pictures on the operator's stick: their list and their bytes through
+// touchline-import, on a thread beside the screen's. Threads: one; no call waits.
+#pragma once
+
+#include "app/process/memory.h"
+#include "app/sticks/import.h"
+#include "app/sticks/listing.h"
+
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace touchline {
+
+class StickPacks {
+  public:
+    /// `import_program`: the path of touchline-import.
+    explicit StickPacks(const std::string& import_program);
+
+    /// The stick that is there; empty: none, and what was listed is forgotten. Asks nothing of a
+    /// stick that is listed already.
+    void look_at(const std::string& root);
+
+    /// Takes over a list that has been read. One sentence where it could not be; else empty.
+    [[nodiscard]] std::string poll();
+
+    /// For the screen, in the order of their numbers.
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+    /// Reads that pack when it is called, on any thread, which waits for the stick: its bytes in
+    /// sealed memory. For a number below names().size().
+    [[nodiscard]] std::function<Result<Mapping, StickRefusal>()> reader_of(std::size_t pack) const;
+
+  private:
+    /// One at a time has it.
+    struct Import {
+        explicit Import(const std::string& program) : import(program) {}
+
+        std::mutex mutex;
+        StickImport import;
+    };
+
+    struct Listed {
+        std::string root;
+        Result<StickListing, StickRefusal> listing;
+    };
+
+    [[nodiscard]] static Listed list(const std::shared_ptr<Import>& import,
+                                     const std::string& root);
+
+    std::shared_ptr<Import> import_;
+    std::string root_;
+    bool is_due_ = false;  // root_ is to be listed, when the list before it has ended
+    std::vector<StickEntry> packs_;
+    std::vector<std::string> names_;
+    std::future<Listed> listing_;
+};
+
+}  // namespace touchline

@@ -1,0 +1,176 @@
+// The operator's desk on real files, through restarts of the kiosk.
+#include "app/kiosk/operator_desk.h"
+
+#include "app/operator/pin.h"
+#include "app/operator/pin_file.h"
+#include "app/operator/pin_tries_file.h"
+#include "tests/app/kiosk/kiosk_world.h"
+
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A kiosk that can be switched off at any moment; its clock begins anew each time.
+class PinAndPlug : public testing::Test {
+  protected:
+    PinAndPlug() {
+        EXPECT_TRUE(keep_pin(files_.pin, "1234"));
+        start();
+    }
+
+    void start() {
+        now_s_ = 5.0;
+        problems_.clear();
+        desk_.emplace(files_, std::vector<Language>{Language()}, problems_);
+        (void)desk_->happen(MomentPassed{}, language_, now_s_);
+    }
+
+    void press(KeyRole role) {
+        now_s_ += 0.1;
+        const auto left =
+            desk_->happen(KeyStruck{keys_of(default_keys(), role).at(0), role}, language_, now_s_);
+        for (const OperatorOrder& order : left)
+            if (const auto* const say = std::get_if<Say>(&order)) said_ = say->text;
+    }
+
+    /// From the visitors' screen: the way in, and a PIN that is all zeros but its last digit.
+    void try_pin(int last_digit) {
+        for (const KeyRole role : {KeyRole::help, KeyRole::up, KeyRole::up, KeyRole::down,
+                                   KeyRole::down, KeyRole::select})
+            press(role);
+        for (int i = 0; i < 3; ++i) press(KeyRole::next);
+        for (int i = 0; i < last_digit; ++i) press(KeyRole::up);
+        press(KeyRole::next);
+        press(KeyRole::select);
+        if (desk_->is_inside()) return;
+        press(KeyRole::back);
+        press(KeyRole::back);
+    }
+
+    void wait(double time_s) {
+        now_s_ += time_s;
+        (void)desk_->happen(MomentPassed{}, language_, now_s_);
+    }
+
+    KioskWorld world_;
+    OperatorFiles files_ = world_.site_files();
+    Language language_;
+    std::vector<std::string> problems_;
+    std::optional<OperatorDesk> desk_;
+    double now_s_ = 0.0;
+    std::string said_;
+};
+
+TEST_F(PinAndPlug, PullingThePlugGivesNoTryForNothing) {
+    ASSERT_TRUE(keep_pin(files_.pin, "0001"));
+    for (int i = 1; i <= 5; ++i) {
+        try_pin(9);
+        EXPECT_EQ(read_pin_tries(pin_tries_file(files_.pin)), i);
+        start();
+    }
+    try_pin(1);
+    EXPECT_FALSE(desk_->is_inside()) << "the wait began anew with the restart";
+    wait(50.0);
+    try_pin(1);
+    EXPECT_FALSE(desk_->is_inside());
+    wait(10.0);
+    try_pin(1);
+    EXPECT_TRUE(desk_->is_inside()) << said_;
+    EXPECT_EQ(read_pin_tries(pin_tries_file(files_.pin)), 0);
+}
+
+TEST_F(PinAndPlug, ADamagedCountWaitsAsLongAsCanBe) {
+    ASSERT_TRUE(keep_pin(files_.pin, "0001"));
+    std::ofstream(pin_tries_file(files_.pin)) << "wrong PINs: few\n";
+    start();
+    ASSERT_EQ(problems_.size(), 1U);
+    try_pin(1);
+    EXPECT_FALSE(desk_->is_inside());
+    wait(3590.0);
+    try_pin(1);
+    EXPECT_FALSE(desk_->is_inside());
+    wait(15.0);
+    try_pin(1);
+    EXPECT_TRUE(desk_->is_inside()) << said_;
+    start();
+    EXPECT_TRUE(problems_.empty()) << "the right one mended it";
+}
+
+TEST_F(PinAndPlug, WhereNothingCanBeNotedEachWrongOneCostsTime) {
+    ASSERT_TRUE(keep_pin(files_.pin, "0001"));
+    fs::create_directories(fs::path(pin_tries_file(files_.pin)).concat(".part") / "full");
+    try_pin(9);
+    EXPECT_NE(desk_->take_note().find("cannot be kept"), std::string::npos);
+    try_pin(1);
+    EXPECT_FALSE(desk_->is_inside());
+    wait(61.0);
+    try_pin(1);
+    EXPECT_TRUE(desk_->is_inside()) << said_;
+}
+
+/// In the place of touchline-import something that leaves a mark and then hangs.
+class StickOfTheOperator : public PinAndPlug {
+  protected:
+    StickOfTheOperator() {
+        EXPECT_TRUE(keep_pin(files_.pin, "0001"));
+        const fs::path program = world_.folder() / "import";
+        std::ofstream(program) << "#!/bin/sh\necho \"$1\" >'" << mark_.string()
+                               << "'\nexec sleep 1\n";
+        fs::permissions(program, fs::perms::owner_all);
+        files_.import_program = program;
+        start();
+    }
+
+    void follow() {
+        desk_->put_stick("/a/stick");
+        (void)desk_->poll_stick(language_);
+    }
+
+    fs::path mark_ = world_.folder() / "mark";
+};
+
+TEST_F(StickOfTheOperator, IsNotEvenListedBeforeThePinIsGiven) {
+    for (int i = 0; i < 20; ++i) follow();
+    try_pin(9);
+    for (int i = 0; i < 20; ++i) {
+        follow();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_FALSE(fs::exists(mark_));
+    try_pin(1);
+    ASSERT_TRUE(desk_->is_inside());
+    for (int i = 0; i < 6000 && !fs::exists(mark_); ++i) {
+        follow();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_TRUE(fs::exists(mark_));
+}
+
+/// However long the stick takes, a call of the desk does not wait for it.
+TEST_F(StickOfTheOperator, KeepsNobodyWaiting) {
+    try_pin(1);
+    ASSERT_TRUE(desk_->is_inside());
+    follow();
+    int calls = 0;
+    std::optional<std::string> line;
+    for (; !line && calls < 60'000; ++calls) {
+        desk_->put_stick("/a/stick");
+        line = desk_->poll_stick(language_);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ASSERT_TRUE(line.has_value());
+    EXPECT_EQ(line->find("The stick cannot be read"), 0U) << *line;
+    EXPECT_GT(calls, 50) << "the list took a second, and meanwhile the screen went on";
+}
+
+}  // namespace
+}  // namespace touchline
