@@ -31,21 +31,21 @@ StickPacks::Listed StickPacks::list(const std::shared_ptr<Import>& import,
     }
 }
 
+/// A list of a stick that is gone by now, or that came again since, is dropped.
+std::string StickPacks::take(Listed listed) {
+    if (listed.root != root_ || is_due_) return {};
+    if (!listed.listing) return sentence_of(listed.listing.error(), "");
+    packs_ = std::move(listed.listing->entries);
+    for (const StickEntry& pack : packs_)
+        names_.push_back(shown_name(std::filesystem::path(pack.name).stem().string()));
+    return {};
+}
+
 std::string StickPacks::poll() {
     std::string sentence;
     const bool has_ended =
         listing_.valid() && listing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    if (has_ended) {
-        Listed listed = listing_.get();
-        if (listed.root == root_ && !is_due_) {
-            if (listed.listing)
-                packs_ = std::move(listed.listing->entries);
-            else
-                sentence = sentence_of(listed.listing.error(), "");
-            for (const StickEntry& pack : packs_)
-                names_.push_back(shown_name(std::filesystem::path(pack.name).stem().string()));
-        }
-    }
+    if (has_ended) sentence = take(listing_.get());
     if (is_due_ && !listing_.valid()) {
         is_due_ = false;
         listing_ = std::async(std::launch::async, list, import_, root_);

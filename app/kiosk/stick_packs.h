@@ -50,6 +50,7 @@ class StickPacks {
 
     [[nodiscard]] static Listed list(const std::shared_ptr<Import>& import,
                                      const std::string& root);
+    [[nodiscard]] std::string take(Listed listed);
 
     std::shared_ptr<Import> import_;
     std::string root_;

@@ -1,5 +1,6 @@
 #include "app/servo/servo_line.h"
 
+#include "app/servo/black_box.h"
 #include "config/types/map_bytes.h"
 
 #include <utility>
@@ -25,6 +26,10 @@ void ServoLine::disconnect() {
 
 void ServoLine::note(const std::string& line) {
     const std::lock_guard lock(mutex_);
+    add_notice(line);
+}
+
+void ServoLine::add_notice(const std::string& line) {
     notice_ += (notice_.empty() ? "" : "; ") + line;
 }
 
@@ -61,7 +66,9 @@ void ServoLine::feel(const FeltPicture& picture) {
 
 void ServoLine::ask_recorder(MessageKind wish) {
     const std::lock_guard lock(mutex_);
-    if (connection_) (void)send(connection_->socket, message_of(wish));
+    const bool is_heard = connection_ && send(connection_->socket, message_of(wish));
+    if (!is_heard && wish == MessageKind::keep)
+        add_notice(std::string(recording_not_kept) + "no servo runs that has one");
 }
 
 /// The socket holds many such messages; a servo that reads none of them is killed for its silence.

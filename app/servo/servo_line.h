@@ -51,6 +51,7 @@ class ServoLine {
 
   private:
     void send_scene();
+    void add_notice(const std::string& line);
 
     mutable std::mutex mutex_;
     std::shared_ptr<const Connection> connection_;  // null: no servo

@@ -1,6 +1,8 @@
 #include "app/servo/messages.h"
 
+#include "app/servo/black_box.h"
 #include "app/servo/restart.h"
+#include "app/servo/servo_line.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -89,6 +91,15 @@ TEST(Messages, OrdersOutOfRangeBuildNothing) {
         EXPECT_FALSE(build_scene(map, SceneOrder{1e-4, bad, 0, 0}).has_value());
     }
     EXPECT_FALSE(build_scene(map, SceneOrder{1e-4, 0.0, 2, 0}).has_value());
+}
+
+TEST(ServoLine, SaysThatNothingIsKeptWhereNoServoRuns) {
+    ServoLine line;
+    line.ask_recorder(MessageKind::hold);
+    line.ask_recorder(MessageKind::forget);
+    EXPECT_EQ(line.take_notice(), "");
+    line.ask_recorder(MessageKind::keep);
+    EXPECT_EQ(line.take_notice().find(recording_not_kept), 0U);
 }
 
 TEST(Restart, WaitsLongerWithEveryDeathAndStartsOverAfterAGoodMinute) {
