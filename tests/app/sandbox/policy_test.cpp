@@ -204,7 +204,7 @@ TEST(SandboxPolicy, FilesAreOpenedForReadingOnlyAndOnlyWhereDocumentsAreDrawn) {
         }
         EXPECT_EQ(answer(rules, SCMP_SYS(openat), opened_with(O_RDONLY)),
                   limits_of(kind).reads_fonts ? allowed : refused(EACCES));
-        for (const int asked : {F_SETFD, F_GETFL})
+        for (const std::uint64_t asked : std::array<std::uint64_t, 2>{F_SETFD, F_GETFL})
             EXPECT_EQ(answer(rules, SCMP_SYS(fcntl), {0, asked}),
                       limits_of(kind).reads_fonts ? allowed : killed);
         EXPECT_EQ(answer(rules, SCMP_SYS(fcntl), {0, F_SETFL}), killed);
