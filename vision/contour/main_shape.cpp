@@ -147,7 +147,7 @@ double likeness(const LabPicture& lab, const cv::Mat1b& inside) {
                                                  std::vector<double>(kBins * kBins * kBins, 0.0)};
     std::array<double, 2> sum{};
     const auto cell = [](float value, float low, float size) {
-        return std::clamp(static_cast<int>((value - low) / size), 0, kBins - 1);
+        return static_cast<int>(std::clamp((value - low) / size, 0.0F, kBins - 1.0F));
     };
     for (int y = 0; y < lab.rows; ++y) {
         for (int x = 0; x < lab.cols; ++x) {

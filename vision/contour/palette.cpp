@@ -24,7 +24,7 @@ struct Bin {
 };
 
 int cell(float value, float low, float size, int n) {
-    return std::clamp(static_cast<int>((value - low) / size), 0, n - 1);
+    return static_cast<int>(std::clamp((value - low) / size, 0.0F, static_cast<float>(n - 1)));
 }
 
 float squared(const cv::Vec3f& d) {

@@ -208,11 +208,29 @@ class StrokeTracer {
                 return static_cast<double>(parts_.depth(pixel_at(at))) >= kDepthAtCorner * width_px;
             });
         line.width_px = width_px;
+        const auto is_set = [](const EdgePoint& point) { return point.strength > 0.0; };
         for (EdgePoint& point : line.points) {
             point.strength =
                 kGradientOverStep * static_cast<double>(ink_.contrast(pixel_at(point.at)));
         }
+        if (std::ranges::none_of(line.points, is_set)) {
+            take_strength_beside(line);
+        }
         return line;
+    }
+
+    /// A border half-way between two pixels may be rounded to the paper's side all along, where the
+    /// contrast is nothing: the ink beside it tells how strong it is.
+    void take_strength_beside(Chain& line) const {
+        for (EdgePoint& point : line.points) {
+            for (const double dy : {-0.5, 0.5}) {
+                for (const double dx : {-0.5, 0.5}) {
+                    const cv::Point pixel = pixel_at(point.at + cv::Point2d(dx, dy));
+                    const auto contrast = static_cast<double>(ink_.contrast(pixel));
+                    point.strength = std::max(point.strength, kGradientOverStep * contrast);
+                }
+            }
+        }
     }
 
     cv::Point pixel_at(const cv::Point2d& at) const {

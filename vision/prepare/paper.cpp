@@ -154,6 +154,9 @@ LabPicture evenly_lit(const LabPicture& lab, const Paper& paper) {
     std::vector<cv::Vec3f> colours;
     paper.fill_row(lab.rows / 2, colours);
     const float middle = colours[colours.size() / 2][0] + kBlack;
+    if (!(middle > 0.0F)) {  // where few places agree; of no light nothing can be divided out
+        return lab.clone();
+    }
     LabPicture lit(lab.size());
     for (int row = 0; row < lab.rows; ++row) {
         paper.fill_row(row, colours);

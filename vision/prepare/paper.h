@@ -34,7 +34,8 @@ class Paper {
 };
 
 /// The picture as it would be if the paper had the same colour everywhere as in its middle: light
-/// divided out, colours kept. O(pixels).
+/// divided out, colours kept; as it is where the paper
+/// has no light in the middle. O(pixels).
 [[nodiscard]] LabPicture evenly_lit(const LabPicture& lab, const Paper& paper);
 
 }  // namespace touchline

@@ -3,6 +3,8 @@
 #include "vision/simplify/segment_grid.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace touchline {
@@ -16,6 +18,47 @@ struct SelfCrossing {
     std::size_t second = 0;  // later segment that crosses it
     cv::Point2d at;
 };
+
+/// A point where a map will have it: on the grid of nanometres, in whole ones.
+struct GridPoint {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+};
+
+GridPoint on_grid(cv::Point2d p) {
+    constexpr double kNanometres = 1e6;  // on a millimetre
+    return {std::llround(kNanometres * p.x), std::llround(kNanometres * p.y)};
+}
+
+/// Which side of a b the point c lies: exact within an area of a metre.
+int side(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+    const std::int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    return area > 0 ? 1 : area < 0 ? -1 : 0;
+}
+
+/// Whether two segments cross once their points are on the grid.
+bool cross_on_grid(const LineSegment& s, const LineSegment& t, cv::Point2d low) {
+    const GridPoint a = on_grid(s.a + low);
+    const GridPoint b = on_grid(s.b + low);
+    const GridPoint c = on_grid(t.a + low);
+    const GridPoint d = on_grid(t.b + low);
+    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+/// Where two segments cross, from `low` on; or will in a map: a line that leads back along itself
+/// may cross itself only there.
+std::optional<cv::Point2d> crossing_in_map(const LineSegment& s, const LineSegment& t,
+                                           cv::Point2d low) {
+    const std::optional<cv::Point2d> at = crossing_of(s, t);
+    if (at || !cross_on_grid(s, t, low)) {
+        return at;
+    }
+    const cv::Point2d u = s.b - s.a;
+    const cv::Point2d v = t.b - t.a;
+    const double area = u.cross(v);
+    return area == 0.0 ? nearest_on(s, t.a)
+                       : s.a + std::clamp((t.a - s.a).cross(v) / area, 0.0, 1.0) * u;
+}
 
 /// The crossing that closes the shortest loop (in segments).
 std::optional<SelfCrossing> self_crossing(const Chain& line) {
@@ -35,7 +78,7 @@ std::optional<SelfCrossing> self_crossing(const Chain& line) {
             const std::size_t apart = i - before.index;
             const bool is_neighbour = apart <= 1 || (line.is_closed && apart + 1 >= count);
             const std::optional<cv::Point2d> at =
-                is_neighbour ? std::nullopt : crossing_of(before, here);
+                is_neighbour ? std::nullopt : crossing_in_map(before, here, low);
             if (at && (!best || apart < best->second - best->first)) {
                 best = {before.index, i, *at + low};
             }

@@ -3,6 +3,7 @@
 #include "vision/simplify/loops.h"
 #include "vision/simplify/narrow_parts.h"
 #include "vision/simplify/surroundings.h"
+#include "vision/simplify/zoom.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,10 +21,15 @@ constexpr double kBold = 1.1;  // gaps: so that smoothing leaves a gap
 
 /// A ring with what is too narrow of it as single lines, the longest last.
 std::vector<Candidate> narrow_as_lines(const Chain& ring, double gap_mm, Narrow first,
-                                       const ShapingScale& scale) {
+                                       const ShapingScale& scale, cv::Size2d area_mm) {
     std::vector<Candidate> result;
     for (const Chain& part : parted_where_narrow(ring, kBold * gap_mm, first)) {
-        result.push_back({shaped(part, scale), !part.is_closed, !part.is_closed});
+        // Middle lines that go on through a junction may come back over themselves.
+        const Chain smooth = within(shaped(part, scale), area_mm);
+        for (Chain& line : without_self_crossings(smooth, 0.0)) {
+            const bool is_open = !line.is_closed;
+            result.push_back({std::move(line), is_open, is_open});
+        }
     }
     std::ranges::reverse(result);
     return result;
@@ -69,7 +75,9 @@ bool Selection::may_be_shown(const RankedLine& ranked) const {
 /// Adds the line at a scale. True: some of it was too long to be added.
 bool Selection::add_at(const ShapingScale& scale, const Chain& line, std::size_t number) {
     bool is_too_long = false;
-    for (const Chain& part : without_self_crossings(shaped(line, scale), limits_.least_stroke_mm)) {
+    // Smoothing may lead a line that runs along the rim a little beyond it.
+    const Chain smooth = within(shaped(line, scale), area_mm_);
+    for (const Chain& part : without_self_crossings(smooth, limits_.least_stroke_mm)) {
         const bool needs_parting = part.is_closed && length_of(part) < kLengths * limits_.line_mm &&
                                    too_near_itself(part, spaced_.scale());
         const bool was_too_long =
@@ -86,7 +94,7 @@ bool Selection::add_ring(const ShapingScale& scale, const Chain& ring, std::size
     const bool is_too_long = best.add_all({{ring, false, false}}, number);
     for (const Narrow first : {Narrow::parts, Narrow::bays}) {
         Selection parted = *this;
-        parted.add_all(narrow_as_lines(ring, limits_.gap_mm, first, scale), number);
+        parted.add_all(narrow_as_lines(ring, limits_.gap_mm, first, scale, area_mm_), number);
         if (worth(parted, ring) > worth(best, ring)) {
             best = std::move(parted);
         }

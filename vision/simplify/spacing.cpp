@@ -8,7 +8,8 @@
 namespace touchline {
 namespace {
 
-constexpr double kOpening_mm = 2.5;     // each side of a crossing
+constexpr double kOpening_mm = 2.5;  // each side of a crossing
+constexpr double kSamePlace_mm = 1e-9;
 constexpr double kSmallBreak_mm = 4.0;  // a groove must not end by accident
 
 }  // namespace
@@ -96,8 +97,15 @@ bool SpacedLines::append(cv::Point2d to, std::vector<EdgePoint>& line) const {
     const EdgePoint from = line.back();
     const cv::Point2d way = to - from.at;
     const LineSegment inner{from.at + 1e-3 * way, from.at + 0.999 * way, 0, 0};
+    const LineSegment beginning{from.at, inner.a, 0, 0};
     for (std::size_t i = 1; i < line.size(); ++i) {
-        if (crossing_of({line[i - 1].at, line[i].at, 0, 0}, inner)) {
+        const LineSegment piece{line[i - 1].at, line[i].at, 0, 0};
+        if (crossing_of(piece, inner)) {
+            return false;
+        }
+        // All but the last, which it goes on from, must be clear of its first step as well.
+        const auto at = i + 1 < line.size() ? crossing_of(piece, beginning) : std::nullopt;
+        if (at && distance(*at, from.at) > kSamePlace_mm) {
             return false;
         }
     }

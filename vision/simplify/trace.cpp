@@ -5,7 +5,9 @@
 #include "vision/simplify/placement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
+#include <new>
 #include <utility>
 
 namespace touchline {
@@ -43,7 +45,21 @@ Result<void> check(const TraceOptions& options) {
         return failure("the zoom is " + std::to_string(options.zoom.factor) +
                        " times; it must be 1 to 16");
     }
+    if (!std::isfinite(options.zoom.centre.x) || !std::isfinite(options.zoom.centre.y)) {
+        return failure("the middle of the zoom is no place; choose another part of the picture");
+    }
     return check(options.area);
+}
+
+/// For a visitor; what a library says is not. Only lack of memory is known to come to pass.
+std::string sentence_for(const std::exception& e) {
+    const auto* of_opencv = dynamic_cast<const cv::Exception*>(&e);
+    const bool is_memory = dynamic_cast<const std::bad_alloc*>(&e) != nullptr ||
+                           (of_opencv != nullptr && of_opencv->code == cv::Error::StsNoMem);
+    return is_memory ? "the picture could not be traced, because there is not enough memory; "
+                       "try a smaller one"
+                     : "the picture could not be traced, because it is of a kind that was not "
+                       "foreseen; try another one";
 }
 
 std::string nothing_found(const cv::Mat& picture, const PhotoLines& found) {
@@ -114,9 +130,7 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
                      decision,
                      std::move(found)};
     } catch (const std::exception& e) {  // OpenCV reports lack of memory this way
-        const std::string why = e.what();
-        return failure("the picture could not be traced, because of " +
-                       why.substr(0, why.find('\n')) + "; try a smaller one");
+        return failure(sentence_for(e));
     }
 }
 

@@ -147,6 +147,13 @@ void add_enlarged(const Outline& outline, const Area& area, const Zoom& zoom, Ta
 
 }  // namespace
 
+Chain within(Chain line, cv::Size2d area_mm) {
+    for (EdgePoint& p : line.points) {
+        p.at = {std::clamp(p.at.x, 0.0, area_mm.width), std::clamp(p.at.y, 0.0, area_mm.height)};
+    }
+    return line;
+}
+
 std::vector<Chain> in_zoom(const std::vector<Chain>& lines, const Placement& placement,
                            const Area& area, const Zoom& zoom) {
     const Enlargement enlarged(area, zoom);
@@ -158,7 +165,7 @@ std::vector<Chain> in_zoom(const std::vector<Chain>& lines, const Placement& pla
             p.at = enlarged(placement.in_mm(p.at));
         }
         if (zoom.factor == 1.0) {
-            result.push_back(std::move(mm));
+            result.push_back(within(std::move(mm), enlarged.size_mm()));
             continue;
         }
         for (Chain& part : clipped(mm, enlarged.size_mm())) result.push_back(std::move(part));

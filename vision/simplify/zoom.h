@@ -19,8 +19,13 @@ struct Zoom {
     friend bool operator==(const Zoom&, const Zoom&) = default;
 };
 
+/// A line in millimetres of the viewBox whose points beyond the area lie on its rim instead.
+/// O(points).
+[[nodiscard]] Chain within(Chain line, cv::Size2d area_mm);
+
 /// Lines in working pixels to millimetres of the viewBox, clipped by the area where it is
-/// enlarged; cut ends are exactly on its rim, and fixed. A closed line that is cut comes out in
+/// enlarged, else within() it: a corner may be found a little beyond the picture. Cut ends are
+/// exactly on its rim, and fixed. A closed line that is cut comes out in
 /// open parts. O(points).
 [[nodiscard]] std::vector<Chain> in_zoom(const std::vector<Chain>& lines,
                                          const Placement& placement, const Area& area,

@@ -86,6 +86,17 @@ TEST(StrokeLines, MiddleLinesOfPictogramsWithinHalfAStroke) {
     }
 }
 
+TEST(StrokeLines, TheBorderOfAHardEdgedShapeHasAStrength) {
+    // Its borders lie half-way between two pixels, and all of them are rounded to the paper's.
+    cv::Mat3b picture(44, 44, cv::Vec3b::all(250));
+    picture(cv::Rect(11, 11, 19, 19)) = cv::Vec3b::all(20);
+    const std::vector<Chain> chains = traced(picture, 5.0);
+    ASSERT_EQ(chains.size(), 1U);
+    for (const EdgePoint& p : chains.front().points) {
+        EXPECT_GT(p.strength, 10.0);
+    }
+}
+
 TEST(StrokeLines, FilledPictogramsGiveTheirOutline) {
     for (const Setting& setting : settings()) {
         const double width_px = setting.width_units * setting.size_px / kUnits;

@@ -1,6 +1,7 @@
 #include "vision/prepare/even_light.h"
 
 #include "tests/vision/prepare/page_photos.h"
+#include "vision/prepare/paper.h"
 
 #include <algorithm>
 
@@ -103,6 +104,14 @@ TEST(EvenLight, AnEvenPageStaysAsItIs) {
     const cv::Mat page = letters_page();
     const cv::Mat even = evenly_lit(page);
     EXPECT_LT(cv::norm(even, page, cv::NORM_L1) / static_cast<double>(3 * page.total()), 6.0);
+}
+
+TEST(EvenLight, OfPaperWithoutLightNothingIsDividedOut) {
+    LabPicture lab(20, 20,
+                   cv::Vec3f(-100.0F, 0.0F, 0.0F));  // what a surface may be far from its places
+    lab(3, 4) = {7.0F, 5.0F, -5.0F};
+    const LabPicture lit = evenly_lit(lab, Paper(lab));
+    EXPECT_EQ(cv::norm(lit, lab, cv::NORM_INF), 0.0);
 }
 
 }  // namespace

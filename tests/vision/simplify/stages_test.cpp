@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <sstream>
 #include <utility>
@@ -139,6 +140,51 @@ TEST(Loops, ASmallLoopIsDropped) {
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_EQ(parts[0].points.front().at, cv::Point2d(10, 40));
     EXPECT_EQ(parts[0].points.back().at, cv::Point2d(100, 38));
+}
+
+/// Whole nanometres, as a map has them.
+std::int64_t crossings_on_grid(const Chain& chain) {
+    using Point = std::pair<std::int64_t, std::int64_t>;
+    std::vector<Point> points;
+    for (const EdgePoint& p : chain.points) {
+        points.emplace_back(std::llround(1e6 * p.at.x), std::llround(1e6 * p.at.y));
+    }
+    const auto side = [](Point a, Point b, Point c) {
+        const std::int64_t area = (b.first - a.first) * (c.second - a.second) -
+                                  (b.second - a.second) * (c.first - a.first);
+        return area > 0 ? 1 : area < 0 ? -1 : 0;
+    };
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        for (std::size_t k = i + 2; k + 1 < points.size(); ++k) {
+            const Point a = points[i];
+            const Point b = points[i + 1];
+            const Point c = points[k];
+            const Point d = points[k + 1];
+            count += side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0 ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+TEST(Loops, ALineThatLeadsBackAlongItselfDoesNotCrossItselfInAMap) {
+    std::int64_t crossings = 0;
+    for (int turn = 1; turn < 60; ++turn) {
+        const cv::Point2d along(std::cos(0.1 * turn), std::sin(0.1 * turn));
+        Chain hairpin{{}, false};
+        for (double s = -20.0; s < 10.0; s += 0.3) {
+            hairpin.points.push_back({cv::Point2d(50, 40) + s * along, 1.0});
+        }
+        for (double s = 9.97; s > 7.0; s -= 0.21) {  // back on the very same way
+            hairpin.points.push_back({cv::Point2d(50, 40) + s * along, 1.0});
+        }
+        crossings += crossings_on_grid(hairpin);
+        for (const Chain& part : without_self_crossings(hairpin, 5.0)) {
+            EXPECT_EQ(crossings_on_grid(part), 0) << turn;
+            EXPECT_GT(length_of(part), 25.0);
+        }
+    }
+    EXPECT_GT(crossings, 50);  // else nothing was asked
 }
 
 TEST(Spacing, ACrossingIsOpenedAndAMeetingIsAFoot) {

@@ -78,6 +78,52 @@ TEST(Trace, UnusableArgumentsAreOneClearLine) {
     expect_one_line(trace_outlines(picture, {.area = {0.116, 0.0}}), "drawing area");
     expect_one_line(trace_outlines(picture, {.area = {}, .detail = 0}), "detail is 0");
     expect_one_line(trace_outlines(picture, {.area = {}, .detail = 6}), "detail is 6");
+    expect_one_line(trace_outlines(picture, {.area = {}, .zoom = {{nan, 0.0}, 2.0}}),
+                    "choose another part");
+}
+
+/// As OpenCV's own memory, but that there is none; or with another error of that number.
+class Failing final : public cv::MatAllocator {
+  public:
+    explicit Failing(int code) : code_(code), before_(cv::Mat::getDefaultAllocator()) {
+        cv::Mat::setDefaultAllocator(this);
+    }
+
+    ~Failing() override { cv::Mat::setDefaultAllocator(before_); }
+
+    Failing(const Failing&) = delete;
+    Failing& operator=(const Failing&) = delete;
+
+    cv::UMatData* allocate(int, const int*, int, void*, std::size_t*, cv::AccessFlag,
+                           cv::UMatUsageFlags) const override {
+        throw cv::Exception(code_, "(-4) inside", "function", "file.cpp", 1);
+    }
+
+    bool allocate(cv::UMatData*, cv::AccessFlag, cv::UMatUsageFlags) const override {
+        return false;
+    }
+
+    void deallocate(cv::UMatData*) const override {}
+
+  private:
+    int code_;
+    cv::MatAllocator* before_;
+};
+
+std::string line_when_failing(int code) {
+    const cv::Mat picture(30, 30, CV_8UC3, cv::Scalar::all(0));
+    const Failing failing(code);
+    const auto trace = trace_outlines(picture, {});
+    return trace ? "a map" : trace.error().line;
+}
+
+TEST(Trace, WhatALibraryThrowsIsNotReadToAVisitor) {
+    EXPECT_EQ(line_when_failing(cv::Error::StsNoMem),
+              "the picture could not be traced, because there is not enough memory; try a smaller "
+              "one");
+    EXPECT_EQ(line_when_failing(cv::Error::StsAssert),
+              "the picture could not be traced, because it is of a kind that was not foreseen; "
+              "try another one");
 }
 
 TEST(Trace, NoiseIsAFewLinesAndOneSentence) {

@@ -111,6 +111,17 @@ TEST(Zoom, AMapIsClippedOnTheRimAndItsLabelsGoWithIt) {
     EXPECT_TRUE(enlarged(map, {{0.0, 0.0}, 16.0}).outlines.empty());
 }
 
+TEST(Zoom, WhatIsFoundBeyondTheAreaComesToItsRim) {
+    const cv::Size picture(464, 336);  // four pixels a millimetre
+    const Chain corner{{{{-9.0, 100.0}, 1.0}, {{100.0, 400.0}, 1.0}, {{200.0, 100.0}, 1.0}}, false};
+    const auto lines = in_zoom({corner}, Placement(picture, picture, area), area, {});
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[0].points[0].at.x, 0.0);
+    EXPECT_EQ(lines[0].points[1].at.y, 84.0);
+    EXPECT_NEAR(lines[0].points[2].at.x, 200.5 / 4.0, 1e-9);
+    EXPECT_NEAR(lines[0].points[2].at.y, 100.5 / 4.0, 1e-9);
+}
+
 TEST(Zoom, NothingThereAndOutOfRangeAreOneLine) {
     const auto found = find_lines(picture_of({100.0, 100.0}, 90.0), {});
     ASSERT_TRUE(found);
