@@ -36,22 +36,16 @@ int side(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
     return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
-/// Whether two segments cross once their points are on the grid.
-bool cross_on_grid(const LineSegment& s, const LineSegment& t, cv::Point2d low) {
+/// Where two segments, from `low` on, cross once their points are on the grid; not where they only
+/// touch.
+std::optional<cv::Point2d> crossing_on_grid(const LineSegment& s, const LineSegment& t,
+                                            cv::Point2d low) {
     const GridPoint a = on_grid(s.a + low);
     const GridPoint b = on_grid(s.b + low);
     const GridPoint c = on_grid(t.a + low);
     const GridPoint d = on_grid(t.b + low);
-    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
-}
-
-/// Where two segments cross, from `low` on; or will in a map: a line that leads back along itself
-/// may cross itself only there.
-std::optional<cv::Point2d> crossing_in_map(const LineSegment& s, const LineSegment& t,
-                                           cv::Point2d low) {
-    const std::optional<cv::Point2d> at = crossing_of(s, t);
-    if (at || !cross_on_grid(s, t, low)) {
-        return at;
+    if (side(a, b, c) * side(a, b, d) >= 0 || side(c, d, a) * side(c, d, b) >= 0) {
+        return std::nullopt;
     }
     const cv::Point2d u = s.b - s.a;
     const cv::Point2d v = t.b - t.a;
@@ -60,8 +54,16 @@ std::optional<cv::Point2d> crossing_in_map(const LineSegment& s, const LineSegme
                        : s.a + std::clamp((t.a - s.a).cross(v) / area, 0.0, 1.0) * u;
 }
 
+/// Where they meet, ends included.
+std::optional<cv::Point2d> meeting(const LineSegment& s, const LineSegment& t, cv::Point2d) {
+    return crossing_of(s, t);
+}
+
+using CrossingOf = std::optional<cv::Point2d> (*)(const LineSegment&, const LineSegment&,
+                                                  cv::Point2d);
+
 /// The crossing that closes the shortest loop (in segments).
-std::optional<SelfCrossing> self_crossing(const Chain& line) {
+std::optional<SelfCrossing> self_crossing(const Chain& line, CrossingOf crossing) {
     const std::size_t n = line.points.size();
     const std::size_t count = line.is_closed ? n : n - 1;
     cv::Point2d low = line.points.front().at;
@@ -78,7 +80,7 @@ std::optional<SelfCrossing> self_crossing(const Chain& line) {
             const std::size_t apart = i - before.index;
             const bool is_neighbour = apart <= 1 || (line.is_closed && apart + 1 >= count);
             const std::optional<cv::Point2d> at =
-                is_neighbour ? std::nullopt : crossing_in_map(before, here, low);
+                is_neighbour ? std::nullopt : crossing(before, here, low);
             if (at && (!best || apart < best->second - best->first)) {
                 best = {before.index, i, *at + low};
             }
@@ -88,9 +90,7 @@ std::optional<SelfCrossing> self_crossing(const Chain& line) {
     return best;
 }
 
-}  // namespace
-
-std::vector<Chain> without_self_crossings(const Chain& line, double least_mm) {
+std::vector<Chain> taken_apart(const Chain& line, double least_mm, CrossingOf crossing) {
     std::vector<Chain> parts;
     std::vector<Chain> open{line};
     int cuts = 0;
@@ -98,7 +98,7 @@ std::vector<Chain> without_self_crossings(const Chain& line, double least_mm) {
         Chain part = std::move(open.back());
         open.pop_back();
         const std::optional<SelfCrossing> found =
-            part.points.size() < 4 ? std::nullopt : self_crossing(part);
+            part.points.size() < 4 ? std::nullopt : self_crossing(part, crossing);
         if (!found) {
             parts.push_back(std::move(part));
             continue;
@@ -122,6 +122,20 @@ std::vector<Chain> without_self_crossings(const Chain& line, double least_mm) {
     }
     std::ranges::stable_sort(parts, std::ranges::greater{}, length_of);
     return parts;
+}
+
+}  // namespace
+
+std::vector<Chain> without_self_crossings(const Chain& line, double least_mm) {
+    return taken_apart(line, least_mm, meeting);
+}
+
+bool crosses_itself_in_map(const Chain& line) {
+    return line.points.size() > 3 && self_crossing(line, crossing_on_grid);
+}
+
+std::vector<Chain> without_crossings_in_map(const Chain& line) {
+    return taken_apart(line, 0.0, crossing_on_grid);
 }
 
 }  // namespace touchline

@@ -24,15 +24,20 @@ std::vector<Candidate> narrow_as_lines(const Chain& ring, double gap_mm, Narrow 
                                        const ShapingScale& scale, cv::Size2d area_mm) {
     std::vector<Candidate> result;
     for (const Chain& part : parted_where_narrow(ring, kBold * gap_mm, first)) {
-        // Middle lines that go on through a junction may come back over themselves.
-        const Chain smooth = within(shaped(part, scale), area_mm);
-        for (Chain& line : without_self_crossings(smooth, 0.0)) {
-            const bool is_open = !line.is_closed;
-            result.push_back({std::move(line), is_open, is_open});
-        }
+        result.push_back({within(shaped(part, scale), area_mm), !part.is_closed, !part.is_closed});
     }
     std::ranges::reverse(result);
     return result;
+}
+
+/// What is to be added as line `number`, with a point where its end meets itself.
+Chain with_own_foot(const Fit& fit, std::size_t number) {
+    Chain line = fit.line;
+    if (fit.back && fit.back->line == number) {
+        const auto after = static_cast<std::ptrdiff_t>(fit.back->index) + 1;
+        line.points.insert(line.points.begin() + after, {fit.back->at, 0.0, true});
+    }
+    return line;
 }
 
 }  // namespace
@@ -126,6 +131,20 @@ double Selection::worth(const Selection& after, const Chain& line) const {
            kPieces * pieces / limits_.strokes;
 }
 
+/// What leads back along itself, and middle lines that come back over themselves beyond a junction,
+/// may cross themselves only once they are shown: in parts to `open`. A candidate that only its
+/// bridges lead across itself is not shown.
+void Selection::add_parts(const Candidate& candidate, std::vector<Candidate>& open) {
+    if (!crosses_itself_in_map(candidate.line)) {
+        return;
+    }
+    std::vector<Chain> parts = without_crossings_in_map(candidate.line);
+    std::ranges::reverse(parts);  // the longest last, which is next
+    for (Chain& part : parts) {
+        open.push_back({std::move(part), candidate.front_goes_on, candidate.back_goes_on});
+    }
+}
+
 /// Adds the longest stretch of a candidate that fits, what is left to `open`. False: too long.
 bool Selection::add_longest(const Candidate& candidate, std::size_t number,
                             std::vector<Candidate>& open) {
@@ -136,6 +155,10 @@ bool Selection::add_longest(const Candidate& candidate, std::size_t number,
     }
     if (line_mm_ + length_mm > limits_.line_mm) {
         return false;
+    }
+    if (crosses_itself_in_map(with_own_foot(*fit, strokes_.size()))) {
+        add_parts(candidate, open);
+        return true;
     }
     std::ranges::move(fit->rest, std::back_inserter(open));
     fit->rest.clear();

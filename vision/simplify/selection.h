@@ -44,6 +44,7 @@ class Selection {
     bool add_at(const ShapingScale& scale, const Chain& line, std::size_t number);
     bool add_ring(const ShapingScale& scale, const Chain& ring, std::size_t number);
     bool add_all(std::vector<Candidate> open, std::size_t number);
+    static void add_parts(const Candidate& candidate, std::vector<Candidate>& open);
     bool add_longest(const Candidate& candidate, std::size_t number, std::vector<Candidate>& open);
     [[nodiscard]] double worth(const Selection& after, const Chain& line) const;
 

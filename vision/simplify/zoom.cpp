@@ -148,8 +148,13 @@ void add_enlarged(const Outline& outline, const Area& area, const Zoom& zoom, Ta
 }  // namespace
 
 Chain within(Chain line, cv::Size2d area_mm) {
+    constexpr double kHalfNanometre_mm = 5e-7;  // less is on the rim in a map
+    const auto inside = [](double at_mm, double most_mm) {
+        const double within_mm = std::clamp(at_mm, 0.0, most_mm);
+        return std::abs(at_mm - within_mm) < kHalfNanometre_mm ? at_mm : within_mm;
+    };
     for (EdgePoint& p : line.points) {
-        p.at = {std::clamp(p.at.x, 0.0, area_mm.width), std::clamp(p.at.y, 0.0, area_mm.height)};
+        p.at = {inside(p.at.x, area_mm.width), inside(p.at.y, area_mm.height)};
     }
     return line;
 }
