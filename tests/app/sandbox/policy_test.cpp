@@ -287,14 +287,15 @@ TEST(SandboxPolicy, WhatEachKindMayTakeOfTheMachine) {
         bool has_threads, reads_fonts;
     };
 
-    constexpr std::array<Row, 8> rows{{{WorkerKind::raster, 64, 512, 4, 200, 6.0, false, false},
-                                       {WorkerKind::film, 64, 1024, 8, 200, 10.0, true, false},
-                                       {WorkerKind::document, 128, 1024, 8, 200, 10.0, true, true},
-                                       {WorkerKind::ocr, 200, 1024, 30, 16, 40.0, false, false},
-                                       {WorkerKind::speech, 1, 256, 0, 0, 0.0, false, false},
-                                       {WorkerKind::pack, 64, 512, 6, 112, 8.0, false, false},
-                                       {WorkerKind::trace, 256, 1024, 8, 200, 10.0, false, false},
-                                       {WorkerKind::network, 512, 4096, 120, 200, 150.0, false, false}}};
+    constexpr std::array<Row, 8> rows{
+        {{WorkerKind::raster, 64, 512, 4, 200, 6.0, false, false},
+         {WorkerKind::film, 64, 1024, 8, 200, 10.0, true, false},
+         {WorkerKind::document, 128, 1024, 8, 200, 10.0, true, true},
+         {WorkerKind::ocr, 200, 1024, 30, 16, 40.0, false, false},
+         {WorkerKind::speech, 1, 256, 0, 0, 0.0, false, false},
+         {WorkerKind::pack, 64, 512, 6, 112, 8.0, false, false},
+         {WorkerKind::trace, 256, 1024, 8, 200, 10.0, false, false},
+         {WorkerKind::network, 512, 4096, 120, 200, 150.0, false, false}}};
     static_assert(rows.size() == worker_kind_count);
     for (const Row& row : rows) {
         const WorkerLimits limits = limits_of(row.kind);
