@@ -109,7 +109,7 @@ void judge_spacing(const TactileMap& map, const TouchRules& rules,
         lengths.push_back(own.back().along_mm);
         std::ranges::copy_if(own, std::back_inserter(places), [&](const Place& place) {
             return std::ranges::none_of(centres, [&](const Position& centre) {
-                return norm(place.at - centre) <= rules.gap_mm;
+                return norm(place.at - centre) <= rules.gap_mm + rules.bridge_mm;
             });
         });
     }

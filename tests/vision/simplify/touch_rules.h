@@ -15,6 +15,7 @@ struct TouchRules {
     double line_mm;
     double stroke_mm;
     double gap_mm;
+    double bridge_mm = 0.0;  // how much further than a gap from a foot spacing does not count
 };
 
 /// Detail 1 ... 5, counts and lengths scaled to the area.
@@ -23,8 +24,9 @@ struct TouchRules {
 /// What is wrong with a map, one text a fault; empty: nothing.
 /// * strokes, length of line, length of each stroke;
 /// * spacing: places 0.3 mm apart on two outlines, or more than four gaps apart along one, are a
-///   gap apart, save within a gap of a place where one outline ends on another, of an end that a
-///   crossing left open (2.5 mm from the other line) or of a corner (turn of 40 degrees over 1 mm);
+///   gap apart, save within a gap (and `bridge_mm`) of a place where one outline ends on another,
+///   of an end that a crossing left open (2.5 mm from the other line) or of a corner (turn of 40
+///   degrees over 1 mm);
 /// * no two segments cross.
 [[nodiscard]] std::vector<std::string> faults_of(const TactileMap& map, const TouchRules& rules);
 
