@@ -11,13 +11,15 @@ constexpr double kLength_mm =
     150.0;  // about once round a thing of a hand's size: longer counts little more
 constexpr double kOpen = 2.0 / 3.0;
 constexpr double kInside = 0.7;
+constexpr double kLeastStrength =
+    1e-6;  // of `high`: the part of a border that a zoom shows may have none
 
 double salience_of(const Chain& line, double outer_share, double high) {
     double sum = 0.0;
     for (const EdgePoint& p : line.points) {
         sum += p.strength;
     }
-    const double r = sum / static_cast<double>(line.points.size()) / high;
+    const double r = std::max(kLeastStrength, sum / static_cast<double>(line.points.size()) / high);
     const double length = 1.0 - std::exp(-length_of(line) / kLength_mm);
     return r / (1.0 + r) * length * (line.is_closed ? 1.0 : kOpen) *
            (kInside + (1.0 - kInside) * outer_share);

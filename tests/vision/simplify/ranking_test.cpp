@@ -30,6 +30,13 @@ TEST(Ranking, LongStrongClosedAndOuterComeFirst) {
     EXPECT_LE(order[0].salience, 1.0);
 }
 
+TEST(Ranking, ALineWithoutStrengthIsTheLastAndNotNothing) {
+    const auto order = ranked({line(30, 0, false), line(10, 1, false)}, {1.0, 1.0}, 8.0);
+    EXPECT_EQ(order[1].line.points[0].strength, 0.0);
+    EXPECT_GT(order[1].salience, 0.0);  // the weight of an outline
+    EXPECT_GT(order[0].salience, order[1].salience);
+}
+
 TEST(Ranking, TiesKeepTheirOrder) {
     const auto order = ranked({line(30, 10, false), line(30, 10, false)}, {1.0, 0.999}, 8.0);
     EXPECT_EQ(order[0].outer_share, 1.0);
