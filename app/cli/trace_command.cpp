@@ -23,7 +23,7 @@ Result<std::vector<std::byte>> network_of(const std::string& path) {
     return bytes;
 }
 
-/// Of the two files, the one that the line is about.
+/// The line begins with that of the two files which it is about.
 Error about_file(const Error& error, const std::string& edge_model) {
     const auto at = error.line.find(unusable_edge_model);
     if (edge_model.empty() || at == std::string::npos) return error;

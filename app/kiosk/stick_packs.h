@@ -27,7 +27,7 @@ class StickPacks {
     /// Takes over a list that has been read. One sentence where it could not be; else empty.
     [[nodiscard]] std::string poll();
 
-    /// For the screen, in the order of their numbers.
+    /// Their names for the screen, in the order of their numbers.
     [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
     /// Reads that pack when it is called, on any thread, which waits for the stick: its bytes in

@@ -29,7 +29,7 @@ struct PinTries {
     double locked_until_s = 0.0;
 };
 
-/// With as many the wait is the longest; more are not counted.
+/// So many make the wait the longest; more are not counted.
 inline constexpr int most_wrong_pins = 11;
 
 /// `is_noted`: it was written down before it was judged. One that was not is forgotten by a restart

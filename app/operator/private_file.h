@@ -15,14 +15,14 @@ namespace touchline {
 [[nodiscard]] Result<void> write_private(const std::filesystem::path& file,
                                          const std::string& text);
 
-/// At most so many bytes of it. Fails where it is missing, no file, or open to others.
+/// Reads at most so many bytes of it. Fails where it is missing, no file, or open to others.
 [[nodiscard]] Result<std::string> read_private(const std::filesystem::path& file,
                                                std::size_t most_bytes);
 
 /// Is anything there? What cannot be looked at counts, a link to nothing too.
 [[nodiscard]] bool is_private_there(const std::filesystem::path& file);
 
-/// For good when the call returns. One that is not there is removed already.
+/// The file is gone for good when the call returns. One that is not there is removed already.
 [[nodiscard]] Result<void> remove_private(const std::filesystem::path& file);
 
 }  // namespace touchline

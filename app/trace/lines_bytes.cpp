@@ -51,7 +51,7 @@ struct StoredPoint {
 
 template <class T>
 void append(std::vector<std::byte>& bytes, const T& value) {
-    static_assert(std::has_unique_object_representations_v<T> || std::is_trivially_copyable_v<T>);
+    static_assert(std::is_trivially_copyable_v<T>);
     const auto* const first = reinterpret_cast<const std::byte*>(&value);
     bytes.insert(bytes.end(), first, first + sizeof value);
 }

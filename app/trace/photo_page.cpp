@@ -1,6 +1,5 @@
 #include "app/trace/photo_page.h"
 
-#include "app/trace/photo_cut.h"
 #include "vision/camera/conversion.h"
 #include "vision/prepare/document.h"
 

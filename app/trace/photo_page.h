@@ -1,9 +1,9 @@
-// From a photograph of what lies under the camera to a page: the worker's side.
+// A photograph of what lies under the camera becomes a page: the worker's side.
 // Threads: pure function.
 #pragma once
 
 #include "app/decode/page.h"
-#include "app/trace/trace_work.h"
+#include "app/trace/photo_cut.h"
 #include "vision/camera/frame.h"
 
 namespace touchline {

@@ -54,19 +54,12 @@ Result<Sealed> with_network(const Sealed& page, std::span<const std::byte> netwo
 }
 
 /// The worker's answer, sealed.
-Result<Sealed> worked(const TraceWork& work, const Descriptor& input,
-                      WorkerKind kind = WorkerKind::trace) {
+Result<Sealed> worked(const TraceWork& work, const Descriptor& input, WorkerKind kind) {
     const std::string program =
         kind == WorkerKind::network ? "touchline-trace-network" : "touchline-trace";
     auto outcome = run_worker({companion(program), arguments_of(work), kind}, input);
     if (outcome.end != WorkerEnd::done) return failure(words_of(outcome.end));
     return std::make_shared<const Descriptor>(std::move(outcome.output));
-}
-
-Result<Mapping> mapped(const Sealed& answer) {
-    auto bytes = map_sealed(*answer, limits_of(WorkerKind::trace).file_bytes);
-    if (!bytes) return failure(words_of(WorkerEnd::no_answer));
-    return bytes;
 }
 
 /// Labels from the page's area to that of the map; the picture is fitted in it, centred.
@@ -84,6 +77,24 @@ void tell(const Page& page, const TraceOptions& options, TactileMap& map) {
                           options.zoom);
 }
 
+/// A worker's answer as it lies in memory, and as it was read.
+struct Answer {
+    FoundLines memory;
+    Traced traced;
+};
+
+Result<Answer> traced_by(const TraceWork& work, const Descriptor& input, const Page& page,
+                         WorkerKind kind = WorkerKind::trace) {
+    const auto answer = worked(work, input, kind);
+    if (!answer) return tl::unexpected(answer.error());
+    const auto mapped = map_sealed(**answer, limits_of(kind).file_bytes);
+    if (!mapped) return failure(words_of(WorkerEnd::no_answer));
+    auto traced = traced_of(mapped->bytes());
+    if (!traced) return tl::unexpected(traced.error());
+    if (traced->map) tell(page, work.options, traced->map->map);
+    return Answer{{*answer, mapped->bytes().size()}, std::move(*traced)};
+}
+
 }  // namespace
 
 Result<FirstTrace> find_page_lines(const Page& page, const TraceRequest& request) {
@@ -91,30 +102,19 @@ Result<FirstTrace> find_page_lines(const Page& page, const TraceRequest& request
     auto input = sealed(page);
     if (input && has_network) input = with_network(*input, request.network);
     if (!input) return tl::unexpected(input.error());
-    const TraceWork work{TraceStep::lines, request.options, request.wants_edges, {}};
-    const auto answer =
-        worked(work, **input, has_network ? WorkerKind::network : WorkerKind::trace);
+    auto answer = traced_by({TraceStep::lines, request.options, request.wants_edges, {}}, **input,
+                            page, has_network ? WorkerKind::network : WorkerKind::trace);
     if (!answer) return tl::unexpected(answer.error());
-    const auto bytes = mapped(*answer);
-    if (!bytes) return tl::unexpected(bytes.error());
-    auto traced = traced_of(bytes->bytes());
-    if (!traced) return tl::unexpected(traced.error());
-    if (!traced->has_lines)
-        return failure(traced->map ? words_of(WorkerEnd::no_answer) : traced->map.error().line);
-    if (traced->map) tell(page, request.options, traced->map->map);
-    return FirstTrace{{*answer, bytes->bytes().size()}, std::move(traced->map)};
+    Traced& traced = answer->traced;
+    if (!traced.has_lines)
+        return failure(traced.map ? words_of(WorkerEnd::no_answer) : traced.map.error().line);
+    return FirstTrace{std::move(answer->memory), std::move(traced.map)};
 }
 
 Result<TracedMap> trace_page_lines(const Page& page, const FoundLines& lines,
                                    const TraceOptions& options) {
-    const auto answer = worked({TraceStep::map, options, false, {}}, *lines.memory);
-    if (!answer) return tl::unexpected(answer.error());
-    const auto bytes = mapped(*answer);
-    if (!bytes) return tl::unexpected(bytes.error());
-    auto traced = traced_of(bytes->bytes());
-    if (!traced) return tl::unexpected(traced.error());
-    if (traced->map) tell(page, options, traced->map->map);
-    return std::move(traced->map);
+    return traced_by({TraceStep::map, options, false, {}}, *lines.memory, page)
+        .and_then([](Answer answer) { return std::move(answer.traced.map); });
 }
 
 Result<TracedMap> trace_page(const Page& page, const TraceRequest& request) {
@@ -129,7 +129,7 @@ Result<Page> page_of_photo(const CameraFrame& frame, const PhotoCut& cut) {
     TraceWork work;
     work.step = TraceStep::photo;
     work.cut = cut;
-    const auto answer = worked(work, *input);
+    const auto answer = worked(work, *input, WorkerKind::trace);
     if (!answer) return tl::unexpected(answer.error());
     return page_in(*answer);
 }

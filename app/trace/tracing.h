@@ -1,4 +1,4 @@
-// From a page that was opened to the map that is felt, by workers that can do nothing else: no
+// A page that was opened becomes the map that is felt, by workers that can do nothing else: no
 // pixel of a stranger's picture and no line of it meets an algorithm in the process of the kiosk.
 // Threads: any, each call by itself; a call waits for its worker, at most its deadline.
 #pragma once

@@ -49,7 +49,7 @@ TracedMap honest_trace() {
     return traced;
 }
 
-/// Of the worker whose place it takes.
+/// The honest answer of the worker whose place it takes.
 Bytes honest_answer(WorkerKind kind) {
     switch (kind) {
         case WorkerKind::ocr:
@@ -61,7 +61,7 @@ Bytes honest_answer(WorkerKind kind) {
     }
 }
 
-/// By the end of its name.
+/// The end of its name tells.
 WorkerKind kind_of(std::string_view program) {
     if (program.ends_with("read")) return WorkerKind::ocr;
     return program.ends_with("trace") ? WorkerKind::trace : WorkerKind::raster;

@@ -1,6 +1,7 @@
 #include "app/decode/map_svg.h"
 
 #include "app/decode/files.h"
+#include "tests/app/decode/same_maps.h"
 
 #include <limits>
 
@@ -28,26 +29,6 @@ std::vector<Position> on_page(const std::vector<ViewBoxPoint>& points_mm) {
     std::vector<Position> points;
     for (const auto& p : points_mm) points.push_back(from_view_box(p.u_mm, p.v_mm, page));
     return points;
-}
-
-void expect_same(const TactileMap& a, const TactileMap& b) {
-    EXPECT_EQ(a.area, b.area);
-    EXPECT_EQ(a.title, b.title);
-    EXPECT_EQ(a.description, b.description);
-    ASSERT_EQ(a.outlines.size(), b.outlines.size());
-    for (std::size_t i = 0; i < a.outlines.size(); ++i) {
-        EXPECT_EQ(a.outlines[i].points, b.outlines[i].points);
-        EXPECT_EQ(a.outlines[i].is_closed, b.outlines[i].is_closed);
-        EXPECT_EQ(a.outlines[i].id, b.outlines[i].id);
-        EXPECT_EQ(a.outlines[i].label, b.outlines[i].label);
-        EXPECT_EQ(a.outlines[i].weight, b.outlines[i].weight);
-        EXPECT_EQ(a.outlines[i].detail, b.outlines[i].detail);
-    }
-    ASSERT_EQ(a.labels.size(), b.labels.size());
-    for (std::size_t i = 0; i < a.labels.size(); ++i) {
-        EXPECT_EQ(a.labels[i].text, b.labels[i].text);
-        EXPECT_EQ(a.labels[i].place, b.labels[i].place);
-    }
 }
 
 TEST(MapSvg, NamesWeightsAndDetailsAreRead) {

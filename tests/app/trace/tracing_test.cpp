@@ -4,6 +4,7 @@
 #include "app/decode/opening.h"
 #include "tests/app/decode/encoders.h"
 #include "tests/app/decode/liar_in_place.h"
+#include "tests/app/decode/same_maps.h"
 #include "tests/vision/contour/onnx_writer.h"
 #include "tests/vision/pictures/scenes.h"
 
@@ -29,17 +30,6 @@ Page page_of(const cv::Mat& bgr) {
 std::vector<cv::Mat> pictures() {
     return {testing::photo_scene(1, {320, 240}).picture, testing::diagram(2, {300, 260}),
             testing::line_drawing(3, {420, 300}), testing::text_page(4, {400, 500})};
-}
-
-void expect_same(const TactileMap& a, const TactileMap& b) {
-    ASSERT_EQ(a.outlines.size(), b.outlines.size());
-    for (std::size_t i = 0; i < a.outlines.size(); ++i) {
-        EXPECT_EQ(a.outlines[i].points, b.outlines[i].points);
-        EXPECT_EQ(a.outlines[i].is_closed, b.outlines[i].is_closed);
-        EXPECT_EQ(a.outlines[i].id, b.outlines[i].id);
-        EXPECT_EQ(a.outlines[i].label, b.outlines[i].label);
-        EXPECT_EQ(a.outlines[i].detail, b.outlines[i].detail);
-    }
 }
 
 TEST(Tracing, GivesWhatTheAlgorithmsGiveBitForBit) {
