@@ -77,7 +77,8 @@ inline constexpr unsigned most_worker_threads = 64;
                     .address_space_bytes = 1024 * MiB,
                     .cpu_s = 8,
                     .file_bytes = 200 * MiB,
-                    .deadline_s = 10.0};
+                    .deadline_s = 10.0,
+                    .has_threads = true};
         case WorkerKind::network:
             return {.input_bytes = 512 * MiB,
                     .address_space_bytes = 4096 * MiB,

@@ -74,7 +74,8 @@ void run_trace_program(const Tracer& tracer, int argc, char** argv) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     const auto work = trace_work_in(arguments);
     if (!work) refuse_to_run(argv[0]);
-    cv::setNumThreads(1);  // a worker has no others
+    // Said before the worker is shut in: what TBB asks the system for its threads it asks here.
+    cv::setNumThreads(limits_of(tracer.kind).has_threads ? cv::getNumberOfCPUs() : 1);
     run_worker_program({tracer.kind, nullptr, [&](std::span<const std::byte> bytes) {
                             return done(*work, tracer.input(bytes));
                         }});

@@ -294,7 +294,7 @@ TEST(SandboxPolicy, WhatEachKindMayTakeOfTheMachine) {
          {WorkerKind::ocr, 200, 1024, 30, 16, 40.0, false, false},
          {WorkerKind::speech, 1, 256, 0, 0, 0.0, false, false},
          {WorkerKind::pack, 64, 512, 6, 112, 8.0, false, false},
-         {WorkerKind::trace, 256, 1024, 8, 200, 10.0, false, false},
+         {WorkerKind::trace, 256, 1024, 8, 200, 10.0, true, false},
          {WorkerKind::network, 512, 4096, 120, 200, 150.0, false, false}}};
     static_assert(rows.size() == worker_kind_count);
     for (const Row& row : rows) {

@@ -186,7 +186,7 @@ int threads_started(const std::string& steps, WorkerKind kind) {
 }
 
 TEST_F(SandboxAlone, ThreadsHaveAnEnd) {
-    for (const WorkerKind kind : {WorkerKind::film, WorkerKind::document}) {
+    for (const WorkerKind kind : {WorkerKind::film, WorkerKind::document, WorkerKind::trace}) {
         const int count = threads_started("all", kind);
         EXPECT_GE(count, 48) << "a codec needs some";
         EXPECT_LE(count, static_cast<int>(most_worker_threads) + 8);
