@@ -1,5 +1,7 @@
 #include "vision/simplify/ranking.h"
 
+#include "config/types/map_limits.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -21,8 +23,9 @@ double salience_of(const Chain& line, double outer_share, double high) {
     }
     const double r = std::max(kLeastStrength, sum / static_cast<double>(line.points.size()) / high);
     const double length = 1.0 - std::exp(-length_of(line) / kLength_mm);
-    return r / (1.0 + r) * length * (line.is_closed ? 1.0 : kOpen) *
-           (kInside + (1.0 - kInside) * outer_share);
+    const double salience = r / (1.0 + r) * length * (line.is_closed ? 1.0 : kOpen) *
+                            (kInside + (1.0 - kInside) * outer_share);
+    return std::max(MapLimits::least_weight, salience);
 }
 
 }  // namespace
