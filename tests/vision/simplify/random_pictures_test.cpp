@@ -53,6 +53,9 @@ TEST_P(RandomPictures, AreASoundMapOrOneClearLine) {
 TEST(RandomPictures, ThatOnceWereAtFaultAreNot) {
     constexpr std::array kOnce{
         Numbered{59, 1131},  // a line of 0.2 mm without strength, lighter than a map may hold
+        Numbered{64, 1402},  // a foot on a ring that leads back along itself
+        Numbered{97, 1323},  // the same
+        Numbered{20, 1738},  // the same on an open line
     };
     TraceTally tally;
     for (const Numbered& once : kOnce) {
