@@ -56,6 +56,7 @@ TEST(RandomPictures, ThatOnceWereAtFaultAreNot) {
         Numbered{64, 1402},  // a foot on a ring that leads back along itself
         Numbered{97, 1323},  // the same
         Numbered{20, 1738},  // the same on an open line
+        Numbered{24, 1065},  // a ring that another in its way lets be longer than the least length
     };
     TraceTally tally;
     for (const Numbered& once : kOnce) {
