@@ -1,10 +1,8 @@
 #include "vision/simplify/loops.h"
 
-#include "vision/simplify/segment_grid.h"
+#include "vision/simplify/map_grid.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <optional>
 
 namespace touchline {
@@ -19,32 +17,11 @@ struct SelfCrossing {
     cv::Point2d at;
 };
 
-/// A point where a map will have it: on the grid of nanometres, in whole ones.
-struct GridPoint {
-    std::int64_t x = 0;
-    std::int64_t y = 0;
-};
-
-GridPoint on_grid(cv::Point2d p) {
-    constexpr double kNanometres = 1e6;  // on a millimetre
-    return {std::llround(kNanometres * p.x), std::llround(kNanometres * p.y)};
-}
-
-/// Which side of a b the point c lies: exact within an area of a metre.
-int side(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
-    const std::int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    return area > 0 ? 1 : area < 0 ? -1 : 0;
-}
-
 /// Where two segments, from `low` on, cross once their points are on the grid; not where they only
 /// touch.
 std::optional<cv::Point2d> crossing_on_grid(const LineSegment& s, const LineSegment& t,
                                             cv::Point2d low) {
-    const GridPoint a = on_grid(s.a + low);
-    const GridPoint b = on_grid(s.b + low);
-    const GridPoint c = on_grid(t.a + low);
-    const GridPoint d = on_grid(t.b + low);
-    if (side(a, b, c) * side(a, b, d) >= 0 || side(c, d, a) * side(c, d, b) >= 0) {
+    if (!cross_on_map_grid({s.a + low, s.b + low}, {t.a + low, t.b + low})) {
         return std::nullopt;
     }
     const cv::Point2d u = s.b - s.a;

@@ -25,7 +25,7 @@ double salience_of(const Chain& line, double outer_share, double high) {
     const double length = 1.0 - std::exp(-length_of(line) / kLength_mm);
     const double salience = r / (1.0 + r) * length * (line.is_closed ? 1.0 : kOpen) *
                             (kInside + (1.0 - kInside) * outer_share);
-    return std::max(MapLimits::least_weight, salience);  // a map with less cannot be sent
+    return std::max(MapLimits::least_weight, salience);
 }
 
 }  // namespace

@@ -16,8 +16,9 @@ struct RankedLine {
 
 /// Salience = length x contrast x closure x place: length 1 - exp(-length / 150 mm); contrast
 /// r / (1 + r), r = mean strength / high, never nothing; closure 1 for a closed line, 2/3 for an
-/// open one (a finger can lose it); place 1 outside ... 0.7 inside. Sorted by falling salience,
-/// ties keep their order. `outer_shares`: one for each line.
+/// open one (a finger can lose it); place 1 outside ... 0.7 inside; never less than the least
+/// weight of a map's outline. Sorted by falling salience, ties keep their order. `outer_shares`:
+/// one for each line.
 [[nodiscard]] std::vector<RankedLine> ranked(std::vector<Chain> lines,
                                              const std::vector<double>& outer_shares, double high);
 

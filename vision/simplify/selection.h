@@ -58,8 +58,8 @@ class Selection {
 };
 
 /// The lines of a detail out of all, best first. Where nothing lies outside, lines inside count
-/// too; where none is long enough, the least length is halved until one is. Empty only if `order`
-/// is.
+/// too; where none is long enough by itself, the least length is halved until one is. Empty only if
+/// `order` is.
 [[nodiscard]] Selection selected(const std::vector<RankedLine>& order, DetailLimits limits,
                                  cv::Size2d area_mm);
 

@@ -1,5 +1,7 @@
 #include "vision/simplify/spacing.h"
 
+#include "vision/simplify/map_grid.h"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -11,6 +13,7 @@ namespace {
 constexpr double kOpening_mm = 2.5;  // each side of a crossing
 constexpr double kSamePlace_mm = 1e-9;
 constexpr double kSmallBreak_mm = 4.0;  // a groove must not end by accident
+constexpr double kShort_mm = 1e-3;      // a thousand times the grid of a map; no finger feels it
 
 }  // namespace
 
@@ -117,6 +120,65 @@ bool SpacedLines::append(cv::Point2d to, std::vector<EdgePoint>& line) const {
     return true;
 }
 
+/// A segment of a line that was added, in the pieces that a map has it in: between the feet on it,
+/// those of `fit` too.
+std::vector<LineSegment> SpacedLines::pieces(const LineSegment& segment, const Fit& fit) const {
+    std::vector<LineFoot> feet = feet_[segment.line];
+    for (const std::optional<LineFoot>& foot : {fit.front, fit.back}) {
+        if (foot && foot->line == segment.line) {
+            feet.push_back(*foot);
+        }
+    }
+    std::erase_if(feet, [&](const LineFoot& foot) { return foot.index != segment.index; });
+    std::ranges::stable_sort(feet, {},
+                             [&](const LineFoot& foot) { return distance(foot.at, segment.a); });
+    std::vector<LineSegment> result;
+    cv::Point2d from = segment.a;
+    for (const LineFoot& foot : feet) {
+        result.push_back({from, foot.at, segment.line, segment.index});
+        from = foot.at;
+    }
+    result.push_back({from, segment.b, segment.line, segment.index});
+    return result;
+}
+
+/// Whether, on the grid of a map, the feet of `fit` lead it across a line, or bend a line across
+/// another.
+bool SpacedLines::crosses_in_map(const Fit& fit) const {
+    const std::vector<EdgePoint>& points = fit.line.points;
+    std::vector<LineSegment> changed;
+    const auto change = [&](const std::optional<LineFoot>& foot, const LineSegment& end) {
+        if (foot && foot->line < lines_.size()) {
+            changed.push_back(end);
+            std::ranges::move(pieces(segment_of(lines_[foot->line], foot->index, foot->line), fit),
+                              std::back_inserter(changed));
+        }
+    };
+    change(fit.front, {points[0].at, points[1].at});
+    change(fit.back, {points[points.size() - 2].at, points.back().at});
+    return std::ranges::any_of(changed, [&](const LineSegment& piece) {
+        bool is_crossed = false;
+        grid_.near(piece.a, piece.b, kShort_mm, [&](const LineSegment& other) {
+            is_crossed = is_crossed ||
+                         std::ranges::any_of(pieces(other, fit), [&](const LineSegment& there) {
+                             return cross_on_map_grid(piece, there);
+                         });
+        });
+        return is_crossed;
+    });
+}
+
+/// Makes the end of `fit.line` that was led to a foot `from` its side meet the line there.
+void SpacedLines::meet(const LineFoot& foot, cv::Point2d from, int step, Fit& fit) const {
+    std::optional<LineFoot>& met = step > 0 ? fit.back : fit.front;
+    met = foot;
+    if (crosses_in_map(fit)) {
+        met.reset();
+        EdgePoint& end = step > 0 ? fit.line.points.back() : fit.line.points.front();
+        end.at += (from - foot.at) * (kShort_mm / distance(from, foot.at));
+    }
+}
+
 /// Leads the end of `fit.line` that came from points[at] to the line in its way.
 void SpacedLines::bridge(const std::vector<EdgePoint>& points, std::size_t at, int step,
                          bool goes_on, Fit& fit) const {
@@ -150,9 +212,10 @@ void SpacedLines::bridge(const std::vector<EdgePoint>& points, std::size_t at, i
     if (!is_led) {
         return;
     }
-    fit.crossings_opened += is_opened ? 1 : 0;
-    if (!is_opened) {
-        (step > 0 ? fit.back : fit.front) = near->foot;
+    if (is_opened) {
+        ++fit.crossings_opened;
+    } else {
+        meet(near->foot, from.at, step, fit);
     }
 }
 

@@ -45,7 +45,9 @@ class SpacedLines {
     /// that is in the way and meets it there; but a line that crosses the other stops 2.5 mm short,
     /// so that the crossing is open over 5 mm, and one that ends by itself further than 4 mm from
     /// the other stays a gap away. The bridges lie within a gap of the foot and cross nothing: no
-    /// line is nearer to any of their points. O(points x points near).
+    /// line is nearer to any of their points. Where the line in the way leads back along itself, a
+    /// foot on one strand may be moved beyond the other by a map's grid; then the end stops a
+    /// micrometre short of it. O(points x points near).
     [[nodiscard]] std::optional<Fit> fit(const Candidate& candidate) const;
 
     void add(Fit fit);
@@ -72,6 +74,9 @@ class SpacedLines {
     [[nodiscard]] bool crosses_on(const std::vector<EdgePoint>& points, std::size_t from,
                                   int step) const;
     bool append(cv::Point2d to, std::vector<EdgePoint>& line) const;
+    [[nodiscard]] std::vector<LineSegment> pieces(const LineSegment& segment, const Fit& fit) const;
+    [[nodiscard]] bool crosses_in_map(const Fit& fit) const;
+    void meet(const LineFoot& foot, cv::Point2d from, int step, Fit& fit) const;
     void bridge(const std::vector<EdgePoint>& points, std::size_t at, int step, bool goes_on,
                 Fit& fit) const;
 

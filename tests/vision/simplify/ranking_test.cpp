@@ -1,5 +1,7 @@
 #include "vision/simplify/ranking.h"
 
+#include "config/types/map_limits.h"
+
 #include <gtest/gtest.h>
 
 namespace touchline {
@@ -35,6 +37,15 @@ TEST(Ranking, ALineWithoutStrengthIsTheLastAndNotNothing) {
     EXPECT_EQ(order[1].line.points[0].strength, 0.0);
     EXPECT_GT(order[1].salience, 0.0);  // the weight of an outline
     EXPECT_GT(order[0].salience, order[1].salience);
+}
+
+TEST(Ranking, NoLineWeighsLessThanAMapMayHold) {
+    for (const double length_mm : {1e-6, 0.18, 10.0}) {
+        for (const bool is_closed : {false, true}) {
+            const auto order = ranked({line(length_mm, 0, is_closed)}, {0.0}, 8.0);
+            EXPECT_GE(order[0].salience, MapLimits::least_weight) << length_mm;
+        }
+    }
 }
 
 TEST(Ranking, TiesKeepTheirOrder) {

@@ -142,26 +142,46 @@ TEST(Loops, ASmallLoopIsDropped) {
     EXPECT_EQ(parts[0].points.back().at, cv::Point2d(100, 38));
 }
 
-/// Whole nanometres, as a map has them.
-std::int64_t crossings_on_grid(const Chain& chain) {
-    using Point = std::pair<std::int64_t, std::int64_t>;
-    std::vector<Point> points;
+using Nanometres = std::pair<std::int64_t, std::int64_t>;
+
+/// As a map has them.
+std::vector<Nanometres> on_grid(const Chain& chain) {
+    std::vector<Nanometres> points;
     for (const EdgePoint& p : chain.points) {
         points.emplace_back(std::llround(1e6 * p.at.x), std::llround(1e6 * p.at.y));
     }
-    const auto side = [](Point a, Point b, Point c) {
-        const std::int64_t area = (b.first - a.first) * (c.second - a.second) -
-                                  (b.second - a.second) * (c.first - a.first);
+    return points;
+}
+
+bool cross(Nanometres a, Nanometres b, Nanometres c, Nanometres d) {
+    const auto side = [](Nanometres from, Nanometres to, Nanometres p) {
+        const std::int64_t area = (to.first - from.first) * (p.second - from.second) -
+                                  (to.second - from.second) * (p.first - from.first);
         return area > 0 ? 1 : area < 0 ? -1 : 0;
     };
+    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+/// Of an open line with itself.
+std::int64_t crossings_on_grid(const Chain& chain) {
+    const std::vector<Nanometres> points = on_grid(chain);
     std::int64_t count = 0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         for (std::size_t k = i + 2; k + 1 < points.size(); ++k) {
-            const Point a = points[i];
-            const Point b = points[i + 1];
-            const Point c = points[k];
-            const Point d = points[k + 1];
-            count += side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0 ? 1 : 0;
+            count += cross(points[i], points[i + 1], points[k], points[k + 1]) ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+/// Of two open lines.
+std::int64_t crossings_on_grid(const Chain& one, const Chain& other) {
+    const std::vector<Nanometres> points = on_grid(one);
+    const std::vector<Nanometres> others = on_grid(other);
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        for (std::size_t k = 0; k + 1 < others.size(); ++k) {
+            count += cross(points[i], points[i + 1], others[k], others[k + 1]) ? 1 : 0;
         }
     }
     return count;
@@ -214,6 +234,40 @@ TEST(Spacing, ACrossingIsOpenedAndAMeetingIsAFoot) {
     const std::vector<Chain> lines = spaced.lines();
     EXPECT_EQ(lines[3].points.back().at, cv::Point2d(80, 40));
     EXPECT_TRUE(has_point(lines[0], cv::Point2d(80, 40)));
+}
+
+/// A line that leads back along itself, points of either way beside those of the other.
+Chain there_and_back(cv::Point2d from, cv::Point2d along) {
+    Chain chain{{}, false};
+    for (double s_mm = 0.0; s_mm < 9.0; s_mm += 0.23) {
+        chain.points.push_back({from + s_mm * along, 1.0});
+    }
+    for (double s_mm = 9.0; s_mm > 1.0; s_mm -= 0.19) {
+        chain.points.push_back({from + s_mm * along, 1.0});
+    }
+    return chain;
+}
+
+TEST(Spacing, AFootOnALineThatLeadsBackAlongItselfCrossesNothingInAMap) {
+    int feet = 0;
+    int short_of_it = 0;
+    for (int turn = 0; turn < 60; ++turn) {
+        const cv::Point2d along(std::cos(0.1 * turn), std::sin(0.1 * turn));
+        const cv::Point2d across(-along.y, along.x);
+        const cv::Point2d from(50, 40);
+        SpacedLines spaced(size_mm, 5.0, 0.25);
+        spaced.add({there_and_back(from, along), {}, {}, 0, {}});
+        const cv::Point2d foot = from + 4.7 * along;
+        const std::optional<Fit> fit = spaced.fit({line({foot + 30.0 * across, foot})});
+        ASSERT_TRUE(fit);
+        EXPECT_LT(distance(fit->line.points.back().at, foot), 2e-3);
+        ++(fit->back ? feet : short_of_it);
+        spaced.add(*fit);
+        const std::vector<Chain> lines = spaced.lines();
+        EXPECT_EQ(crossings_on_grid(lines[0], lines[1]), 0) << turn;
+    }
+    EXPECT_GT(feet, 0);  // else nothing was asked
+    EXPECT_GT(short_of_it, 0);
 }
 
 TEST(Spacing, ALineThatEndsWellBeforeAnotherKeepsItsDistance) {

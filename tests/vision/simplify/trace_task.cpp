@@ -80,15 +80,13 @@ void judge_touch(const TactileMap& map, int detail, Faults& faults) {
     // Both ends of a sliver may be led to one line. Each bridge begins a gap and two and a half
     // steps, of 0.2 to 0.5 mm, before it.
     rules.bridge_mm = 2.5 * std::clamp(rules.gap_mm / 16.0, 0.2, 0.5);
-    double longest_mm = 0.0;
-    for (const Outline& outline : map.outlines) {
-        longest_mm = std::max(longest_mm, length_of(outline));
-    }
-    // Where nothing is long enough the least length is halved until something is. What is shown
-    // then may be longer by its bridges to what came before it.
-    const double bridges_mm = 2.0 * (rules.gap_mm + 2.0);
-    if (longest_mm < rules.stroke_mm + bridges_mm) {
-        rules.stroke_mm = std::min(rules.stroke_mm, std::max(0.0, 0.5 * (longest_mm - bridges_mm)));
+    // Where no line is long enough by itself, the least length is halved until one is: the first,
+    // which nothing else is in the way of. Others may come to be longer beside it, since it changes
+    // where they are cut, and they are led to it.
+    const double first_mm = length_of(map.outlines.front());
+    constexpr int kMostHalvings = 9;
+    for (int i = 0; i < kMostHalvings && first_mm < rules.stroke_mm; ++i) {
+        rules.stroke_mm *= 0.5;
     }
     std::ranges::move(faults_of(map, rules), std::back_inserter(faults));
 }
