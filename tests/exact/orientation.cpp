@@ -110,6 +110,11 @@ bool meet(Position a, Position b, Position c, Position d) {
            orientation(c, d, a) * orientation(c, d, b) <= 0;
 }
 
+bool cross_inside(Position a, Position b, Position c, Position d) {
+    return orientation(a, b, c) * orientation(a, b, d) < 0 &&
+           orientation(c, d, a) * orientation(c, d, b) < 0;
+}
+
 std::optional<double> first_meeting(Position from, Position to, const Segment& segment) {
     const auto [a, b] = segment;
     if (!meet(from, to, a, b)) return {};

@@ -17,6 +17,9 @@ namespace touchline::exact {
 /// True when the closed segments have a point in common.
 [[nodiscard]] bool meet(Position a, Position b, Position c, Position d);
 
+/// True when the segments cross at a point inside of both; not where they only touch.
+[[nodiscard]] bool cross_inside(Position a, Position b, Position c, Position d);
+
 /// The share of the way, 0 ... 1, at which it has its first point in common with the segment, both
 /// closed, each perhaps a single point: the exact share rounded to the nearest double, so that
 /// equal shares give equal numbers. Nothing where they have no point in common.

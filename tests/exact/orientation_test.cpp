@@ -32,6 +32,14 @@ TEST(Orientation, SegmentsMeetAtAnEndAndNotBesideIt) {
     EXPECT_FALSE(meet({0, 0}, {1, 0}, {2, 0}, {3, 0}));
 }
 
+TEST(Orientation, SegmentsCrossInsideAndNotWhereTheyTouch) {
+    EXPECT_TRUE(cross_inside({0, 0}, {1, 1}, {0, 1}, {1, 0}));
+    EXPECT_TRUE(cross_inside({0, 0}, {1, 0}, {0.5, -1e-300}, {0.5, 1}));
+    EXPECT_FALSE(cross_inside({0, 0}, {1, 0}, {0.5, 0}, {0.5, 1}));
+    EXPECT_FALSE(cross_inside({0, 0}, {1, 0}, {0.5, 1e-300}, {0.5, 1}));
+    EXPECT_FALSE(cross_inside({0, 0}, {2, 0}, {1, 0}, {3, 0}));
+}
+
 TEST(FirstMeeting, IsTheExactShareRoundedToNearest) {
     const Segment upright{{0.0, -1.0}, {0.0, 1.0}};
     EXPECT_EQ(first_meeting({-1, 0}, {2, 0}, upright), 1.0 / 3.0);

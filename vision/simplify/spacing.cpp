@@ -15,6 +15,13 @@ constexpr double kSamePlace_mm = 1e-9;
 constexpr double kSmallBreak_mm = 4.0;  // a groove must not end by accident
 constexpr double kShort_mm = 1e-3;      // a thousand times the grid of a map; no finger feels it
 
+/// In the order in which they lie along their line.
+void sort_along(const std::vector<EdgePoint>& line, std::vector<LineFoot>& feet) {
+    std::ranges::stable_sort(feet, {}, [&](const LineFoot& foot) {
+        return std::pair(foot.index, distance(foot.at, line[foot.index].at));
+    });
+}
+
 }  // namespace
 
 SpacedLines::SpacedLines(cv::Size2d area_mm, double gap_mm, double step_mm)
@@ -130,8 +137,7 @@ std::vector<LineSegment> SpacedLines::pieces(const LineSegment& segment, const F
         }
     }
     std::erase_if(feet, [&](const LineFoot& foot) { return foot.index != segment.index; });
-    std::ranges::stable_sort(feet, {},
-                             [&](const LineFoot& foot) { return distance(foot.at, segment.a); });
+    sort_along(lines_[segment.line].points, feet);
     std::vector<LineSegment> result;
     cv::Point2d from = segment.a;
     for (const LineFoot& foot : feet) {
@@ -269,10 +275,7 @@ std::vector<Chain> SpacedLines::lines() const {
         std::vector<LineFoot> feet = feet_[i];
         std::vector<EdgePoint>& points = result[i].points;
         const std::vector<EdgePoint> old = points;
-        std::ranges::stable_sort(feet, [&](const LineFoot& a, const LineFoot& b) {
-            return std::pair(a.index, distance(a.at, old[a.index].at)) <
-                   std::pair(b.index, distance(b.at, old[b.index].at));
-        });
+        sort_along(old, feet);
         points.clear();
         auto foot = feet.begin();
         for (std::size_t k = 0; k < old.size(); ++k) {

@@ -1,4 +1,5 @@
 // The stages of simplifying, one by one, on lines in millimetres.
+#include "tests/exact/orientation.h"
 #include "vision/simplify/breaks.h"
 #include "vision/simplify/detail_limits.h"
 #include "vision/simplify/loops.h"
@@ -142,46 +143,37 @@ TEST(Loops, ASmallLoopIsDropped) {
     EXPECT_EQ(parts[0].points.back().at, cv::Point2d(100, 38));
 }
 
-using Nanometres = std::pair<std::int64_t, std::int64_t>;
-
-/// As a map has them.
-std::vector<Nanometres> on_grid(const Chain& chain) {
-    std::vector<Nanometres> points;
+/// A line's points as a map has them: in whole nanometres.
+std::vector<Position> on_grid(const Chain& chain) {
+    std::vector<Position> points;
     for (const EdgePoint& p : chain.points) {
-        points.emplace_back(std::llround(1e6 * p.at.x), std::llround(1e6 * p.at.y));
+        points.push_back({std::round(1e6 * p.at.x), std::round(1e6 * p.at.y)});
     }
     return points;
 }
 
-bool cross(Nanometres a, Nanometres b, Nanometres c, Nanometres d) {
-    const auto side = [](Nanometres from, Nanometres to, Nanometres p) {
-        const std::int64_t area = (to.first - from.first) * (p.second - from.second) -
-                                  (to.second - from.second) * (p.first - from.first);
-        return area > 0 ? 1 : area < 0 ? -1 : 0;
-    };
-    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
-}
-
-/// Of an open line with itself.
-std::int64_t crossings_on_grid(const Chain& chain) {
-    const std::vector<Nanometres> points = on_grid(chain);
-    std::int64_t count = 0;
+/// How often an open line crosses itself.
+int crossings_on_grid(const Chain& chain) {
+    const std::vector<Position> points = on_grid(chain);
+    int count = 0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         for (std::size_t k = i + 2; k + 1 < points.size(); ++k) {
-            count += cross(points[i], points[i + 1], points[k], points[k + 1]) ? 1 : 0;
+            count +=
+                exact::cross_inside(points[i], points[i + 1], points[k], points[k + 1]) ? 1 : 0;
         }
     }
     return count;
 }
 
-/// Of two open lines.
-std::int64_t crossings_on_grid(const Chain& one, const Chain& other) {
-    const std::vector<Nanometres> points = on_grid(one);
-    const std::vector<Nanometres> others = on_grid(other);
-    std::int64_t count = 0;
+/// How often two open lines cross.
+int crossings_on_grid(const Chain& one, const Chain& other) {
+    const std::vector<Position> points = on_grid(one);
+    const std::vector<Position> others = on_grid(other);
+    int count = 0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         for (std::size_t k = 0; k + 1 < others.size(); ++k) {
-            count += cross(points[i], points[i + 1], others[k], others[k + 1]) ? 1 : 0;
+            count +=
+                exact::cross_inside(points[i], points[i + 1], others[k], others[k + 1]) ? 1 : 0;
         }
     }
     return count;
