@@ -1,6 +1,7 @@
 // Whatever packets a board sends, the driver gives finite angles or none and never leaves torque
 // on.
 #include "haptics/device/pantograph_board.h"
+#include "tests/haptics/tick.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,6 @@ namespace touchline {
 namespace {
 
 constexpr JointTorques push{0.1, -0.1};
-constexpr double tick_s = 1e-3;
 constexpr std::uint8_t end_of_tick = 0xff;
 
 void demand(bool holds) {

@@ -33,6 +33,7 @@ foreach(header IN LISTS headers)
 endforeach()
 
 add_library(touchline_headers OBJECT EXCLUDE_FROM_ALL ${sources})
+set_target_properties(touchline_headers PROPERTIES UNITY_BUILD OFF)
 target_include_directories(touchline_headers PRIVATE ${root})
 target_compile_options(touchline_headers PRIVATE -O0 -g0)
 libraries_below(${root} libraries)

@@ -27,7 +27,7 @@ double settled_stiffness(std::string_view name, double period_s, double delay_s,
     });
 }
 
-struct Row {
+struct Measured {
     double period_s, delay_s;
     HandModel hand;
     // spring, LP100 B = 2, LP100 B = 5, FOAW16, slope bound
@@ -35,7 +35,7 @@ struct Row {
 };
 
 TEST(Methods, ComeToRestUpToTheReferenceStiffness) {
-    const Row rows[] = {
+    const Measured rows[] = {
         {2e-3, 0, no_hand, {327, 2138, 3898, 2304, 98}},
         {2e-3, 0, light_hand, {1706, 3616, 5264, 3616, 1087}},
         {2e-3, 1e-3, no_hand, {114, 1009, 1839, 1087, 50}},
@@ -47,7 +47,7 @@ TEST(Methods, ComeToRestUpToTheReferenceStiffness) {
     };
     constexpr std::string_view names[] = {"spring", "spring + LP100", "spring + LP100, B = 5",
                                           "spring + FOAW16", "slope bound"};
-    for (const Row& row : rows) {
+    for (const Measured& row : rows) {
         for (int i = 0; i < 5; ++i) {
             const double found = settled_stiffness(names[i], row.period_s, row.delay_s, row.hand);
             EXPECT_NEAR(found, row.stiffness[i], 0.081 * row.stiffness[i])

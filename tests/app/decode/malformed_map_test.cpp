@@ -22,7 +22,7 @@ void expect_refused(const std::string& text, const std::string& because) {
     EXPECT_NE(map.error().line.find(because), std::string::npos) << map.error().line;
 }
 
-std::string svg(const std::string& content) {
+std::string plain_svg(const std::string& content) {
     return "<svg viewBox='0 0 116 84'>" + content + "</svg>";
 }
 
@@ -38,37 +38,38 @@ TEST(MalformedMap, EachIsRefusedWithItsReason) {
         expect_refused(std::string("<svg viewBox='") + box + "'><path d='M0 0L1 1'/></svg>",
                        "is not four finite numbers");
     }
-    expect_refused(svg(""), "holds no outline");
-    expect_refused(svg("<path/>"), "holds no outline");
-    expect_refused(svg("<path d='M1 1'/>"), "holds no outline");
-    expect_refused(svg("<defs><path d='M1 1L2 2'/></defs>"), "holds no outline");
-    expect_refused(svg("<path id='tail&#10;fin' d='M1 1L2'/>"),
+    expect_refused(plain_svg(""), "holds no outline");
+    expect_refused(plain_svg("<path/>"), "holds no outline");
+    expect_refused(plain_svg("<path d='M1 1'/>"), "holds no outline");
+    expect_refused(plain_svg("<defs><path d='M1 1L2 2'/></defs>"), "holds no outline");
+    expect_refused(plain_svg("<path id='tail&#10;fin' d='M1 1L2'/>"),
                    "the map's <path> tail fin cannot be used: at character");
-    expect_refused(svg("<path d='M1 1Lnan 2'/>"), "finite numbers");
-    expect_refused(svg("<path d='M1 1L1e999 2'/>"), "finite numbers");
-    expect_refused(svg("<path d='M1e308 1l1e308 1 1e308 1'/>"), "not finite");
-    expect_refused(svg("<g transform='turn(3)'/>"), "transform cannot be read");
-    expect_refused(svg("<g transform='scale(1e200)'><path d='M1e200 1L2 2'/></g>"), "not finite");
-    expect_refused(svg("<path data-weight='0' d='M1 1L2 2'/>"), "data-weight");
-    expect_refused(svg("<path data-weight='nan' d='M1 1L2 2'/>"), "data-weight");
+    expect_refused(plain_svg("<path d='M1 1Lnan 2'/>"), "finite numbers");
+    expect_refused(plain_svg("<path d='M1 1L1e999 2'/>"), "finite numbers");
+    expect_refused(plain_svg("<path d='M1e308 1l1e308 1 1e308 1'/>"), "not finite");
+    expect_refused(plain_svg("<g transform='turn(3)'/>"), "transform cannot be read");
+    expect_refused(plain_svg("<g transform='scale(1e200)'><path d='M1e200 1L2 2'/></g>"),
+                   "not finite");
+    expect_refused(plain_svg("<path data-weight='0' d='M1 1L2 2'/>"), "data-weight");
+    expect_refused(plain_svg("<path data-weight='nan' d='M1 1L2 2'/>"), "data-weight");
     for (const auto* detail : {"0", "6", "", "1.5", "-1", "12"}) {
-        expect_refused(svg(std::string("<path data-detail='") + detail + "' d='M1 1L2 2'/>"),
+        expect_refused(plain_svg(std::string("<path data-detail='") + detail + "' d='M1 1L2 2'/>"),
                        "data-detail");
     }
-    expect_refused(svg("<circle r='5%'/>"), "r is no finite length");
-    expect_refused(svg("<rect x='1in' width='3' height='3'/>"), "x is no finite length");
-    expect_refused(svg("<polygon points='1 2 3'/>"), "pairs of finite numbers");
-    expect_refused(svg("<text x='left'>here</text>"), "place is not finite");
+    expect_refused(plain_svg("<circle r='5%'/>"), "r is no finite length");
+    expect_refused(plain_svg("<rect x='1in' width='3' height='3'/>"), "x is no finite length");
+    expect_refused(plain_svg("<polygon points='1 2 3'/>"), "pairs of finite numbers");
+    expect_refused(plain_svg("<text x='left'>here</text>"), "place is not finite");
 }
 
 TEST(MalformedMap, TooManyPointsAreRefused) {
     std::string d = "M0 0";
     for (std::size_t i = 0; i < max_map_points / 2; ++i) d += "h1h1";
-    expect_refused(svg("<path d='" + d + "'/>"), "more than 4000000");
+    expect_refused(plain_svg("<path d='" + d + "'/>"), "more than 4000000");
     // Few bytes that mean many points: refused before they are made.
     std::string curves = "M0 0";
     for (int i = 0; i < 1000; ++i) curves += "a9e8 9e8 0 1 1 1 1";
-    expect_refused(svg("<path d='" + curves + "'/>"), "more than 4000000");
+    expect_refused(plain_svg("<path d='" + curves + "'/>"), "more than 4000000");
 }
 
 TEST(MalformedMap, EntitiesAreNeverExpanded) {
@@ -79,7 +80,7 @@ TEST(MalformedMap, EntitiesAreNeverExpanded) {
         bomb += "\">";
     }
     bomb += "<!ENTITY file SYSTEM \"file:///etc/passwd\">]>" +
-            svg("<title>&l;&file;</title><path d='M1 1L2 2'/>");
+            plain_svg("<title>&l;&file;</title><path d='M1 1L2 2'/>");
     const auto map = parse_map_svg(bomb);
     ASSERT_TRUE(map) << map.error().line;
     EXPECT_EQ(map->title, "&l;&file;");
@@ -90,15 +91,15 @@ TEST(MalformedMap, DeepNestingIsRefusedAndManyEqualIdsAreQuick) {
     for (int i = 0; i < 200000; ++i) open += "<g>";
     std::string close;
     for (int i = 0; i < 200000; ++i) close += "</g>";
-    expect_refused(svg(open + "<path d='M1 1L2 2'/>" + close), "deep");
+    expect_refused(plain_svg(open + "<path d='M1 1L2 2'/>" + close), "deep");
     std::string words;
     for (int i = 0; i < 200000; ++i) words += "<tspan>";
     for (int i = 0; i < 200000; ++i) words += "</tspan>";
-    EXPECT_TRUE(parse_map_svg(svg("<text>" + words + "</text><path d='M1 1L2 2'/>")));
+    EXPECT_TRUE(parse_map_svg(plain_svg("<text>" + words + "</text><path d='M1 1L2 2'/>")));
 
     std::string d;
     for (int i = 0; i < 100000; ++i) d += "M1 1L2 2";
-    const auto map = parse_map_svg(svg("<path id='same' d='" + d + "'/>"));
+    const auto map = parse_map_svg(plain_svg("<path id='same' d='" + d + "'/>"));
     ASSERT_TRUE(map);
     EXPECT_EQ(map->outlines.back().id, "same-100000");
 }

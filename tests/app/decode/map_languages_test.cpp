@@ -12,13 +12,13 @@
 namespace touchline {
 namespace {
 
-std::string svg(const std::string& content, const std::string& attributes = "") {
+std::string svg_with_line(const std::string& content, const std::string& attributes = "") {
     return "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 116 84' " + attributes + ">" +
            content + "<path d='M1 1L2 2'/></svg>";
 }
 
 TactileMap parsed(const std::string& content, const std::string& language) {
-    return parse_map_svg(svg(content), {language}).value();
+    return parse_map_svg(svg_with_line(content), {language}).value();
 }
 
 constexpr auto fish = R"(
@@ -51,7 +51,7 @@ TEST(MapLanguages, EnglishAndWhatNobodyWroteInAreTheWordsWithoutALanguage) {
         EXPECT_EQ(map.outlines[0].label, "Body") << language;
         EXPECT_EQ(map.outlines[1].label, "Fin") << language;
     }
-    EXPECT_EQ(parse_map_svg(svg(fish)).value().title, "A fish");
+    EXPECT_EQ(parse_map_svg(svg_with_line(fish)).value().title, "A fish");
 }
 
 TEST(MapLanguages, ARegionIsServedByItsLanguageAndTheVeryTagComesFirst) {
@@ -77,15 +77,16 @@ TEST(MapLanguages, EmptyDoubledAndMissingWords) {
     EXPECT_EQ(parsed("<title>A</title><title lang='de'>L</title>", "de").title, "L");
     EXPECT_EQ(parsed("<title>A</title><title lang='de' xml:lang='fr'>F</title>", "de").title, "A");
     EXPECT_EQ(parsed("", "de").title, "");
-    EXPECT_EQ(words_of_svg(svg("<title xml:lang='de'>D</title><title>E</title>")).title, "E");
-    EXPECT_EQ(words_of_svg(svg("<desc xml:lang='de'>D</desc>")).description, "D");
+    EXPECT_EQ(words_of_svg(svg_with_line("<title xml:lang='de'>D</title><title>E</title>")).title,
+              "E");
+    EXPECT_EQ(words_of_svg(svg_with_line("<desc xml:lang='de'>D</desc>")).description, "D");
 }
 
 /// Whoever asks for English gets it on a machine that speaks German.
 TEST(MapLanguages, TheProcessLocaleChangesNothing) {
     for (const char* name : {"LANG", "LC_ALL", "LANGUAGE"})
         ::setenv(name, "de_DE.UTF-8", 1);  // NOLINT(concurrency-mt-unsafe): one thread
-    const std::string title = parse_map_svg(svg(fish)).value().title;
+    const std::string title = parse_map_svg(svg_with_line(fish)).value().title;
     for (const char* name : {"LANG", "LC_ALL", "LANGUAGE"})
         ::unsetenv(name);  // NOLINT(concurrency-mt-unsafe): one thread
     EXPECT_EQ(title, "A fish");
@@ -129,15 +130,16 @@ RC_GTEST_PROP(MapLanguages, TheFirstOfTheBestKindIsTaken, ()) {
 }
 
 TEST(MapDifficulty, IsADigitOfTheRootOrNone) {
-    EXPECT_EQ(difficulty_of_map_svg(svg("")).value(), std::nullopt);
-    EXPECT_EQ(difficulty_of_map_svg(svg("<g data-difficulty='3'/>")).value(), std::nullopt);
+    EXPECT_EQ(difficulty_of_map_svg(svg_with_line("")).value(), std::nullopt);
+    EXPECT_EQ(difficulty_of_map_svg(svg_with_line("<g data-difficulty='3'/>")).value(),
+              std::nullopt);
     for (int grade = 1; grade <= 5; ++grade) {
         const std::string attribute = "data-difficulty='" + std::to_string(grade) + "'";
-        EXPECT_EQ(difficulty_of_map_svg(svg("", attribute)).value(), grade);
+        EXPECT_EQ(difficulty_of_map_svg(svg_with_line("", attribute)).value(), grade);
     }
     for (const char* wrong : {"", "0", "6", "1.5", "-1", "12", "easy", " 1"}) {
-        const auto refused =
-            difficulty_of_map_svg(svg("", std::string("data-difficulty='") + wrong + "'"));
+        const auto refused = difficulty_of_map_svg(
+            svg_with_line("", std::string("data-difficulty='") + wrong + "'"));
         ASSERT_FALSE(refused) << wrong;
         EXPECT_NE(refused.error().line.find("1, 2, 3, 4 or 5"), std::string::npos);
     }

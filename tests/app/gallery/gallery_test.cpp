@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string pictures = TOUCHLINE_SOURCE_DIR "/app/gallery/pictures";
+const std::string pictures_folder = TOUCHLINE_SOURCE_DIR "/app/gallery/pictures";
 
 class GalleryFolder : public testing::Test {
   protected:
@@ -83,11 +83,11 @@ TEST_F(GalleryFolder, SpeaksTheLanguageAndKnowsTheDifficulty) {
 }
 
 TEST_F(GalleryFolder, TheEnvironmentChoosesAnother) {
-    EXPECT_EQ(gallery_folder(), pictures);
+    EXPECT_EQ(gallery_folder(), pictures_folder);
     ::setenv("TOUCHLINE_GALLERY", folder().c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
     EXPECT_EQ(gallery_folder(), folder());
     ::setenv("TOUCHLINE_GALLERY", "", 1);  // NOLINT(concurrency-mt-unsafe)
-    EXPECT_EQ(gallery_folder(), pictures);
+    EXPECT_EQ(gallery_folder(), pictures_folder);
 }
 
 }  // namespace

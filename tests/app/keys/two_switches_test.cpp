@@ -8,8 +8,6 @@
 namespace touchline {
 namespace {
 
-const Language english;
-
 /// A list that takes roles as every screen does.
 struct List {
     SpokenScreen screen;
@@ -32,7 +30,7 @@ struct List {
 
 SwitchStep act(List& list, SwitchScan& scan, SwitchEvent event, double scan_s = 0.0,
                double now_s = 0.0) {
-    const SwitchStep step = step_switches(scan, event, list.screen, scan_s, now_s, english);
+    const SwitchStep step = step_switches(scan, event, list.screen, scan_s, now_s, Language());
     scan = step.scan;
     if (step.press) list.take(*step.press);
     return step;

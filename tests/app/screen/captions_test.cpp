@@ -3,6 +3,7 @@
 
 #include "app/screen/canvas.h"
 #include "audio-cues/words/guidance_words.h"
+#include "tests/app/screen/probes.h"
 #include "tests/app/screen/sample_screens.h"
 
 #include <utility>
@@ -12,8 +13,6 @@
 namespace touchline {
 namespace {
 
-constexpr double normal_cap_px = 27.0;
-
 TEST(Captions, VI5_EverySoundHasASignInEveryLanguageAtEverySize) {
     const Canvas probe(1, 1);
     for (const Language& language : every_language()) {
@@ -22,7 +21,7 @@ TEST(Captions, VI5_EverySoundHasASignInEveryLanguageAtEverySize) {
             ASSERT_FALSE(words.empty());
             for (const TextSize size : {TextSize::normal, TextSize::largest}) {
                 for (const auto& [w, h] : {std::pair{1280, 800}, {1080, 1920}, {800, 600}}) {
-                    const TextSizes sizes = text_sizes(size, normal_cap_px, w, h);
+                    const TextSizes sizes = text_sizes(size, usual_cap_px, w, h);
                     const Rect band = arrange(w, h, sizes, false).captions;
                     const CaptionLayout layout =
                         lay_out_caption(probe.context(), "One word.", band, h, sizes);
@@ -36,17 +35,12 @@ TEST(Captions, VI5_EverySoundHasASignInEveryLanguageAtEverySize) {
     }
 }
 
-std::string without_spaces(std::string text) {
-    std::erase(text, ' ');
-    return text;
-}
-
 TEST(Captions, VI5_EverythingSpokenStandsOnSomePage) {
     const Canvas probe(1, 1);
     for (const Language& language : every_language()) {
         for (const NamedScreen& each : sample_screens(language)) {
             const std::string spoken = spoken_screen(each.screen, language);
-            const TextSizes sizes = text_sizes(TextSize::largest, normal_cap_px, 800, 600);
+            const TextSizes sizes = text_sizes(TextSize::largest, usual_cap_px, 800, 600);
             const CaptionLayout layout = lay_out_caption(
                 probe.context(), spoken, arrange(800, 600, sizes, false).captions, 600, sizes);
             std::string words;

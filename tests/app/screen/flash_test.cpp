@@ -15,17 +15,16 @@
 namespace touchline {
 namespace {
 
-constexpr int width = 640;
-constexpr int height = 400;
+constexpr int small_width = 640;
+constexpr int small_height = 400;
 constexpr int tile_px = 20;
 constexpr int frame_rate_Hz = 60;
-constexpr std::int64_t second_ns = 1'000'000'000;
 
 /// Mean brightness of each tile, 0 ... 1.
 std::vector<double> tiles_of(const Canvas& canvas) {
     std::vector<double> tiles;
-    for (int top = 0; top < height; top += tile_px) {
-        for (int left = 0; left < width; left += tile_px) {
+    for (int top = 0; top < small_height; top += tile_px) {
+        for (int left = 0; left < small_width; left += tile_px) {
             double sum = 0.0;
             for (int y = top; y < top + tile_px; ++y) {
                 for (int x = left; x < left + tile_px; ++x) {
@@ -47,7 +46,7 @@ class FrameLog {
         for (std::size_t i = 0; i < tiles.size() && !last_.empty(); ++i) {
             if (std::abs(tiles[i] - last_[i]) < 0.005) continue;
             std::deque<std::int64_t>& times = changes_[i];
-            while (!times.empty() && now_ns - times.front() >= second_ns) times.pop_front();
+            while (!times.empty() && now_ns - times.front() >= one_second_ns) times.pop_front();
             times.push_back(now_ns);
             most_ = std::max(most_, times.size());
             ++all_;
@@ -76,11 +75,11 @@ FrameLog log_of(const ContentAt& content_at) {
     FrameLog log;
     std::uint64_t last = 0;
     for (int frame = 0; frame < 10 * frame_rate_Hz; ++frame) {
-        const std::int64_t now_ns = frame * second_ns / frame_rate_Hz;
-        layers.update(content_at(frame), width, height, now_ns);
+        const std::int64_t now_ns = frame * one_second_ns / frame_rate_Hz;
+        layers.update(content_at(frame), small_width, small_height, now_ns);
         if (versions(layers) == last) continue;
         last = versions(layers);
-        log.add(tiles_of(composed(layers, width, height)), now_ns);
+        log.add(tiles_of(composed(layers, small_width, small_height)), now_ns);
     }
     return log;
 }
@@ -129,9 +128,9 @@ TEST(Flashing, ASingleKeyIsShownAtOnce) {
     ScreenLayers layers(14.0);
     ScreenContent content;
     content.screen = sample_screens(Language()).front().screen;
-    layers.update(content, width, height, 0);
+    layers.update(content, small_width, small_height, 0);
     content.screen.focus = 2;
-    layers.update(content, width, height, 5 * second_ns);
+    layers.update(content, small_width, small_height, 5 * one_second_ns);
     EXPECT_EQ(layers.shown().screen.focus, 2U);
 }
 
@@ -141,7 +140,7 @@ TEST(Flashing, TheLastOfManyKeysIsShownWithinASecond) {
     content.screen = sample_screens(Language()).front().screen;
     for (int frame = 0; frame < 90; ++frame) {
         content.screen.focus = static_cast<std::size_t>(std::min(frame, 30) % 4);
-        layers.update(content, width, height, frame * second_ns / frame_rate_Hz);
+        layers.update(content, small_width, small_height, frame * one_second_ns / frame_rate_Hz);
     }
     EXPECT_EQ(layers.shown().screen.focus, 2U);  // 30 % 4
 }
@@ -150,13 +149,13 @@ TEST(Flashing, ASoundOfOneFrameKeepsItsSignForASecond) {
     ScreenLayers layers(14.0);
     ScreenContent content;
     content.screen = sample_screens(Language()).front().screen;
-    layers.update(content, width, height, 0);
+    layers.update(content, small_width, small_height, 0);
     content.sound_sign = "corner";
-    layers.update(content, width, height, 5 * second_ns);
+    layers.update(content, small_width, small_height, 5 * one_second_ns);
     content.sound_sign.clear();
-    layers.update(content, width, height, 6 * second_ns - 1);
+    layers.update(content, small_width, small_height, 6 * one_second_ns - 1);
     EXPECT_EQ(layers.shown().sound_sign, "corner");
-    layers.update(content, width, height, 6 * second_ns);
+    layers.update(content, small_width, small_height, 6 * one_second_ns);
     EXPECT_EQ(layers.shown().sound_sign, "");
 }
 
@@ -167,15 +166,16 @@ TEST(Flashing, VI4_ThePreviewIsOffWhenItIsTurnedOff) {
     ASSERT_EQ(content.screen.view, ScreenView::camera);
     const std::vector<std::uint8_t> white(3 * 40 * 30, 255);
     content.preview = std::make_shared<const Canvas>(canvas_of_frame(white, 40, 30, 120));
-    layers.update(content, width, height, 0);
+    layers.update(content, small_width, small_height, 0);
     const Rect& rect = layers.picture().rect;
     ASSERT_GT(rect.width, 0.0);
     const PixelPoint middle{rect.x + rect.width / 2.0, rect.y + rect.height / 2.0};
-    EXPECT_TRUE(is_near(colour_at(composed(layers, width, height), middle), {1.0, 1.0, 1.0}));
+    EXPECT_TRUE(
+        is_near(colour_at(composed(layers, small_width, small_height), middle), {1.0, 1.0, 1.0}));
     content.is_preview_on = false;
-    layers.update(content, width, height, second_ns);
+    layers.update(content, small_width, small_height, one_second_ns);
     EXPECT_EQ(layers.picture().rect.width, 0.0);
-    EXPECT_EQ(layers.sheet().rect.width, width);
+    EXPECT_EQ(layers.sheet().rect.width, small_width);
 }
 
 }  // namespace

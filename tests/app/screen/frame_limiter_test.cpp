@@ -1,5 +1,7 @@
 #include "app/screen/frame_limiter.h"
 
+#include "tests/app/screen/probes.h"
+
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -9,7 +11,6 @@
 namespace touchline {
 namespace {
 
-constexpr std::int64_t second_ns = 1'000'000'000;
 constexpr std::int64_t start_ns = 123'456'789;
 
 /// Runs frames that take `work_ns` each until `end_ns` of a virtual clock.
@@ -20,32 +21,32 @@ FrameLimiter run(std::int64_t work_ns, std::int64_t end_ns) {
 }
 
 TEST(FrameLimiter, GivesExactlySixtyFramesASecond) {
-    const FrameLimiter limiter = run(3'000'000, start_ns + 10 * second_ns);
+    const FrameLimiter limiter = run(3'000'000, start_ns + 10 * one_second_ns);
     EXPECT_EQ(limiter.frames(), 600);
     EXPECT_EQ(limiter.skipped(), 0);
 }
 
 TEST(FrameLimiter, NoRoundingAddsUpInADay) {
     FrameLimiter limiter(start_ns, 60);
-    const std::int64_t day_ns = 86'400 * second_ns;
+    const std::int64_t day_ns = 86'400 * one_second_ns;
     EXPECT_EQ(limiter.finish_frame(start_ns + day_ns - 1), start_ns + day_ns);
 }
 
 TEST(FrameLimiter, AFrameThatTakesNoTimeIsStillFollowedByAWait) {
     FrameLimiter limiter(start_ns, 60);
-    EXPECT_EQ(limiter.finish_frame(start_ns), start_ns + second_ns / 60);
+    EXPECT_EQ(limiter.finish_frame(start_ns), start_ns + one_second_ns / 60);
 }
 
 TEST(FrameLimiter, SlowFramesSkipWholePeriodsWithoutABurst) {
-    const FrameLimiter limiter = run(20'000'000, start_ns + 10 * second_ns);  // 1.2 periods
+    const FrameLimiter limiter = run(20'000'000, start_ns + 10 * one_second_ns);  // 1.2 periods
     EXPECT_EQ(limiter.frames(), 300);
     EXPECT_EQ(limiter.skipped(), 300);
 }
 
 TEST(FrameLimiter, AfterAPauseTheGridGoesOn) {
     FrameLimiter limiter(start_ns, 60);
-    const std::int64_t due = limiter.finish_frame(start_ns + 5 * second_ns + 1);
-    EXPECT_EQ(due, start_ns + 5 * second_ns + second_ns / 60);
+    const std::int64_t due = limiter.finish_frame(start_ns + 5 * one_second_ns + 1);
+    EXPECT_EQ(due, start_ns + 5 * one_second_ns + one_second_ns / 60);
     EXPECT_EQ(limiter.skipped(), 300);
 }
 
@@ -59,7 +60,7 @@ RC_GTEST_PROP(FrameLimiter, IsAlwaysDueLaterThanNowAndAtMostAPeriodAhead, ()) {
         const std::int64_t due = limiter.finish_frame(now);
         RC_ASSERT(due > now);
         RC_ASSERT(due > last_due);
-        RC_ASSERT(due - now <= second_ns / rate_Hz + 1);
+        RC_ASSERT(due - now <= one_second_ns / rate_Hz + 1);
         last_due = now = due;
     }
 }

@@ -1,13 +1,13 @@
 #include "app/screen/pages.h"
 
+#include "tests/app/screen/probes.h"
+
 #include <set>
 
 #include <gtest/gtest.h>
 
 namespace touchline {
 namespace {
-
-constexpr std::int64_t second_ns = 1'000'000'000;
 
 RowBlock block_of(std::size_t rows, std::optional<std::size_t> item = {}) {
     RowBlock block{{}, item};
@@ -71,7 +71,7 @@ TEST(Pages, TurnSlowlyThroughAllAndBeginAgain) {
     std::size_t last = 0;
     int turns = 0;
     for (int second = 0; second < 12; ++second) {
-        const std::size_t page = page_at(pages, {0, 3}, second * second_ns);
+        const std::size_t page = page_at(pages, {0, 3}, second * one_second_ns);
         turns += page != last;
         last = page;
         seen.insert(page);

@@ -11,12 +11,13 @@
 namespace touchline {
 namespace {
 
-constexpr int width = 1160;
-constexpr int height = 840;
-const View view{10'000.0, {width / 2.0, height / 2.0}};  // 0.1 mm a pixel, the default area
+constexpr int area_width = 1160;
+constexpr int area_height = 840;
+const View view{10'000.0,
+                {area_width / 2.0, area_height / 2.0}};  // 0.1 mm a pixel, the default area
 
 Canvas blank() {
-    return {width, height};
+    return {area_width, area_height};
 }
 
 Outline circle(double radius_m) {

@@ -1,4 +1,5 @@
-// Reading pixels of a canvas in tests.
+// What the tests of the screen share: the usual size of its letters, reading pixels of a canvas,
+// words as they are compared.
 #pragma once
 
 #include "app/screen/canvas.h"
@@ -8,8 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <string>
 
 namespace touchline {
+
+inline constexpr double usual_cap_px = 27.0;  // 0.6 m before 0.27 mm pixels
+inline constexpr std::int64_t one_second_ns = 1'000'000'000;
 
 /// Colour of the pixel that holds p, as drawn over black.
 inline Colour colour_at(const Canvas& canvas, PixelPoint p) {
@@ -44,6 +50,11 @@ inline Rect ink_of(const Canvas& canvas) {
     if (right < left) return {};
     return {static_cast<double>(left), static_cast<double>(top),
             static_cast<double>(right - left + 1), static_cast<double>(bottom - top + 1)};
+}
+
+inline std::string without_spaces(std::string text) {
+    std::erase(text, ' ');
+    return text;
 }
 
 }  // namespace touchline

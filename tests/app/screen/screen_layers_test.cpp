@@ -15,10 +15,8 @@
 namespace touchline {
 namespace {
 
-constexpr int width = 1280;
-constexpr int height = 800;
-constexpr double normal_cap_px = 27.0;
-constexpr std::int64_t second_ns = 1'000'000'000;
+constexpr int screen_width = 1280;
+constexpr int screen_height = 800;
 constexpr std::array palette_list{PaletteName::white_on_black, PaletteName::black_on_white,
                                   PaletteName::yellow_on_black, PaletteName::low_glare_grey};
 
@@ -31,9 +29,9 @@ ScreenContent list_content(PaletteName palette = {}, TextSize size = {}) {
 }
 
 Canvas drawn(const ScreenContent& content) {
-    ScreenLayers layers(normal_cap_px);
-    layers.update(content, width, height, 0);
-    return composed(layers, width, height);
+    ScreenLayers layers(usual_cap_px);
+    layers.update(content, screen_width, screen_height, 0);
+    return composed(layers, screen_width, screen_height);
 }
 
 /// The rows of a part of a canvas in which a colour stands, as first and one past the last.
@@ -57,8 +55,9 @@ TEST(ScreenPixels, VI1_ACapitalIsAsHighAsTheAngleAsks) {
         ScreenContent content = list_content({}, size);
         content.screen = {"H", "", {}, {}, ScreenView::none};
         const Canvas canvas = drawn(content);
-        const auto [top, bottom] = rows_with(canvas, {0.0, 0.0, width, 300.0}, white_on_black.text);
-        const double wanted_px = normal_cap_px * cap_angle_deg(size) / cap_angle_deg({});
+        const auto [top, bottom] =
+            rows_with(canvas, {0.0, 0.0, screen_width, 300.0}, white_on_black.text);
+        const double wanted_px = usual_cap_px * cap_angle_deg(size) / cap_angle_deg({});
         EXPECT_NEAR(bottom - top, wanted_px, 1.5) << static_cast<int>(size);
     }
 }
@@ -115,9 +114,10 @@ TEST(ScreenPixels, VI3_TheFocusIsAThickFrameAndAPointerThatStandOut) {
     const Canvas probe(1, 1);
     for (const PaletteName name : palette_list) {
         const ScreenContent content = list_content(name);
-        const TextSizes sizes = text_sizes({}, normal_cap_px, width, height);
-        const SheetLayout layout = lay_out_sheet(
-            probe.context(), content.screen, arrange(width, height, sizes, false).sheet, sizes, {});
+        const TextSizes sizes = text_sizes({}, usual_cap_px, screen_width, screen_height);
+        const SheetLayout layout =
+            lay_out_sheet(probe.context(), content.screen,
+                          arrange(screen_width, screen_height, sizes, false).sheet, sizes, {});
         const SheetFace face = face_of(probe.context(), layout, content.screen, {}, {});
         ASSERT_TRUE(face.focus);
         const Canvas canvas = drawn(content);
@@ -140,8 +140,8 @@ TEST(ScreenPixels, VI3_TheFocusShowsWithoutColour) {
     content.screen.focus = 2;
     const Canvas two = drawn(content);
     int differing = 0;
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
+    for (int y = 0; y < screen_height; ++y) {
+        for (int x = 0; x < screen_width; ++x) {
             const PixelPoint p{x + 0.5, y + 0.5};
             if (contrast(colour_at(one, p), colour_at(two, p)) >= 3.0) ++differing;
         }
@@ -154,8 +154,8 @@ TEST(ScreenPixels, ASoundHasAShapeAndWords) {
     const Canvas silent = drawn(content);
     content.sound_sign = "i";
     const Canvas sounding = drawn(content);
-    const TextSizes sizes = text_sizes({}, normal_cap_px, width, height);
-    const Rect band = arrange(width, height, sizes, false).captions;
+    const TextSizes sizes = text_sizes({}, usual_cap_px, screen_width, screen_height);
+    const Rect band = arrange(screen_width, screen_height, sizes, false).captions;
     const auto first = [&](const Canvas& canvas) {
         return rows_with(canvas, {0.0, band.y + 4.0, 60.0, band.height - 4.0}, white_on_black.text)
             .first;
@@ -169,26 +169,27 @@ bool is_all_black(const Canvas& canvas) {
 }
 
 TEST(Curtain, IsBlackWhateverThereIsAndFallsAtOnce) {
-    ScreenLayers layers(normal_cap_px);
+    ScreenLayers layers(usual_cap_px);
     ScreenContent content = list_content(PaletteName::black_on_white);
     content.caption = "Something private";
     content.sound_sign = "corner";
-    layers.update(content, width, height, 0);
-    EXPECT_FALSE(is_all_black(composed(layers, width, height)));
+    layers.update(content, screen_width, screen_height, 0);
+    EXPECT_FALSE(is_all_black(composed(layers, screen_width, screen_height)));
     content.screen.focus = 0;
-    layers.update(content, width, height, 1);
+    layers.update(content, screen_width, screen_height, 1);
     content.is_curtain = true;
-    layers.update(content, width, height, 2);  // a third change within a second
-    EXPECT_TRUE(is_all_black(composed(layers, width, height)));
+    layers.update(content, screen_width, screen_height, 2);  // a third change within a second
+    EXPECT_TRUE(is_all_black(composed(layers, screen_width, screen_height)));
     content.caption = "More of it";
     content.screen.title = "Another screen";
     content.text_size = TextSize::largest;
-    for (int i = 0; i < 100; ++i) layers.update(content, width, height, i * second_ns / 10 + 3);
-    EXPECT_TRUE(is_all_black(composed(layers, width, height)));
+    for (int i = 0; i < 100; ++i)
+        layers.update(content, screen_width, screen_height, i * one_second_ns / 10 + 3);
+    EXPECT_TRUE(is_all_black(composed(layers, screen_width, screen_height)));
     EXPECT_FALSE(layers.has_marks());
     content.is_curtain = false;
-    layers.update(content, width, height, 20 * second_ns);
-    EXPECT_FALSE(is_all_black(composed(layers, width, height)));
+    layers.update(content, screen_width, screen_height, 20 * one_second_ns);
+    EXPECT_FALSE(is_all_black(composed(layers, screen_width, screen_height)));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "audio-cues/words/guidance_words.h"
 #include "tests/app/screen/contact_sheet.h"
 #include "tests/app/screen/every_screen.h"
+#include "tests/app/screen/probes.h"
 
 #include <cstdlib>
 #include <string>
@@ -47,9 +48,8 @@ ScreenContent content_of(const SpokenScreen& screen, const Language& language,
 /// `screens` of one language.
 void add_screens(std::vector<Thumbnail>& thumbnails, const std::vector<NamedScreen>& screens,
                  const Language& language, const SheetOrder& order) {
-    constexpr double normal_cap_px = 27.0;  // 0.6 m before 0.27 mm pixels
     for (const NamedScreen& each : screens) {
-        ScreenLayers layers(normal_cap_px);
+        ScreenLayers layers(usual_cap_px);
         layers.update(content_of(each.screen, language, order), order.width_px, order.height_px, 0);
         thumbnails.push_back({fmt::format("{}, {}", each.name, language.code()),
                               composed(layers, order.width_px, order.height_px)});

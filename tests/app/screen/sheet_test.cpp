@@ -17,7 +17,6 @@
 namespace touchline {
 namespace {
 
-constexpr double normal_cap_px = 27.0;  // 0.6 m before 0.27 mm pixels
 constexpr std::array<std::array<int, 2>, 4> screen_sizes{
     {{1280, 800}, {1920, 1080}, {1080, 1920}, {800, 600}}};
 constexpr std::array text_size_list{TextSize::normal, TextSize::large, TextSize::larger,
@@ -35,11 +34,6 @@ Rect box_of(const FaceLine& line) {
     const double mark_px = mark_room_px(line.mark, line.style.cap_px);
     return {line.at.x - mark_px, line.at.y, line.width_px + 2.0 * mark_px,
             line_height_px(line.style.cap_px)};
-}
-
-std::string without_spaces(std::string text) {
-    std::erase(text, ' ');
-    return text;
 }
 
 /// All words of the pages, one after the other.
@@ -113,7 +107,7 @@ void for_each_layout(const Check& check, const std::vector<Case>& cases = all_ca
     const Canvas canvas(1, 1);
     for (const auto& [width, height] : screen_sizes) {
         for (const TextSize size : sizes_tried) {
-            const TextSizes sizes = text_sizes(size, normal_cap_px, width, height);
+            const TextSizes sizes = text_sizes(size, usual_cap_px, width, height);
             for (const Case& each : cases) {
                 const bool has_picture = each.screen.view != ScreenView::none;
                 const Arrangement arrangement = arrange(width, height, sizes, has_picture);
@@ -162,12 +156,12 @@ TEST(Sheet, VI6_EveryWordStandsOnSomePage) {
 }
 
 TEST(Sheet, TheFocusIsAlwaysOnThePageShown) {
-    constexpr std::int64_t second_ns = 1'000'000'000;
     for_each_layout([](cairo_t* cr, const SheetLayout& layout, const Case& each) {
         SpokenScreen screen = each.screen;
         for (std::size_t i = 0; i < screen.items.size(); i += 1 + screen.items.size() / 10) {
             screen.focus = i;
-            for (const std::int64_t time_ns : {std::int64_t{0}, 3 * second_ns, 60 * second_ns}) {
+            for (const std::int64_t time_ns :
+                 {std::int64_t{0}, 3 * one_second_ns, 60 * one_second_ns}) {
                 const SheetPages shown = sheet_pages(layout, i, time_ns, time_ns);
                 EXPECT_TRUE(face_of(cr, layout, screen, shown, each.language).focus) << each.name;
             }
@@ -202,7 +196,7 @@ TEST(Sheet, InkStaysInTheBoxOfItsLine) {
 TEST(Sheet, AListFitsOnePageWhereThereIsRoom) {
     const Canvas canvas(1, 1);
     const Language english;
-    const TextSizes sizes = text_sizes(TextSize::normal, normal_cap_px, 1920, 1080);
+    const TextSizes sizes = text_sizes(TextSize::normal, usual_cap_px, 1920, 1080);
     const Arrangement arrangement = arrange(1920, 1080, sizes, false);
     const SheetLayout layout =
         lay_out_sheet(canvas.context(), sample_screens(english).front().screen, arrangement.sheet,

@@ -16,7 +16,6 @@ namespace touchline {
 namespace {
 
 constexpr double far_away_ms = 5000.0;
-constexpr std::uint64_t everyday = 2;
 constexpr std::array crash_signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU};
 constexpr std::array crashes{Mischief::write_nowhere, Mischief::throw_something};
 
@@ -101,7 +100,7 @@ class ProcessFault : public ProcessRig, public testing::WithParamInterface<Proce
 TEST_P(ProcessFault, EndsInZeroTorqueAndFindsBack) {
     const ProcessFaultKind kind = GetParam();
     int descriptors = 0;
-    for (std::uint64_t seed = 0; seed < fault_runs(everyday); ++seed) {
+    for (std::uint64_t seed = 0; seed < fault_runs(everyday_runs); ++seed) {
         SCOPED_TRACE(std::string(kind.name) + ", seed " + std::to_string(seed));
         ASSERT_NO_FATAL_FAILURE(be_pressed(seed));
         if (kind.ends == Ends::kiosk || deaths_ == 0) descriptors = open_descriptors(kiosk_);

@@ -15,15 +15,13 @@
 namespace touchline {
 namespace {
 
-constexpr std::uint64_t everyday = 2;
-
 /// What must not cost the force at all. A machine that stands still for 10 ms costs it too, by
 /// other rules: such a run is done again.
 class Harmless : public ProcessRig {
   protected:
     void run_each_seed(const std::function<bool(std::uint64_t)>& keeps_torque) {
         constexpr int most_tries = 5;
-        for (std::uint64_t seed = 0; seed < fault_runs(everyday); ++seed) {
+        for (std::uint64_t seed = 0; seed < fault_runs(everyday_runs); ++seed) {
             SCOPED_TRACE("seed " + std::to_string(seed));
             int tries = 0;
             do {

@@ -25,6 +25,7 @@
 namespace touchline {
 
 inline constexpr int longest_wait_ms = 60'000;
+inline constexpr std::uint64_t everyday_runs = 2;
 
 /// Until the condition holds, or a minute has passed.
 [[nodiscard]] inline bool wait_until(const std::function<bool()>& condition) {

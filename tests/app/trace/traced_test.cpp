@@ -21,7 +21,7 @@ TracedMap felt() {
     return traced;
 }
 
-const Bytes found(100, std::byte{7});
+const Bytes line_bytes(100, std::byte{7});
 
 std::string why_refused(const Bytes& bytes) {
     const auto traced = traced_of(bytes);
@@ -30,7 +30,7 @@ std::string why_refused(const Bytes& bytes) {
 }
 
 TEST(Traced, CrossesWhole) {
-    const Bytes bytes = bytes_of(felt(), found).value();
+    const Bytes bytes = bytes_of(felt(), line_bytes).value();
     const auto traced = traced_of(bytes);
     ASSERT_TRUE(traced.has_value()) << traced.error().line;
     EXPECT_TRUE(traced->has_lines);
@@ -44,12 +44,12 @@ TEST(Traced, CrossesWhole) {
     EXPECT_EQ(traced->map->edges.height, 3);
     EXPECT_EQ(traced->map->edges.grey, felt().edges.grey);
     const auto lines = lines_in(bytes);
-    EXPECT_EQ(Bytes(lines.begin(), lines.end()), found);
+    EXPECT_EQ(Bytes(lines.begin(), lines.end()), line_bytes);
 }
 
 TEST(Traced, ARefusalIsItsLineAndMayHaveLines) {
     const Result<TracedMap> none = failure("there is no line in this part");
-    for (const Bytes& lines : {Bytes(), found}) {
+    for (const Bytes& lines : {Bytes(), line_bytes}) {
         const auto traced = traced_of(bytes_of(none, lines).value());
         ASSERT_TRUE(traced.has_value());
         EXPECT_EQ(traced->has_lines, !lines.empty());
@@ -72,11 +72,11 @@ TEST(Traced, TextsAreHarmless) {
 }
 
 TEST(Traced, AMapWithoutOutlinesIsNone) {
-    EXPECT_FALSE(why_refused(bytes_of(TracedMap{}, found).value()).empty());
+    EXPECT_FALSE(why_refused(bytes_of(TracedMap{}, line_bytes).value()).empty());
 }
 
 TEST(Traced, EverySizeThatIsWrongIsRefused) {
-    const Bytes right = bytes_of(felt(), found).value();
+    const Bytes right = bytes_of(felt(), line_bytes).value();
     for (std::size_t field = 0; field < 8; ++field) {
         for (const std::uint32_t wrong : {0x7fffffffU, 0xffffffffU, 1U}) {
             Bytes bytes = right;
@@ -93,7 +93,7 @@ TEST(Traced, EverySizeThatIsWrongIsRefused) {
 }
 
 RC_GTEST_PROP(Traced, AnyBytesAreAMapOrOneLine, (const std::vector<std::uint8_t>& changes)) {
-    Bytes bytes = bytes_of(felt(), found).value();
+    Bytes bytes = bytes_of(felt(), line_bytes).value();
     for (std::size_t i = 0; i + 1 < changes.size(); i += 2)
         bytes[(changes[i] * std::size_t{7}) % bytes.size()] =
             static_cast<std::byte>(changes[i + 1]);

@@ -26,7 +26,7 @@ TEST(TracingLiar, IsBelievedOnlyWhenItIsHonest) {
     EXPECT_EQ(traced->map.outlines.at(0).label, "a line");
 }
 
-class TracingLies : public testing::TestWithParam<const char*> {};
+class TracingLies : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(TracingLies, EndInOneSentenceAndLeaveNothing) {
     const LiarInPlace liar(TOUCHLINE_LIARS);
@@ -42,11 +42,11 @@ TEST_P(TracingLies, EndInOneSentenceAndLeaveNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, TracingLies,
-                         testing::Values("a page", "no lines", "empty map", "escapes",
-                                         "wrong magic", "huge header", "short", "long",
-                                         "second header", "header alone", "half a header", "noise",
-                                         "hole", "nothing", "status", "abort", "crash", "fork",
-                                         "connect", "fill", "eat", "spin", "sleep"));
+                         ::testing::Values("a page", "no lines", "empty map", "escapes",
+                                           "wrong magic", "huge header", "short", "long",
+                                           "second header", "header alone", "half a header",
+                                           "noise", "hole", "nothing", "status", "abort", "crash",
+                                           "fork", "connect", "fill", "eat", "spin", "sleep"));
 
 }  // namespace
 }  // namespace touchline

@@ -6,6 +6,7 @@
 #include "audio-cues/cues/guidance.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"
+#include "tests/haptics/tick.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,7 +15,6 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 1e-3;
 constexpr double start_s = 0.5;
 constexpr double no_line_m = std::numeric_limits<double>::infinity();
 

@@ -15,16 +15,16 @@
 namespace touchline {
 namespace {
 
-const std::string folder = TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue";
+const std::string catalogue_folder = TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue";
 
 const PoFile& english() {
-    static const PoFile file = read_po(folder + "/touchline.pot");
+    static const PoFile file = read_po(catalogue_folder + "/touchline.pot");
     return file;
 }
 
 std::map<std::string, PoFile> translations() {
     std::map<std::string, PoFile> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(catalogue_folder)) {
         if (entry.path().extension() == ".po") {
             files[entry.path().stem().string()] = read_po(entry.path().string());
         }

@@ -6,7 +6,7 @@ namespace touchline {
 namespace {
 
 /// What stands between the quotes of a line, with its escapes read.
-std::string quoted(const std::string& line) {
+std::string unquoted(const std::string& line) {
     const auto begin = line.find('"');
     const auto end = line.rfind('"');
     std::string text;
@@ -51,18 +51,18 @@ PoFile read_po(const std::string& path) {
             reading.entry.is_doubtful = line.find("fuzzy") != std::string::npos;
         } else if (begins("msgctxt")) {
             current = &reading.context;
-            *current = quoted(line);
+            *current = unquoted(line);
         } else if (begins("msgid_plural")) {
             current = &reading.entry.plural;
-            *current = quoted(line);
+            *current = unquoted(line);
         } else if (begins("msgid")) {
             current = &reading.english;
-            *current = quoted(line);
+            *current = unquoted(line);
         } else if (begins("msgstr")) {
-            current = &reading.entry.said.emplace_back(quoted(line));
+            current = &reading.entry.said.emplace_back(unquoted(line));
             reading.has_entry = true;
         } else if (begins("\"") && current != nullptr) {
-            *current += quoted(line);
+            *current += unquoted(line);
         }
     }
     reading.finish();

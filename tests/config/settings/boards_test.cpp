@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-std::string error_of(std::string_view text) {
+std::string boards_error(std::string_view text) {
     const auto settings = parse_boards(text, "boards.toml");
     return settings ? "no error" : settings.error().line;
 }
@@ -81,33 +81,35 @@ TEST(Boards, UnitsAreReadBackAsTheyWereWritten) {
 
 TEST(Boards, WhatIsWrongIsOneLineWithItsPlace) {
     const std::string board(zero_board);
-    EXPECT_EQ(error_of(board), "no error");
-    EXPECT_EQ(error_of(board + "colour = 3\n"), "boards.toml:6: 'colour' is not a setting here");
-    EXPECT_EQ(error_of("[[bord]]\n"), "boards.toml:1: 'bord' is not a setting here");
-    EXPECT_EQ(error_of("board = 3\n"), "boards.toml:1: 'board' must be written as [[board]]");
-    EXPECT_EQ(error_of("[[board]]\nvendor = 1\n"), "boards.toml:1: 'product' is missing");
-    EXPECT_EQ(error_of("[[board]]\nvendor = 0x10000\n"),
+    EXPECT_EQ(boards_error(board), "no error");
+    EXPECT_EQ(boards_error(board + "colour = 3\n"),
+              "boards.toml:6: 'colour' is not a setting here");
+    EXPECT_EQ(boards_error("[[bord]]\n"), "boards.toml:1: 'bord' is not a setting here");
+    EXPECT_EQ(boards_error("board = 3\n"), "boards.toml:1: 'board' must be written as [[board]]");
+    EXPECT_EQ(boards_error("[[board]]\nvendor = 1\n"), "boards.toml:1: 'product' is missing");
+    EXPECT_EQ(boards_error("[[board]]\nvendor = 0x10000\n"),
               "boards.toml:2: 'vendor' must be a number from 1 to 0xffff");
-    EXPECT_EQ(error_of("[[board]]\nvendor = \"a\"\n"),
+    EXPECT_EQ(boards_error("[[board]]\nvendor = \"a\"\n"),
               "boards.toml:2: 'vendor' must be a number from 1 to 0xffff");
-    EXPECT_EQ(error_of("[[board]]\nvendor = 1\nproduct = 2\nname = \"x\"\nstate = \"asleep\"\n"),
-              "boards.toml:5: 'state' must be running, needs-firmware or wrong-socket");
-    const std::string broken = error_of("[[board\nvendor = 1");
+    EXPECT_EQ(
+        boards_error("[[board]]\nvendor = 1\nproduct = 2\nname = \"x\"\nstate = \"asleep\"\n"),
+        "boards.toml:5: 'state' must be running, needs-firmware or wrong-socket");
+    const std::string broken = boards_error("[[board\nvendor = 1");
     EXPECT_EQ(broken.rfind("boards.toml:1: ", 0), 0U) << broken;
     EXPECT_EQ(broken.find('\n'), std::string::npos);
 }
 
 TEST(Boards, ValuesOutOfRangeAreRefused) {
     const std::string unit = "[[unit]]\nserial = \"A\"\nprofile = \"mk2\"\n";
-    EXPECT_EQ(error_of(unit), "no error");
+    EXPECT_EQ(boards_error(unit), "no error");
     for (const char* bad :
          {"torque_limit_Nm = 0.0", "torque_limit_Nm = -0.1", "torque_limit_Nm = nan",
           "torque_limit_Nm = 1.5", "torque_limit_Nm = inf"})
-        EXPECT_EQ(error_of(unit + bad),
+        EXPECT_EQ(boards_error(unit + bad),
                   "boards.toml:4: 'torque_limit_Nm' must be above 0 and at most 1");
     for (const char* bad : {"scale = [1.0, 0.5]", "scale = [nan, 1.0]", "scale = [1.0]",
                             "scale = 1.0", "scale = [1.0, 1.0, 1.0]", "scale = [\"a\", 1.0]"})
-        EXPECT_EQ(error_of(unit + bad),
+        EXPECT_EQ(boards_error(unit + bad),
                   "boards.toml:4: 'scale' must be two numbers, one a joint, from "
                   "0.8 to 1.25");
 }

@@ -18,7 +18,7 @@ std::string installed() {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::string error_of(const std::string& text) {
+std::string keys_error(const std::string& text) {
     const auto keys = parse_keys(text, "keys.toml");
     return keys ? "no error" : keys.error().line;
 }
@@ -73,19 +73,21 @@ TEST(Keys, EachRoleIsOneKeyOfEachKindOfDevice) {
 }
 
 TEST(Keys, WhateverIsWrongIsOneLineWithItsPlace) {
-    EXPECT_EQ(error_of("up = ['ctrl+A']"),
+    EXPECT_EQ(keys_error("up = ['ctrl+A']"),
               "keys.toml:1: 'ctrl+A' is a chord; a role has single keys only");
-    EXPECT_TRUE(error_of("\nup = ['sideways']").starts_with("keys.toml:2: 'sideways' is no key; "));
-    EXPECT_EQ(error_of("up = ['A']\ndown = ['a']"), "keys.toml:1: 'A' has the role 'down' already");
-    EXPECT_TRUE(error_of("upp = ['A']")
+    EXPECT_TRUE(
+        keys_error("\nup = ['sideways']").starts_with("keys.toml:2: 'sideways' is no key; "));
+    EXPECT_EQ(keys_error("up = ['A']\ndown = ['a']"),
+              "keys.toml:1: 'A' has the role 'down' already");
+    EXPECT_TRUE(keys_error("upp = ['A']")
                     .starts_with("keys.toml:1: 'upp' is no role; the roles are: "
                                  "up, down, back"));
-    EXPECT_EQ(error_of("up = 'A'"), "keys.toml:1: 'up' must be a list of at most 64 keys");
-    EXPECT_TRUE(error_of("up = [3]").starts_with("keys.toml:1: this is no key; "));
-    EXPECT_EQ(error_of("up = ['A']"), "keys.toml: the role 'down' has no key; give it one");
-    EXPECT_EQ(error_of(""), "keys.toml: the role 'up' has no key; give it one");
-    EXPECT_TRUE(error_of("up = ['A'").starts_with("keys.toml:1: "));
-    EXPECT_EQ(error_of(std::string(2'000'000, '#')),
+    EXPECT_EQ(keys_error("up = 'A'"), "keys.toml:1: 'up' must be a list of at most 64 keys");
+    EXPECT_TRUE(keys_error("up = [3]").starts_with("keys.toml:1: this is no key; "));
+    EXPECT_EQ(keys_error("up = ['A']"), "keys.toml: the role 'down' has no key; give it one");
+    EXPECT_EQ(keys_error(""), "keys.toml: the role 'up' has no key; give it one");
+    EXPECT_TRUE(keys_error("up = ['A'").starts_with("keys.toml:1: "));
+    EXPECT_EQ(keys_error(std::string(2'000'000, '#')),
               "keys.toml: is larger than 1 MB; no table of keys is");
 }
 

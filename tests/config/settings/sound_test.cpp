@@ -12,7 +12,7 @@
 namespace touchline {
 namespace {
 
-std::string error_of(const std::string& text) {
+std::string sound_error(const std::string& text) {
     const auto sound = parse_sound(text, "sound.toml");
     return sound ? "no error" : sound.error().line;
 }
@@ -61,37 +61,37 @@ TEST(SoundSettings, WhatIsWrittenIsReadBack) {
 }
 
 TEST(SoundSettings, WhateverIsWrongIsOneLineWithItsPlace) {
-    EXPECT_EQ(error_of("\nvolume = 3"), "sound.toml:2: 'volume' is not a setting here");
-    EXPECT_EQ(error_of("[headset]\nvolume = 3"), "sound.toml:2: 'volume' is not a setting here");
-    EXPECT_EQ(error_of("headset = 3"), "sound.toml:1: an output is a table, like [headset]");
-    EXPECT_EQ(error_of("[speaker]\nmono = 1"), "sound.toml:2: 'mono' must be true or false");
+    EXPECT_EQ(sound_error("\nvolume = 3"), "sound.toml:2: 'volume' is not a setting here");
+    EXPECT_EQ(sound_error("[headset]\nvolume = 3"), "sound.toml:2: 'volume' is not a setting here");
+    EXPECT_EQ(sound_error("headset = 3"), "sound.toml:1: an output is a table, like [headset]");
+    EXPECT_EQ(sound_error("[speaker]\nmono = 1"), "sound.toml:2: 'mono' must be true or false");
     for (const char* value : {"'tin can'", "1", "true", "[]"}) {
-        EXPECT_EQ(error_of(std::string("assumed_output = ") + value),
+        EXPECT_EQ(sound_error(std::string("assumed_output = ") + value),
                   "sound.toml:1: 'assumed_output' must be \"headset\" or \"speaker\"")
             << value;
     }
     for (const char* value : {"106", "-1", "nan", "inf", "'loud'", "true", "[90]"}) {
-        EXPECT_EQ(error_of(std::string("[headset]\n\ncap_dB = ") + value),
+        EXPECT_EQ(sound_error(std::string("[headset]\n\ncap_dB = ") + value),
                   "sound.toml:3: 'cap_dB' must be a number from 60 to 105, in dB")
             << value;
     }
-    const std::string line = error_of("[headset");
+    const std::string line = sound_error("[headset");
     EXPECT_TRUE(line.starts_with("sound.toml:1: ")) << line;
     EXPECT_EQ(line.find('\n'), std::string::npos);
 }
 
 TEST(SoundSettings, VO4_ARoomTooLoudForTheVolumeIsOneLine) {
-    EXPECT_EQ(error_of("\n[headset]\nambient_dB = 61"),
+    EXPECT_EQ(sound_error("\n[headset]\nambient_dB = 61"),
               "sound.toml:2: In a room of more than 45 dB the volume reaches 20 dB above it.");
-    EXPECT_EQ(error_of("[headset]\nambient_dB = 60"), "no error");
-    EXPECT_EQ(error_of("[headset]\nambient_dB = 61\nloudest_dB = 85"), "no error");
+    EXPECT_EQ(sound_error("[headset]\nambient_dB = 60"), "no error");
+    EXPECT_EQ(sound_error("[headset]\nambient_dB = 61\nloudest_dB = 85"), "no error");
 }
 
 TEST(SoundSettings, EveryLevelStaysFiniteAndInItsBounds) {
     for (const LevelSetting& setting : level_settings()) {
         const std::string key = "[speaker]\n" + std::string(setting.key) + " = ";
         for (const double wrong : {setting.least_dB - 0.5, setting.most_dB + 0.5}) {
-            EXPECT_NE(error_of(key + std::to_string(wrong)).find("must be a number from"),
+            EXPECT_NE(sound_error(key + std::to_string(wrong)).find("must be a number from"),
                       std::string::npos)
                 << setting.key << ' ' << wrong;
         }

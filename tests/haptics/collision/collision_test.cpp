@@ -11,7 +11,7 @@
 namespace touchline {
 namespace {
 
-constexpr std::array levels{0.0, 0.1, 0.5, 1.0, 1.9, 2.0, 3.0, 4.6, 9.0};
+constexpr std::array tried_levels{0.0, 0.1, 0.5, 1.0, 1.9, 2.0, 3.0, 4.6, 9.0};
 
 Scene scene_of(unsigned seed, int outlines) {
     return trials::every_level(scenes::random_map(seed, outlines));
@@ -68,7 +68,7 @@ TEST(CollisionTree, FirstHitEqualsBruteForceAtEveryLevelBlendAndRadius) {
         const Scene scene = scene_of(seed, 5);
         Random random(seed);
         for (int i = 0; i < 400; ++i) {
-            const double level = levels[static_cast<std::size_t>(i) % levels.size()];
+            const double level = tried_levels[static_cast<std::size_t>(i) % tried_levels.size()];
             const double radius = i % 3 == 0 ? 1e-3 * random.unit() : contact_skin_m;
             const Motion motion = random.motion(level, radius);
             const Hit expected = brute_force(scene.curves, motion);
@@ -88,7 +88,7 @@ TEST(CollisionTree, FirstHitEqualsBruteForceAtEveryLevelBlendAndRadius) {
 
 TEST(CollisionTree, MotionsAimedAtVerticesNeverSlipBetweenTwoSegments) {
     const Scene scene = trials::every_level(scenes::map_of({scenes::circle(0.03, 97)}));
-    for (const double level : levels) {
+    for (const double level : tried_levels) {
         for (int j = 0; j < scene.curves.rendered_count(0, level); ++j) {
             const Position vertex = scene.curves.rendered_point(0, level, j);
             const Motion through{{0.0001, 0.0002},

@@ -67,11 +67,11 @@ class Bead {
     Attachment at_;
 };
 
-const std::vector<Position> straight{
+const std::vector<Position> straight_way{
     {0.0, 0.0}, {10.0 * mm, 0.0}, {20.0 * mm, 0.0}, {30.0 * mm, 0.0}, {40.0 * mm, 0.0}};
 
 TEST(Attachment, SlidesBelowTheHandAndNoFurtherThanItMay) {
-    Bead bead(straight, {{0, 0}, 0.5});
+    Bead bead(straight_way, {{0, 0}, 0.5});
     EXPECT_NEAR(bead.slide({33.0 * mm, mm}, 3.0 * mm).x, 8.0 * mm, 1e-12);
     EXPECT_NEAR(bead.slide({33.0 * mm, mm}, 14.0 * mm).x, 22.0 * mm, 1e-12);
     EXPECT_NEAR(bead.slide({33.0 * mm, mm}, far_m).x, 33.0 * mm, 1e-12);

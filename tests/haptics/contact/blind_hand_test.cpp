@@ -2,6 +2,7 @@
 #include "haptics/contact/contact_machine.h"
 #include "haptics/resolution/level_rule.h"
 #include "tests/haptics/scenes.h"
+#include "tests/haptics/tick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double tick_s = 1e-3;
 
 /// Without mass: 3 N s/m, pushing with 0.09 N along its own mean direction over the last 5 mm of
 /// its way.

@@ -1,4 +1,5 @@
 #include "haptics/contact/contact_machine.h"
+#include "tests/haptics/contact/hold_rig.h"
 #include "tests/haptics/contact/judge.h"
 #include "tests/haptics/scenes.h"
 
@@ -15,10 +16,6 @@ namespace {
 
 using scenes::map_of;
 using scenes::outline;
-
-Scene scene_of(const TactileMap& map, double radius_m = 0.0) {
-    return build_scene(map, {}, radius_m).value();
-}
 
 /// A hand that wanders over the scene: presses, sweeps and jumps.
 class Wanderer {

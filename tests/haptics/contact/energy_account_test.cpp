@@ -2,6 +2,7 @@
 #include "haptics/contact/energy_account.h"
 
 #include "haptics/contact/gap_fade.h"
+#include "tests/haptics/tick.h"
 
 #include <cmath>
 #include <limits>
@@ -11,7 +12,6 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 1e-3;
 constexpr double trickle_J = 1e-7;  // in a tick
 constexpr double tiny_J = 1e-15;
 

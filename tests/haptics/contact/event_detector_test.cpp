@@ -1,7 +1,9 @@
 // What is told of the hand: everything that happens, and no storm of it.
 #include "haptics/contact/event_detector.h"
 
+#include "tests/haptics/contact/hold_rig.h"
 #include "tests/haptics/scenes.h"
+#include "tests/haptics/tick.h"
 
 #include <algorithm>
 #include <array>
@@ -18,9 +20,6 @@ namespace {
 using enum ContactEventKind;
 using scenes::map_of;
 using scenes::outline;
-
-constexpr double tick_s = 1e-3;
-constexpr std::array modes{Mode::wall, Mode::groove, Mode::ridge, Mode::stay};
 
 /// A machine and what is told of it.
 class Told {
@@ -86,7 +85,7 @@ TactileMap one_line() {
 }
 
 TEST(EventDetector, TellsOfContactInEveryMode) {
-    for (const Mode mode : modes) {
+    for (const Mode mode : all_modes) {
         Told told(one_line(), mode, {0.0, 0.01});
         told.go({0.0, mode == Mode::wall ? -0.001 : 0.001});
         told.run(50);
@@ -99,7 +98,7 @@ TEST(EventDetector, TellsOfContactInEveryMode) {
 }
 
 TEST(EventDetector, AWallIsNeverCrossedAndAGrooveIs) {
-    for (const Mode mode : modes) {
+    for (const Mode mode : all_modes) {
         Told told(one_line(), mode, {0.0, 0.002});
         told.run(100);
         told.go({0.0, -0.002});
@@ -248,7 +247,7 @@ TEST(EventDetector, AHandAtRestWithNoiseMakesNoStorm) {
     std::mt19937 random(1);
     for (const double noise_m : {1e-5, 5e-5, 1e-4}) {
         std::normal_distribution<double> noise(0.0, noise_m);
-        for (const Mode mode : modes) {
+        for (const Mode mode : all_modes) {
             for (const Position place : places) {
                 Told told(map, mode, place);
                 for (int i = 0; i < 5000; ++i) {
@@ -267,7 +266,7 @@ TEST(EventDetector, TheWildestHandMakesNoMoreThanTwentyOfAKindASecond) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     std::vector<ContactEventKind> seen;
-    for (const Mode mode : modes) {
+    for (const Mode mode : all_modes) {
         Told told(scenes::random_map(4, 20), mode, {0.0, 0.0});
         Position aim;
         Position at;

@@ -1,6 +1,7 @@
 // Changes of level under the hand: the wall moves, the proxy goes along and keeps its side.
 #include "haptics/contact/contact_machine.h"
 #include "tests/bench/workload.h"
+#include "tests/haptics/contact/hold_rig.h"
 #include "tests/haptics/scenes.h"
 
 #include <algorithm>
@@ -15,10 +16,6 @@ namespace {
 
 constexpr double stiffness_N_per_m = 500.0;
 constexpr Position far_off{0.5, 0.313};
-
-Scene scene_of(const TactileMap& map, double radius_m = 0.0) {
-    return build_scene(map, {}, radius_m).value();
-}
 
 bool is_inside(const Scene& scene, Position p, double level) {
     return scene.tree.crossings(scene.curves, p, far_off, level) % 2 != 0;

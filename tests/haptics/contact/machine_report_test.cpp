@@ -18,7 +18,6 @@ using scenes::map_of;
 using scenes::outline;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array modes{Mode::wall, Mode::groove, Mode::ridge, Mode::stay};
 
 ContactSettings giving_way(Mode mode) {
     ContactSettings settings = settings_of(mode);
@@ -65,8 +64,8 @@ void expect_equal(const ContactReport& a, const ContactReport& b) {
 TEST(ContactReset, AMachineThatIsResetIsAsNew) {
     const Scene scene = busy_scene();
     const Position start{-0.02, 4e-3};
-    for (const Mode before : modes) {
-        for (const Mode after : modes) {
+    for (const Mode before : all_modes) {
+        for (const Mode after : all_modes) {
             ContactMachine fresh;
             fresh.reset(scene, start, 0.0);
             const auto expected = session(fresh, after);
@@ -150,7 +149,7 @@ TEST(ContactReport, LevelsBeyondTheFinestAndTheCoarsestAreThose) {
 /// Queries of a step share one budget: widening, a push through, a change of level, the way.
 TEST(ContactReport, AStepOpensNoMoreBoxesThanItMay) {
     const Scene scene = busy_scene();
-    for (const Mode mode : modes) {
+    for (const Mode mode : all_modes) {
         for (const int most : {0, 1, 3, 7, 20, 60}) {
             ContactMachine machine;
             machine.reset(scene, {-0.02, 4e-3}, 0.0);
@@ -227,7 +226,7 @@ TEST(ContactReport, ADiscThatHasGrownLooksAnew) {
 /// As a servo that starts anew does with what the one before has left, its scene elsewhere.
 TEST(ContactRebind, AMachineGoesOnWithItsSceneElsewhere) {
     const Scene scene = busy_scene();
-    for (const Mode mode : modes) {
+    for (const Mode mode : all_modes) {
         for (const int stop : {1, 35, 110, 200, 330}) {
             ContactMachine machine;
             std::vector<Position> path;
@@ -269,7 +268,7 @@ TEST(ContactRebind, AMachineDoesNotFitAnotherScene) {
     const Scene both = scene_of(map_of({low, bent}));
     const Scene one = scene_of(map_of({low}));
     const Scene straight = scene_of(map_of({low, outline({{-0.02, 0.02}, {0.0, 0.0}}, false)}));
-    for (const Mode mode : modes) {
+    for (const Mode mode : all_modes) {
         for (const Position hand : {Position{0.005, 0.004}, Position{0.0, -0.001}}) {
             ContactMachine machine;
             machine.reset(both, {0.0, 0.012}, 0.0);

@@ -1,6 +1,7 @@
 // Switching the mode under the hand: the force goes on from what it was, and a wall begins on the
 // handle's side.
 #include "haptics/contact/contact_machine.h"
+#include "tests/haptics/contact/hold_rig.h"
 #include "tests/haptics/scenes.h"
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr std::array modes{Mode::wall, Mode::groove, Mode::ridge, Mode::stay};
 
 Scene line_scene(double radius_m) {
     const Outline line = scenes::outline({{-0.05, 0.0}, {0.05, 0.0}}, false);
@@ -34,7 +33,7 @@ TEST(ModeSwitch, NeverMakesTheForceJump) {
         double largest_N = 0.0;
         Position aim = hand;
         for (int i = 0; i < 200000; ++i) {
-            if (i % 40 == 0) settings.mode = modes[static_cast<std::size_t>(random() % 4)];
+            if (i % 40 == 0) settings.mode = all_modes[static_cast<std::size_t>(random() % 4)];
             if (i % 250 == 0) aim = {0.01 * unit(random), 0.003 * unit(random)};
             const Position moved = 0.02 * (aim - hand);
             hand += moved;

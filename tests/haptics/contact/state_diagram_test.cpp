@@ -21,7 +21,7 @@ namespace {
 constexpr int most_messages = 5;
 constexpr int settling_steps = 16;
 constexpr std::size_t most_way_points = 64;  // 256 walks would be as many at least
-constexpr double rounding_m = 1e-17;
+constexpr double last_digit_m = 1e-17;
 constexpr double at_rest_m = 1e-14;
 
 /// Of the handle sequences every so many-th start, and so on.
@@ -107,7 +107,7 @@ class Trial {
     /// sequences.
     void judge_width(Position centre) {
         const double kept_m = width_at(centre);
-        if (kept_m < std::min(0.5 * contact_skin_m, start_m_ - rounding_m))
+        if (kept_m < std::min(0.5 * contact_skin_m, start_m_ - last_digit_m))
             fault("half a skin is kept");
         if (settings_.radius_m == 0.0 || start_m_ < settings_.radius_m) return;
         tally_.least_width = std::min(tally_.least_width, kept_m / settings_.radius_m);

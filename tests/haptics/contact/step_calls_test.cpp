@@ -5,6 +5,7 @@
 #include "haptics/resolution/level_rule.h"
 #include "tests/bench/workload.h"
 #include "tests/haptics/call_counts.h"
+#include "tests/haptics/tick.h"
 
 #include <cstdint>
 #include <functional>
@@ -23,8 +24,6 @@ namespace touchline {
 namespace {
 
 constexpr std::size_t steps = 1000000;
-constexpr double tick_s = 1e-3;
-
 enum class Level { finest, by_speed };
 
 struct Felt {

@@ -3,6 +3,7 @@
 #include "haptics/contact/contact_machine.h"
 #include "haptics/safety/stiffness_ramp.h"
 #include "tests/haptics/scenes.h"
+#include "tests/haptics/tick.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,6 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 1e-3;
 constexpr double radius_m = 2e-3;     // of the proxy
 constexpr double deepest_m = 1.4e-3;  // so that the radius is 1.4 F / K
 constexpr double ring_m = 0.03;

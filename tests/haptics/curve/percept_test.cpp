@@ -16,7 +16,7 @@ using scenes::circle;
 using scenes::map_of;
 using scenes::square;
 
-CurveSet built(const TactileMap& map) {
+CurveSet curves_of(const TactileMap& map) {
     return CurveSet::build(map, {}).value();
 }
 
@@ -62,7 +62,7 @@ RC_GTEST_PROP(PerceptLevel, IsTheLastBeforeTheFirstThatCanBeTold, ()) {
                           1e-6 * *rc::gen::element(0, 0, 1, 3, 10, 50),
                           static_cast<unsigned>(*rc::gen::inRange(2, 60)));
     };
-    const CurveSet curves = built(map_of({one(), one()}));
+    const CurveSet curves = curves_of(map_of({one(), one()}));
     const int level = percept_level(curves);
     RC_ASSERT(level <= curves.coarsest());
     for (int finer = 1; finer <= level; ++finer) RC_ASSERT(is_untold(curves, 2, finer, 1.0 + 1e-9));
@@ -70,26 +70,26 @@ RC_GTEST_PROP(PerceptLevel, IsTheLastBeforeTheFirstThatCanBeTold, ()) {
 }
 
 TEST(PerceptLevel, OfADenseSmoothCircleIsFarAboveLevel0AndTheSameLengthAtAnyDensity) {
-    const CurveSet dense = built(map_of({circle(0.02, 1024)}));
-    const CurveSet denser = built(map_of({circle(0.02, 4096)}));
+    const CurveSet dense = curves_of(map_of({circle(0.02, 1024)}));
+    const CurveSet denser = curves_of(map_of({circle(0.02, 4096)}));
     EXPECT_GE(percept_level(dense), 3);
     EXPECT_EQ(percept_level(denser), percept_level(dense) + 2);
 }
 
 TEST(PerceptLevel, StraightSidesBoundNothing) {
-    const CurveSet curves = built(map_of({square(0.04, 64)}));
+    const CurveSet curves = curves_of(map_of({square(0.04, 64)}));
     EXPECT_GT(curves.coarsest(), 0);
     EXPECT_EQ(percept_level(curves), curves.coarsest());
 }
 
 TEST(PerceptLevel, OneOutlineThatWouldBeToldKeepsTheWholeSceneFine) {
     Outline wavy = rough_ring(0.01, 256, 2e-4, 40);
-    const CurveSet curves = built(map_of({circle(0.03, 1024), wavy}));
+    const CurveSet curves = curves_of(map_of({circle(0.03, 1024), wavy}));
     EXPECT_EQ(percept_level(curves), 0);
 }
 
 TEST(PerceptLevel, OfNothingIsLevel0) {
-    EXPECT_EQ(percept_level(built(map_of({}))), 0);
+    EXPECT_EQ(percept_level(curves_of(map_of({}))), 0);
 }
 
 }  // namespace

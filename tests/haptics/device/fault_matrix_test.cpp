@@ -1,5 +1,6 @@
 // Every kind of fault at a hundred moments: time to zero torque, state, way back. All on the
 // virtual clock; tests/sim/README.md has the figures.
+#include "tests/haptics/tick.h"
 #include "tests/sim/board/fault_run.h"
 #include "tests/sim/fault_lines.h"
 
@@ -19,7 +20,6 @@ void PrintTo(const FaultKind& kind, std::ostream* out) {
 
 namespace {
 
-constexpr double tick_s = 1e-3;
 constexpr double inf = never_s;
 
 /// What must hold for every run of a kind.

@@ -3,6 +3,7 @@
 
 #include "haptics/pantograph/kinematics.h"
 #include "haptics/pantograph/profile.h"
+#include "tests/haptics/tick.h"
 
 #include <cmath>
 #include <limits>
@@ -15,7 +16,6 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 1e-3;
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr JointAngles retracted{168.0 * degree, 12.0 * degree};
 constexpr JointAngles extended{97.23 * degree, 82.77 * degree};

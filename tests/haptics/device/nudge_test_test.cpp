@@ -2,6 +2,7 @@
 #include "haptics/device/nudge_test.h"
 
 #include "haptics/device/simulated_pantograph.h"
+#include "tests/haptics/tick.h"
 
 #include <cmath>
 #include <functional>
@@ -12,8 +13,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double tick_s = 1e-3;
 
 struct Wiring {
     std::function<JointTorques(JointTorques)> torques = [](JointTorques t) { return t; };

@@ -9,7 +9,7 @@
 namespace touchline {
 namespace {
 
-constexpr JointTorques push{0.02, -0.02};
+constexpr JointTorques asked{0.02, -0.02};
 
 bool is_unplugging(LinkFault fault) {
     return fault == LinkFault::unplugged_before || fault == LinkFault::unplugged_after;
@@ -27,7 +27,7 @@ TEST(OpenFaults, OneFaultAnywhereInOpeningIsOvercome) {
                 ASSERT_FALSE(rig.board.firmware().is_broken());
                 ASSERT_EQ(rig.held(), JointTorques{});
                 if (!is_open) continue;
-                rig.tick_for(0.2, push);
+                rig.tick_for(0.2, asked);
                 if (is_unplugging(kind) || kind == LinkFault::lost_counts) continue;
                 ASSERT_EQ(rig.driver->report().state, BoardState::ready);
                 ASSERT_GT(norm(rig.held()), 0.02);
@@ -43,7 +43,7 @@ TEST(OpenFaults, OneFaultAnywhereInStoppingStillEndsInZero) {
                 const auto kind = static_cast<LinkFault>(fault);
                 BoardRig rig({}, {{12 + after, kind, 0.009, seed}});
                 ASSERT_TRUE(rig.driver->open().has_value());
-                rig.tick_for(0.0095, push);
+                rig.tick_for(0.0095, asked);
                 ASSERT_EQ(rig.link->commands().size(), 12U);
                 const bool is_confirmed = rig.driver->stop();
                 SCOPED_TRACE(testing::Message() << fault << " after " << after << " seed " << seed);
@@ -67,7 +67,7 @@ TEST(OpenFaults, ManyFaultsNeverLeaveTheMotorsPulling) {
         }
         BoardRig rig({}, faults);
         (void)rig.driver->open();
-        rig.tick_for(0.3, push);
+        rig.tick_for(0.3, asked);
         ASSERT_FALSE(rig.board.firmware().is_broken()) << run;
         rig.driver->stop();
         if (rig.driver->report().state == BoardState::closed) {

@@ -1,5 +1,7 @@
 #include "haptics/device/simulated_pantograph.h"
 
+#include "tests/haptics/tick.h"
+
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -9,8 +11,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double tick_s = 1e-3;
 
 std::shared_ptr<const IntendedPath> still_at(Position p) {
     return std::make_shared<WaypointPath>(std::vector<WaypointPath::Waypoint>{{0.0, p}});

@@ -8,11 +8,11 @@
 namespace touchline {
 namespace {
 
-constexpr double h_s = 1.25e-4;
+constexpr double substep_s = 1.25e-4;
 
 void run(TipDynamics& dynamics, Force force, const Intention& intention, double span_s) {
-    const int steps = static_cast<int>(std::lround(span_s / h_s));
-    for (int i = 0; i < steps; ++i) dynamics.step(force, intention, h_s);
+    const int steps = static_cast<int>(std::lround(span_s / substep_s));
+    for (int i = 0; i < steps; ++i) dynamics.step(force, intention, substep_s);
 }
 
 TEST(TipDynamics, VelocityDecaysExponentially) {
@@ -96,7 +96,7 @@ RC_GTEST_PROP(TipDynamics, EnergyIsNeverCreatedWithoutForce, ()) {
     const double at_start = energy_J(dynamics, tip, hand, still.position);
     double least = at_start;
     for (int i = 0; i < 8000; ++i) {
-        dynamics.step({}, still, h_s);
+        dynamics.step({}, still, substep_s);
         const double now = energy_J(dynamics, tip, hand, still.position);
         // The springs are explicit, so that within an oscillation energy wavers by order h.
         RC_ASSERT(now <= least + 0.02 * at_start + 1e-15);

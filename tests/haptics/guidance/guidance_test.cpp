@@ -2,6 +2,7 @@
 
 #include "haptics/guidance/frame.h"
 #include "tests/haptics/scenes.h"
+#include "tests/haptics/tick.h"
 
 #include <algorithm>
 #include <vector>
@@ -10,8 +11,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double tick_s = 1e-3;
 
 /// A hand of 0.2 kg that the force moves against 4 N s/m, or that somebody holds.
 struct Rig {

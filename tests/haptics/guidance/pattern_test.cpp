@@ -1,5 +1,7 @@
 #include "haptics/guidance/pattern.h"
 
+#include "tests/haptics/tick.h"
+
 #include <cmath>
 #include <vector>
 
@@ -7,8 +9,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double tick_s = 1e-3;
 
 /// What a hand could tell of a shake, from its forces alone.
 struct Measured {

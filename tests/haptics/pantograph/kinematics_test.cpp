@@ -15,9 +15,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double mm = 1e-3;
-constexpr Geometry gen3{0.070, 0.090, 0.038};
-constexpr Geometry gen2{0.070, 0.090, 0.0};
 
 TEST(Kinematics, ForwardOfInverseIsThePointOverEveryWorkspace) {
     for (const DeviceProfile& profile : device_profiles()) {

@@ -13,8 +13,6 @@
 namespace touchline {
 namespace {
 
-constexpr double mm = 1e-3;
-
 double median(std::vector<double> values) {
     std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2),
                      values.end());

@@ -13,8 +13,6 @@
 namespace touchline {
 namespace {
 
-constexpr Geometry gen3{0.070, 0.090, 0.038};
-
 Jacobian published_jacobian(const Geometry& g, JointAngles angles, Position tip) {
     const double l = g.proximal_m;
     const double c1 = std::cos(angles.x), s1 = std::sin(angles.x);

@@ -1,10 +1,14 @@
-// The reachable poses of a device on a grid, for tests that must hold everywhere.
+// Two devices, and the reachable poses of one on a grid, for tests that must hold everywhere.
 #pragma once
 
 #include "haptics/pantograph/kinematics.h"
 #include "haptics/pantograph/profile.h"
 
 namespace touchline {
+
+inline constexpr double mm = 1e-3;
+inline constexpr Geometry gen3{0.070, 0.090, 0.038};
+inline constexpr Geometry gen2{0.070, 0.090, 0.0};
 
 /// Calls visit(p_DH, angles, pose) at every reachable point with y > 0, `step_m` apart. Returns how
 /// many.

@@ -12,7 +12,7 @@
 namespace touchline {
 namespace {
 
-LevelLimits fine_device() {
+LevelLimits finest_device() {
     return {2.5e-5, 1e-6, 400.0, 0.0, 16.0};
 }
 
@@ -23,12 +23,12 @@ double wavelength_at(LevelRule& rule, double& x_m, double speed_m_per_s, double 
         x_m += speed_m_per_s * dt_s;
         level = rule.step({x_m, 0.0}, dt_s);
     }
-    return wavelength_m(fine_device(), level);
+    return wavelength_m(finest_device(), level);
 }
 
 TEST(LevelBySpeed, ShortestWavelengthAtASpeedIsTheTables) {
     // lambda_min(v): 20 mm/s 0.4 mm, 100 mm/s 2 mm, 250 mm/s 5 mm at 500 Hz; half of it from 1 kHz.
-    const LevelLimits limits = fine_device();
+    const LevelLimits limits = finest_device();
     for (const auto& [dt_s, speed, wavelength] : {std::tuple{2e-3, 0.02, 4e-4},
                                                   {2e-3, 0.1, 2e-3},
                                                   {2e-3, 0.25, 5e-3},
@@ -51,11 +51,11 @@ TEST(LevelBySpeed,
      ShortestWavelengthStaysWithinAnOctaveOfTheFormulaFrom1To320MillimetresPerSecond) {
     for (const double dt_s : {2e-3, 1e-3}) {
         const double f_Hz = dt_s == 2e-3 ? 50.0 : 100.0;
-        LevelRule rule(fine_device());
+        LevelRule rule(finest_device());
         double x_m = 0.0;
         double worst = 0.0;
         const auto excess_octaves = [&](double speed) {
-            const double formula = std::max(speed / f_Hz, wavelength_m(fine_device(), 0.0));
+            const double formula = std::max(speed / f_Hz, wavelength_m(finest_device(), 0.0));
             return std::log2(wavelength_at(rule, x_m, speed, dt_s) / formula);
         };
         const int last = static_cast<int>(8.0 * std::log2(320.0));
@@ -125,9 +125,9 @@ INSTANTIATE_TEST_SUITE_P(LevelBySpeed, Tremors,
 TEST(LevelOfAShape, IsThatOfAPointAsFastAsItsFastestPoint) {
     constexpr double r_m = 0.02;
     for (const double speed : {0.013, 0.07, 0.31}) {
-        LevelRule point(fine_device());
-        ShapeLevelRule slides(fine_device(), r_m);
-        ShapeLevelRule turns(fine_device(), r_m);
+        LevelRule point(finest_device());
+        ShapeLevelRule slides(finest_device(), r_m);
+        ShapeLevelRule turns(finest_device(), r_m);
         for (int i = 1; i <= 800; ++i) {
             const double way_m = speed * 1e-3 * i;
             const double expected = point.step({way_m, 0.0}, 1e-3);
@@ -136,7 +136,7 @@ TEST(LevelOfAShape, IsThatOfAPointAsFastAsItsFastestPoint) {
         }
         EXPECT_NEAR(turns.speed_m_per_s(), speed, 1e-6);
     }
-    ShapeLevelRule both(fine_device(), r_m);
+    ShapeLevelRule both(finest_device(), r_m);
     for (int i = 1; i <= 800; ++i) (void)both.step({1e-4 * i, 0.0}, 5e-3 * i, 1e-3);
     EXPECT_NEAR(both.speed_m_per_s(), 0.2, 1e-6);
     const double level = both.step({0.08, 0.0}, 4.0, 1e-3);

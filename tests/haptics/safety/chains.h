@@ -2,6 +2,7 @@
 #pragma once
 
 #include "haptics/safety/force_chain.h"
+#include "tests/haptics/tick.h"
 
 #include <limits>
 
@@ -10,7 +11,6 @@
 namespace touchline {
 
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-inline constexpr double tick_s = 1e-3;
 // A pose of a 2diy gen 3: condition about 1.
 inline constexpr Jacobian good_pose{{-0.049, -0.0496}, {-0.049, 0.0496}};
 

@@ -6,6 +6,7 @@
 #include "haptics/safety/motor_heat.h"
 #include "haptics/safety/position_guard.h"
 #include "haptics/safety/speed_limit.h"
+#include "tests/haptics/tick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,6 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 1e-3;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(SpeedLimit, LeavesWhatBrakesAndWhatGoesAcross) {

@@ -1,6 +1,8 @@
 // When a hand is taken for off, to the window and to the threshold.
 #include "haptics/safety/hand_presence.h"
 
+#include "tests/haptics/tick.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -8,8 +10,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double tick_s = 1e-3;
 
 /// The device alone, just as it is described, measured as late as it says: by 3 ms.
 class LoneTip {

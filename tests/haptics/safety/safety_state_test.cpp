@@ -2,6 +2,8 @@
 
 #include "haptics/safety/safety_state.h"
 
+#include "tests/haptics/tick.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -12,7 +14,6 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 1e-3;
 constexpr SafetyTimes times;
 
 std::vector<SafetyState> all_states() {

@@ -1,5 +1,7 @@
 #include "haptics/safety/stability_monitor.h"
 
+#include "tests/haptics/tick.h"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,8 +10,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double tick_s = 1e-3;
 
 /// A wall of 500 N/m that a hand presses by 0.2 N and swings in by `amplitude_N`, the force late by
 /// one tick: the loop gives energy.

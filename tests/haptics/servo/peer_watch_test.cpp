@@ -1,5 +1,7 @@
 #include "haptics/servo/peer_watch.h"
 
+#include "tests/haptics/tick.h"
+
 #include <cstdint>
 #include <limits>
 
@@ -7,8 +9,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double tick_s = 1e-3;
 
 PeerWatch watch_of_10_ms() {
     return {0.010, 0.002};

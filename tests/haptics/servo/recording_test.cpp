@@ -6,6 +6,7 @@
 #include "haptics/servo/replay.h"
 #include "haptics/servo/servo_loop.h"
 #include "tests/haptics/servo/rigs.h"
+#include "tests/haptics/tick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +22,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double tick_s = 1e-3;
 
 /// A hand that explores two pictures in turn, with everything that may be set being set.
 struct Session {

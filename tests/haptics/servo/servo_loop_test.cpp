@@ -2,6 +2,7 @@
 
 #include "haptics/device/simulated_pantograph.h"
 #include "tests/haptics/servo/rigs.h"
+#include "tests/haptics/tick.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,7 +14,6 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 1e-3;
 constexpr std::int64_t period_ns = 1'000'000;
 
 /// A clock that asks for the end of the loop at a moment.

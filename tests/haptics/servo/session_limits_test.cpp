@@ -5,6 +5,7 @@
 #include "haptics/servo/servo_step.h"
 #include "tests/haptics/scenes.h"
 #include "tests/haptics/servo/rigs.h"
+#include "tests/haptics/tick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double tick_s = 1e-3;
 
 struct Course {
     HandModel hand;
@@ -51,9 +50,9 @@ std::vector<WaypointPath::Waypoint> way(std::mt19937& random, double seconds,
     return made;
 }
 
-class Session {
+class CourseSession {
   public:
-    Session(const Course& course, unsigned seed, double seconds)
+    CourseSession(const Course& course, unsigned seed, double seconds)
         : course_(course),
           random_(seed),
           device_(
@@ -146,7 +145,7 @@ TEST(SessionLimits, EveryHandKeepsItsForceAndNoLimitIsBroken) {
     const Scene scene = ring_and_line();
     for (const HandModel& hand : {light_hand, normal_hand, relaxed_arm, stiff_arm}) {
         for (unsigned seed = 0; seed < 2; ++seed) {
-            const Seen seen = Session({hand, false}, seed, 30.0).run(scene, 30.0);
+            const Seen seen = CourseSession({hand, false}, seed, 30.0).run(scene, 30.0);
             if (HasFatalFailure()) FAIL() << hand.mass_kg << ", " << seed;
             if (seed == 0) say("a hand", seen);
             EXPECT_EQ(seen.faults, 0) << hand.mass_kg << ", " << seed;
@@ -189,7 +188,7 @@ TEST(SessionLimits, HoldForWhateverIsDoneToTheDevice) {
     const Scene scene = ring_and_line();
     for (const HandModel& hand : {light_hand, normal_hand, stiff_arm}) {
         for (unsigned seed = 0; seed < 2; ++seed) {
-            const Seen seen = Session({hand, true}, seed, 30.0).run(scene, 30.0);
+            const Seen seen = CourseSession({hand, true}, seed, 30.0).run(scene, 30.0);
             if (HasFatalFailure()) FAIL() << hand.mass_kg << ", " << seed;
             if (seed == 0) say("a wild one", seen);
             EXPECT_GT(seen.faults, 10);

@@ -3,14 +3,13 @@
 
 #include "haptics/servo/servo_step.h"
 #include "tests/haptics/servo/rigs.h"
+#include "tests/haptics/tick.h"
 
 #include <memory>
 
 #include <gtest/gtest.h>
 
 namespace touchline {
-
-inline constexpr double tick_s = 1e-3;
 
 /// A servo step whose handle and commands the test sets, one virtual millisecond a tick.
 struct Bench {

@@ -3,6 +3,7 @@
 #include "haptics/servo/servo_step.h"
 #include "tests/haptics/scenes.h"
 #include "tests/haptics/servo/rigs.h"
+#include "tests/haptics/tick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 1e-3;
 constexpr double ring_m = 0.03;
 constexpr Position far_off{0.5, 0.313};
 

@@ -1,5 +1,7 @@
 #include "haptics/servo/velocity_estimate.h"
 
+#include "tests/haptics/tick.h"
+
 #include <cmath>
 #include <limits>
 
@@ -7,8 +9,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr double tick_s = 1e-3;
 
 double counted(double x, double step_m) {
     return std::floor(x / step_m) * step_m;

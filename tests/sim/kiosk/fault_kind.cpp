@@ -1,12 +1,13 @@
 #include "tests/sim/kiosk/fault_kind.h"
 
+#include "tests/haptics/tick.h"
+
 #include <algorithm>
 #include <array>
 
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 1e-3;
 constexpr double stale_s = 5e-3;
 constexpr double hanging_send_s = 10e-3;
 constexpr double lost_peer_s = 20e-3;

@@ -1,5 +1,6 @@
 #include "tests/sim/kiosk/sim_house.h"
 
+#include "tests/haptics/tick.h"
 #include "tests/sim/kiosk/simulation.h"
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double tick_s = 1e-3;
 constexpr double frame_s = 1.0 / 60.0;
 constexpr double beat_s = 1e-3 * guard_beat_ms;
 constexpr double sound_s = 4e-3;

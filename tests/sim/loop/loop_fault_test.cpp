@@ -1,6 +1,7 @@
 // Every fault of a device and of a kiosk, met by the whole loop: time to zero torque, what is told
 // and said of it, no force before it is armed again, the way back. On the virtual clock.
 #include "app/session/fault_words.h"
+#include "tests/haptics/tick.h"
 #include "tests/sim/fault_lines.h"
 #include "tests/sim/loop/loop_fault_run.h"
 
@@ -21,7 +22,6 @@ void PrintTo(const LoopFaultKind& kind, std::ostream* out) {
 
 namespace {
 
-constexpr double tick_s = 1e-3;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// What must hold for every run of a kind.

@@ -13,7 +13,7 @@
 namespace touchline {
 namespace {
 
-const cv::Size picture(1600, 1200);
+const cv::Size photo_size(1600, 1200);
 
 /// A sheet of this aspect before a pinhole camera, leaned about x and y; its corners in the
 /// picture.
@@ -27,8 +27,8 @@ Quad seen(double aspect, double lean_x_rad, double lean_y_rad, double focal_px) 
         const double u = i == 1 || i == 2 ? 0.5 : -0.5;
         const double v = i >= 2 ? 0.5 : -0.5;
         const cv::Vec3d p = turn * cv::Vec3d(u * aspect, v, 0.0) + cv::Vec3d(0.0, 0.0, 2.2);
-        corners[i] = {(picture.width - 1) / 2.0 + focal_px * p[0] / p[2],
-                      (picture.height - 1) / 2.0 + focal_px * p[1] / p[2]};
+        corners[i] = {(photo_size.width - 1) / 2.0 + focal_px * p[0] / p[2],
+                      (photo_size.height - 1) / 2.0 + focal_px * p[1] / p[2]};
     }
     return corners;
 }
@@ -37,18 +37,18 @@ TEST(Rectify, TheAspectIsThatOfTheSheetWhateverTheLean) {
     for (const double aspect : {1.0 / a4_aspect, 1.0 / letter_aspect, 1.0, a4_aspect})
         for (const double lean_x : {-0.5, -0.25, 0.0, 0.25, 0.5})
             for (const double lean_y : {-0.4, -0.1, 0.0, 0.3}) {
-                const double focal_px = usual_focal_share * picture.width;
-                EXPECT_NEAR(aspect_of(seen(aspect, lean_x, lean_y, focal_px), picture) / aspect,
+                const double focal_px = usual_focal_share * photo_size.width;
+                EXPECT_NEAR(aspect_of(seen(aspect, lean_x, lean_y, focal_px), photo_size) / aspect,
                             1.0, 0.005);
             }
 }
 
 TEST(Rectify, AnotherLensIsTakenFromThePerspective) {
-    for (const double focal_px : {0.7 * picture.width, 1.6 * picture.width}) {
+    for (const double focal_px : {0.7 * photo_size.width, 1.6 * photo_size.width}) {
         const double aspect = 1.0 / a4_aspect;
-        EXPECT_NEAR(aspect_of(seen(aspect, 0.45, 0.35, focal_px), picture) / aspect, 1.0, 0.005);
+        EXPECT_NEAR(aspect_of(seen(aspect, 0.45, 0.35, focal_px), photo_size) / aspect, 1.0, 0.005);
         // Too little lean to tell the lens: then it does not matter much.
-        EXPECT_NEAR(aspect_of(seen(aspect, 0.12, 0.0, focal_px), picture) / aspect, 1.0, 0.01);
+        EXPECT_NEAR(aspect_of(seen(aspect, 0.12, 0.0, focal_px), photo_size) / aspect, 1.0, 0.01);
     }
 }
 
@@ -67,13 +67,13 @@ TEST(Rectify, ThePageIsSeenFromAbove) {
         for (int x = 40; x < 560; x += 80)
             cv::rectangle(sheet, {x, y, 40, 40}, cv::Scalar(x / 4, 60, y / 5), cv::FILLED);
     const Quad corners = seen(600.0 / 848, 0.4, -0.3, 1500.0);
-    cv::Mat photo(picture, CV_8UC3, cv::Scalar::all(60));
+    cv::Mat photo(photo_size, CV_8UC3, cv::Scalar::all(60));
     const std::vector<cv::Point2f> from{
         {-0.5F, -0.5F}, {599.5F, -0.5F}, {599.5F, 847.5F}, {-0.5F, 847.5F}};
     cv::warpPerspective(
         sheet, photo,
         cv::getPerspectiveTransform(from, std::vector<cv::Point2f>(corners.begin(), corners.end())),
-        picture, cv::INTER_AREA, cv::BORDER_TRANSPARENT);
+        photo_size, cv::INTER_AREA, cv::BORDER_TRANSPARENT);
     for (const double most : {1e6, 1e5}) {
         const cv::Mat page = rectified(photo, corners, 600.0 / 848, most);
         EXPECT_LE(page.total(), most);

@@ -20,7 +20,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr ShapingScale scale{0.25, 1.0, 8.0};
+constexpr ShapingScale tried_scale{0.25, 1.0, 8.0};
 const cv::Size2d size_mm(116.0, 84.0);
 
 Chain line(const std::vector<cv::Point2d>& corners, bool is_closed = false) {
@@ -67,7 +67,7 @@ TEST(DetailLimits, CountsAndLengthsGrowWithTheAreaGapsDoNot) {
 }
 
 TEST(Shaping, CornersOfTheShapeStayExactlyAndSidesStraight) {
-    const Chain square = shaped(line({{10, 10}, {50, 10}, {50, 40}, {10, 40}}, true), scale);
+    const Chain square = shaped(line({{10, 10}, {50, 10}, {50, 40}, {10, 40}}, true), tried_scale);
     for (const cv::Point2d corner :
          {cv::Point2d(10, 10), cv::Point2d(50, 10), cv::Point2d(50, 40), cv::Point2d(10, 40)}) {
         EXPECT_TRUE(has_point(square, corner)) << corner;
@@ -83,7 +83,7 @@ TEST(Shaping, CornersOfTheShapeStayExactlyAndSidesStraight) {
 TEST(Shaping, TeethFinerThanAFeatureAreSmoothedAway) {
     std::vector<cv::Point2d> teeth;
     for (int i = 0; i <= 40; ++i) teeth.emplace_back(10.0 + i, i % 2 == 0 ? 20.0 : 21.0);
-    const Chain flat = shaped(line(teeth), scale);
+    const Chain flat = shaped(line(teeth), tried_scale);
     EXPECT_EQ(flat.points.front().at, cv::Point2d(10, 20));
     EXPECT_EQ(flat.points.back().at, cv::Point2d(50, 20));
     for (const EdgePoint& p : flat.points) {
@@ -94,7 +94,7 @@ TEST(Shaping, TeethFinerThanAFeatureAreSmoothedAway) {
 }
 
 TEST(Shaping, ACircleStaysACircle) {
-    const Chain round = shaped(ring({50, 40}, 20.0), scale);
+    const Chain round = shaped(ring({50, 40}, 20.0), tried_scale);
     for (const EdgePoint& p : round.points) {
         EXPECT_NEAR(distance(p.at, {50, 40}), 20.0 - 1.0 / 40.0, 0.005);
         EXPECT_FALSE(p.is_fixed);

@@ -14,7 +14,6 @@
 namespace touchline::scenarios {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double lean_rad = 5.0 * pi / 180.0;  // of each strand to the x axis
 constexpr double strand_mm = 20.0;             // from the crossing to where a lobe begins
 

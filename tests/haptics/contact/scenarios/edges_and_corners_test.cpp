@@ -15,8 +15,6 @@
 namespace touchline::scenarios {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 TEST(Scenario, S01FlatWallPressSlideRelease) {
     const Scene scene = scene_of({flat_line()});
     const ScenarioRun felt = run(scene, press_and_slide(), 1.4);

@@ -14,8 +14,6 @@
 namespace touchline::scenarios {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 CommonSetUp with_friction(double friction, double radius_m = 0.0) {
     CommonSetUp set_up;
     set_up.contact.friction = friction;

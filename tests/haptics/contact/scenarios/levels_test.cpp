@@ -15,8 +15,6 @@
 namespace touchline::scenarios {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 std::vector<Segment> rendered(const CurveSet& curves, int piece, double level) {
     std::vector<Segment> segments;
     for (int j = 0; j < curves.rendered_count(piece, level); ++j) {

@@ -7,6 +7,7 @@
 #include "haptics/contact/proxy_state.h"
 #include "haptics/device/hand.h"
 #include "haptics/device/tip_dynamics.h"
+#include "tests/haptics/tick.h"
 
 #include <functional>
 #include <limits>
@@ -14,9 +15,9 @@
 
 namespace touchline::scenarios {
 
+using std::numbers::pi;
 inline constexpr double mm = 1e-3;
-inline constexpr double tick_s = 1e-3;  // T
-inline constexpr int substeps = 8;      // integration steps in a tick
+inline constexpr int substeps = 8;  // integration steps in a tick
 
 /// The scenarios' common set-up: K = 1000 N/m, no friction on the line, a disc of 50 um; tip and
 /// hand together 0.15 kg, 0.1 + 3 N s/m, 300 N/m, 0.05 N of Coulomb friction; no delay.

@@ -15,8 +15,6 @@
 namespace touchline::scenarios {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 struct Wedge {
     double interior_deg, force_N, jump_N;  // within two ticks
 };

@@ -1,0 +1,8 @@
+// What a tick lasts in the tests that step a part of the loop themselves.
+#pragma once
+
+namespace touchline {
+
+inline constexpr double tick_s = 1e-3;
+
+}  // namespace touchline
