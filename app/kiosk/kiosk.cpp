@@ -107,6 +107,7 @@ Kiosk::Kiosk(KioskParts parts)
       hand_words_(std::move(parts.hand_words)),
       reading_language_(std::move(parts.reading_language)),
       operator_(std::move(parts.operator_desk)),
+      are_keys_always_free_(parts.are_keys_free),
       minute_of_day_(std::move(parts.minute_of_day)),
       keys_(std::move(parts.keys)),
       filter_(settings_.double_strike_s) {

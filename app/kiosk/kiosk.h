@@ -48,6 +48,8 @@ struct KioskParts {
     KeyTable keys = default_keys();
     /// Null: nobody can enter. Its settings and keys are those above.
     std::unique_ptr<OperatorDesk> operator_desk;
+    /// In a window of somebody's desktop the operator's keys are anybody's.
+    bool are_keys_free = false;
     std::function<int()> minute_of_day;  // 0 ... 1439, of the house's clock; none: always open
     DeviceProfile profile;
     std::string hand_words;       // what the hand is, for the live view
@@ -61,7 +63,8 @@ class Kiosk {
     explicit Kiosk(KioskParts parts);
 
     /// Of a keyboard, keypad or joystick, with the time of step()'s clock: by the table of keys,
-    /// else by that of the staff (app/session/keys.h), else a dead key.
+    /// else by that of the staff (app/session/keys.h), else a dead key. What is for the operator
+    /// is refused in a sentence once there is a PIN, unless the operator is inside.
     void change_key(const KeyChange& change);
 
     /// The key that the table gives this role first.
@@ -70,7 +73,8 @@ class Kiosk {
     /// Of a joystick's axis, counter-clockwise: turns a shape in the hand.
     void turn_knob(double by_rad) { happen(KnobTurned{by_rad}); }
 
-    /// Of the operator's own keyboard (Settings::operator_device): for the operator alone.
+    /// Of the operator's own keyboard (Settings::operator_device): for the operator alone, who
+    /// needs no PIN for the operator's keys there.
     void strike_operator_key(const PhysicalKey& key);
 
     /// Pictures to choose from, as if a stick had brought them. `sentence`: what is not among them.
@@ -141,6 +145,8 @@ class Kiosk {
     void press_for_visit(KeyRole role);
     void tell_operator(const OperatorEvent& event);
     void strike_key(const KeyStruck& struck);
+    [[nodiscard]] bool are_keys_free() const;
+    [[nodiscard]] bool takes_operator_keys() const;
     void keep_recording();
     void tell_of_recording(const std::string& notice);
     void follow_operator();
@@ -196,6 +202,7 @@ class Kiosk {
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language_;
 
     std::unique_ptr<OperatorDesk> operator_;
+    bool are_keys_always_free_ = false;
     std::function<int()> minute_of_day_;
     std::string operator_caption_;
     std::string homing_words_;

@@ -7,13 +7,18 @@ namespace touchline {
 
 namespace {
 
-bool is_key_of(Action action, const PhysicalKey& key) {
-    return key.source == KeySource::key && action_of(Key{key.code}) == action;
+std::optional<Action> action_of_key(const PhysicalKey& key) {
+    return key.source == KeySource::key ? action_of(Key{key.code}) : std::nullopt;
 }
 
 /// Whoever is in: it comes before everything.
 bool is_emergency_stop(const PhysicalKey& key) {
-    return is_key_of(Action::emergency_stop, key);
+    return action_of_key(key) == Action::emergency_stop;
+}
+
+bool is_operators_key(const PhysicalKey& key) {
+    const auto action = action_of_key(key);
+    return action && is_for_operator(*action);
 }
 
 }  // namespace
@@ -27,10 +32,22 @@ void Kiosk::change_key(const KeyChange& change) {
     strike_key(KeyStruck{change.key, role, settings_.operator_device.empty()});
     if (was_in || is_operator_in()) return;
     if (role) return press_for_visit(*role);
-    const bool is_named = change.key.source == KeySource::key;
-    const auto action = is_named ? action_of(Key{change.key.code}) : std::nullopt;
-    if (action) return act(*action);
-    happen(DeadKeyPressed{});
+    const auto action = action_of_key(change.key);
+    if (!action) return happen(DeadKeyPressed{});
+    if (!is_for_operator(*action) || are_keys_free()) return act(*action);
+    sound_->say({language().code(),
+                 language().text("operator", "This key is the operator's. Give the PIN first."),
+                 SpeechPriority::text});
+}
+
+/// As long as there is no PIN to give, and where nobody could give one.
+bool Kiosk::are_keys_free() const {
+    return are_keys_always_free_ || !operator_ || !operator_->has_pin();
+}
+
+/// The PIN was given. A key that is being learned is no order.
+bool Kiosk::takes_operator_keys() const {
+    return operator_ && operator_->is_inside() && !operator_->is_learning_keys();
 }
 
 void Kiosk::press(KeyRole role) {
@@ -41,15 +58,18 @@ void Kiosk::press(KeyRole role) {
 
 void Kiosk::strike_operator_key(const PhysicalKey& key) {
     if (is_emergency_stop(key)) return act(Action::emergency_stop);
-    strike_key(KeyStruck{key, role_of(keys_, key), true});
+    const auto role = role_of(keys_, key);
+    if (!role && is_operators_key(key) && !is_operator_in()) return act(*action_of_key(key));
+    strike_key(KeyStruck{key, role, true});
 }
 
 /// R saves for who gave the PIN, at a keyboard that may; for all others act() holds in memory.
 void Kiosk::strike_key(const KeyStruck& struck) {
-    const bool is_inside = operator_ && operator_->is_inside() && struck.is_allowed;
-    if (is_inside && !struck.role && is_key_of(Action::hold_recording, struck.key))
-        return keep_recording();
-    tell_operator(struck);
+    const bool is_order = !struck.role && struck.is_allowed && is_operators_key(struck.key);
+    if (!is_order || !takes_operator_keys()) return tell_operator(struck);
+    const Action action = *action_of_key(struck.key);
+    if (action == Action::hold_recording) return keep_recording();
+    act(action);
 }
 
 /// With two switches a key selects, or moves on.

@@ -1,7 +1,6 @@
 #include "app/kiosk/operator_desk.h"
 
 #include "app/operator/backup.h"
-#include "app/operator/pin_file.h"
 #include "app/operator/pin_tries_file.h"
 #include "app/operator/site_files.h"
 #include "app/packs/pack.h"
@@ -201,8 +200,8 @@ bool OperatorDesk::read_again() {
 }
 
 OperatorWorld OperatorDesk::world(const Language& language, double now_s) const {
-    OperatorWorld world{language,   now_s, has_pin(files_.pin), is_private_, site_, sound_, keys_,
-                        languages_, {},    counters_,           {},          live_};
+    OperatorWorld world{language, now_s,      has_pin(), is_private_, site_, sound_,
+                        keys_,    languages_, {},        counters_,   {},    live_};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
     world.packs = packs_.names();
     return world;

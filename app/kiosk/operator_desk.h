@@ -6,6 +6,7 @@
 #include "app/kiosk/stick_packs.h"
 #include "app/operator/counters.h"
 #include "app/operator/operator.h"
+#include "app/operator/pin_file.h"
 #include "app/operator/profiles.h"
 #include "app/operator/settings_files.h"
 #include "app/session/visit_orders.h"
@@ -46,6 +47,14 @@ class OperatorDesk {
 
     /// The PIN was given.
     [[nodiscard]] bool is_inside() const { return touchline::is_inside(state_.place); }
+
+    /// Whatever key goes down is one to be learned.
+    [[nodiscard]] bool is_learning_keys() const {
+        return state_.place == OperatorPlace::key_wizard;
+    }
+
+    /// The house has one: its file is looked for.
+    [[nodiscard]] bool has_pin() const { return touchline::has_pin(files_.pin); }
 
     [[nodiscard]] SpokenScreen screen(const Language& language) const;
 

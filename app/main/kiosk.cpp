@@ -157,6 +157,7 @@ class KioskWindow {
         parts.keys = desk_->keys();
         parts.minute_of_day = minute_of_day;
         parts.operator_desk = std::move(desk_);
+        parts.are_keys_free = arguments_.in_window;
         parts.profile = servo->profile;
         parts.hand_words = servo->hand_words;
         parts.loop_N_per_m = loop.stiffness_N_per_m;

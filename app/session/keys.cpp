@@ -15,15 +15,15 @@ constexpr std::array table{
     KeyRow{Key{','}, Action::slower_speech, "Comma", "speak slower"},
     KeyRow{Key{'.'}, Action::faster_speech, "Full stop", "speak faster"},
     KeyRow{Key{'E'}, Action::emergency_stop, "E", "emergency stop: no force until C"},
-    KeyRow{Key{'C'}, Action::clear_fault, "C", "clear what stopped the force"},
+    KeyRow{Key{'C'}, Action::clear_fault, "C", "for the operator: clear what stopped the force"},
     KeyRow{Key{'R'}, Action::hold_recording, "R",
-           "hold the last minute in memory; for the operator, who gave the PIN: save it"},
-    KeyRow{Key{'O'}, Action::home_again, "O", "find the handle's home again"},
+           "for the operator: hold the last minute in memory; with the PIN given, save it"},
+    KeyRow{Key{'O'}, Action::home_again, "O", "for the operator: find the handle's home again"},
     KeyRow{Key{'V'}, Action::toggle_live_view, "V", "live view on or off"},
     KeyRow{Key{'B'}, Action::toggle_boxes, "B", "error boxes of the curve in it, on or off"},
     KeyRow{Key::f15, Action::headphones_in, "F15", "keypad: the headphones are in"},
     KeyRow{Key::f16, Action::headphones_out, "F16", "keypad: the headphones are out"},
-    KeyRow{Key{'Q'}, Action::quit, "Q", "quit"},
+    KeyRow{Key{'Q'}, Action::quit, "Q", "for the operator: quit"},
 };
 
 }  // namespace

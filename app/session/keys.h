@@ -41,6 +41,13 @@ struct KeyRow {
 /// Nothing for a key without a meaning.
 [[nodiscard]] std::optional<Action> action_of(Key key);
 
+/// What can start a force, keep what was felt, or end the kiosk. Visitors can stop and never start:
+/// once the house has a PIN this needs the operator's own keyboard, or the PIN by the six keys.
+[[nodiscard]] constexpr bool is_for_operator(Action action) {
+    return action == Action::clear_fault || action == Action::home_again ||
+           action == Action::hold_recording || action == Action::quit;
+}
+
 /// The table as Markdown, for the README; ends with a newline.
 [[nodiscard]] std::string keys_as_markdown();
 

@@ -36,7 +36,7 @@ fs::path own_folder_of_test() {
 
 }  // namespace
 
-KioskWorld::KioskWorld() : folder_(own_folder_of_test()) {
+KioskWorld::KioskWorld(bool is_in_window) : folder_(own_folder_of_test()) {
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "camera");
     auto servo = std::make_unique<SteppedServo>();
@@ -56,6 +56,7 @@ KioskWorld::KioskWorld() : folder_(own_folder_of_test()) {
     std::vector<std::string> problems;
     parts.operator_desk = std::make_unique<OperatorDesk>(site_files(), parts.languages, problems);
     EXPECT_TRUE(problems.empty()) << problems.front();
+    parts.are_keys_free = is_in_window;
     parts.settings = parts.operator_desk->settings();
     parts.keys = parts.operator_desk->keys();
     parts.minute_of_day = [this] { return minute_of_day; };

@@ -15,8 +15,8 @@ namespace touchline {
 
 class KioskWorld {
   public:
-    /// English, German, French and Spanish.
-    KioskWorld();
+    /// English, German, French and Spanish. `is_in_window`: of somebody's desktop.
+    explicit KioskWorld(bool is_in_window = false);
     ~KioskWorld();
     KioskWorld(const KioskWorld&) = delete;
     KioskWorld& operator=(const KioskWorld&) = delete;

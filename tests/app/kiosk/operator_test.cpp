@@ -114,10 +114,109 @@ TEST(OperatorRun, TheEmergencyStopActsWhileTheOperatorIsIn) {
     EXPECT_TRUE(world.servo().commands().is_emergency_stop);
 }
 
-void strike_r(KioskWorld& world) {
-    world.kiosk().change_key({{KeySource::key, 'R'}, true, false, world.now_s()});
-    world.kiosk().change_key({{KeySource::key, 'R'}, false, false, world.now_s()});
+void strike(KioskWorld& world, char key) {
+    const PhysicalKey struck{KeySource::key, static_cast<std::uint32_t>(key)};
+    world.kiosk().change_key({struck, true, false, world.now_s()});
+    world.kiosk().change_key({struck, false, false, world.now_s()});
     world.run(1.0);
+}
+
+void strike_r(KioskWorld& world) {
+    strike(world, 'R');
+}
+
+/// A house whose operator has chosen a PIN and gone.
+void choose_pin(KioskWorld& world) {
+    BlindVisitor staff(world, 0.2);
+    enter(staff);
+    enter_pin(staff);
+    enter_pin(staff);
+    ASSERT_TRUE(staff.choose("Leave")) << staff.heard();
+    ASSERT_FALSE(world.kiosk().is_operator_in());
+}
+
+/// What the operator's keys order.
+struct Ordered {
+    bool is_stopped = false;
+    std::uint32_t cleared = 0;
+    int homings = 0;
+    int held = 0;
+    bool is_quitting = false;
+
+    bool operator==(const Ordered&) const = default;
+};
+
+Ordered ordered(KioskWorld& world) {
+    const ServoCommands& commands = world.servo().commands();
+    return {commands.is_emergency_stop, commands.faults_cleared, world.servo().homings,
+            world.servo().recordings_held, world.kiosk().desk().is_quitting};
+}
+
+TEST(OperatorRun, AVisitorsKeyboardCanStopAndNeverStart) {
+    KioskWorld world;
+    choose_pin(world);
+    strike(world, 'E');
+    const Ordered stopped = ordered(world);
+    ASSERT_TRUE(stopped.is_stopped);
+    for (const char key : {'C', 'O', 'R', 'Q'}) {
+        BlindVisitor visitor(world, 0.2);
+        strike(world, key);
+        EXPECT_EQ(ordered(world), stopped) << key;
+        EXPECT_TRUE(world.heard().was_said("This key is the operator's. Give the PIN first."));
+    }
+}
+
+TEST(OperatorRun, TheOperatorsOwnKeyboardNeedsNoPinForThem) {
+    KioskWorld world;
+    choose_pin(world);
+    strike(world, 'E');
+    const Ordered stopped = ordered(world);
+    for (const char key : {'C', 'O', 'R', 'Q'})
+        world.kiosk().strike_operator_key({KeySource::key, static_cast<std::uint32_t>(key)});
+    EXPECT_EQ(ordered(world),
+              (Ordered{false, stopped.cleared + 1, stopped.homings + 1, stopped.held + 1, true}));
+}
+
+TEST(OperatorRun, WhoGaveThePinUsesTheStaffsKeysAtAnyKeyboard) {
+    KioskWorld world;
+    choose_pin(world);
+    strike(world, 'E');
+    const Ordered stopped = ordered(world);
+    BlindVisitor staff(world, 0.2);
+    enter(staff);
+    strike(world, 'C');  // the PIN is asked for
+    EXPECT_EQ(ordered(world), stopped);
+    enter_pin(staff);
+    for (const char key : {'C', 'O', 'Q'}) strike(world, key);
+    EXPECT_EQ(ordered(world),
+              (Ordered{false, stopped.cleared + 1, stopped.homings + 1, stopped.held, true}));
+}
+
+/// Any key is one to be learned there, and Q must not end the kiosk.
+TEST(OperatorRun, AKeyThatIsLearnedIsNoOrder) {
+    KioskWorld world;
+    choose_pin(world);
+    BlindVisitor staff(world, 0.2);
+    enter(staff);
+    enter_pin(staff);
+    ASSERT_TRUE(staff.choose("Camera, keys and screen")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Keys")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Learn the keys")) << staff.heard();
+    strike(world, 'Q');
+    EXPECT_FALSE(world.kiosk().desk().is_quitting);
+}
+
+/// As long as there is no PIN to give, and in a window of somebody's desktop.
+TEST(OperatorRun, WithoutAPinAndInAWindowTheKeysAreAnybodys) {
+    for (const bool is_in_window : {false, true}) {
+        KioskWorld world(is_in_window);
+        if (is_in_window) choose_pin(world);
+        strike(world, 'E');
+        const Ordered stopped = ordered(world);
+        for (const char key : {'C', 'O', 'R', 'Q'}) strike(world, key);
+        EXPECT_EQ(ordered(world), (Ordered{false, stopped.cleared + 1, stopped.homings + 1,
+                                           stopped.held + 1, true}));
+    }
 }
 
 /// Anybody at a keyboard may hold the last minute in memory; a file is made behind the PIN alone.
