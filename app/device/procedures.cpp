@@ -32,7 +32,7 @@ Ending run_ticks(const Procedure& procedure, Step step) {
         (void)procedure.board.write_torques(*torques);
         schedule.finish(procedure.clock.now_ns());
     }
-    (void)procedure.board.write_torques({});
+    (void)procedure.board.end_in_zero();
     return ending;
 }
 

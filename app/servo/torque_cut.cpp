@@ -42,10 +42,7 @@ void crash(int signal) {
     constexpr timespec three_ticks{0, 3'000'000};
     nanosleep(&three_ticks, nullptr);
     alarm(1);  // a write that hangs must not keep a dead servo alive: the kiosk's guard comes next
-    if (emergency_zero.write != nullptr) {
-        emergency_zero.write(emergency_zero.device);
-        nanosleep(&three_ticks, nullptr);  // a transfer dies with its process
-    }
+    if (emergency_zero.write != nullptr) emergency_zero.write(emergency_zero.device);
     (void)raise(signal);
 }
 

@@ -19,9 +19,7 @@ constexpr std::size_t argument_count = 12;
 constexpr double most_torque_Nm = 10.0;  // no motor of a desk
 
 void write_zero(void* device) noexcept {
-    auto& board = *static_cast<WatchedBoard*>(device);
-    board.turn_handle(0.0);
-    (void)board.write_torques({});
+    (void)static_cast<WatchedBoard*>(device)->end_in_zero();
 }
 
 /// The whole text is a number.

@@ -9,6 +9,7 @@ namespace touchline {
 namespace {
 
 constexpr double longest_homing_s = 86400.0;  // a kiosk waits for whoever comes
+constexpr std::int64_t shortest_sleep_ns = 100'000'000;
 
 }  // namespace
 
@@ -28,7 +29,9 @@ std::optional<JointAngles> WatchedBoard::read_angles(double now_s) {
     const BoardReport& report = board_.report();
     const bool has_drifted = angles && drift_.step(*angles, std::max(0.0, now_s - last_s_));
     last_s_ = now_s;
-    if (has_drifted || report.is_position_doubtful || report.state == BoardState::jumped)
+    const bool has_slept = slept_() - awake_since_ns_ > shortest_sleep_ns;
+    if (has_slept || has_drifted || report.is_position_doubtful ||
+        report.state == BoardState::jumped)
         has_lost_place_ = true;
     return has_lost_place_ ? std::nullopt : angles;
 }

@@ -1,14 +1,17 @@
 // A pantograph's board as the servo has it: homed by a person when it is opened, watched for
-// whether the handle is where its angles say. Threads: as PantographBoard; has_lost_place() from
+// whether the handle is where its angles say, which nobody knows any more once the machine has
+// slept. Threads: as PantographBoard; has_lost_place() from
 // any.
 #pragma once
 
 #include "app/servo/servo_program.h"
+#include "config/types/steady_clock.h"
 #include "haptics/device/homing.h"
 #include "haptics/device/pantograph_board.h"
 #include "haptics/servo/tick_clock.h"
 
 #include <atomic>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -24,9 +27,13 @@ struct HomingWanted {
 
 class WatchedBoard final : public ForceDevice {
   public:
+    /// `slept`: how long the machine has slept, ns, from some moment on.
     WatchedBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
-                 const Calibration& calibration)
-        : board_(std::move(link), profile, calibration), drift_(homing_plan(profile)) {}
+                 const Calibration& calibration, std::int64_t (*slept)() = slept_ns)
+        : board_(std::move(link), profile, calibration),
+          drift_(homing_plan(profile)),
+          slept_(slept),
+          awake_since_ns_(slept()) {}
 
     /// What homing found is kept by `opening` and lasts as long as the board is set up. Waits on
     /// `clock` for whoever comes, a day at most. Fails as PantographBoard::open() and home().
@@ -47,12 +54,17 @@ class WatchedBoard final : public ForceDevice {
         return board_.write_torques(torques);
     }
 
+    /// As PantographBoard::end_in_zero(): of the crash handler.
+    bool end_in_zero() { return board_.end_in_zero(); }
+
     /// True when the board confirmed zero torque.
     [[nodiscard]] bool release() { return board_.stop(); }
 
   private:
     PantographBoard board_;
     DriftWatch drift_;
+    std::int64_t (*slept_)();
+    std::int64_t awake_since_ns_;                              // what slept_ said then
     double last_s_ = std::numeric_limits<double>::infinity();  // of the loop
     std::atomic<bool> has_lost_place_{false};
 };

@@ -1,8 +1,10 @@
-// The monotonic clock, where a deadline or a timing is asked for. Threads: any.
+// The monotonic clock, where a deadline or a timing is asked for, and what it does not count.
+// Threads: any.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 
 namespace touchline {
 
@@ -10,6 +12,17 @@ namespace touchline {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(
                std::chrono::steady_clock::now().time_since_epoch())
         .count();
+}
+
+/// How long the machine has slept since it was switched on. Too little by what passes within the
+/// call, never too much.
+[[nodiscard]] inline std::int64_t slept_ns() {
+    timespec with_sleep{};
+    timespec without{};
+    clock_gettime(CLOCK_BOOTTIME, &with_sleep);
+    clock_gettime(CLOCK_MONOTONIC, &without);
+    return (with_sleep.tv_sec - without.tv_sec) * 1'000'000'000 + with_sleep.tv_nsec -
+           without.tv_nsec;
 }
 
 }  // namespace touchline

@@ -1,6 +1,6 @@
 // One opened board, whatever carries the bytes. A command is one transfer, a reply is one packet.
 // send() and receive() never block: the driver submits at the end of a tick and looks for the
-// answer at the next one. Nothing here waits but wait(), rest(), set_lines() and clear_stall().
+// answer at the next one. Nothing here waits but rest() and set_lines().
 #pragma once
 
 #include <array>
@@ -10,8 +10,9 @@
 
 namespace touchline {
 
-/// done. under_way: not ended yet, or nothing has come. timed_out: given up. gone: the board is
-/// unplugged. stalled: the endpoint is halted until clear_stall(). failed: anything else.
+/// done. under_way: not ended yet, or nothing has come. timed_out: given up, or called back. gone:
+/// the board is unplugged. stalled: the endpoint is halted until clear_stall(). failed: anything
+/// else.
 enum class LinkStatus : std::uint8_t { done, under_way, timed_out, gone, stalled, failed };
 
 /// How the newest send() ended.
@@ -48,18 +49,19 @@ class BoardLink {
     /// Ends as timed_out after the link's own time-out at the latest.
     [[nodiscard]] virtual Sent sent() = 0;
 
+    /// Calls the newest send back: it ends as timed_out as soon as it can, with the bytes that the
+    /// board took, which may be all. Nothing where none is under way.
+    virtual void cancel_send() = 0;
+
     /// The oldest packet not taken yet, which may be empty; under_way: there is none.
     [[nodiscard]] virtual Received receive() = 0;
 
     /// DTR and RTS, 115200 baud 8N1: never 1200, at which the board erases its firmware. Waits.
     [[nodiscard]] virtual LinkStatus set_lines(bool are_high) = 0;
 
-    /// Both endpoints work again. Waits for a control transfer.
+    /// Has both endpoints work again, in the background: under_way until they do, or cannot. Each
+    /// call looks what became of it; the first one after an end begins anew.
     [[nodiscard]] virtual LinkStatus clear_stall() = 0;
-
-    /// True as soon as receive() or sent() would say something other than under_way for a transfer
-    /// that was under way; false when longest_s have passed.
-    virtual bool wait(double longest_s) = 0;
 
     /// Lets span_s pass.
     virtual void rest(double span_s) = 0;

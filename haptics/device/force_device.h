@@ -24,7 +24,9 @@ class ForceDevice {
     /// On the hand, counter-clockwise: goes with the next torques. Nothing where it does not turn.
     virtual void turn_handle(double /*torque_Nm*/) {}
 
-    /// Torques that act from now on until the next call. False when the device did not take them.
+    /// Torques that act from now on until the next call. Zero: true when the device is known to
+    /// hold zero, which with a real one is a call or more later. Other torques: false when the
+    /// device did not take them.
     [[nodiscard]] virtual bool write_torques(JointTorques torques) = 0;
 
   protected:

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double oldest_angles_s = 0.0045;  // four ticks that went without a reply
 constexpr double lost_reply_s = 0.02;
-constexpr double slow_send_s = 0.005;
+constexpr double longest_send_s = 0.0015;  // seen at the second tick; a good one takes 0.2 ms
+constexpr int most_untaken_in_a_row = 3;
 constexpr double tip_speed_m_per_s = 1.5;        // faster than any hand at the handle
 constexpr double joint_speed_per_s = 60.0;       // where the tip moves little for a turn
 constexpr double handle_speed_rad_per_s = 40.0;  // faster than fingers twirl a knob
@@ -19,7 +20,7 @@ constexpr double sampling_s = 0.001;  // how much later a board may have looked 
 constexpr int jumps_that_count = 3;
 constexpr int most_packets_a_tick = 16;
 constexpr double rest_s = 0.001;
-constexpr double longest_send_s = 0.02;
+constexpr int longest_end_ms = 20;
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 }  // namespace
@@ -55,10 +56,8 @@ Result<void> PantographBoard::open(const Calibration& calibration) {
 bool PantographBoard::stop() {
     if (!link_) return false;
     if (report_.last_failure != LinkStatus::gone) {
+        (void)end_in_zero();
         report_.state = BoardState::closed;
-        if (sending_bytes_ != 0) link_->wait(longest_send_s);
-        judge_send();
-        send(zero_command());
         note(link_->set_lines(true));
         start_resync(Rung::settle);
         run_resync();
@@ -70,13 +69,27 @@ bool PantographBoard::stop() {
     return is_zero;
 }
 
+// Answers are of no interest any more, and states neither: bytes are.
+bool PantographBoard::end_in_zero() {
+    for (int i = 0; i < longest_end_ms && link_ && report_.last_failure != LinkStatus::gone; ++i) {
+        judge_send();
+        clear_stall();
+        if (holds_zero_) return true;
+        if (is_send_free() && send(zero_command())) ++owed_;
+        link_->rest(rest_s);
+        sending_.age_s += rest_s;
+    }
+    return holds_zero_;
+}
+
 std::optional<JointAngles> PantographBoard::read_angles(double now_s) {
     const double elapsed_s = last_s_ && now_s > *last_s_ ? now_s - *last_s_ : 0.0;
     if (std::isfinite(now_s)) last_s_ = now_s;
     if (report_.state == BoardState::closed || report_.state == BoardState::lost)
         return std::nullopt;
     raw_age_s_ += elapsed_s;
-    send_age_s_ += elapsed_s;
+    sending_.age_s += elapsed_s;
+    clear_stall();
     judge_send();
     const Arrivals arrivals = take_packets();
     if (report_.state == BoardState::resyncing) {
@@ -107,18 +120,17 @@ bool PantographBoard::write_torques(JointTorques torques) {
     const auto handle_Nm = frame_.handle_torque_Nm(std::exchange(handle_Nm_, 0.0));
     const bool is_zero = told == PortTorques{} && handle_Nm.value_or(0.0) == 0.0;
     if (report_.state == BoardState::closed || report_.state == BoardState::lost) return false;
-    if (report_.state == BoardState::resyncing) return is_zero;
-    const bool is_passed_on = report_.state == BoardState::ready || is_zero;
     judge_send();
-    if (report_.state == BoardState::resyncing) return is_zero;
+    if (report_.state == BoardState::resyncing) return is_zero && holds_zero_;
+    const bool is_passed_on = report_.state == BoardState::ready || is_zero;
     // A send that hangs for a moment: the torque before goes on for that long.
-    if (sending_bytes_ != 0) return is_passed_on && send_age_s_ < slow_send_s;
-    if (!send(is_passed_on ? write_command(told, handle_Nm) : zero_command())) {
+    if (!is_send_free()) return is_passed_on && !is_zero;
+    if (!send(is_zero || !is_passed_on ? zero_command() : write_command(told, handle_Nm))) {
         start_resync(Rung::settle);
         return false;
     }
     ++owed_;
-    return is_passed_on;
+    return is_zero ? holds_zero_ : is_passed_on;
 }
 
 void PantographBoard::set_calibration(const Calibration& calibration) {
@@ -169,21 +181,48 @@ void PantographBoard::sort(const Received& received, Arrivals& arrivals) {
 }
 
 void PantographBoard::judge_send() {
-    if (sending_bytes_ == 0) return;
+    if (sending_.size == 0) return;
     const Sent sent = link_->sent();
-    if (sent.status == LinkStatus::under_way) return;
-    const std::size_t wanted = std::exchange(sending_bytes_, 0);
-    if (sent.status == LinkStatus::done && sent.bytes == wanted) return;
+    if (sent.status == LinkStatus::under_way) {
+        if (sending_.age_s > longest_send_s) link_->cancel_send();
+        return;
+    }
+    const Sending ended = std::exchange(sending_, {});
+    const bool is_from_before = std::exchange(is_old_send_open_, false);
+    // Called back after its last byte is as good as done.
+    const bool may_be_whole =
+        sent.status == LinkStatus::done || sent.status == LinkStatus::timed_out;
+    if (may_be_whole && sent.bytes == ended.size) {
+        holds_zero_ = holds_zero_ || ended.is_zero;
+        untaken_in_a_row_ = 0;
+        return;
+    }
     ++report_.failed_sends;
-    has_send_failed_ = true;
-    const bool is_write = wanted == write_size(frame_.has_handle());
+    const bool is_write = ended.size == write_size(frame_.has_handle());
     if (is_write) --owed_;
     note(sent.status);
+    // The board knows nothing of it, and the next write takes its place.
+    const bool is_untaken = is_write && sent.status == LinkStatus::timed_out && sent.bytes == 0;
+    const bool is_in_step =
+        report_.state == BoardState::ready || report_.state == BoardState::jumped;
+    if (is_untaken && is_in_step && ++untaken_in_a_row_ < most_untaken_in_a_row) return;
+    has_send_failed_ = true;
+    untaken_in_a_row_ = 0;
     // The board waits for the rest, with the old torque on.
-    if (is_write && sent.bytes > 0 && sent.bytes < wanted)
-        send(completing_command(sent.bytes, frame_.has_handle()));
-    const bool is_from_before = std::exchange(is_old_send_open_, false);
-    if (report_.state != BoardState::resyncing || is_from_before) start_resync(Rung::settle);
+    const bool is_cut = is_write && sent.bytes > 0 && sent.bytes < ended.size;
+    if (is_cut && send(completing_command(sent.bytes, frame_.has_handle())))
+        sending_.is_rest = true;
+    const bool is_rest_missing = ended.is_rest || (is_cut && !sending_.is_rest);
+    if (report_.state == BoardState::resyncing && !is_from_before && !is_rest_missing) return;
+    start_resync(is_rest_missing ? Rung::flush : Rung::settle);
+}
+
+void PantographBoard::clear_stall() {
+    if (!is_stalled_) return;
+    const LinkStatus status = link_->clear_stall();
+    if (status == LinkStatus::under_way) return;
+    is_stalled_ = false;
+    if (status != LinkStatus::done) note(status);
 }
 
 void PantographBoard::follow(const Arrivals& arrivals) {
@@ -253,8 +292,12 @@ void PantographBoard::start_resync(Rung first) {
     owed_age_s_ = 0.0;
     jumps_in_a_row_ = 0;
     heard_.reset();
-    if (first == Rung::settle && sending_bytes_ == 0 && send(zero_command())) ++owed_;
-    is_old_send_open_ = sending_bytes_ != 0 && send_age_s_ > 0.0;
+    is_zero_due_ = first == Rung::settle;
+    if (is_zero_due_ && is_send_free() && send(zero_command())) {
+        is_zero_due_ = false;
+        ++owed_;
+    }
+    is_old_send_open_ = sending_.size != 0 && sending_.age_s > 0.0;
     resync_ = Resync(first, std::max(owed_, 0));
     owed_ = 0;
     step_resync({}, 0.0);
@@ -262,10 +305,16 @@ void PantographBoard::start_resync(Rung first) {
 
 void PantographBoard::step_resync(const Arrivals& arrivals, double elapsed_s) {
     if (report_.state == BoardState::lost) return;
+    // The way could not be free when the resync began.
+    if (is_zero_due_ && is_send_free()) {
+        is_zero_due_ = false;
+        if (send(zero_command())) resync_.owe_one();
+    }
     const bool has_failed = std::exchange(has_send_failed_, false);
     const auto action =
         resync_.step({elapsed_s, arrivals.good, arrivals.bad + arrivals.unconfigured,
-                      sending_bytes_ == 0, has_failed});
+                      is_send_free(), has_failed});
+    if (action != ResyncAction::none) is_zero_due_ = false;
     if (action == ResyncAction::flush) send(flush_command());
     if (action == ResyncAction::write_zero) send(zero_command());
     if (action == ResyncAction::set_up) {
@@ -297,8 +346,9 @@ Command PantographBoard::zero_command() const {
 bool PantographBoard::send(const Command& command) {
     const LinkStatus status = link_->send(command.bytes());
     if (status == LinkStatus::done) {
-        sending_bytes_ = command.bytes().size();
-        send_age_s_ = 0.0;
+        const bool is_zero = std::ranges::equal(command.bytes(), zero_command().bytes());
+        sending_ = {command.bytes().size(), is_zero};
+        holds_zero_ = holds_zero_ && is_zero;
         return true;
     }
     if (status != LinkStatus::under_way) {
@@ -313,8 +363,9 @@ void PantographBoard::note(LinkStatus status) {
     if (status == LinkStatus::done || status == LinkStatus::under_way) return;
     report_.last_failure = status;
     if (status == LinkStatus::gone) report_.state = BoardState::lost;
-    if (status == LinkStatus::stalled && link_->clear_stall() == LinkStatus::gone)
-        report_.state = BoardState::lost;
+    if (status != LinkStatus::stalled) return;
+    is_stalled_ = true;
+    clear_stall();
 }
 
 bool zero_torque(std::unique_ptr<BoardLink> link, const DeviceProfile& profile) {

@@ -38,7 +38,7 @@ struct BoardReport {
     std::uint64_t resyncs = 0;
 };
 
-/// Threads: as ForceDevice. open(), stop() and the destructor wait; nothing else does.
+/// Threads: as ForceDevice. open(), end_in_zero(), stop() and the destructor wait; nothing else.
 class PantographBoard final : public ForceDevice {
   public:
     PantographBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
@@ -61,9 +61,14 @@ class PantographBoard final : public ForceDevice {
     /// after the tick that it came in.
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
 
-    /// Scaled to the limit. False when the board is lost or a torque other than zero could not be
-    /// passed on. Not finite counts as zero and is reported.
+    /// Scaled to the limit. Zero: true when the send of a zero has ended and none but zeros were
+    /// sent since, so the call after the first at the soonest. Other torques: false when they could
+    /// not be passed on. Not finite counts as zero and is reported.
     [[nodiscard]] bool write_torques(JointTorques torques) override;
+
+    /// Writes zeros until write_torques({}) would be true, whatever is under way; a send that hangs
+    /// is called back. Takes a millisecond or two, 20 before it gives up. For who has no next tick.
+    bool end_in_zero();
 
     [[nodiscard]] std::optional<double> handle_angle_rad() const override;
 
@@ -100,6 +105,7 @@ class PantographBoard final : public ForceDevice {
     [[nodiscard]] Arrivals take_packets();
     void sort(const Received& received, Arrivals& arrivals);
     void judge_send();
+    void clear_stall();
     void follow(const Arrivals& arrivals);
     void judge_age(double elapsed_s);
     void judge_position(const Said& raw);
@@ -111,6 +117,16 @@ class PantographBoard final : public ForceDevice {
     bool send(const Command& command);
     void note(LinkStatus status);
 
+    [[nodiscard]] bool is_send_free() const { return sending_.size == 0 && !is_stalled_; }
+
+    /// A command whose end was not seen yet.
+    struct Sending {
+        std::size_t size = 0;  // bytes; 0: none
+        bool is_zero = false;  // a write of zero torque
+        bool is_rest = false;  // of a write that was cut off
+        double age_s = 0.0;
+    };
+
     std::unique_ptr<BoardLink> link_;
     BoardFrame frame_;
     Resync resync_;
@@ -121,12 +137,15 @@ class PantographBoard final : public ForceDevice {
     std::optional<double> last_s_;  // on the caller's clock
     double raw_age_s_ = 0.0;        // since raw_ came
     double owed_age_s_ = 0.0;       // since every reply was last in
-    double send_age_s_ = 0.0;       // of a send that has not ended
     int owed_ = 0;                  // replies
     int jumps_in_a_row_ = 0;
-    double jump_age_s_ = 0.0;        // raw_age_s_ at the first of them
-    std::size_t sending_bytes_ = 0;  // of the send whose end was not seen yet; 0: none
-    bool is_old_send_open_ = false;  // that send began before the resync
+    double jump_age_s_ = 0.0;  // raw_age_s_ at the first of them
+    Sending sending_;
+    bool holds_zero_ = false;        // the board: the newest write that it took is a zero
+    int untaken_in_a_row_ = 0;       // sends of which it took nothing
+    bool is_stalled_ = false;        // until clear_stall() has ended
+    bool is_zero_due_ = false;       // as soon as a send is free, before the resync's own
+    bool is_old_send_open_ = false;  // sending_ began before the resync
     bool has_send_failed_ = false;   // since the last step of the resync
 };
 

@@ -46,6 +46,9 @@ class Resync {
     /// be sent at once; is_send_free says that it can.
     [[nodiscard]] ResyncAction step(const ResyncEvents& events);
 
+    /// One more write was sent whose reply is of no interest.
+    void owe_one() { ++owed_; }
+
     [[nodiscard]] ResyncState state() const { return state_; }
 
   private:

@@ -1,6 +1,7 @@
 #include "haptics/device/usb_link.h"
 
 #include "config/types/steady_clock.h"
+#include "haptics/device/usb_status.h"
 
 #include <algorithm>
 #include <utility>
@@ -21,6 +22,7 @@ LinkStatus status_of(libusb_transfer_status status) {
         case LIBUSB_TRANSFER_COMPLETED:
             return LinkStatus::done;
         case LIBUSB_TRANSFER_TIMED_OUT:
+        case LIBUSB_TRANSFER_CANCELLED:
             return LinkStatus::timed_out;
         case LIBUSB_TRANSFER_STALL:
             return LinkStatus::stalled;
@@ -28,19 +30,6 @@ LinkStatus status_of(libusb_transfer_status status) {
             return LinkStatus::gone;
         default:
             return LinkStatus::failed;
-    }
-}
-
-LinkStatus status_of(int error) {
-    switch (error) {
-        case LIBUSB_ERROR_NO_DEVICE:
-            return LinkStatus::gone;
-        case LIBUSB_ERROR_TIMEOUT:
-            return LinkStatus::timed_out;
-        case LIBUSB_ERROR_PIPE:
-            return LinkStatus::stalled;
-        default:
-            return error < 0 ? LinkStatus::failed : LinkStatus::done;
     }
 }
 
@@ -52,7 +41,8 @@ UsbLink::UsbLink(std::shared_ptr<libusb_context> context, libusb_device_handle* 
       handle_(handle),
       pipes_(pipes),
       send_time_out_ms_(send_time_out_ms),
-      out_(libusb_alloc_transfer(0)) {
+      out_(libusb_alloc_transfer(0)),
+      stall_clearer_(std::in_place, handle, std::array{pipes.out_endpoint, pipes.in_endpoint}) {
     for (InTransfer& in : in_) {
         in.transfer = libusb_alloc_transfer(0);
         libusb_fill_bulk_transfer(in.transfer, handle_, pipes_.in_endpoint, in.buffer.data(),
@@ -62,6 +52,7 @@ UsbLink::UsbLink(std::shared_ptr<libusb_context> context, libusb_device_handle* 
 }
 
 UsbLink::~UsbLink() {
+    stall_clearer_.reset();
     (void)set_lines(false);
     is_closing_ = true;
     cancel_all();
@@ -120,23 +111,16 @@ LinkStatus UsbLink::set_lines(bool are_high) {
 }
 
 LinkStatus UsbLink::clear_stall() {
-    const int out = libusb_clear_halt(handle_, pipes_.out_endpoint);
-    const int in = libusb_clear_halt(handle_, pipes_.in_endpoint);
-    is_gone_ = is_gone_ || out == LIBUSB_ERROR_NO_DEVICE || in == LIBUSB_ERROR_NO_DEVICE;
+    const LinkStatus status = stall_clearer_->step();
+    if (status == LinkStatus::under_way) return status;
+    is_gone_ = is_gone_ || status == LinkStatus::gone;
     for (InTransfer& transfer : in_)
         if (!transfer.is_under_way) listen(transfer);
-    return status_of(std::min(out, in));
+    return status;
 }
 
-bool UsbLink::wait(double longest_s) {
-    const bool was_sending = is_sending_;
-    const std::int64_t end_ns = steady_now_ns() + static_cast<std::int64_t>(1e9 * longest_s);
-    for (;;) {
-        if (has_news(was_sending)) return true;
-        const std::int64_t left_ns = end_ns - steady_now_ns();
-        if (left_ns <= 0) return false;
-        handle_events(1e-9 * static_cast<double>(left_ns));
-    }
+void UsbLink::cancel_send() {
+    if (is_sending_) libusb_cancel_transfer(out_);
 }
 
 void UsbLink::rest(double span_s) {
@@ -193,10 +177,6 @@ void UsbLink::handle_events(double longest_s) {
     const auto microseconds = static_cast<std::int64_t>(1e6 * longest_s);
     timeval span{microseconds / 1000000, microseconds % 1000000};
     libusb_handle_events_timeout_completed(context_.get(), &span, nullptr);
-}
-
-bool UsbLink::has_news(bool was_sending) const {
-    return is_gone_ || waiting_count_ > 0 || (was_sending && !is_sending_);
 }
 
 bool UsbLink::is_anything_under_way() const {

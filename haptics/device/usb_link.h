@@ -1,13 +1,15 @@
 // An opened USB board as a BoardLink: asynchronous transfers of libusb, one OUT and two IN under
-// way. Of usb_boards.cpp only.
+// way; a thread of its own clears halted endpoints. Of usb_boards.cpp only.
 #pragma once
 
 #include "haptics/device/board_link.h"
+#include "haptics/device/stall_clearer.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include <libusb.h>
 
@@ -36,10 +38,10 @@ class UsbLink final : public BoardLink {
 
     [[nodiscard]] LinkStatus send(std::span<const std::uint8_t> command) override;
     [[nodiscard]] Sent sent() override;
+    void cancel_send() override;
     [[nodiscard]] Received receive() override;
     [[nodiscard]] LinkStatus set_lines(bool are_high) override;
     [[nodiscard]] LinkStatus clear_stall() override;
-    bool wait(double longest_s) override;
     void rest(double span_s) override;
 
   private:
@@ -60,7 +62,6 @@ class UsbLink final : public BoardLink {
     void listen(InTransfer& in);
     void keep(const Received& received);
     void handle_events(double longest_s);
-    [[nodiscard]] bool has_news(bool was_sending) const;
     [[nodiscard]] bool is_anything_under_way() const;
     void cancel_all();
 
@@ -78,6 +79,7 @@ class UsbLink final : public BoardLink {
     std::size_t waiting_count_ = 0;
     bool is_gone_ = false;
     bool is_closing_ = false;
+    std::optional<StallClearer> stall_clearer_;  // ends before the handle is closed
 };
 
 }  // namespace touchline

@@ -5,6 +5,8 @@
 namespace touchline {
 namespace {
 
+constexpr int last_writes = 20;
+
 // A step of silence counts for so many periods at most: what stops this loop stops the kiosk too.
 constexpr double most_periods_of_silence = 2.0;
 
@@ -36,7 +38,8 @@ ServoCommands ServoLoop::commands() {
     return commands;
 }
 
-/// Whoever looks at a loop that died in between must take it that there is torque.
+/// False: refused. Whoever looks at a loop that died in between must take it that there is torque,
+/// until the device holds zero.
 bool ServoLoop::write(JointTorques torques, double handle_Nm) {
     const bool is_zero = torques == JointTorques{} && handle_Nm == 0.0;
     std::atomic<std::uint8_t>& is_force_on = exchange_.channel().is_force_on;
@@ -44,7 +47,7 @@ bool ServoLoop::write(JointTorques torques, double handle_Nm) {
     device_.turn_handle(handle_Nm);
     const bool is_taken = device_.write_torques(torques);
     if (is_zero && is_taken) is_force_on.store(0, std::memory_order_release);
-    return is_taken;
+    return is_taken || is_zero;
 }
 
 void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
@@ -111,7 +114,18 @@ void ServoLoop::run(Clock& clock, std::int64_t period_ns, const LoopEnd& end) {
         delay_s_ = 1e-9 * static_cast<double>(now_ns - schedule.due_ns());
         schedule.finish(now_ns);
     }
+    write_last_zero(clock, schedule);
+}
+
+void ServoLoop::write_last_zero(Clock& clock, TickSchedule& schedule) {
+    const std::atomic<std::uint8_t>& is_force_on = exchange_.channel().is_force_on;
     (void)write({});
+    for (int i = 0; i < last_writes && is_force_on.load(std::memory_order_relaxed) != 0; ++i) {
+        clock.sleep_until(schedule.due_ns());
+        (void)device_.read_angles(schedule.due_s());
+        (void)write({});
+        schedule.finish(clock.now_ns());
+    }
 }
 
 }  // namespace touchline

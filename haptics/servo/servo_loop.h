@@ -45,7 +45,7 @@ class ServoLoop {
     void tick(double now_s, std::uint64_t missed_ticks);
 
     /// Ticks until an end is wanted, here or in the channel, and force has faded out, or until it
-    /// is cut; then writes zero torque.
+    /// is cut; then writes zero torque until the device holds it, for 20 periods at most.
     void run(Clock& clock, std::int64_t period_ns, const LoopEnd& end);
 
   private:
@@ -57,6 +57,7 @@ class ServoLoop {
 
     [[nodiscard]] ServoCommands commands();
     [[nodiscard]] bool write(JointTorques torques, double handle_Nm = 0.0);
+    void write_last_zero(Clock& clock, TickSchedule& schedule);
     void judge_timing(double now_s, const Moment& moment, std::uint64_t missed_ticks);
     void watch(const Moment& moment);
 

@@ -57,7 +57,7 @@ class ScriptedLink final : public BoardLink {
 
     LinkStatus clear_stall() override { return LinkStatus::done; }
 
-    bool wait(double) override { return true; }
+    void cancel_send() override {}
 
     void rest(double) override {}
 

@@ -31,19 +31,21 @@ struct Demand {
 };
 
 // Bad data: zero within a tick. Late: within the 5 ms that stale data may be used. A send that
-// hangs blocks the zero as well, until the link gives it up after 10 ms.
+// hangs is called back at the second tick and made up for by the next, without a resync. A halted
+// endpoint is cleared within a tick.
 const std::map<std::string_view, Demand> demands{
     {"short", {tick_s, 0.02, BoardState::resyncing}},
-    {"late send", {0.0101, 0.03, BoardState::resyncing, 30}},
-    {"lost send", {0.0101, 0.03, BoardState::resyncing}},
-    {"stall, out", {tick_s, 0.02, BoardState::resyncing}},
+    {"late send", {inf, 0.0, BoardState::ready, 0}},
+    {"lost send", {inf, 0.0, BoardState::ready, 0}},
+    {"unconfirmed send", {inf, 0.0, BoardState::ready, 0}},
+    {"stall, out", {2.0 * tick_s, 0.02, BoardState::resyncing}},
     {"late reply", {0.005, 0.05, BoardState::resyncing, 60}},
     {"lost reply", {inf, 0.0, BoardState::ready, 0}},
     {"garbled", {tick_s, 0.02, BoardState::resyncing, 90}},
     {"wrong length", {tick_s, 0.02, BoardState::resyncing}},
     {"duplicate", {tick_s, 0.02, BoardState::resyncing}},
     {"zero-length packet", {inf, 0.0, BoardState::ready, 0}},
-    {"stall, in", {tick_s, 0.02, BoardState::resyncing}},
+    {"stall, in", {2.0 * tick_s, 0.02, BoardState::resyncing}},
     {"failed transfer", {tick_s, 0.02, BoardState::resyncing}},
     {"unconfigured", {0.006, 0.1, BoardState::resyncing}},
     {"unplugged before", {tick_s, inf, BoardState::lost}},

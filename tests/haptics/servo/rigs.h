@@ -43,12 +43,17 @@ class PlacedDevice final : public ForceDevice {
 
     [[nodiscard]] bool write_torques(JointTorques torques) override {
         written = torques;
-        return is_listening;
+        zeros_ = torques == JointTorques{} ? zeros_ + 1 : 0;
+        return is_listening && (zeros_ == 0 || zeros_ >= zeros_until_held);
     }
 
     std::optional<JointAngles> angles;
     JointTorques written;
     bool is_listening = true;
+    int zeros_until_held = 1;  // of zeros in a row, the one that is said to be held
+
+  private:
+    int zeros_ = 0;
 };
 
 /// The line y = y_m across the drawing area, from left to right.

@@ -125,20 +125,25 @@ TEST(ServoLoop, LateTicksAreSkippedCountedAndPublished) {
     }
 }
 
-TEST(ServoLoop, StopFadesOutThenWritesZero) {
-    PlacedDevice device({0.0, 0.01});
-    ServoExchange exchange;
-    exchange.feel(line_scene(0.0));
-    Recorder recorder(1000);
-    ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
+/// Presses through the line y = 0 until it pushes with a newton.
+void press(ServoLoop& loop, PlacedDevice& device) {
     for (int k = 0; k < 800; ++k) loop.tick(k * tick_s, 0);
     for (int k = 800; k < 900; ++k) {
         const double y_m = std::max(-0.002, 0.01 - 2e-4 * (k - 800));
         device.angles = angles_at(default_profile(), {0.0, y_m});
         loop.tick(k * tick_s, 0);
     }
-    ASSERT_NEAR(norm(exchange.report().hand.force), 1.0, 0.02);
     ASSERT_NE(device.written, JointTorques{});
+}
+
+TEST(ServoLoop, StopFadesOutThenWritesZero) {
+    PlacedDevice device({0.0, 0.01});
+    ServoExchange exchange;
+    exchange.feel(line_scene(0.0));
+    Recorder recorder(1000);
+    ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
+    press(loop, device);
+    ASSERT_NEAR(norm(exchange.report().hand.force), 1.0, 0.02);
     LoopEnd end;
     end.is_wanted = true;
     VirtualClock clock;
@@ -149,14 +154,38 @@ TEST(ServoLoop, StopFadesOutThenWritesZero) {
 
 TEST(ServoLoop, DeviceThatTakesNoTorquesIsAFault) {
     PlacedDevice device({0.0, 0.01});
-    device.is_listening = false;
     ServoExchange exchange;
-    Recorder recorder;
+    exchange.feel(line_scene(0.0));
+    Recorder recorder(2);
     ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
-    loop.tick(0.0, 0);
-    loop.tick(tick_s, 0);
+    press(loop, device);
+    device.is_listening = false;
+    loop.tick(0.9, 0);
+    EXPECT_TRUE(recorder.ticks().back().is_refused);
+    loop.tick(0.9 + tick_s, 0);
     EXPECT_EQ(exchange.report().force.fault, Fault::device_lost);
     EXPECT_EQ(device.written, JointTorques{});
+    EXPECT_FALSE(recorder.ticks().back().is_refused) << "a zero that was only sent is no refusal";
+}
+
+/// Whoever looks at a loop that ended must see whether there may be torque still.
+TEST(ServoLoop, ItsLastZeroIsWrittenUntilTheDeviceHoldsIt) {
+    for (const int zeros_until_held : {1, 3, 1000}) {
+        PlacedDevice device({0.0, 0.01});
+        ServoExchange exchange;
+        exchange.feel(line_scene(0.0));
+        Recorder recorder(2);
+        ServoLoop loop(device, default_profile(), tick_s, exchange, recorder);
+        press(loop, device);
+        device.zeros_until_held = zeros_until_held;
+        LoopEnd end;
+        end.is_cut = true;
+        VirtualClock clock;
+        loop.run(clock, period_ns, end);
+        EXPECT_EQ(device.written, JointTorques{});
+        EXPECT_EQ(exchange.channel().is_force_on, zeros_until_held == 1000 ? 1 : 0);
+        EXPECT_LE(clock.now_ns(), 21 * period_ns);
+    }
 }
 
 }  // namespace

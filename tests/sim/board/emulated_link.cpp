@@ -82,6 +82,10 @@ void EmulatedLink::hand_over(std::span<const std::uint8_t> command) {
             sending_ = {LinkStatus::timed_out, 0};
             send_ends_s_ = time_.now_s + send_time_out_s;
             return;
+        case LinkFault::unconfirmed_send:
+            sending_.status = LinkStatus::timed_out;
+            send_ends_s_ = time_.now_s + send_time_out_s;
+            break;
         case LinkFault::stalled_send:
             sending_ = {LinkStatus::stalled, 0};
             is_out_stalled_ = true;
@@ -136,28 +140,24 @@ LinkStatus EmulatedLink::set_lines(bool are_high) {
 LinkStatus EmulatedLink::clear_stall() {
     catch_up();
     if (is_gone()) return LinkStatus::gone;
+    if (!stall_ends_s_) stall_ends_s_ = time_.now_s + control_s;
+    if (time_.now_s < *stall_ends_s_) return LinkStatus::under_way;
+    stall_ends_s_.reset();
     is_out_stalled_ = is_in_stalled_ = false;
-    sending_.status = LinkStatus::done;
     return LinkStatus::done;
 }
 
-bool EmulatedLink::wait(double longest_s) {
-    const double end_s = time_.now_s + longest_s;
-    const bool was_sending = sent().status == LinkStatus::under_way;
-    while (time_.now_s < end_s) {
-        if (has_news() || (was_sending && sent().status != LinkStatus::under_way)) return true;
-        rest(std::min(way_s, end_s - time_.now_s));
-    }
-    return has_news();
+void EmulatedLink::cancel_send() {
+    if (sent().status != LinkStatus::under_way) return;
+    if (held_back_) sending_.bytes = 0;
+    held_back_.reset();
+    sending_.status = LinkStatus::timed_out;
+    send_ends_s_ = std::min(send_ends_s_, time_.now_s + way_s);
 }
 
 void EmulatedLink::rest(double span_s) {
     time_.now_s += span_s;
     catch_up();
-}
-
-bool EmulatedLink::has_news() const {
-    return is_gone() || (!waiting_.empty() && waiting_.front().at_s <= time_.now_s);
 }
 
 void EmulatedLink::catch_up() {

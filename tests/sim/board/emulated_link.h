@@ -22,10 +22,11 @@ struct VirtualTime {
 /// What goes wrong with one send or with the reply to it.
 enum class LinkFault : std::uint8_t {
     none,
-    short_send,    // only the first bytes get through, and the link says so
-    late_send,     // hangs for a while, then gets through
-    lost_send,     // never gets through: timed out
-    stalled_send,  // the OUT endpoint halts
+    short_send,        // only the first bytes get through, and the link says so
+    late_send,         // hangs for a while, then gets through
+    lost_send,         // never gets through: timed out
+    unconfirmed_send,  // gets through whole, and its end is never told
+    stalled_send,      // the OUT endpoint halts
     late_reply,
     lost_reply,
     garbled_reply,  // some bits flipped
@@ -40,7 +41,7 @@ enum class LinkFault : std::uint8_t {
     lost_counts,  // an encoder leaps
 };
 
-inline constexpr int link_faults = 17;
+inline constexpr int link_faults = 18;
 
 /// At the send with this number, from 0.
 struct PlannedFault {
@@ -63,10 +64,10 @@ class EmulatedLink final : public BoardLink {
 
     [[nodiscard]] LinkStatus send(std::span<const std::uint8_t> command) override;
     [[nodiscard]] Sent sent() override;
+    void cancel_send() override;
     [[nodiscard]] Received receive() override;
     [[nodiscard]] LinkStatus set_lines(bool are_high) override;
     [[nodiscard]] LinkStatus clear_stall() override;
-    bool wait(double longest_s) override;
     void rest(double span_s) override;
 
     /// Every command that was sent, whole; none while only the numbers are kept.
@@ -97,7 +98,6 @@ class EmulatedLink final : public BoardLink {
     void hand_over(std::span<const std::uint8_t> command);
     void spoil(SentPacket packet);
     void arrive(double at_s, LinkStatus status, PacketBytes bytes);
-    [[nodiscard]] bool has_news() const;
 
     [[nodiscard]] bool is_gone() const { return is_severed_ || !board_.is_plugged(); }
 
@@ -115,6 +115,7 @@ class EmulatedLink final : public BoardLink {
     std::optional<PacketBytes> held_back_;  // of a send that hangs
     std::deque<Waiting> waiting_;
     bool is_out_stalled_ = false, is_in_stalled_ = false;
+    std::optional<double> stall_ends_s_;  // once it was asked for
 };
 
 }  // namespace touchline

@@ -19,6 +19,7 @@ inline constexpr std::array link_fault_kinds{
     LinkFaultKind{"short", LinkFault::short_send},
     LinkFaultKind{"late send", LinkFault::late_send, 0.01},
     LinkFaultKind{"lost send", LinkFault::lost_send},
+    LinkFaultKind{"unconfirmed send", LinkFault::unconfirmed_send},
     LinkFaultKind{"stall, out", LinkFault::stalled_send},
     LinkFaultKind{"late reply", LinkFault::late_reply, 0.03},
     LinkFaultKind{"lost reply", LinkFault::lost_reply},

@@ -222,6 +222,41 @@ TEST_F(UsbBoardsTest, UnpluggedInMidTransferIsLostThenFoundUnderAnotherNumber) {
     EXPECT_TRUE(drive.tick_until_good(push));
 }
 
+TEST_F(UsbBoardsTest, ASendThatHangsIsCalledBackAndNothingOfItWasTaken) {
+    MockedBoard board(mocked_, {});
+    const auto link = open();
+    board.with([](BoardEmulator&, UsbFaults& faults) { faults.drops_out = 1; });
+    link->cancel_send();  // nothing is under way
+    ASSERT_EQ(link->send(write_command({}).bytes()), LinkStatus::done);
+    link->rest(0.001);
+    EXPECT_EQ(link->sent().status, LinkStatus::under_way);
+    link->cancel_send();
+    for (int i = 0; i < 100 && link->sent().status == LinkStatus::under_way; ++i) link->rest(0.001);
+    EXPECT_EQ(link->sent().status, LinkStatus::timed_out);
+    EXPECT_EQ(link->sent().bytes, 0U);
+}
+
+TEST_F(UsbBoardsTest, HaltedEndpointsAreClearedBesideTheTicks) {
+    MockedBoard board(mocked_, {});
+    const auto link = open();
+    for (int time = 0; time < 2; ++time) {
+        board.with([](BoardEmulator&, UsbFaults& faults) { faults.stalls_out = 1; });
+        ASSERT_EQ(link->send(write_command({}).bytes()), LinkStatus::done);
+        link->rest(0.005);
+        EXPECT_EQ(link->sent().status, LinkStatus::stalled);
+        EXPECT_EQ(link->clear_stall(), LinkStatus::under_way) << "it waits for nothing";
+        LinkStatus status = LinkStatus::under_way;
+        for (int i = 0; i < 1000 && status == LinkStatus::under_way; ++i) {
+            link->rest(0.001);
+            status = link->clear_stall();
+        }
+        EXPECT_EQ(status, LinkStatus::done);
+        ASSERT_EQ(link->send(write_command({}).bytes()), LinkStatus::done);
+        link->rest(0.005);
+        EXPECT_EQ(link->sent().status, LinkStatus::done);
+    }
+}
+
 TEST_F(UsbBoardsTest, AnotherProgramStopsABoardThatWasLeftPulling) {
     MockedBoard board(mocked_, {});
     {
@@ -230,7 +265,6 @@ TEST_F(UsbBoardsTest, AnotherProgramStopsABoardThatWasLeftPulling) {
         ASSERT_EQ(
             link->send(set_up_command(BoardFrame(default_profile(), {}).set_up_at_home()).bytes()),
             LinkStatus::done);
-        ASSERT_TRUE(link->wait(1.0));
         link->rest(0.02);
         ASSERT_EQ(link->send(write_command({0.05, 0.05}).bytes()), LinkStatus::done);
         link->rest(0.02);
