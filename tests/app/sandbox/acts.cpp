@@ -16,6 +16,7 @@
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/un.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -30,6 +31,25 @@ long call(long number, Arguments... arguments) {
 constexpr const char* a_file = "/etc/passwd";
 constexpr const char* a_new_file = "must-not-exist";
 constexpr std::uintptr_t anywhere = 0;
+
+constexpr std::string_view name_of_32_bit_call = "32-bit call";
+
+long get_pid_in_32_bits() {
+    long result = 0;
+    asm volatile("int $0x80" : "=a"(result) : "a"(20L) : "memory");
+    return result;
+}
+
+bool has_32_bit_calls() {
+    const pid_t pid = fork();
+    if (pid == 0) {
+        signal(SIGSEGV, SIG_DFL);
+        _exit(get_pid_in_32_bits() > 0 ? 0 : 1);
+    }
+    int status = 0;
+    waitpid(pid, &status, 0);
+    return !WIFSIGNALED(status);
+}
 
 long make_code() {
     void* const page =
@@ -110,14 +130,14 @@ const std::vector<Act>& acts() {
         {"priority", [] { return call(SYS_setpriority, PRIO_PROCESS, 0, 0); }},
         {"set time", [] { return call(SYS_settimeofday, anywhere, anywhere); }},
         {"duplicate", [] { return call(SYS_dup, 1); }},
-        {"32-bit call",
-         [] {
-             long result = 0;
-             asm volatile("int $0x80" : "=a"(result) : "a"(20L) : "memory");  // getpid
-             return result;
-         }},
+        {name_of_32_bit_call, get_pid_in_32_bits},
     };
     return all;
+}
+
+int deadly_signal(const Act& act) {
+    static const bool kernel_has_them = has_32_bit_calls();
+    return act.name == name_of_32_bit_call && !kernel_has_them ? SIGSEGV : SIGSYS;
 }
 
 }  // namespace touchline

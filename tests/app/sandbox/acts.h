@@ -16,6 +16,10 @@ struct Act {
 
 [[nodiscard]] const std::vector<Act>& acts();
 
+/// What a process dies of that the filter of calls kills for the act: SIGSYS; SIGSEGV for a 32-bit
+/// call where the kernel has none for anybody, which is tried in a process of its own.
+[[nodiscard]] int deadly_signal(const Act& act);
+
 /// Reads a file of the system, as a library does while it is prepared. As Act::run.
 [[nodiscard]] long read_system_file();
 

@@ -32,8 +32,10 @@ class Fence : public testing::Test {
 
     ~Fence() override { fs::current_path("/"); }
 
-    /// The act in a process of its own, shut in; it works if it returns 0 or more.
-    Outcome try_inside(const std::function<long(const Descriptor& root)>& act) {
+    /// The act in a process of its own, shut in; it works if it returns 0 or more, and was killed
+    /// if it died of `deadly`.
+    Outcome try_inside(const std::function<long(const Descriptor& root)>& act,
+                       int deadly = SIGSYS) {
         const pid_t pid = fork();
         if (pid == 0) {
             const Descriptor root = stick.open();
@@ -43,7 +45,7 @@ class Fence : public testing::Test {
         int status = 0;
         waitpid(pid, &status, 0);
         if (WIFSIGNALED(status))
-            return WTERMSIG(status) == SIGSYS ? Outcome::was_killed : Outcome::other;
+            return WTERMSIG(status) == deadly ? Outcome::was_killed : Outcome::other;
         switch (WEXITSTATUS(status)) {
             case 0:
                 return Outcome::worked;
@@ -93,7 +95,8 @@ TEST_F(Fence, LetsTheStickBeListed) {
 
 TEST_F(Fence, EveryActOfACapturedWorkerIsDenied) {
     for (const Act& act : acts()) {
-        const Outcome outcome = try_inside([&act](const Descriptor&) { return act.run(); });
+        const Outcome outcome =
+            try_inside([&act](const Descriptor&) { return act.run(); }, deadly_signal(act));
         EXPECT_TRUE(outcome == Outcome::was_killed || outcome == Outcome::was_refused)
             << act.name << ' ' << static_cast<int>(outcome);
         EXPECT_EQ(fs::file_size("victim"), 5U) << act.name;
