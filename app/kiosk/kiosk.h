@@ -48,7 +48,7 @@ struct KioskParts {
     KeyTable keys = default_keys();
     /// Null: nobody can enter. Its settings and keys are those above.
     std::unique_ptr<OperatorDesk> operator_desk;
-    /// In a window of somebody's desktop the operator's keys are anybody's.
+    /// The operator's keys are anybody's, as in a window of somebody's desktop.
     bool are_keys_free = false;
     std::function<int()> minute_of_day;  // 0 ... 1439, of the house's clock; none: always open
     DeviceProfile profile;
@@ -73,8 +73,8 @@ class Kiosk {
     /// Of a joystick's axis, counter-clockwise: turns a shape in the hand.
     void turn_knob(double by_rad) { happen(KnobTurned{by_rad}); }
 
-    /// Of the operator's own keyboard (Settings::operator_device): for the operator alone, who
-    /// needs no PIN for the operator's keys there.
+    /// A key of the operator's own keyboard (Settings::operator_device), which is for the operator
+    /// alone; no PIN is needed for the operator's keys there.
     void strike_operator_key(const PhysicalKey& key);
 
     /// Pictures to choose from, as if a stick had brought them. `sentence`: what is not among them.

@@ -16,9 +16,9 @@ bool is_emergency_stop(const PhysicalKey& key) {
     return action_of_key(key) == Action::emergency_stop;
 }
 
-bool is_operators_key(const PhysicalKey& key) {
+std::optional<Action> operators_action(const PhysicalKey& key) {
     const auto action = action_of_key(key);
-    return action && is_for_operator(*action);
+    return action && is_for_operator(*action) ? action : std::nullopt;
 }
 
 }  // namespace
@@ -59,17 +59,18 @@ void Kiosk::press(KeyRole role) {
 void Kiosk::strike_operator_key(const PhysicalKey& key) {
     if (is_emergency_stop(key)) return act(Action::emergency_stop);
     const auto role = role_of(keys_, key);
-    if (!role && is_operators_key(key) && !is_operator_in()) return act(*action_of_key(key));
+    const auto action = operators_action(key);
+    if (action && !role && !is_operator_in()) return act(*action);
     strike_key(KeyStruck{key, role, true});
 }
 
 /// R saves for who gave the PIN, at a keyboard that may; for all others act() holds in memory.
 void Kiosk::strike_key(const KeyStruck& struck) {
-    const bool is_order = !struck.role && struck.is_allowed && is_operators_key(struck.key);
-    if (!is_order || !takes_operator_keys()) return tell_operator(struck);
-    const Action action = *action_of_key(struck.key);
-    if (action == Action::hold_recording) return keep_recording();
-    act(action);
+    const auto action = operators_action(struck.key);
+    const bool is_order = action && !struck.role && struck.is_allowed && takes_operator_keys();
+    if (!is_order) return tell_operator(struck);
+    if (*action == Action::hold_recording) return keep_recording();
+    act(*action);
 }
 
 /// With two switches a key selects, or moves on.

@@ -1,7 +1,6 @@
 // A pantograph's board as the servo has it: homed by a person when it is opened, watched for
 // whether the handle is where its angles say, which nobody knows any more once the machine has
-// slept. Threads: as PantographBoard; has_lost_place() from
-// any.
+// slept. Threads: as PantographBoard; has_lost_place() from any.
 #pragma once
 
 #include "app/servo/servo_program.h"

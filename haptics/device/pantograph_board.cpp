@@ -293,10 +293,6 @@ void PantographBoard::start_resync(Rung first) {
     jumps_in_a_row_ = 0;
     heard_.reset();
     is_zero_due_ = first == Rung::settle;
-    if (is_zero_due_ && is_send_free() && send(zero_command())) {
-        is_zero_due_ = false;
-        ++owed_;
-    }
     is_old_send_open_ = sending_.size != 0 && sending_.age_s > 0.0;
     resync_ = Resync(first, std::max(owed_, 0));
     owed_ = 0;
@@ -304,12 +300,11 @@ void PantographBoard::start_resync(Rung first) {
 }
 
 void PantographBoard::step_resync(const Arrivals& arrivals, double elapsed_s) {
-    if (report_.state == BoardState::lost) return;
-    // The way could not be free when the resync began.
     if (is_zero_due_ && is_send_free()) {
         is_zero_due_ = false;
         if (send(zero_command())) resync_.owe_one();
     }
+    if (report_.state == BoardState::lost) return;
     const bool has_failed = std::exchange(has_send_failed_, false);
     const auto action =
         resync_.step({elapsed_s, arrivals.good, arrivals.bad + arrivals.unconfigured,

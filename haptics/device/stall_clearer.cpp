@@ -1,7 +1,5 @@
 #include "haptics/device/stall_clearer.h"
 
-#include "haptics/device/usb_status.h"
-
 namespace touchline {
 
 StallClearer::StallClearer(libusb_device_handle* handle, std::array<std::uint8_t, 2> endpoints)
@@ -13,16 +11,16 @@ StallClearer::~StallClearer() {
     thread_.join();
 }
 
-LinkStatus StallClearer::step() {
+std::optional<int> StallClearer::step() {
     if (work_ == Work::ended) {
         work_ = Work::none;
-        return status_of(error_);
+        return error_;
     }
     if (work_ == Work::none) {
         work_ = Work::wanted;
         asked_.release();
     }
-    return LinkStatus::under_way;
+    return std::nullopt;
 }
 
 void StallClearer::clear_when_asked() {

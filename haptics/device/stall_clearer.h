@@ -2,11 +2,10 @@
 // transfer that it waits for, and a tick must not. Of usb_link.cpp only.
 #pragma once
 
-#include "haptics/device/board_link.h"
-
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <semaphore>
 #include <thread>
 
@@ -26,8 +25,9 @@ class StallClearer {
     StallClearer& operator=(const StallClearer&) = delete;
     StallClearer& operator=(StallClearer&&) = delete;
 
-    /// As BoardLink::clear_stall().
-    [[nodiscard]] LinkStatus step();
+    /// Begins, or looks what became of it: nothing while it is under way, then once how it ended, a
+    /// libusb_error or 0.
+    [[nodiscard]] std::optional<int> step();
 
   private:
     enum class Work : std::uint8_t { none, wanted, ended };

@@ -1,7 +1,6 @@
 #include "haptics/device/usb_link.h"
 
 #include "config/types/steady_clock.h"
-#include "haptics/device/usb_status.h"
 
 #include <algorithm>
 #include <utility>
@@ -30,6 +29,19 @@ LinkStatus status_of(libusb_transfer_status status) {
             return LinkStatus::gone;
         default:
             return LinkStatus::failed;
+    }
+}
+
+LinkStatus status_of(int error) {
+    switch (error) {
+        case LIBUSB_ERROR_NO_DEVICE:
+            return LinkStatus::gone;
+        case LIBUSB_ERROR_TIMEOUT:
+            return LinkStatus::timed_out;
+        case LIBUSB_ERROR_PIPE:
+            return LinkStatus::stalled;
+        default:
+            return error < 0 ? LinkStatus::failed : LinkStatus::done;
     }
 }
 
@@ -111,12 +123,12 @@ LinkStatus UsbLink::set_lines(bool are_high) {
 }
 
 LinkStatus UsbLink::clear_stall() {
-    const LinkStatus status = stall_clearer_->step();
-    if (status == LinkStatus::under_way) return status;
-    is_gone_ = is_gone_ || status == LinkStatus::gone;
+    const std::optional<int> error = stall_clearer_->step();
+    if (!error) return LinkStatus::under_way;
+    is_gone_ = is_gone_ || *error == LIBUSB_ERROR_NO_DEVICE;
     for (InTransfer& transfer : in_)
         if (!transfer.is_under_way) listen(transfer);
-    return status;
+    return status_of(*error);
 }
 
 void UsbLink::cancel_send() {

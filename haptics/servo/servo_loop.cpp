@@ -5,7 +5,7 @@
 namespace touchline {
 namespace {
 
-constexpr int last_writes = 20;
+constexpr int last_writes = 20;  // ticks; a send that hangs is called back within two
 
 // A step of silence counts for so many periods at most: what stops this loop stops the kiosk too.
 constexpr double most_periods_of_silence = 2.0;

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr ChildEnd worked{act_worked, 0};
 constexpr ChildEnd was_refused{act_refused, 0};
 
-/// By the filter of calls.
+/// What ends a voice that the filter of calls kills.
 ChildEnd killed_for(const Act& act) {
     return {0, deadly_signal(act)};
 }

@@ -56,7 +56,7 @@ TEST(ZeroTorque, IsSaidOnlyWhileTheBoardHoldsIt) {
     }
 }
 
-/// From the tick that wants a zero, while the send before it hangs, or the zero's own does.
+/// The time from the tick that wants a zero, while the send before it hangs or the zero's own does.
 double zero_after_s(LinkFault fault, double span_s, bool is_zero_spoiled, std::uint64_t& resyncs) {
     Pushing rig(0.01);
     const std::uint64_t before = rig.driver->report().resyncs;
