@@ -9,14 +9,13 @@ namespace touchline {
 namespace {
 
 constexpr double stale_s = 5e-3;
-constexpr double hanging_send_s = 10e-3;
 constexpr double lost_peer_s = 20e-3;
 constexpr std::optional<double> goes_on{};
 
 constexpr std::array kinds{
     SimFaultKind{"short send", LinkFault::short_send, 0.0, 0.0, tick_s},
-    SimFaultKind{"late send", LinkFault::late_send, 1e-3, 1e-2, hanging_send_s},
-    SimFaultKind{"lost send", LinkFault::lost_send, 0.0, 0.0, hanging_send_s},
+    SimFaultKind{"late send", LinkFault::late_send, 1e-3, 1e-2, goes_on},
+    SimFaultKind{"lost send", LinkFault::lost_send, 0.0, 0.0, goes_on},
     SimFaultKind{"stall, out", LinkFault::stalled_send, 0.0, 0.0, tick_s},
     SimFaultKind{"late reply", LinkFault::late_reply, 1e-3, 3e-2, stale_s},
     SimFaultKind{"lost reply", LinkFault::lost_reply, 0.0, 0.0, goes_on},

@@ -54,7 +54,7 @@ void SimHouse::expect_zero(SimFault fault, double after_s) {
 bool SimHouse::break_link(const PlannedCause& cause) {
     if (!servo_ || !servo_->is_ticking() || servo_->link() == nullptr) return false;
     const LinkFault link = kind_of(cause.fault).link;
-    // What is late for less than this may go unnoticed.
+    // A reply that is late for less than this may go unnoticed.
     const bool is_short = cause.span_s > 0.0 && cause.span_s < longest_unnoticed_s;
     if (!is_short) expect_zero(cause.fault, board_looks_s);
     servo_->link()->spoil_next({0, link, cause.span_s, cause.seed});

@@ -15,7 +15,7 @@ class BoardTruthChecker {
     void look(const TickSight& sight, Findings& findings) {
         if (sight.is_first_tick) told_ = {};
         if (sight.tick != nullptr) told_[next_++ % told_.size()] = sight.tick->torques;
-        if (sight.tick == nullptr || sight.is_send_hanging || sight.held == JointTorques{}) return;
+        if (sight.tick == nullptr || sight.held == JointTorques{}) return;
         for (const JointTorques& told : told_)
             if (is_same(told, sight.held)) return;
         findings.demand(false, "board truth", sight.now_s, [&] {
