@@ -26,7 +26,7 @@ class ZeroDeadlineChecker {
         double seen_s;
     };
 
-    static constexpr double looked_at_s = 0.2;      // later zeros are the hand's
+    static constexpr double looked_at_s = 0.2;     // later zeros are the hand's
     static constexpr double other_wire_s = 0.004;  // another fault of the link, at the same time
 
     static bool is_over(const Open& open, const TickSight& sight, SimFigures& figures,
