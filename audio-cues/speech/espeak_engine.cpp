@@ -40,9 +40,10 @@ Result<EspeakEngine> EspeakEngine::start(const std::string& voice) {
         return failure("The speech engine has no voice " + voice + ".");
     }
     EspeakEngine engine;
-    // So that every file has been read: what a voice cannot read itself (here a Chinese character)
-    // it leaves to the English rules, as it does English words in other languages.
-    engine.speak("a 你", {}, [](std::span<const std::int16_t>) { return true; });
+    // So that every file has been read: the engine leaves to the English rules what a voice cannot
+    // read itself (here a Chinese character), and with a second copy of them, since 1.52, the words
+    // that a dictionary marks as English.
+    engine.speak("a 你 software", {}, [](std::span<const std::int16_t>) { return true; });
     return engine;
 }
 

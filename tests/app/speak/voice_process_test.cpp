@@ -65,7 +65,7 @@ TEST(VoiceProcess, SaysWhatTheEngineSaysInSeveralLanguages) {
     for (const auto& [name, text] :
          {std::pair("en", "Touched a line."), std::pair("de", "Die Linie."),
           std::pair("de", "Das Display zeigt: Download."), std::pair("fr-fr", "La ligne."),
-          std::pair("es", "La línea.")}) {
+          std::pair("fr-fr", "Le week-end."), std::pair("es", "La línea.")}) {
         voice.begin(name, text, slow);
         const auto heard = all_of(voice);
         EXPECT_GT(heard.size(), 20000U);
