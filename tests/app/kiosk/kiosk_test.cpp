@@ -2,10 +2,15 @@
 #include "tests/app/kiosk/blind_visitor.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
+#include <filesystem>
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 namespace touchline {
 namespace {
+
+namespace fs = std::filesystem;
 
 TEST(Kiosk, SP1_AKeyBeginsAVisitWithSpeechAtOnce) {
     KioskWorld world;
@@ -36,6 +41,22 @@ TEST(Kiosk, ADetailOfAPictureOfAStickThatWasPulledIsOfThatPicture) {
     ASSERT_TRUE(visitor.choose("Twice as large")) << visitor.heard();
     world.run(2.0);
     EXPECT_GT(world.servo().felt_count, felt) << visitor.heard();
+}
+
+/// What a visitor calls a picture is nobody's business but theirs.
+TEST(Kiosk, AFileOfAStickIsNotNamedInTheLog) {
+    KioskWorld world;
+    BlindVisitor visitor(world);
+    const fs::path bad = world.folder() / "secret.png";
+    std::ofstream(bad) << "not a picture";
+    world.put_stick({bad});
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("English"));
+    ASSERT_TRUE(visitor.choose("Your USB stick"));
+    (void)world.kiosk().take_report();  // of parts that are not there
+    ASSERT_TRUE(visitor.choose("secret")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("no picture that is known here")) << visitor.heard();
+    EXPECT_EQ(world.kiosk().take_report(), "a visitor's picture cannot be felt\n");
 }
 
 TEST(Kiosk, AStickThatComesAtGoodbyeIsTheNextVisitors) {

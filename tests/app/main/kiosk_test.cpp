@@ -197,22 +197,6 @@ TEST_F(Kiosk, SettingsAreReadAndAWrongFileIsOneLineWhileItRuns) {
     EXPECT_EQ(std::count(words.begin(), words.end(), '\n'), 1) << words;
 }
 
-TEST_F(Kiosk, AFileOfAStickIsNotNamedInTheLog) {
-    // A key that comes before its screen leads elsewhere: then it all begins again, more slowly.
-    // That there is no sound would be a screen of its own.
-    EXPECT_EQ(
-        run_script("export SDL_AUDIODRIVER=disk SDL_DISKAUDIOFILE=heard.raw;"
-                   "echo 'not a picture' >stick/secret.png; for n in $(seq 8); do kiosk;"
-                   "keys Return Return; sleep $((2 * n)); keys Down Down Return Return Return;"
-                   "for _ in $(seq 100); do grep -q 'cannot be felt' err.txt && break 2;"
-                   "sleep 0.1; done; keys q; wait $pid; done;"
-                   "rm stick/secret.png; keys q; finish"),
-        0);
-    const std::string words = complaints();
-    EXPECT_EQ(words.find("secret"), std::string::npos) << words;
-    EXPECT_EQ(std::count(words.begin(), words.end(), '\n'), 1) << words;
-}
-
 TEST_F(Kiosk, GoesThroughThePagesOfADocument) {
     EXPECT_EQ(
         run_script("printf '%s' '<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400\" "
