@@ -153,9 +153,9 @@ DeviceProfile profile_of(const BoardSettings& settings, const FoundBoard& board)
 
 Result<void> stop_board(const UsbBoards& usb, const FoundBoard& board, const DeviceProfile& profile,
                         std::ostream& out) {
-    auto link = usb.open(board);
-    if (!link) return tl::unexpected(link.error());
-    if (!zero_torque(std::move(*link), profile)) {
+    auto opened = usb.open(board);
+    if (!opened) return tl::unexpected(opened.error());
+    if (!zero_torque(std::move(opened->link), profile)) {
         return failure("board " + board.serial +
                        " did not confirm that its motors are off: cut the power of the motors");
     }

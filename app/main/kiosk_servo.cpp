@@ -37,11 +37,12 @@ std::vector<std::string> keep_home(UsbDevice device, const Message& message) {
 
 KioskServo with_motors(const UsbDevice& device) {
     KioskServo servo;
-    servo.client = std::make_unique<ServoProcess>(
-        ServoProcessOptions{companion("touchline-servo"), arguments_of(device),
-                            [device] { return zero_usb_device(device); },
-                            [device](const Message& message) { return keep_home(device, message); },
-                            environment("TOUCHLINE_SERVO_SOCKET")});
+    servo.client = std::make_unique<ServoProcess>(ServoProcessOptions{
+        companion("touchline-servo"), arguments_of(device),
+        [device](const std::string& bus_path) { return zero_usb_device(device, bus_path); },
+        [device](const Message& message) { return keep_home(device, message); },
+        environment("TOUCHLINE_SERVO_SOCKET"),
+        [device](const HeldBoard& held) { return cut_usb_device(device, held); }});
     servo.has_motors = true;
     servo.profile = find_profile(device.profile).value_or(default_profile());
     servo.hand_words = fmt::format("pantograph {} {}", device.profile, device.serial);

@@ -46,6 +46,12 @@ Message message_of(const Calibration& found) {
     return message;
 }
 
+Message message_of(const UsbNode& node) {
+    Message message = message_of(MessageKind::board, node.bus_path);
+    message.pipes = node.pipes;
+    return message;
+}
+
 std::optional<Calibration> calibration_of(const Message& message, const Calibration& before) {
     const auto is_scale = [](double scale) { return scale >= 0.8 && scale <= 1.25; };
     const HomeFound& home = message.home;
@@ -72,6 +78,12 @@ Result<std::pair<Descriptor, Descriptor>> socket_pair() {
         return failure(std::string("no socket for the servo: ") + std::strerror(errno));
     }
     return std::pair(Descriptor(ends[0]), Descriptor(ends[1]));
+}
+
+std::optional<HeldBoard> held_board_of(Arrival& arrival) {
+    if (arrival.message.kind != MessageKind::board || !arrival.attached.is_open())
+        return std::nullopt;
+    return HeldBoard{std::move(arrival.attached), arrival.message.pipes, line_of(arrival.message)};
 }
 
 bool send(const Descriptor& socket, const Message& message, const Descriptor* attached) {

@@ -7,6 +7,7 @@
 #include "app/servo/shared_region.h"
 #include "config/types/calibration.h"
 #include "config/types/result.h"
+#include "haptics/device/usb_node.h"
 
 #include <cstdint>
 #include <optional>
@@ -21,7 +22,8 @@ namespace touchline {
 /// overwritten. failed: why the servo ends. notice: a map that cannot be felt, a recording that was
 /// kept. say: what the person at the handle is to do now. home: what homing found of this unit.
 /// here: the servo's first, its own pidfd attached. word: one of those that name the device, to a
-/// servo that has none on its command line; before the region. done: the servo's last, when it
+/// servo that has none on its command line; before the region. board: the node of the board that it
+/// opened, attached, with its pipes and, as the line, its bus path. done: the servo's last, when it
 /// ended as asked. That the servo runs shows in its beats.
 enum class MessageKind : std::uint32_t {
     region,
@@ -35,6 +37,7 @@ enum class MessageKind : std::uint32_t {
     home,
     here,
     word,
+    board,
     done
 };
 
@@ -50,6 +53,7 @@ struct Message {
     std::uint32_t line_bytes = 0;
     SceneOrder scene;
     HomeFound home;
+    SerialPipes pipes;
     char line[256] = {};  // not ended by a zero
 };
 
@@ -64,6 +68,8 @@ struct Message {
 /// The line, control characters as blanks.
 [[nodiscard]] std::string line_of(const Message& message);
 
+[[nodiscard]] Message message_of(const UsbNode& node);
+
 /// Two ends of one socket, closed on exec.
 [[nodiscard]] Result<std::pair<Descriptor, Descriptor>> socket_pair();
 
@@ -74,6 +80,16 @@ struct Arrival {
     Message message;
     Descriptor attached;
 };
+
+/// The node of the board that a servo drives, as its guard has it.
+struct HeldBoard {
+    Descriptor node;
+    SerialPipes pipes;
+    std::string bus_path;
+};
+
+/// Of a message `board`, which loses its descriptor; nothing where it came without.
+[[nodiscard]] std::optional<HeldBoard> held_board_of(Arrival& arrival);
 
 /// gone: the other side has closed; what it sent that is no message counts as that too.
 enum class ReceiveStatus : std::uint8_t { received, none, gone };

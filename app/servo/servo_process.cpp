@@ -96,6 +96,7 @@ class ServoProcess::Guard {
         const std::string end = servo.end(is_done_);
         const bool has_run = connection->region.channel().servo_beats.load() != 0;
         if (!end.empty() && has_run) zero(end, dead_ns);
+        held_.reset();
     }
 
     /// Beats and looks until the child is dead.
@@ -106,14 +107,26 @@ class ServoProcess::Guard {
         bool is_end_wanted = false;
         is_closed_ = false;
         is_done_ = false;
+        is_killed_ = false;
+        held_.reset();
         while (!is_dead(servo, connection)) {
             const std::int64_t now_ns = steady_now_ns();
             const double dt_s = 1e-9 * static_cast<double>(now_ns - std::exchange(last_ns, now_ns));
             if (line.is_kiosk_alive(now_ns)) channel.kiosk_beats.fetch_add(1);
             is_end_wanted = is_ending_ || is_homing_wanted_.exchange(false) || is_end_wanted;
             if (is_end_wanted) channel.is_stop_wanted = 1;
-            if (watch.step(channel, is_end_wanted, dt_s)) servo.kill();
+            if (watch.step(channel, is_end_wanted, dt_s)) kill(servo);
         }
+    }
+
+    /// It takes a moment to die, and needs none to be heard no more.
+    void kill(const ServoPeer& servo) {
+        servo.kill();
+        if (!std::exchange(is_killed_, true)) (void)cut();
+    }
+
+    [[nodiscard]] bool cut() const {
+        return held_ && options_.cut_torque && options_.cut_torque(*held_);
     }
 
     /// Waits for a beat's time, and reads what the servo says meanwhile.
@@ -125,7 +138,7 @@ class ServoProcess::Guard {
         if (waiting[0].revents != 0) return true;
         Arrival arrival;
         const ReceiveStatus status = receive(connection.socket, arrival);
-        if (status == ReceiveStatus::received) hear(arrival.message);
+        if (status == ReceiveStatus::received) hear(arrival);
         is_closed_ = status == ReceiveStatus::gone;
         return false;
     }
@@ -134,10 +147,12 @@ class ServoProcess::Guard {
     void hear_the_rest(const Connection& connection) {
         Arrival arrival;
         while (!is_closed_ && receive(connection.socket, arrival) == ReceiveStatus::received)
-            hear(arrival.message);
+            hear(arrival);
     }
 
-    void hear(const Message& message) {
+    void hear(Arrival& arrival) {
+        const Message& message = arrival.message;
+        if (auto held = held_board_of(arrival)) held_ = std::move(held);
         // Why there is no servo stays to be read until one has its device, and says so by no words.
         if (message.kind == MessageKind::say || message.kind == MessageKind::failed)
             line.say(line_of(message));
@@ -150,11 +165,16 @@ class ServoProcess::Guard {
     }
 
     void zero(const std::string& how, std::int64_t dead_ns) {
+        const bool is_cut = cut();
+        double after_s = seconds_since(dead_ns);
+        const std::string bus_path = held_ ? held_->bus_path : std::string();
+        held_.reset();  // so that the board can be opened
         for (int i = 0; i < most_zero_tries; ++i) {
-            const auto zeroed = options_.zero_torque();
+            const auto zeroed = options_.zero_torque(bus_path);
             if (zeroed) {
+                if (!is_cut) after_s = seconds_since(dead_ns);
                 line.note("the servo ended with " + how + "; the torque was zeroed " +
-                          std::to_string(std::lround(1e3 * seconds_since(dead_ns))) + " ms later");
+                          std::to_string(std::lround(1e3 * after_s)) + " ms later");
                 return;
             }
             wait_ms(between_tries_ms);
@@ -182,9 +202,11 @@ class ServoProcess::Guard {
     std::atomic<bool> is_homing_wanted_{false};
     std::atomic<std::uint64_t> turns_{0};
     Restart restart_;
-    bool is_closed_ = false;  // the guard's: the servo's socket is gone
-    bool is_done_ = false;    // likewise: it said that it ended as asked
-    std::thread thread_;      // last: it uses all of the above
+    bool is_closed_ = false;         // the guard's: the servo's socket is gone
+    bool is_done_ = false;           // likewise: it said that it ended as asked
+    bool is_killed_ = false;         // likewise: by this guard
+    std::optional<HeldBoard> held_;  // likewise: from the servo's word to its end
+    std::thread thread_;             // last: it uses all of the above
 };
 
 ServoProcess::ServoProcess(ServoProcessOptions options)

@@ -1,5 +1,6 @@
 // The servo as a process of its own, and the guard thread that watches over it: whatever ends the
-// servo, the guard opens the device and zeroes the torque before it starts another one.
+// servo, the guard zeroes the torque by the servo's own descriptor of the board, then opens the
+// device and has the zero confirmed before it starts another one.
 //
 //   main thread   set, feel, latest, events        over the shared region and the socket
 //   guard thread  starts the servo, beats, looks for its life, zeroes, restarts
@@ -7,6 +8,7 @@
 // Threads: as ServoClient; the guard is started and joined here.
 #pragma once
 
+#include "app/servo/messages.h"
 #include "app/servo/servo_client.h"
 
 #include <cstdint>
@@ -21,15 +23,19 @@ namespace touchline {
 struct ServoProcessOptions {
     std::string program;                 // touchline-servo, started as a child
     std::vector<std::string> arguments;  // after the socket: they name the device
-    /// Opens the device and writes zero torque. Called by the guard thread after every death of the
-    /// servo that was not asked for, again and again for a second where it fails.
-    std::function<Result<void>()> zero_torque;
+    /// Opens the device, at that place where one was told, writes zero torque and has it confirmed.
+    /// Called by the guard thread after every death of the servo that was not asked for, again and
+    /// again for a second where it fails.
+    std::function<Result<void>(const std::string& bus_path)> zero_torque;
     /// Homing found this of the unit: keeps it, gives the arguments from the next servo on. Called
     /// by the guard thread. None: nothing is kept.
     std::function<std::vector<std::string>(const Message&)> keep_home = {};
     /// Where a servo is asked for instead of started: a path at which systemd listens, and starts
     /// one for each that asks. Empty: the program, as a child.
     std::string summons = {};
+    /// Writes zero torque by the servo's own node: at once, when the servo was killed and when it
+    /// is dead, before zero_torque. None, or a servo that shared no board: the latter has to do.
+    std::function<bool(const HeldBoard&)> cut_torque = {};
 };
 
 class ServoProcess final : public ServoClient {

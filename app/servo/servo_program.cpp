@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include <fcntl.h>
 #include <malloc.h>
 #include <poll.h>
 #include <signal.h>
@@ -131,7 +132,12 @@ class ServoProgram {
                     return region_.channel().is_stop_wanted == 0;
                 },
                 [this](const Calibration& found) { (void)send(socket_, message_of(found)); },
-                words_};
+                [this](const UsbNode& node) { share(node); }, words_};
+    }
+
+    void share(const UsbNode& node) {
+        const Descriptor copy(fcntl(node.descriptor, F_DUPFD_CLOEXEC, 0));
+        (void)send(socket_, message_of(node), &copy);
     }
 
     static bool has_lost_place(const OpenedDevice& opened) {

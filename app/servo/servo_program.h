@@ -6,6 +6,7 @@
 #include "config/types/calibration.h"
 #include "config/types/result.h"
 #include "haptics/device/force_device.h"
+#include "haptics/device/usb_node.h"
 #include "haptics/pantograph/profile.h"
 
 #include <atomic>
@@ -34,6 +35,8 @@ struct Opening {
     std::function<void(const std::string&)> say;   // what the person is to do now; empty: nothing
     std::function<bool()> goes_on;                 // to be asked all the time; false: give up
     std::function<void(const Calibration&)> keep;  // found for this unit, for the next time
+    /// As soon as a board is opened: whoever guards this process can turn its motors off by it.
+    std::function<void(const UsbNode&)> share;
     std::vector<std::string> words;  // that the kiosk named the device with; may be none
 };
 

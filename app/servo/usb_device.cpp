@@ -37,10 +37,17 @@ bool is_sound(const Calibration& calibration) {
             (*calibration.torque_limit_Nm > 0.0 && *calibration.torque_limit_Nm <= most_torque_Nm));
 }
 
-Result<std::unique_ptr<BoardLink>> take_link(const UsbBoards& boards, const UsbDevice& device) {
+Result<OpenedBoard> take(const UsbBoards& boards, const UsbDevice& device) {
     const auto found = boards.find(std::array{device.id}, device.serial);
     if (!found) return tl::unexpected(found.error());
     return boards.open(*found);
+}
+
+Result<OpenedBoard> take_at(const UsbBoards& boards, const UsbDevice& device,
+                            const std::string& bus_path) {
+    for (const FoundBoard& board : boards.list(std::array{device.id}))
+        if (board.bus_path == bus_path) return boards.open(board);
+    return failure("no board is plugged in at " + bus_path);
 }
 
 }  // namespace
@@ -89,9 +96,11 @@ Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& ope
     if (!profile) return tl::unexpected(profile.error());
     auto boards = UsbBoards::create();
     if (!boards) return tl::unexpected(boards.error());
-    auto link = take_link(*boards, device);
-    if (!link) return tl::unexpected(link.error());
-    auto board = std::make_unique<WatchedBoard>(std::move(*link), *profile, device.calibration);
+    auto taken = take(*boards, device);
+    if (!taken) return tl::unexpected(taken.error());
+    opening.share(taken->node);
+    auto board =
+        std::make_unique<WatchedBoard>(std::move(taken->link), *profile, device.calibration);
     MonotonicClock clock;
     const HomingWanted homing{device.is_homed_first, device.is_known, device.calibration};
     if (const auto opened = board->open(homing, opening, clock); !opened)
@@ -105,16 +114,21 @@ Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& ope
     return result;
 }
 
-Result<void> zero_usb_device(const UsbDevice& device) {
+Result<void> zero_usb_device(const UsbDevice& device, const std::string& bus_path) {
     const auto profile = find_profile(device.profile);
     if (!profile) return tl::unexpected(profile.error());
     auto boards = UsbBoards::create();
     if (!boards) return tl::unexpected(boards.error());
-    auto link = take_link(*boards, device);
-    if (!link) return tl::unexpected(link.error());
-    if (!zero_torque(std::move(*link), *profile))
+    auto taken = bus_path.empty() ? take(*boards, device) : take_at(*boards, device, bus_path);
+    if (!taken) return tl::unexpected(taken.error());
+    if (!zero_torque(std::move(taken->link), *profile))
         return failure("the board did not confirm zero torque");
     return {};
+}
+
+bool cut_usb_device(const UsbDevice& device, const HeldBoard& held) {
+    const auto profile = find_profile(device.profile);
+    return profile && write_zero(held.node.number(), held.pipes, *profile);
 }
 
 }  // namespace touchline

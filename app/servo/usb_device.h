@@ -2,6 +2,7 @@
 // the servo reads no file; opened, and zeroed. Threads: any; the calls that open wait.
 #pragma once
 
+#include "app/servo/messages.h"
 #include "app/servo/servo_program.h"
 #include "config/settings/boards.h"
 #include "config/types/calibration.h"
@@ -30,7 +31,12 @@ struct UsbDevice {
 /// Opens the board, sets it up, and has the handle homed if that is asked for.
 [[nodiscard]] Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& opening);
 
-/// Zero torque on a board whose servo died.
-[[nodiscard]] Result<void> zero_usb_device(const UsbDevice& device);
+/// Zero torque on a board whose servo died, confirmed; the board at `bus_path` where that is told,
+/// however many boards there are.
+[[nodiscard]] Result<void> zero_usb_device(const UsbDevice& device,
+                                           const std::string& bus_path = {});
+
+/// Zero torque at once, by the node that its servo held. True: it was sent.
+[[nodiscard]] bool cut_usb_device(const UsbDevice& device, const HeldBoard& held);
 
 }  // namespace touchline

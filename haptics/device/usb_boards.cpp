@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstddef>
+#include <cstring>
 #include <filesystem>
 #include <iomanip>
 #include <optional>
 #include <sstream>
 #include <utility>
 
+#include <fcntl.h>
 #include <libusb.h>
 #include <unistd.h>
 
@@ -32,18 +35,22 @@ std::string ids_of(const BoardId& id) {
     return text.str();
 }
 
-// The process that has the board's node open, in words.
-std::string holder_of(int bus, int device_number) {
+std::string node_of(int bus, int device_number) {
     std::ostringstream node;
     node << "/dev/bus/usb/" << std::setfill('0') << std::setw(3) << bus << '/' << std::setw(3)
          << device_number;
+    return node.str();
+}
+
+// The process that has the node open, in words.
+std::string holder_of(const std::string& node) {
     std::error_code error;
     for (const auto& process : std::filesystem::directory_iterator("/proc", error)) {
         if (process.path().filename() == std::to_string(getpid())) continue;
         std::error_code unreadable;
         for (const auto& file :
              std::filesystem::directory_iterator(process.path() / "fd", unreadable)) {
-            if (std::filesystem::read_symlink(file.path(), unreadable) != node.str()) continue;
+            if (std::filesystem::read_symlink(file.path(), unreadable) != node) continue;
             return "process " + process.path().filename().string();
         }
     }
@@ -121,7 +128,7 @@ std::optional<Plugged> recognise(libusb_device* device, std::span<const BoardId>
         *id, {}, bus_path_of(device), libusb_get_device_address(device), BoardAccess::unknown, {}};
     if (id->condition == BoardCondition::running) look_at(found, device);
     if (found.access == BoardAccess::busy)
-        found.holder = holder_of(libusb_get_bus_number(device), found.device_number);
+        found.holder = holder_of(node_of(libusb_get_bus_number(device), found.device_number));
     return Plugged{std::move(found), DevicePointer(libusb_ref_device(device), libusb_unref_device)};
 }
 
@@ -218,30 +225,38 @@ Result<FoundBoard> UsbBoards::find(std::span<const BoardId> known, std::string_v
     return (*chosen)->found;
 }
 
-Result<std::unique_ptr<BoardLink>> UsbBoards::open(const FoundBoard& board,
-                                                   const UsbLinkOptions& options) const {
+Result<OpenedBoard> UsbBoards::open(const FoundBoard& board, const UsbLinkOptions& options) const {
     const std::vector<Plugged> boards = scan(context_->libusb.get(), std::span(&board.id, 1));
     const auto same = std::find_if(boards.begin(), boards.end(), [&](const Plugged& plugged) {
         return plugged.found.bus_path == board.bus_path && plugged.found.serial == board.serial;
     });
     if (same == boards.end()) return failure(name_of(board) + " is no longer plugged in");
     if (same->found.access != BoardAccess::available) return failure(describe(same->found));
-    const auto cannot = [&](int error) {
-        return failure("cannot open " + name_of(board) + ": " +
-                       libusb_strerror(static_cast<libusb_error>(error)));
+    const auto cannot = [&](const std::string& why) {
+        return failure("cannot open " + name_of(board) + ": " + why);
     };
     const auto pipes = pipes_of(same->device.get());
     if (!pipes) return failure(name_of(board) + " is no serial board");
+    // Not opened by libusb, which keeps the descriptor to itself.
+    const int bus = libusb_get_bus_number(same->device.get());
+    const int node = ::open(node_of(bus, same->found.device_number).c_str(), O_RDWR | O_CLOEXEC);
+    if (node < 0) return cannot(std::strerror(errno));
     libusb_device_handle* raw = nullptr;
-    int error = libusb_open(same->device.get(), &raw);
-    if (error != 0) return cannot(error);
+    int error = libusb_wrap_sys_device(context_->libusb.get(), node, &raw);
     HandlePointer handle(raw, libusb_close);
-    libusb_set_auto_detach_kernel_driver(raw, 1);
-    error = libusb_claim_interface(raw, pipes->control_interface);
+    if (error == 0) {
+        libusb_set_auto_detach_kernel_driver(raw, 1);
+        error = libusb_claim_interface(raw, pipes->control_interface);
+    }
     if (error == 0) error = libusb_claim_interface(raw, pipes->data_interface);
-    if (error != 0) return cannot(error);
-    return std::make_unique<UsbLink>(context_->libusb, handle.release(), *pipes,
-                                     options.send_time_out_ms);
+    if (error != 0) {
+        handle.reset();
+        ::close(node);
+        return cannot(libusb_strerror(static_cast<libusb_error>(error)));
+    }
+    return OpenedBoard{std::make_unique<UsbLink>(context_->libusb, handle.release(), node, *pipes,
+                                                 options.send_time_out_ms),
+                       {node, *pipes, board.bus_path}};
 }
 
 std::string describe(const FoundBoard& board) {

@@ -5,6 +5,7 @@
 #include "config/settings/boards.h"
 #include "config/types/result.h"
 #include "haptics/device/board_link.h"
+#include "haptics/device/usb_node.h"
 
 #include <cstdint>
 #include <memory>
@@ -34,6 +35,11 @@ struct UsbLinkOptions {
     unsigned send_time_out_ms = 10;
 };
 
+struct OpenedBoard {
+    std::unique_ptr<BoardLink> link;
+    UsbNode node;  // as long as the link lives
+};
+
 /// Threads: one at a time; links opened here may outlive it. All calls allocate and wait:
 /// not for the tick.
 class UsbBoards {
@@ -58,8 +64,8 @@ class UsbBoards {
 
     /// Opens what find() or list() found. Takes the interface from the kernel's serial driver and
     /// gives it back when the link goes. Busy, denied or gone: an error in words.
-    [[nodiscard]] Result<std::unique_ptr<BoardLink>> open(const FoundBoard& board,
-                                                          const UsbLinkOptions& options = {}) const;
+    [[nodiscard]] Result<OpenedBoard> open(const FoundBoard& board,
+                                           const UsbLinkOptions& options = {}) const;
 
   private:
     struct Context;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <sys/time.h>
+#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -47,10 +48,11 @@ LinkStatus status_of(int error) {
 
 }  // namespace
 
-UsbLink::UsbLink(std::shared_ptr<libusb_context> context, libusb_device_handle* handle,
+UsbLink::UsbLink(std::shared_ptr<libusb_context> context, libusb_device_handle* handle, int node,
                  const SerialPipes& pipes, unsigned send_time_out_ms)
     : context_(std::move(context)),
       handle_(handle),
+      node_(node),
       pipes_(pipes),
       send_time_out_ms_(send_time_out_ms),
       out_(libusb_alloc_transfer(0)),
@@ -77,6 +79,7 @@ UsbLink::~UsbLink() {
     libusb_release_interface(handle_, pipes_.data_interface);
     libusb_release_interface(handle_, pipes_.control_interface);
     libusb_close(handle_);
+    ::close(node_);
 }
 
 LinkStatus UsbLink::send(std::span<const std::uint8_t> command) {

@@ -4,6 +4,7 @@
 
 #include "haptics/device/board_link.h"
 #include "haptics/device/stall_clearer.h"
+#include "haptics/device/usb_node.h"
 
 #include <array>
 #include <cstddef>
@@ -15,20 +16,13 @@
 
 namespace touchline {
 
-/// Addresses as the descriptors name them.
-struct SerialPipes {
-    int control_interface = 0;
-    int data_interface = 1;
-    std::uint8_t out_endpoint = 0;
-    std::uint8_t in_endpoint = 0;
-};
-
 /// send(), sent() and receive() make system calls but never wait; libusb itself allocates a small
 /// block a transfer and takes its own locks, which nobody else holds.
 class UsbLink final : public BoardLink {
   public:
-    /// Both interfaces are claimed; `context` lives as long as the link. Closes `handle`.
-    UsbLink(std::shared_ptr<libusb_context> context, libusb_device_handle* handle,
+    /// Both interfaces are claimed; `context` lives as long as the link. Closes `handle`, and then
+    /// the node that it was made of.
+    UsbLink(std::shared_ptr<libusb_context> context, libusb_device_handle* handle, int node,
             const SerialPipes& pipes, unsigned send_time_out_ms);
     ~UsbLink() override;
     UsbLink(const UsbLink&) = delete;
@@ -67,6 +61,7 @@ class UsbLink final : public BoardLink {
 
     std::shared_ptr<libusb_context> context_;
     libusb_device_handle* handle_;
+    int node_;
     SerialPipes pipes_;
     unsigned send_time_out_ms_;
     libusb_transfer* out_ = nullptr;

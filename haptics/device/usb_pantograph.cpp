@@ -13,12 +13,12 @@ Result<UsbPantograph> take_pantograph(const UsbBoards& usb, const BoardSettings&
     const UnitSettings* unit = find_unit(settings, found->serial);
     const auto profile = find_profile(unit != nullptr ? unit->profile : profile_name);
     if (!profile) return tl::unexpected(profile.error());
-    auto link = usb.open(*found, options);
-    if (!link) return tl::unexpected(link.error());
+    auto opened = usb.open(*found, options);
+    if (!opened) return tl::unexpected(opened.error());
     const Calibration calibration = unit != nullptr ? unit->calibration : Calibration{};
     return UsbPantograph{
         std::move(*found), calibrated(*profile, calibration),
-        std::make_unique<PantographBoard>(std::move(*link), *profile, calibration)};
+        std::make_unique<PantographBoard>(std::move(opened->link), *profile, calibration)};
 }
 
 }  // namespace touchline

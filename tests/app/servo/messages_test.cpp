@@ -55,6 +55,24 @@ TEST(Messages, ArriveWholeWithTheirDescriptor) {
     EXPECT_EQ(line_of(arrival.message), std::string(256, 'x'));
 }
 
+TEST(Messages, ABoardComesWithItsNodeOrNotAtAll) {
+    const auto [kiosk, servo] = socket_pair().value();
+    const UsbNode node{-1, {0, 1, 0x02, 0x83}, "1-2.3"};
+    const Descriptor file = sealed_copy(some_bytes()).value();
+    ASSERT_TRUE(send(servo, message_of(node), &file));
+    Arrival arrival;
+    ASSERT_EQ(receive(kiosk, arrival), ReceiveStatus::received);
+    const auto held = held_board_of(arrival);
+    ASSERT_TRUE(held.has_value());
+    EXPECT_TRUE(held->node.is_open());
+    EXPECT_EQ(held->pipes.data_interface, 1);
+    EXPECT_EQ(held->pipes.out_endpoint, 0x02);
+    EXPECT_EQ(held->bus_path, "1-2.3");
+    ASSERT_TRUE(send(servo, message_of(node)));
+    ASSERT_EQ(receive(kiosk, arrival), ReceiveStatus::received);
+    EXPECT_FALSE(held_board_of(arrival).has_value());
+}
+
 TEST(Messages, NonsenseCountsAsGone) {
     Message unknown = message_of(MessageKind::notice);
     unknown.kind = static_cast<MessageKind>(77);

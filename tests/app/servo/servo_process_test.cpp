@@ -46,8 +46,11 @@ TEST_F(ServoProcess, WhyThereIsNoServoStaysToBeReadWhileTheNextIsTried) {
     int silences = 0;
     int tiers = 0;
     {
-        touchline::ServoProcess servo(
-            {TOUCHLINE_SERVO_RIG, {path_}, [] { return Result<void>(); }, {}, {}});
+        touchline::ServoProcess servo({TOUCHLINE_SERVO_RIG,
+                                       {path_},
+                                       [](const std::string&) { return Result<void>(); },
+                                       {},
+                                       {}});
         EXPECT_TRUE(wait_until([&] {
             if (!servo.take_notice().empty()) ++failures;
             if (failures > 0 && servo.device_words().empty()) ++silences;

@@ -2,6 +2,8 @@
 //
 //   servo_rig SOCKET BOARD         the servo
 //   servo_rig SOCKET usb DEVICE    the servo with a board on the USB, whatever its tier
+//   servo_rig usb-kiosk DEVICE     the kiosk of one, with a hand that is pulled at, until it is
+//                                  killed
 //   servo_rig kiosk BOARD [PATH]   the kiosk, until SIGTERM; SIGUSR1: keeps a recording; SIGUSR2:
 //   its
 //                                  main thread hangs for 0.8 s. PATH: it asks there for its servo
@@ -114,8 +116,11 @@ int run_kiosk(const std::string& program, const std::string& board_path, const s
     std::signal(SIGTERM, [](int) { is_end_asked = true; });
     std::signal(SIGUSR1, [](int) { is_recording_asked = true; });
     std::signal(SIGUSR2, [](int) { is_hang_asked = true; });
-    ServoProcess servo(
-        {program, {board_path}, [&board] { return zero_by_guard(board); }, {}, path});
+    ServoProcess servo({program,
+                        {board_path},
+                        [&board](const std::string&) { return zero_by_guard(board); },
+                        {},
+                        path});
     servo.feel(line_picture());
     MonotonicClock clock;
     while (!is_end_asked) {
@@ -128,6 +133,46 @@ int run_kiosk(const std::string& program, const std::string& board_path, const s
     }
     servo.stop();
     return 0;
+}
+
+/// A groove, 1 mm beside the hand as soon as that has been seen.
+FeltPicture groove_at(double y_m, std::uint64_t version) {
+    TactileMap map;
+    Outline line;
+    line.points = {{-0.05, y_m}, {0.0, y_m}, {0.05, y_m}};
+    map.outlines.push_back(line);
+    map.version = version;
+    const SceneOrder order{};
+    auto scene = build_scene(map, order).value();
+    return {std::make_shared<const Scene>(std::move(scene)),
+            std::make_shared<const TactileMap>(std::move(map)),
+            order,
+            {}};
+}
+
+int run_usb_kiosk(const std::string& program, const std::vector<std::string>& words) {
+    const UsbDevice device = device_of(words).value();
+    std::vector<std::string> arguments{"usb"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    ServoProcessOptions options{program, arguments, [device](const std::string& bus_path) {
+                                    return zero_usb_device(device, bus_path);
+                                }};
+    options.cut_torque = [device](const HeldBoard& held) { return cut_usb_device(device, held); };
+    ServoProcess servo(std::move(options));
+    servo.feel(groove_at(0.045, 1));
+    ServoCommands commands;
+    commands.mode = Mode::groove;
+    commands.has_frame = false;  // home lies beyond the drawing area
+    servo.set(commands);
+    MonotonicClock clock;
+    for (bool is_beside = false;; clock.sleep_until(clock.now_ns() + 2'000'000)) {
+        const HandState& hand = servo.latest();
+        const bool is_live = servo.force_status().state == ForceState::live;
+        if (is_live && !is_beside) servo.feel(groove_at(hand.p_WH.y + 0.001, 2));
+        is_beside = is_live;
+        const std::string notice = servo.take_notice();
+        if (!notice.empty()) std::fprintf(stderr, "%s\n", notice.c_str());
+    }
 }
 
 /// Until it is killed. Its dead are buried by the kernel.
@@ -166,6 +211,7 @@ int main(int argc, char** argv) {
             return open_fake_device(mapped<FakeBoard>(opening.words.at(0)));
         });
     }
+    if (std::string(argv[1]) == "usb-kiosk") return run_usb_kiosk(argv[0], {argv + 2, argv + argc});
     if (std::string(argv[2]) == "usb") {
         const std::vector<std::string> device(argv + 3, argv + argc);
         return run_servo_program(std::stoi(argv[1]), [&](const Opening& opening) {

@@ -39,8 +39,9 @@ class UsbServo : public testing::Test {
     void start(const std::string& program, std::vector<std::string> arguments = {}) {
         device_.is_homed_first = false;  // the hand of the test rests at home
         for (const std::string& argument : arguments_of(device_)) arguments.push_back(argument);
-        servo_ = std::make_unique<ServoProcess>(
-            ServoProcessOptions{program, arguments, [this] { return zero_usb_device(device_); }});
+        servo_ = std::make_unique<ServoProcess>(ServoProcessOptions{
+            program, arguments,
+            [this](const std::string& bus_path) { return zero_usb_device(device_, bus_path); }});
     }
 
     /// Its force does not depend on how busy the machine is.
@@ -104,6 +105,14 @@ TEST_F(UsbServo, PullsAtTheHandAndEndsWithZeroTorque) {
     servo_->stop();
     EXPECT_EQ(held(), JointTorques{});
     EXPECT_EQ(notices_, "");
+}
+
+TEST_F(UsbServo, ABoardIsZeroedWhereItIsThoughThereAreTwo) {
+    const MockedBoard other(mocked_, {}, 2);
+    device_.serial.clear();
+    EXPECT_FALSE(zero_usb_device(device_).has_value()) << "which one is meant?";
+    EXPECT_TRUE(zero_usb_device(device_, "1-1").has_value());
+    EXPECT_FALSE(zero_usb_device(device_, "1-7").has_value());
 }
 
 }  // namespace

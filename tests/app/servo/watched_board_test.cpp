@@ -22,7 +22,7 @@ class SleepyBoard : public testing::Test {
                  slept_in_test) {
         MonotonicClock clock;
         const Opening opening{
-            [](const std::string&) {}, [] { return true; }, [](const Calibration&) {}, {}};
+            [](const std::string&) {}, [] { return true; }, [](const Calibration&) {}, {}, {}};
         EXPECT_TRUE(board_.open({false, false, {}}, opening, clock).has_value());
     }
 

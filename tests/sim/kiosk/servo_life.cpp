@@ -50,6 +50,7 @@ Opening ServoLife::opening() {
                 return region_.channel().is_stop_wanted == 0;
             },
             [this](const Calibration& found) { (void)send(socket_, message_of(found)); },
+            {},
             {}};
 }
 

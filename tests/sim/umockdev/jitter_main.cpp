@@ -47,9 +47,9 @@ class BoardInProcess final : public ForceDevice {
 std::unique_ptr<ForceDevice> board_through(const UsbBoards& usb) {
     const auto known =
         read_boards(std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/boards.toml");
-    auto link = usb.open(usb.find(known->boards, "").value()).value();
+    OpenedBoard opened = usb.open(usb.find(known->boards, "").value()).value();
     auto board =
-        std::make_unique<PantographBoard>(std::move(link), default_profile(), Calibration{});
+        std::make_unique<PantographBoard>(std::move(opened.link), default_profile(), Calibration{});
     if (!board->open()) std::abort();
     return board;
 }

@@ -27,6 +27,11 @@ std::string hex_of(const PacketBytes& bytes) {
     return text;
 }
 
+[[noreturn]] void give_up(const GError* error) {
+    std::fprintf(stderr, "umockdev: %s\n", error->message);
+    std::abort();
+}
+
 std::string three(int number) {
     char digits[16];
     std::snprintf(digits, sizeof digits, "%03d", number);
@@ -62,31 +67,36 @@ MockedBoard::~MockedBoard() {
     if (!path_.empty()) unplug();
 }
 
-std::string MockedBoard::node() const {
-    return "/dev/bus/usb/001/" + three(device_number_);
+std::string MockedUsb::node_of(int device_number) {
+    return "/dev/bus/usb/001/" + three(device_number);
 }
 
-// What udev would say about it, and its descriptors in sysfs.
+void MockedUsb::show(const BoardEmulator& board, int port, int device_number) {
+    const std::string hex =
+        hex_of(device_descriptor(board)) + hex_of(configuration_descriptor(board));
+    std::ostringstream text;
+    text << "P: /devices/pci0000:00/0000:00:03.0/usb1/1-" << port << "\n"
+         << "N: bus/usb/001/" << three(device_number) << "=" << hex << "\n"
+         << "E: DEVNAME=" << node_of(device_number) << "\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\n"
+         << "E: BUSNUM=001\nE: DEVNUM=" << three(device_number) << "\n"
+         << "A: bConfigurationValue=1\\n\nA: busnum=1\\n\nA: devnum=" << device_number << "\\n\n"
+         << "A: speed=12\\n\nH: descriptors=" << hex << "\n";
+    GError* error = nullptr;
+    if (!umockdev_testbed_add_from_string(testbed_, text.str().c_str(), &error)) give_up(error);
+}
+
+std::string MockedBoard::node() const {
+    return MockedUsb::node_of(device_number_);
+}
+
 void MockedBoard::show() {
     device_number_ += 1 + port_;
-    const std::string hex =
-        hex_of(device_descriptor(board_)) + hex_of(configuration_descriptor(board_));
-    const std::string number = std::to_string(device_number_);
-    std::ostringstream text;
-    text << "P: /devices/pci0000:00/0000:00:03.0/usb1/1-" << port_ << "\n"
-         << "N: bus/usb/001/" << three(device_number_) << "=" << hex << "\n"
-         << "E: DEVNAME=" << node() << "\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\n"
-         << "E: BUSNUM=001\nE: DEVNUM=" << three(device_number_) << "\n"
-         << "A: bConfigurationValue=1\\n\nA: busnum=1\\n\nA: devnum=" << number << "\\n\n"
-         << "A: speed=12\\n\nH: descriptors=" << hex << "\n";
+    usb_.show(board_, port_, device_number_);
     GError* error = nullptr;
     handler_ = static_cast<UMockdevIoctlBase*>(g_object_new(UMOCKDEV_TYPE_IOCTL_BASE, nullptr));
     g_signal_connect(handler_, "handle-ioctl", G_CALLBACK(on_ioctl), this);
-    if (!umockdev_testbed_add_from_string(usb_.testbed(), text.str().c_str(), &error) ||
-        !umockdev_testbed_attach_ioctl(usb_.testbed(), node().c_str(), handler_, &error)) {
-        std::fprintf(stderr, "umockdev: %s\n", error->message);
-        std::abort();
-    }
+    if (!umockdev_testbed_attach_ioctl(usb_.testbed(), node().c_str(), handler_, &error))
+        give_up(error);
     path_ = "/sys/devices/pci0000:00/0000:00:03.0/usb1/1-" + std::to_string(port_);
 }
 
@@ -110,7 +120,7 @@ void MockedBoard::plug() {
 void MockedBoard::with(const std::function<void(BoardEmulator&, UsbFaults&)>& look) {
     const std::lock_guard lock(mutex_);
     board_.advance_to(steady_now_s() - start_s_);
-    look(board_, requests_.faults);
+    look(board_, requests_.faults());
 }
 
 gboolean MockedBoard::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer me) {

@@ -29,6 +29,13 @@ class MockedUsb {
     /// Where its files really are.
     [[nodiscard]] std::string folder() const;
 
+    /// A device's node for programs, as they see it.
+    [[nodiscard]] static std::string node_of(int device_number);
+
+    /// What udev says about the board, with its descriptors, from now on. port: of the only hub, 1
+    /// to 9.
+    void show(const BoardEmulator& board, int port, int device_number);
+
   private:
     UMockdevTestbed* testbed_;
 };

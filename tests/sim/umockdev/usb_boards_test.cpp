@@ -27,16 +27,16 @@ constexpr JointTorques push{0.02, -0.02};
 
 class UsbBoardsTest : public testing::Test {
   protected:
-    Result<std::unique_ptr<BoardLink>> try_to_open(std::string_view serial) {
+    Result<OpenedBoard> try_to_open(std::string_view serial) {
         const auto found = usb_.find(known_, serial);
         if (!found) return tl::unexpected(found.error());
         return usb_.open(*found);
     }
 
     std::unique_ptr<BoardLink> open(std::string_view serial = "") {
-        auto link = try_to_open(serial);
-        EXPECT_TRUE(link.has_value()) << link.error().line;
-        return link ? std::move(*link) : nullptr;
+        auto opened = try_to_open(serial);
+        EXPECT_TRUE(opened.has_value()) << opened.error().line;
+        return opened ? std::move(opened->link) : nullptr;
     }
 
     std::string error_of_open(std::string_view serial = "") {

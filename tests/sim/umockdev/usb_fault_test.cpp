@@ -65,10 +65,10 @@ class UsbFault : public testing::TestWithParam<UsbFaultKind> {
   protected:
     std::unique_ptr<BoardLink> open() {
         const auto found = usb_.find(known_, "");
-        auto link = found ? usb_.open(*found)
-                          : Result<std::unique_ptr<BoardLink>>(tl::unexpected(found.error()));
-        EXPECT_TRUE(link.has_value()) << link.error().line;
-        return link ? std::move(*link) : nullptr;
+        auto opened =
+            found ? usb_.open(*found) : Result<OpenedBoard>(tl::unexpected(found.error()));
+        EXPECT_TRUE(opened.has_value()) << opened.error().line;
+        return opened ? std::move(opened->link) : nullptr;
     }
 
     void connect() {

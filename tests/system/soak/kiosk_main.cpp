@@ -29,7 +29,9 @@ Result<KioskServo> start_soaked_servo(const std::shared_ptr<MouseHand>& /*hand*/
     SoakBoard& soak = mapped<SoakBoard>(path);
     KioskServo servo;
     servo.client = std::make_unique<ServoProcess>(ServoProcessOptions{
-        (own_folder() / "soak_servo").string(), {path}, [&soak] { return zero_by_guard(soak); }});
+        (own_folder() / "soak_servo").string(), {path}, [&soak](const std::string&) {
+            return zero_by_guard(soak);
+        }});
     servo.hand_words = "a hand that goes round, and a board in a file";
     return servo;
 }

@@ -1,0 +1,176 @@
+// Kiosk, servo and board as three processes, the board behind a file of the USB: the servo killed
+// and frozen with torque on, and how soon the board is at zero. The guard has the servo's own
+// descriptor. Every day a few, whose times are told; with TOUCHLINE_EXHAUSTIVE set 200 of each,
+// at rest and beside other work, judged by 20 ms.
+#include "app/device/board_files.h"
+#include "app/process/child.h"
+#include "app/servo/usb_search.h"
+#include "tests/sim/board/board_rig.h"
+#include "tests/sim/fault_lines.h"
+#include "tests/sim/umockdev/mocked_board.h"
+#include "tests/sim/usbfs/usb_node_server.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+
+namespace touchline {
+namespace {
+
+constexpr int longest_wait_ms = 60'000;
+constexpr double longest_zero_ms = 20.0;
+constexpr int device_number = 2;
+constexpr int busy_programs = 4;
+
+struct Death {
+    const char* name;
+    int signal;
+    bool is_busy;  // the machine, with other work
+};
+
+/// As GoogleTest shows it.
+void PrintTo(const Death& death, std::ostream* out) {
+    *out << death.name;
+}
+
+/// While it lives, programs that want all there is of the processors.
+class OtherWork {
+  public:
+    explicit OtherWork(int programs) {
+        for (int i = 0; i < programs; ++i) {
+            const pid_t child = fork();
+            if (child == 0) {
+                prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGKILL), 0UL, 0UL, 0UL);
+                for (volatile bool works = true; works;) {
+                }
+            }
+            children_.push_back(child);
+        }
+    }
+
+    ~OtherWork() {
+        for (const pid_t child : children_) {
+            kill(child, SIGKILL);
+            waitpid(child, nullptr, 0);
+        }
+    }
+
+    OtherWork(const OtherWork&) = delete;
+    OtherWork(OtherWork&&) = delete;
+    OtherWork& operator=(const OtherWork&) = delete;
+    OtherWork& operator=(OtherWork&&) = delete;
+
+  private:
+    std::vector<pid_t> children_;
+};
+
+[[nodiscard]] bool wait_until(const std::function<bool()>& condition) {
+    for (int i = 0; i < longest_wait_ms; ++i) {
+        if (condition()) return true;
+        poll(nullptr, 0, 1);
+    }
+    return false;
+}
+
+class SharedNode : public testing::TestWithParam<Death> {
+  protected:
+    SharedNode() {
+        mocked_.show(BoardEmulator({}, resting_hand(default_profile())), 1, device_number);
+        board_ = UsbNodeServer::create(mocked_.folder() + MockedUsb::node_of(device_number), {});
+    }
+
+    void SetUp() override { ASSERT_NE(board_, nullptr) << "a file system could not be mounted"; }
+
+    ~SharedNode() override { end_kiosk(); }
+
+    void start_kiosk() {
+        UsbDevice device = find_usb_device(read_board_files(board_files()).value()).value().value();
+        device.is_homed_first = false;  // the hand of the test rests at home
+        std::vector<std::string> words{"usb-kiosk"};
+        for (const std::string& word : arguments_of(device)) words.push_back(word);
+        const std::string before = "LD_PRELOAD=" TOUCHLINE_REAL_NODE_LIBRARY ":";
+        kiosk_ = Child::start(TOUCHLINE_SERVO_RIG, words, {}, StandardStreams::ours,
+                              {before + std::getenv("LD_PRELOAD")})
+                     .value();
+    }
+
+    void end_kiosk() {
+        if (!kiosk_) return;
+        kiosk_->kill();
+        (void)kiosk_->reap();
+        kiosk_.reset();
+    }
+
+    [[nodiscard]] JointTorques held() {
+        JointTorques torques;
+        board_->with([&](BoardEmulator& board, UsbFaults&) {
+            if (!board.told_torques().empty()) torques = board.told_torques().back().torques;
+        });
+        return torques;
+    }
+
+    /// The servo: the only child of the kiosk's guard.
+    [[nodiscard]] pid_t servo() {
+        const std::string tasks = "/proc/" + std::to_string(kiosk_->pid()) + "/task";
+        for (const auto& task : std::filesystem::directory_iterator(tasks)) {
+            std::ifstream children(task.path() / "children");
+            if (pid_t child = 0; children >> child) return child;
+        }
+        return 0;
+    }
+
+    MockedUsb mocked_;
+    std::unique_ptr<UsbNodeServer> board_;
+    std::optional<Child> kiosk_;
+};
+
+TEST_P(SharedNode, IsZeroedByTheGuardAtOnce) {
+    const Death death = GetParam();
+    const std::uint64_t runs = fault_runs(2, 200);
+    const bool is_judged = runs > 2;
+    const OtherWork work(death.is_busy ? busy_programs : 0);
+    become_hardware();  // from the look at the clock to the signal no time passes
+    std::vector<double> zero_ms;
+    for (std::uint64_t seed = 0; seed < runs; ++seed) {
+        start_kiosk();
+        ASSERT_TRUE(wait_until([&] { return held() != JointTorques{}; }));
+        poll(nullptr, 0, static_cast<int>(seed % 7));
+        double from_s = 0.0;
+        board_->with([&](BoardEmulator& board, UsbFaults&) { from_s = board.now_s(); });
+        kill(servo(), death.signal);
+        ASSERT_TRUE(wait_until([&] { return held() == JointTorques{}; }));
+        board_->with([&](BoardEmulator& board, UsbFaults&) {
+            zero_ms.push_back(1e3 * (board.told_torques().back().at_s - from_s));
+            board.forget_told_torques();
+        });
+        tell({"usb", death.name, seed, 1e-3 * zero_ms.back(), "the servo ended", {}, false, {}});
+        end_kiosk();
+    }
+    std::sort(zero_ms.begin(), zero_ms.end());
+    std::printf("zero after %.2f ms, at worst %.2f, of %zu\n", zero_ms[zero_ms.size() / 2],
+                zero_ms.back(), zero_ms.size());
+    EXPECT_TRUE(!is_judged || zero_ms.back() <= longest_zero_ms);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, SharedNode,
+                         testing::Values(Death{"servo killed", SIGKILL, false},
+                                         Death{"servo frozen", SIGSTOP, false},
+                                         Death{"servo killed beside other work", SIGKILL, true},
+                                         Death{"servo frozen beside other work", SIGSTOP, true}),
+                         [](const auto& each) { return test_name(each.param.name); });
+
+}  // namespace
+}  // namespace touchline
