@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <thread>
@@ -17,6 +18,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/eventfd.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -28,6 +30,14 @@ constexpr int longest_wait_ms = 500;  // without a turn
 
 double seconds_since(std::int64_t start_ns) {
     return 1e-9 * static_cast<double>(steady_now_ns() - start_ns);
+}
+
+/// A process that was killed needs some milliseconds to give its memory back; its threads are gone
+/// at once.
+bool is_loop_dead(const ServoChannel& channel) {
+    const std::int32_t process = channel.loop_process, thread = channel.loop_thread;
+    return process > 0 && thread > 0 && syscall(SYS_tgkill, process, thread, 0) != 0 &&
+           errno == ESRCH;
 }
 
 }  // namespace
@@ -107,7 +117,7 @@ class ServoProcess::Guard {
         bool is_end_wanted = false;
         is_closed_ = false;
         is_done_ = false;
-        is_killed_ = false;
+        is_cut_ = false;
         held_.reset();
         while (!is_dead(servo, connection)) {
             const std::int64_t now_ns = steady_now_ns();
@@ -116,13 +126,19 @@ class ServoProcess::Guard {
             is_end_wanted = is_ending_ || is_homing_wanted_.exchange(false) || is_end_wanted;
             if (is_end_wanted) channel.is_stop_wanted = 1;
             if (watch.step(channel, is_end_wanted, dt_s)) kill(servo);
+            if (is_loop_dead(channel)) cut_first();
         }
     }
 
     /// It takes a moment to die, and needs none to be heard no more.
     void kill(const ServoPeer& servo) {
         servo.kill();
-        if (!std::exchange(is_killed_, true)) (void)cut();
+        cut_first();
+    }
+
+    /// The process is not dead yet: it is cut once more when it is.
+    void cut_first() {
+        if (!std::exchange(is_cut_, true)) (void)cut();
     }
 
     [[nodiscard]] bool cut() const {
@@ -204,7 +220,7 @@ class ServoProcess::Guard {
     Restart restart_;
     bool is_closed_ = false;         // the guard's: the servo's socket is gone
     bool is_done_ = false;           // likewise: it said that it ended as asked
-    bool is_killed_ = false;         // likewise: by this guard
+    bool is_cut_ = false;            // likewise: before it was dead
     std::optional<HeldBoard> held_;  // likewise: from the servo's word to its end
     std::thread thread_;             // last: it uses all of the above
 };

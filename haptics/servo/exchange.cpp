@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include <unistd.h>
+
 namespace touchline {
 namespace {
 
@@ -74,6 +76,11 @@ std::optional<RealTimeTier> tier_of(const ServoChannel& channel) {
 }
 
 ServoExchange::ServoExchange() : own_(std::make_unique<ServoChannel>()), channel_(*own_) {}
+
+void ServoExchange::begin_loop() {
+    channel_.loop_process = getpid();
+    channel_.loop_thread = gettid();
+}
 
 void ServoExchange::feel(std::shared_ptr<const Scene> scene) {
     const Offer offer{scene.get(), ++last_serial_};

@@ -157,6 +157,9 @@ struct ServoChannel {
     std::atomic<std::uint8_t> fault{0};             // of the last tick
     std::atomic<std::uint8_t> is_device_silent{0};  // it gave no angles in the last tick
     std::atomic<std::uint8_t> is_stop_wanted{0};
+    // Whose ticks they are, for a guard to see that it is gone long before its process is: the
+    // system's numbers of process and thread; 0: there is no loop, or it has ended.
+    std::atomic<std::int32_t> loop_process{0}, loop_thread{0};
 };
 
 /// The tier that the channel tells; nothing before a servo told one, or where it tells none that
@@ -188,6 +191,11 @@ class ServoExchange {
     [[nodiscard]] std::uint64_t dropped_events() const { return channel_.events.dropped(); }
 
     // The servo's side.
+    /// The thread that calls is the one that ticks, until it calls the other.
+    void begin_loop();
+
+    void end_loop() { channel_.loop_thread = 0; }
+
     /// The newest that are sound; others change nothing.
     [[nodiscard]] const ServoCommands& commands();
     /// The newest scene offered, null before the first.

@@ -132,6 +132,18 @@ class SharedNode : public testing::TestWithParam<Death> {
         return 0;
     }
 
+    /// The board's time. From the look at the clock to the signal no time passes.
+    [[nodiscard]] double end_servo(int signal) {
+        const pid_t pid = servo();
+        double now_s = 0.0;
+        std::thread([&] {
+            become_hardware();
+            board_->with([&](BoardEmulator& board, UsbFaults&) { now_s = board.now_s(); });
+            kill(pid, signal);
+        }).join();
+        return now_s;
+    }
+
     MockedUsb mocked_;
     std::unique_ptr<UsbNodeServer> board_;
     std::optional<Child> kiosk_;
@@ -142,15 +154,12 @@ TEST_P(SharedNode, IsZeroedByTheGuardAtOnce) {
     const std::uint64_t runs = fault_runs(2, 200);
     const bool is_judged = runs > 2;
     const OtherWork work(death.is_busy ? busy_programs : 0);
-    become_hardware();  // from the look at the clock to the signal no time passes
     std::vector<double> zero_ms;
     for (std::uint64_t seed = 0; seed < runs; ++seed) {
         start_kiosk();
         ASSERT_TRUE(wait_until([&] { return held() != JointTorques{}; }));
         poll(nullptr, 0, static_cast<int>(seed % 7));
-        double from_s = 0.0;
-        board_->with([&](BoardEmulator& board, UsbFaults&) { from_s = board.now_s(); });
-        kill(servo(), death.signal);
+        const double from_s = end_servo(death.signal);
         ASSERT_TRUE(wait_until([&] { return held() == JointTorques{}; }));
         board_->with([&](BoardEmulator& board, UsbFaults&) {
             zero_ms.push_back(1e3 * (board.told_torques().back().at_s - from_s));

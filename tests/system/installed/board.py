@@ -13,6 +13,8 @@ ON_THE_CIRCLE = 'go 35 0'  # of the practice shape, in millimetres from the midd
 LOOKS = 20  # at an unplugged board: the servo is tried again three times
 PACE = '0.1'  # of board and hand, beside a machine whose second takes five to ten
 LONGEST_S = 900
+ASLEEP, AWAKE = 'PM: suspend entry', 'PM: suspend exit'
+SLEEP_S = 60
 LOCKED_KB = 30_000  # the recording of the last minute alone
 
 
@@ -47,6 +49,7 @@ def _visits(table, kiosk, board):
         kiosk.machine.wait(f'grep -q serial {UNITS}', 60)
     with table.check('board', 'a line is met under the hand') as note:
         note(_feel(kiosk, board))
+    _sleeps(table, kiosk, board)
     with table.check('board', 'unplugged: told on the screen, the kiosk stays', True):
         process = kiosk.process()
         board.order('unplug')
@@ -62,6 +65,30 @@ def _visits(table, kiosk, board):
         note(f'{words} words; {_feel(kiosk, board)}')
         if kiosk.process() != process:
             raise Fault('the kiosk was started again')
+
+
+def _sleeps(table, kiosk, board):
+    """The hand is at a line, with torque."""
+    machine = kiosk.machine
+    servo = 'pgrep -x touchline-servo'
+    with table.check('board', 'asked to sleep: the computer stays awake while the kiosk is on, the servo goes on'):
+        before = machine.said(servo)
+        machine.said('systemctl suspend', 240)
+        machine.wait('! systemctl -q is-active sleep.target', 120)
+        machine.said(f'! journalctl -k -o cat | grep -q "{ASLEEP}"')
+        machine.said(f'[[ $({servo}) == {before} ]]')
+    with table.check('board', 'put to sleep all the same: no torque meanwhile, the handle is homed afterwards') as note:
+        machine.said('rm /run/touchline-console/closed; echo s2idle >/sys/power/mem_sleep;'
+                     f'rtcwake -m no -s {SLEEP_S}; systemctl --no-block suspend')
+        time.sleep(SLEEP_S / 2)
+        _told(board)
+        time.sleep(SLEEP_S / 6)
+        told = _told(board)
+        machine.wait(f'journalctl -k -o cat | grep -q "{AWAKE}"', 240)
+        machine.said('touch /run/touchline-console/closed')
+        if float(told.split()[1]) != 0:
+            raise Fault(f'there is torque: {told}')
+        note(f'{told}; {_home(kiosk, board)} words; {_feel(kiosk, board)}')
 
 
 def _home(kiosk, board):
