@@ -16,6 +16,7 @@
 #include "app/servo/usb_device.h"
 #include "haptics/servo/tick_clock.h"
 #include "tests/app/servo/fake_board.h"
+#include "tests/app/servo/felt_line.h"
 #include "tests/app/servo/mapped_file.h"
 #include "tests/haptics/servo/rigs.h"
 
@@ -100,15 +101,6 @@ Result<void> zero_by_guard(FakeBoard& board) {
     return {};
 }
 
-FeltPicture line_picture() {
-    TactileMap map;
-    Outline line;
-    line.points = {{-0.05, 0.0}, {0.0, 0.0}, {0.05, 0.0}};
-    map.outlines.push_back(line);
-    map.version = 1;
-    return {line_scene(0.0), std::make_shared<const TactileMap>(std::move(map)), {}, {}};
-}
-
 std::atomic<bool> is_end_asked{false}, is_recording_asked{false}, is_hang_asked{false};
 
 int run_kiosk(const std::string& program, const std::string& board_path, const std::string& path) {
@@ -121,7 +113,7 @@ int run_kiosk(const std::string& program, const std::string& board_path, const s
                         [&board](const std::string&) { return zero_by_guard(board); },
                         {},
                         path});
-    servo.feel(line_picture());
+    servo.feel(felt_line(0.0, 1));
     MonotonicClock clock;
     while (!is_end_asked) {
         (void)servo.latest();
@@ -135,21 +127,6 @@ int run_kiosk(const std::string& program, const std::string& board_path, const s
     return 0;
 }
 
-/// A groove, 1 mm beside the hand as soon as that has been seen.
-FeltPicture groove_at(double y_m, std::uint64_t version) {
-    TactileMap map;
-    Outline line;
-    line.points = {{-0.05, y_m}, {0.0, y_m}, {0.05, y_m}};
-    map.outlines.push_back(line);
-    map.version = version;
-    const SceneOrder order{};
-    auto scene = build_scene(map, order).value();
-    return {std::make_shared<const Scene>(std::move(scene)),
-            std::make_shared<const TactileMap>(std::move(map)),
-            order,
-            {}};
-}
-
 int run_usb_kiosk(const std::string& program, const std::vector<std::string>& words) {
     const UsbDevice device = device_of(words).value();
     std::vector<std::string> arguments{"usb"};
@@ -159,7 +136,7 @@ int run_usb_kiosk(const std::string& program, const std::vector<std::string>& wo
                                 }};
     options.cut_torque = [device](const HeldBoard& held) { return cut_usb_device(device, held); };
     ServoProcess servo(std::move(options));
-    servo.feel(groove_at(0.045, 1));
+    servo.feel(felt_line(0.045, 1));
     ServoCommands commands;
     commands.mode = Mode::groove;
     commands.has_frame = false;  // home lies beyond the drawing area
@@ -168,7 +145,7 @@ int run_usb_kiosk(const std::string& program, const std::vector<std::string>& wo
     for (bool is_beside = false;; clock.sleep_until(clock.now_ns() + 2'000'000)) {
         const HandState& hand = servo.latest();
         const bool is_live = servo.force_status().state == ForceState::live;
-        if (is_live && !is_beside) servo.feel(groove_at(hand.p_WH.y + 0.001, 2));
+        if (is_live && !is_beside) servo.feel(felt_line(hand.p_WH.y + 0.001, 2));
         is_beside = is_live;
         const std::string notice = servo.take_notice();
         if (!notice.empty()) std::fprintf(stderr, "%s\n", notice.c_str());

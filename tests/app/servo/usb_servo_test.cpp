@@ -4,6 +4,7 @@
 #include "app/device/board_files.h"
 #include "app/servo/servo_process.h"
 #include "app/servo/usb_search.h"
+#include "tests/app/servo/felt_line.h"
 #include "tests/sim/umockdev/mocked_board.h"
 
 #include <cstdio>
@@ -19,20 +20,6 @@ namespace touchline {
 namespace {
 
 constexpr int longest_wait_ms = 60'000;
-
-FeltPicture line_at(double y_m, std::uint64_t version) {
-    TactileMap map;
-    Outline line;
-    line.points = {{-0.05, y_m}, {0.0, y_m}, {0.05, y_m}};
-    map.outlines.push_back(line);
-    map.version = version;
-    const SceneOrder order{};
-    auto scene = build_scene(map, order).value();
-    return {std::make_shared<const Scene>(std::move(scene)),
-            std::make_shared<const TactileMap>(std::move(map)),
-            order,
-            {}};
-}
 
 class UsbServo : public testing::Test {
   protected:
@@ -70,13 +57,13 @@ class UsbServo : public testing::Test {
 
     /// A groove a millimetre beside the hand pulls at it.
     void feel_a_pull() {
-        servo_->feel(line_at(0.045, ++version_));
+        servo_->feel(felt_line(0.045, ++version_));
         ServoCommands commands;
         commands.mode = Mode::groove;
         commands.has_frame = false;  // home lies beyond the drawing area
         servo_->set(commands);
         ASSERT_TRUE(frames_until([&] { return servo_->force_status().state == ForceState::live; }));
-        servo_->feel(line_at(servo_->latest().p_WH.y + 0.001, ++version_));
+        servo_->feel(felt_line(servo_->latest().p_WH.y + 0.001, ++version_));
         ASSERT_TRUE(frames_until([&] { return held() != JointTorques{}; }));
     }
 
