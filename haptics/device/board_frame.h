@@ -11,7 +11,7 @@
 
 namespace touchline {
 
-/// The profile with the unit's own limit of torque.
+/// The profile with the unit's own limit of torque and its own counts.
 [[nodiscard]] DeviceProfile calibrated(const DeviceProfile& profile,
                                        const Calibration& calibration);
 
@@ -34,6 +34,10 @@ class BoardFrame {
     /// Each angle is a whole number of counts, as all are that a board sends.
     [[nodiscard]] bool is_whole_counts(PortAngles raw, double handle_deg = 0.0) const;
 
+    /// For a unit of which it is not known yet: the board counts all that it is told, where others
+    /// of its kind count half. Every whole count of theirs is one of these too.
+    [[nodiscard]] BoardFrame with_all_counts() const;
+
     [[nodiscard]] bool has_handle() const { return profile_.handle.has_value(); }
 
     /// What to write for a torque of the handle: within its limit, zero where it is not finite.
@@ -51,9 +55,12 @@ class BoardFrame {
     /// As it was given, without the calibration.
     [[nodiscard]] const DeviceProfile& profile() const { return profile_; }
 
+    [[nodiscard]] const DeviceProfile& calibrated_profile() const { return unit_; }
+
   private:
     DeviceProfile profile_;
     Calibration calibration_;
+    DeviceProfile unit_;
     bool is_joint_1_on_port_2_;
     PortAngles quantum_;
 };

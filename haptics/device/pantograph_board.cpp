@@ -136,6 +136,7 @@ bool PantographBoard::write_torques(JointTorques torques) {
 void PantographBoard::set_calibration(const Calibration& calibration) {
     Calibration kept = calibration;
     kept.are_motors_swapped = frame_.calibration().are_motors_swapped;
+    kept.has_all_counts = kept.has_all_counts || frame_.calibration().has_all_counts;
     frame_ = BoardFrame(frame_.profile(), kept);
     report_.is_position_doubtful = false;
 }
@@ -170,7 +171,7 @@ void PantographBoard::sort(const Received& received, Arrivals& arrivals) {
         ++arrivals.unconfigured;
         ++report_.unconfigured;
     } else if (reply.kind == ReplyKind::angles &&
-               frame_.is_whole_counts(reply.angles, reply.handle_deg)) {
+               frame_.with_all_counts().is_whole_counts(reply.angles, reply.handle_deg)) {
         ++arrivals.good;
         ++report_.replies;
         arrivals.newest = Said{reply.angles, reply.handle_deg};
@@ -253,6 +254,8 @@ void PantographBoard::judge_age(double elapsed_s) {
 
 void PantographBoard::judge_position(const Said& raw) {
     if (!is_jump(raw)) {
+        // The first odd count tells that this board does not count half.
+        if (!frame_.is_whole_counts(raw.joints, raw.handle_deg)) frame_ = frame_.with_all_counts();
         raw_ = raw;
         raw_age_s_ = 0.0;
         jumps_in_a_row_ = 0;
@@ -268,7 +271,7 @@ void PantographBoard::judge_position(const Said& raw) {
 bool PantographBoard::is_jump(const Said& raw) const {
     if (!raw_) return false;
     const double age_s = (jumps_in_a_row_ == 0 ? raw_age_s_ : jump_age_s_) + sampling_s;
-    const JointAngles quantum = encoder_quantum(frame_.profile());
+    const JointAngles quantum = encoder_quantum(frame_.calibrated_profile());
     if (frame_.has_handle()) {
         const double turned_rad = radians_per_degree * std::abs(raw.handle_deg - raw_->handle_deg);
         if (!(turned_rad <= handle_speed_rad_per_s * age_s + handle_step_rad)) return true;

@@ -75,7 +75,8 @@ class PantographBoard final : public ForceDevice {
     void turn_handle(double torque_Nm) override;
 
     /// Offset, scale and torque limit from the next call on; that plugs are swapped, or not, takes
-    /// another driver. The position counts as known.
+    /// another driver. The position counts as known. That the board has all counts is never
+    /// forgotten: an odd count told it.
     void set_calibration(const Calibration& calibration);
 
     /// After `jumped`, or doubt: the angles count as they are. With the force off only.

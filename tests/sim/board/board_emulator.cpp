@@ -1,5 +1,7 @@
 #include "tests/sim/board/board_emulator.h"
 
+#include "haptics/device/board_frame.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -23,7 +25,7 @@ std::int64_t as_clockwise(std::int64_t count, Turn turn) {
 
 BoardEmulator::BoardEmulator(const BoardTruth& truth, std::shared_ptr<const IntendedPath> path)
     : truth_(truth),
-      firmware_(truth.type, seed_of(truth.seed, 0)),
+      firmware_(truth.type, seed_of(truth.seed, 0), truth.firmware),
       plant_(truth.profile, truth.hand, plant_step_s, std::move(path)),
       angles_(plant_.angles().value_or(truth.profile.home)) {}
 
@@ -76,14 +78,14 @@ void BoardEmulator::set_lines(bool dtr, bool rts) {
     are_lines_up_ = dtr || rts;
     if (baud_ != deadly_baud || dtr || !is_plugged_) return;
     is_boot_loader_ = true;
-    firmware_ = Firmware(truth_.type, 0);
+    firmware_ = Firmware(truth_.type, 0, truth_.firmware);
     update_torques();
     ++device_number_;
 }
 
 void BoardEmulator::unplug() {
     is_plugged_ = false;
-    firmware_ = Firmware(truth_.type, seed_of(truth_.seed, ++power_ups_));
+    firmware_ = Firmware(truth_.type, seed_of(truth_.seed, ++power_ups_), truth_.firmware);
     on_the_way_.clear();
     in_endpoint_.reset();
     is_dropping_ = is_host_listening_ = are_lines_up_ = false;
@@ -116,11 +118,17 @@ int BoardEmulator::joint_on_port(std::size_t port) const {
     return is_joint_1 ? 1 : 2;
 }
 
+JointAngles BoardEmulator::true_quantum() const {
+    Calibration unit;
+    unit.has_all_counts = truth_.firmware.has_all_counts;
+    return encoder_quantum(calibrated(truth_.profile, unit));
+}
+
 // A joint's motor and encoder turn the way its own wiring says; clockwise counts are the negative
 // of counter-clockwise ones.
 PortCounts BoardEmulator::port_counts() {
     angles_ = plant_.angles().value_or(angles_);
-    const JointAngles quantum = encoder_quantum(truth_.profile);
+    const JointAngles quantum = true_quantum();
     PortCounts counts{};
     for (std::size_t port = 0; port < 2; ++port) {
         const bool is_1 = joint_on_port(port) == 1;
@@ -144,7 +152,7 @@ double BoardEmulator::told_handle_torque_Nm() const {
     if (!truth_.profile.handle) return 0.0;
     const bool is_right =
         firmware_.motor_turns()[2] == static_cast<std::uint8_t>(truth_.profile.handle->turn);
-    return firmware_.duty()[2] * full_duty_Nm * (is_right ? 1.0 : -1.0);
+    return firmware_.duty()[2] * truth_.firmware.torque_limit_Nm * (is_right ? 1.0 : -1.0);
 }
 
 void BoardEmulator::update_torques() {
@@ -155,7 +163,8 @@ void BoardEmulator::update_torques() {
             is_1 ? truth_.profile.wiring.joint_1 : truth_.profile.wiring.joint_2;
         const bool is_right =
             firmware_.motor_turns()[port] == static_cast<std::uint8_t>(wiring.turn);
-        const double torque = firmware_.duty()[port] * full_duty_Nm * (is_right ? 1.0 : -1.0);
+        const double made = firmware_.duty()[port] * truth_.firmware.torque_limit_Nm;
+        const double torque = made * (is_right ? 1.0 : -1.0);
         (is_1 ? torques.x : torques.y) = torque;
     }
     const double handle_Nm = told_handle_torque_Nm();

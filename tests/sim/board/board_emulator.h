@@ -24,6 +24,7 @@ namespace touchline {
 struct BoardTruth {
     DeviceProfile profile = default_profile();
     BoardType type = BoardType::m0;
+    FirmwareVariant firmware;
     HandModel hand = normal_hand;
     bool are_plugs_swapped = false;
     bool have_motors_power = true;
@@ -110,6 +111,7 @@ class BoardEmulator {
 
   private:
     [[nodiscard]] PortCounts port_counts();
+    [[nodiscard]] JointAngles true_quantum() const;
     [[nodiscard]] int joint_on_port(std::size_t port) const;
     [[nodiscard]] double told_handle_torque_Nm() const;
     void update_torques();
