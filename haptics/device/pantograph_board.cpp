@@ -23,6 +23,15 @@ constexpr double rest_s = 0.001;
 constexpr int longest_end_ms = 20;
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
+// Half a count of play to each side: a counter that steps back by one, or trembles on an edge,
+// moves nothing.
+PortAngles followed(PortAngles before, PortAngles said, PortAngles quantum) {
+    const auto follow = [](double last, double now, double play) {
+        return std::clamp(last, now - play, now + play);
+    };
+    return {follow(before.x, said.x, 0.5 * quantum.x), follow(before.y, said.y, 0.5 * quantum.y)};
+}
+
 }  // namespace
 
 PantographBoard::PantographBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
@@ -101,7 +110,7 @@ std::optional<JointAngles> PantographBoard::read_angles(double now_s) {
     const bool is_good = report_.state == BoardState::ready && jumps_in_a_row_ == 0 && raw_ &&
                          raw_age_s_ < oldest_angles_s;
     if (!is_good) return std::nullopt;
-    return frame_.joint_angles(raw_->joints);
+    return frame_.joint_angles(steady_);
 }
 
 std::optional<double> PantographBoard::handle_angle_rad() const {
@@ -256,6 +265,7 @@ void PantographBoard::judge_position(const Said& raw) {
     if (!is_jump(raw)) {
         // The first odd count tells that this board does not count half.
         if (!frame_.is_whole_counts(raw.joints, raw.handle_deg)) frame_ = frame_.with_all_counts();
+        steady_ = raw_ ? followed(steady_, raw.joints, frame_.quantum()) : raw.joints;
         raw_ = raw;
         raw_age_s_ = 0.0;
         jumps_in_a_row_ = 0;

@@ -57,8 +57,8 @@ class PantographBoard final : public ForceDevice {
     /// The same with this calibration, swapped plugs included: the ports are set up anew.
     [[nodiscard]] Result<void> open(const Calibration& calibration);
 
-    /// Those of the newest reply. Nothing while resyncing, jumped or lost; at most 4 ms
-    /// after the tick that it came in.
+    /// Those of the newest reply, to half a count. Nothing while resyncing, jumped or lost; at most
+    /// 4 ms after the tick that it came in.
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
 
     /// Scaled to the limit. Zero: true when the send of a zero has ended and none but zeros were
@@ -133,6 +133,7 @@ class PantographBoard final : public ForceDevice {
     Resync resync_;
     BoardReport report_;
     std::optional<Said> raw_;       // last accepted
+    PortAngles steady_;             // follows it with half a count of play
     std::optional<Said> heard_;     // last that came while resyncing
     double handle_Nm_ = 0.0;        // that goes with the next write
     std::optional<double> last_s_;  // on the caller's clock

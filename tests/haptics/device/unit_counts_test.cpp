@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -55,6 +57,27 @@ TEST(UnitCounts, AStoredUnitHasItsCountsFromTheFirstMomentOn) {
     ASSERT_TRUE(rig.driver->open().has_value());
     const JointAngles home = rig.tick({}).value();
     EXPECT_NEAR(norm(home - default_profile().home), 0.0, 2e-3);
+}
+
+// 1, 2, 3, 2 a cycle: a slow motion one way must read as one.
+TEST(UnitCounts, ACounterThatStepsBackReadsAsAMotionOneWay) {
+    BoardTruth truth;
+    truth.do_counts_step_back = true;
+    const auto path = std::make_shared<WaypointPath>(std::vector<WaypointPath::Waypoint>{
+        {0.0, {0.0, 0.0}}, {0.2, {0.0, 0.0}}, {4.0, {0.0, 0.03}}});
+    BoardRig rig(truth, {}, {}, path);
+    ASSERT_TRUE(rig.driver->open().has_value());
+    double farthest_rad = -1e9, longest_way_back_rad = 0.0;
+    for (int k = 0; k < 3800; ++k) {
+        const auto angles = rig.tick({});
+        ASSERT_TRUE(angles.has_value()) << k;
+        longest_way_back_rad = std::max(longest_way_back_rad, farthest_rad - angles->x);
+        farthest_rad = std::max(farthest_rad, angles->x);
+    }
+    EXPECT_GT(farthest_rad - default_profile().home.x, 0.2);
+    EXPECT_LT(longest_way_back_rad, 1e-6);        // what a float tells
+    EXPECT_EQ(rig.driver->report().resyncs, 1U);  // to open
+    EXPECT_EQ(rig.driver->report().jumps, 0U);
 }
 
 TEST(UnitCounts, AHigherLimitOfTheBoardIsReachedWhereTheUnitIsSetToIt) {

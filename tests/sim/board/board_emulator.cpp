@@ -17,6 +17,13 @@ std::uint64_t seed_of(std::uint64_t seed, int power_up) {
     return seed + 1000003 * static_cast<std::uint64_t>(power_up);
 }
 
+// Of four edges a cycle the fourth counts back: half of them in the mean.
+std::int64_t counted_with_steps_back(double counts) {
+    const auto edge = static_cast<std::int64_t>(std::floor(2.0 * counts));
+    const std::int64_t within = (edge % 4 + 4) % 4;
+    return (edge - within) / 2 + within;
+}
+
 std::int64_t as_clockwise(std::int64_t count, Turn turn) {
     return turn == Turn::clockwise ? count : -count;
 }
@@ -134,8 +141,10 @@ PortCounts BoardEmulator::port_counts() {
         const bool is_1 = joint_on_port(port) == 1;
         const double turned = is_1 ? angles_.x * (1.0 + truth_.scale_error.x) / quantum.x
                                    : angles_.y * (1.0 + truth_.scale_error.y) / quantum.y;
-        const auto count =
-            static_cast<std::int64_t>(std::floor(turned)) - lost_counts_[is_1 ? 0 : 1];
+        const std::int64_t counted = truth_.do_counts_step_back
+                                         ? counted_with_steps_back(turned)
+                                         : static_cast<std::int64_t>(std::floor(turned));
+        const std::int64_t count = counted - lost_counts_[is_1 ? 0 : 1];
         const JointWiring& wiring =
             is_1 ? truth_.profile.wiring.joint_1 : truth_.profile.wiring.joint_2;
         counts[port] = as_clockwise(count, wiring.turn);

@@ -28,7 +28,8 @@ struct BoardTruth {
     HandModel hand = normal_hand;
     bool are_plugs_swapped = false;
     bool have_motors_power = true;
-    JointAngles scale_error;  // relative, of what an encoder counts
+    JointAngles scale_error;           // relative, of what an encoder counts
+    bool do_counts_step_back = false;  // 1, 2, 3, 2 a cycle, as one published decoder counts
     std::string serial = "0123456789ABCDEF0123456789ABCDEF";
     std::uint64_t seed = 1;
 };
