@@ -37,7 +37,6 @@ void catch_signals() {
 struct TakenUnit {
     UsbBoards usb;
     UsbPantograph board;
-    std::optional<UnitSettings> kept;
     std::string profile;  // name
 };
 
@@ -51,13 +50,15 @@ Result<TakenUnit> take(const DeviceCommandOptions& options) {
     auto board = take_pantograph(*usb, *settings, options.serial, profile);
     if (!board) return tl::unexpected(board.error());
     const UnitSettings* kept = find_unit(*settings, board->found.serial);
-    return TakenUnit{std::move(*usb), std::move(*board),
-                     kept != nullptr ? std::optional(*kept) : std::nullopt,
-                     kept != nullptr ? kept->profile : profile};
+    return TakenUnit{std::move(*usb), std::move(*board), kept != nullptr ? kept->profile : profile};
 }
 
 std::string plugs(const Calibration& calibration) {
-    return calibration.are_motors_swapped ? "motor plugs swapped" : "motor plugs as usual";
+    const auto told = [](const Plugs& plugs) {
+        return plugs == Plugs{} ? "as usual" : "otherwise";
+    };
+    return fmt::format("encoders {}, motors {}", told(calibration.encoders),
+                       told(calibration.motors));
 }
 
 Result<void> list(std::ostream& out) {
@@ -115,15 +116,14 @@ Result<void> home_unit(TakenUnit& unit, std::ostream& out) {
     PantographBoard& board = *unit.board.driver;
     if (auto opened = board.open(); !opened) return opened;
     MonotonicClock clock;
-    const auto stored = unit.kept ? std::optional(unit.kept->calibration) : std::nullopt;
-    const auto found = home(procedure(board, clock, out), stored);
+    const auto found = make_ready(procedure(board, clock, out), board.frame().calibration());
     if (!found) return tl::unexpected(found.error());
     UnitSettings settings{unit.board.found.serial, unit.profile, *found};
     settings.calibration.offset = {};  // holds only until the board is set up again
     const BoardFiles files = board_files();
     if (auto kept = keep_unit(files, settings); !kept) return kept;
-    out << fmt::format("Scale {:.3f} and {:.3f}, {}; kept in {}.\n", found->scale.x, found->scale.y,
-                       plugs(*found), plain_line(files.units.string()));
+    out << fmt::format("Scale {:.3f}, {}; kept in {}.\n", found->scale, plugs(*found),
+                       plain_line(files.units.string()));
     return {};
 }
 
@@ -131,10 +131,12 @@ Result<void> nudge_unit(TakenUnit& unit, std::ostream& out) {
     PantographBoard& board = *unit.board.driver;
     if (auto opened = board.open(); !opened) return opened;
     MonotonicClock clock;
-    const auto verdict = nudge(procedure(board, clock, out));
-    if (!verdict) return tl::unexpected(verdict.error());
-    if (*verdict != NudgeVerdict::works) return failure(words_of(*verdict));
-    out << words_of(*verdict) << '\n';
+    out << plain_line(words_of(NudgeVerdict::running, board.frame())) << std::endl;
+    const auto tried = nudge(procedure(board, clock, out));
+    if (!tried) return tl::unexpected(tried.error());
+    const std::string words = words_of(tried->verdict(), board.frame());
+    if (tried->verdict() != NudgeVerdict::works) return failure(words);
+    out << words << '\n';
     return {};
 }
 

@@ -29,7 +29,6 @@ std::vector<std::string> keep_home(UsbDevice device, const Message& message) {
     const auto found = calibration_of(message, device.calibration);
     if (!found) return arguments_of(device);
     device.calibration = *found;
-    device.is_known = true;
     const auto kept = keep_unit(board_files(), {device.serial, device.profile, device.calibration});
     if (!kept) fmt::print(stderr, "touchline: {}\n", plain_line(kept.error().line));
     return arguments_of(device);

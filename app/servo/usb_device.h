@@ -19,7 +19,6 @@ struct UsbDevice {
     std::string serial;  // may be empty: the only board there is
     std::string profile;
     Calibration calibration;
-    bool is_known = false;       // the calibration was found by homing
     bool is_homed_first = true;  // by a person, with words; else the handle counts as being at home
 };
 

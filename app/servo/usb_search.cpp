@@ -13,7 +13,6 @@ UsbDevice usb_device(const FoundBoard& board, const BoardSettings& settings) {
     device.serial = board.serial;
     device.profile = unit != nullptr ? unit->profile : std::string(default_profile().name);
     if (unit != nullptr) device.calibration = unit->calibration;
-    device.is_known = unit != nullptr;
     return device;
 }
 

@@ -59,7 +59,7 @@ BoardFrame::BoardFrame(const DeviceProfile& profile, const Calibration& calibrat
     : profile_(profile),
       calibration_(calibration),
       unit_(calibrated(profile, calibration)),
-      is_joint_1_on_port_2_((profile.wiring.joint_1.port == 2) != calibration.are_motors_swapped),
+      is_joint_1_on_port_2_(profile.wiring.joint_1.port == 2),
       quantum_(reordered<PortDegree>(encoder_quantum(unit_), is_joint_1_on_port_2_,
                                      degrees_per_radian)) {}
 
@@ -103,14 +103,17 @@ PortAngles BoardFrame::home_reading() const {
 JointAngles BoardFrame::joint_angles(PortAngles raw) const {
     const auto turned =
         reordered<Radian>(raw - home_reading(), is_joint_1_on_port_2_, 1.0 / degrees_per_radian);
-    const JointAngles scale = calibration_.scale;
     return profile_.home + calibration_.offset +
-           JointAngles{scale.x * turned.x, scale.y * turned.y};
+           calibration_.scale * at_joints(calibration_.encoders, turned);
 }
 
 bool BoardFrame::is_whole_counts(PortAngles raw, double handle_deg) const {
     return is_whole(raw.x, quantum_.x) && is_whole(raw.y, quantum_.y) &&
            (!has_handle() || is_whole(handle_deg, handle_quantum_deg(*profile_.handle)));
+}
+
+int BoardFrame::motor_port(int joint) const {
+    return (joint == 1) != (is_joint_1_on_port_2_ != calibration_.motors.are_swapped) ? 1 : 2;
 }
 
 BoardFrame BoardFrame::with_all_counts() const {
@@ -130,7 +133,8 @@ PortTorques BoardFrame::port_torques(JointTorques torques) const {
     const double largest = std::max(std::abs(torques.x), std::abs(torques.y));
     const double limit_Nm = unit_.torque_limit_Nm;
     const double scale = largest <= limit_Nm ? 1.0 : limit_Nm / largest;
-    return reordered<PortNewtonMetre>(torques, is_joint_1_on_port_2_, scale);
+    return reordered<PortNewtonMetre>(at_ports(calibration_.motors, torques), is_joint_1_on_port_2_,
+                                      scale);
 }
 
 }  // namespace touchline

@@ -57,11 +57,6 @@ Result<void> PantographBoard::open() {
         "unplug it and plug it in again");
 }
 
-Result<void> PantographBoard::open(const Calibration& calibration) {
-    frame_ = BoardFrame(frame_.profile(), calibration);
-    return open();
-}
-
 bool PantographBoard::stop() {
     if (!link_) return false;
     if (report_.last_failure != LinkStatus::gone) {
@@ -144,7 +139,6 @@ bool PantographBoard::write_torques(JointTorques torques) {
 
 void PantographBoard::set_calibration(const Calibration& calibration) {
     Calibration kept = calibration;
-    kept.are_motors_swapped = frame_.calibration().are_motors_swapped;
     kept.has_all_counts = kept.has_all_counts || frame_.calibration().has_all_counts;
     frame_ = BoardFrame(frame_.profile(), kept);
     report_.is_position_doubtful = false;

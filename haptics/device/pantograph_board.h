@@ -54,9 +54,6 @@ class PantographBoard final : public ForceDevice {
     /// set-up, zero write, exact checks. Takes 30 ms; up to 4 s before it fails.
     [[nodiscard]] Result<void> open();
 
-    /// The same with this calibration, swapped plugs included: the ports are set up anew.
-    [[nodiscard]] Result<void> open(const Calibration& calibration);
-
     /// Those of the newest reply, to half a count. Nothing while resyncing, jumped or lost; at most
     /// 4 ms after the tick that it came in.
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
@@ -74,9 +71,8 @@ class PantographBoard final : public ForceDevice {
 
     void turn_handle(double torque_Nm) override;
 
-    /// Offset, scale and torque limit from the next call on; that plugs are swapped, or not, takes
-    /// another driver. The position counts as known. That the board has all counts is never
-    /// forgotten: an odd count told it.
+    /// From the next call on; for when no force acts. The position counts as known. That the board
+    /// has all counts is never forgotten: an odd count told it.
     void set_calibration(const Calibration& calibration);
 
     /// After `jumped`, or doubt: the angles count as they are. With the force off only.

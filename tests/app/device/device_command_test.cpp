@@ -4,6 +4,8 @@
 #include "tests/app/device/person.h"
 #include "tests/sim/umockdev/mocked_board.h"
 
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +15,7 @@
 #include <sstream>
 #include <streambuf>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -129,21 +132,36 @@ TEST_F(DeviceCommand, HomeLeadsAPersonAndKeepsWhatItFound) {
     const auto person = std::make_shared<Person>(default_profile());
     BoardTruth truth;
     truth.scale_error = {0.04, 0.04};
+    truth.hand = stiff_arm;
     MockedBoard board(usb_, truth, 1, person);
+    std::atomic<bool> is_over{false};
+    // Lets go where the words say so, and takes the handle again for the next ones.
+    std::thread hand([&] {
+        for (bool was_held = true; !is_over;
+             std::this_thread::sleep_for(std::chrono::milliseconds(5)))
+            board.with([&](BoardEmulator& emulator, UsbFaults&) {
+                const bool is_held = person->holds(emulator.now_s());
+                if (std::exchange(was_held, is_held) != is_held)
+                    emulator.grip(is_held ? stiff_arm : no_hand);
+            });
+    });
     Lines lines([&](const std::string& line) {
         double now_s = 0.0;
         board.with([&](BoardEmulator& emulator, UsbFaults&) { now_s = emulator.now_s(); });
         person->hear(line, now_s);
     });
     std::ostream out(&lines);
-    const auto homed = run_device({DeviceAction::home, "", ""}, out);
+    const auto homed = run_device({DeviceAction::home, "", "2diy-gen3.1"}, out);
+    is_over = true;
+    hand.join();
     ASSERT_TRUE(homed.has_value()) << homed.error().line;
     const auto settings = read_board_files(board_files());
     ASSERT_TRUE(settings.has_value());
     const UnitSettings* unit = find_unit(*settings, truth.serial);
     ASSERT_NE(unit, nullptr);
-    EXPECT_NEAR(unit->calibration.scale.x, 1.0 / 1.04, 0.01);
-    EXPECT_EQ(unit->calibration.offset, JointAngles{});
+    EXPECT_NEAR(unit->calibration.scale, 1.0 / 1.04, 0.01);
+    EXPECT_TRUE(unit->calibration.is_measured);
+    EXPECT_EQ(unit->calibration.motors, Plugs{});
     EXPECT_NE(person->heard.back().find("kept in"), std::string::npos);
     EXPECT_EQ(held(board), JointTorques{});
 }

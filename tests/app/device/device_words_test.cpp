@@ -10,19 +10,21 @@
 namespace touchline {
 namespace {
 
-constexpr std::array steps{HomingStep::to_home, HomingStep::to_check, HomingStep::to_home_again,
+constexpr std::array steps{HomingStep::to_home,        HomingStep::to_check,
+                           HomingStep::to_left,        HomingStep::to_home_again,
                            HomingStep::to_check_again, HomingStep::done};
-constexpr std::array remarks{
-    HomingRemark::none,       HomingRemark::silent,        HomingRemark::not_moved,
-    HomingRemark::misfit,     HomingRemark::starting_over, HomingRemark::reversed,
-    HomingRemark::lost_count, HomingRemark::swapped,       HomingRemark::measured};
+constexpr std::array remarks{HomingRemark::none,          HomingRemark::silent,
+                             HomingRemark::not_moved,     HomingRemark::misfit,
+                             HomingRemark::starting_over, HomingRemark::reversed,
+                             HomingRemark::lost_count,    HomingRemark::replugged,
+                             HomingRemark::not_left,      HomingRemark::measured};
 
 TEST(DeviceWords, EveryStepAndRemarkSaysSomethingOfItsOwn) {
     for (const DeviceProfile& profile : device_profiles()) {
         std::set<std::string> all;
         for (const HomingStep step : steps)
             for (const HomingRemark remark : remarks)
-                all.insert(words_of({step, remark, 0.0, 0.012}, profile));
+                all.insert(words_of({step, remark, 0.0, 0.012, 1.17, 0}, profile));
         EXPECT_EQ(all.size(), steps.size() * remarks.size()) << profile.name;
         for (const std::string& words : all) {
             EXPECT_EQ(words.back(), '.');
@@ -40,16 +42,17 @@ TEST(DeviceWords, LeadTheHandAwayFirstOnAGen31AndTowardsFirstOnAGen3) {
 }
 
 TEST(DeviceWords, AMisfitIsToldInMillimetres) {
-    const HomingView view{HomingStep::to_check, HomingRemark::misfit, 1.0, 0.0123};
-    EXPECT_EQ(words_of(view, default_profile()),
-              "Not there yet: 12 millimetres off. Second, pull the handle towards you until it "
-              "stops, then hold it still.");
+    const HomingView view{HomingStep::to_check, HomingRemark::misfit, 1.0, 0.0123, 1.0, 0};
+    EXPECT_EQ(
+        words_of(view, default_profile()),
+        "Not there yet: 12 millimetres off. That was the first place. Pull the handle towards "
+        "you until it stops. Hold it still there.");
 }
 
 TEST(DeviceWords, EveryVerdictSaysWhatToDo) {
     std::set<std::string> all;
     for (int verdict = 0; verdict <= static_cast<int>(NudgeVerdict::silent); ++verdict)
-        all.insert(words_of(static_cast<NudgeVerdict>(verdict)));
+        all.insert(words_of(static_cast<NudgeVerdict>(verdict), BoardFrame(default_profile(), {})));
     EXPECT_EQ(all.size(), static_cast<std::size_t>(NudgeVerdict::silent) + 1U);
 }
 

@@ -119,10 +119,16 @@ void BoardEmulator::lose_counts(int joint, std::int64_t counts) {
     lost_counts_[static_cast<std::size_t>(joint - 1)] += counts;
 }
 
-int BoardEmulator::joint_on_port(std::size_t port) const {
-    const bool is_joint_1 = (truth_.profile.wiring.joint_1.port == static_cast<int>(port) + 1) !=
-                            truth_.are_plugs_swapped;
-    return is_joint_1 ? 1 : 2;
+bool BoardEmulator::is_joint_1_on(std::size_t port, const Plugs& plugs) const {
+    return (truth_.profile.wiring.joint_1.port == static_cast<int>(port) + 1) != plugs.are_swapped;
+}
+
+Turn BoardEmulator::turn_of(bool is_joint_1, const Plugs& plugs) const {
+    const BoardWiring& wiring = truth_.profile.wiring;
+    const Turn turn = is_joint_1 ? wiring.joint_1.turn : wiring.joint_2.turn;
+    const bool is_reversed = is_joint_1 ? plugs.is_1_reversed : plugs.is_2_reversed;
+    const bool is_clockwise = (turn == Turn::clockwise) != is_reversed;
+    return is_clockwise ? Turn::clockwise : Turn::counter_clockwise;
 }
 
 JointAngles BoardEmulator::true_quantum() const {
@@ -131,23 +137,20 @@ JointAngles BoardEmulator::true_quantum() const {
     return encoder_quantum(calibrated(truth_.profile, unit));
 }
 
-// A joint's motor and encoder turn the way its own wiring says; clockwise counts are the negative
-// of counter-clockwise ones.
+// Clockwise counts are the negative of counter-clockwise ones.
 PortCounts BoardEmulator::port_counts() {
     angles_ = plant_.angles().value_or(angles_);
     const JointAngles quantum = true_quantum();
     PortCounts counts{};
     for (std::size_t port = 0; port < 2; ++port) {
-        const bool is_1 = joint_on_port(port) == 1;
+        const bool is_1 = is_joint_1_on(port, truth_.encoders);
         const double turned = is_1 ? angles_.x * (1.0 + truth_.scale_error.x) / quantum.x
                                    : angles_.y * (1.0 + truth_.scale_error.y) / quantum.y;
         const std::int64_t counted = truth_.do_counts_step_back
                                          ? counted_with_steps_back(turned)
                                          : static_cast<std::int64_t>(std::floor(turned));
         const std::int64_t count = counted - lost_counts_[is_1 ? 0 : 1];
-        const JointWiring& wiring =
-            is_1 ? truth_.profile.wiring.joint_1 : truth_.profile.wiring.joint_2;
-        counts[port] = as_clockwise(count, wiring.turn);
+        counts[port] = as_clockwise(count, turn_of(is_1, truth_.encoders));
     }
     if (const auto& handle = plant_.handle()) {
         const TurningHandle& made = *truth_.profile.handle;
@@ -167,11 +170,9 @@ double BoardEmulator::told_handle_torque_Nm() const {
 void BoardEmulator::update_torques() {
     JointTorques torques;
     for (std::size_t port = 0; port < 2; ++port) {
-        const bool is_1 = joint_on_port(port) == 1;
-        const JointWiring& wiring =
-            is_1 ? truth_.profile.wiring.joint_1 : truth_.profile.wiring.joint_2;
-        const bool is_right =
-            firmware_.motor_turns()[port] == static_cast<std::uint8_t>(wiring.turn);
+        const bool is_1 = is_joint_1_on(port, truth_.motors);
+        const bool is_right = firmware_.motor_turns()[port] ==
+                              static_cast<std::uint8_t>(turn_of(is_1, truth_.motors));
         const double made = firmware_.duty()[port] * truth_.firmware.torque_limit_Nm;
         const double torque = made * (is_right ? 1.0 : -1.0);
         (is_1 ? torques.x : torques.y) = torque;
