@@ -40,17 +40,35 @@ struct TakenUnit {
     std::string profile;  // name
 };
 
+std::string kind_wanted() {
+    std::string names;
+    for (const DeviceProfile& profile : device_profiles())
+        names += (names.empty() ? "" : ", ") + std::string(profile.name);
+    return "which kind of pantograph is it? Nothing is kept of this unit: name it by --profile, "
+           "one "
+           "of " +
+           names;
+}
+
+/// What is kept of a unit counts for the kind that it was taken for, and no other.
 Result<TakenUnit> take(const DeviceCommandOptions& options) {
-    const auto settings = read_board_files(board_files());
+    auto settings = read_board_files(board_files());
     if (!settings) return tl::unexpected(settings.error());
     auto usb = UsbBoards::create();
     if (!usb) return tl::unexpected(usb.error());
-    const std::string profile =
-        options.profile.empty() ? std::string(default_profile().name) : options.profile;
-    auto board = take_pantograph(*usb, *settings, options.serial, profile);
+    const auto found = usb->find(settings->boards, options.serial);
+    if (!found) return tl::unexpected(found.error());
+    std::string profile = options.profile;
+    std::erase_if(settings->units, [&](const UnitSettings& unit) {
+        return unit.serial == found->serial && !profile.empty() && unit.profile != profile;
+    });
+    if (const UnitSettings* kept = find_unit(*settings, found->serial)) profile = kept->profile;
+    const bool is_kind_needed = options.action != DeviceAction::probe;
+    if (profile.empty() && is_kind_needed) return failure(kind_wanted());
+    if (profile.empty()) profile = default_profile().name;
+    auto board = take_pantograph(*usb, *settings, found->serial, profile);
     if (!board) return tl::unexpected(board.error());
-    const UnitSettings* kept = find_unit(*settings, board->found.serial);
-    return TakenUnit{std::move(*usb), std::move(*board), kept != nullptr ? kept->profile : profile};
+    return TakenUnit{std::move(*usb), std::move(*board), profile};
 }
 
 std::string plugs(const Calibration& calibration) {

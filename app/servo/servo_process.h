@@ -30,6 +30,10 @@ struct ServoProcessOptions {
     /// Where a servo is asked for instead of started: a path at which systemd listens, and starts
     /// one for each that asks. Empty: the program, as a child.
     std::string summons = {};
+    /// The operator said which kind of device it is: keeps it, gives the arguments likewise.
+    std::function<std::vector<std::string>(const std::string& profile)> keep_kind = {};
+    /// As ServoClient::kind(), at the start.
+    std::optional<std::string> kind = {};
 };
 
 class ServoProcess final : public ServoClient {
@@ -54,6 +58,10 @@ class ServoProcess final : public ServoClient {
     [[nodiscard]] std::string take_notice() override;
     [[nodiscard]] std::string device_words() override;
     void home_again() override;
+
+    [[nodiscard]] std::optional<std::string> kind() const override { return kind_; }
+
+    void choose_kind(const std::string& profile) override;
     void hold_recording() override;
     void keep_recording() override;
     void forget_recording() override;
@@ -65,6 +73,7 @@ class ServoProcess final : public ServoClient {
     class Guard;
 
     ServoReport report_;
+    std::optional<std::string> kind_;
     std::unique_ptr<Guard> guard_;
 };
 

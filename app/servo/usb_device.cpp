@@ -105,13 +105,11 @@ Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& ope
 }
 
 Result<void> zero_usb_device(const UsbDevice& device) {
-    const auto profile = find_profile(device.profile);
-    if (!profile) return tl::unexpected(profile.error());
     auto boards = UsbBoards::create();
     if (!boards) return tl::unexpected(boards.error());
     auto link = take_link(*boards, device);
     if (!link) return tl::unexpected(link.error());
-    if (!zero_torque(std::move(*link), *profile))
+    if (!zero_torque(std::move(*link), find_profile(device.profile).value_or(default_profile())))
         return failure("the board did not confirm zero torque");
     return {};
 }

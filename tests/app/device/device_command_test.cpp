@@ -55,7 +55,9 @@ class DeviceCommand : public testing::Test {
 
     ~DeviceCommand() override { fs::remove(units_); }
 
-    Result<void> run(DeviceAction action) { return run_device({action, "", ""}, out_); }
+    Result<void> run(DeviceAction action) {
+        return run_device({action, "", std::string(default_profile().name)}, out_);
+    }
 
     static JointTorques held(MockedBoard& board) {
         JointTorques torques;
@@ -125,6 +127,17 @@ TEST_F(DeviceCommand, NudgeTellsWhetherTheMotorsHavePower) {
     for (int tries = 1; tries < 10 && !with && asks_for_another_try(with.error()); ++tries)
         with = run(DeviceAction::nudge);
     EXPECT_TRUE(with.has_value()) << with.error().line;
+    EXPECT_EQ(held(board), JointTorques{});
+}
+
+TEST_F(DeviceCommand, TheKindOfANewUnitIsAskedAndNotAssumed) {
+    MockedBoard board(usb_, {});
+    for (const DeviceAction action : {DeviceAction::home, DeviceAction::nudge}) {
+        const auto ended = run_device({action, "", ""}, out_);
+        ASSERT_FALSE(ended.has_value());
+        EXPECT_NE(ended.error().line.find("which kind"), std::string::npos) << ended.error().line;
+        EXPECT_NE(ended.error().line.find("2diy-gen3.1-172"), std::string::npos);
+    }
     EXPECT_EQ(held(board), JointTorques{});
 }
 

@@ -1,6 +1,9 @@
 // What is said during homing: every step has something to do, every remark a reason.
 #include "app/device/device_words.h"
 
+#include "tests/audio-cues/words/po_file.h"
+
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string>
@@ -47,6 +50,30 @@ TEST(DeviceWords, AMisfitIsToldInMillimetres) {
         words_of(view, default_profile()),
         "Not there yet: 12 millimetres off. That was the first place. Pull the handle towards "
         "you until it stops. Hold it still there.");
+}
+
+/// The kiosk says it sentence by sentence in other languages: so must the catalogue have it.
+TEST(DeviceWords, EverySentenceButThoseWithAMeasureIsInTheCatalogue) {
+    const PoFile english =
+        read_po(TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue/touchline.pot");
+    std::set<std::string> all;
+    for (const DeviceProfile& profile : device_profiles()) {
+        for (const HomingStep step : steps)
+            for (const HomingRemark remark : remarks)
+                all.insert(words_of({step, remark, 0.0, 0.012, 1.17, 0}, profile));
+        for (int verdict = 0; verdict <= static_cast<int>(NudgeVerdict::silent); ++verdict)
+            all.insert(words_of(static_cast<NudgeVerdict>(verdict), BoardFrame(profile, {})));
+    }
+    for (std::string words : all) {
+        for (std::size_t stop = 0; !words.empty(); words.erase(0, stop + 2)) {
+            stop = std::min(words.find(". "), words.size() - 1);
+            const std::string sentence = words.substr(0, stop + 1);
+            const bool has_measure = sentence.find("millimetres") != std::string::npos ||
+                                     sentence.find("percent") != std::string::npos;
+            EXPECT_NE(english.contains({"device", sentence}), has_measure) << sentence;
+            if (stop + 1 == words.size()) break;
+        }
+    }
 }
 
 TEST(DeviceWords, EveryVerdictSaysWhatToDo) {

@@ -1,7 +1,7 @@
 // Every way in which motors and encoders can be plugged in and turned, up to a wall that a hand
 // presses against: each ends right or is refused, and none pushes the hand on through the wall.
 #include "haptics/servo/servo_loop.h"
-#include "tests/app/device/visit.h"
+#include "tests/app/device/device_visit.h"
 #include "tests/haptics/servo/rigs.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Pressed {
 };
 
 /// From below against a line through the middle of the picture.
-Pressed press(Visit& visit) {
+Pressed press(DeviceVisit& visit) {
     constexpr Position below{0.0, -0.015}, beyond{0.0, 0.008};
     Pressed pressed;
     visit.rig.board.grip(normal_hand);
@@ -93,7 +93,7 @@ BoardTruth plugged(const Wires& wires) {
 class Plugged : public testing::TestWithParam<Wires> {
   protected:
     /// Whether it became ready. Nothing but nudges was told until then.
-    static bool becomes_ready(Visit& visit, const Calibration& stored) {
+    static bool becomes_ready(DeviceVisit& visit, const Calibration& stored) {
         visit.end_s = 200.0;
         EXPECT_TRUE(visit.rig.driver->open().has_value());
         const auto ready = make_ready(visit.procedure(), stored);
@@ -102,7 +102,7 @@ class Plugged : public testing::TestWithParam<Wires> {
         return ready.has_value();
     }
 
-    static void expect_a_wall(Visit& visit) {
+    static void expect_a_wall(DeviceVisit& visit) {
         const Pressed pressed = press(visit);
         EXPECT_LT(pressed.most_on_N, 0.1);
         EXPECT_LT(pressed.at_last_N, -0.3);
@@ -115,7 +115,7 @@ class NewlyPlugged : public Plugged {};
 class Replugged : public Plugged {};
 
 TEST_P(NewlyPlugged, AUnitEndsRight) {
-    Visit visit(plugged(GetParam()));
+    DeviceVisit visit(plugged(GetParam()));
     ASSERT_TRUE(becomes_ready(visit, {})) << visit.person->heard.back();
     expect_a_wall(visit);
 }
@@ -125,7 +125,7 @@ TEST_P(NewlyPlugged, AUnitEndsRight) {
 TEST_P(Replugged, AKnownUnitEndsRightOrIsRefused) {
     Calibration stored;
     stored.is_measured = true;
-    Visit visit(plugged(GetParam()), stored);
+    DeviceVisit visit(plugged(GetParam()), stored);
     const bool is_ready = becomes_ready(visit, stored);
     if (is_ready) expect_a_wall(visit);
     // All exchanged and turned round is the mirror image, which two stops do not tell from itself.
@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Sixteen, Replugged, testing::ValuesIn(wires_of({0, 1, 6
 /// A person who takes the right for the left is found out by the order being asked for again, or
 /// has a picture that is mirrored; the force is right all the same.
 TEST(PluggedAsUsual, WhoTakesRightForLeftIsNotPushedOn) {
-    Visit visit(plugged({}));
+    DeviceVisit visit(plugged({}));
     visit.person->mistake_left();
     visit.end_s = 200.0;
     ASSERT_TRUE(visit.rig.driver->open().has_value());

@@ -1,5 +1,5 @@
 // Homing and the nudge test with the driver, an emulated board and a person who does what is said.
-#include "tests/app/device/visit.h"
+#include "tests/app/device/device_visit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace touchline {
 namespace {
 
-double worst_angle_rad(Visit& visit) {
+double worst_angle_rad(DeviceVisit& visit) {
     const JointAngles read = visit.rig.tick({}).value();
     const JointAngles off = read - visit.rig.board.true_angles();
     return std::max(std::abs(off.x), std::abs(off.y));
@@ -22,7 +22,7 @@ Calibration measured() {
 }
 
 TEST(Procedures, HomingPutsRightABoardThatWasSetUpInTheMiddle) {
-    Visit visit;
+    DeviceVisit visit;
     ASSERT_TRUE(visit.rig.driver->open().has_value());
     visit.rig.tick_for(0.1, {});
     EXPECT_GT(worst_angle_rad(visit), 0.3);
@@ -38,7 +38,7 @@ TEST(Procedures, HomingMeasuresAScaleThatIsOffByPerCent) {
     BoardTruth truth;
     truth.scale_error = {0.05, 0.05};
     truth.hand = stiff_arm;
-    Visit visit(truth);
+    DeviceVisit visit(truth);
     ASSERT_TRUE(visit.rig.driver->open().has_value());
     const auto homed = home(visit.procedure(), {});
     ASSERT_TRUE(homed.has_value());
@@ -52,19 +52,19 @@ TEST(Procedures, HomingMeasuresAScaleThatIsOffByPerCent) {
 }
 
 TEST(Procedures, HomingEndsWhenStoppedUnpluggedOrOutOfTime) {
-    Visit stopped;
+    DeviceVisit stopped;
     ASSERT_TRUE(stopped.rig.driver->open().has_value());
     stopped.is_stop_wanted = true;
     EXPECT_FALSE(home(stopped.procedure(), {}).has_value());
 
-    Visit unplugged;
+    DeviceVisit unplugged;
     ASSERT_TRUE(unplugged.rig.driver->open().has_value());
     unplugged.rig.board.unplug();
     const auto ended = home(unplugged.procedure(), {});
     ASSERT_FALSE(ended.has_value());
     EXPECT_NE(ended.error().line.find("unplugged"), std::string::npos);
 
-    Visit slow;
+    DeviceVisit slow;
     ASSERT_TRUE(slow.rig.driver->open().has_value());
     Procedure hasty = slow.procedure();
     hasty.longest_s = 2.0;
@@ -78,7 +78,7 @@ TEST(Procedures, TheNudgeTestSeesPowerAndItsOwnEnd) {
         BoardTruth truth;
         truth.hand = no_hand;
         truth.have_motors_power = has_power;
-        Visit visit(truth);
+        DeviceVisit visit(truth);
         EXPECT_TRUE(visit.rig.driver->open().has_value());
         const auto tried = nudge(visit.procedure());
         EXPECT_EQ(visit.rig.held(), JointTorques{});
@@ -89,7 +89,7 @@ TEST(Procedures, TheNudgeTestSeesPowerAndItsOwnEnd) {
 }
 
 TEST(Procedures, ABoardIsReadyOnceBothMotorsMovedTheHandle) {
-    Visit visit;
+    DeviceVisit visit;
     ASSERT_TRUE(visit.rig.driver->open().has_value());
     const auto unit = make_ready(visit.procedure(), measured());
     ASSERT_TRUE(unit.has_value());
@@ -102,7 +102,7 @@ TEST(Procedures, ABoardIsReadyOnceBothMotorsMovedTheHandle) {
 TEST(Procedures, NoForceComesWhileTheMotorsHaveNoPowerAndThenItDoes) {
     BoardTruth truth;
     truth.have_motors_power = false;
-    Visit visit(truth);
+    DeviceVisit visit(truth);
     ASSERT_TRUE(visit.rig.driver->open().has_value());
     Procedure procedure = visit.procedure();
     const auto goes_on = procedure.goes_on;
@@ -120,7 +120,7 @@ TEST(Procedures, NoForceComesWhileTheMotorsHaveNoPowerAndThenItDoes) {
 TEST(Procedures, AHandleThatIsHeldProvesNothing) {
     BoardTruth truth;
     truth.hand = {0.5, 20.0, 6000.0, {}};  // a fist that leans on the table
-    Visit visit(truth);
+    DeviceVisit visit(truth);
     visit.end_s = 80.0;
     ASSERT_TRUE(visit.rig.driver->open().has_value());
     Procedure procedure = visit.procedure();
@@ -137,7 +137,7 @@ TEST(Procedures, AHandleThatIsHeldProvesNothing) {
 TEST(Procedures, AMotorThatWasReversedSinceGivesNoForceAndSaysWhichPlug) {
     BoardTruth truth;
     truth.motors.is_1_reversed = true;
-    Visit visit(truth);
+    DeviceVisit visit(truth);
     visit.end_s = 90.0;
     ASSERT_TRUE(visit.rig.driver->open().has_value());
     EXPECT_FALSE(make_ready(visit.procedure(), measured()).has_value());

@@ -1,6 +1,6 @@
 // Units as they were found in the field: each becomes ready with the tip within a millimetre, or it
 // is said what does not fit.
-#include "tests/app/device/visit.h"
+#include "tests/app/device/device_visit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +83,7 @@ BoardTruth truth_of(const FieldUnit& unit) {
 }
 
 /// The worst of places all over the drawing area.
-double worst_tip_off_m(Visit& visit) {
+double worst_tip_off_m(DeviceVisit& visit) {
     const Area& area = visit.rig.board.truth().profile.area;
     double worst_m = 0.0;
     visit.rig.board.grip(visit.rig.board.truth().hand);
@@ -102,7 +102,7 @@ class Unit : public testing::TestWithParam<FieldUnit> {};
 TEST_P(Unit, BecomesReadyWithTheTipWithinAMillimetre) {
     const FieldUnit& unit = GetParam();
     const DeviceProfile kind = find_profile(unit.kind).value();
-    Visit visit(truth_of(unit), {}, &kind);
+    DeviceVisit visit(truth_of(unit), {}, &kind);
     visit.end_s = 300.0;
     ASSERT_TRUE(visit.rig.driver->open().has_value());
     const auto ready = make_ready(visit.procedure(), {});
@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(Field, Unit, testing::ValuesIn(field_units()),
 /// no count that units are known for makes it fit, that is said.
 TEST(WrongKind, IsSaidWhereNoKnownCountMakesItFit) {
     const DeviceProfile kind = find_profile("2diy-gen3.1").value();
-    Visit visit(truth_of({"", "2diy-gen3.1-180", {180.0, 0.0}}), {}, &kind);
+    DeviceVisit visit(truth_of({"", "2diy-gen3.1-180", {180.0, 0.0}}), {}, &kind);
     visit.end_s = 250.0;
     ASSERT_TRUE(visit.rig.driver->open().has_value());
     EXPECT_FALSE(make_ready(visit.procedure(), {}).has_value());
@@ -138,7 +138,7 @@ TEST(WrongKind, IsSaidWhereNoKnownCountMakesItFit) {
 TEST(HighFriction, OfAGen2LeavesTheMotorsToBeTried) {
     BoardTruth truth = truth_of({"", "2diy-gen2", {241.0, -61.0}});
     truth.profile.mechanics.coulomb_N = 0.25;
-    Visit visit(truth);
+    DeviceVisit visit(truth);
     visit.end_s = 300.0;
     ASSERT_TRUE(visit.rig.driver->open().has_value());
     const auto ready = make_ready(visit.procedure(), {});

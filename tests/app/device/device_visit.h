@@ -32,10 +32,10 @@ class RigClock final : public Clock {
     std::function<void()> after_wait_;
 };
 
-struct Visit {
+struct DeviceVisit {
     /// `kind`: what the driver takes the board for; the unit's own profile where there is none.
-    explicit Visit(const BoardTruth& truth = {}, const Calibration& stored = {},
-                   const DeviceProfile* kind = nullptr)
+    explicit DeviceVisit(const BoardTruth& truth = {}, const Calibration& stored = {},
+                         const DeviceProfile* kind = nullptr)
         : person(std::make_shared<Person>(truth.profile)), rig(truth, {}, stored, person) {
         if (kind != nullptr) rig.connect({}, stored, kind);
     }
