@@ -25,7 +25,7 @@ struct FieldUnit {
     double scale_error = 0.0;     // relative: counts that it makes too many
     bool has_all_counts = false;  // firmware that does not halve
     bool do_counts_step_back = false;
-    Plugs motors, encoders;
+    Plugs motors{}, encoders{};
 };
 
 void PrintTo(const FieldUnit& unit, std::ostream* out) {

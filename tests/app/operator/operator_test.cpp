@@ -415,9 +415,11 @@ TEST_F(OperatorTest, AHandleThatIsNewIsAskedForItsKindFirst) {
     ASSERT_TRUE(rig.open({"2diy 3.1, elbows in line with the motors"}));
     EXPECT_EQ(rig.state.place, OperatorPlace::homing);
     ASSERT_EQ(rig.count<ChooseKind>(), 1);
-    for (const OperatorOrder& order : rig.orders)
-        if (const auto* const chosen = std::get_if<ChooseKind>(&order))
-            EXPECT_EQ(chosen->profile, "2diy-gen3.1-180");
+    for (const OperatorOrder& order : rig.orders) {
+        const auto* const chosen = std::get_if<ChooseKind>(&order);
+        if (chosen == nullptr) continue;
+        EXPECT_EQ(chosen->profile, "2diy-gen3.1-180");
+    }
     rig.take(OrderAnswered{"Push the handle away from you until it stops."});
     EXPECT_NE(rig.heard().find("until it stops"), std::string::npos);
 }

@@ -195,8 +195,9 @@ TEST(Homing, FindsWhereAndWhichWayRoundTheEncodersAre) {
         Homing homing(gen31, {});
         HomingView view;
         const std::vector<Stay> round{{retracted, 4.5}, {extended, 4.5}, {aside, 4.5}};
-        if (number != 0)
+        if (number != 0) {
             EXPECT_EQ(lead(homing, unit, round).remark, HomingRemark::reversed) << number;
+        }
         EXPECT_EQ(lead(homing, unit, round).step, HomingStep::to_home_again) << number;
         view = lead(homing, unit, {{aside, 0.1}, {retracted, 4.5}, {extended, 4.5}});
         ASSERT_EQ(view.step, HomingStep::done) << number;

@@ -11,7 +11,7 @@
 namespace touchline {
 namespace {
 
-constexpr JointTorques push{0.02, -0.015};
+constexpr JointTorques gentle_push{0.02, -0.015};
 
 BoardTruth unhalved() {
     BoardTruth truth;
@@ -22,7 +22,7 @@ BoardTruth unhalved() {
 TEST(UnitCounts, ABoardThatDoesNotHalveIsFoundOutByItsFirstOddCount) {
     BoardRig rig(unhalved());
     ASSERT_TRUE(rig.driver->open().has_value());
-    rig.tick_for(0.3, push);
+    rig.tick_for(0.3, gentle_push);
     const auto angles = rig.tick({});
     ASSERT_TRUE(angles.has_value());
     EXPECT_TRUE(rig.driver->frame().calibration().has_all_counts);
@@ -37,7 +37,7 @@ TEST(UnitCounts, ABoardThatDoesNotHalveIsFoundOutByItsFirstOddCount) {
 TEST(UnitCounts, WhatWasFoundOutOutlivesANewCalibration) {
     BoardRig rig(unhalved());
     ASSERT_TRUE(rig.driver->open().has_value());
-    rig.tick_for(0.3, push);
+    rig.tick_for(0.3, gentle_push);
     rig.driver->set_calibration({});
     EXPECT_TRUE(rig.driver->frame().calibration().has_all_counts);
 }
@@ -45,8 +45,8 @@ TEST(UnitCounts, WhatWasFoundOutOutlivesANewCalibration) {
 TEST(UnitCounts, ABoardThatHalvesIsNeverTakenForOneThatDoesNot) {
     BoardRig rig;
     ASSERT_TRUE(rig.driver->open().has_value());
-    rig.tick_for(2.0, push);
-    rig.tick_for(2.0, -push);
+    rig.tick_for(2.0, gentle_push);
+    rig.tick_for(2.0, -gentle_push);
     EXPECT_FALSE(rig.driver->frame().calibration().has_all_counts);
 }
 
