@@ -68,7 +68,7 @@ class DeviceCommand : public testing::Test {
     }
 
     static bool asks_for_another_try(const Error& error) {
-        return error.line.find("handle was moving") != std::string::npos;
+        return error.line.find("held or moved") != std::string::npos;
     }
 
     static BoardTruth let_go() {
@@ -119,7 +119,7 @@ TEST_F(DeviceCommand, NudgeTellsWhetherTheMotorsHavePower) {
     board.with([](BoardEmulator& emulator, UsbFaults&) { emulator.switch_motors(false); });
     const auto without = run(DeviceAction::nudge);
     ASSERT_FALSE(without.has_value());
-    EXPECT_NE(without.error().line.find("no power"), std::string::npos);
+    EXPECT_NE(without.error().line.find("power of the motors"), std::string::npos);
     EXPECT_EQ(held(board), JointTorques{});
     board.with([](BoardEmulator& emulator, UsbFaults&) { emulator.switch_motors(true); });
     // A late tick lets a pulse throw the free handle; the words then ask for another try.
