@@ -120,7 +120,7 @@ TEST_P(Unit, BecomesReadyWithTheTipWithinAMillimetre) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Field, Unit, testing::ValuesIn(field_units()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& made) { return made.param.name; });
 
 /// Two stops cannot tell a stop that stands elsewhere from an encoder that counts otherwise; where
 /// no count that units are known for makes it fit, that is said.
