@@ -257,7 +257,7 @@ class CommandLine {
             if (action == DeviceAction::list) return;
             command->add_option("--serial", device_.serial, "Of the unit, where there are several");
             command->add_option("--profile", device_.profile,
-                                "Its kind, where none is kept for it");
+                                "Its kind; what is kept of another is forgotten");
         };
         add("list", DeviceAction::list, "Boards that are plugged in");
         add("probe", DeviceAction::probe, "Whether a board answers, and how fast");

@@ -37,27 +37,46 @@ void catch_signals() {
 struct TakenUnit {
     UsbBoards usb;
     UsbPantograph board;
-    std::optional<UnitSettings> kept;
     std::string profile;  // name
 };
 
+std::string kind_wanted() {
+    std::string names;
+    for (const DeviceProfile& profile : device_profiles())
+        names += (names.empty() ? "" : ", ") + std::string(profile.name);
+    return "which kind of pantograph is it? Nothing is kept of this unit: name it by --profile, "
+           "one "
+           "of " +
+           names;
+}
+
+/// What is kept of a unit counts for the kind that it was taken for, and no other.
 Result<TakenUnit> take(const DeviceCommandOptions& options) {
-    const auto settings = read_board_files(board_files());
+    auto settings = read_board_files(board_files());
     if (!settings) return tl::unexpected(settings.error());
     auto usb = UsbBoards::create();
     if (!usb) return tl::unexpected(usb.error());
-    const std::string profile =
-        options.profile.empty() ? std::string(default_profile().name) : options.profile;
-    auto board = take_pantograph(*usb, *settings, options.serial, profile);
+    const auto found = usb->find(settings->boards, options.serial);
+    if (!found) return tl::unexpected(found.error());
+    std::string profile = options.profile;
+    std::erase_if(settings->units, [&](const UnitSettings& unit) {
+        return unit.serial == found->serial && !profile.empty() && unit.profile != profile;
+    });
+    if (const UnitSettings* kept = find_unit(*settings, found->serial)) profile = kept->profile;
+    const bool is_kind_needed = options.action != DeviceAction::probe;
+    if (profile.empty() && is_kind_needed) return failure(kind_wanted());
+    if (profile.empty()) profile = default_profile().name;
+    auto board = take_pantograph(*usb, *settings, found->serial, profile);
     if (!board) return tl::unexpected(board.error());
-    const UnitSettings* kept = find_unit(*settings, board->found.serial);
-    return TakenUnit{std::move(*usb), std::move(*board),
-                     kept != nullptr ? std::optional(*kept) : std::nullopt,
-                     kept != nullptr ? kept->profile : profile};
+    return TakenUnit{std::move(*usb), std::move(*board), profile};
 }
 
 std::string plugs(const Calibration& calibration) {
-    return calibration.are_motors_swapped ? "motor plugs swapped" : "motor plugs as usual";
+    const auto told = [](const Plugs& plugs) {
+        return plugs == Plugs{} ? "as usual" : "otherwise";
+    };
+    return fmt::format("encoders {}, motors {}", told(calibration.encoders),
+                       told(calibration.motors));
 }
 
 Result<void> list(std::ostream& out) {
@@ -115,15 +134,14 @@ Result<void> home_unit(TakenUnit& unit, std::ostream& out) {
     PantographBoard& board = *unit.board.driver;
     if (auto opened = board.open(); !opened) return opened;
     MonotonicClock clock;
-    const auto stored = unit.kept ? std::optional(unit.kept->calibration) : std::nullopt;
-    const auto found = home(procedure(board, clock, out), stored);
+    const auto found = make_ready(procedure(board, clock, out), board.frame().calibration());
     if (!found) return tl::unexpected(found.error());
     UnitSettings settings{unit.board.found.serial, unit.profile, *found};
     settings.calibration.offset = {};  // holds only until the board is set up again
     const BoardFiles files = board_files();
     if (auto kept = keep_unit(files, settings); !kept) return kept;
-    out << fmt::format("Scale {:.3f} and {:.3f}, {}; kept in {}.\n", found->scale.x, found->scale.y,
-                       plugs(*found), plain_line(files.units.string()));
+    out << fmt::format("Scale {:.3f}, {}; kept in {}.\n", found->scale, plugs(*found),
+                       plain_line(files.units.string()));
     return {};
 }
 
@@ -131,10 +149,12 @@ Result<void> nudge_unit(TakenUnit& unit, std::ostream& out) {
     PantographBoard& board = *unit.board.driver;
     if (auto opened = board.open(); !opened) return opened;
     MonotonicClock clock;
-    const auto verdict = nudge(procedure(board, clock, out));
-    if (!verdict) return tl::unexpected(verdict.error());
-    if (*verdict != NudgeVerdict::works) return failure(words_of(*verdict));
-    out << words_of(*verdict) << '\n';
+    out << plain_line(words_of(NudgeVerdict::running, board.frame())) << std::endl;
+    const auto tried = nudge(procedure(board, clock, out));
+    if (!tried) return tl::unexpected(tried.error());
+    const std::string words = words_of(tried->verdict(), board.frame());
+    if (tried->verdict() != NudgeVerdict::works) return failure(words);
+    out << words << '\n';
     return {};
 }
 

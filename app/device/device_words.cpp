@@ -8,12 +8,12 @@ namespace {
 std::string words_of(StopPlace place) {
     switch (place) {
         case StopPlace::away:
-            return "push the handle away from you until it stops, then hold it still.";
+            return "Push the handle away from you until it stops. Hold it still there.";
         case StopPlace::towards:
-            return "pull the handle towards you until it stops, then hold it still.";
+            return "Pull the handle towards you until it stops. Hold it still there.";
         case StopPlace::sideways:
-            return "move the handle until both arms point straight out to the sides, then hold it "
-                   "still.";
+            return "Move the handle until both arms point straight out to the sides. Hold it still "
+                   "there.";
     }
     return {};
 }
@@ -21,16 +21,18 @@ std::string words_of(StopPlace place) {
 std::string words_of(HomingStep step, const DeviceProfile& profile) {
     switch (step) {
         case HomingStep::to_home:
-            return "The force is off. First, move the handle a little, and " +
+            return "The force is off. First, move the handle a little. " +
                    words_of(profile.home_place);
         case HomingStep::to_check:
-            return "Second, " + words_of(profile.check.place);
+            return "That was the first place. " + words_of(profile.check.place);
+        case HomingStep::to_left:
+            return "Now move the handle to the left, by the width of a hand. Hold it still there.";
         case HomingStep::to_home_again:
-            return "Third, " + words_of(profile.home_place);
+            return "Once more the first place. " + words_of(profile.home_place);
         case HomingStep::to_check_again:
-            return "Last, " + words_of(profile.check.place);
+            return "Once more the second place. " + words_of(profile.check.place);
         case HomingStep::done:
-            return "Done. The handle is ready.";
+            return "The place of the handle is found.";
     }
     return {};
 }
@@ -45,19 +47,33 @@ std::string noticed(const HomingView& view) {
             return "The handle has not moved. ";
         case HomingRemark::misfit:
             return fmt::format("Not there yet: {:.0f} millimetres off. ", 1000.0 * view.misfit_m);
+        case HomingRemark::not_left:
+            return "That was not to the side. ";
         case HomingRemark::starting_over:
-            return "That did not fit three times. We start again. ";
+            return fmt::format(
+                "That did not fit three times. The way between the places is {:.0f} percent of "
+                "what it should be. Perhaps this handle is of another kind. We start again. ",
+                100.0 * view.turn_share);
         case HomingRemark::lost_count:
             return "The board lost count. We start again. ";
         case HomingRemark::reversed:
-            return "The stops came the wrong way round. We start again. ";
-        case HomingRemark::swapped:
-            return "The plugs of the two motors are swapped. That is noted, nothing need be done. "
-                   "We start again. ";
+            return "The places came in the wrong order, or plugs are exchanged. We start again. ";
+        case HomingRemark::replugged:
+            return "The plugs are not as they were. The handle is measured anew. ";
         case HomingRemark::measured:
-            return "The scale of this unit is measured and kept. ";
+            return "The handle was measured. That is kept. ";
     }
     return {};
+}
+
+std::string wrong_motor(int port) {
+    return fmt::format(
+        "There is no force. The motor on plug {} pushes the wrong way. Turn its plug round.", port);
+}
+
+std::string idle_motor(int port) {
+    return fmt::format(
+        "The motor on plug {} did not move the handle. Let go of it, and check that plug.", port);
 }
 
 }  // namespace
@@ -66,24 +82,29 @@ std::string words_of(const HomingView& view, const DeviceProfile& profile) {
     return noticed(view) + words_of(view.step, profile);
 }
 
-std::string words_of(NudgeVerdict verdict) {
+std::string words_of(NudgeVerdict verdict, const BoardFrame& frame) {
     switch (verdict) {
         case NudgeVerdict::running:
-            return "Let go of the handle. It will twitch four times.";
+            return "Move the handle to the middle and let go of it. It will twitch four times.";
         case NudgeVerdict::works:
             return "Both motors work.";
         case NudgeVerdict::no_power:
-            return "The motors have no power: turn on the switch of the adaptor and of the device.";
+            return "The handle did not twitch. Let go of it, and turn on the power of the motors.";
         case NudgeVerdict::motor_1_off:
-            return "Motor 1 does not move: check its plug, then try again.";
+            return idle_motor(frame.motor_port(1));
         case NudgeVerdict::motor_2_off:
-            return "Motor 2 does not move: check its plug, then try again.";
-        case NudgeVerdict::reversed:
-            return "A motor pulls the wrong way: check the profile of this unit.";
+            return idle_motor(frame.motor_port(2));
+        case NudgeVerdict::reversed_1:
+            return wrong_motor(frame.motor_port(1));
+        case NudgeVerdict::reversed_2:
+            return wrong_motor(frame.motor_port(2));
+        case NudgeVerdict::reversed_both:
+            return "There is no force. Both motors push the wrong way. Turn both plugs round.";
         case NudgeVerdict::swapped:
-            return "The plugs of the two motors are swapped: home the handle, or swap them back.";
+            return "There is no force. The plugs of the two motors are exchanged. Change them "
+                   "back.";
         case NudgeVerdict::restless:
-            return "The handle was moving: let go of it and try again.";
+            return "The handle was held or moved. Let go of it in the middle.";
         case NudgeVerdict::silent:
             return "The board does not answer. Check its USB cable.";
     }

@@ -1,5 +1,5 @@
 // Homing and the nudge test with a board and a person: a thousand ticks a second, words when
-// something is to be done.
+// something is to be done. What stands between a board and its first force.
 // Threads: one; calls wait until they are done.
 #pragma once
 
@@ -23,12 +23,27 @@ struct Procedure {
     double longest_s = 300.0;
 };
 
+struct Homed {
+    Calibration unit;
+    bool is_new = false;  // it was measured just now
+};
+
 /// Leads the person through homing. The board is driven with what was found from here on, the
 /// handle at rest at the second stop. Fails when stopped, out of time, or the board is lost.
-[[nodiscard]] Result<Calibration> home(const Procedure& procedure,
-                                       const std::optional<Calibration>& stored);
+[[nodiscard]] Result<Homed> home(const Procedure& procedure, const Calibration& stored);
 
-/// Twitches the handle. Fails when stopped.
-[[nodiscard]] Result<NudgeVerdict> nudge(const Procedure& procedure);
+/// Has the handle let go of in the middle of its reach and twitches it, again and again until both
+/// motors have moved it the way they pushed; no force may come before. What the motors of a unit do
+/// that is new (`may_learn`) is learnt once and tried again; else a motor that is wrong is told,
+/// and nothing moves any more until the procedure is stopped. What the board is driven with from
+/// here on. Fails as home() does, and stopped.
+[[nodiscard]] Result<Calibration> try_motors(const Procedure& procedure, bool may_learn);
+
+/// Both of the above: what a board must have been through before its first force. Its motors are
+/// learnt where homing has just measured the unit.
+[[nodiscard]] Result<Calibration> make_ready(const Procedure& procedure, const Calibration& stored);
+
+/// Twitches the handle once, where it is. Fails when stopped.
+[[nodiscard]] Result<NudgeTest> nudge(const Procedure& procedure);
 
 }  // namespace touchline

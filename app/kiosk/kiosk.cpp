@@ -397,8 +397,24 @@ void Kiosk::follow_part(Part part, bool is_there) {
 
 std::string Kiosk::device_trouble() const {
     if (force_.fault != Fault::none) return spoken_fault(force_.fault, language());
-    const std::string words = servo_->device_words();
-    return in_words(words, "The handle is being made ready. Follow the words, or call the staff.");
+    return device_words(servo_->device_words());
+}
+
+/// Sentence by sentence; one that the language does not have, as those with a number, is left out.
+std::string Kiosk::device_words(const std::string& english) const {
+    if (english.empty() || language().code() == "en") return english;
+    std::string said;
+    for (std::size_t at = 0; at < english.size();) {
+        const std::size_t stop = english.find(". ", at);
+        const std::string sentence =
+            english.substr(at, stop == std::string::npos ? stop : stop + 1 - at);
+        at = stop == std::string::npos ? english.size() : stop + 2;
+        const std::string words = language().text("device", sentence);
+        if (words != sentence) said += (said.empty() ? "" : " ") + words;
+    }
+    if (!said.empty()) return said;
+    return in_words(english,
+                    "The handle is being made ready. Follow the words, or call the staff.");
 }
 
 void Kiosk::trouble(TroubleKind kind, const std::string& sentence) {

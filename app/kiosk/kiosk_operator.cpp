@@ -47,6 +47,12 @@ struct Kiosk::OperatorCarrying {
 
     void operator()(const StopHoming&) const { kiosk.is_homing_ = false; }
 
+    void operator()(const ChooseKind& kind) const {
+        kiosk.is_homing_ = true;
+        kiosk.homing_words_.clear();
+        kiosk.servo_->choose_kind(kind.profile);
+    }
+
     void operator()(const ClearFault&) const { kiosk.act(Action::clear_fault); }
 
     void operator()(const RunTest& run) const { kiosk.run_test(run.step); }
@@ -138,11 +144,12 @@ void Kiosk::follow_operator() {
     follow_motor_test();
     operator_->set_private(sound_->output().kind == OutputKind::headset);
     operator_->set_live(live_words());
+    operator_->set_kind(servo_->kind());
     if (shelf_) operator_->put_stick(shelf_->root());
     if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});
     const std::string words = is_homing_ ? servo_->device_words() : std::string();
     if (words != std::exchange(homing_words_, words) && !words.empty())
-        tell_operator(OrderAnswered{words});
+        tell_operator(OrderAnswered{device_words(words)});
     tell_operator(MomentPassed{});
     if (const std::string note = operator_->take_note(); !note.empty()) report(note);
     if (operator_->read_again()) set(operator_->settings());

@@ -204,6 +204,7 @@ OperatorWorld OperatorDesk::world(const Language& language, double now_s) const 
                         keys_,    languages_, {},        counters_,   {},    live_};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
     world.packs = packs_.names();
+    world.kind = kind_;
     return world;
 }
 

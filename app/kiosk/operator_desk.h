@@ -70,6 +70,9 @@ class OperatorDesk {
 
     void set_private(bool is_private) { is_private_ = is_private; }
 
+    /// As OperatorWorld::kind.
+    void set_kind(std::optional<std::string> kind) { kind_ = std::move(kind); }
+
     /// The profile's, over the site's.
     [[nodiscard]] const Settings& settings() const { return settings_; }
 
@@ -120,6 +123,7 @@ class OperatorDesk {
     Counters counters_;
     bool is_private_ = true;
     std::vector<std::string> live_;
+    std::optional<std::string> kind_;
     StickPacks packs_;
     std::future<std::string> import_;
     std::vector<std::string> log_;

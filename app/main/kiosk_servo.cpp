@@ -24,28 +24,49 @@ Result<std::optional<UsbDevice>> find_device() {
     return find_usb_device(*settings);
 }
 
-/// The unit as homing found it, for the next visit and the next servo.
-std::vector<std::string> keep_home(UsbDevice device, const Message& message) {
-    const auto found = calibration_of(message, device.calibration);
-    if (!found) return arguments_of(device);
-    device.calibration = *found;
-    device.is_known = true;
+/// For the next visit and the next servo.
+std::vector<std::string> keep(const UsbDevice& device) {
     const auto kept = keep_unit(board_files(), {device.serial, device.profile, device.calibration});
     if (!kept) fmt::print(stderr, "touchline: {}\n", plain_line(kept.error().line));
     return arguments_of(device);
 }
 
-KioskServo with_motors(const UsbDevice& device) {
+/// The unit as homing found it.
+std::vector<std::string> keep_home(UsbDevice& device, const Message& message) {
+    const auto found = calibration_of(message, device.calibration);
+    if (!found) return arguments_of(device);
+    device.calibration = *found;
+    return keep(device);
+}
+
+/// What was measured of it as another kind is worth nothing.
+std::vector<std::string> keep_kind(UsbDevice& device, const std::string& profile) {
+    const auto torque_limit_Nm = device.calibration.torque_limit_Nm;
+    device.profile = profile;
+    device.calibration = {};
+    device.calibration.torque_limit_Nm = torque_limit_Nm;
+    return keep(device);
+}
+
+KioskServo with_motors(const UsbDevice& found) {
+    // The guard's alone from here on.
+    const auto device = std::make_shared<UsbDevice>(found);
+    ServoProcessOptions options;
+    options.program = companion("touchline-servo");
+    options.arguments = arguments_of(*device);
+    options.zero_torque = [device](const std::string& bus_path) {
+        return zero_usb_device(*device, bus_path);
+    };
+    options.cut_torque = [device](const HeldBoard& held) { return cut_usb_device(*device, held); };
+    options.keep_home = [device](const Message& message) { return keep_home(*device, message); };
+    options.keep_kind = [device](const std::string& kind) { return keep_kind(*device, kind); };
+    options.kind = found.profile;
+    options.summons = environment("TOUCHLINE_SERVO_SOCKET");
     KioskServo servo;
-    servo.client = std::make_unique<ServoProcess>(ServoProcessOptions{
-        companion("touchline-servo"), arguments_of(device),
-        [device](const std::string& bus_path) { return zero_usb_device(device, bus_path); },
-        [device](const Message& message) { return keep_home(device, message); },
-        environment("TOUCHLINE_SERVO_SOCKET"),
-        [device](const HeldBoard& held) { return cut_usb_device(device, held); }});
+    servo.client = std::make_unique<ServoProcess>(std::move(options));
     servo.has_motors = true;
-    servo.profile = find_profile(device.profile).value_or(default_profile());
-    servo.hand_words = fmt::format("pantograph {} {}", device.profile, device.serial);
+    servo.profile = find_profile(found.profile).value_or(default_profile());
+    servo.hand_words = fmt::format("pantograph {} {}", found.profile, found.serial);
     return servo;
 }
 

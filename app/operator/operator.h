@@ -46,6 +46,7 @@ enum class OperatorPlace : std::uint8_t {
     sticks,
     device,
     homing,
+    kind,
     self_test,
     test_step,
     live,
@@ -61,7 +62,7 @@ enum class OperatorPlace : std::uint8_t {
     question,
 };
 
-inline constexpr std::size_t operator_place_count = 39;
+inline constexpr std::size_t operator_place_count = 40;
 
 /// Where nobody comes without the PIN.
 [[nodiscard]] constexpr bool is_inside(OperatorPlace place) {
@@ -122,6 +123,8 @@ struct OperatorWorld {
     Counters counters{};
     std::vector<std::string> packs{};  // on the stick: names of picture packs
     std::vector<std::string> live{};   // facts in words: force, level, loop
+    /// The profile that the handle is taken for; empty: nobody has said. Nothing: a simulated one.
+    std::optional<std::string> kind{};
 };
 
 /// A press that counts. `role`: what the table of keys says of it. `is_allowed`: it is from the
@@ -189,6 +192,10 @@ struct FindHome {};
 
 struct StopHoming {};
 
+struct ChooseKind {  // the handle is measured as one of that kind
+    std::string profile;
+};
+
 struct ClearFault {};  // what stopped the force, an emergency stop too
 
 struct RunTest {
@@ -223,10 +230,11 @@ struct CloseKiosk {};
 
 struct Leave {};  // back to the visitors
 
-using OperatorOrder = std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings,
-                                   WriteSound, WriteKeys, FindHome, StopHoming, ClearFault, RunTest,
-                                   StopTest, ShowLive, LockHandle, ImportPictures, ZeroCounters,
-                                   ExportLog, SaveRecording, BackUp, Restore, CloseKiosk, Leave>;
+using OperatorOrder =
+    std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings, WriteSound, WriteKeys,
+                 FindHome, StopHoming, ChooseKind, ClearFault, RunTest, StopTest, ShowLive,
+                 LockHandle, ImportPictures, ZeroCounters, ExportLog, SaveRecording, BackUp,
+                 Restore, CloseKiosk, Leave>;
 
 struct OperatorStep {
     Operator state;

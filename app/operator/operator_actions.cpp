@@ -66,6 +66,7 @@ void do_action(OperatorTurn& turn, std::size_t action) {
         case OperatorAction::learn_keys:
             return begin_wizard(turn);
         case OperatorAction::find_home:
+            if (turn.world.kind == std::string()) return turn.go(OperatorPlace::kind);
             return turn.order(FindHome{});
         case OperatorAction::clear_fault:
             turn.order(ClearFault{});

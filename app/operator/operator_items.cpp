@@ -1,5 +1,6 @@
 #include "app/operator/operator_items.h"
 
+#include "app/operator/kinds.h"
 #include "app/operator/operator_places.h"
 #include "app/operator/setting_words.h"
 #include "config/settings/setting_rows.h"
@@ -141,6 +142,18 @@ struct List {
             is_used(""));
     }
 
+    void add_kinds() {
+        if (!world.kind)
+            return add(OperatorItem::fact, 0, ItemRole::text,
+                       words("No handle with motors is plugged in."));
+        const auto rows = kind_rows();
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            add(OperatorItem::kind, i, ItemRole::choice,
+                world.language.text("kind", std::string(rows[i].name)),
+                *world.kind == rows[i].profile ? words("in use") : "",
+                world.language.text("kind", std::string(rows[i].hint)));
+    }
+
     void add_tests() {
         constexpr std::array verdicts{"untried", "passed", "failed"};
         for (std::size_t i = 0; i < test_step_count; ++i) {
@@ -190,6 +203,8 @@ struct List {
                 return add_volumes();
             case OperatorPlace::profiles:
                 return add_profiles();
+            case OperatorPlace::kind:
+                return add_kinds();
             case OperatorPlace::self_test:
                 return add_tests();
             case OperatorPlace::live:

@@ -20,6 +20,7 @@ enum class OperatorItem : std::uint8_t {
     volume,    // headset, speaker
     loudness,  // of a full sine: headset, speaker
     profile,   // of OperatorWorld::profiles; behind them: none
+    kind,      // of kind_rows()
     test,      // a TestStep
     fact,      // text only
     pack,      // of OperatorWorld::packs

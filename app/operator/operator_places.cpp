@@ -39,6 +39,8 @@ constexpr std::array places{
     PlaceRow{P::device, P::home, "Handle and tests", "", ""},
     PlaceRow{P::homing, P::device, "Find the handle's home",
              "The kiosk says where to lead the handle. Force is off meanwhile.", ""},
+    PlaceRow{P::kind, P::device, "Kind of handle", "Choose it once; the handle is then measured.",
+             ""},
     PlaceRow{P::self_test, P::device, "Self-test", "", ""},
     PlaceRow{P::test_step, P::self_test, "Step of the self-test", "", "", false},
     PlaceRow{P::live, P::device, "What the handle does now", "", ""},

@@ -1,3 +1,4 @@
+#include "app/operator/kinds.h"
 #include "app/operator/operator_places.h"
 #include "app/operator/operator_turn.h"
 
@@ -86,6 +87,9 @@ void select(OperatorTurn& turn, const ScreenItem& item) {
             return begin_one_test(turn, meaning.index);
         case OperatorItem::pack:
             return turn.order(ImportPictures{meaning.index});
+        case OperatorItem::kind:
+            turn.order(ChooseKind{std::string(kind_rows()[meaning.index].profile)});
+            return turn.go(OperatorPlace::homing);
         case OperatorItem::no:
         case OperatorItem::yes:
             return answer(turn, meaning.item == OperatorItem::yes);

@@ -42,7 +42,12 @@ Message message_of(MessageKind kind, std::string_view line) {
 Message message_of(const Calibration& found) {
     Message message;
     message.kind = MessageKind::home;
-    message.home = {found.scale.x, found.scale.y, found.are_motors_swapped ? 1U : 0U, 0};
+    message.home = {found.scale,
+                    found.stop_off.x,
+                    found.stop_off.y,
+                    static_cast<std::uint16_t>(number_of(found.encoders)),
+                    static_cast<std::uint16_t>(number_of(found.motors)),
+                    found.has_all_counts ? 1U : 0U};
     return message;
 }
 
@@ -53,15 +58,18 @@ Message message_of(const UsbNode& node) {
 }
 
 std::optional<Calibration> calibration_of(const Message& message, const Calibration& before) {
-    const auto is_scale = [](double scale) { return scale >= 0.8 && scale <= 1.25; };
+    constexpr std::uint32_t most = number_of({true, true, true});
     const HomeFound& home = message.home;
-    if (!is_scale(home.scale_1) || !is_scale(home.scale_2) || home.are_motors_swapped > 1)
-        return std::nullopt;
+    if (home.encoders > most || home.motors > most || home.has_all_counts > 1) return std::nullopt;
     Calibration found = before;
     found.offset = {};
-    found.scale = {home.scale_1, home.scale_2};
-    found.are_motors_swapped = home.are_motors_swapped == 1;
-    return found;
+    found.stop_off = {home.stop_off_1, home.stop_off_2};
+    found.scale = home.scale;
+    found.encoders = plugs_of(home.encoders);
+    found.motors = plugs_of(home.motors);
+    found.has_all_counts = home.has_all_counts == 1;
+    found.is_measured = true;
+    return is_sound(found) ? std::optional(found) : std::nullopt;
 }
 
 std::string line_of(const Message& message) {

@@ -43,9 +43,10 @@ enum class MessageKind : std::uint32_t {
 
 /// Of a Calibration, what lasts.
 struct HomeFound {
-    double scale_1 = 1.0, scale_2 = 1.0;   // 0.8 ... 1.25
-    std::uint32_t are_motors_swapped = 0;  // 0 or 1
-    std::uint32_t reserved = 0;
+    double scale = 1.0;
+    double stop_off_1 = 0.0, stop_off_2 = 0.0;  // rad
+    std::uint16_t encoders = 0, motors = 0;     // number_of()
+    std::uint32_t has_all_counts = 0;           // 0 or 1
 };
 
 struct Message {

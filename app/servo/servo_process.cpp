@@ -12,6 +12,8 @@
 #include <cerrno>
 #include <cmath>
 #include <csignal>
+#include <mutex>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -27,6 +29,8 @@ namespace {
 constexpr int most_zero_tries = 100;
 constexpr int between_tries_ms = 10;
 constexpr int longest_wait_ms = 500;  // without a turn
+constexpr std::string_view kind_wanted =
+    "This handle is new. The operator chooses first which kind it is.";
 
 double seconds_since(std::int64_t start_ns) {
     return 1e-9 * static_cast<double>(steady_now_ns() - start_ns);
@@ -66,6 +70,13 @@ class ServoProcess::Guard {
     /// A servo homes its device when it starts.
     void home_again() { is_homing_wanted_ = true; }
 
+    /// From the next servo on, which is started soon.
+    void choose_kind(const std::string& profile) {
+        const std::lock_guard lock(kind_mutex_);
+        chosen_kind_ = profile;
+        is_homing_wanted_ = true;
+    }
+
     /// How often it has looked, be there a servo or not.
     [[nodiscard]] std::uint64_t turns() const { return turns_; }
 
@@ -85,6 +96,8 @@ class ServoProcess::Guard {
 
     /// One servo from its start to its end, and zero torque after it.
     void serve_one() {
+        take_kind();
+        if (options_.kind && options_.kind->empty()) return line.say(std::string(kind_wanted));
         auto region = SharedRegion::create();
         auto met = options_.summons.empty() ? start_servo(options_.program, options_.arguments)
                                             : summon_servo(options_.summons, options_.arguments);
@@ -107,6 +120,13 @@ class ServoProcess::Guard {
         const bool has_run = connection->region.channel().servo_beats.load() != 0;
         if (!end.empty() && has_run) zero(end, dead_ns);
         held_.reset();
+    }
+
+    void take_kind() {
+        const std::lock_guard lock(kind_mutex_);
+        if (!chosen_kind_ || !options_.keep_kind) return;
+        options_.arguments = options_.keep_kind(*chosen_kind_);
+        options_.kind = std::exchange(chosen_kind_, std::nullopt);
     }
 
     /// Beats and looks until the child is dead.
@@ -216,6 +236,8 @@ class ServoProcess::Guard {
     Descriptor wake_;
     std::atomic<bool> is_ending_{false};
     std::atomic<bool> is_homing_wanted_{false};
+    std::mutex kind_mutex_;
+    std::optional<std::string> chosen_kind_;  // not yet taken up
     std::atomic<std::uint64_t> turns_{0};
     Restart restart_;
     bool is_closed_ = false;         // the guard's: the servo's socket is gone
@@ -226,7 +248,7 @@ class ServoProcess::Guard {
 };
 
 ServoProcess::ServoProcess(ServoProcessOptions options)
-    : guard_(std::make_unique<Guard>(std::move(options))) {}
+    : kind_(options.kind), guard_(std::make_unique<Guard>(std::move(options))) {}
 
 ServoProcess::~ServoProcess() = default;
 
@@ -273,6 +295,12 @@ std::string ServoProcess::device_words() {
 
 void ServoProcess::home_again() {
     if (guard_) guard_->home_again();
+}
+
+void ServoProcess::choose_kind(const std::string& profile) {
+    if (!guard_ || !kind_) return;
+    kind_ = profile;
+    guard_->choose_kind(profile);
 }
 
 void ServoProcess::hold_recording() {

@@ -33,6 +33,10 @@ struct ServoProcessOptions {
     /// Where a servo is asked for instead of started: a path at which systemd listens, and starts
     /// one for each that asks. Empty: the program, as a child.
     std::string summons = {};
+    /// The operator said which kind of device it is: keeps it, gives the arguments likewise.
+    std::function<std::vector<std::string>(const std::string& profile)> keep_kind = {};
+    /// As ServoClient::kind(), at the start.
+    std::optional<std::string> kind = {};
     /// Writes zero torque by the servo's own node: at once, when the servo was killed and when it
     /// is dead, before zero_torque. None, or a servo that shared no board: the latter has to do.
     std::function<bool(const HeldBoard&)> cut_torque = {};
@@ -60,6 +64,10 @@ class ServoProcess final : public ServoClient {
     [[nodiscard]] std::string take_notice() override;
     [[nodiscard]] std::string device_words() override;
     void home_again() override;
+
+    [[nodiscard]] std::optional<std::string> kind() const override { return kind_; }
+
+    void choose_kind(const std::string& profile) override;
     void hold_recording() override;
     void keep_recording() override;
     void forget_recording() override;
@@ -71,6 +79,7 @@ class ServoProcess final : public ServoClient {
     class Guard;
 
     ServoReport report_;
+    std::optional<std::string> kind_;
     std::unique_ptr<Guard> guard_;
 };
 

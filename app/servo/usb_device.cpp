@@ -15,8 +15,7 @@
 namespace touchline {
 namespace {
 
-constexpr std::size_t argument_count = 12;
-constexpr double most_torque_Nm = 10.0;  // no motor of a desk
+constexpr std::size_t argument_count = 13;
 
 void write_zero(void* device) noexcept {
     (void)static_cast<WatchedBoard*>(device)->end_in_zero();
@@ -29,12 +28,16 @@ bool read_number(const std::string& text, Number& number) {
     return error == std::errc() && end == text.data() + text.size();
 }
 
-bool is_sound(const Calibration& calibration) {
-    const auto is_scale = [](double scale) { return scale >= 0.8 && scale <= 1.25; };
-    return is_finite(calibration.offset) && is_scale(calibration.scale.x) &&
-           is_scale(calibration.scale.y) &&
-           (!calibration.torque_limit_Nm ||
-            (*calibration.torque_limit_Nm > 0.0 && *calibration.torque_limit_Nm <= most_torque_Nm));
+bool read_plugs(const std::string& text, Plugs& plugs) {
+    std::uint32_t number = 0;
+    if (!read_number(text, number) || number > number_of({true, true, true})) return false;
+    plugs = plugs_of(number);
+    return true;
+}
+
+/// As far as it is known: it says whether a motor is at the handle too.
+DeviceProfile profile_of(const UsbDevice& device) {
+    return find_profile(device.profile).value_or(default_profile());
 }
 
 Result<OpenedBoard> take(const UsbBoards& boards, const UsbDevice& device) {
@@ -58,13 +61,14 @@ std::vector<std::string> arguments_of(const UsbDevice& device) {
             std::to_string(device.id.product),
             device.serial,
             device.profile,
-            fmt::format("{}", calibration.offset.x),
-            fmt::format("{}", calibration.offset.y),
-            fmt::format("{}", calibration.scale.x),
-            fmt::format("{}", calibration.scale.y),
-            calibration.are_motors_swapped ? "swapped" : "straight",
+            calibration.is_measured ? "known" : "new",
+            fmt::format("{}", calibration.stop_off.x),
+            fmt::format("{}", calibration.stop_off.y),
+            fmt::format("{}", calibration.scale),
+            std::to_string(number_of(calibration.encoders)),
+            std::to_string(number_of(calibration.motors)),
+            calibration.has_all_counts ? "all" : "half",
             calibration.torque_limit_Nm ? fmt::format("{}", *calibration.torque_limit_Nm) : "",
-            device.is_known ? "known" : "new",
             device.is_homed_first ? "home" : "at-home"};
 }
 
@@ -76,17 +80,18 @@ Result<UsbDevice> device_of(std::span<const std::string> arguments) {
     device.id.name = "the pantograph's board";
     device.serial = arguments[2];
     device.profile = arguments[3];
-    calibration.are_motors_swapped = arguments[8] == "swapped";
-    device.is_known = arguments[10] == "known";
-    device.is_homed_first = arguments[11] != "at-home";
-    const bool is_read =
-        read_number(arguments[0], device.id.vendor) &&
-        read_number(arguments[1], device.id.product) &&
-        read_number(arguments[4], calibration.offset.x) &&
-        read_number(arguments[5], calibration.offset.y) &&
-        read_number(arguments[6], calibration.scale.x) &&
-        read_number(arguments[7], calibration.scale.y) &&
-        (arguments[9].empty() || read_number(arguments[9], calibration.torque_limit_Nm.emplace()));
+    calibration.is_measured = arguments[4] == "known";
+    calibration.has_all_counts = arguments[10] == "all";
+    device.is_homed_first = arguments[12] != "at-home";
+    const bool is_read = read_number(arguments[0], device.id.vendor) &&
+                         read_number(arguments[1], device.id.product) &&
+                         read_number(arguments[5], calibration.stop_off.x) &&
+                         read_number(arguments[6], calibration.stop_off.y) &&
+                         read_number(arguments[7], calibration.scale) &&
+                         read_plugs(arguments[8], calibration.encoders) &&
+                         read_plugs(arguments[9], calibration.motors) &&
+                         (arguments[11].empty() ||
+                          read_number(arguments[11], calibration.torque_limit_Nm.emplace()));
     if (!is_read || !is_sound(calibration)) return failure("the device's numbers are out of range");
     return device;
 }
@@ -102,33 +107,29 @@ Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& ope
     auto board =
         std::make_unique<WatchedBoard>(std::move(taken->link), *profile, device.calibration);
     MonotonicClock clock;
-    const HomingWanted homing{device.is_homed_first, device.is_known, device.calibration};
-    if (const auto opened = board->open(homing, opening, clock); !opened)
+    if (const auto opened = board->open(device.is_homed_first, opening, clock); !opened)
         return tl::unexpected(opened.error());
     OpenedDevice result;
     result.zero = {write_zero, board.get()};
     result.has_lost_place = &board->has_lost_place();
     result.release = [watched = board.get()] { return watched->release(); };
+    result.profile = board->profile();
     result.device = std::move(board);
-    result.profile = calibrated(*profile, device.calibration);
     return result;
 }
 
 Result<void> zero_usb_device(const UsbDevice& device, const std::string& bus_path) {
-    const auto profile = find_profile(device.profile);
-    if (!profile) return tl::unexpected(profile.error());
     auto boards = UsbBoards::create();
     if (!boards) return tl::unexpected(boards.error());
     auto taken = bus_path.empty() ? take(*boards, device) : take_at(*boards, device, bus_path);
     if (!taken) return tl::unexpected(taken.error());
-    if (!zero_torque(std::move(taken->link), *profile))
+    if (!zero_torque(std::move(taken->link), profile_of(device)))
         return failure("the board did not confirm zero torque");
     return {};
 }
 
 bool cut_usb_device(const UsbDevice& device, const HeldBoard& held) {
-    const auto profile = find_profile(device.profile);
-    return profile && write_zero(held.node.number(), held.pipes, *profile);
+    return write_zero(held.node.number(), held.pipes, profile_of(device));
 }
 
 }  // namespace touchline

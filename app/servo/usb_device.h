@@ -17,10 +17,9 @@ namespace touchline {
 /// One board, and what its unit is like.
 struct UsbDevice {
     BoardId id;
-    std::string serial;  // may be empty: the only board there is
-    std::string profile;
+    std::string serial;   // may be empty: the only board there is
+    std::string profile;  // empty: nobody has said yet which kind it is
     Calibration calibration;
-    bool is_known = false;       // the calibration was found by homing
     bool is_homed_first = true;  // by a person, with words; else the handle counts as being at home
 };
 
@@ -28,7 +27,8 @@ struct UsbDevice {
 [[nodiscard]] std::vector<std::string> arguments_of(const UsbDevice& device);
 [[nodiscard]] Result<UsbDevice> device_of(std::span<const std::string> arguments);
 
-/// Opens the board, sets it up, and has the handle homed if that is asked for.
+/// Opens the board, sets it up, and has the handle homed if that is asked for. An error where
+/// nobody said which kind it is.
 [[nodiscard]] Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& opening);
 
 /// Zero torque on a board whose servo died, confirmed; the board at `bus_path` where that is told,

@@ -1,7 +1,6 @@
 #include "app/servo/usb_search.h"
 
 #include "haptics/device/usb_boards.h"
-#include "haptics/pantograph/profile.h"
 
 namespace touchline {
 namespace {
@@ -11,9 +10,9 @@ UsbDevice usb_device(const FoundBoard& board, const BoardSettings& settings) {
     UsbDevice device;
     device.id = board.id;
     device.serial = board.serial;
-    device.profile = unit != nullptr ? unit->profile : std::string(default_profile().name);
-    if (unit != nullptr) device.calibration = unit->calibration;
-    device.is_known = unit != nullptr;
+    if (unit == nullptr) return device;
+    device.profile = unit->profile;
+    device.calibration = unit->calibration;
     return device;
 }
 

@@ -11,8 +11,8 @@
 namespace touchline {
 
 /// The first running board that can be opened: one with settings of its own, or one that may be
-/// probed. Nothing when no board is plugged in. A board that is there but cannot be used is an
-/// error, with what to do about it.
+/// probed; of one without settings nobody knows which kind it is. Nothing when no board is plugged
+/// in. A board that is there but cannot be used is an error, with what to do about it.
 [[nodiscard]] Result<std::optional<UsbDevice>> find_usb_device(const BoardSettings& settings);
 
 }  // namespace touchline

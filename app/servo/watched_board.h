@@ -17,27 +17,26 @@
 
 namespace touchline {
 
-/// What is known of the place of the handle before its board is opened.
-struct HomingWanted {
-    bool is_homed_first = true;  // false: the handle is at home
-    bool is_known = false;       // this unit's scale was measured before
-    Calibration calibration;
-};
-
 class WatchedBoard final : public ForceDevice {
   public:
     /// `slept`: how long the machine has slept, ns, from some moment on.
     WatchedBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
                  const Calibration& calibration, std::int64_t (*slept)() = slept_ns)
         : board_(std::move(link), profile, calibration),
-          drift_(homing_plan(profile)),
+          drift_(homing_plan(profile, calibration.stop_off)),
           slept_(slept),
           awake_since_ns_(slept()) {}
 
-    /// What homing found is kept by `opening` and lasts as long as the board is set up. Waits on
-    /// `clock` for whoever comes, a day at most. Fails as PantographBoard::open() and home().
-    [[nodiscard]] Result<void> open(const HomingWanted& wanted, const Opening& opening,
-                                    Clock& clock);
+    /// Homes the handle and tries the motors, with whoever comes; waits for that on `clock`, a day
+    /// at most. What was found is kept by `opening` and lasts as long as the board is set up.
+    /// Neither where `is_homed_first` is false: the handle is at home, for tests. Fails as
+    /// PantographBoard::open() and make_ready().
+    [[nodiscard]] Result<void> open(bool is_homed_first, const Opening& opening, Clock& clock);
+
+    /// With what the unit has of its own.
+    [[nodiscard]] const DeviceProfile& profile() const {
+        return board_.frame().calibrated_profile();
+    }
 
     [[nodiscard]] const std::atomic<bool>& has_lost_place() const { return has_lost_place_; }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include <toml++/toml.h>
 
@@ -14,9 +15,6 @@ namespace touchline {
 namespace {
 
 constexpr std::uintmax_t largest_bytes = 1 << 20;
-constexpr double least_scale = 0.8, greatest_scale = 1.25;
-constexpr double greatest_offset_rad = 6.3;
-constexpr double greatest_torque_Nm = 1.0;
 
 /// Reads one table key by key; the first thing that is wrong stays in `wrong`.
 class TableReader {
@@ -49,6 +47,23 @@ class TableReader {
         return static_cast<std::uint16_t>(id.value_or(0));
     }
 
+    bool read_flag(std::string_view key) {
+        return read<bool>(key, "true or false", false).value_or(false);
+    }
+
+    /// [joint 1, joint 2].
+    std::pair<bool, bool> read_flags(std::string_view key) {
+        const toml::node* node = table_.get(key);
+        if (node == nullptr) return {};
+        const toml::array* pair = node->as_array();
+        const bool is_pair = pair != nullptr && pair->size() == 2;
+        const auto one = is_pair ? pair->get(0)->value_exact<bool>() : std::nullopt;
+        const auto two = is_pair ? pair->get(1)->value_exact<bool>() : std::nullopt;
+        if (!one || !two)
+            blame(*node, "'" + std::string(key) + "' must be true or false twice, one a joint");
+        return {one.value_or(false), two.value_or(false)};
+    }
+
     /// [joint 1, joint 2].
     std::optional<JointAngles> read_pair(std::string_view key, double least, double greatest) {
         const toml::node* node = table_.get(key);
@@ -63,6 +78,15 @@ class TableReader {
         blame(*node, "'" + std::string(key) + "' must be two numbers, one a joint, from " +
                          number(least) + " to " + number(greatest));
         return std::nullopt;
+    }
+
+    /// Nothing where there is none.
+    std::optional<double> read_number(std::string_view key, double least, double greatest) {
+        const auto value = read<double>(key, "a number", false);
+        if (value && !(*value >= least && *value <= greatest))
+            blame(*table_.get(key), "'" + std::string(key) + "' must be a number from " +
+                                        number(least) + " to " + number(greatest));
+        return value;
     }
 
     void blame(const toml::node& node, const std::string& why) {
@@ -102,21 +126,31 @@ BoardId read_board(TableReader& reader, const toml::table& table) {
     return id;
 }
 
+Plugs read_plugs(TableReader& reader, const std::string& what) {
+    const auto [is_1_reversed, is_2_reversed] = reader.read_flags("reversed_" + what);
+    return {reader.read_flag("swapped_" + what), is_1_reversed, is_2_reversed};
+}
+
 UnitSettings read_unit(TableReader& reader, const toml::table& table) {
-    reader.allow({"serial", "profile", "swapped_motors", "scale", "offset_rad", "torque_limit_Nm"});
+    reader.allow({"serial", "profile", "measured", "scale", "stop_off_rad", "swapped_encoders",
+                  "reversed_encoders", "swapped_motors", "reversed_motors", "all_counts",
+                  "torque_limit_Nm"});
     UnitSettings unit;
     unit.serial = reader.read<std::string>("serial", "a text", true).value_or("");
     unit.profile = reader.read<std::string>("profile", "a text", true).value_or("");
     Calibration& calibration = unit.calibration;
-    calibration.are_motors_swapped =
-        reader.read<bool>("swapped_motors", "true or false", false).value_or(false);
+    calibration.is_measured = reader.read_flag("measured");
     calibration.scale =
-        reader.read_pair("scale", least_scale, greatest_scale).value_or(calibration.scale);
-    calibration.offset = reader.read_pair("offset_rad", -greatest_offset_rad, greatest_offset_rad)
-                             .value_or(calibration.offset);
+        reader.read_number("scale", least_scale, greatest_scale).value_or(calibration.scale);
+    calibration.stop_off =
+        reader.read_pair("stop_off_rad", -greatest_stop_off_rad, greatest_stop_off_rad)
+            .value_or(calibration.stop_off);
+    calibration.encoders = read_plugs(reader, "encoders");
+    calibration.motors = read_plugs(reader, "motors");
+    calibration.has_all_counts = reader.read_flag("all_counts");
     calibration.torque_limit_Nm = reader.read<double>("torque_limit_Nm", "a number", false);
-    const double limit = calibration.torque_limit_Nm.value_or(greatest_torque_Nm);
-    if (!(limit > 0.0 && limit <= greatest_torque_Nm))
+    const double limit = calibration.torque_limit_Nm.value_or(greatest_torque_limit_Nm);
+    if (!(limit > 0.0 && limit <= greatest_torque_limit_Nm))
         reader.blame(*table.get("torque_limit_Nm"),
                      "'torque_limit_Nm' must be above 0 and at most 1");
     return unit;
@@ -159,6 +193,10 @@ toml::array pair_of(JointAngles pair) {
     return toml::array{pair.x, pair.y};
 }
 
+toml::array reversed_of(const Plugs& plugs) {
+    return toml::array{plugs.is_1_reversed, plugs.is_2_reversed};
+}
+
 }  // namespace
 
 Result<BoardSettings> parse_boards(std::string_view text, std::string_view name) {
@@ -189,9 +227,14 @@ std::string units_text(const std::vector<UnitSettings>& units) {
         const Calibration& calibration = unit.calibration;
         toml::table table{{"serial", unit.serial},
                           {"profile", unit.profile},
-                          {"swapped_motors", calibration.are_motors_swapped},
-                          {"scale", pair_of(calibration.scale)},
-                          {"offset_rad", pair_of(calibration.offset)}};
+                          {"measured", calibration.is_measured},
+                          {"scale", calibration.scale},
+                          {"stop_off_rad", pair_of(calibration.stop_off)},
+                          {"swapped_encoders", calibration.encoders.are_swapped},
+                          {"reversed_encoders", reversed_of(calibration.encoders)},
+                          {"swapped_motors", calibration.motors.are_swapped},
+                          {"reversed_motors", reversed_of(calibration.motors)},
+                          {"all_counts", calibration.has_all_counts}};
         if (calibration.torque_limit_Nm)
             table.insert("torque_limit_Nm", *calibration.torque_limit_Nm);
         text << "[[unit]]\n" << table << "\n\n";

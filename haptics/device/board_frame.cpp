@@ -48,21 +48,26 @@ Vec2<Out> reordered(Vec2<In> v, bool is_crossed, double scale) {
 DeviceProfile calibrated(const DeviceProfile& profile, const Calibration& calibration) {
     DeviceProfile unit = profile;
     if (calibration.torque_limit_Nm) unit.torque_limit_Nm = *calibration.torque_limit_Nm;
+    if (calibration.has_all_counts) {
+        unit.counts_per_turn = profile.wiring.told_per_count * profile.counts_per_turn;
+        unit.wiring.told_per_count = 1.0;
+    }
     return unit;
 }
 
 BoardFrame::BoardFrame(const DeviceProfile& profile, const Calibration& calibration)
     : profile_(profile),
       calibration_(calibration),
-      is_joint_1_on_port_2_((profile.wiring.joint_1.port == 2) != calibration.are_motors_swapped),
-      quantum_(reordered<PortDegree>(encoder_quantum(profile), is_joint_1_on_port_2_,
+      unit_(calibrated(profile, calibration)),
+      is_joint_1_on_port_2_(profile.wiring.joint_1.port == 2),
+      quantum_(reordered<PortDegree>(encoder_quantum(unit_), is_joint_1_on_port_2_,
                                      degrees_per_radian)) {}
 
 BoardSetUp BoardFrame::set_up_at_home() const {
     const auto home =
         reordered<PortDegree>(profile_.home, is_joint_1_on_port_2_, degrees_per_radian);
-    const auto told = reordered<PortDegree>(profile_.counts_per_turn, is_joint_1_on_port_2_,
-                                            profile_.wiring.told_per_count);
+    const auto told = reordered<PortDegree>(unit_.counts_per_turn, is_joint_1_on_port_2_,
+                                            unit_.wiring.told_per_count);
     const Turn turn_1 = profile_.wiring.joint_1.turn;
     const Turn turn_2 = profile_.wiring.joint_2.turn;
     BoardSetUp set_up;
@@ -71,7 +76,7 @@ BoardSetUp BoardFrame::set_up_at_home() const {
     set_up.offsets_deg = {static_cast<float>(home.x), static_cast<float>(home.y)};
     set_up.counts_told = {static_cast<float>(told.x), static_cast<float>(told.y)};
     if (const auto& handle = profile_.handle) {
-        const double handle_told = handle->counts_per_turn * profile_.wiring.told_per_count;
+        const double handle_told = handle->counts_per_turn * unit_.wiring.told_per_count;
         set_up.handle = HandlePort{handle->turn, 0.0F, static_cast<float>(handle_told)};
     }
     return set_up;
@@ -90,7 +95,7 @@ BoardSetUp BoardFrame::set_up_at(PortAngles raw, double handle_deg) const {
 
 PortAngles BoardFrame::home_reading() const {
     const BoardSetUp set_up = set_up_at_home();
-    const double told = profile_.wiring.told_per_count;
+    const double told = unit_.wiring.told_per_count;
     return {whole_counts(set_up.offsets_deg[0], static_cast<double>(set_up.counts_told[0]) / told),
             whole_counts(set_up.offsets_deg[1], static_cast<double>(set_up.counts_told[1]) / told)};
 }
@@ -98,14 +103,23 @@ PortAngles BoardFrame::home_reading() const {
 JointAngles BoardFrame::joint_angles(PortAngles raw) const {
     const auto turned =
         reordered<Radian>(raw - home_reading(), is_joint_1_on_port_2_, 1.0 / degrees_per_radian);
-    const JointAngles scale = calibration_.scale;
     return profile_.home + calibration_.offset +
-           JointAngles{scale.x * turned.x, scale.y * turned.y};
+           calibration_.scale * at_joints(calibration_.encoders, turned);
 }
 
 bool BoardFrame::is_whole_counts(PortAngles raw, double handle_deg) const {
     return is_whole(raw.x, quantum_.x) && is_whole(raw.y, quantum_.y) &&
            (!has_handle() || is_whole(handle_deg, handle_quantum_deg(*profile_.handle)));
+}
+
+int BoardFrame::motor_port(int joint) const {
+    return (joint == 1) != (is_joint_1_on_port_2_ != calibration_.motors.are_swapped) ? 1 : 2;
+}
+
+BoardFrame BoardFrame::with_all_counts() const {
+    Calibration calibration = calibration_;
+    calibration.has_all_counts = true;
+    return {profile_, calibration};
 }
 
 std::optional<double> BoardFrame::handle_torque_Nm(double torque_Nm) const {
@@ -117,9 +131,10 @@ std::optional<double> BoardFrame::handle_torque_Nm(double torque_Nm) const {
 PortTorques BoardFrame::port_torques(JointTorques torques) const {
     if (!is_finite(torques)) return {};
     const double largest = std::max(std::abs(torques.x), std::abs(torques.y));
-    const double limit = calibration_.torque_limit_Nm.value_or(profile_.torque_limit_Nm);
-    const double scale = largest <= limit ? 1.0 : limit / largest;
-    return reordered<PortNewtonMetre>(torques, is_joint_1_on_port_2_, scale);
+    const double limit_Nm = unit_.torque_limit_Nm;
+    const double scale = largest <= limit_Nm ? 1.0 : limit_Nm / largest;
+    return reordered<PortNewtonMetre>(at_ports(calibration_.motors, torques), is_joint_1_on_port_2_,
+                                      scale);
 }
 
 }  // namespace touchline

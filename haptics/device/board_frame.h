@@ -1,4 +1,5 @@
-// Between what the board counts by port and the angles and torques of the joints.
+// Between what the board counts by port and the angles and torques of the joints. The board is set
+// up as the maker's programs do it; what is otherwise in a unit is put right here.
 // Threads: immutable values and pure functions. No allocation. O(1).
 #pragma once
 
@@ -11,7 +12,7 @@
 
 namespace touchline {
 
-/// The profile with the unit's own limit of torque.
+/// The profile with the unit's own limit of torque and its own counts.
 [[nodiscard]] DeviceProfile calibrated(const DeviceProfile& profile,
                                        const Calibration& calibration);
 
@@ -28,11 +29,18 @@ class BoardFrame {
     /// What the board says at home: whole counts, rounded toward zero.
     [[nodiscard]] PortAngles home_reading() const;
 
-    /// By home + offset + scale (raw - home reading).
+    /// By home + offset + scale (raw - home reading), each joint from where its encoder is.
     [[nodiscard]] JointAngles joint_angles(PortAngles raw) const;
 
     /// Each angle is a whole number of counts, as all are that a board sends.
     [[nodiscard]] bool is_whole_counts(PortAngles raw, double handle_deg = 0.0) const;
+
+    /// For a unit of which it is not known yet: the board counts all that it is told, where others
+    /// of its kind count half. Every whole count of theirs is one of these too.
+    [[nodiscard]] BoardFrame with_all_counts() const;
+
+    /// Where the motor of joint 1 or 2 is plugged in.
+    [[nodiscard]] int motor_port(int joint) const;
 
     [[nodiscard]] bool has_handle() const { return profile_.handle.has_value(); }
 
@@ -51,9 +59,12 @@ class BoardFrame {
     /// As it was given, without the calibration.
     [[nodiscard]] const DeviceProfile& profile() const { return profile_; }
 
+    [[nodiscard]] const DeviceProfile& calibrated_profile() const { return unit_; }
+
   private:
     DeviceProfile profile_;
     Calibration calibration_;
+    DeviceProfile unit_;
     bool is_joint_1_on_port_2_;
     PortAngles quantum_;
 };

@@ -1,10 +1,11 @@
 // Homing that a person who cannot see does alone. The encoders have no index, so the board only
 // knows where the handle is once it was told so at a known place. The hand goes to the home stop
 // and rests; goes to a second stop and rests; if the arms read there what they must, force may
-// come. A unit that is homed for the first time has its scale measured: the two stops are visited
+// come. A unit that is homed for the first time is measured: from the second stop the hand also
+// goes to the left, which tells a linkage from its mirror image, and the two stops are visited
 // twice. No force acts meanwhile. Words for each step are the program's business. Source: users'
-// reports of Haply devices (wrong home poses, swapped plugs, scales off by per cent). Threads:
-// plain values, one thread.
+// reports of Haply devices (wrong home poses, swapped plugs, encoders that turn the other way,
+// scales off by per cent and by a fifth). Threads: plain values, one thread.
 #pragma once
 
 #include "config/types/calibration.h"
@@ -23,14 +24,17 @@ struct HomingPlan {
     JointAngles check;    // rad
     double arm_m = 0.0;   // motor axis to elbow, > 0: misfits are told as motion of the elbow
     JointAngles quantum;  // rad, of one encoder count
+    bool is_home_stretched = false;  // arms towards the person: alike on all units; else check is
 };
 
-[[nodiscard]] HomingPlan homing_plan(const DeviceProfile& profile);
+/// As the profile has them, or as the unit does whose `stop_off` is given (rad).
+[[nodiscard]] HomingPlan homing_plan(const DeviceProfile& profile, JointAngles stop_off = {});
 
 enum class HomingStep : std::uint8_t {
     to_home,         // "go to the home stop and hold still"
     to_check,        // "now to the other stop"
-    to_home_again,   // scale measured: "once more home"
+    to_left,         // unit measured: "now to the left"
+    to_home_again,   // "once more home"
     to_check_again,  // "and once more to the other stop"
     done,
 };
@@ -41,26 +45,27 @@ enum class HomingRemark : std::uint8_t {
     silent,         // the board does not answer for half a second
     not_moved,      // half a minute where it was when the words began
     misfit,         // still, but not where the stop must be; move on to it
-    starting_over,  // it did not fit three times
+    not_left,       // still, but neither to the left nor to the right of the stop
+    starting_over,  // it did not fit three times: perhaps the kind of the unit is another
     lost_count,     // of the encoders: what was found is worth nothing
-    reversed,       // the stops came the wrong way round, or the plugs are swapped: once more
-    swapped,        // the arms answer for each other: the motor plugs are swapped; set the
-                    // board up anew with the calibration as it is now, then go on
-    measured,       // the scale of this unit was measured; it is to be stored
+    reversed,       // the stops came the wrong way round, or the plugs are otherwise: once more
+    replugged,      // a known unit answers otherwise than it did: it is measured anew
+    measured,       // scale, stops and plugs of this unit were found; they are to be stored
 };
 
 struct HomingView {
     HomingStep step = HomingStep::to_home;
     HomingRemark remark = HomingRemark::none;
-    double held = 0.0;      // 0 ... 1: share of the stillness asked for
-    double misfit_m = 0.0;  // of the elbows at the last check
-    int prompts = 0;        // changes whenever words are to be said, be they the same again
+    double held = 0.0;        // 0 ... 1: share of the stillness asked for
+    double misfit_m = 0.0;    // of the elbows at the last check
+    double turn_share = 1.0;  // of the turn that they must make between the stops, as they read
+    int prompts = 0;          // changes whenever words are to be said, be they the same again
 };
 
 class Homing {
   public:
-    /// `stored`: of this unit; nothing when it was never homed.
-    Homing(const HomingPlan& plan, const std::optional<Calibration>& stored);
+    /// `plan`: the profile's. `stored`: of this unit; it is measured unless it was.
+    Homing(const HomingPlan& plan, const Calibration& stored);
 
     /// One tick of dt_s later: joint angles as bare() gives them, nothing when the board does not
     /// answer. O(1), no allocation.
@@ -69,30 +74,38 @@ class Homing {
     /// Counts were missed: from the beginning.
     void lose_count() { go(HomingStep::to_home, HomingRemark::lost_count); }
 
-    /// What the board is to be driven with meanwhile: offset 0, scale 1.
+    /// What the board is to be driven with meanwhile: encoders as the profile has them, offset 0,
+    /// scale 1.
     [[nodiscard]] Calibration bare() const;
 
-    /// What was found, once the step is `done`.
+    /// What was found, once the step is `done`; motors are not looked at.
     [[nodiscard]] const Calibration& calibration() const { return calibration_; }
 
   private:
-    void finish(HomingRemark remark);
     void miss_reading(double dt_s);
     void watch(JointAngles read, double dt_s);
+    void lose_patience();
     void rest(JointAngles read);
     void rest_at_home(JointAngles read);
     void rest_at_check(JointAngles read);
+    void check_known(const Plugs& fitting);
+    void rest_at_left(JointAngles read);
     void rest_at_home_again(JointAngles read);
+    void rest_at_check_again(JointAngles read);
     void go(HomingStep step, HomingRemark remark);
     void miss(double misfit_m);
-    void cross();
+    void finish(HomingRemark remark);
     [[nodiscard]] double elbow_m(JointAngles turn) const;
+    [[nodiscard]] JointAngles wanted_turn() const;
+    [[nodiscard]] double misfit_m(JointAngles turn) const;
+    [[nodiscard]] std::optional<Plugs> plugs_that_fit(JointAngles turn) const;
 
     HomingPlan plan_;
-    bool is_scale_known_;
     Calibration calibration_;
     JointAngles read_at_home_;
     JointAngles read_at_check_;
+    Plugs encoders_;             // as they seem in this round
+    std::optional<Plugs> seen_;  // what was otherwise than the profile in the round before
     Stillness stillness_;
     JointAngles prompted_at_;
     bool has_left_ = false;    // the place where it was when the words began
@@ -100,7 +113,7 @@ class Homing {
     double since_s_ = 0.0;     // these words
     double silent_s_ = 0.0;
     int misses_ = 0;
-    int crossings_ = 0;  // in a row
+    int reversals_ = 0;  // of a known unit, in a row
     HomingView view_;
 };
 
@@ -108,6 +121,7 @@ class Homing {
 /// stops.
 class DriftWatch {
   public:
+    /// Of the unit.
     explicit DriftWatch(const HomingPlan& plan) : plan_(plan) {}
 
     /// One tick of dt_s later, angles after calibration. True from 0.3 s beyond a stop on, until

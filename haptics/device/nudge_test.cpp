@@ -81,31 +81,46 @@ JointTorques NudgeTest::pull(JointAngles angles) {
 
 NudgeTest::Answer NudgeTest::judge(JointAngles turn) const {
     const JointAngles counts = in_counts(turn, quantum_);
-    const double own = pulse_ < 2 ? counts.x : counts.y;
-    const double other = pulse_ < 2 ? counts.y : counts.x;
+    const double own = sign_of(pulse_) * (pulse_ < 2 ? counts.x : counts.y);
+    const double other = sign_of(pulse_) * (pulse_ < 2 ? counts.y : counts.x);
     if (!(largest_of(counts) > motion_counts)) return Answer::none;
-    if (std::abs(other) > std::abs(own)) return Answer::other;
-    return own * sign_of(pulse_) > 0.0 ? Answer::right : Answer::reversed;
+    if (std::abs(other) > std::abs(own))
+        return other > 0.0 ? Answer::other : Answer::other_reversed;
+    return own > 0.0 ? Answer::right : Answer::reversed;
 }
 
+/// Up and down alike: a hand that moves the handle meanwhile is not taken for a motor.
 NudgeTest::Answer NudgeTest::answer_of(int motor) const {
     const auto first = static_cast<std::size_t>(2 * motor);
-    const Answer up = answers_[first];
-    const Answer down = answers_[first + 1];
-    if (up == Answer::none) return down;  // an arm may stand at its stop
-    return down == Answer::none || down == up ? up : Answer::unclear;
+    return answers_[first] == answers_[first + 1] ? answers_[first] : Answer::unclear;
 }
 
 NudgeVerdict NudgeTest::decide() const {
     const Answer one = answer_of(0);
     const Answer two = answer_of(1);
-    const auto either = [&](Answer answer) { return one == answer || two == answer; };
+    const auto is_other = [](Answer a) {
+        return a == Answer::other || a == Answer::other_reversed;
+    };
     if (one == Answer::none && two == Answer::none) return NudgeVerdict::no_power;
-    if (either(Answer::unclear)) return NudgeVerdict::restless;
+    if (one == Answer::unclear || two == Answer::unclear) return NudgeVerdict::restless;
     if (one == Answer::none) return NudgeVerdict::motor_1_off;
     if (two == Answer::none) return NudgeVerdict::motor_2_off;
-    if (either(Answer::other)) return NudgeVerdict::swapped;
-    return either(Answer::reversed) ? NudgeVerdict::reversed : NudgeVerdict::works;
+    if (is_other(one) != is_other(two)) return NudgeVerdict::restless;
+    if (is_other(one)) return NudgeVerdict::swapped;
+    if (one == Answer::reversed)
+        return two == Answer::reversed ? NudgeVerdict::reversed_both : NudgeVerdict::reversed_1;
+    return two == Answer::reversed ? NudgeVerdict::reversed_2 : NudgeVerdict::works;
+}
+
+Plugs NudgeTest::motors(const Plugs& taken) const {
+    const auto is_against = [this](int motor) {
+        const Answer answer = answer_of(motor);
+        return answer == Answer::reversed || answer == Answer::other_reversed;
+    };
+    const bool is_1_against = taken.is_1_reversed != is_against(0);
+    const bool is_2_against = taken.is_2_reversed != is_against(1);
+    if (verdict_ != NudgeVerdict::swapped) return {taken.are_swapped, is_1_against, is_2_against};
+    return {!taken.are_swapped, is_2_against, is_1_against};
 }
 
 }  // namespace touchline

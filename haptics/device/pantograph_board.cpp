@@ -23,6 +23,15 @@ constexpr double rest_s = 0.001;
 constexpr int longest_end_ms = 20;
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
+// Half a count of play to each side: a counter that steps back by one, or trembles on an edge,
+// moves nothing.
+PortAngles followed(PortAngles before, PortAngles said, PortAngles quantum) {
+    const auto follow = [](double last, double now, double play) {
+        return std::clamp(last, now - play, now + play);
+    };
+    return {follow(before.x, said.x, 0.5 * quantum.x), follow(before.y, said.y, 0.5 * quantum.y)};
+}
+
 }  // namespace
 
 PantographBoard::PantographBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
@@ -46,11 +55,6 @@ Result<void> PantographBoard::open() {
     return failure(
         "the board does not answer as a pantograph's board does: check that it is the right one, "
         "unplug it and plug it in again");
-}
-
-Result<void> PantographBoard::open(const Calibration& calibration) {
-    frame_ = BoardFrame(frame_.profile(), calibration);
-    return open();
 }
 
 bool PantographBoard::stop() {
@@ -101,7 +105,7 @@ std::optional<JointAngles> PantographBoard::read_angles(double now_s) {
     const bool is_good = report_.state == BoardState::ready && jumps_in_a_row_ == 0 && raw_ &&
                          raw_age_s_ < oldest_angles_s;
     if (!is_good) return std::nullopt;
-    return frame_.joint_angles(raw_->joints);
+    return frame_.joint_angles(steady_);
 }
 
 std::optional<double> PantographBoard::handle_angle_rad() const {
@@ -135,7 +139,7 @@ bool PantographBoard::write_torques(JointTorques torques) {
 
 void PantographBoard::set_calibration(const Calibration& calibration) {
     Calibration kept = calibration;
-    kept.are_motors_swapped = frame_.calibration().are_motors_swapped;
+    kept.has_all_counts = kept.has_all_counts || frame_.calibration().has_all_counts;
     frame_ = BoardFrame(frame_.profile(), kept);
     report_.is_position_doubtful = false;
 }
@@ -170,7 +174,7 @@ void PantographBoard::sort(const Received& received, Arrivals& arrivals) {
         ++arrivals.unconfigured;
         ++report_.unconfigured;
     } else if (reply.kind == ReplyKind::angles &&
-               frame_.is_whole_counts(reply.angles, reply.handle_deg)) {
+               frame_.with_all_counts().is_whole_counts(reply.angles, reply.handle_deg)) {
         ++arrivals.good;
         ++report_.replies;
         arrivals.newest = Said{reply.angles, reply.handle_deg};
@@ -253,6 +257,9 @@ void PantographBoard::judge_age(double elapsed_s) {
 
 void PantographBoard::judge_position(const Said& raw) {
     if (!is_jump(raw)) {
+        // The first odd count tells that this board does not count half.
+        if (!frame_.is_whole_counts(raw.joints, raw.handle_deg)) frame_ = frame_.with_all_counts();
+        steady_ = raw_ ? followed(steady_, raw.joints, frame_.quantum()) : raw.joints;
         raw_ = raw;
         raw_age_s_ = 0.0;
         jumps_in_a_row_ = 0;
@@ -268,7 +275,7 @@ void PantographBoard::judge_position(const Said& raw) {
 bool PantographBoard::is_jump(const Said& raw) const {
     if (!raw_) return false;
     const double age_s = (jumps_in_a_row_ == 0 ? raw_age_s_ : jump_age_s_) + sampling_s;
-    const JointAngles quantum = encoder_quantum(frame_.profile());
+    const JointAngles quantum = encoder_quantum(frame_.calibrated_profile());
     if (frame_.has_handle()) {
         const double turned_rad = radians_per_degree * std::abs(raw.handle_deg - raw_->handle_deg);
         if (!(turned_rad <= handle_speed_rad_per_s * age_s + handle_step_rad)) return true;

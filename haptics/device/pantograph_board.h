@@ -54,11 +54,8 @@ class PantographBoard final : public ForceDevice {
     /// set-up, zero write, exact checks. Takes 30 ms; up to 4 s before it fails.
     [[nodiscard]] Result<void> open();
 
-    /// The same with this calibration, swapped plugs included: the ports are set up anew.
-    [[nodiscard]] Result<void> open(const Calibration& calibration);
-
-    /// Those of the newest reply. Nothing while resyncing, jumped or lost; at most 4 ms
-    /// after the tick that it came in.
+    /// Those of the newest reply, to half a count. Nothing while resyncing, jumped or lost; at most
+    /// 4 ms after the tick that it came in.
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
 
     /// Scaled to the limit. Zero: true when the send of a zero has ended and none but zeros were
@@ -74,8 +71,8 @@ class PantographBoard final : public ForceDevice {
 
     void turn_handle(double torque_Nm) override;
 
-    /// Offset, scale and torque limit from the next call on; that plugs are swapped, or not, takes
-    /// another driver. The position counts as known.
+    /// From the next call on; for when no force acts. The position counts as known. That the board
+    /// has all counts is never forgotten: an odd count told it.
     void set_calibration(const Calibration& calibration);
 
     /// After `jumped`, or doubt: the angles count as they are. With the force off only.
@@ -132,6 +129,7 @@ class PantographBoard final : public ForceDevice {
     Resync resync_;
     BoardReport report_;
     std::optional<Said> raw_;       // last accepted
+    PortAngles steady_;             // follows it with half a count of play
     std::optional<Said> heard_;     // last that came while resyncing
     double handle_Nm_ = 0.0;        // that goes with the next write
     std::optional<double> last_s_;  // on the caller's clock

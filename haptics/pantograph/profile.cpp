@@ -37,6 +37,7 @@ constexpr JointWiring port_1_cw{1, Turn::clockwise}, port_1_ccw{1, Turn::counter
 constexpr JointWiring port_2_cw{2, Turn::clockwise}, port_2_ccw{2, Turn::counter_clockwise};
 constexpr BoardWiring gen3_wiring{port_2_ccw, port_1_ccw, m0_told_per_count};
 constexpr BoardWiring gen2_wiring{port_2_ccw, port_1_cw, m0_told_per_count};
+constexpr BoardWiring gen2_alike_wiring{port_2_ccw, port_1_ccw, m0_told_per_count};
 constexpr BoardWiring haplet_wiring{port_1_cw, port_2_cw, 1.0};
 constexpr BoardWiring mk2_wiring{port_1_ccw, port_2_ccw, 1.0};  // a board of one's own
 
@@ -53,19 +54,63 @@ constexpr CheckStop mk2_stretched{degrees(84.8030, 95.1970), StopPlace::towards}
 constexpr BoardWiring turning_wiring{port_2_ccw, port_1_ccw, 1.0};
 constexpr TurningHandle turning_handle{2048.0, 0.1, Turn::counter_clockwise, 2e-5, 2e-4, 1e-3};
 
+constexpr DeviceProfile gen31{"2diy-gen3.1",
+                              gen3_links,
+                              m0_counts(4880.0, 4880.0),
+                              0.123,
+                              gen3_retracted,
+                              Area{0.116, 0.084},
+                              Position{0.019, 0.094},
+                              3.0,
+                              100.0,
+                              plastic_arms,
+                              gen3_wiring,
+                              StopPlace::away,
+                              CheckStop{gen3_extended, StopPlace::towards},
+                              std::nullopt};
+
+constexpr DeviceProfile gen2{"2diy-gen2",
+                             gen2_links,
+                             m0_counts(10752.0, 10752.0),
+                             0.123,
+                             degrees(241.0, -61.0),
+                             Area{0.144, 0.108},
+                             Position{0.0, 0.076},
+                             3.0,
+                             100.0,
+                             metal_arms,
+                             gen2_wiring,
+                             StopPlace::away,
+                             gen2_stretched,
+                             std::nullopt};
+
+/// Users' programs hold their units to be stopped elsewhere.
+constexpr DeviceProfile stopped_at(DeviceProfile profile, std::string_view name, JointAngles home) {
+    profile.name = name;
+    profile.home = home;
+    return profile;
+}
+
+/// As one of the maker's programs has it.
+constexpr DeviceProfile gen2_of_240() {
+    DeviceProfile profile = stopped_at(gen2, "2diy-gen2-240", degrees(240.0, -60.0));
+    profile.counts_per_turn = m0_counts(10978.0, 10978.0);
+    profile.wiring = gen2_alike_wiring;
+    return profile;
+}
+
 // Areas: the largest 4:3 box in which the Jacobian's condition stays below 3. Force: up to 3 N,
 // which the motors give in their best direction (2.8 N: mk2).
 constexpr std::array profiles{
-    DeviceProfile{"2diy-gen3.1", gen3_links, m0_counts(4880.0, 4880.0), 0.123, gen3_retracted,
-                  Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0, plastic_arms, gen3_wiring,
-                  StopPlace::away, CheckStop{gen3_extended, StopPlace::towards}, std::nullopt},
+    gen31,
+    stopped_at(gen31, "2diy-gen3.1-172", degrees(172.0, 8.0)),
+    stopped_at(gen31, "2diy-gen3.1-180", degrees(180.0, 0.0)),
     DeviceProfile{
         "2diy-gen3", gen3_links, m0_counts(2048.0 * 2.5 * 1.0194 * 1.0154, 2048.0 * 2.5 * 1.0194),
         0.123, gen3_extended, Area{0.116, 0.084}, Position{0.019, 0.094}, 3.0, 100.0, plastic_arms,
         gen3_wiring, StopPlace::towards, CheckStop{gen3_retracted, StopPlace::away}, std::nullopt},
-    DeviceProfile{"2diy-gen2", gen2_links, m0_counts(10752.0, 10752.0), 0.123,
-                  degrees(241.0, -61.0), Area{0.144, 0.108}, Position{0.0, 0.076}, 3.0, 100.0,
-                  metal_arms, gen2_wiring, StopPlace::away, gen2_stretched, std::nullopt},
+    gen2,
+    gen2_of_240(),
     DeviceProfile{"haplet", haplet_links, JointAngles{13824.0, 13824.0}, 0.123, degrees(180.0, 0.0),
                   Area{0.104, 0.076}, Position{0.010, 0.060}, 3.0, 100.0, small_arms, haplet_wiring,
                   StopPlace::sideways, haplet_stretched, std::nullopt},

@@ -79,7 +79,8 @@ struct DeviceProfile {
     std::optional<TurningHandle> handle;  // nothing: it does not turn
 };
 
-/// 2diy-gen3.1 (the default), 2diy-gen3, 2diy-gen2, haplet, mk2, gen3.1-turning.
+/// 2diy-gen3.1 (the default), the same stopped at 172/8 and 180/0 degrees, 2diy-gen3, 2diy-gen2,
+/// the same stopped at 240/-60, haplet, mk2, gen3.1-turning.
 [[nodiscard]] std::span<const DeviceProfile> device_profiles();
 
 [[nodiscard]] const DeviceProfile& default_profile();

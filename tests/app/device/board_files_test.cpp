@@ -49,8 +49,8 @@ TEST_F(Files, AUnitIsKeptAndReplaced) {
     UnitSettings unit{"AB12", "2diy-gen3", {}};
     ASSERT_TRUE(keep_unit(deep, unit).has_value());
     ASSERT_TRUE(keep_unit(deep, {"CD34", "2diy-gen2", {}}).has_value());
-    unit.calibration.scale = {1.02, 0.97};
-    unit.calibration.are_motors_swapped = true;
+    unit.calibration.scale = 1.02;
+    unit.calibration.motors.are_swapped = true;
     ASSERT_TRUE(keep_unit(deep, unit).has_value());
     const auto settings = read_board_files(deep);
     ASSERT_TRUE(settings.has_value());
@@ -58,8 +58,8 @@ TEST_F(Files, AUnitIsKeptAndReplaced) {
     const UnitSettings* read = find_unit(*settings, "AB12");
     ASSERT_NE(read, nullptr);
     EXPECT_EQ(read->profile, "2diy-gen3");
-    EXPECT_EQ(read->calibration.scale, (JointAngles{1.02, 0.97}));
-    EXPECT_TRUE(read->calibration.are_motors_swapped);
+    EXPECT_EQ(read->calibration.scale, 1.02);
+    EXPECT_TRUE(read->calibration.motors.are_swapped);
 }
 
 TEST_F(Files, ABrokenFileOfUnitsIsNotOverwritten) {

@@ -4,6 +4,8 @@
 #include "tests/app/device/person.h"
 #include "tests/sim/umockdev/mocked_board.h"
 
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +15,7 @@
 #include <sstream>
 #include <streambuf>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -52,7 +55,9 @@ class DeviceCommand : public testing::Test {
 
     ~DeviceCommand() override { fs::remove(units_); }
 
-    Result<void> run(DeviceAction action) { return run_device({action, "", ""}, out_); }
+    Result<void> run(DeviceAction action) {
+        return run_device({action, "", std::string(default_profile().name)}, out_);
+    }
 
     static JointTorques held(MockedBoard& board) {
         JointTorques torques;
@@ -63,7 +68,7 @@ class DeviceCommand : public testing::Test {
     }
 
     static bool asks_for_another_try(const Error& error) {
-        return error.line.find("handle was moving") != std::string::npos;
+        return error.line.find("held or moved") != std::string::npos;
     }
 
     static BoardTruth let_go() {
@@ -114,7 +119,7 @@ TEST_F(DeviceCommand, NudgeTellsWhetherTheMotorsHavePower) {
     board.with([](BoardEmulator& emulator, UsbFaults&) { emulator.switch_motors(false); });
     const auto without = run(DeviceAction::nudge);
     ASSERT_FALSE(without.has_value());
-    EXPECT_NE(without.error().line.find("no power"), std::string::npos);
+    EXPECT_NE(without.error().line.find("power of the motors"), std::string::npos);
     EXPECT_EQ(held(board), JointTorques{});
     board.with([](BoardEmulator& emulator, UsbFaults&) { emulator.switch_motors(true); });
     // A late tick lets a pulse throw the free handle; the words then ask for another try.
@@ -125,25 +130,51 @@ TEST_F(DeviceCommand, NudgeTellsWhetherTheMotorsHavePower) {
     EXPECT_EQ(held(board), JointTorques{});
 }
 
+TEST_F(DeviceCommand, TheKindOfANewUnitIsAskedAndNotAssumed) {
+    MockedBoard board(usb_, {});
+    for (const DeviceAction action : {DeviceAction::home, DeviceAction::nudge}) {
+        const auto ended = run_device({action, "", ""}, out_);
+        ASSERT_FALSE(ended.has_value());
+        EXPECT_NE(ended.error().line.find("which kind"), std::string::npos) << ended.error().line;
+        EXPECT_NE(ended.error().line.find("2diy-gen3.1-172"), std::string::npos);
+    }
+    EXPECT_EQ(held(board), JointTorques{});
+}
+
 TEST_F(DeviceCommand, HomeLeadsAPersonAndKeepsWhatItFound) {
     const auto person = std::make_shared<Person>(default_profile());
     BoardTruth truth;
     truth.scale_error = {0.04, 0.04};
+    truth.hand = stiff_arm;
     MockedBoard board(usb_, truth, 1, person);
+    std::atomic<bool> is_over{false};
+    // Lets go where the words say so, and takes the handle again for the next ones.
+    std::thread hand([&] {
+        for (bool was_held = true; !is_over;
+             std::this_thread::sleep_for(std::chrono::milliseconds(5)))
+            board.with([&](BoardEmulator& emulator, UsbFaults&) {
+                const bool is_held = person->holds(emulator.now_s());
+                if (std::exchange(was_held, is_held) != is_held)
+                    emulator.grip(is_held ? stiff_arm : no_hand);
+            });
+    });
     Lines lines([&](const std::string& line) {
         double now_s = 0.0;
         board.with([&](BoardEmulator& emulator, UsbFaults&) { now_s = emulator.now_s(); });
         person->hear(line, now_s);
     });
     std::ostream out(&lines);
-    const auto homed = run_device({DeviceAction::home, "", ""}, out);
+    const auto homed = run_device({DeviceAction::home, "", "2diy-gen3.1"}, out);
+    is_over = true;
+    hand.join();
     ASSERT_TRUE(homed.has_value()) << homed.error().line;
     const auto settings = read_board_files(board_files());
     ASSERT_TRUE(settings.has_value());
     const UnitSettings* unit = find_unit(*settings, truth.serial);
     ASSERT_NE(unit, nullptr);
-    EXPECT_NEAR(unit->calibration.scale.x, 1.0 / 1.04, 0.01);
-    EXPECT_EQ(unit->calibration.offset, JointAngles{});
+    EXPECT_NEAR(unit->calibration.scale, 1.0 / 1.04, 0.01);
+    EXPECT_TRUE(unit->calibration.is_measured);
+    EXPECT_EQ(unit->calibration.motors, Plugs{});
     EXPECT_NE(person->heard.back().find("kept in"), std::string::npos);
     EXPECT_EQ(held(board), JointTorques{});
 }

@@ -1,6 +1,9 @@
 // What is said during homing: every step has something to do, every remark a reason.
 #include "app/device/device_words.h"
 
+#include "tests/audio-cues/words/po_file.h"
+
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string>
@@ -10,19 +13,21 @@
 namespace touchline {
 namespace {
 
-constexpr std::array steps{HomingStep::to_home, HomingStep::to_check, HomingStep::to_home_again,
+constexpr std::array steps{HomingStep::to_home,        HomingStep::to_check,
+                           HomingStep::to_left,        HomingStep::to_home_again,
                            HomingStep::to_check_again, HomingStep::done};
-constexpr std::array remarks{
-    HomingRemark::none,       HomingRemark::silent,        HomingRemark::not_moved,
-    HomingRemark::misfit,     HomingRemark::starting_over, HomingRemark::reversed,
-    HomingRemark::lost_count, HomingRemark::swapped,       HomingRemark::measured};
+constexpr std::array remarks{HomingRemark::none,          HomingRemark::silent,
+                             HomingRemark::not_moved,     HomingRemark::misfit,
+                             HomingRemark::starting_over, HomingRemark::reversed,
+                             HomingRemark::lost_count,    HomingRemark::replugged,
+                             HomingRemark::not_left,      HomingRemark::measured};
 
 TEST(DeviceWords, EveryStepAndRemarkSaysSomethingOfItsOwn) {
     for (const DeviceProfile& profile : device_profiles()) {
         std::set<std::string> all;
         for (const HomingStep step : steps)
             for (const HomingRemark remark : remarks)
-                all.insert(words_of({step, remark, 0.0, 0.012}, profile));
+                all.insert(words_of({step, remark, 0.0, 0.012, 1.17, 0}, profile));
         EXPECT_EQ(all.size(), steps.size() * remarks.size()) << profile.name;
         for (const std::string& words : all) {
             EXPECT_EQ(words.back(), '.');
@@ -40,16 +45,41 @@ TEST(DeviceWords, LeadTheHandAwayFirstOnAGen31AndTowardsFirstOnAGen3) {
 }
 
 TEST(DeviceWords, AMisfitIsToldInMillimetres) {
-    const HomingView view{HomingStep::to_check, HomingRemark::misfit, 1.0, 0.0123};
-    EXPECT_EQ(words_of(view, default_profile()),
-              "Not there yet: 12 millimetres off. Second, pull the handle towards you until it "
-              "stops, then hold it still.");
+    const HomingView view{HomingStep::to_check, HomingRemark::misfit, 1.0, 0.0123, 1.0, 0};
+    EXPECT_EQ(
+        words_of(view, default_profile()),
+        "Not there yet: 12 millimetres off. That was the first place. Pull the handle towards "
+        "you until it stops. Hold it still there.");
+}
+
+/// The kiosk says it sentence by sentence in other languages: so must the catalogue have it.
+TEST(DeviceWords, EverySentenceButThoseWithAMeasureIsInTheCatalogue) {
+    const PoFile english =
+        read_po(TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue/touchline.pot");
+    std::set<std::string> all;
+    for (const DeviceProfile& profile : device_profiles()) {
+        for (const HomingStep step : steps)
+            for (const HomingRemark remark : remarks)
+                all.insert(words_of({step, remark, 0.0, 0.012, 1.17, 0}, profile));
+        for (int verdict = 0; verdict <= static_cast<int>(NudgeVerdict::silent); ++verdict)
+            all.insert(words_of(static_cast<NudgeVerdict>(verdict), BoardFrame(profile, {})));
+    }
+    for (std::string words : all) {
+        for (std::size_t stop = 0; !words.empty(); words.erase(0, stop + 2)) {
+            stop = std::min(words.find(". "), words.size() - 1);
+            const std::string sentence = words.substr(0, stop + 1);
+            const bool has_measure = sentence.find("millimetres") != std::string::npos ||
+                                     sentence.find("percent") != std::string::npos;
+            EXPECT_NE(english.contains({"device", sentence}), has_measure) << sentence;
+            if (stop + 1 == words.size()) break;
+        }
+    }
 }
 
 TEST(DeviceWords, EveryVerdictSaysWhatToDo) {
     std::set<std::string> all;
     for (int verdict = 0; verdict <= static_cast<int>(NudgeVerdict::silent); ++verdict)
-        all.insert(words_of(static_cast<NudgeVerdict>(verdict)));
+        all.insert(words_of(static_cast<NudgeVerdict>(verdict), BoardFrame(default_profile(), {})));
     EXPECT_EQ(all.size(), static_cast<std::size_t>(NudgeVerdict::silent) + 1U);
 }
 

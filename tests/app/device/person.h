@@ -6,25 +6,38 @@
 #include "haptics/pantograph/profile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <string>
 #include <vector>
 
 namespace touchline {
 
-/// Goes where the words say, 0.15 m/s. Threads: hear() from one, at() from any.
+/// Goes where the words say, 0.15 m/s. Threads: hear() from one, the rest from any.
 class Person final : public IntendedPath {
   public:
-    explicit Person(const DeviceProfile& profile)
-        : home_(place(profile, profile.home)), check_(place(profile, profile.check.angles)) {
+    /// `unit`: with the stops that it really has.
+    explicit Person(const DeviceProfile& unit)
+        : home_(place(unit, unit.home)),
+          check_(place(unit, unit.check.angles)),
+          home_place_(unit.home_place),
+          check_place_(unit.check.place) {
         from_ = to_ = 0.5 * (home_ + check_);
     }
 
     void hear(const std::string& words, double now_s) {
+        const auto is_said = [&](const char* what) {
+            return words.find(what) != std::string::npos;
+        };
         Position to = to_;
-        if (words.find("away from you") != std::string::npos) to = home_;
-        if (words.find("towards you") != std::string::npos) to = check_;
+        if (is_said("away from you")) to = stop(StopPlace::away);
+        if (is_said("towards you")) to = stop(StopPlace::towards);
+        if (is_said("out to the sides")) to = stop(StopPlace::sideways);
+        if (is_said("to the left")) to = takes_right_for_left_ ? right : left;
+        if (is_said("middle")) to = {};
         go(to, now_s);
+        const std::lock_guard lock(mutex_);
+        lets_go_ = is_said("et go");
         heard.push_back(words);
     }
 
@@ -34,7 +47,17 @@ class Person final : public IntendedPath {
         from_ = now;
         to_ = to;
         since_s_ = now_s;
+        lets_go_ = false;
     }
+
+    /// Not once they came to where they were to let go.
+    [[nodiscard]] bool holds(double now_s) const {
+        const std::lock_guard lock(mutex_);
+        return !lets_go_ || 0.15 * (now_s - since_s_) < norm(to_ - from_) + 0.05;
+    }
+
+    /// Takes the left for the right.
+    void mistake_left() { takes_right_for_left_ = true; }
 
     [[nodiscard]] Intention at(double t_s) const override {
         const std::lock_guard lock(mutex_);
@@ -48,13 +71,27 @@ class Person final : public IntendedPath {
     std::vector<std::string> heard;
 
   private:
-    static Position place(const DeviceProfile& profile, JointAngles angles) {
-        return picture_from_device(profile, forward(profile.geometry, angles).value().p_DH);
+    static constexpr Position left{-0.045, 0.0}, right{0.045, 0.0};
+
+    /// Where arms lie straight on each other there is no pose: the hand leans out beyond their
+    /// reach.
+    static Position place(const DeviceProfile& unit, JointAngles angles) {
+        const auto pose = forward(unit.geometry, angles);
+        const double reach_m = unit.geometry.proximal_m + unit.geometry.distal_m;
+        const Position out{0.5 * unit.geometry.base_m, reach_m + 1e-3};
+        return picture_from_device(unit, pose ? pose->p_DH : out);
+    }
+
+    [[nodiscard]] Position stop(StopPlace place) const {
+        return place == home_place_ ? home_ : place == check_place_ ? check_ : to_;
     }
 
     mutable std::mutex mutex_;
     Position home_, check_, from_, to_;
+    StopPlace home_place_, check_place_;
     double since_s_ = 0.0;
+    bool lets_go_ = false;
+    bool takes_right_for_left_ = false;
 };
 
 }  // namespace touchline

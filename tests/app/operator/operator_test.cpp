@@ -1,7 +1,9 @@
 // The operator's screens by six keys: way in, PIN, settings, tests, upkeep.
 #include "app/operator/backup.h"
+#include "app/operator/kinds.h"
 #include "app/operator/operator_places.h"
 #include "app/operator/pin_file.h"
+#include "haptics/pantograph/profile.h"
 #include "tests/app/operator/operator_rig.h"
 
 #include <algorithm>
@@ -401,6 +403,40 @@ TEST_F(OperatorTest, HomingIsStoppedByLeaving) {
     EXPECT_NE(rig.screen().text.find("Lead the handle"), std::string::npos) << "shown as well";
     rig.press(R::back);
     EXPECT_EQ(rig.count<StopHoming>(), 1);
+}
+
+/// Nobody said which kind of handle it is: that is asked before the first homing.
+TEST_F(OperatorTest, AHandleThatIsNewIsAskedForItsKindFirst) {
+    rig.kind = "";
+    ASSERT_TRUE(rig.open({"Handle and tests", "Find the handle's home", "Begin"}));
+    EXPECT_EQ(rig.count<FindHome>(), 0);
+    EXPECT_EQ(rig.state.place, OperatorPlace::kind);
+    EXPECT_NE(rig.heard().find("Kind of handle"), std::string::npos);
+    ASSERT_TRUE(rig.open({"2diy 3.1, elbows in line with the motors"}));
+    EXPECT_EQ(rig.state.place, OperatorPlace::homing);
+    ASSERT_EQ(rig.count<ChooseKind>(), 1);
+    for (const OperatorOrder& order : rig.orders) {
+        const auto* const chosen = std::get_if<ChooseKind>(&order);
+        if (chosen == nullptr) continue;
+        EXPECT_EQ(chosen->profile, "2diy-gen3.1-180");
+    }
+    rig.take(OrderAnswered{"Push the handle away from you until it stops."});
+    EXPECT_NE(rig.heard().find("until it stops"), std::string::npos);
+}
+
+TEST_F(OperatorTest, TheKindCanBeSaidAnewAndASimulatedHandleHasNone) {
+    ASSERT_TRUE(rig.open({"Handle and tests", "Kind of handle"}));
+    EXPECT_EQ(rig.screen().items.size(), kind_rows().size());
+    EXPECT_EQ(rig.screen().items.front().value, "in use");
+    rig.kind.reset();
+    ASSERT_EQ(rig.screen().items.size(), 1U);
+    EXPECT_EQ(rig.screen().items.front().name, "No handle with motors is plugged in.");
+}
+
+TEST(Kinds, EveryProfileCanBeChosen) {
+    ASSERT_EQ(kind_rows().size(), device_profiles().size());
+    for (const KindRow& row : kind_rows())
+        EXPECT_TRUE(find_profile(row.profile).has_value()) << row.profile;
 }
 
 TEST_F(OperatorTest, UpkeepAsksBeforeItLosesAnything) {

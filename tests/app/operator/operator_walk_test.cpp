@@ -47,6 +47,7 @@ OperatorWorld still_world(const Language& language) {
     world.profiles = {{"child", {0, 1}}, {"expert", {}}};
     world.packs = {"Castles"};
     world.live = {"0.5 N"};
+    world.kind = "2diy-gen2";
     return world;
 }
 

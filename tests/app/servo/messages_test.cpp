@@ -73,6 +73,37 @@ TEST(Messages, ABoardComesWithItsNodeOrNotAtAll) {
     EXPECT_FALSE(held_board_of(arrival).has_value());
 }
 
+TEST(Messages, WhatHomingFoundArrivesAndNothingThatIsOutOfRange) {
+    const Calibration found{{0.3, 0.1},           {0.02, -0.01}, 1.19, {true, false, true},
+                            {false, true, false}, true,          true, {}};
+    Calibration before;
+    before.torque_limit_Nm = 0.156;
+    const auto kept = calibration_of(message_of(found), before);
+    ASSERT_TRUE(kept.has_value());
+    EXPECT_EQ(kept->offset, JointAngles{});  // holds until the board is set up again
+    EXPECT_EQ(kept->stop_off, found.stop_off);
+    EXPECT_EQ(kept->scale, found.scale);
+    EXPECT_EQ(kept->encoders, found.encoders);
+    EXPECT_EQ(kept->motors, found.motors);
+    EXPECT_TRUE(kept->is_measured);
+    EXPECT_TRUE(kept->has_all_counts);
+    EXPECT_EQ(kept->torque_limit_Nm, 0.156);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {nan, 0.0, 2.0, -1.0}) {
+        Message message = message_of(found);
+        message.home.scale = bad;
+        EXPECT_FALSE(calibration_of(message, before).has_value()) << bad;
+        message = message_of(found);
+        message.home.stop_off_2 = bad == 0.0 ? 0.2 : bad;
+        EXPECT_FALSE(calibration_of(message, before).has_value()) << bad;
+    }
+    for (std::uint16_t HomeFound::*plugs : {&HomeFound::encoders, &HomeFound::motors}) {
+        Message message = message_of(found);
+        message.home.*plugs = 8;
+        EXPECT_FALSE(calibration_of(message, before).has_value());
+    }
+}
+
 TEST(Messages, NonsenseCountsAsGone) {
     Message unknown = message_of(MessageKind::notice);
     unknown.kind = static_cast<MessageKind>(77);

@@ -63,6 +63,23 @@ TEST_F(ServoProcess, WhyThereIsNoServoStaysToBeReadWhileTheNextIsTried) {
     board_.owner = 0;
 }
 
+/// A board that nobody has named the kind of is not touched.
+TEST_F(ServoProcess, NoServoIsStartedBeforeItsKindIsSaid) {
+    ServoProcessOptions options{TOUCHLINE_SERVO_RIG, {}, [] { return Result<void>(); }};
+    options.kind = "";
+    options.keep_kind = [this](const std::string&) { return std::vector<std::string>{path_}; };
+    touchline::ServoProcess servo(std::move(options));
+    EXPECT_TRUE(wait_until([&] { return !servo.device_words().empty(); }));
+    EXPECT_NE(servo.device_words().find("which kind"), std::string::npos);
+    EXPECT_EQ(board_.reads, 0);
+    servo.choose_kind("haplet");
+    EXPECT_EQ(servo.kind(), "haplet");
+    EXPECT_TRUE(wait_until([&] {
+        (void)servo.latest();
+        return board_.reads > 100;
+    }));
+}
+
 /// A kiosk gone mad: it scribbles over all that is shared, sends nonsense, and dies.
 TEST_F(ServoProcess, AKioskGoneMadNeitherCrashesTheServoNorLeavesTorque) {
     auto sockets = socket_pair().value();

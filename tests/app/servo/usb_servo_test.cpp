@@ -24,6 +24,7 @@ constexpr int longest_wait_ms = 60'000;
 class UsbServo : public testing::Test {
   protected:
     void start(const std::string& program, std::vector<std::string> arguments = {}) {
+        device_.profile = default_profile().name;
         device_.is_homed_first = false;  // the hand of the test rests at home
         for (const std::string& argument : arguments_of(device_)) arguments.push_back(argument);
         servo_ = std::make_unique<ServoProcess>(ServoProcessOptions{

@@ -23,7 +23,7 @@ class SleepyBoard : public testing::Test {
         MonotonicClock clock;
         const Opening opening{
             [](const std::string&) {}, [] { return true; }, [](const Calibration&) {}, {}, {}};
-        EXPECT_TRUE(board_.open({false, false, {}}, opening, clock).has_value());
+        EXPECT_TRUE(board_.open(false, opening, clock).has_value());
     }
 
     /// The angles of the last tick.

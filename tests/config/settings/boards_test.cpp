@@ -62,7 +62,9 @@ TEST(Boards, UdevRulesOpenEveryBoardOfTheTable) {
 
 TEST(Boards, UnitsAreReadBackAsTheyWereWritten) {
     UnitSettings left{"A1B2", "2diy-gen3.1", {}};
-    left.calibration = {{0.1, -1.0 / 3.0}, {1.0194, 0.97}, true, 0.1};
+    left.calibration = {
+        {}, {0.01, -1.0 / 30.0}, 1.0194, {true, false, true}, {false, true, false}, true, true,
+        0.1};
     const UnitSettings plain{"with \"quotes\" and \\", "haplet", {}};
     const auto read = parse_boards(units_text({left, plain}), "units.toml");
     ASSERT_TRUE(read.has_value()) << read.error().line;
@@ -70,9 +72,12 @@ TEST(Boards, UnitsAreReadBackAsTheyWereWritten) {
     const UnitSettings* found = find_unit(*read, "A1B2");
     ASSERT_NE(found, nullptr);
     EXPECT_EQ(found->profile, "2diy-gen3.1");
-    EXPECT_EQ(found->calibration.offset, left.calibration.offset);
+    EXPECT_EQ(found->calibration.stop_off, left.calibration.stop_off);
     EXPECT_EQ(found->calibration.scale, left.calibration.scale);
-    EXPECT_TRUE(found->calibration.are_motors_swapped);
+    EXPECT_EQ(found->calibration.encoders, left.calibration.encoders);
+    EXPECT_EQ(found->calibration.motors, left.calibration.motors);
+    EXPECT_TRUE(found->calibration.is_measured);
+    EXPECT_TRUE(found->calibration.has_all_counts);
     EXPECT_EQ(found->calibration.torque_limit_Nm, 0.1);
     ASSERT_NE(find_unit(*read, plain.serial), nullptr);
     EXPECT_EQ(find_unit(*read, plain.serial)->calibration.torque_limit_Nm, std::nullopt);
@@ -107,11 +112,20 @@ TEST(Boards, ValuesOutOfRangeAreRefused) {
           "torque_limit_Nm = 1.5", "torque_limit_Nm = inf"})
         EXPECT_EQ(boards_error(unit + bad),
                   "boards.toml:4: 'torque_limit_Nm' must be above 0 and at most 1");
-    for (const char* bad : {"scale = [1.0, 0.5]", "scale = [nan, 1.0]", "scale = [1.0]",
-                            "scale = 1.0", "scale = [1.0, 1.0, 1.0]", "scale = [\"a\", 1.0]"})
+    for (const char* bad : {"scale = 0.3", "scale = 1.4", "scale = nan"})
         EXPECT_EQ(boards_error(unit + bad),
-                  "boards.toml:4: 'scale' must be two numbers, one a joint, from "
-                  "0.8 to 1.25");
+                  "boards.toml:4: 'scale' must be a number from 0.4 to 1.3");
+    EXPECT_EQ(boards_error(unit + "scale = [1.0, 1.0]"), "boards.toml:4: 'scale' must be a number");
+    for (const char* bad :
+         {"stop_off_rad = [0.0, 0.5]", "stop_off_rad = [nan, 0.0]", "stop_off_rad = [0.0]",
+          "stop_off_rad = 0.0", "stop_off_rad = [0.0, 0.0, 0.0]", "stop_off_rad = [\"a\", 0.0]"})
+        EXPECT_EQ(boards_error(unit + bad),
+                  "boards.toml:4: 'stop_off_rad' must be two numbers, one a joint, from "
+                  "-0.1 to 0.1");
+    for (const char* bad : {"reversed_motors = true", "reversed_motors = [true]",
+                            "reversed_motors = [1, 0]", "reversed_motors = [true, true, true]"})
+        EXPECT_EQ(boards_error(unit + bad),
+                  "boards.toml:4: 'reversed_motors' must be true or false twice, one a joint");
 }
 
 TEST(Boards, FileThatIsMissingOrHugeIsRefused) {

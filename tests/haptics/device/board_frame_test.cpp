@@ -1,6 +1,8 @@
 #include "haptics/device/board_frame.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -32,31 +34,50 @@ TEST(BoardFrame, HomeReadingIsThatOfTheFirmware) {
     EXPECT_EQ(frame_of("haplet").home_reading(), (PortAngles{180.0, 0.0}));
 }
 
-TEST(BoardFrame, JointOneOfA2diyIsOnPortTwoUnlessThePlugsAreSwapped) {
+TEST(BoardFrame, MotorsAndEncodersAreEachWhereTheUnitHasThem) {
     const BoardFrame plain = frame_of("2diy-gen2");
     EXPECT_EQ(plain.port_torques({0.01, 0.02}), (PortTorques{0.02, 0.01}));
-    Calibration swapped;
-    swapped.are_motors_swapped = true;
-    const BoardFrame frame = frame_of("2diy-gen2", swapped);
-    EXPECT_EQ(frame.port_torques({0.01, 0.02}), (PortTorques{0.01, 0.02}));
-    EXPECT_EQ(frame.set_up_at_home().offsets_deg, (std::array<float, 2>{241.0F, -61.0F}));
-    EXPECT_EQ(frame.set_up_at_home().turns,
-              (std::array<Turn, 2>{Turn::counter_clockwise, Turn::clockwise}));
-    const PortAngles moved = frame.home_reading() + 3.0 * PortAngles{frame.quantum().x, 0.0};
+    EXPECT_EQ(plain.motor_port(1), 2);
+    Calibration unit;
+    unit.motors = {true, false, true};
+    unit.encoders = {false, true, false};
+    const BoardFrame frame = frame_of("2diy-gen2", unit);
+    EXPECT_EQ(frame.port_torques({0.01, 0.02}), (PortTorques{0.01, -0.02}));
+    EXPECT_EQ(frame.motor_port(1), 1);
+    EXPECT_EQ(frame.motor_port(2), 2);
+    // Joint 1 is on port 2.
+    const PortAngles moved = frame.home_reading() + 3.0 * PortAngles{0.0, frame.quantum().y};
     const JointAngles turned = frame.joint_angles(moved) - frame.profile().home;
-    EXPECT_NEAR(turned.x, 3.0 * encoder_quantum(frame.profile()).x, 1e-12);
+    EXPECT_NEAR(turned.x, -3.0 * encoder_quantum(frame.profile()).x, 1e-12);
     EXPECT_NEAR(turned.y, 0.0, 1e-12);
+}
+
+TEST(BoardFrame, AUnitIsSetUpAsItsMakerDoesItWhateverItsPlugs) {
+    Calibration unit;
+    unit.motors = unit.encoders = {true, true, true};
+    const Command told = set_up_command(frame_of("2diy-gen2", unit).set_up_at_home());
+    const Command usual = set_up_command(frame_of("2diy-gen2").set_up_at_home());
+    EXPECT_TRUE(std::equal(told.bytes().begin(), told.bytes().end(), usual.bytes().begin()));
+}
+
+TEST(Plugs, ThereAndBackIsTheSame) {
+    for (std::uint32_t number = 0; number < 8; ++number) {
+        const Plugs plugs = plugs_of(number);
+        EXPECT_EQ(number_of(plugs), number);
+        const JointTorques torques{0.01, 0.02};
+        EXPECT_EQ(at_joints(plugs, at_ports(plugs, torques)), torques);
+    }
 }
 
 TEST(BoardFrame, OffsetAndScaleActOnTheTurnFromHome) {
     Calibration calibration;
     calibration.offset = {0.01, -0.02};
-    calibration.scale = {1.05, 0.9};
+    calibration.scale = 1.05;
     const BoardFrame frame = frame_of("2diy-gen3.1", calibration);
     const PortAngles raw = frame.home_reading() + PortAngles{10.0, -20.0};  // joint 2, joint 1
     const JointAngles angles = frame.joint_angles(raw);
     EXPECT_NEAR(angles.x, (168.0 - 1.05 * 20.0) * degree + 0.01, 1e-12);
-    EXPECT_NEAR(angles.y, (12.0 + 0.9 * 10.0) * degree - 0.02, 1e-12);
+    EXPECT_NEAR(angles.y, (12.0 + 1.05 * 10.0) * degree - 0.02, 1e-12);
 }
 
 TEST(BoardFrame, TorquesAreScaledTogetherToTheUnitsLimit) {

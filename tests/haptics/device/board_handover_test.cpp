@@ -10,17 +10,17 @@
 namespace touchline {
 namespace {
 
-constexpr JointTorques push{0.03, -0.02};
+constexpr JointTorques steady_push{0.03, -0.02};
 
 TEST(BoardHandover, StopLeavesZeroTorqueAndGivesTheBoardBack) {
     BoardRig rig;
     ASSERT_TRUE(rig.driver->open().has_value());
-    rig.tick_for(0.1, push);
+    rig.tick_for(0.1, steady_push);
     EXPECT_TRUE(rig.driver->stop());
     EXPECT_EQ(rig.held(), JointTorques{});
     EXPECT_EQ(rig.driver->report().state, BoardState::closed);
-    EXPECT_FALSE(rig.tick(push).has_value());
-    EXPECT_FALSE(rig.driver->write_torques(push));
+    EXPECT_FALSE(rig.tick(steady_push).has_value());
+    EXPECT_FALSE(rig.driver->write_torques(steady_push));
     EXPECT_FALSE(rig.driver->stop());
     EXPECT_EQ(rig.held(), JointTorques{});
 }
@@ -28,7 +28,7 @@ TEST(BoardHandover, StopLeavesZeroTorqueAndGivesTheBoardBack) {
 TEST(BoardHandover, DestroyingTheDriverStopsTheMotors) {
     BoardRig rig;
     ASSERT_TRUE(rig.driver->open().has_value());
-    rig.tick_for(0.1, push);
+    rig.tick_for(0.1, steady_push);
     rig.driver.reset();
     EXPECT_EQ(rig.held(), JointTorques{});
 }
@@ -36,7 +36,7 @@ TEST(BoardHandover, DestroyingTheDriverStopsTheMotors) {
 TEST(BoardHandover, ABoardThatSomebodyElseLeftPullingIsStopped) {
     BoardRig rig;
     ASSERT_TRUE(rig.driver->open().has_value());
-    rig.tick_for(0.1, push);
+    rig.tick_for(0.1, steady_push);
     const std::uint64_t set_ups = rig.board.firmware().set_ups();
     // The other program is gone; the board never heard of it.
     EXPECT_TRUE(zero_torque(std::make_unique<EmulatedLink>(rig.board, rig.time)));
@@ -47,7 +47,7 @@ TEST(BoardHandover, ABoardThatSomebodyElseLeftPullingIsStopped) {
 TEST(BoardHandover, ZeroIsTheFirstThingThatAStopSends) {
     BoardRig rig;
     ASSERT_TRUE(rig.driver->open().has_value());
-    rig.tick_for(0.1, push);
+    rig.tick_for(0.1, steady_push);
     const double before_s = rig.time.now_s;
     EXPECT_TRUE(rig.driver->stop());
     EXPECT_LE(rig.board.told_torques().back().at_s, before_s + 1e-3);
@@ -62,7 +62,7 @@ TEST(BoardHandover, ABoardThatWasNeverSetUpIsStoppedToo) {
 TEST(BoardHandover, AStaleReplyFromBeforeIsDrained) {
     BoardRig rig;
     ASSERT_TRUE(rig.driver->open().has_value());
-    rig.tick_for(0.05, push);
+    rig.tick_for(0.05, steady_push);
     // A program that died with a reply unread.
     rig.board.host_listens(false);
     rig.board.host_sends(write_command({0.01, 0.01}).bytes());
@@ -91,9 +91,9 @@ TEST(BoardHandover, TheEmptyPacketAfterAnOverflowIsIgnored) {
 TEST(BoardHandover, UnpluggedInMidStrokeIsLostAndSaysSo) {
     BoardRig rig;
     ASSERT_TRUE(rig.driver->open().has_value());
-    rig.tick_for(0.1, push);
+    rig.tick_for(0.1, steady_push);
     rig.board.unplug();
-    EXPECT_FALSE(rig.tick(push).has_value());
+    EXPECT_FALSE(rig.tick(steady_push).has_value());
     EXPECT_FALSE(rig.is_written);
     EXPECT_EQ(rig.driver->report().state, BoardState::lost);
     EXPECT_EQ(rig.driver->report().last_failure, LinkStatus::gone);
@@ -104,9 +104,9 @@ TEST(BoardHandover, UnpluggedInMidStrokeIsLostAndSaysSo) {
 TEST(BoardHandover, PluggedInAgainUnderAnotherNumberItOpensAnew) {
     BoardRig rig;
     ASSERT_TRUE(rig.driver->open().has_value());
-    rig.tick_for(0.1, push);
+    rig.tick_for(0.1, steady_push);
     rig.board.unplug();
-    (void)rig.tick(push);
+    (void)rig.tick(steady_push);
     const int number = rig.board.device_number();
     rig.board.plug();
     EXPECT_NE(rig.board.device_number(), number);
@@ -114,8 +114,8 @@ TEST(BoardHandover, PluggedInAgainUnderAnotherNumberItOpensAnew) {
     rig.connect();
     ASSERT_TRUE(rig.driver->open().has_value());
     (void)rig.tick({});
-    rig.tick_for(0.05, push);
-    EXPECT_LT(norm(rig.held() - push), 1e-3);
+    rig.tick_for(0.05, steady_push);
+    EXPECT_LT(norm(rig.held() - steady_push), 1e-3);
 }
 
 TEST(BoardHandover, SomethingThatIsNoPantographIsRefused) {

@@ -20,7 +20,14 @@ constexpr double degree = std::numbers::pi / 180.0;
 constexpr JointAngles retracted{168.0 * degree, 12.0 * degree};
 constexpr JointAngles extended{97.23 * degree, 82.77 * degree};
 const HomingPlan gen31 = homing_plan(default_profile());
-constexpr JointAngles unity{1.0, 1.0};
+constexpr JointAngles aside =
+    extended + JointAngles{-30.0 * degree, -30.0 * degree};  // to the left
+
+Calibration known() {
+    Calibration stored;
+    stored.is_measured = true;
+    return stored;
+}
 
 /// Where a hand goes and how long it stays.
 struct Stay {
@@ -30,17 +37,17 @@ struct Stay {
 
 /// Encoders that start counting at home wherever the arms stand, as the board's do.
 struct Unit {
-    JointAngles scale = unity;  // true turn per turn read
-    JointAngles told_home;      // angles at which the set-up was sent
-    bool is_swapped = false;
+    double scale = 1.0;                 // true turn per turn read
+    JointAngles told_home = retracted;  // angles at which the set-up was sent
+    Plugs encoders;
 
     [[nodiscard]] JointAngles read(JointAngles angles) const {
-        const auto count = [](double turn, double scale_of_joint, double quantum) {
-            return quantum * std::trunc(turn / scale_of_joint / quantum);
+        const auto count = [&](double turn, double quantum) {
+            return quantum * std::trunc(turn / scale / quantum);
         };
-        const JointAngles turn{count(angles.x - told_home.x, scale.x, gen31.quantum.x),
-                               count(angles.y - told_home.y, scale.y, gen31.quantum.y)};
-        return retracted + (is_swapped ? JointAngles{turn.y, turn.x} : turn);
+        return retracted +
+               at_ports(encoders, JointAngles{count(angles.x - told_home.x, gen31.quantum.x),
+                                              count(angles.y - told_home.y, gen31.quantum.y)});
     }
 };
 
@@ -71,11 +78,9 @@ JointAngles between(double share) {
 }
 
 TEST(Homing, OneWayIsEnoughWhereTheScaleIsKnown) {
-    Homing homing(gen31, Calibration{});
-    EXPECT_EQ(lead(homing, {unity, retracted, false}, {{retracted, 4.5}}).step,
-              HomingStep::to_check);
-    const HomingView view =
-        lead(homing, {unity, retracted, false}, {{retracted, 0.1}, {extended, 4.5}});
+    Homing homing(gen31, known());
+    EXPECT_EQ(lead(homing, {}, {{retracted, 4.5}}).step, HomingStep::to_check);
+    const HomingView view = lead(homing, {}, {{retracted, 0.1}, {extended, 4.5}});
     EXPECT_EQ(view.step, HomingStep::done);
     EXPECT_EQ(view.remark, HomingRemark::none);
     EXPECT_LT(view.misfit_m, 1e-3);
@@ -83,8 +88,8 @@ TEST(Homing, OneWayIsEnoughWhereTheScaleIsKnown) {
 
 TEST(Homing, ShiftsWhatTheBoardTellsToWhereTheArmsAre) {
     // The board was set up with the handle 20 degrees from home.
-    const Unit unit{unity, between(0.3), false};
-    Homing homing(gen31, Calibration{});
+    const Unit unit{1.0, between(0.3), {}};
+    Homing homing(gen31, known());
     ASSERT_EQ(lead(homing, unit, {{retracted, 4.5}, {extended, 4.5}}).step, HomingStep::done);
     const Calibration found = homing.calibration();
     const JointAngles middle = retracted + found.offset + (unit.read(between(0.5)) - retracted);
@@ -93,31 +98,70 @@ TEST(Homing, ShiftsWhatTheBoardTellsToWhereTheArmsAre) {
 }
 
 TEST(Homing, MeasuresTheScaleOfAUnitByTwoVisits) {
-    const Unit unit{{1.06, 0.95}, retracted, false};
-    Homing homing(gen31, std::nullopt);
-    const HomingView half = lead(homing, unit, {{retracted, 4.5}, {extended, 4.5}});
-    EXPECT_EQ(half.step, HomingStep::to_home_again);
-    const HomingView view =
-        lead(homing, unit, {{extended, 0.1}, {retracted, 4.5}, {extended, 4.5}});
-    EXPECT_EQ(view.step, HomingStep::done);
-    EXPECT_EQ(view.remark, HomingRemark::measured);
-    EXPECT_NEAR(homing.calibration().scale.x, 1.06, 0.01);
-    EXPECT_NEAR(homing.calibration().scale.y, 0.95, 0.01);
+    for (const double scale : {1.06, 0.95, 1.19, 0.5, 0.6}) {
+        const Unit unit{scale, retracted, {}};
+        Homing homing(gen31, {});
+        const HomingView half = lead(homing, unit, {{retracted, 4.5}, {extended, 4.5}});
+        EXPECT_EQ(half.step, HomingStep::to_left) << scale;
+        const HomingView view =
+            lead(homing, unit, {{extended, 0.1}, {aside, 4.5}, {retracted, 4.5}, {extended, 4.5}});
+        EXPECT_EQ(view.step, HomingStep::done) << scale;
+        EXPECT_EQ(view.remark, HomingRemark::measured);
+        EXPECT_TRUE(homing.calibration().is_measured);
+        EXPECT_NEAR(homing.calibration().scale / scale, 1.0, 0.01);
+        EXPECT_LT(norm(homing.calibration().stop_off), 0.5 * degree);
+    }
+}
+
+TEST(Homing, AScaleThatNoUnitIsKnownForIsSaidToBeAnotherKind) {
+    for (const double scale : {0.855, 1.09, 0.7, 0.42, 1.4}) {
+        Homing homing(gen31, {});
+        const Unit unit{scale, retracted, {}};
+        EXPECT_EQ(lead(homing, unit, {{retracted, 4.5}, {extended, 4.5}}).remark,
+                  HomingRemark::misfit)
+            << scale;
+        const HomingView view = lead(homing, unit, {{extended, 45.0}});
+        EXPECT_EQ(view.remark, HomingRemark::starting_over) << scale;
+        EXPECT_NEAR(view.turn_share, 1.0 / scale, 0.02 / scale);
+    }
+}
+
+/// The stop of one arm stands elsewhere than that of the other: both encoders are alike.
+TEST(Homing, WhatDiffersBetweenTheJointsIsTheStop) {
+    const JointAngles stop{166.58 * degree, 11.11 * degree};
+    Homing homing(gen31, {});
+    ASSERT_EQ(
+        lead(homing, {}, {{stop, 4.5}, {extended, 4.5}, {aside, 4.5}, {stop, 4.5}, {extended, 4.5}})
+            .step,
+        HomingStep::done);
+    const Calibration found = homing.calibration();
+    EXPECT_NEAR(found.scale, 1.0, 0.006);
+    EXPECT_LT(norm(retracted + found.stop_off - stop), 0.6 * degree);
+    Homing again(gen31, found);
+    EXPECT_EQ(lead(again, {}, {{stop, 4.5}, {extended, 4.5}}).step, HomingStep::done);
 }
 
 TEST(Homing, DoesNotTakeAPauseOnTheWayForTheStop) {
-    // 92 % of the way: within what a scale may be off. The second visit gives it away.
-    const Unit unit{unity, retracted, false};
-    Homing homing(gen31, std::nullopt);
+    // 95 % of the way: within what a scale may be off. The second visit gives it away.
+    Homing homing(gen31, {});
     const HomingView view = lead(
-        homing, unit, {{retracted, 4.5}, {between(0.92), 4.5}, {retracted, 4.5}, {extended, 4.5}});
+        homing, {},
+        {{retracted, 4.5}, {between(0.95), 4.5}, {aside, 4.5}, {retracted, 4.5}, {extended, 4.5}});
     EXPECT_EQ(view.step, HomingStep::to_check_again);
     EXPECT_EQ(view.remark, HomingRemark::misfit);
 }
 
+TEST(Homing, WhoDoesNotGoAsideIsAskedAgain) {
+    Homing homing(gen31, {});
+    const HomingView view =
+        lead(homing, {}, {{retracted, 4.5}, {extended, 4.5}, {between(0.7), 4.5}});
+    EXPECT_EQ(view.step, HomingStep::to_left);
+    EXPECT_EQ(view.remark, HomingRemark::not_left);
+}
+
 TEST(Homing, AMisfitIsToldAndTheHandMayGoOn) {
-    const Unit unit{unity, retracted, false};
-    Homing homing(gen31, Calibration{});
+    const Unit unit;
+    Homing homing(gen31, known());
     const HomingView pause = lead(homing, unit, {{retracted, 4.5}, {between(0.5), 4.5}});
     EXPECT_EQ(pause.step, HomingStep::to_check);
     EXPECT_EQ(pause.remark, HomingRemark::misfit);
@@ -126,48 +170,57 @@ TEST(Homing, AMisfitIsToldAndTheHandMayGoOn) {
 }
 
 TEST(Homing, AScaleThatIsOffByMoreThanThreeMillimetresGivesNoForce) {
-    Homing homing(gen31, Calibration{});
+    Homing homing(gen31, known());
     // 5 % of 70.8 degrees on 70 mm are 4.3 mm; 3 % are 2.6 mm.
-    EXPECT_EQ(
-        lead(homing, {{1.05, 1.05}, retracted, false}, {{retracted, 4.5}, {extended, 4.5}}).step,
-        HomingStep::to_check);
-    Homing other(gen31, Calibration{});
-    EXPECT_EQ(
-        lead(other, {{1.03, 1.03}, retracted, false}, {{retracted, 4.5}, {extended, 4.5}}).step,
-        HomingStep::done);
+    EXPECT_EQ(lead(homing, {1.05, retracted, {}}, {{retracted, 4.5}, {extended, 4.5}}).step,
+              HomingStep::to_check);
+    Homing other(gen31, known());
+    EXPECT_EQ(lead(other, {1.03, retracted, {}}, {{retracted, 4.5}, {extended, 4.5}}).step,
+              HomingStep::done);
 }
 
 TEST(Homing, ThreeMisfitsStartOver) {
-    Homing homing(gen31, Calibration{});
+    Homing homing(gen31, known());
     const HomingView view =
-        lead(homing, {unity, retracted, false},
+        lead(homing, {},
              {{retracted, 4.5}, {between(0.4), 4.5}, {between(0.5), 4.5}, {between(0.6), 2.0}});
     EXPECT_EQ(view.step, HomingStep::to_home);
     EXPECT_EQ(view.remark, HomingRemark::starting_over);
 }
 
-TEST(Homing, KnowsSwappedPlugsWhenTheyShowAgain) {
-    for (const auto& stored : {std::optional<Calibration>{Calibration{}}, {}}) {
-        Homing homing(gen31, stored);
-        const Unit unit{unity, retracted, true};
-        const int rounds = stored ? 3 : 2;
-        for (int round = 1; round < rounds; ++round) {
-            EXPECT_EQ(lead(homing, unit, {{retracted, 4.5}, {extended, 4.5}}).remark,
-                      HomingRemark::reversed);
+/// Every way in which encoders can be plugged in shows, once it shows again.
+TEST(Homing, FindsWhereAndWhichWayRoundTheEncodersAre) {
+    for (std::uint32_t number = 0; number < 8; ++number) {
+        const Unit unit{1.0, retracted, plugs_of(number)};
+        Homing homing(gen31, {});
+        HomingView view;
+        const std::vector<Stay> round{{retracted, 4.5}, {extended, 4.5}, {aside, 4.5}};
+        if (number != 0) {
+            EXPECT_EQ(lead(homing, unit, round).remark, HomingRemark::reversed) << number;
         }
-        const HomingView view = lead(homing, unit, {{retracted, 4.5}, {extended, 4.5}});
-        EXPECT_EQ(view.step, HomingStep::to_home);
-        EXPECT_EQ(view.remark, HomingRemark::swapped);
-        EXPECT_TRUE(homing.bare().are_motors_swapped);
-        const Unit set_up_anew{unity, retracted, false};
-        EXPECT_NE(lead(homing, set_up_anew, {{retracted, 4.5}, {extended, 4.5}}).step,
-                  HomingStep::to_home);
+        EXPECT_EQ(lead(homing, unit, round).step, HomingStep::to_home_again) << number;
+        view = lead(homing, unit, {{aside, 0.1}, {retracted, 4.5}, {extended, 4.5}});
+        ASSERT_EQ(view.step, HomingStep::done) << number;
+        EXPECT_EQ(at_joints(homing.calibration().encoders,
+                            at_ports(unit.encoders, JointAngles{1.0, 2.0})),
+                  (JointAngles{1.0, 2.0}))
+            << number;
     }
 }
 
+TEST(Homing, AKnownUnitThatIsPluggedOtherwiseIsMeasuredAnewTheThirdTime) {
+    const Unit unit{1.0, retracted, {true, false, false}};
+    Homing homing(gen31, known());
+    const std::vector<Stay> round{{retracted, 4.5}, {extended, 4.5}};
+    EXPECT_EQ(lead(homing, unit, round).remark, HomingRemark::reversed);
+    EXPECT_EQ(lead(homing, unit, round).remark, HomingRemark::reversed);
+    EXPECT_EQ(lead(homing, unit, round).remark, HomingRemark::replugged);
+    EXPECT_EQ(lead(homing, unit, round).step, HomingStep::to_left);
+}
+
 TEST(Homing, AHandThatDoesNotMoveIsAskedAgainAndAgain) {
-    Homing homing(gen31, Calibration{});
-    const Unit unit{unity, retracted, false};
+    Homing homing(gen31, known());
+    const Unit unit;
     HomingView view;
     for (int k = 0; k < 95000; ++k) view = homing.step(unit.read(retracted), tick_s);
     EXPECT_EQ(view.step, HomingStep::to_home);
@@ -176,7 +229,7 @@ TEST(Homing, AHandThatDoesNotMoveIsAskedAgainAndAgain) {
 }
 
 TEST(Homing, AHiccupOfTheBoardIsNotSaidAndASilenceIsUntilItIsOver) {
-    Homing homing(gen31, Calibration{});
+    Homing homing(gen31, known());
     for (int k = 0; k < 400; ++k)
         EXPECT_EQ(homing.step(std::nullopt, tick_s).remark, HomingRemark::none);
     EXPECT_EQ(homing.step(retracted, tick_s).remark, HomingRemark::none);
@@ -188,16 +241,19 @@ TEST(Homing, AHiccupOfTheBoardIsNotSaidAndASilenceIsUntilItIsOver) {
 
 /// The order of the stops is all that tells swapped plugs from stops in the wrong order.
 TEST(Homing, StopsInTheWrongOrderAreNotSwappedPlugs) {
-    for (const auto& stored : {std::optional<Calibration>{Calibration{}}, {}}) {
+    for (const Calibration& stored : {known(), Calibration{}}) {
         Homing homing(gen31, stored);
-        const Unit unit{unity, retracted, false};
-        HomingView view = lead(homing, unit, {{extended, 4.5}, {retracted, 4.5}});
+        HomingView view = lead(homing, {}, {{extended, 4.5}, {retracted, 4.5}});
+        if (!stored.is_measured)
+            view = lead(homing, {}, {{retracted, 0.1}, {retracted + JointAngles{-0.5, -0.5}, 4.5}});
         EXPECT_EQ(view.step, HomingStep::to_home);
         EXPECT_EQ(view.remark, HomingRemark::reversed);
-        EXPECT_FALSE(homing.bare().are_motors_swapped);
-        view = lead(homing, unit, {{retracted, 4.5}, {extended, 4.5}});
-        EXPECT_NE(view.step, HomingStep::to_home);
-        EXPECT_FALSE(homing.bare().are_motors_swapped);
+        view = lead(homing, {}, {{retracted, 4.5}, {extended, 4.5}});
+        if (!stored.is_measured)
+            view = lead(homing, {},
+                        {{extended, 0.1}, {aside, 4.5}, {retracted, 4.5}, {extended, 4.5}});
+        EXPECT_EQ(view.step, HomingStep::done);
+        EXPECT_EQ(homing.calibration().encoders, Plugs{});
     }
 }
 
@@ -205,7 +261,7 @@ TEST(Homing, ASilentBoardOrNoNumberIsNoRest) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const std::optional<JointAngles>& read :
          {std::optional<JointAngles>{}, std::optional<JointAngles>{{nan, 0.0}}}) {
-        Homing homing(gen31, Calibration{});
+        Homing homing(gen31, known());
         HomingView view;
         for (int k = 0; k < 20000; ++k) view = homing.step(read, tick_s);
         EXPECT_EQ(view.step, HomingStep::to_home);

@@ -54,8 +54,9 @@ TEST(NudgeTest, KnowsMotorsWithoutPower) {
     EXPECT_EQ(nudge(off(0.0, 0.0)), NudgeVerdict::no_power);
     EXPECT_EQ(nudge(off(0.0, 1.0)), NudgeVerdict::motor_1_off);
     EXPECT_EQ(nudge(off(1.0, 0.0)), NudgeVerdict::motor_2_off);
-    EXPECT_EQ(nudge(off(-1.0, -1.0)), NudgeVerdict::reversed);
-    EXPECT_EQ(nudge(off(1.0, -1.0)), NudgeVerdict::reversed);
+    EXPECT_EQ(nudge(off(-1.0, -1.0)), NudgeVerdict::reversed_both);
+    EXPECT_EQ(nudge(off(-1.0, 1.0)), NudgeVerdict::reversed_1);
+    EXPECT_EQ(nudge(off(1.0, -1.0)), NudgeVerdict::reversed_2);
 }
 
 TEST(NudgeTest, KnowsSwappedPlugs) {

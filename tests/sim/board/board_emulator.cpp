@@ -1,5 +1,7 @@
 #include "tests/sim/board/board_emulator.h"
 
+#include "haptics/device/board_frame.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -15,6 +17,13 @@ std::uint64_t seed_of(std::uint64_t seed, int power_up) {
     return seed + 1000003 * static_cast<std::uint64_t>(power_up);
 }
 
+// Of four edges a cycle the fourth counts back: half of them in the mean.
+std::int64_t counted_with_steps_back(double counts) {
+    const auto edge = static_cast<std::int64_t>(std::floor(2.0 * counts));
+    const std::int64_t within = (edge % 4 + 4) % 4;
+    return (edge - within) / 2 + within;
+}
+
 std::int64_t as_clockwise(std::int64_t count, Turn turn) {
     return turn == Turn::clockwise ? count : -count;
 }
@@ -23,7 +32,7 @@ std::int64_t as_clockwise(std::int64_t count, Turn turn) {
 
 BoardEmulator::BoardEmulator(const BoardTruth& truth, std::shared_ptr<const IntendedPath> path)
     : truth_(truth),
-      firmware_(truth.type, seed_of(truth.seed, 0)),
+      firmware_(truth.type, seed_of(truth.seed, 0), truth.firmware),
       plant_(truth.profile, truth.hand, plant_step_s, std::move(path)),
       angles_(plant_.angles().value_or(truth.profile.home)) {}
 
@@ -76,14 +85,14 @@ void BoardEmulator::set_lines(bool dtr, bool rts) {
     are_lines_up_ = dtr || rts;
     if (baud_ != deadly_baud || dtr || !is_plugged_) return;
     is_boot_loader_ = true;
-    firmware_ = Firmware(truth_.type, 0);
+    firmware_ = Firmware(truth_.type, 0, truth_.firmware);
     update_torques();
     ++device_number_;
 }
 
 void BoardEmulator::unplug() {
     is_plugged_ = false;
-    firmware_ = Firmware(truth_.type, seed_of(truth_.seed, ++power_ups_));
+    firmware_ = Firmware(truth_.type, seed_of(truth_.seed, ++power_ups_), truth_.firmware);
     on_the_way_.clear();
     in_endpoint_.reset();
     is_dropping_ = is_host_listening_ = are_lines_up_ = false;
@@ -110,27 +119,38 @@ void BoardEmulator::lose_counts(int joint, std::int64_t counts) {
     lost_counts_[static_cast<std::size_t>(joint - 1)] += counts;
 }
 
-int BoardEmulator::joint_on_port(std::size_t port) const {
-    const bool is_joint_1 = (truth_.profile.wiring.joint_1.port == static_cast<int>(port) + 1) !=
-                            truth_.are_plugs_swapped;
-    return is_joint_1 ? 1 : 2;
+bool BoardEmulator::is_joint_1_on(std::size_t port, const Plugs& plugs) const {
+    return (truth_.profile.wiring.joint_1.port == static_cast<int>(port) + 1) != plugs.are_swapped;
 }
 
-// A joint's motor and encoder turn the way its own wiring says; clockwise counts are the negative
-// of counter-clockwise ones.
+Turn BoardEmulator::turn_of(bool is_joint_1, const Plugs& plugs) const {
+    const BoardWiring& wiring = truth_.profile.wiring;
+    const Turn turn = is_joint_1 ? wiring.joint_1.turn : wiring.joint_2.turn;
+    const bool is_reversed = is_joint_1 ? plugs.is_1_reversed : plugs.is_2_reversed;
+    const bool is_clockwise = (turn == Turn::clockwise) != is_reversed;
+    return is_clockwise ? Turn::clockwise : Turn::counter_clockwise;
+}
+
+JointAngles BoardEmulator::true_quantum() const {
+    Calibration unit;
+    unit.has_all_counts = truth_.firmware.has_all_counts;
+    return encoder_quantum(calibrated(truth_.profile, unit));
+}
+
+// Clockwise counts are the negative of counter-clockwise ones.
 PortCounts BoardEmulator::port_counts() {
     angles_ = plant_.angles().value_or(angles_);
-    const JointAngles quantum = encoder_quantum(truth_.profile);
+    const JointAngles quantum = true_quantum();
     PortCounts counts{};
     for (std::size_t port = 0; port < 2; ++port) {
-        const bool is_1 = joint_on_port(port) == 1;
+        const bool is_1 = is_joint_1_on(port, truth_.encoders);
         const double turned = is_1 ? angles_.x * (1.0 + truth_.scale_error.x) / quantum.x
                                    : angles_.y * (1.0 + truth_.scale_error.y) / quantum.y;
-        const auto count =
-            static_cast<std::int64_t>(std::floor(turned)) - lost_counts_[is_1 ? 0 : 1];
-        const JointWiring& wiring =
-            is_1 ? truth_.profile.wiring.joint_1 : truth_.profile.wiring.joint_2;
-        counts[port] = as_clockwise(count, wiring.turn);
+        const std::int64_t counted = truth_.do_counts_step_back
+                                         ? counted_with_steps_back(turned)
+                                         : static_cast<std::int64_t>(std::floor(turned));
+        const std::int64_t count = counted - lost_counts_[is_1 ? 0 : 1];
+        counts[port] = as_clockwise(count, turn_of(is_1, truth_.encoders));
     }
     if (const auto& handle = plant_.handle()) {
         const TurningHandle& made = *truth_.profile.handle;
@@ -144,18 +164,17 @@ double BoardEmulator::told_handle_torque_Nm() const {
     if (!truth_.profile.handle) return 0.0;
     const bool is_right =
         firmware_.motor_turns()[2] == static_cast<std::uint8_t>(truth_.profile.handle->turn);
-    return firmware_.duty()[2] * full_duty_Nm * (is_right ? 1.0 : -1.0);
+    return firmware_.duty()[2] * truth_.firmware.torque_limit_Nm * (is_right ? 1.0 : -1.0);
 }
 
 void BoardEmulator::update_torques() {
     JointTorques torques;
     for (std::size_t port = 0; port < 2; ++port) {
-        const bool is_1 = joint_on_port(port) == 1;
-        const JointWiring& wiring =
-            is_1 ? truth_.profile.wiring.joint_1 : truth_.profile.wiring.joint_2;
-        const bool is_right =
-            firmware_.motor_turns()[port] == static_cast<std::uint8_t>(wiring.turn);
-        const double torque = firmware_.duty()[port] * full_duty_Nm * (is_right ? 1.0 : -1.0);
+        const bool is_1 = is_joint_1_on(port, truth_.motors);
+        const bool is_right = firmware_.motor_turns()[port] ==
+                              static_cast<std::uint8_t>(turn_of(is_1, truth_.motors));
+        const double made = firmware_.duty()[port] * truth_.firmware.torque_limit_Nm;
+        const double torque = made * (is_right ? 1.0 : -1.0);
         (is_1 ? torques.x : torques.y) = torque;
     }
     const double handle_Nm = told_handle_torque_Nm();

@@ -4,6 +4,7 @@
 // Threads: one at a time.
 #pragma once
 
+#include "config/types/calibration.h"
 #include "config/types/vec2.h"
 #include "haptics/device/pantograph_plant.h"
 #include "haptics/pantograph/profile.h"
@@ -24,10 +25,12 @@ namespace touchline {
 struct BoardTruth {
     DeviceProfile profile = default_profile();
     BoardType type = BoardType::m0;
+    FirmwareVariant firmware;
     HandModel hand = normal_hand;
-    bool are_plugs_swapped = false;
+    Plugs motors, encoders;  // as they really are, against the profile's wiring
     bool have_motors_power = true;
-    JointAngles scale_error;  // relative, of what an encoder counts
+    JointAngles scale_error;           // relative, of what an encoder counts
+    bool do_counts_step_back = false;  // 1, 2, 3, 2 a cycle, as one published decoder counts
     std::string serial = "0123456789ABCDEF0123456789ABCDEF";
     std::uint64_t seed = 1;
 };
@@ -84,7 +87,7 @@ class BoardEmulator {
 
     void switch_motors(bool have_power);
 
-    void swap_plugs() { truth_.are_plugs_swapped = !truth_.are_plugs_swapped; }
+    void plug_motors(const Plugs& motors) { truth_.motors = motors; }
 
     /// An encoder misses counts.
     void lose_counts(int joint, std::int64_t counts);
@@ -110,7 +113,9 @@ class BoardEmulator {
 
   private:
     [[nodiscard]] PortCounts port_counts();
-    [[nodiscard]] int joint_on_port(std::size_t port) const;
+    [[nodiscard]] JointAngles true_quantum() const;
+    [[nodiscard]] bool is_joint_1_on(std::size_t port, const Plugs& plugs) const;
+    [[nodiscard]] Turn turn_of(bool is_joint_1, const Plugs& plugs) const;
     [[nodiscard]] double told_handle_torque_Nm() const;
     void update_torques();
     void leave(PacketBytes packet);

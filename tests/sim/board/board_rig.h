@@ -31,12 +31,14 @@ class BoardRig {
     }
 
     /// A driver anew, as another program would make one; the one before gives the board back.
-    void connect(std::vector<PlannedFault> faults = {}, const Calibration& calibration = {}) {
+    /// `kind`: what it takes the board for, if not for what it is.
+    void connect(std::vector<PlannedFault> faults = {}, const Calibration& calibration = {},
+                 const DeviceProfile* kind = nullptr) {
         driver.reset();
         auto made = std::make_unique<EmulatedLink>(board, time, std::move(faults));
         link = made.get();
-        driver =
-            std::make_unique<PantographBoard>(std::move(made), board.truth().profile, calibration);
+        driver = std::make_unique<PantographBoard>(
+            std::move(made), kind ? *kind : board.truth().profile, calibration);
     }
 
     /// One servo tick: time passes, read, write. `torques` only where there are angles, else zero.

@@ -25,12 +25,13 @@ void put(PacketBytes& packet, float value) {
         packet.push_back(static_cast<std::uint8_t>(bits >> shift));
 }
 
-// The M0's quadrature code sees half of the edges.
-double resolved(float counts_told, BoardType type) {
-    return static_cast<double>(counts_told) / (type == BoardType::m0 ? 2.0 : 1.0);
-}
-
 }  // namespace
+
+// The M0's quadrature code sees half of the edges.
+double Firmware::resolved(float counts_told) const {
+    const bool counts_half = type_ == BoardType::m0 && !variant_.has_all_counts;
+    return static_cast<double>(counts_told) / (counts_half ? 2.0 : 1.0);
+}
 
 void Firmware::take(std::span<const std::uint8_t> bytes, double at_s) {
     for (const std::uint8_t byte : bytes) arrived_.push_back({at_s, byte});
@@ -149,7 +150,7 @@ void Firmware::set_up(const std::vector<float>& values, const PortCounts& counts
         Encoder& encoder = encoder_[i];
         encoder = {values[2 * i], values[2 * i + 1], encoder_turns_[i], counts[i], 0};
         const double wanted =
-            static_cast<double>(encoder.offset_deg) * resolved(encoder.counts_told, type_) / 360.0;
+            static_cast<double>(encoder.offset_deg) * resolved(encoder.counts_told) / 360.0;
         if (std::abs(wanted) < 1e15) encoder.counter = static_cast<std::int64_t>(wanted);
     }
 }
@@ -157,11 +158,15 @@ void Firmware::set_up(const std::vector<float>& values, const PortCounts& counts
 // Not a number passes every comparison of the firmware's clamp as the limit.
 void Firmware::set_duty(const std::vector<float>& torques) {
     const double steps = type_ == BoardType::m0 ? 1023.0 : 255.0;
+    const double limit_Nm = variant_.torque_limit_Nm;
+    double largest_Nm = limit_Nm;
+    for (const float torque : torques)
+        largest_Nm = std::max(largest_Nm, std::abs(static_cast<double>(torque)));
+    const double share = variant_.scales_together ? limit_Nm / largest_Nm : 1.0;
     for (std::size_t i = 0; i < duty_.size() && i < torques.size(); ++i) {
-        const double torque = static_cast<double>(torques[i]);
-        const double size =
-            std::isnan(torque) ? full_duty_Nm : std::min(std::abs(torque), full_duty_Nm);
-        duty_[i] = std::copysign(std::trunc(steps * size / full_duty_Nm) / steps, torque);
+        const double torque = share * static_cast<double>(torques[i]);
+        const double size = std::isnan(torque) ? limit_Nm : std::min(std::abs(torque), limit_Nm);
+        duty_[i] = std::copysign(std::trunc(steps * size / limit_Nm) / steps, torque);
     }
 }
 
@@ -174,7 +179,7 @@ PacketBytes Firmware::reply(const PortCounts& counts) const {
         const Encoder& encoder = encoder_[i];
         const std::int64_t moved = counts[i] - encoder.start_count;
         const std::int64_t counter = encoder.counter + (encoder.turn == 0 ? moved : -moved);
-        const double per_turn = resolved(encoder.counts_told, type_);
+        const double per_turn = resolved(encoder.counts_told);
         put(packet, static_cast<float>(360.0 * static_cast<double>(counter) / per_turn));
     }
     return packet;

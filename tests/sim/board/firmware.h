@@ -21,6 +21,14 @@ namespace touchline {
 enum class BoardType : std::uint8_t { m0, due };
 
 inline constexpr double full_duty_Nm = 0.123;
+
+/// What a firmware may have been changed in by those who built it.
+struct FirmwareVariant {
+    bool has_all_counts = false;            // m0: counts all that it is told
+    double torque_limit_Nm = full_duty_Nm;  // full duty, which it takes for this
+    bool scales_together = false;           // torques beyond the limit; else each for itself
+};
+
 inline constexpr double never_s = std::numeric_limits<double>::infinity();
 
 using PacketBytes = std::vector<std::uint8_t>;
@@ -34,7 +42,8 @@ using PortCounts = std::array<std::int64_t, port_count>;
 class Firmware {
   public:
     /// The seed fills memory that the firmware reads before anything was written to it.
-    Firmware(BoardType type, std::uint64_t seed) : type_(type), garbage_(seed) {}
+    Firmware(BoardType type, std::uint64_t seed, const FirmwareVariant& variant = {})
+        : type_(type), variant_(variant), garbage_(seed) {}
 
     /// Bytes that are there from at_s on; later calls, later times.
     void take(std::span<const std::uint8_t> bytes, double at_s);
@@ -96,8 +105,10 @@ class Firmware {
     [[nodiscard]] double block_deadline_s() const;
     [[nodiscard]] double block_complete_s() const;
     [[nodiscard]] PacketBytes reply(const PortCounts& counts) const;
+    [[nodiscard]] double resolved(float counts_told) const;
 
     BoardType type_;
+    FirmwareVariant variant_;
     std::mt19937_64 garbage_;
     std::deque<Arrived> arrived_;
     double busy_until_s_ = 0.0;

@@ -10,20 +10,22 @@ namespace {
 
 constexpr double stale_s = 5e-3;
 constexpr double lost_peer_s = 20e-3;
+// Clearing a halt takes a millisecond: a tick that comes early after a late one finds it not done.
+constexpr double halted_s = 2.0 * tick_s;
 constexpr std::optional<double> goes_on{};
 
 constexpr std::array kinds{
     SimFaultKind{"short send", LinkFault::short_send, 0.0, 0.0, tick_s},
     SimFaultKind{"late send", LinkFault::late_send, 1e-3, 1e-2, goes_on},
     SimFaultKind{"lost send", LinkFault::lost_send, 0.0, 0.0, goes_on},
-    SimFaultKind{"stall, out", LinkFault::stalled_send, 0.0, 0.0, tick_s},
+    SimFaultKind{"stall, out", LinkFault::stalled_send, 0.0, 0.0, halted_s},
     SimFaultKind{"late reply", LinkFault::late_reply, 1e-3, 3e-2, stale_s},
     SimFaultKind{"lost reply", LinkFault::lost_reply, 0.0, 0.0, goes_on},
     SimFaultKind{"garbled reply", LinkFault::garbled_reply, 0.0, 0.0, goes_on},
     SimFaultKind{"wrong length", LinkFault::cut_reply, 0.0, 0.0, tick_s},
     SimFaultKind{"duplicate", LinkFault::duplicate_reply, 0.0, 0.0, tick_s},
     SimFaultKind{"zero-length packet", LinkFault::empty_packet, 0.0, 0.0, goes_on},
-    SimFaultKind{"stall, in", LinkFault::stalled_reply, 0.0, 0.0, tick_s},
+    SimFaultKind{"stall, in", LinkFault::stalled_reply, 0.0, 0.0, halted_s},
     SimFaultKind{"failed transfer", LinkFault::failed_reply, 0.0, 0.0, tick_s},
     SimFaultKind{"unconfigured", LinkFault::reset_board, 0.0, 0.0, stale_s + tick_s},
     SimFaultKind{"unplugged", LinkFault::unplugged_before, 0.3, 6.0, tick_s},

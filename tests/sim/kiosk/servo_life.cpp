@@ -44,8 +44,10 @@ Opening ServoLife::opening() {
                 tell(MessageKind::say, words);
                 place_.hand.hear(words, place_.time.now_s);
                 place_.board.grip(normal_hand);
+                is_held_ = true;
             },
             [this] {
+                follow_hand();
                 region_.channel().servo_beats.fetch_add(1);
                 return region_.channel().is_stop_wanted == 0;
             },
@@ -54,13 +56,19 @@ Opening ServoLife::opening() {
             {}};
 }
 
+void ServoLife::follow_hand() {
+    const bool is_held = place_.hand.holds(place_.time.now_s);
+    if (std::exchange(is_held_, is_held) != is_held)
+        place_.board.grip(is_held ? normal_hand : no_hand);
+}
+
 int ServoLife::run(const Calibration& stored) {
     const DeviceProfile& profile = place_.board.truth().profile;
     auto link = std::make_unique<EmulatedLink>(place_.board, place_.time);
     link_ = link.get();
     link_->keep_no_commands();
     board_ = std::make_unique<WatchedBoard>(std::move(link), profile, stored);
-    const auto opened = board_->open({true, true, stored}, opening(), place_.clock);
+    const auto opened = board_->open(true, opening(), place_.clock);
     tell(MessageKind::say, {});
     end_homing();
     if (!opened) return fail(opened.error().line);

@@ -85,6 +85,7 @@ class ServoLife {
     }
 
     [[nodiscard]] Opening opening();
+    void follow_hand();
     void end_homing();
     void feel(const Arrival& arrival);
 
@@ -100,6 +101,7 @@ class ServoLife {
     double answered_s_ = 0.0;
     std::string lost_;  // why it ends
     bool is_next_angle_broken_ = false;
+    bool is_held_ = true;  // while it is homed
 };
 
 }  // namespace touchline

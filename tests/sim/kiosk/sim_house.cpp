@@ -59,6 +59,7 @@ SimHouse::SimHouse(const Plan& plan, Sabotage sabotage)
               Actor{&SimHouse::guard, beat_s}, Actor{&SimHouse::sound, sound_s},
               Actor{&SimHouse::servo_main, look_s}},
       force_limits_(default_profile()) {
+    stored_.is_measured = true;
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     // Whose turn it is first where several are due.

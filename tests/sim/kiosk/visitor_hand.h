@@ -52,6 +52,9 @@ class VisitorHand final : public IntendedPath {
         person_.heard.clear();
     }
 
+    /// Not where the words had it let go.
+    [[nodiscard]] bool holds(double now_s) const { return !is_homing_ || person_.holds(now_s); }
+
     [[nodiscard]] bool is_homing() const { return is_homing_; }
 
   private:

@@ -1,0 +1,33 @@
+#include "app/operator/kinds.h"
+
+#include <array>
+
+namespace touchline {
+namespace {
+
+constexpr std::array rows{
+    KindRow{"2diy-gen3.1", "2diy 3.1, elbows 15 millimetres before the motors",
+            "Two motors beside each other, arms of plastic. Measure with the handle pushed away."},
+    KindRow{"2diy-gen3.1-172", "2diy 3.1, elbows 10 millimetres before the motors",
+            "Two motors beside each other, arms of plastic. Measure with the handle pushed away."},
+    KindRow{"2diy-gen3.1-180", "2diy 3.1, elbows in line with the motors",
+            "Two motors beside each other, arms of plastic. Measure with the handle pushed away."},
+    KindRow{"2diy-gen3", "2diy 3, the kind before 3.1",
+            "Its programs begin with the handle pulled near."},
+    KindRow{"2diy-gen2", "2diy 2, motors on one axis",
+            "Arms of metal. Its programs begin at 241 degrees."},
+    KindRow{"2diy-gen2-240", "2diy 2 of 240 degrees",
+            "Arms of metal. Its programs begin at 240 degrees and 10978 counts."},
+    KindRow{"haplet", "Haplet", "Short arms of 50 and 70 millimetres on a plate."},
+    KindRow{"mk2", "Pantograph Mk II", "A laboratory's own, on a board of its own."},
+    KindRow{"gen3.1-turning", "2diy with a handle that turns",
+            "A third motor at the handle, which one has to build."},
+};
+
+}  // namespace
+
+std::span<const KindRow> kind_rows() {
+    return rows;
+}
+
+}  // namespace touchline

@@ -1,0 +1,149 @@
+// Units as they were found in the field: each becomes ready with the tip within a millimetre, or it
+// is said what does not fit.
+#include "tests/app/device/device_visit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double counts_4096 = 4096.0 / 4880.0 - 1.0;
+
+/// A unit, and the kind that whoever was asked said it is.
+struct FieldUnit {
+    std::string name;
+    std::string kind = "2diy-gen3.1";
+    JointAngles stop;             // of its bent arms, degrees
+    double scale_error = 0.0;     // relative: counts that it makes too many
+    bool has_all_counts = false;  // firmware that does not halve
+    bool do_counts_step_back = false;
+    Plugs motors{}, encoders{};
+};
+
+void PrintTo(const FieldUnit& unit, std::ostream* out) {
+    *out << unit.name;
+}
+
+std::vector<FieldUnit> field_units() {
+    const Plugs second{false, false, true}, both{false, true, true};
+    return {
+        {"gen31_168_12", "2diy-gen3.1", {168.0, 12.0}},
+        {"gen31_166_11", "2diy-gen3.1", {166.58, 11.11}},
+        {"gen31_172_8", "2diy-gen3.1-172", {172.0, 8.0}},
+        {"gen31_180_0", "2diy-gen3.1-180", {180.0, 0.0}},
+        {"gen31_168_12_of_4096", "2diy-gen3.1", {168.0, 12.0}, counts_4096},
+        {"gen31_166_11_of_4096", "2diy-gen3.1", {166.58, 11.11}, counts_4096},
+        {"gen31_172_8_of_4096", "2diy-gen3.1-172", {172.0, 8.0}, counts_4096},
+        {"gen31_180_0_of_4096", "2diy-gen3.1-180", {180.0, 0.0}, counts_4096},
+        {"gen31_unhalved", "2diy-gen3.1", {168.0, 12.0}, 0.0, true},
+        {"gen31_unhalved_4096", "2diy-gen3.1", {168.0, 12.0}, counts_4096, true},
+        {"gen31_double", "2diy-gen3.1", {168.0, 12.0}, 1.0},
+        {"gen31_steps_back", "2diy-gen3.1", {168.0, 12.0}, 0.0, false, true},
+        {"gen31_clockwise", "2diy-gen3.1", {168.0, 12.0}, 0.0, false, false, both, both},
+        {"gen31_motors_clockwise", "2diy-gen3.1", {168.0, 12.0}, 0.0, false, false, both, {}},
+        {"gen31_180_0_encoders_clockwise",
+         "2diy-gen3.1-180",
+         {180.0, 0.0},
+         0.0,
+         false,
+         false,
+         {},
+         both},
+        {"gen3", "2diy-gen3", {168.0, 12.0}},
+        {"gen2", "2diy-gen2", {241.0, -61.0}},
+        {"gen2_240", "2diy-gen2-240", {240.0, -60.0}},
+        {"haplet", "haplet", {180.0, 0.0}},
+        {"haplet_second_reversed", "haplet", {180.0, 0.0}, 0.0, false, false, second, second},
+    };
+}
+
+BoardTruth truth_of(const FieldUnit& unit) {
+    BoardTruth truth;
+    truth.profile = find_profile(unit.kind).value();
+    const JointAngles stop = degree * unit.stop;
+    const bool is_home_stretched = truth.profile.home_place == StopPlace::towards;
+    (is_home_stretched ? truth.profile.check.angles : truth.profile.home) = stop;
+    truth.hand =
+        stiff_arm;  // that leans on the stop, so that friction leaves it a tenth from there
+    truth.type = unit.kind == "haplet" ? BoardType::due : BoardType::m0;
+    truth.firmware.has_all_counts = unit.has_all_counts;
+    truth.scale_error = {unit.scale_error, unit.scale_error};
+    truth.do_counts_step_back = unit.do_counts_step_back;
+    truth.motors = unit.motors;
+    truth.encoders = unit.encoders;
+    return truth;
+}
+
+/// The worst of places all over the drawing area.
+double worst_tip_off_m(DeviceVisit& visit) {
+    const Area& area = visit.rig.board.truth().profile.area;
+    double worst_m = 0.0;
+    visit.rig.board.grip(visit.rig.board.truth().hand);
+    for (const double x : {-0.45, 0.0, 0.45}) {
+        for (const double y : {-0.45, 0.0, 0.45}) {
+            visit.person->go({x * area.width_m, y * area.height_m}, visit.rig.time.now_s);
+            visit.rig.tick_for(1.2, {});
+            worst_m = std::max(worst_m, visit.tip_off_m());
+        }
+    }
+    return worst_m;
+}
+
+class Unit : public testing::TestWithParam<FieldUnit> {};
+
+TEST_P(Unit, BecomesReadyWithTheTipWithinAMillimetre) {
+    const FieldUnit& unit = GetParam();
+    const DeviceProfile kind = find_profile(unit.kind).value();
+    DeviceVisit visit(truth_of(unit), {}, &kind);
+    visit.end_s = 300.0;
+    ASSERT_TRUE(visit.rig.driver->open().has_value());
+    const auto ready = make_ready(visit.procedure(), {});
+    ASSERT_TRUE(ready.has_value()) << visit.person->heard.back();
+    EXPECT_EQ(ready->has_all_counts, unit.has_all_counts);
+    const double worst_m = worst_tip_off_m(visit);
+    EXPECT_LT(worst_m, 1e-3);
+    // And a second time as a known unit, in the order in which it is plugged in.
+    visit.rig.connect({}, *ready, &kind);
+    visit.person->go({}, visit.rig.time.now_s);
+    visit.end_s = visit.rig.time.now_s + 120.0;
+    ASSERT_TRUE(visit.rig.driver->open().has_value());
+    ASSERT_TRUE(make_ready(visit.procedure(), *ready).has_value()) << visit.person->heard.back();
+    EXPECT_LT(worst_tip_off_m(visit), 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Field, Unit, testing::ValuesIn(field_units()),
+                         [](const auto& made) { return made.param.name; });
+
+/// Two stops cannot tell a stop that stands elsewhere from an encoder that counts otherwise; where
+/// no count that units are known for makes it fit, that is said.
+TEST(WrongKind, IsSaidWhereNoKnownCountMakesItFit) {
+    const DeviceProfile kind = find_profile("2diy-gen3.1").value();
+    DeviceVisit visit(truth_of({"", "2diy-gen3.1-180", {180.0, 0.0}}), {}, &kind);
+    visit.end_s = 250.0;
+    ASSERT_TRUE(visit.rig.driver->open().has_value());
+    EXPECT_FALSE(make_ready(visit.procedure(), {}).has_value());
+    EXPECT_TRUE(visit.was_heard("117 percent"));
+    EXPECT_TRUE(visit.was_heard("another kind"));
+    EXPECT_EQ(visit.rig.board.told_torques().back().torques, JointTorques{});
+}
+
+TEST(HighFriction, OfAGen2LeavesTheMotorsToBeTried) {
+    BoardTruth truth = truth_of({"", "2diy-gen2", {241.0, -61.0}});
+    truth.profile.mechanics.coulomb_N = 0.25;
+    DeviceVisit visit(truth);
+    visit.end_s = 300.0;
+    ASSERT_TRUE(visit.rig.driver->open().has_value());
+    const auto ready = make_ready(visit.procedure(), {});
+    EXPECT_TRUE(ready.has_value()) << visit.person->heard.back();
+}
+
+}  // namespace
+}  // namespace touchline
