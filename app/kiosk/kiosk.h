@@ -162,6 +162,7 @@ class Kiosk {
     void answer_test(TestStep step, bool has_passed, const std::string& line = {});
     void say_for_operator(const std::string& text);
     [[nodiscard]] std::vector<std::string> live_words() const;
+    [[nodiscard]] FeltBounds felt_bounds() const;
     void press_switch(SwitchEvent event);
     static constexpr int moves_by_itself = 2;  // Settings::two_switches
 

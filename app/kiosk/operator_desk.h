@@ -68,6 +68,8 @@ class OperatorDesk {
 
     void set_live(std::vector<std::string> facts) { live_ = std::move(facts); }
 
+    void set_bounds(const FeltBounds& bounds) { bounds_ = bounds; }
+
     void set_private(bool is_private) { is_private_ = is_private; }
 
     /// The profile's, over the site's.
@@ -120,6 +122,7 @@ class OperatorDesk {
     Counters counters_;
     bool is_private_ = true;
     std::vector<std::string> live_;
+    FeltBounds bounds_;
     StickPacks packs_;
     std::future<std::string> import_;
     std::vector<std::string> log_;

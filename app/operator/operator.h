@@ -4,6 +4,7 @@
 
 #include "app/keys/key_wizard.h"
 #include "app/operator/counters.h"
+#include "app/operator/felt_bounds.h"
 #include "app/operator/pin.h"
 #include "app/operator/self_test.h"
 #include "app/session/screen_model.h"
@@ -122,6 +123,7 @@ struct OperatorWorld {
     Counters counters{};
     std::vector<std::string> packs{};  // on the stick: names of picture packs
     std::vector<std::string> live{};   // facts in words: force, level, loop
+    FeltBounds bounds{};
 };
 
 /// A press that counts. `role`: what the table of keys says of it. `is_allowed`: it is from the

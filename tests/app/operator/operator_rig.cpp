@@ -53,7 +53,8 @@ OperatorWorld OperatorRig::world() const {
             std::move(offered),
             counters,
             packs,
-            {"Force 0.5 newtons", "Level 2"}};
+            {"Force 0.5 newtons", "Level 2"},
+            bounds};
 }
 
 SpokenScreen OperatorRig::screen() const {

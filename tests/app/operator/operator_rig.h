@@ -69,6 +69,7 @@ class OperatorRig {
     KeyTable keys = default_keys();
     Counters counters{12, 30, 5, 2, 90};
     std::vector<std::string> packs{"Castles", "Letters"};
+    FeltBounds bounds;
     std::filesystem::path folder;
     std::filesystem::path stick;
     SettingsFiles files;
