@@ -5,7 +5,7 @@
 #include "app/decode/png_writer.h"
 #include "app/screen/tour_figure.h"
 #include "app/servo/scene_order.h"
-#include "app/session/first_feel.h"
+#include "app/session/proxy_radius.h"
 #include "config/types/plain_line.h"
 #include "haptics/device/simulated_pantograph.h"
 #include "haptics/servo/servo_step.h"

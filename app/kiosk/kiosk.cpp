@@ -3,7 +3,7 @@
 #include "app/kiosk/picture_facts.h"
 #include "app/loading/kiosk_stages.h"
 #include "app/session/fault_words.h"
-#include "app/session/first_feel.h"
+#include "app/session/proxy_radius.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/guidance_words.h"
 #include "config/types/plain_line.h"
@@ -103,7 +103,6 @@ Kiosk::Kiosk(KioskParts parts)
       photos_(std::move(parts.photos)),
       settings_(std::move(parts.settings)),
       profile_(std::move(parts.profile)),
-      loop_N_per_m_(parts.loop_N_per_m),
       hand_words_(std::move(parts.hand_words)),
       reading_language_(std::move(parts.reading_language)),
       operator_(std::move(parts.operator_desk)),
@@ -130,8 +129,9 @@ void Kiosk::take(VisitStep step) {
 void Kiosk::set(const Settings& settings) {
     if (settings.double_strike_s != settings_.double_strike_s)
         filter_ = KeyFilter(settings.double_strike_s);
-    settings_ = settings;
+    const Settings before = std::exchange(settings_, settings);
     follow_rules();
+    happen(SettingsChanged{before});
     set_servo();
 }
 
@@ -149,7 +149,6 @@ void Kiosk::follow_rules() {
     rules_.answer_s = settings_.answer_s;
     rules_.offers_staff = settings_.offers_staff;
     rules_.notice = settings_.notice;
-    rules_.first_firmness = firmness_for(std::min(loop_N_per_m_, settings_.stiffness_N_per_m));
     if (shelf_) shelf_->allow(settings_.more_file_systems ? FileSystems::more : FileSystems::usual);
     if (photos_)
         photos_->set({settings_.cut_left_percent, settings_.cut_right_percent,
@@ -159,15 +158,16 @@ void Kiosk::follow_rules() {
 void Kiosk::set_servo() {
     ServoCommands commands;
     commands.mode = feel_.mode;
-    commands.stiffness_N_per_m = firmness_steps.at(feel_.firmness).stiffness_N_per_m;
+    commands.stiffness_N_per_m =
+        firmness_steps.at(feel_.firmness).share * settings_.stiffness_N_per_m;
     commands.radius_m = proxy_radius_m;
-    commands.pop_through_N = feel_.gives_way ? settings_.give_way_N : 0.0;
+    commands.pop_through_N = settings_.gives_way ? settings_.give_way_N : 0.0;
     commands.friction = settings_.friction;
     commands.capture_m = settings_.capture_mm / 1000.0;
     commands.finest_level = settings_.finest_level;
     commands.coarsest_level = settings_.coarsest_level;
-    commands.is_level_auto = feel_.is_level_automatic;
-    commands.level = feel_.fixed_level;
+    commands.is_level_auto = settings_.is_level_automatic;
+    commands.level = settings_.fixed_level;
     commands.is_force_wanted = (feel_.is_force_wanted || is_motor_test_on()) && !is_handle_locked_;
     commands.force_ceiling_N = settings_.force_ceiling_N;
     commands.guidance = guidance_;

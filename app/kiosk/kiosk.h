@@ -52,8 +52,7 @@ struct KioskParts {
     bool are_keys_free = false;
     std::function<int()> minute_of_day;  // 0 ... 1439, of the house's clock; none: always open
     DeviceProfile profile;
-    std::string hand_words;       // what the hand is, for the live view
-    double loop_N_per_m = 733.0;  // the stiffest that suits the loop
+    std::string hand_words;  // what the hand is, for the live view
     /// Set to what is spoken: the language that words in pictures are read in. May be null.
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language;
 };
@@ -83,7 +82,8 @@ class Kiosk {
     /// Sixty times a second or so; `now_ns` of the monotonic clock.
     void step(std::int64_t now_ns);
 
-    /// What hands feel changes at once, what visits begin with at the next.
+    /// What hands feel changes at once, in the visit that runs; what else visits begin with changes
+    /// at the next.
     void set(const Settings& settings);
 
     [[nodiscard]] SpokenScreen screen() const;
@@ -162,6 +162,7 @@ class Kiosk {
     void answer_test(TestStep step, bool has_passed, const std::string& line = {});
     void say_for_operator(const std::string& text);
     [[nodiscard]] std::vector<std::string> live_words() const;
+    [[nodiscard]] FeltBounds felt_bounds() const;
     void press_switch(SwitchEvent event);
     static constexpr int moves_by_itself = 2;  // Settings::two_switches
 
@@ -197,7 +198,6 @@ class Kiosk {
     std::unique_ptr<PhotoDesk> photos_;
     Settings settings_;
     DeviceProfile profile_;
-    double loop_N_per_m_;
     std::string hand_words_;
     VisitRules rules_;
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language_;

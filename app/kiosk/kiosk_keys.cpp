@@ -127,7 +127,7 @@ LiveFacts Kiosk::live_facts() const {
     LiveFacts facts;
     facts.hand_words = hand_words_;
     facts.last = sound_->last_event();
-    facts.gives_way = feel_.gives_way;
+    facts.gives_way = settings_.gives_way;
     facts.message = device_trouble();
     if (!map_) return facts;
     facts.title = map_->title;

@@ -145,6 +145,7 @@ void Kiosk::follow_operator() {
     operator_->set_private(sound_->output().kind == OutputKind::headset);
     operator_->set_live(live_words());
     operator_->set_kind(servo_->kind());
+    operator_->set_bounds(felt_bounds());
     if (shelf_) operator_->put_stick(shelf_->root());
     if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});
     const std::string words = is_homing_ ? servo_->device_words() : std::string();
@@ -214,6 +215,13 @@ void Kiosk::run_test(TestStep step) {
         case TestStep::keys:  // the screens count them
             return;
     }
+}
+
+/// What bounds a level is of a picture: without a line there is none.
+FeltBounds Kiosk::felt_bounds() const {
+    FeltBounds bounds{hand_.stiffness_bound, std::nullopt};
+    if (map_ && !map_->outlines.empty()) bounds.levels = hand_.level_terms;
+    return bounds;
 }
 
 std::vector<std::string> Kiosk::live_words() const {

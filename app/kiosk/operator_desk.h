@@ -68,6 +68,8 @@ class OperatorDesk {
 
     void set_live(std::vector<std::string> facts) { live_ = std::move(facts); }
 
+    void set_bounds(const FeltBounds& bounds) { bounds_ = bounds; }
+
     void set_private(bool is_private) { is_private_ = is_private; }
 
     /// As OperatorWorld::kind.
@@ -124,6 +126,7 @@ class OperatorDesk {
     bool is_private_ = true;
     std::vector<std::string> live_;
     std::optional<std::string> kind_;
+    FeltBounds bounds_;
     StickPacks packs_;
     std::future<std::string> import_;
     std::vector<std::string> log_;

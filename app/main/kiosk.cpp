@@ -19,8 +19,6 @@
 #include "app/sound/sound.h"
 #include "app/sticks/open_stick_port.h"
 #include "config/types/plain_line.h"
-#include "haptics/servo/loop_settings.h"
-#include "haptics/servo/servo.h"
 
 #include <algorithm>
 #include <atomic>
@@ -148,7 +146,6 @@ class KioskWindow {
         sound_.languages = offered(std::move(sound_.languages), settings_.languages);
         auto gallery = read_gallery(gallery_folder(), library_folder(), sound_.languages);
         if (!gallery) return tl::unexpected(gallery.error());
-        const LoopSettings loop = loop_settings(default_profile(), ServoOptions{}.period_s, 0.0);
 
         KioskParts parts;
         parts.languages = sound_.languages;
@@ -160,7 +157,6 @@ class KioskWindow {
         parts.are_keys_free = arguments_.in_window;
         parts.profile = servo->profile;
         parts.hand_words = servo->hand_words;
-        parts.loop_N_per_m = loop.stiffness_N_per_m;
         parts.reading_language = std::make_shared<std::atomic<WrittenLanguage>>();
         parts.loader =
             std::make_unique<Loader>(std::make_shared<const KioskStages>(

@@ -4,6 +4,7 @@
 
 #include "app/keys/key_wizard.h"
 #include "app/operator/counters.h"
+#include "app/operator/felt_bounds.h"
 #include "app/operator/pin.h"
 #include "app/operator/self_test.h"
 #include "app/session/screen_model.h"
@@ -125,6 +126,7 @@ struct OperatorWorld {
     std::vector<std::string> live{};   // facts in words: force, level, loop
     /// The profile that the handle is taken for; empty: nobody has said. Nothing: a simulated one.
     std::optional<std::string> kind{};
+    FeltBounds bounds{};
 };
 
 /// A press that counts. `role`: what the table of keys says of it. `is_allowed`: it is from the

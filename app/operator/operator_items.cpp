@@ -56,8 +56,8 @@ struct List {
             is_switch ? ItemRole::toggle
             : is_text ? ItemRole::text
                       : ItemRole::setting,
-            setting_name(row, world.language), setting_value(state.settings, row, world.language),
-            hint_of(index, row));
+            setting_name(row, world.language),
+            felt_value(state.settings, row, world.bounds, world.language), hint_of(index, row));
     }
 
     void add_hours(std::size_t index, const SettingRow& row) {

@@ -1,7 +1,7 @@
 #include "app/screen/kiosk_screen.h"
 
 #include "app/screen/marks.h"
-#include "app/session/first_feel.h"
+#include "app/session/proxy_radius.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #include "app/screen/marks.h"
 #include "app/screen/paint.h"
 #include "app/screen/panel.h"
-#include "app/session/first_feel.h"
+#include "app/session/proxy_radius.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "app/servo/scene_order.h"
 
-#include "app/session/first_feel.h"
+#include "app/session/proxy_radius.h"
 
 namespace touchline {
 namespace {

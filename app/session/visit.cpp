@@ -195,6 +195,8 @@ struct Take {
 
     void operator()(const OpeningChanged& change) { opening_changed(work, change.opening); }
 
+    void operator()(const SettingsChanged& change) { follow_settings(work, change.before); }
+
     void operator()(const StaffCalledOff&) { staff_called_off(work); }
 };
 

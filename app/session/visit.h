@@ -124,9 +124,8 @@ struct VisitRules {
     /// That every visit begins with; the volume is a step of the output that is heard.
     SoundWanted sound = {.language = 0, .volume = 3};
     LookWanted look;
-    std::size_t volume_steps = 7;    // of that output, >= 1
-    std::size_t first_firmness = 2;  // of firmness_steps; what suits the loop
-    bool has_camera = true;          // the house has one at all
+    std::size_t volume_steps = 7;  // of that output, >= 1
+    bool has_camera = true;        // the house has one at all
     bool has_stick_port = true;
     bool offers_staff = true;
     std::string notice;  // while closed or maintained, in the house's language; may be empty
@@ -147,8 +146,9 @@ struct KnownPicture {
     PictureFacts facts;
 };
 
-/// Why a loading job is under way: what is said when it ends.
-enum class LoadReason : std::uint8_t { other_picture, other_view, detail, zoom, language };
+/// Why a loading job is under way: what is said when it ends. unasked: nothing is, for the visitor
+/// did not order it; it is the same picture in another language, or in the operator's detail.
+enum class LoadReason : std::uint8_t { other_picture, other_view, detail, zoom, unasked };
 
 struct Loading {
     LoadPicture order;

@@ -13,10 +13,6 @@ Visitor new_visitor(const House& house, const VisitWorld& world) {
     visitor.sound.volume = std::min(visitor.sound.volume, world.rules.volume_steps - 1);
     visitor.look = world.rules.look;
     visitor.feel.mode = static_cast<Mode>(world.settings.mode);
-    visitor.feel.firmness = std::min(world.rules.first_firmness, firmness_steps.size() - 1);
-    visitor.feel.is_level_automatic = world.settings.is_level_automatic;
-    visitor.feel.fixed_level = world.settings.fixed_level;
-    visitor.feel.gives_way = world.settings.gives_way;
     visitor.detail = world.settings.detail;
     visitor.active_s = house.now_s;
     visitor.key_s = house.now_s;

@@ -5,6 +5,7 @@
 #include "app/session/page_place.h"
 #include "app/session/screen_model.h"
 #include "app/session/visit_orders.h"
+#include "config/settings/settings.h"
 #include "config/types/vec2.h"
 
 #include <cstddef>
@@ -135,6 +136,11 @@ struct OpeningChanged {
     HouseOpening opening = HouseOpening::open;
 };
 
+/// The operator set something else; VisitWorld has what holds now.
+struct SettingsChanged {
+    Settings before;
+};
+
 /// Somebody came.
 struct StaffCalledOff {};
 
@@ -142,6 +148,6 @@ using VisitEvent =
     std::variant<Tick, KeyPressed, SpeechKeyPressed, DeadKeyPressed, KnobTurned, HandleSeen,
                  HeadphonesChanged, StickArriving, StickCame, StickGone, PictureReady,
                  PictureFailed, CameraChanged, CameraCaptured, CameraFailed, GuidanceEnded,
-                 TroubleBegan, TroubleEnded, OpeningChanged, StaffCalledOff>;
+                 TroubleBegan, TroubleEnded, OpeningChanged, SettingsChanged, StaffCalledOff>;
 
 }  // namespace touchline

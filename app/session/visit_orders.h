@@ -18,16 +18,20 @@
 
 namespace touchline {
 
-/// A named step of stiffness.
+/// A named step of stiffness, round the operator's.
 struct FirmnessStep {
-    double stiffness_N_per_m;
+    double share;  // of the operator's stiffness
     std::string_view name;
 };
 
-/// Softest first. The firmest stays below the stability limit of a light hand at 1 kHz (733 N/m).
-inline constexpr std::array firmness_steps{
-    FirmnessStep{200.0, "very soft"}, FirmnessStep{350.0, "soft"}, FirmnessStep{500.0, "medium"},
-    FirmnessStep{700.0, "firm"}};
+/// Softest first; a step apart is felt (stiffness is told apart from 13 to 17 % on).
+inline constexpr std::array firmness_steps{FirmnessStep{0.4, "very soft"},
+                                           FirmnessStep{0.7, "soft"}, FirmnessStep{1.0, "medium"},
+                                           FirmnessStep{1.4, "firm"}};
+
+inline constexpr std::size_t operators_firmness = 2;  // of firmness_steps
+
+static_assert(firmness_steps[operators_firmness].share == 1.0);
 
 /// Speech stops, but for safety messages. At every key.
 struct Hush {};
@@ -75,10 +79,7 @@ struct CancelLoad {
 /// To the servo. The force is wanted while there is a picture to feel.
 struct Feel {
     Mode mode = Mode::groove;
-    std::size_t firmness = 0;  // of firmness_steps
-    bool is_level_automatic = true;
-    int fixed_level = 0;
-    bool gives_way = false;
+    std::size_t firmness = operators_firmness;  // of firmness_steps
     bool is_force_wanted = false;
     HeldShape shape = HeldShape::none;
     double turn_rad = 0.0;  // of it, counter-clockwise, where the handle does not turn

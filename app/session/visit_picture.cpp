@@ -4,14 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace touchline {
 namespace {
 
-LoadPicture next_order(VisitWork& work, LoadPicture wanted) {
-    wanted.request = ++work.house.request;
-    wanted.language = work.visitor.sound.language;
-    return wanted;
+/// In the language and detail that hold now.
+void load(VisitWork& work, Loading loading) {
+    loading.order.request = ++work.house.request;
+    loading.order.language = work.visitor.sound.language;
+    loading.order.detail = work.visitor.detail;
+    order(work, loading.order);
+    work.visitor.loading = std::move(loading);
+}
+
+/// What was wanted did not come: what is felt stays as it is.
+void keep_detail(Visitor& visitor) {
+    if (visitor.felt) visitor.detail = visitor.felt->order.detail;
 }
 
 void leave_opening(VisitWork& work) {
@@ -46,7 +55,7 @@ std::string told_change(const VisitWork& work, LoadReason reason) {
                           words_of(place_of(felt.order.zoom.centre, CueArea{}), language)});
         case LoadReason::other_view:
         case LoadReason::other_picture:
-        case LoadReason::language:
+        case LoadReason::unasked:
             break;
     }
     return told_picture(work);
@@ -79,26 +88,31 @@ void open_picture(VisitWork& work, PictureSource source, std::size_t index,
     LoadPicture wanted;
     wanted.source = source;
     wanted.index = index;
-    wanted.detail = work.visitor.detail;
-    work.visitor.loading = Loading{next_order(work, wanted), LoadReason::other_picture, name};
-    order(work, work.visitor.loading->order);
+    load(work, {wanted, LoadReason::other_picture, name});
     leave_opening(work);
     enter(work, VisitScreen::opening);
 }
 
 void open_again(VisitWork& work, LoadPicture wanted, LoadReason reason) {
     if (!work.visitor.felt) return;
-    work.visitor.loading =
-        Loading{next_order(work, wanted), reason, work.visitor.felt->facts.title};
-    order(work, work.visitor.loading->order);
-    if (reason == LoadReason::language) return;
+    load(work, {wanted, reason, work.visitor.felt->facts.title});
     while (work.visitor.path.back().screen != VisitScreen::picture) leave(work);
     enter(work, VisitScreen::opening);
+}
+
+void open_unasked(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    if (visitor.loading) {
+        load(work, *visitor.loading);
+    } else if (visitor.felt) {
+        load(work, {visitor.felt->order, LoadReason::unasked, visitor.felt->facts.title});
+    }
 }
 
 void cancel_loading(VisitWork& work) {
     if (work.visitor.loading) order(work, CancelLoad{work.visitor.loading->order.request});
     work.visitor.loading.reset();
+    keep_detail(work.visitor);
     work.visitor.is_capturing = false;
     leave_opening(work);
     say_return(work, words(work, "Cancelled."));
@@ -112,7 +126,7 @@ void take_ready(VisitWork& work, const PictureReady& ready) {
         visitor.felt = KnownPicture{done.order, ready.facts};
         visitor.handle.part.reset();
         visitor.part_said.reset();
-        if (done.reason == LoadReason::language) return;
+        if (done.reason == LoadReason::unasked) return;
         cue(work, ScreenEvent::picture_ready);
         leave_opening(work);
         if (done.reason == LoadReason::other_picture) return arrive_at_picture(work);
@@ -135,9 +149,9 @@ void take_failed(VisitWork& work, const PictureFailed& failed) {
     if (!visitor.loading || visitor.loading->order.request != failed.request) return;
     const LoadReason reason = visitor.loading->reason;
     visitor.loading.reset();
-    if (reason == LoadReason::language) return;
+    keep_detail(visitor);
+    if (reason == LoadReason::unasked) return;
     leave_opening(work);
-    if (visitor.felt) visitor.detail = visitor.felt->order.detail;
     const std::string sentence =
         failed.sentence.empty()
             ? words(work, "This picture cannot be opened. It may be damaged. Choose another one.")

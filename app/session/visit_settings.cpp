@@ -51,19 +51,14 @@ std::vector<std::string> language_names(const VisitWorld& world) {
 
 void choose_language(VisitWork& work, std::size_t language) {
     work.visitor.sound.language = language;
-    const auto& loading = work.visitor.loading;
-    const bool is_free = !loading || loading->reason == LoadReason::language;
-    if (work.visitor.felt && is_free) {
-        open_again(work, work.visitor.felt->order, LoadReason::language);
-    }
+    open_unasked(work);
 }
 
 void choose_detail(VisitWork& work, int detail) {
     work.visitor.detail = detail;
-    LoadPicture wanted = work.visitor.felt->order;
-    if (wanted.detail == detail) return;
-    wanted.detail = detail;
-    open_again(work, wanted, LoadReason::detail);
+    const LoadPicture& felt = work.visitor.felt->order;
+    if (felt.detail == detail && !work.visitor.loading) return;
+    open_again(work, felt, LoadReason::detail);
 }
 
 }  // namespace
@@ -208,6 +203,14 @@ void reset_settings(VisitWork& work) {
     work.visitor.sound.language = language;  // or nothing would be understood any more
     work.visitor.look = first.look;
     work.visitor.feel = first.feel;
+}
+
+void follow_settings(VisitWork& work, const Settings& before) {
+    const Settings& now = work.world.settings;
+    if (now.mode != before.mode) work.visitor.feel.mode = static_cast<Mode>(now.mode);
+    if (now.detail == before.detail) return;
+    work.visitor.detail = now.detail;
+    open_unasked(work);
 }
 
 }  // namespace touchline

@@ -86,6 +86,9 @@ void end_visit(VisitWork& work, VisitScreen next);
 void open_picture(VisitWork& work, PictureSource source, std::size_t index,
                   const std::string& name);
 void open_again(VisitWork& work, LoadPicture wanted, LoadReason reason);
+
+/// What is being opened, or else what is felt, in the language and detail that hold now.
+void open_unasked(VisitWork& work);
 void cancel_loading(VisitWork& work);
 void take_ready(VisitWork& work, const PictureReady& ready);
 void take_failed(VisitWork& work, const PictureFailed& failed);
@@ -140,6 +143,9 @@ void choose_value(VisitWork& work, VisitItem setting, std::size_t value);
 void change_volume(VisitWork& work, int change);
 void change_rate(VisitWork& work, int change);
 void reset_settings(VisitWork& work);
+
+/// What the operator sets of the feel goes before what the visitor chose: the later word holds.
+void follow_settings(VisitWork& work, const Settings& before);
 
 // Keys (visit_keys.cpp, visit_select.cpp) and time (visit_time.cpp).
 

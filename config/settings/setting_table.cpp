@@ -33,7 +33,7 @@ constexpr std::array rows{
                {},
                "Stiffness",
                "newtons per metre",
-               "How firm lines are."},
+               "How firm lines are; a visitor's choice is a share of it."},
     SettingRow{"feel",
                "friction",
                &Settings::friction,

@@ -5,6 +5,7 @@
 #include "config/types/guidance.h"
 #include "config/types/held_shape.h"
 #include "config/types/level_terms.h"
+#include "config/types/stiffness_bound.h"
 #include "config/types/vec2.h"
 
 #include <cstdint>
@@ -26,8 +27,9 @@ struct HandState {
     double level = 0.0;  // rendered level, with its fraction
     bool is_level_auto = true;
     LevelTerms level_terms;          // of the level wanted; that rendered may be on its way there
-    double stiffness_N_per_m = 0.0;  // before spring_gain
-    double spring_gain = 1.0;        // below 1 where the loop rang and was softened
+    double stiffness_N_per_m = 0.0;  // before spring_gain; on its way to what is set and possible
+    StiffnessBound stiffness_bound;
+    double spring_gain = 1.0;  // below 1 where the loop rang and was softened
     Mode mode = Mode::wall;
     ContactState state = ContactState::free;
     int outline = -1;  // index in the map of the outline touched, -1 when free

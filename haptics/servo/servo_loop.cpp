@@ -25,17 +25,11 @@ ServoLoop::ServoLoop(ForceDevice& device, const DeviceProfile& profile, double p
       rules_(rules),
       limits_(rules.has_motors ? limits_of(rules.granted) : TierLimits{}),
       period_s_(period_s),
-      step_(limited(profile, limits_), period_s, limits_.extra_damping_Ns_per_m),
+      step_(limited(profile, limits_), period_s, limits_),
       kiosk_(longest_kiosk_silence_s, most_periods_of_silence * period_s),
       tier_(rules.granted) {
     step_.lend(&hand_);
     exchange_.channel().tier.store(static_cast<std::uint8_t>(tier_), std::memory_order_relaxed);
-}
-
-ServoCommands ServoLoop::commands() {
-    ServoCommands commands = exchange_.commands();
-    commands.stiffness_N_per_m *= limits_.stiffness_share;
-    return commands;
 }
 
 /// False: refused. Whoever looks at a loop that died in between must take it that there is torque,
@@ -56,7 +50,7 @@ void ServoLoop::tick(double now_s, std::uint64_t missed_ticks) {
     input.missed_ticks = missed_ticks;
     input.angles = device_.read_angles(now_s);
     input.handle_rad = device_.handle_angle_rad();
-    input.commands = commands();
+    input.commands = exchange_.commands();
     input.scene = exchange_.wanted_scene();
     input.delay_s = delay_s_;
     input.force_share = force_share_;

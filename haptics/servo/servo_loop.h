@@ -55,7 +55,6 @@ class ServoLoop {
         std::int64_t begun_ns = 0;
     };
 
-    [[nodiscard]] ServoCommands commands();
     [[nodiscard]] bool write(JointTorques torques, double handle_Nm = 0.0);
     void write_last_zero(Clock& clock, TickSchedule& schedule);
     void judge_timing(double now_s, const Moment& moment, std::uint64_t missed_ticks);

@@ -39,10 +39,10 @@ LevelLimits limits_of_device(const DeviceProfile& profile) {
 
 }  // namespace
 
-ServoStep::ServoStep(const DeviceProfile& profile, double period_s, double extra_damping_Ns_per_m)
+ServoStep::ServoStep(const DeviceProfile& profile, double period_s, const TierLimits& tier)
     : profile_(profile),
       period_s_(period_s),
-      extra_damping_Ns_per_m_(extra_damping_Ns_per_m),
+      tier_(tier),
       chain_(limits_of(profile)),
       position_guard_(encoder_step_m(profile)),
       level_limits_(limits_of_device(profile)),
@@ -224,10 +224,13 @@ void ServoStep::begin_to_feel() {
     cost_ = CostTerm(period_s_);
 }
 
+StiffnessBound ServoStep::stiffness_bound() const {
+    return {tier_.stiffness_share, loop_.largest_stiffness_N_per_m};
+}
+
 Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
     const double level = level_rule_.level();
-    const double wanted_N_per_m =
-        std::min(commands.stiffness_N_per_m, loop_.largest_stiffness_N_per_m);
+    const double wanted_N_per_m = possible_N_per_m(stiffness_bound(), commands.stiffness_N_per_m);
     // Without force a change of stiffness does no work, so it need not be ramped.
     if (chain_.is_faded()) stiffness_ = StiffnessRamp(wanted_N_per_m);
     const double depth_m = norm(contact_report_.p_WP - p_WH_);
@@ -253,7 +256,7 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
     frame_J_ = frame.stored_J;
     // Softened where it rang, with the damping that keeps it from ringing.
     return damped(monitor_.gain() * (line_share_ * contact_report_.force + frame.force),
-                  velocity_.velocity(), loop_.damping_Ns_per_m + extra_damping_Ns_per_m_);
+                  velocity_.velocity(), loop_.damping_Ns_per_m + tier_.extra_damping_Ns_per_m);
 }
 
 void ServoStep::feel_point(const ServoCommands& commands, double level) {
@@ -282,7 +285,7 @@ void ServoStep::feel_shape(double level) {
 double ServoStep::damped_twist_Nm() const {
     const Force spring{monitor_.gain() * line_share_ * twist_Nm_ / finger_lever_m, 0.0};
     const Velocity fingers{turn_.rad_per_s() * finger_lever_m, 0.0};
-    const double damping_Ns_per_m = loop_.damping_Ns_per_m + extra_damping_Ns_per_m_;
+    const double damping_Ns_per_m = loop_.damping_Ns_per_m + tier_.extra_damping_Ns_per_m;
     return finger_lever_m * damped(spring, fingers, damping_Ns_per_m).x;
 }
 
@@ -340,6 +343,7 @@ void ServoStep::fill(const StepInput& input, const SafeForce& safe) {
     hand.level_terms = level_rule_.terms();
     hand.is_level_auto = input.commands.is_level_auto;
     hand.stiffness_N_per_m = stiffness_.stiffness_N_per_m();
+    hand.stiffness_bound = stiffness_bound();
     hand.spring_gain = monitor_.gain();
     hand.mode = mode_;
     hand.state = contact_report_.state;

@@ -20,6 +20,7 @@
 #include "haptics/servo/exchange.h"
 #include "haptics/servo/handle_turn.h"
 #include "haptics/servo/loop_settings.h"
+#include "haptics/servo/real_time.h"
 #include "haptics/servo/shape_in_hand.h"
 #include "haptics/servo/velocity_estimate.h"
 
@@ -44,8 +45,8 @@ struct StepInput {
 
 class ServoStep {
   public:
-    /// period_s > 0: of the loop. Force is armed at once.
-    ServoStep(const DeviceProfile& profile, double period_s, double extra_damping_Ns_per_m = 0.0);
+    /// period_s > 0: of the loop. Of `tier` the stiffness and the damping. Force is armed at once.
+    ServoStep(const DeviceProfile& profile, double period_s, const TierLimits& tier = {});
 
     /// The step that lay in memory as these bytes, in the same build, and felt `scene` (null:
     /// none), which may lie elsewhere now. Nothing where they cannot have been such a step: sizes
@@ -58,7 +59,7 @@ class ServoStep {
     void lend(ShapeInHand* hand) { hand_ = hand; }
 
     /// kinematics -> handle in W -> level -> contact -> damping -> frame, guidance, pattern ->
-    /// force chain. Stiffness is kept
+    /// force chain. Stiffness is what the tier leaves of the one that is set, kept
     /// below what the period and delay measured so far allow (loop_settings.h). A new scene, proxy
     /// radius or capture width fades force to zero first, drops the contact and fades in again; a
     /// new mode takes over under the hand, its force fading from the one before. A device that does
@@ -112,6 +113,7 @@ class ServoStep {
     void turn(const StepInput& input, double dt_s);
     void follow_speed(double dt_s);
     void bound_level(const ServoCommands& commands);
+    [[nodiscard]] StiffnessBound stiffness_bound() const;
     void measure_loop(const StepInput& input, double dt_s);
     [[nodiscard]] Force feel(const ServoCommands& commands, double dt_s);
     void feel_point(const ServoCommands& commands, double level);
@@ -133,7 +135,7 @@ class ServoStep {
 
     DeviceProfile profile_;
     double period_s_;
-    double extra_damping_Ns_per_m_;
+    TierLimits tier_;
     ForceChain chain_;
     PositionGuard position_guard_;
     Sample sample_ = Sample::good;

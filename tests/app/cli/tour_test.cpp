@@ -2,7 +2,7 @@
 
 #include "app/decode/map_svg.h"
 #include "app/decode/picture.h"
-#include "app/session/first_feel.h"
+#include "app/session/proxy_radius.h"
 
 #include <cmath>
 #include <filesystem>

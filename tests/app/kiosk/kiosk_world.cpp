@@ -5,11 +5,11 @@
 #include "app/process/places.h"
 #include "app/sticks/open_stick_port.h"
 #include "tests/sim/kiosk/due_jobs.h"
-#include "tests/sim/kiosk/house.h"
 #include "vision/camera/folder_camera.h"
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -36,14 +36,14 @@ fs::path own_folder_of_test() {
 
 }  // namespace
 
-KioskWorld::KioskWorld(bool is_in_window) : folder_(own_folder_of_test()) {
+KioskWorld::KioskWorld(bool is_in_window, Gallery gallery) : folder_(own_folder_of_test()) {
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "camera");
     auto servo = std::make_unique<SteppedServo>();
     servo_ = servo.get();
     KioskParts parts;
     parts.languages = all_languages();
-    parts.gallery = whole_gallery(parts.languages);
+    parts.gallery = std::move(gallery);
     parts.servo = std::move(servo);
     parts.sound = std::make_unique<HeardSound>(heard_);
     parts.profile = default_profile();

@@ -5,6 +5,7 @@
 #include "app/kiosk/kiosk.h"
 #include "tests/app/kiosk/stepped_servo.h"
 #include "tests/sim/kiosk/heard.h"
+#include "tests/sim/kiosk/house.h"
 
 #include <filesystem>
 #include <memory>
@@ -15,8 +16,10 @@ namespace touchline {
 
 class KioskWorld {
   public:
-    /// English, German, French and Spanish. `is_in_window`: of somebody's desktop.
-    explicit KioskWorld(bool is_in_window = false);
+    /// English, German, French and Spanish. `is_in_window`: of somebody's desktop. `gallery`: in
+    /// these languages.
+    explicit KioskWorld(bool is_in_window = false,
+                        Gallery gallery = whole_gallery(all_languages()));
     ~KioskWorld();
     KioskWorld(const KioskWorld&) = delete;
     KioskWorld& operator=(const KioskWorld&) = delete;

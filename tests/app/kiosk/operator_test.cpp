@@ -1,6 +1,6 @@
 // The operator in the whole kiosk: by six keys and what is said, from a fresh install.
 #include "config/settings/settings_text.h"
-#include "tests/app/kiosk/blind_visitor.h"
+#include "tests/app/kiosk/blind_operator.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
 #include <fstream>
@@ -12,21 +12,6 @@ namespace touchline {
 namespace {
 
 namespace fs = std::filesystem;
-
-void enter(BlindVisitor& staff) {
-    for (const KeyRole role :
-         {KeyRole::help, KeyRole::up, KeyRole::up, KeyRole::down, KeyRole::down, KeyRole::select})
-        staff.press(role);
-}
-
-/// Digits 1, 2, 3, 4.
-void enter_pin(BlindVisitor& staff) {
-    for (int digit = 1; digit <= 4; ++digit) {
-        for (int i = 0; i < digit; ++i) staff.press(KeyRole::up);
-        staff.press(KeyRole::next);
-    }
-    staff.press(KeyRole::select);
-}
 
 std::string text_of(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -344,19 +329,6 @@ TEST(House, AFileOfSettingsThatChangesHoldsAtOnceAndABadOneDoesNot) {
     EXPECT_EQ(world.servo().commands().force_ceiling_N, 2.0);
     const std::string report = world.kiosk().take_report();
     EXPECT_NE(report.find("force_ceiling_N"), std::string::npos) << report;
-}
-
-TEST(House, VisitsBeginAsFirmAsTheOperatorSaysAndTheLoopAllows) {
-    KioskWorld world;
-    Settings settings;
-    for (const auto& [wanted, given] : {std::pair{500.0, 500.0}, {220.0, 200.0}, {700.0, 700.0}}) {
-        settings.stiffness_N_per_m = wanted;
-        world.kiosk().set(settings);
-        world.press(KeyRole::select);
-        world.run(1.0);
-        EXPECT_EQ(world.servo().commands().stiffness_N_per_m, given);
-        world.run(400.0);  // the visit ends
-    }
 }
 
 TEST(House, CountsVisitsAndPicturesButNobody) {

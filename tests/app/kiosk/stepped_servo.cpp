@@ -17,6 +17,14 @@ SteppedServo::SteppedServo()
     step_.lend(&shape_);
 }
 
+Force SteppedServo::force_on_handle_W() const {
+    const auto angles =
+        inverse(profile_.geometry, device_from_picture(profile_, device_.tip().position));
+    const auto pose = angles ? forward(profile_.geometry, *angles) : std::nullopt;
+    const auto force_D = pose ? tip_force(pose->jacobian, device_.acting_torques()) : std::nullopt;
+    return force_D ? turned(*force_D) : Force{};
+}
+
 void SteppedServo::run_until(double now_s) {
     while (now_s_ + period_s <= now_s) {
         now_s_ += period_s;
@@ -24,6 +32,7 @@ void SteppedServo::run_until(double now_s) {
         input.now_s = now_s_;
         if (!is_broken_) input.angles = device_.read_angles(now_s_);
         input.commands = commands_;
+        input.delay_s = delay_s;
         input.scene = picture_.scene.get();
         if (alive_.empty() || alive_.back() != picture_.scene) alive_.push_back(picture_.scene);
         const JointTorques torques = step_.step(input);
@@ -31,6 +40,7 @@ void SteppedServo::run_until(double now_s) {
         while (alive_.size() > 1 && alive_.front().get() != step_.scene()) alive_.pop_front();
         report_ = step_.report();
         most_force_N = std::max(most_force_N, norm(report_.hand.force));
+        if (on_tick) on_tick(report_.hand);
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -65,6 +66,12 @@ class SteppedServo final : public ServoClient {
 
     MouseHand& hand() { return *hand_; }
 
+    /// Where the tip truly is.
+    [[nodiscard]] Position handle_W() const { return device_.tip().position; }
+
+    /// That the motors make there now.
+    [[nodiscard]] Force force_on_handle_W() const;
+
     void break_device(bool is_broken) { is_broken_ = is_broken; }
 
     int felt_count = 0;
@@ -75,6 +82,8 @@ class SteppedServo final : public ServoClient {
     std::string words;
     std::string notice;  // told when it is next asked for
     double most_force_N = 0.0;
+    double delay_s = 0.0;                           // that the loop measures of itself
+    std::function<void(const HandState&)> on_tick;  // may be empty
 
   private:
     DeviceProfile profile_;

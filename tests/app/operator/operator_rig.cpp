@@ -54,7 +54,8 @@ OperatorWorld OperatorRig::world() const {
             counters,
             packs,
             {"Force 0.5 newtons", "Level 2"},
-            kind};
+            kind,
+            bounds};
 }
 
 SpokenScreen OperatorRig::screen() const {

@@ -70,6 +70,7 @@ class OperatorRig {
     Counters counters{12, 30, 5, 2, 90};
     std::vector<std::string> packs{"Castles", "Letters"};
     std::optional<std::string> kind = "2diy-gen3.1";
+    FeltBounds bounds;
     std::filesystem::path folder;
     std::filesystem::path stick;
     SettingsFiles files;

@@ -196,6 +196,38 @@ TEST_F(OperatorTest, ASettingIsHeldTurnedAndKept) {
     EXPECT_EQ(rig.screen().items[rig.state.focus].name, "Lines and force");
 }
 
+TEST_F(OperatorTest, WhatTheLoopDoesNotAllowIsSaidBesideWhatIsSet) {
+    rig.bounds.stiffness = {1.0, 508.0};
+    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Stiffness"}));
+    (void)rig.heard();
+    rig.press({R::next, R::next});
+    EXPECT_NE(rig.heard().find("Stiffness, 600 newtons per metre set, 510 possible on this loop"),
+              std::string::npos);
+    EXPECT_EQ(rig.felt.stiffness_N_per_m, 600.0);
+    rig.press({R::back, R::back});
+    EXPECT_NE(rig.heard().find("Stiffness, 500 newtons per metre, setting"), std::string::npos);
+    rig.bounds.stiffness = {0.5, 960.0};  // without real-time priority
+    rig.press({R::back});
+    EXPECT_NE(rig.heard().find("Stiffness, 450 newtons per metre set, 230 possible"),
+              std::string::npos);
+}
+
+TEST_F(OperatorTest, LevelsThatAPictureDoesNotHaveAreSaidBesideThoseSet) {
+    ASSERT_TRUE(rig.open({"How it feels", "Levels"}));
+    const auto value = [this](std::size_t item) { return rig.screen().items[item].value; };
+    EXPECT_EQ(value(3), "16") << "nothing is felt";
+    LevelTerms terms;
+    terms.radius = 1.0;
+    terms.safe = 5.0;
+    rig.bounds.levels = terms;
+    EXPECT_EQ(value(1), "0 set, 1 possible in this picture");
+    EXPECT_EQ(value(2), "0 set, 1 possible in this picture");
+    EXPECT_EQ(value(3), "16 set, 5 possible in this picture");
+    ASSERT_TRUE(rig.open({"Fixed level"}));
+    rig.press({R::next, R::next});
+    EXPECT_EQ(value(1), "2");
+}
+
 TEST_F(OperatorTest, MovingOnKeepsWhatWasTurned) {
     ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Friction"}));
     rig.press({R::next, R::next, R::down});

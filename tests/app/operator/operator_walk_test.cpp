@@ -12,6 +12,7 @@
 #include <array>
 #include <bit>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <queue>
 #include <random>
@@ -312,6 +313,23 @@ TEST(OperatorRun, FromAFreshInstallBySixKeysInEveryLanguage) {
         EXPECT_EQ(kiosk.count<FindHome>(), 1);
         EXPECT_TRUE(is_right_pin(kiosk.folder / "operator.pin", "2580").value());
         EXPECT_TRUE(std::filesystem::exists(kiosk.stick / "touchline-backup.txt"));
+    }
+}
+
+TEST(FeltBounds, AreSaidInEveryLanguageAndNeverOfWhatIsNoNumber) {
+    const SettingRow& row = *find_setting("feel", "stiffness_N_per_m");
+    Settings settings;
+    settings.stiffness_N_per_m = 650.0;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const Language& language : all_languages()) {
+        const std::string all = setting_value(settings, row, language);
+        const std::string less = felt_value(settings, row, {{1.0, 510.0}, {}}, language);
+        EXPECT_NE(less.find(all), std::string::npos) << less;
+        EXPECT_NE(less.find("510"), std::string::npos) << less;
+        EXPECT_EQ(less.find("possible on") != std::string::npos, language.code() == "en") << less;
+        for (const StiffnessBound& bound : {StiffnessBound{}, StiffnessBound{1.0, 646.0},
+                                            StiffnessBound{nan, 510.0}, StiffnessBound{1.0, nan}})
+            EXPECT_EQ(felt_value(settings, row, {bound, {}}, language), all);
     }
 }
 

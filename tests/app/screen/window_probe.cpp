@@ -6,7 +6,7 @@
 #include "app/decode/png_writer.h"
 #include "app/screen/kiosk_screen.h"
 #include "app/screen/window.h"
-#include "app/session/first_feel.h"
+#include "app/session/proxy_radius.h"
 #include "tests/app/gallery/pictures.h"
 #include "tests/app/screen/sample_screens.h"
 

@@ -128,6 +128,7 @@ TEST(Visit, HA4_FirmnessAndKindOfLineHaveNamesAndKeepThePicture) {
     FakeHouse house;
     to_picture(house);
     const std::size_t loads = house.visit.house.request;
+    EXPECT_EQ(firmness_steps[house.visit.visitor.feel.firmness].share, 1.0) << "the operator's";
     for (const char* name : {"very soft", "soft", "medium", "firm"}) {
         ASSERT_TRUE(house.choose("Firmness"));
         ASSERT_TRUE(house.choose(name));
@@ -158,6 +159,86 @@ TEST(Visit, HA4_DetailIsOpenedAgainAndSaid) {
     EXPECT_EQ(house.open(), VisitScreen::picture);
     EXPECT_TRUE(house.has_said("7 outlines. Thing 4 en. Detail, everything", 0))
         << house.last_said();
+}
+
+/// As the kiosk tells of what the operator set.
+void set(FakeHouse& house, void (*change)(Settings&)) {
+    const Settings before = house.settings;
+    change(house.settings);
+    house.happen(SettingsChanged{before});
+}
+
+TEST(Visit, TheOperatorsDetailOpensWhatIsFeltAgainWithoutAWord) {
+    FakeHouse house;
+    to_picture(house);
+    const LoadPicture felt = house.visit.visitor.felt->order;
+    const std::size_t heard = house.transcript.size();
+    const std::vector<Standing> path = house.visit.visitor.path;
+    set(house, [](Settings& settings) { settings.detail = 5; });
+    set(house, [](Settings& settings) { settings.detail = 4; });
+    ASSERT_EQ(house.last<LoadPicture>().size(), 1U);
+    house.wait(0.5);
+    LoadPicture wanted = felt;
+    wanted.detail = 4;
+    wanted.request = house.visit.house.request;
+    EXPECT_EQ(house.visit.visitor.felt->order, wanted);
+    EXPECT_EQ(house.visit.visitor.detail, 4);
+    EXPECT_EQ(house.visit.visitor.path, path);
+    EXPECT_EQ(house.transcript.size(), heard);
+    set(house, [](Settings& settings) { settings.friction = 0.5; });
+    EXPECT_TRUE(house.last<LoadPicture>().empty());
+}
+
+TEST(Visit, TheOperatorsDetailHoldsForWhatIsBeingOpened) {
+    FakeHouse house;
+    to_picture(house);
+    ASSERT_TRUE(house.choose("Zoom"));
+    ASSERT_TRUE(house.choose("Twice as large, around your hand"));
+    set(house, [](Settings& settings) { settings.detail = 1; });
+    house.wait(0.5);
+    EXPECT_EQ(house.visit.visitor.felt->order.detail, 1);
+    EXPECT_EQ(house.visit.visitor.felt->order.zoom.factor, 2.0);
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    EXPECT_TRUE(house.has_said("Enlarged 2 times", 0));
+}
+
+/// Of a visitor and the operator the later word holds; of a change that did not come nothing does.
+TEST(Visit, ADetailThatIsNotReachedIsNotKept) {
+    FakeHouse house;
+    to_picture(house);
+    house.loads_fail = true;
+    set(house, [](Settings& settings) { settings.detail = 2; });
+    house.wait(0.5);
+    EXPECT_EQ(house.visit.visitor.detail, 3);
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    ASSERT_TRUE(house.choose("Detail"));
+    ASSERT_TRUE(house.choose("everything"));
+    house.press(KeyRole::back);
+    EXPECT_EQ(house.visit.visitor.detail, 3) << "cancelled";
+}
+
+TEST(Visit, TheOperatorsKindOfLineIsFeltAtOnceAndTheNextVisitorsToo) {
+    FakeHouse house;
+    to_picture(house);
+    set(house, [](Settings& settings) { settings.mode = static_cast<int>(Mode::wall); });
+    ASSERT_EQ(house.last<Feel>().size(), 1U);
+    EXPECT_EQ(house.visit.visitor.feel.mode, Mode::wall);
+    ASSERT_TRUE(house.choose("Kind of line"));
+    ASSERT_TRUE(house.choose("ridge"));
+    set(house, [](Settings& settings) { settings.friction = 0.5; });
+    EXPECT_EQ(house.visit.visitor.feel.mode, Mode::ridge);
+}
+
+TEST(Visit, TheOperatorsSettingsDisturbNobodyWhoFeelsNothing) {
+    FakeHouse house;
+    for (const bool is_on : {false, true}) {
+        if (is_on) to_choose(house);
+        const std::size_t heard = house.transcript.size();
+        set(house, [](Settings& settings) { settings.detail = settings.detail % 5 + 1; });
+        EXPECT_TRUE(house.orders.empty());
+        EXPECT_EQ(house.transcript.size(), heard);
+        EXPECT_EQ(house.visit.visitor.detail, house.settings.detail);
+    }
 }
 
 TEST(Visit, HA5_APracticeShapeIsOfferedFirstAndCanBeSkipped) {

@@ -211,6 +211,14 @@ TEST(ServoExchange, UnsoundReportsAreTold) {
     report = {};
     report.hand.state = static_cast<ContactState>(200);
     EXPECT_FALSE(is_sound(report));
+    for (const StiffnessBound& bound :
+         {StiffnessBound{std::numeric_limits<double>::quiet_NaN(), 500.0},
+          StiffnessBound{1.1, 500.0}, StiffnessBound{1.0, std::numeric_limits<double>::quiet_NaN()},
+          StiffnessBound{1.0, -1.0}}) {
+        report = {};
+        report.hand.stiffness_bound = bound;
+        EXPECT_FALSE(is_sound(report));
+    }
     report = {};
     report.hand.outline = -2;
     EXPECT_FALSE(is_sound(report));

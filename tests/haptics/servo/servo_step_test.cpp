@@ -379,6 +379,20 @@ TEST(ServoStep, ALateLoopRendersSofterWalls) {
     const double lag_s = 0.5 * tick_s + 0.004;
     EXPECT_NEAR(bench.hand().stiffness_N_per_m,
                 0.9 * (default_profile().mechanics.viscous_Ns_per_m + 1.5) / lag_s, 1.0);
+    EXPECT_NEAR(bench.hand().stiffness_N_per_m, bench.hand().stiffness_bound.most_N_per_m, 0.1);
+    EXPECT_EQ(bench.hand().stiffness_bound.share, 1.0);
+}
+
+TEST(ServoStep, ATierLeavesItsShareOfTheStiffnessAndTellsIt) {
+    const TierLimits tier = limits_of(RealTimeTier::best_effort);
+    ServoStep step(default_profile(), tick_s, tier);
+    StepInput input;
+    input.angles = default_profile().home;
+    (void)step.step(input);
+    const HandState& hand = step.report().hand;
+    EXPECT_EQ(hand.stiffness_bound.share, tier.stiffness_share);
+    EXPECT_EQ(hand.stiffness_N_per_m,
+              possible_N_per_m(hand.stiffness_bound, input.commands.stiffness_N_per_m));
 }
 
 TEST(ServoStep, StiffnessUnderTheHandRisesSlowlyAndFreelyAtZeroForce) {

@@ -1,0 +1,154 @@
+// The operator's levels through the whole kiosk, from the key to the force on the handle.
+#include "tests/app/kiosk/blind_operator.h"
+#include "tests/app/kiosk/felt_wall.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr int most_level = 16;
+constexpr double least_told = 1e-6;  // of a level, and in metres of a place
+
+constexpr Position middle{0.0, 0.0};  // of "A heart"
+
+double distance_m(Position p, const Segment& segment) {
+    const Position way = segment.b - segment.a;
+    const double length2_m2 = dot(way, way);
+    const double share =
+        length2_m2 > 0.0 ? std::clamp(dot(p - segment.a, way) / length2_m2, 0.0, 1.0) : 0.0;
+    return norm(p - (segment.a + share * way));
+}
+
+/// From the curves as they are at a level.
+double distance_m(Position p, const CurveSet& curves, double level) {
+    double least_m = std::numeric_limits<double>::infinity();
+    for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
+        for (int j = 0; j < curves.rendered_count(piece, level); ++j)
+            least_m = std::min(least_m, distance_m(p, curves.rendered_segment(piece, level, j)));
+    }
+    return least_m;
+}
+
+/// Behind the outline, as seen from the middle, where its coarsest level is farthest from its
+/// finest.
+Position behind_line(KioskWorld& world) {
+    constexpr double push_m = 0.003;
+    const CurveSet& curves = world.servo().picture().scene->curves;
+    Position place;
+    double most_m = 0.0;
+    for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
+        for (const Position& p : curves.points(piece, 0)) {
+            const double moved_m = distance_m(p, curves, curves.coarsest());
+            if (moved_m > most_m) place = p;
+            most_m = std::max(most_m, moved_m);
+        }
+    }
+    return (1.0 + push_m / norm(place)) * place;
+}
+
+/// The level that acts where this one is fixed: device, proxy, time and picture go before.
+double possible_level(KioskWorld& world, int set) {
+    LevelTerms terms = world.kiosk().hand().level_terms;
+    terms.finest = terms.coarsest = set;
+    return choose_level(terms).level;
+}
+
+void expect_wall_of_level(KioskWorld& world, double level) {
+    const HandState& hand = world.kiosk().hand();
+    world.run(0.5);  // until the hand has come to rest
+    for (int i = 0; i < 10 && std::abs(hand.level - level) > least_told; ++i) world.run(0.5);
+    EXPECT_NEAR(hand.level, level, least_told);
+    EXPECT_NE(hand.state, ContactState::free);
+    const double radius_m = world.servo().commands().radius_m;
+    EXPECT_NEAR(distance_m(hand.p_WP, world.servo().picture().scene->curves, level), radius_m,
+                least_told);
+    EXPECT_NEAR(norm(world.servo().force_on_handle_W()),
+                hand.stiffness_N_per_m * norm(hand.p_WP - hand.p_WH), 0.02);
+}
+
+void hold_level(KioskWorld& world, BlindVisitor& staff, const char* setting) {
+    ASSERT_NO_FATAL_FAILURE(open_walls(world, "A heart"));
+    ASSERT_NO_FATAL_FAILURE(hold_setting(staff, {"How it feels", "Levels", setting}));
+}
+
+/// In the visit that runs; the wall under the hand moves to that of the level.
+TEST(FeltLevel, IsEveryFixedLevelThatTheOperatorCanSet) {
+    WallWorld world;
+    BlindVisitor staff(world, 0.2);
+    ASSERT_NO_FATAL_FAILURE(hold_level(world, staff, "Level follows the hand"));
+    ASSERT_FALSE(world.servo().commands().is_level_auto);
+    ASSERT_TRUE(staff.choose("Fixed level")) << staff.heard();
+    ASSERT_NO_FATAL_FAILURE(turn_to_least(staff));
+    const Position behind = behind_line(world);
+    double least_m = norm(behind);
+    double most_m = 0.0;
+    for (int set = 0; set <= most_level; ++set) {
+        SCOPED_TRACE(set);
+        EXPECT_EQ(world.servo().commands().level, set);
+        lead_hand(world, behind);
+        const double level = possible_level(world, set);
+        expect_wall_of_level(world, level);
+        least_m = std::min(least_m, norm(world.kiosk().hand().p_WP));
+        most_m = std::max(most_m, norm(world.kiosk().hand().p_WP));
+        const std::string told = "Fixed level, " + std::to_string(set) + " set, " +
+                                 std::to_string(static_cast<int>(level)) +
+                                 " possible in this picture";
+        const bool is_told = staff.heard().find(told) != std::string::npos;
+        EXPECT_EQ(is_told, set > 0 && level != set) << staff.heard();
+        lead_hand(world, middle);
+        staff.press(KeyRole::next);
+    }
+    EXPECT_GT(most_m - least_m, 1e-4) << "a coarser level is another wall";
+    EXPECT_EQ(world.kiosk().force().fault, Fault::none);
+}
+
+/// Of a hand that stands still the finest level is the one that is felt.
+TEST(FeltLevel, GetsNoFinerThanEveryFinestLevelThatTheOperatorCanSet) {
+    WallWorld world;
+    BlindVisitor staff(world, 0.2);
+    ASSERT_NO_FATAL_FAILURE(hold_level(world, staff, "Finest level"));
+    ASSERT_NO_FATAL_FAILURE(turn_to_least(staff));
+    const Position behind = behind_line(world);
+    for (int set = 0; set <= most_level; ++set) {
+        SCOPED_TRACE(set);
+        EXPECT_EQ(world.servo().commands().finest_level, set);
+        lead_hand(world, behind);
+        world.run(1.0);
+        const LevelTerms& terms = world.kiosk().hand().level_terms;
+        EXPECT_EQ(terms.speed, 0.0);
+        EXPECT_EQ(terms.finest, set);
+        expect_wall_of_level(world,
+                             possible_level(world, std::max(set, static_cast<int>(terms.percept))));
+        lead_hand(world, middle);
+        staff.press(KeyRole::next);
+    }
+}
+
+/// Of a hand that would have it coarser, the coarsest level is the one that is felt.
+TEST(FeltLevel, GetsNoCoarserThanEveryCoarsestLevelThatTheOperatorCanSet) {
+    WallWorld world;
+    BlindVisitor staff(world, 0.2);
+    ASSERT_NO_FATAL_FAILURE(hold_level(world, staff, "Coarsest level"));
+    const Position behind = behind_line(world);
+    for (int set = most_level; set >= 0; --set) {
+        SCOPED_TRACE(set);
+        EXPECT_EQ(world.servo().commands().coarsest_level, set);
+        lead_hand(world, behind);
+        world.run(1.0);
+        const LevelTerms& terms = world.kiosk().hand().level_terms;
+        EXPECT_EQ(terms.coarsest, set);
+        EXPECT_LE(world.kiosk().hand().level, possible_level(world, set) + least_told);
+        expect_wall_of_level(world, choose_level(terms).level);
+        lead_hand(world, middle);
+        staff.press(KeyRole::back);
+    }
+}
+
+}  // namespace
+}  // namespace touchline

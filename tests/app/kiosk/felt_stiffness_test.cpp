@@ -1,0 +1,175 @@
+// The operator's stiffness through the whole kiosk, from the key to the force on the handle.
+#include "tests/app/kiosk/blind_operator.h"
+#include "tests/app/kiosk/felt_wall.h"
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr double tolerance = 0.02;  // of a stiffness; what is left of the encoders' steps
+constexpr double tick_s = 0.001;
+
+// Of "A house": a corridor between the right window and the right wall, which is at x = 38 mm.
+constexpr Position corridor{0.0345, -0.005};
+constexpr Position behind_wall{0.0406, -0.005};
+constexpr Position along_wall{0.0, -0.012};
+
+double felt_N_per_m(KioskWorld& world) {
+    return feel_wall(world, behind_wall, along_wall).stiffness_N_per_m;
+}
+
+/// Until the stiffness no longer changes, with a hand that pushes and moves as hands do.
+void wait_for_ramp(KioskWorld& world) {
+    for (int i = 0; i < 60; ++i) {
+        const double before = world.kiosk().hand().stiffness_N_per_m;
+        world.run(1.0);
+        if (world.kiosk().hand().stiffness_N_per_m == before) return;
+    }
+    ADD_FAILURE() << "the stiffness never comes to rest";
+}
+
+void hold_stiffness(KioskWorld& world, BlindVisitor& staff) {
+    ASSERT_NO_FATAL_FAILURE(open_walls(world, "A house"));
+    lead_hand(world, corridor);
+    ASSERT_NO_FATAL_FAILURE(hold_setting(staff, {"How it feels", "Lines and force", "Stiffness"}));
+}
+
+/// In the visit that runs, each as it is turned to.
+TEST(FeltStiffness, IsEveryValueThatTheOperatorCanSet) {
+    WallWorld world;
+    BlindVisitor staff(world, 0.2);
+    ASSERT_NO_FATAL_FAILURE(hold_stiffness(world, staff));
+    ASSERT_NO_FATAL_FAILURE(turn_to_least(staff));
+    for (double set_N_per_m = 100.0; set_N_per_m <= 700.0; set_N_per_m += 50.0) {
+        SCOPED_TRACE(set_N_per_m);
+        wait_for_ramp(world);
+        EXPECT_NEAR(felt_N_per_m(world), set_N_per_m, tolerance * set_N_per_m);
+        EXPECT_EQ(staff.heard().find("possible"), std::string::npos) << staff.heard();
+        staff.press(KeyRole::next);
+    }
+    EXPECT_NE(staff.heard().find("That is the end."), std::string::npos);
+    EXPECT_TRUE(is_visit_on(world.kiosk().visit()));
+    EXPECT_EQ(world.kiosk().force().fault, Fault::none);
+}
+
+/// What a ramp may do in a tick: the stiffness rises by 5 % a second, and falls by 15 N a second.
+struct Ramp {
+    double most_rise = 0.0;    // share in a tick
+    double most_fall_N = 0.0;  // in a tick
+    double most_force_step_N = 0.0;
+    double last_N_per_m = 0.0;
+    Force last_force;
+
+    void watch(const HandState& hand) {
+        const double now_N_per_m = hand.stiffness_N_per_m;
+        if (last_N_per_m > 0.0) {
+            const double depth_m = norm(hand.p_WP - hand.p_WH);
+            most_rise = std::max(most_rise, now_N_per_m / last_N_per_m - 1.0);
+            most_fall_N = std::max(most_fall_N, (last_N_per_m - now_N_per_m) * depth_m);
+            most_force_step_N = std::max(most_force_step_N, norm(hand.force - last_force));
+        }
+        last_N_per_m = now_N_per_m;
+        last_force = hand.force;
+    }
+};
+
+TEST(FeltStiffness, IsRampedUnderAHandThatPushes) {
+    WallWorld world;
+    BlindVisitor staff(world, 0.2);
+    ASSERT_NO_FATAL_FAILURE(hold_stiffness(world, staff));
+    ASSERT_NO_FATAL_FAILURE(turn_to_least(staff));
+    wait_for_ramp(world);
+    lead_hand(world, behind_wall);
+    world.run(0.5);
+    Ramp ramp;
+    world.servo().on_tick = [&ramp](const HandState& hand) { ramp.watch(hand); };
+    for (const KeyRole role : {KeyRole::next, KeyRole::back}) {
+        for (int i = 0; i < 12; ++i) staff.press(role);
+        for (int i = 0; i < 45; ++i) {  // who stands still for long has let go
+            lead_hand(world, behind_wall + (i % 2 == 0 ? 0.1 : 0.0) * along_wall);
+            world.run(1.0);
+        }
+        const double set_N_per_m = role == KeyRole::next ? 700.0 : 100.0;
+        EXPECT_DOUBLE_EQ(world.kiosk().hand().stiffness_N_per_m, set_N_per_m);
+    }
+    world.servo().on_tick = {};
+    EXPECT_LE(ramp.most_rise, 1.0001 * 0.05 * tick_s);
+    EXPECT_GT(ramp.most_rise, 0.0);
+    EXPECT_LE(ramp.most_fall_N, 1.1 * 15.0 * tick_s);
+    EXPECT_GT(ramp.most_fall_N, 0.0);
+    // The step of an encoder makes the most of it: 0.1 mm at 700 N/m, of two encoders.
+    EXPECT_LE(ramp.most_force_step_N, 0.15);
+}
+
+TEST(FeltStiffness, IsWhatTheLoopAllowsAndTheScreenSaysSo) {
+    WallWorld world;
+    BlindVisitor staff(world, 0.2);
+    ASSERT_NO_FATAL_FAILURE(hold_stiffness(world, staff));
+    world.servo().delay_s = 0.003;
+    world.run(10.0);
+    wait_for_ramp(world);
+    const double most_N_per_m = world.kiosk().hand().stiffness_bound.most_N_per_m;
+    ASSERT_NEAR(most_N_per_m, 440.0, 4.0);
+    staff.press(KeyRole::next);
+    EXPECT_NE(staff.heard().find(
+                  "Stiffness, 550 newtons per metre set, 440 possible on this loop, setting"),
+              std::string::npos)
+        << staff.heard();
+    EXPECT_NEAR(felt_N_per_m(world), most_N_per_m, tolerance * most_N_per_m);
+    for (int i = 0; i < 3; ++i) staff.press(KeyRole::back);
+    EXPECT_NE(staff.heard().find("Stiffness, 400 newtons per metre, setting"), std::string::npos)
+        << staff.heard();
+    wait_for_ramp(world);
+    EXPECT_NEAR(felt_N_per_m(world), 400.0, tolerance * 400.0);
+}
+
+/// The visitor's named steps lie round what the operator sets, also while it changes.
+TEST(FeltStiffness, OfAVisitorsStepsIsAShareOfTheOperators) {
+    WallWorld world;
+    BlindVisitor visitor(world, 0.2);
+    ASSERT_NO_FATAL_FAILURE(open_walls(world, "A house"));
+    lead_hand(world, corridor);
+    const double most_N_per_m = world.kiosk().hand().stiffness_bound.most_N_per_m;
+    for (const FirmnessStep& step : firmness_steps) {
+        ASSERT_TRUE(visitor.choose("Firmness")) << visitor.heard();
+        ASSERT_TRUE(visitor.choose(std::string(step.name))) << visitor.heard();
+        for (const double set_N_per_m : {100.0, 500.0, 700.0}) {
+            SCOPED_TRACE(std::string(step.name) + " of " + std::to_string(set_N_per_m));
+            Settings settings;
+            settings.stiffness_N_per_m = set_N_per_m;
+            settings.mode = static_cast<int>(Mode::wall);
+            world.kiosk().set(settings);
+            wait_for_ramp(world);
+            const double meant_N_per_m = std::min(step.share * set_N_per_m, most_N_per_m);
+            EXPECT_NEAR(felt_N_per_m(world), meant_N_per_m, tolerance * meant_N_per_m);
+        }
+    }
+}
+
+/// Before anybody came; of a file that says what cannot be, nothing holds.
+TEST(FeltStiffness, OfTheSitesFileHoldsAtOnceAndBadOnesDoNot) {
+    WallWorld world;
+    const auto write = [&world](const std::string& value) {
+        std::ofstream(world.site_files().settings.site)
+            << "[feel]\nstiffness_N_per_m = " << value << "\n";
+        world.run(2.0);
+        return world.servo().commands().stiffness_N_per_m;
+    };
+    EXPECT_EQ(write("130"), 130.0);
+    for (const char* bad : {"nan", "inf", "-500", "0", "99.9", "700.1", "1e300", "\"firm\""}) {
+        EXPECT_EQ(write(bad), 130.0) << bad;
+        const std::string report = world.kiosk().take_report();
+        EXPECT_NE(report.find("stiffness_N_per_m"), std::string::npos) << bad << ": " << report;
+        EXPECT_EQ(std::count(report.begin(), report.end(), '\n'), 1) << report;
+        EXPECT_EQ(write("130"), 130.0);
+        (void)world.kiosk().take_report();
+    }
+}
+
+}  // namespace
+}  // namespace touchline
