@@ -65,7 +65,8 @@ TEST_F(ServoProcess, WhyThereIsNoServoStaysToBeReadWhileTheNextIsTried) {
 
 /// A board that nobody has named the kind of is not touched.
 TEST_F(ServoProcess, NoServoIsStartedBeforeItsKindIsSaid) {
-    ServoProcessOptions options{TOUCHLINE_SERVO_RIG, {}, [] { return Result<void>(); }};
+    ServoProcessOptions options{
+        TOUCHLINE_SERVO_RIG, {}, [](const std::string&) { return Result<void>(); }};
     options.kind = "";
     options.keep_kind = [this](const std::string&) { return std::vector<std::string>{path_}; };
     touchline::ServoProcess servo(std::move(options));
