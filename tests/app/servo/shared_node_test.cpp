@@ -99,6 +99,7 @@ class SharedNode : public testing::TestWithParam<Death> {
     void start_kiosk() {
         UsbDevice device = find_usb_device(read_board_files(board_files()).value()).value().value();
         device.is_homed_first = false;  // the hand of the test rests at home
+        device.profile = default_profile().name;
         std::vector<std::string> words{"usb-kiosk"};
         for (const std::string& word : arguments_of(device)) words.push_back(word);
         const std::string before = "LD_PRELOAD=" TOUCHLINE_REAL_NODE_LIBRARY ":";
