@@ -45,8 +45,7 @@ std::string kind_wanted() {
     for (const DeviceProfile& profile : device_profiles())
         names += (names.empty() ? "" : ", ") + std::string(profile.name);
     return "which kind of pantograph is it? Nothing is kept of this unit: name it by --profile, "
-           "one "
-           "of " +
+           "one of " +
            names;
 }
 

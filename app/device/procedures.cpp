@@ -67,7 +67,7 @@ Ending wait(const Procedure& procedure, double longest_s, IsOver is_over) {
     });
 }
 
-/// In the middle of the area each motor moves its own arm more than the other's.
+/// There each motor moves its own arm more than the other's.
 bool is_in_the_middle(const DeviceProfile& profile, const std::optional<JointAngles>& angles) {
     const auto pose = angles ? forward(profile.geometry, *angles) : std::nullopt;
     if (!pose) return false;

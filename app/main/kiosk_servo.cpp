@@ -24,7 +24,7 @@ Result<std::optional<UsbDevice>> find_device() {
     return find_usb_device(*settings);
 }
 
-/// For the next visit and the next servo.
+/// It is kept for the next visit and the next servo.
 std::vector<std::string> keep(const UsbDevice& device) {
     const auto kept = keep_unit(board_files(), {device.serial, device.profile, device.calibration});
     if (!kept) fmt::print(stderr, "touchline: {}\n", plain_line(kept.error().line));

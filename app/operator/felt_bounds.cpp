@@ -7,7 +7,7 @@
 namespace touchline {
 namespace {
 
-/// In tens: what the loop allows is measured, and moves a little. Less is not told from all of it.
+/// It is told in tens: what the loop allows is measured, and moves a little. Within ten it is all.
 std::optional<double> less_possible(double set_N_per_m, const StiffnessBound& bound) {
     constexpr double told_N_per_m = 10.0;
     const double possible = possible_N_per_m(bound, set_N_per_m);

@@ -89,7 +89,7 @@ struct HeldBoard {
     std::string bus_path;
 };
 
-/// Of a message `board`, which loses its descriptor; nothing where it came without.
+/// What a message `board` brings, which loses its descriptor; nothing where it came without.
 [[nodiscard]] std::optional<HeldBoard> held_board_of(Arrival& arrival);
 
 /// gone: the other side has closed; what it sent that is no message counts as that too.

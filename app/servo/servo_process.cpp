@@ -70,7 +70,7 @@ class ServoProcess::Guard {
     /// A servo homes its device when it starts.
     void home_again() { is_homing_wanted_ = true; }
 
-    /// From the next servo on, which is started soon.
+    /// It holds from the next servo on, which is started soon.
     void choose_kind(const std::string& profile) {
         const std::lock_guard lock(kind_mutex_);
         chosen_kind_ = profile;

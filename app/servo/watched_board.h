@@ -33,7 +33,7 @@ class WatchedBoard final : public ForceDevice {
     /// PantographBoard::open() and make_ready().
     [[nodiscard]] Result<void> open(bool is_homed_first, const Opening& opening, Clock& clock);
 
-    /// With what the unit has of its own.
+    /// The profile with what the unit has of its own.
     [[nodiscard]] const DeviceProfile& profile() const {
         return board_.frame().calibrated_profile();
     }

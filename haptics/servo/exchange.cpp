@@ -58,8 +58,8 @@ bool is_sound(const ServoReport& report) {
     const HandState& hand = report.hand;
     return is_finite(hand.p_WH) && is_finite(hand.p_WP) && is_finite(hand.force) &&
            std::isfinite(hand.level) && is_within(hand.stiffness_bound.share, 0.0, 1.0) &&
-           is_within(hand.stiffness_bound.most_N_per_m, 0.0, 20'000.0) && hand.mode <= Mode::stay &&
-           hand.state <= ContactState::vertex && hand.outline >= -1 &&
+           is_within(hand.stiffness_bound.most_N_per_m, 0.0, StiffnessBound{}.most_N_per_m) &&
+           hand.mode <= Mode::stay && hand.state <= ContactState::vertex && hand.outline >= -1 &&
            is_bool(hand.is_level_auto) && hand.guidance.phase <= GuidancePhase::stopped &&
            is_bool(hand.guidance.is_on_line) && hand.guidance.outline >= -1 &&
            hand.guidance.label >= -1 && is_finite(hand.guidance.leading) &&
