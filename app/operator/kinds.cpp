@@ -5,7 +5,7 @@
 namespace touchline {
 namespace {
 
-constexpr std::array rows{
+constexpr std::array kinds{
     KindRow{"2diy-gen3.1", "2diy 3.1, elbows 15 millimetres before the motors",
             "Two motors beside each other, arms of plastic. Measure with the handle pushed away."},
     KindRow{"2diy-gen3.1-172", "2diy 3.1, elbows 10 millimetres before the motors",
@@ -27,7 +27,7 @@ constexpr std::array rows{
 }  // namespace
 
 std::span<const KindRow> kind_rows() {
-    return rows;
+    return kinds;
 }
 
 }  // namespace touchline
