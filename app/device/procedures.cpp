@@ -35,10 +35,13 @@ Ending run_ticks(const Procedure& procedure, Step step) {
         if (procedure.board.report().is_position_doubtful) ending = Ending::misplaced;
         if (procedure.board.report().state == BoardState::lost) ending = Ending::lost;
         if (ending != Ending::finished) break;
-        (void)procedure.board.write_torques(*torques);
+        const bool is_zero = *torques == JointTorques{};
+        if (!is_zero) procedure.mark_force(true);
+        if (procedure.board.write_torques(*torques) && is_zero) procedure.mark_force(false);
         schedule.finish(procedure.clock.now_ns());
     }
-    (void)procedure.board.end_in_zero();
+    if (!procedure.board.end_in_zero()) return Ending::lost;
+    procedure.mark_force(false);
     return ending;
 }
 

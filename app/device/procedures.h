@@ -21,6 +21,8 @@ struct Procedure {
     std::function<bool()> goes_on;                // asked each tick; false: stop
     std::function<void(const std::string&)> say;  // a line for the person
     double longest_s = 300.0;
+    /// True before a torque is asked of the board, false once it holds zero again.
+    std::function<void(bool)> mark_force = [](bool) {};
 };
 
 struct Homed {

@@ -132,7 +132,17 @@ class ServoProgram {
                     return region_.channel().is_stop_wanted == 0;
                 },
                 [this](const Calibration& found) { (void)send(socket_, message_of(found)); },
-                [this](const UsbNode& node) { share(node); }, words_};
+                [this](bool is_on) { mark_force(is_on); },
+                [this](const UsbNode& node) { share(node); },
+                words_};
+    }
+
+    /// As the loop does, which there is none of yet.
+    void mark_force(bool is_on) {
+        ServoChannel& channel = region_.channel();
+        if (is_on) channel.begin_loop();
+        channel.is_force_on = is_on ? 1 : 0;
+        if (!is_on) channel.end_loop();
     }
 
     void share(const UsbNode& node) {

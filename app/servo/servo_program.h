@@ -35,6 +35,9 @@ struct Opening {
     std::function<void(const std::string&)> say;   // what the person is to do now; empty: nothing
     std::function<bool()> goes_on;                 // to be asked all the time; false: give up
     std::function<void(const Calibration&)> keep;  // found for this unit, for the next time
+    /// To be told true before a torque is asked of the device, false once it holds zero again, by
+    /// one thread that asks whether it goes on every few milliseconds meanwhile.
+    std::function<void(bool)> mark_force;
     /// As soon as a board is opened: whoever guards this process can turn its motors off by it.
     std::function<void(const UsbNode&)> share;
     std::vector<std::string> words;  // that the kiosk named the device with; may be none

@@ -3,11 +3,13 @@
 #include "app/servo/watched_board.h"
 #include "haptics/device/usb_boards.h"
 #include "haptics/pantograph/profile.h"
+#include "haptics/servo/real_time.h"
 
 #include <array>
 #include <charconv>
 #include <memory>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -51,6 +53,17 @@ Result<OpenedBoard> take_at(const UsbBoards& boards, const UsbDevice& device,
     for (const FoundBoard& board : boards.list(std::array{device.id}))
         if (board.bus_path == bus_path) return boards.open(board);
     return failure("no board is plugged in at " + bus_path);
+}
+
+/// In a thread of the loop's priority: while the motors are tried its silence ends the servo.
+Result<void> open_in_time(WatchedBoard& board, bool is_homed_first, const Opening& opening) {
+    Result<void> opened;
+    std::thread([&] {
+        (void)become_real_time(MemoryLock::as_touched);
+        MonotonicClock clock;
+        opened = board.open(is_homed_first, opening, clock);
+    }).join();
+    return opened;
 }
 
 }  // namespace
@@ -106,8 +119,7 @@ Result<OpenedDevice> open_usb_device(const UsbDevice& device, const Opening& ope
     opening.share(taken->node);
     auto board =
         std::make_unique<WatchedBoard>(std::move(taken->link), *profile, device.calibration);
-    MonotonicClock clock;
-    if (const auto opened = board->open(device.is_homed_first, opening, clock); !opened)
+    if (const auto opened = open_in_time(*board, device.is_homed_first, opening); !opened)
         return tl::unexpected(opened.error());
     OpenedDevice result;
     result.zero = {write_zero, board.get()};

@@ -16,8 +16,9 @@ constexpr std::int64_t shortest_sleep_ns = 100'000'000;
 Result<void> WatchedBoard::open(bool is_homed_first, const Opening& opening, Clock& clock) {
     if (auto opened = board_.open(); !opened || !is_homed_first) return opened;
     const Calibration stored = board_.frame().calibration();
-    const auto found =
-        make_ready({board_, clock, opening.goes_on, opening.say, longest_homing_s}, stored);
+    const auto found = make_ready(
+        {board_, clock, opening.goes_on, opening.say, longest_homing_s, opening.mark_force},
+        stored);
     if (!found) return tl::unexpected(found.error());
     drift_ = DriftWatch(homing_plan(profile(), found->stop_off));
     opening.keep(*found);

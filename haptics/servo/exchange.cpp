@@ -78,9 +78,9 @@ std::optional<RealTimeTier> tier_of(const ServoChannel& channel) {
 
 ServoExchange::ServoExchange() : own_(std::make_unique<ServoChannel>()), channel_(*own_) {}
 
-void ServoExchange::begin_loop() {
-    channel_.loop_process = getpid();
-    channel_.loop_thread = gettid();
+void ServoChannel::begin_loop() {
+    loop_process = getpid();
+    loop_thread = gettid();
 }
 
 void ServoExchange::feel(std::shared_ptr<const Scene> scene) {

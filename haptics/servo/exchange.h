@@ -160,6 +160,11 @@ struct ServoChannel {
     // Whose ticks they are, for a guard to see that it is gone long before its process is: the
     // system's numbers of process and thread; 0: there is no loop, or it has ended.
     std::atomic<std::int32_t> loop_process{0}, loop_thread{0};
+
+    /// The thread that calls is the one that ticks, until it calls the other.
+    void begin_loop();
+
+    void end_loop() { loop_thread = 0; }
 };
 
 /// The tier that the channel tells; nothing before a servo told one, or where it tells none that
@@ -191,11 +196,6 @@ class ServoExchange {
     [[nodiscard]] std::uint64_t dropped_events() const { return channel_.events.dropped(); }
 
     // The servo's side.
-    /// The thread that calls is the one that ticks, until it calls the other.
-    void begin_loop();
-
-    void end_loop() { channel_.loop_thread = 0; }
-
     /// The newest that are sound; others change nothing.
     [[nodiscard]] const ServoCommands& commands();
     /// The newest scene offered, null before the first.

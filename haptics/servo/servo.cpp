@@ -32,9 +32,9 @@ struct Servo::Running {
             if (options.is_real_time) rules.granted = become_real_time(options.lock);
             ServoLoop loop(*device, profile, options.period_s, exchange, recorder, rules);
             started.set_value();
-            exchange.begin_loop();
+            exchange.channel().begin_loop();
             loop.run(clock, period_ns, end);
-            exchange.end_loop();
+            exchange.channel().end_loop();
         });
         ready.wait();
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -97,6 +98,24 @@ TEST(Procedures, ABoardIsReadyOnceBothMotorsMovedTheHandle) {
     EXPECT_TRUE(visit.was_heard("let go"));
     EXPECT_EQ(visit.rig.held(), JointTorques{});
     EXPECT_LT(visit.tip_off_m(), 1e-3);
+}
+
+TEST(Procedures, NoTorqueIsHeldThatWasNotMarked) {
+    DeviceVisit visit;
+    ASSERT_TRUE(visit.rig.driver->open().has_value());
+    Procedure procedure = visit.procedure();
+    bool is_marked = false;
+    int marks = 0, ticks_unmarked_under_torque = 0;
+    procedure.mark_force = [&](bool is_on) { marks += std::exchange(is_marked, is_on) != is_on; };
+    const auto goes_on = procedure.goes_on;
+    procedure.goes_on = [&, goes_on] {
+        ticks_unmarked_under_torque += !is_marked && visit.rig.held() != JointTorques{};
+        return goes_on();
+    };
+    ASSERT_TRUE(make_ready(procedure, measured()).has_value());
+    EXPECT_EQ(ticks_unmarked_under_torque, 0);
+    EXPECT_GE(marks, 2);
+    EXPECT_FALSE(is_marked);
 }
 
 TEST(Procedures, NoForceComesWhileTheMotorsHaveNoPowerAndThenItDoes) {

@@ -18,6 +18,7 @@ enum class Mischief : int { none, write_nowhere, throw_something, spin };
 
 struct FakeBoard {
     std::atomic<int> is_pressed{0};  // by the hand, against the line
+    std::atomic<int> is_tried{0};    // with torque, before it counts as opened
     std::atomic<Mischief> mischief{Mischief::none};
     std::atomic<int> owner{0};            // the process that holds it
     std::atomic<int> opened{0};           // times

@@ -4,6 +4,7 @@
 
 #include "app/process/child.h"
 #include "app/servo/messages.h"
+#include "app/servo/servo_peer.h"
 #include "app/servo/shared_region.h"
 #include "config/types/map_bytes.h"
 #include "tests/app/servo/process_rig.h"
@@ -27,6 +28,26 @@ TEST_F(ServoProcess, MakesForceAndEndsAsAsked) {
     EXPECT_EQ(board_.is_torque_on, 0);
     EXPECT_EQ(board_.zeroed_by_guard, 0);  // it ended by itself
     EXPECT_NE(kill(servo, 0), 0);
+}
+
+/// What a guard goes by holds while the motors are tried, too.
+TEST_F(ServoProcess, TellsTheTorqueThatComesBeforeItsLoop) {
+    board_.is_tried = 1;
+    auto servo = start_servo(TOUCHLINE_SERVO_RIG, {path_}).value();
+    const SharedRegion region = SharedRegion::create().value();
+    ASSERT_TRUE(send(servo.socket, message_of(MessageKind::region), &region.descriptor()));
+    ServoChannel& channel = region.channel();
+    ASSERT_TRUE(wait_until([&] { return board_.is_torque_on == 1; }));
+    EXPECT_EQ(channel.is_force_on, 1);
+    EXPECT_EQ(channel.loop_process, board_.owner);
+    EXPECT_GT(channel.loop_thread, 0);
+    const int thread = channel.loop_thread;
+    board_.is_tried = 0;
+    ASSERT_TRUE(wait_until([&] { return board_.reads > 0; }));
+    EXPECT_NE(channel.loop_thread, thread) << "the loop has a thread of its own";
+    EXPECT_EQ(channel.is_force_on, 0);
+    servo.peer.kill();
+    (void)servo.peer.end(true);
 }
 
 TEST_F(ServoProcess, TheGuardZeroesABoardThatDidNotConfirmItAtTheEnd) {

@@ -79,11 +79,18 @@ void write_zero(void* device) noexcept {
     ++board.zeroed_by_handler;
 }
 
-Result<OpenedDevice> open_fake_device(FakeBoard& board) {
+Result<OpenedDevice> open_fake_device(FakeBoard& board, const Opening& opening) {
     if (!board.is_free()) return failure("the board is busy");
     board.owner = getpid();
     board.reads = 0;
+    MonotonicClock clock;
+    while (board.is_tried != 0 && opening.goes_on()) {
+        opening.mark_force(true);
+        board.put({0.03, 0.0});
+        clock.sleep_until(clock.now_ns() + 1'000'000);
+    }
     board.put({});
+    opening.mark_force(false);
     ++board.opened;
     OpenedDevice opened;
     opened.device = std::make_unique<FakeDevice>(board);
@@ -185,7 +192,7 @@ int main(int argc, char** argv) {
     if (argc < 2) return 2;
     if (argc == 2) {
         return run_servo_program(std::stoi(argv[1]), [](const Opening& opening) {
-            return open_fake_device(mapped<FakeBoard>(opening.words.at(0)));
+            return open_fake_device(mapped<FakeBoard>(opening.words.at(0)), opening);
         });
     }
     if (std::string(argv[1]) == "usb-kiosk") return run_usb_kiosk(argv[0], {argv + 2, argv + argc});
@@ -199,6 +206,7 @@ int main(int argc, char** argv) {
         return run_kiosk(argv[0], argv[2], argc > 3 ? argv[3] : "");
     if (std::string(argv[1]) == "listen") return listen_at(argv[0], argv[2]);
     FakeBoard& board = mapped<FakeBoard>(argv[2]);
-    return run_servo_program(std::stoi(argv[1]),
-                             [&board](const Opening&) { return open_fake_device(board); });
+    return run_servo_program(std::stoi(argv[1]), [&board](const Opening& opening) {
+        return open_fake_device(board, opening);
+    });
 }
