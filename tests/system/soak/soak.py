@@ -1,4 +1,4 @@
-"""tests/system/soak/run, in its namespaces: soak.py ROOT [--short | minutes N | kills N | plugs N | missing]."""
+"""tests/system/soak/run, in its namespaces: soak.py ROOT [--short | minutes N | kills N [BUSY] | plugs N | missing]."""
 
 import os
 import signal
@@ -17,9 +17,10 @@ def run(root, words):
     figures = Figures(f'{root}/build/reliability/soak.csv')
     what = words[0] if words else '--short'
     count = int(words[1]) if len(words) > 1 else 0
+    busy = int(words[2]) if len(words) > 2 else 0
     parts = {'missing': [lambda world: missing.run(world, figures)],
              'minutes': [lambda world: minutes.run(world, figures, 60.0 * count)],
-             'kills': [lambda world: kills.run(world, figures, count)],
+             'kills': [lambda world: kills.run(world, figures, count, busy)],
              'plugs': [lambda world: plugs.run(world, figures, count)],
              '--short': [lambda world: missing.run_short(world, figures),
                          lambda world: kills.run(world, figures, 8),

@@ -136,14 +136,19 @@ class World:
                 process.wait()
 
 
+def restart_after_s(root):
+    """RestartSec of the kiosk's unit."""
+    with open(f'{root}/app/package/units/touchline-kiosk.service', encoding='utf-8') as unit:
+        return float(re.search(r'^RestartSec=([0-9.]+)$', unit.read(), re.MULTILINE)[1])
+
+
 class Kiosk:
     """The kiosk and its supervisor, which starts it again as systemd's Restart=always does."""
-
-    restart_after_s = 0.1  # RestartSec of systemd where nobody sets it
 
     def __init__(self, world, settings=None, before=(), has_board=True, log='kiosk.log'):
         """`settings` of the environment, None for none; `before`: what the program is started by."""
         self.world, self.has_board = world, has_board
+        self.restart_after_s = restart_after_s(world.root)
         program = [world.kiosk_program] if has_board else [f'{world.programs}/touchline', '--window']
         self.command = [*before, *program]
         self.environment = dict(world.environment, **(settings or {}))
