@@ -21,8 +21,12 @@ class SleepyBoard : public testing::Test {
           board_(std::make_unique<EmulatedLink>(emulated_, time_), default_profile(), {},
                  slept_in_test) {
         MonotonicClock clock;
-        const Opening opening{
-            [](const std::string&) {}, [] { return true; }, [](const Calibration&) {}, {}, {}};
+        const Opening opening{[](const std::string&) {},
+                              [] { return true; },
+                              [](const Calibration&) {},
+                              [](bool) {},
+                              {},
+                              {}};
         EXPECT_TRUE(board_.open(false, opening, clock).has_value());
     }
 
