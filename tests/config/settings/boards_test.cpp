@@ -60,6 +60,21 @@ TEST(Boards, UdevRulesOpenEveryBoardOfTheTable) {
     }
 }
 
+/// So that a desktop offers the program to who plugs one in.
+TEST(Boards, TheMetainfoNamesTheBoardsThatAreOpenedUnasked) {
+    std::ifstream in(std::string(TOUCHLINE_SOURCE_DIR) +
+                     "/app/package/desktop/org.touchline.touchline.metainfo.xml");
+    const std::string metainfo(std::istreambuf_iterator<char>(in), {});
+    const auto boards =
+        read_boards(std::string(TOUCHLINE_SOURCE_DIR) + "/config/defaults/boards.toml")->boards;
+    for (const BoardId& id : boards) {
+        char modalias[100];
+        std::snprintf(modalias, sizeof modalias, "<modalias>usb:v%04Xp%04Xd*</modalias>",
+                      static_cast<unsigned>(id.vendor), static_cast<unsigned>(id.product));
+        EXPECT_EQ(metainfo.find(modalias) != std::string::npos, id.may_probe) << modalias;
+    }
+}
+
 TEST(Boards, UnitsAreReadBackAsTheyWereWritten) {
     UnitSettings left{"A1B2", "2diy-gen3.1", {}};
     left.calibration = {
