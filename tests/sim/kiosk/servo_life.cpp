@@ -52,6 +52,7 @@ Opening ServoLife::opening() {
                 return region_.channel().is_stop_wanted == 0;
             },
             [this](const Calibration& found) { (void)send(socket_, message_of(found)); },
+            [this](bool is_on) { region_.channel().is_force_on = is_on ? 1 : 0; },
             {},
             {}};
 }
