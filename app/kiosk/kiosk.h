@@ -206,8 +206,6 @@ class Kiosk {
     bool are_keys_always_free_ = false;
     std::function<int()> minute_of_day_;
     std::string operator_caption_;
-    std::string homing_words_;
-    bool is_homing_ = false;
     bool is_handle_locked_ = false;
     double motor_test_s_ = 0.0;  // when it began; 0: none
     bool is_motor_test_due_ = false;

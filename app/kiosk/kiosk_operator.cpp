@@ -39,19 +39,9 @@ struct Kiosk::OperatorCarrying {
 
     void operator()(const WriteKeys& write) const { kiosk.keys_ = write.keys; }
 
-    void operator()(const FindHome&) const {
-        kiosk.is_homing_ = true;
-        kiosk.homing_words_.clear();
-        kiosk.servo_->home_again();
-    }
+    void operator()(const FindHome&) const { kiosk.servo_->home_again(); }
 
-    void operator()(const StopHoming&) const { kiosk.is_homing_ = false; }
-
-    void operator()(const ChooseKind& kind) const {
-        kiosk.is_homing_ = true;
-        kiosk.homing_words_.clear();
-        kiosk.servo_->choose_kind(kind.profile);
-    }
+    void operator()(const ChooseKind& kind) const { kiosk.servo_->choose_kind(kind.profile); }
 
     void operator()(const ClearFault&) const { kiosk.act(Action::clear_fault); }
 
@@ -145,12 +135,10 @@ void Kiosk::follow_operator() {
     operator_->set_private(sound_->output().kind == OutputKind::headset);
     operator_->set_live(live_words());
     operator_->set_kind(servo_->kind());
+    operator_->set_device_words(device_words(servo_->device_words()));
     operator_->set_bounds(felt_bounds());
     if (shelf_) operator_->put_stick(shelf_->root());
     if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});
-    const std::string words = is_homing_ ? servo_->device_words() : std::string();
-    if (words != std::exchange(homing_words_, words) && !words.empty())
-        tell_operator(OrderAnswered{device_words(words)});
     tell_operator(MomentPassed{});
     if (const std::string note = operator_->take_note(); !note.empty()) report(note);
     if (operator_->read_again()) set(operator_->settings());
@@ -226,6 +214,8 @@ FeltBounds Kiosk::felt_bounds() const {
 
 std::vector<std::string> Kiosk::live_words() const {
     std::vector<std::string> words;
+    if (std::string trouble = device_trouble(); !trouble.empty())
+        words.push_back(std::move(trouble));
     for (const StatusLine& line : describe(live_facts(), hand_, force_).lines)
         words.push_back(language().text("panel", line.name) + ": " + line.value);
     return words;

@@ -200,8 +200,9 @@ bool OperatorDesk::read_again() {
 }
 
 OperatorWorld OperatorDesk::world(const Language& language, double now_s) const {
-    OperatorWorld world{language,   now_s, has_pin(), is_private_, site_, sound_, keys_,
-                        languages_, {},    counters_, {},          live_, kind_,  bounds_};
+    OperatorWorld world{language, now_s, has_pin(),  is_private_, site_,
+                        sound_,   keys_, languages_, {},          counters_,
+                        {},       live_, kind_,      bounds_,     device_words_};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
     world.packs = packs_.names();
     return world;

@@ -75,6 +75,9 @@ class OperatorDesk {
     /// As OperatorWorld::kind.
     void set_kind(std::optional<std::string> kind) { kind_ = std::move(kind); }
 
+    /// As OperatorWorld::device_words.
+    void set_device_words(std::string words) { device_words_ = std::move(words); }
+
     /// The profile's, over the site's.
     [[nodiscard]] const Settings& settings() const { return settings_; }
 
@@ -126,6 +129,7 @@ class OperatorDesk {
     bool is_private_ = true;
     std::vector<std::string> live_;
     std::optional<std::string> kind_;
+    std::string device_words_;
     FeltBounds bounds_;
     StickPacks packs_;
     std::future<std::string> import_;

@@ -77,8 +77,11 @@ enum class Question : std::uint8_t {
     close,
     zero_counters,
     first_settings,
-    file_systems
+    file_systems,
+    kind
 };
+
+inline constexpr std::size_t question_count = 7;
 
 struct Operator {
     OperatorPlace place = OperatorPlace::closed;
@@ -96,7 +99,9 @@ struct Operator {
     KeyWizard wizard;
     SelfTest test;
     Question question = Question::ceiling;
+    std::size_t kind = 0;       // of kind_rows(), that the question is about
     double lock_until_s = 0.0;  // of cleaning
+    std::string device_words;   // as they were last told
     std::string note;           // what came of the last order; said and shown
 };
 
@@ -127,6 +132,7 @@ struct OperatorWorld {
     /// The profile that the handle is taken for; empty: nobody has said. Nothing: a simulated one.
     std::optional<std::string> kind{};
     FeltBounds bounds{};
+    std::string device_words{};  // for the person at the handle; empty: nothing is to be done
 };
 
 /// A press that counts. `role`: what the table of keys says of it. `is_allowed`: it is from the
@@ -192,8 +198,6 @@ struct WriteKeys {
 
 struct FindHome {};
 
-struct StopHoming {};
-
 struct ChooseKind {  // the handle is measured as one of that kind
     std::string profile;
 };
@@ -232,11 +236,10 @@ struct CloseKiosk {};
 
 struct Leave {};  // back to the visitors
 
-using OperatorOrder =
-    std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings, WriteSound, WriteKeys,
-                 FindHome, StopHoming, ChooseKind, ClearFault, RunTest, StopTest, ShowLive,
-                 LockHandle, ImportPictures, ZeroCounters, ExportLog, SaveRecording, BackUp,
-                 Restore, CloseKiosk, Leave>;
+using OperatorOrder = std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings,
+                                   WriteSound, WriteKeys, FindHome, ChooseKind, ClearFault, RunTest,
+                                   StopTest, ShowLive, LockHandle, ImportPictures, ZeroCounters,
+                                   ExportLog, SaveRecording, BackUp, Restore, CloseKiosk, Leave>;
 
 struct OperatorStep {
     Operator state;

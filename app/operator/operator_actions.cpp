@@ -1,3 +1,4 @@
+#include "app/operator/kinds.h"
 #include "app/operator/operator_places.h"
 #include "app/operator/operator_turn.h"
 
@@ -38,11 +39,13 @@ void carry_out(OperatorTurn& turn, Question question) {
         case Question::first_settings:
             turn.state().settings = Settings{};
             return turn.order(WriteSettings{Settings{}});
+        case Question::kind:
+            return turn.order(ChooseKind{std::string(kind_rows()[turn.state().kind].profile)});
     }
 }
 
-/// Where the question came from.
-OperatorPlace place_of(Question question) {
+/// Where the question came from; a kind that was chosen is measured next.
+OperatorPlace place_after(Question question, bool is_yes) {
     switch (question) {
         case Question::ceiling:
             return OperatorPlace::feel;
@@ -55,6 +58,8 @@ OperatorPlace place_of(Question question) {
             return OperatorPlace::counters;
         case Question::file_systems:
             return OperatorPlace::sticks;
+        case Question::kind:
+            return is_yes ? OperatorPlace::homing : OperatorPlace::kind;
     }
     return OperatorPlace::home;
 }
@@ -96,6 +101,16 @@ void do_action(OperatorTurn& turn, std::size_t action) {
     }
 }
 
+/// What was measured of a handle is worth a question.
+void choose_kind(OperatorTurn& turn, std::size_t kind) {
+    const std::string profile(kind_rows()[kind].profile);
+    if (turn.world.kind == profile) return turn.say(turn.words("It is of this kind already."));
+    turn.state().kind = kind;
+    if (turn.world.kind != std::string()) return turn.ask(Question::kind);
+    turn.order(ChooseKind{profile});
+    turn.go(OperatorPlace::homing);
+}
+
 void answer(OperatorTurn& turn, bool is_yes) {
     const Question question = turn.state().question;
     if (is_yes)
@@ -105,7 +120,7 @@ void answer(OperatorTurn& turn, bool is_yes) {
     const bool tells_later = is_yes && question == Question::restore;  // what came of it
     const std::string first =
         tells_later ? "" : turn.words(is_yes ? "Done." : "Nothing was changed.");
-    turn.go(place_of(question), first);
+    turn.go(place_after(question, is_yes), first);
 }
 
 }  // namespace touchline

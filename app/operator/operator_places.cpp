@@ -39,7 +39,8 @@ constexpr std::array places{
     PlaceRow{P::device, P::home, "Handle and tests", "", ""},
     PlaceRow{P::homing, P::device, "Find the handle's home",
              "The kiosk says where to lead the handle. Force is off meanwhile.", ""},
-    PlaceRow{P::kind, P::device, "Kind of handle", "Choose it once; the handle is then measured.",
+    PlaceRow{P::kind, P::device, "Kind of handle",
+             "Next tells how to know each one. Select chooses it; the handle is then measured.",
              ""},
     PlaceRow{P::self_test, P::device, "Self-test", "", ""},
     PlaceRow{P::test_step, P::self_test, "Step of the self-test", "", "", false},
@@ -116,6 +117,8 @@ std::string_view words_of(Question question) {
             return "All that was set is lost.";
         case Question::file_systems:
             return "A hostile stick may then take the machine over. Allow it for a while only.";
+        case Question::kind:
+            return "The handle is measured anew. What was measured before is lost.";
     }
     return {};
 }

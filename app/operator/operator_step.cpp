@@ -1,9 +1,9 @@
-#include "app/operator/kinds.h"
 #include "app/operator/operator_places.h"
 #include "app/operator/operator_turn.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace touchline {
 namespace {
@@ -88,8 +88,7 @@ void select(OperatorTurn& turn, const ScreenItem& item) {
         case OperatorItem::pack:
             return turn.order(ImportPictures{meaning.index});
         case OperatorItem::kind:
-            turn.order(ChooseKind{std::string(kind_rows()[meaning.index].profile)});
-            return turn.go(OperatorPlace::homing);
+            return choose_kind(turn, meaning.index);
         case OperatorItem::no:
         case OperatorItem::yes:
             return answer(turn, meaning.item == OperatorItem::yes);
@@ -102,7 +101,6 @@ void select(OperatorTurn& turn, const ScreenItem& item) {
 void go_back(OperatorTurn& turn) {
     const OperatorPlace place = turn.state().place;
     if (place == OperatorPlace::question) return answer(turn, false);
-    if (place == OperatorPlace::homing) turn.order(StopHoming{});
     const OperatorPlace parent = row_of(place).parent;
     parent == OperatorPlace::closed ? turn.leave() : turn.go(parent);
 }
@@ -116,7 +114,8 @@ void move(OperatorTurn& turn, bool is_down) {
 
 void help(OperatorTurn& turn) {
     turn.say(spoken_screen(turn.screen(), turn.world.language) + ' ' +
-             turn.words("Up and Down move. Select chooses. Back leaves. Help says it all again."));
+             turn.words("Up and Down move. Select chooses. Next tells more. Back leaves. "
+                        "Help says it all again."));
 }
 
 void press_held_key(OperatorTurn& turn, KeyRole role, const ScreenItem& item) {
@@ -138,8 +137,8 @@ void press_list_key(OperatorTurn& turn, KeyRole role) {
     if (role == KeyRole::help) return help(turn);
     if (!has_focus) return turn.say(spoken_screen(turn.screen(), turn.world.language));
     const ScreenItem& item = items[turn.state().focus];
-    const bool opens = role == KeyRole::select || item.role == ItemRole::choice;
-    if (opens) return select(turn, item);
+    const bool is_place = meaning_of(item).item == OperatorItem::place;
+    if (role == KeyRole::select || is_place) return select(turn, item);
     turn.say(item.hint.empty() ? spoken_item(turn.screen(), turn.state().focus, turn.world.language)
                                : item.hint);
 }
@@ -175,9 +174,16 @@ void end_cleaning(OperatorTurn& turn) {
 /// Somebody who went away must not leave the screens open.
 void leave_when_idle(OperatorTurn& turn) {
     if (turn.world.now_s - turn.state().last_key_s < idle_s) return;
-    if (turn.state().place == OperatorPlace::homing) turn.order(StopHoming{});
     turn.order(SetSettings{turn.world.settings});
     turn.leave();
+}
+
+/// Each time that there is something else to do at the handle, also of homing that began before.
+void follow_homing(OperatorTurn& turn) {
+    const std::string& words = turn.world.device_words;
+    if (std::exchange(turn.state().device_words, words) == words) return;
+    turn.state().note = words.empty() ? turn.words("The handle is ready.") : words;
+    turn.say(turn.state().note);
 }
 
 void wait(OperatorTurn& turn) {
@@ -199,6 +205,9 @@ void wait(OperatorTurn& turn) {
             if (!step.said.empty()) return follow_test(turn, step);
             return leave_when_idle(turn);
         }
+        case OperatorPlace::homing:
+            follow_homing(turn);
+            return leave_when_idle(turn);
         default:
             return leave_when_idle(turn);
     }

@@ -45,7 +45,8 @@ struct OperatorTurn {
         now.place = place;
         now.focus = 0;
         now.is_held = false;
-        now.note.clear();
+        now.device_words = world.device_words;
+        now.note = place == OperatorPlace::homing ? world.device_words : "";
         const auto items = operator_items(now, world);
         for (std::size_t i = 0; i < items.size(); ++i) {
             const ItemMeaning meaning = meaning_of(items[i]);
@@ -92,6 +93,8 @@ void judge_pin(OperatorTurn& turn, const PinChecked& checked);
 
 /// operator_actions.cpp
 void do_action(OperatorTurn& turn, std::size_t action);
+
+void choose_kind(OperatorTurn& turn, std::size_t kind);
 
 /// The question was answered.
 void answer(OperatorTurn& turn, bool is_yes);

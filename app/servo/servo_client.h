@@ -71,14 +71,15 @@ class ServoClient {
     /// What the person at the handle is to do now, while the device is homed; empty: nothing.
     [[nodiscard]] virtual std::string device_words() = 0;
 
-    /// Force off, and the handle's home is looked for anew. A simulated one knows where it is.
+    /// Force off, and the handle's home is looked for anew; device_words() are of that at once, and
+    /// no older ones. A simulated one knows where it is.
     virtual void home_again() = 0;
 
     /// The profile that the device is taken for; empty: nobody has said which it is, and no servo
     /// drives it. Nothing: a simulated one, which is what it is.
     [[nodiscard]] virtual std::optional<std::string> kind() const { return std::nullopt; }
 
-    /// Force off; the device is one of that profile, and is measured anew.
+    /// Likewise; the device is one of that profile, and is measured anew.
     virtual void choose_kind(const std::string& /*profile*/) {}
 
     /// As BlackBox::hold(): the last minute stays in memory.

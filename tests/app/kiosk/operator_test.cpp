@@ -89,6 +89,47 @@ TEST(OperatorRun, TheSelfTestUsesHandleSoundAndDisk) {
     EXPECT_LE(world.servo().most_force_N, 1.2);
 }
 
+void give_pin(BlindVisitor& staff) {
+    enter(staff);
+    enter_pin(staff);
+    enter_pin(staff);
+}
+
+TEST(OperatorRun, AKindThatIsChosenReachesTheServoAndItsWordsTheOperator) {
+    KioskWorld world;
+    world.servo().own_kind = "mk2";
+    BlindVisitor staff(world, 0.2);
+    give_pin(staff);
+    ASSERT_TRUE(staff.choose("Handle and tests")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Kind of handle")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Haplet")) << staff.heard();
+    EXPECT_TRUE(world.servo().kinds_chosen.empty());
+    ASSERT_TRUE(staff.choose("Yes")) << staff.heard();
+    EXPECT_EQ(world.servo().kinds_chosen, std::vector<std::string>{"haplet"});
+    EXPECT_EQ(world.servo().homings, 0);
+    world.servo().words = "Now move the handle to the left, by the width of a hand.";
+    world.run(0.2);
+    EXPECT_TRUE(world.heard().was_said(world.servo().words));
+    ASSERT_TRUE(staff.choose("Begin")) << staff.heard();
+    EXPECT_EQ(world.servo().homings, 1);
+    EXPECT_EQ(world.servo().kinds_chosen.size(), 1U);
+}
+
+/// Nobody pressed Begin: it began with the kiosk.
+TEST(OperatorRun, AWrongPlugIsToldOnThePagesOfTheHandle) {
+    KioskWorld world;
+    world.servo().words = "There is no force. Turn its plug round.";
+    world.run(0.2);
+    BlindVisitor staff(world, 0.2);
+    give_pin(staff);
+    ASSERT_TRUE(staff.choose("Handle and tests")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Find the handle's home")) << staff.heard();
+    EXPECT_NE(staff.heard().find(world.servo().words), std::string::npos) << staff.heard();
+    staff.press(KeyRole::back);
+    ASSERT_TRUE(staff.choose("What the handle does now")) << staff.heard();
+    EXPECT_NE(staff.heard().find(world.servo().words), std::string::npos) << staff.heard();
+}
+
 /// Whoever is in.
 TEST(OperatorRun, TheEmergencyStopActsWhileTheOperatorIsIn) {
     KioskWorld world;

@@ -12,9 +12,13 @@ constexpr double period_s = 0.001;
 SteppedServo::SteppedServo()
     : profile_(default_profile()),
       hand_(std::make_shared<MouseHand>(Position{})),
-      device_(profile_, SimulationOptions{}, hand_),
-      step_(profile_, period_s) {
-    step_.lend(&shape_);
+      device_(profile_, SimulationOptions{}, hand_) {
+    set_tier({});
+}
+
+void SteppedServo::set_tier(const TierLimits& tier) {
+    step_.emplace(profile_, period_s, tier);
+    step_->lend(&shape_);
 }
 
 Force SteppedServo::force_on_handle_W() const {
@@ -35,10 +39,10 @@ void SteppedServo::run_until(double now_s) {
         input.delay_s = delay_s;
         input.scene = picture_.scene.get();
         if (alive_.empty() || alive_.back() != picture_.scene) alive_.push_back(picture_.scene);
-        const JointTorques torques = step_.step(input);
+        const JointTorques torques = step_->step(input);
         if (!is_broken_) (void)device_.write_torques(torques);
-        while (alive_.size() > 1 && alive_.front().get() != step_.scene()) alive_.pop_front();
-        report_ = step_.report();
+        while (alive_.size() > 1 && alive_.front().get() != step_->scene()) alive_.pop_front();
+        report_ = step_->report();
         most_force_N = std::max(most_force_N, norm(report_.hand.force));
         if (on_tick) on_tick(report_.hand);
     }

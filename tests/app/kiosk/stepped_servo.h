@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace touchline {
 
@@ -52,6 +53,10 @@ class SteppedServo final : public ServoClient {
 
     void home_again() override { ++homings; }
 
+    [[nodiscard]] std::optional<std::string> kind() const override { return own_kind; }
+
+    void choose_kind(const std::string& profile) override { kinds_chosen.push_back(profile); }
+
     void hold_recording() override { ++recordings_held; }
 
     void keep_recording() override { ++recordings_kept; }
@@ -72,6 +77,9 @@ class SteppedServo final : public ServoClient {
     /// That the motors make there now.
     [[nodiscard]] Force force_on_handle_W() const;
 
+    /// As of the real-time priority that a loop has; until then nothing is held back.
+    void set_tier(const TierLimits& tier);
+
     void break_device(bool is_broken) { is_broken_ = is_broken; }
 
     int felt_count = 0;
@@ -79,6 +87,8 @@ class SteppedServo final : public ServoClient {
     int recordings_held = 0;
     int recordings_kept = 0;
     int recordings_forgotten = 0;
+    std::optional<std::string> own_kind;    // none: a simulated one
+    std::vector<std::string> kinds_chosen;  // in turn
     std::string words;
     std::string notice;  // told when it is next asked for
     double most_force_N = 0.0;
@@ -90,7 +100,7 @@ class SteppedServo final : public ServoClient {
     std::shared_ptr<MouseHand> hand_;
     SimulatedPantograph device_;
     ShapeInHand shape_;
-    ServoStep step_;
+    std::optional<ServoStep> step_;
     ServoCommands commands_;
     FeltPicture picture_;
     std::deque<std::shared_ptr<const Scene>> alive_;  // the step may feel the one before still

@@ -55,7 +55,8 @@ OperatorWorld OperatorRig::world() const {
             packs,
             {"Force 0.5 newtons", "Level 2"},
             kind,
-            bounds};
+            bounds,
+            device_words};
 }
 
 SpokenScreen OperatorRig::screen() const {

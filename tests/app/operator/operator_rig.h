@@ -71,6 +71,7 @@ class OperatorRig {
     std::vector<std::string> packs{"Castles", "Letters"};
     std::optional<std::string> kind = "2diy-gen3.1";
     FeltBounds bounds;
+    std::string device_words;
     std::filesystem::path folder;
     std::filesystem::path stick;
     SettingsFiles files;

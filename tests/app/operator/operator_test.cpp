@@ -427,14 +427,32 @@ TEST_F(OperatorTest, WhatIsShownLiveEndsWithItsScreen) {
     EXPECT_EQ(rig.count<ShowLive>(), 4) << "also when nobody leaves it";
 }
 
-TEST_F(OperatorTest, HomingIsStoppedByLeaving) {
+TEST_F(OperatorTest, HomingIsFollowedOnItsPage) {
     ASSERT_TRUE(rig.open({"Handle and tests", "Find the handle's home", "Begin"}));
     EXPECT_EQ(rig.count<FindHome>(), 1);
-    rig.take(OrderAnswered{"Lead the handle to the right stop."});
-    EXPECT_NE(rig.heard().find("Lead the handle to the right stop."), std::string::npos);
+    rig.device_words = "Lead the handle to the right stop.";
+    rig.wait(3.0);
+    const std::string heard = rig.heard();
+    const std::size_t said = heard.find(rig.device_words);
+    EXPECT_NE(said, std::string::npos);
+    EXPECT_EQ(heard.find(rig.device_words, said + 1), std::string::npos) << "once";
     EXPECT_NE(rig.screen().text.find("Lead the handle"), std::string::npos) << "shown as well";
+    rig.device_words.clear();
+    rig.wait(3.0);
+    EXPECT_EQ(rig.heard(), "The handle is ready.\n");
     rig.press(R::back);
-    EXPECT_EQ(rig.count<StopHoming>(), 1);
+    (void)rig.heard();
+    rig.device_words = "Lead the handle to the right stop.";
+    rig.wait(3.0);
+    EXPECT_EQ(rig.heard(), "") << "on its own page only";
+}
+
+/// At an ordinary start, with nobody on that page.
+TEST_F(OperatorTest, WhatTheHandleWaitsForIsSaidWhereItsHomeIsFound) {
+    rig.device_words = "There is no force. Turn its plug round.";
+    rig.wait(3.0);
+    ASSERT_TRUE(rig.open({"Handle and tests", "Find the handle's home"}));
+    EXPECT_NE(rig.heard().find(rig.device_words), std::string::npos);
 }
 
 /// Nobody said which kind of handle it is: that is asked before the first homing.
@@ -452,8 +470,61 @@ TEST_F(OperatorTest, AHandleThatIsNewIsAskedForItsKindFirst) {
         if (chosen == nullptr) continue;
         EXPECT_EQ(chosen->profile, "2diy-gen3.1-180");
     }
-    rig.take(OrderAnswered{"Push the handle away from you until it stops."});
-    EXPECT_NE(rig.heard().find("until it stops"), std::string::npos);
+}
+
+TEST_F(OperatorTest, HowToTellAKindIsHeardBySixKeysAndChoosesNothing) {
+    ASSERT_TRUE(rig.open({"Handle and tests", "Kind of handle"}));
+    EXPECT_NE(rig.heard().find("Next tells how to know each one."), std::string::npos);
+    for (const KindRow& row : kind_rows()) {
+        rig.press(R::next);
+        EXPECT_NE(rig.heard().find(row.hint), std::string::npos) << row.name;
+        rig.press(R::down);
+    }
+    EXPECT_EQ(rig.state.place, OperatorPlace::kind);
+    EXPECT_EQ(rig.count<ChooseKind>(), 0);
+    rig.press(R::help);
+    EXPECT_NE(rig.heard().find("Next tells more."), std::string::npos);
+}
+
+/// What was measured of it would be lost.
+TEST_F(OperatorTest, AnotherKindIsMeasuredOnlyAfterAYes) {
+    ASSERT_TRUE(rig.open({"Handle and tests", "Kind of handle", "Haplet"}));
+    EXPECT_EQ(rig.state.place, OperatorPlace::question);
+    EXPECT_NE(rig.heard().find("What was measured before is lost."), std::string::npos);
+    for (const auto& no : {std::vector{R::select},
+                           {R::back},
+                           {R::next, R::back},
+                           {R::help, R::down, R::next, R::back}}) {
+        for (const R role : no) rig.press(role);
+        EXPECT_EQ(rig.state.place, OperatorPlace::kind);
+        EXPECT_EQ(rig.count<ChooseKind>(), 0);
+        ASSERT_TRUE(rig.open({"Haplet"}));
+    }
+    ASSERT_TRUE(rig.open({"Yes"}));
+    EXPECT_EQ(rig.state.place, OperatorPlace::homing);
+    ASSERT_EQ(rig.count<ChooseKind>(), 1);
+    for (const OperatorOrder& order : rig.orders)
+        if (const auto* const chosen = std::get_if<ChooseKind>(&order)) {
+            EXPECT_EQ(chosen->profile, "haplet");
+        }
+}
+
+TEST_F(OperatorTest, TheKindInUseCanBeChosenAndChangesNothing) {
+    rig.kind = "haplet";
+    ASSERT_TRUE(rig.open({"Handle and tests", "Kind of handle", "Haplet"}));
+    EXPECT_EQ(rig.state.place, OperatorPlace::kind);
+    EXPECT_NE(rig.heard().find("It is of this kind already."), std::string::npos);
+    EXPECT_EQ(rig.count<ChooseKind>(), 0);
+}
+
+/// Whatever has the focus, on every screen.
+TEST_F(OperatorTest, NextTellsOrOpensAndNeverActs) {
+    ASSERT_TRUE(rig.open({"Upkeep", "Log and recording"}));
+    ASSERT_TRUE(rig.find("Save what was felt in the last minute"));
+    (void)rig.heard();
+    rig.press(R::next);
+    EXPECT_NE(rig.heard().find("Ask the visitor before."), std::string::npos);
+    EXPECT_EQ(rig.count<SaveRecording>(), 0);
 }
 
 TEST_F(OperatorTest, TheKindCanBeSaidAnewAndASimulatedHandleHasNone) {

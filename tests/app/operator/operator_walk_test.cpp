@@ -1,5 +1,6 @@
 // Every screen of the operator's: walked in each language, left by few keys, set up from nothing by
 // six keys, and whatever is pressed.
+#include "app/operator/kinds.h"
 #include "app/operator/operator_items.h"
 #include "app/operator/operator_places.h"
 #include "app/operator/pin_file.h"
@@ -227,8 +228,12 @@ TEST(OperatorWalk, EveryTextIsInTheCatalogue) {
         expect("operator", row.name);
         expect("operator", row.hint);
     }
-    for (int i = 0; i <= static_cast<int>(Question::first_settings); ++i)
+    for (std::size_t i = 0; i < question_count; ++i)
         expect("operator", words_of(static_cast<Question>(i)));
+    for (const KindRow& row : kind_rows()) {
+        expect("kind", row.name);
+        expect("kind", row.hint);
+    }
     for (std::size_t i = 0; i < test_step_count; ++i) {
         const TestStepRow& row = row_of(static_cast<TestStep>(i));
         for (const auto text : {row.name, row.does, row.question}) expect("test", text);
