@@ -13,7 +13,6 @@
 #include <cmath>
 #include <csignal>
 #include <mutex>
-#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -29,8 +28,6 @@ namespace {
 constexpr int most_zero_tries = 100;
 constexpr int between_tries_ms = 10;
 constexpr int longest_wait_ms = 500;  // without a turn
-constexpr std::string_view kind_wanted =
-    "This handle is new. The operator chooses first which kind it is.";
 
 double seconds_since(std::int64_t start_ns) {
     return 1e-9 * static_cast<double>(steady_now_ns() - start_ns);
@@ -55,8 +52,7 @@ class ServoProcess::Guard {
 
     ~Guard() {
         is_ending_ = true;
-        const std::uint64_t one = 1;
-        (void)!::write(wake_.number(), &one, sizeof one);
+        wake();
         thread_.join();
     }
 
@@ -67,20 +63,31 @@ class ServoProcess::Guard {
 
     ServoLine line;
 
-    /// A servo homes its device when it starts.
-    void home_again() { is_homing_wanted_ = true; }
+    /// A servo homes its device when it starts: another one is started soon.
+    void home_again() { want_homing(std::nullopt); }
 
-    /// It holds from the next servo on, which is started soon.
-    void choose_kind(const std::string& profile) {
-        const std::lock_guard lock(kind_mutex_);
-        chosen_kind_ = profile;
-        is_homing_wanted_ = true;
-    }
+    /// It holds from the next servo on.
+    void choose_kind(const std::string& profile) { want_homing(profile); }
 
     /// How often it has looked, be there a servo or not.
     [[nodiscard]] std::uint64_t turns() const { return turns_; }
 
   private:
+    void want_homing(const std::optional<std::string>& kind) {
+        {
+            const std::lock_guard lock(wish_mutex_);
+            if (kind) chosen_kind_ = kind;
+            is_homing_wanted_ = true;
+            line.say(std::string(is_starting));
+        }
+        wake();
+    }
+
+    void wake() {
+        const std::uint64_t one = 1;
+        (void)!::write(wake_.number(), &one, sizeof one);
+    }
+
     void run() {
         sigset_t all;
         sigfillset(&all);
@@ -89,20 +96,21 @@ class ServoProcess::Guard {
         while (!is_ending_) {
             const std::int64_t start_ns = steady_now_ns();
             serve_one();
-            if (!is_ending_)
-                wait_ms(static_cast<int>(1e3 * restart_.wait_s(seconds_since(start_ns))));
+            rest_ms(static_cast<int>(1e3 * restart_.wait_s(seconds_since(start_ns))));
         }
     }
 
     /// One servo from its start to its end, and zero torque after it.
     void serve_one() {
-        take_kind();
-        if (options_.kind && options_.kind->empty()) return line.say(std::string(kind_wanted));
+        take_wishes();
+        if (options_.kind && options_.kind->empty()) return wait_for_kind();
         auto region = SharedRegion::create();
         auto met = options_.summons.empty() ? start_servo(options_.program, options_.arguments)
                                             : summon_servo(options_.summons, options_.arguments);
         if (!met || !region) {
-            line.note(met ? region.error().line : met.error().line);
+            const std::string why = met ? region.error().line : met.error().line;
+            say(why);
+            line.note(why);
             return;
         }
         ServoPeer& servo = met->peer;
@@ -110,7 +118,6 @@ class ServoProcess::Guard {
             Connection{std::move(*region), std::move(met->socket)});
         (void)send(connection->socket, message_of(MessageKind::region),
                    &connection->region.descriptor());
-        is_homing_wanted_ = false;
         line.connect(connection);
         watch(servo, *connection);
         hear_the_rest(*connection);
@@ -122,11 +129,31 @@ class ServoProcess::Guard {
         held_.reset();
     }
 
-    void take_kind() {
-        const std::lock_guard lock(kind_mutex_);
-        if (!chosen_kind_ || !options_.keep_kind) return;
-        options_.arguments = options_.keep_kind(*chosen_kind_);
-        options_.kind = std::exchange(chosen_kind_, std::nullopt);
+    /// What was wanted so far comes with the servo that is started next; what is wanted from here
+    /// on ends that one again.
+    void take_wishes() {
+        std::optional<std::string> kind;
+        {
+            const std::lock_guard lock(wish_mutex_);
+            is_homing_wanted_ = false;
+            kind = std::exchange(chosen_kind_, std::nullopt);
+        }
+        if (!kind || !options_.keep_kind) return;
+        options_.arguments = options_.keep_kind(*kind);
+        options_.kind = kind;
+    }
+
+    /// Nobody knows what the board's last program left; zero is the same for all kinds. One that
+    /// confirmed it is left alone.
+    void wait_for_kind() {
+        if (!is_idle_) is_idle_ = options_.zero_torque({}).has_value();
+        say(std::string(kind_wanted));
+    }
+
+    /// Unless a newer servo is wanted: what this one says is old then.
+    void say(const std::string& words) {
+        const std::lock_guard lock(wish_mutex_);
+        if (!is_homing_wanted_) line.say(words);
     }
 
     /// Beats and looks until the child is dead.
@@ -134,7 +161,6 @@ class ServoProcess::Guard {
         ServoChannel& channel = connection.region.channel();
         ServoWatch watch;
         std::int64_t last_ns = steady_now_ns();
-        bool is_end_wanted = false;
         is_closed_ = false;
         is_done_ = false;
         is_cut_ = false;
@@ -143,7 +169,7 @@ class ServoProcess::Guard {
             const std::int64_t now_ns = steady_now_ns();
             const double dt_s = 1e-9 * static_cast<double>(now_ns - std::exchange(last_ns, now_ns));
             if (line.is_kiosk_alive(now_ns)) channel.kiosk_beats.fetch_add(1);
-            is_end_wanted = is_ending_ || is_homing_wanted_.exchange(false) || is_end_wanted;
+            const bool is_end_wanted = is_ending_ || is_homing_wanted_;
             if (is_end_wanted) channel.is_stop_wanted = 1;
             if (watch.step(channel, is_end_wanted, dt_s)) kill(servo);
             if (is_loop_dead(channel)) cut_first();
@@ -191,7 +217,7 @@ class ServoProcess::Guard {
         if (auto held = held_board_of(arrival)) held_ = std::move(held);
         // Why there is no servo stays to be read until one has its device, and says so by no words.
         if (message.kind == MessageKind::say || message.kind == MessageKind::failed)
-            line.say(line_of(message));
+            say(line_of(message));
         if (message.kind == MessageKind::done) is_done_ = true;
         if (message.kind == MessageKind::home && options_.keep_home)
             options_.arguments = options_.keep_home(message);
@@ -213,34 +239,34 @@ class ServoProcess::Guard {
                           std::to_string(std::lround(1e3 * after_s)) + " ms later");
                 return;
             }
-            wait_ms(between_tries_ms);
+            ++turns_;
+            ::poll(nullptr, 0, between_tries_ms);
         }
         line.note("the servo ended with " + how +
                   " and the device cannot be reached: switch the power of its motors off");
     }
 
-    /// Or until the end is asked for.
-    void wait_ms(int span_ms) {
-        if (is_ending_) {
-            ::poll(nullptr, 0, std::min(span_ms, between_tries_ms));
-            return;
-        }
-        for (; span_ms > 0 && !is_ending_; span_ms -= longest_wait_ms) {
+    /// Or until somebody wants something.
+    void rest_ms(int span_ms) {
+        for (; span_ms > 0 && !is_ending_ && !is_homing_wanted_; span_ms -= longest_wait_ms) {
             ++turns_;
             pollfd waiting{wake_.number(), POLLIN, 0};
-            (void)::poll(&waiting, 1, std::min(span_ms, longest_wait_ms));
+            std::uint64_t wakes = 0;
+            if (::poll(&waiting, 1, std::min(span_ms, longest_wait_ms)) > 0)
+                (void)!::read(wake_.number(), &wakes, sizeof wakes);
         }
     }
 
     ServoProcessOptions options_;
     Descriptor wake_;
     std::atomic<bool> is_ending_{false};
+    std::mutex wish_mutex_;  // of the two, and of the words about them
     std::atomic<bool> is_homing_wanted_{false};
-    std::mutex kind_mutex_;
     std::optional<std::string> chosen_kind_;  // not yet taken up
     std::atomic<std::uint64_t> turns_{0};
     Restart restart_;
-    bool is_closed_ = false;         // the guard's: the servo's socket is gone
+    bool is_idle_ = false;           // the guard's: a board of no known kind confirmed zero torque
+    bool is_closed_ = false;         // likewise: the servo's socket is gone
     bool is_done_ = false;           // likewise: it said that it ended as asked
     bool is_cut_ = false;            // likewise: before it was dead
     std::optional<HeldBoard> held_;  // likewise: from the servo's word to its end

@@ -8,9 +8,14 @@
 #include "app/servo/shared_region.h"
 #include "config/types/map_bytes.h"
 #include "tests/app/servo/process_rig.h"
+#include "tests/audio-cues/words/po_file.h"
 
+#include <atomic>
 #include <cstddef>
+#include <mutex>
 #include <random>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -84,22 +89,97 @@ TEST_F(ServoProcess, WhyThereIsNoServoStaysToBeReadWhileTheNextIsTried) {
     board_.owner = 0;
 }
 
-/// A board that nobody has named the kind of is not touched.
-TEST_F(ServoProcess, NoServoIsStartedBeforeItsKindIsSaid) {
-    ServoProcessOptions options{
-        TOUCHLINE_SERVO_RIG, {}, [](const std::string&) { return Result<void>(); }};
+/// Of a board that nobody has named the kind of; zeroed until it confirmed that once.
+ServoProcessOptions without_kind(std::atomic<int>& zeroed, int failures) {
+    ServoProcessOptions options{TOUCHLINE_SERVO_RIG, {}, [&zeroed, failures](const std::string&) {
+                                    return ++zeroed > failures ? Result<void>() : failure("busy");
+                                }};
     options.kind = "";
+    return options;
+}
+
+/// Another program may have left torque on it.
+TEST_F(ServoProcess, ABoardIsToldZeroAndNoMoreBeforeItsKindIsSaid) {
+    std::atomic<int> zeroed{0};
+    ServoProcessOptions options = without_kind(zeroed, 1);
     options.keep_kind = [this](const std::string&) { return std::vector<std::string>{path_}; };
     touchline::ServoProcess servo(std::move(options));
     EXPECT_TRUE(wait_until([&] { return !servo.device_words().empty(); }));
-    EXPECT_NE(servo.device_words().find("which kind"), std::string::npos);
+    EXPECT_EQ(servo.device_words(), kind_wanted);
+    poll(nullptr, 0, 4000);  // it has looked at 0, 0.5, 1.5 and 3.5 s, and looks next at 7.5 s
+    EXPECT_EQ(zeroed, 2);
     EXPECT_EQ(board_.reads, 0);
     servo.choose_kind("haplet");
+    const std::int64_t chosen_ns = steady_now_ns();
     EXPECT_EQ(servo.kind(), "haplet");
+    bool is_old_said = false;
     EXPECT_TRUE(wait_until([&] {
         (void)servo.latest();
+        is_old_said = is_old_said || servo.device_words() == kind_wanted;
         return board_.reads > 100;
     }));
+    EXPECT_FALSE(is_old_said);
+    EXPECT_LT(1e-9 * static_cast<double>(steady_now_ns() - chosen_ns), 2.0);
+}
+
+/// While the kind said before is written to the disk, and the servo of that one begins.
+TEST_F(ServoProcess, TheKindThatIsSaidLastHolds) {
+    std::atomic<int> zeroed{0};
+    std::mutex mutex;
+    std::vector<std::string> kept;
+    const auto last_kept = [&] {
+        const std::lock_guard lock(mutex);
+        return kept.empty() ? std::string() : kept.back();
+    };
+    ServoProcessOptions options = without_kind(zeroed, 0);
+    options.keep_kind = [&](const std::string& kind) {
+        {
+            const std::lock_guard lock(mutex);
+            kept.push_back(kind);
+        }
+        poll(nullptr, 0, 100);
+        return std::vector<std::string>{path_};
+    };
+    touchline::ServoProcess servo(std::move(options));
+    servo.choose_kind("haplet");
+    ASSERT_TRUE(wait_until([&] { return last_kept() == "haplet"; }));
+    servo.choose_kind("mk2");
+    EXPECT_TRUE(wait_until([&] {
+        (void)servo.latest();
+        return last_kept() == "mk2";
+    }));
+    const std::uint64_t reads = board_.reads;
+    EXPECT_TRUE(wait_until([&] {
+        (void)servo.latest();
+        return board_.reads > reads + 100;
+    }));
+}
+
+/// What is to be done for the next servo, rather than what was to be done for the last.
+TEST_F(ServoProcess, WordsAreOfTheHomingThatIsWanted) {
+    touchline::ServoProcess servo(
+        {TOUCHLINE_SERVO_RIG, {path_}, [](const std::string&) { return Result<void>(); }});
+    const auto runs = [&](int opened) {
+        return wait_until([&] {
+            (void)servo.latest();
+            return board_.opened == opened && board_.reads > 0 && servo.device_words().empty();
+        });
+    };
+    ASSERT_TRUE(runs(1));
+    servo.home_again();
+    EXPECT_EQ(servo.device_words(), is_starting);
+    EXPECT_TRUE(runs(2));
+}
+
+TEST(GuardWords, AreInTheCatalogue) {
+    const PoFile english =
+        read_po(TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue/touchline.pot");
+    for (const char* sentence : {"This handle is new.", "An operator must first choose its kind.",
+                                 "One moment.", "The handle is being started."}) {
+        EXPECT_TRUE(english.contains({"device", sentence})) << sentence;
+        EXPECT_NE((std::string(kind_wanted) + std::string(is_starting)).find(sentence),
+                  std::string::npos);
+    }
 }
 
 /// A kiosk gone mad: it scribbles over all that is shared, sends nonsense, and dies.
