@@ -76,13 +76,7 @@ std::string idle_motor(int port) {
         "The motor on plug {} did not move the handle. Let go of it, and check that plug.", port);
 }
 
-}  // namespace
-
-std::string words_of(const HomingView& view, const DeviceProfile& profile) {
-    return noticed(view) + words_of(view.step, profile);
-}
-
-std::string words_of(NudgeVerdict verdict, const BoardFrame& frame) {
+std::string what_motors_did(NudgeVerdict verdict, const BoardFrame& frame) {
     switch (verdict) {
         case NudgeVerdict::running:
             return "Move the handle to the middle and let go of it. It will twitch four times.";
@@ -109,6 +103,17 @@ std::string words_of(NudgeVerdict verdict, const BoardFrame& frame) {
             return "The board does not answer. Check its USB cable.";
     }
     return {};
+}
+
+}  // namespace
+
+std::string words_of(const HomingView& view, const DeviceProfile& profile) {
+    return noticed(view) + words_of(view.step, profile);
+}
+
+std::string words_of(NudgeVerdict verdict, const BoardFrame& frame) {
+    const std::string told = what_motors_did(verdict, frame);
+    return is_wrong(verdict) ? told + " Then find the handle's home again." : told;
 }
 
 }  // namespace touchline

@@ -76,10 +76,16 @@ TEST(DeviceWords, EverySentenceButThoseWithAMeasureIsInTheCatalogue) {
     }
 }
 
+/// Nothing moves after a motor that is wrong until somebody begins anew.
 TEST(DeviceWords, EveryVerdictSaysWhatToDo) {
+    const std::string next = "Then find the handle's home again.";
     std::set<std::string> all;
-    for (int verdict = 0; verdict <= static_cast<int>(NudgeVerdict::silent); ++verdict)
-        all.insert(words_of(static_cast<NudgeVerdict>(verdict), BoardFrame(default_profile(), {})));
+    for (int i = 0; i <= static_cast<int>(NudgeVerdict::silent); ++i) {
+        const auto verdict = static_cast<NudgeVerdict>(i);
+        const std::string words = words_of(verdict, BoardFrame(default_profile(), {}));
+        all.insert(words);
+        EXPECT_EQ(words.find(next) != std::string::npos, is_wrong(verdict)) << words;
+    }
     EXPECT_EQ(all.size(), static_cast<std::size_t>(NudgeVerdict::silent) + 1U);
 }
 
