@@ -18,9 +18,17 @@ void load(VisitWork& work, Loading loading) {
     work.visitor.loading = std::move(loading);
 }
 
-/// What was wanted did not come: what is felt stays as it is.
-void keep_detail(Visitor& visitor) {
-    if (visitor.felt) visitor.detail = visitor.felt->order.detail;
+/// What was wanted did not come. A detail that could not be reached is given up; one that was set
+/// while something else was opened holds for what is felt.
+void stay_with_felt(VisitWork& work, LoadReason wanted) {
+    Visitor& visitor = work.visitor;
+    if (!visitor.felt) return;
+    const LoadPicture& felt = visitor.felt->order;
+    if (wanted == LoadReason::detail || wanted == LoadReason::unasked) {
+        visitor.detail = felt.detail;
+    } else if (felt.detail != visitor.detail || felt.language != visitor.sound.language) {
+        open_unasked(work);
+    }
 }
 
 void leave_opening(VisitWork& work) {
@@ -110,10 +118,14 @@ void open_unasked(VisitWork& work) {
 }
 
 void cancel_loading(VisitWork& work) {
-    if (work.visitor.loading) order(work, CancelLoad{work.visitor.loading->order.request});
-    work.visitor.loading.reset();
-    keep_detail(work.visitor);
-    work.visitor.is_capturing = false;
+    Visitor& visitor = work.visitor;
+    visitor.is_capturing = false;
+    if (visitor.loading && visitor.loading->reason != LoadReason::unasked) {
+        const Loading cancelled = *visitor.loading;
+        visitor.loading.reset();
+        order(work, CancelLoad{cancelled.order.request});
+        stay_with_felt(work, cancelled.reason);
+    }
     leave_opening(work);
     say_return(work, words(work, "Cancelled."));
 }
@@ -149,7 +161,7 @@ void take_failed(VisitWork& work, const PictureFailed& failed) {
     if (!visitor.loading || visitor.loading->order.request != failed.request) return;
     const LoadReason reason = visitor.loading->reason;
     visitor.loading.reset();
-    keep_detail(visitor);
+    stay_with_felt(work, reason);
     if (reason == LoadReason::unasked) return;
     leave_opening(work);
     const std::string sentence =

@@ -217,6 +217,37 @@ TEST(Visit, ADetailThatIsNotReachedIsNotKept) {
     EXPECT_EQ(house.visit.visitor.detail, 3) << "cancelled";
 }
 
+/// Whatever becomes of what was being opened: a picture, another view, a capture.
+TEST(Visit, TheOperatorsDetailHoldsWhenWhatIsBeingOpenedDoesNotCome) {
+    for (const bool is_cancelled : {true, false}) {
+        FakeHouse house;
+        to_picture(house);
+        const std::size_t felt = house.visit.visitor.felt->order.index;
+        ASSERT_TRUE(house.choose("Zoom"));
+        house.loads_fail = true;
+        ASSERT_TRUE(house.choose("Twice as large, around your hand"));
+        set(house, [](Settings& settings) { settings.detail = 1; });
+        house.loads_fail = false;
+        if (is_cancelled) house.press(KeyRole::back);
+        house.wait(1.0);
+        EXPECT_EQ(house.visit.visitor.detail, 1) << is_cancelled;
+        EXPECT_EQ(house.visit.visitor.felt->order.detail, 1);
+        EXPECT_EQ(house.visit.visitor.felt->order.index, felt);
+        EXPECT_EQ(house.visit.visitor.felt->order.zoom.factor, 1.0);
+    }
+}
+
+TEST(Visit, TheOperatorsDetailOutlastsACaptureThatIsCancelled) {
+    FakeHouse house;
+    to_picture(house);
+    house.visit.visitor.is_capturing = true;
+    house.visit.visitor.path.push_back({VisitScreen::opening, 0});
+    set(house, [](Settings& settings) { settings.detail = 1; });
+    house.press(KeyRole::back);
+    house.wait(1.0);
+    EXPECT_EQ(house.visit.visitor.felt->order.detail, 1);
+}
+
 TEST(Visit, TheOperatorsKindOfLineIsFeltAtOnceAndTheNextVisitorsToo) {
     FakeHouse house;
     to_picture(house);
