@@ -128,6 +128,25 @@ TEST(FeltStiffness, IsWhatTheLoopAllowsAndTheScreenSaysSo) {
     EXPECT_NEAR(felt_N_per_m(world), 400.0, tolerance * 400.0);
 }
 
+/// Without real-time priority a device is held to half of what is set.
+TEST(FeltStiffness, IsTheShareThatTheTierLeavesAndTheScreenSaysSo) {
+    WallWorld world;
+    world.servo().set_tier(limits_of(RealTimeTier::best_effort));
+    BlindVisitor staff(world, 0.2);
+    ASSERT_NO_FATAL_FAILURE(hold_stiffness(world, staff));
+    EXPECT_EQ(world.kiosk().hand().stiffness_bound.share, 0.5);
+    for (const int set_N_per_m : {600, 700}) {
+        for (int i = 0; i < 2; ++i) staff.press(KeyRole::next);
+        const std::string told = "Stiffness, " + std::to_string(set_N_per_m) +
+                                 " newtons per metre set, " + std::to_string(set_N_per_m / 2) +
+                                 " possible on this loop, setting";
+        EXPECT_NE(staff.heard().find(told), std::string::npos) << staff.heard();
+        wait_for_ramp(world);
+        EXPECT_NEAR(felt_N_per_m(world), 0.5 * set_N_per_m, tolerance * 0.5 * set_N_per_m);
+    }
+    EXPECT_EQ(world.kiosk().force().fault, Fault::none);
+}
+
 /// The visitor's named steps lie round what the operator sets, also while it changes.
 TEST(FeltStiffness, OfAVisitorsStepsIsAShareOfTheOperators) {
     WallWorld world;
