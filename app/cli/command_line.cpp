@@ -9,6 +9,7 @@
 #include "app/cli/trace_command.h"
 #include "app/packs/pack_toml.h"
 #include "config/types/plain_line.h"
+#include "config/types/stiffness_bound.h"
 #include "haptics/pantograph/profile.h"
 
 #include <charconv>
@@ -217,7 +218,7 @@ class CommandLine {
         feel_command_->add_option("--level", level_, "auto, or a level from 0 (finest)")
             ->check([this](const std::string& text) { return parse_level(text, feel_.level); });
         feel_command_->add_option("--stiffness", contact.stiffness_N_per_m, "N/m")
-            ->check(above_zero(20000.0));
+            ->check(above_zero(most_stiffness_N_per_m));
         feel_command_->add_option("--friction", contact.friction, "Coulomb coefficient")
             ->check(from_zero(1.0))
             ->excludes(probe);
@@ -257,7 +258,7 @@ class CommandLine {
             if (action == DeviceAction::list) return;
             command->add_option("--serial", device_.serial, "Of the unit, where there are several");
             command->add_option("--profile", device_.profile,
-                                "Its kind; what is kept of another is forgotten");
+                                "Its kind; a different kind discards what is stored for the unit");
         };
         add("list", DeviceAction::list, "Boards that are plugged in");
         add("probe", DeviceAction::probe, "Whether a board answers, and how fast");

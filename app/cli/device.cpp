@@ -40,39 +40,53 @@ struct TakenUnit {
     std::string profile;  // name
 };
 
+void tell(const std::string& notice, std::ostream& out) {
+    if (!notice.empty()) out << plain_line(notice) << '\n';
+}
+
 std::string kind_wanted() {
     std::string names;
     for (const DeviceProfile& profile : device_profiles())
         names += (names.empty() ? "" : ", ") + std::string(profile.name);
-    return "which kind of pantograph is it? Nothing is kept of this unit: name it by --profile, "
-           "one of " +
+    return "which kind of pantograph is it? Nothing is stored for this unit. Name its kind with "
+           "--profile: " +
            names;
 }
 
-/// What is kept of a unit counts for the kind that it was taken for, and no other.
-Result<TakenUnit> take(const DeviceCommandOptions& options) {
+/// What is stored for a unit counts for the kind that it was taken for, and no other; who names a
+/// kind to find its home has it measured, whatever is stored.
+Result<UnitSettings> unit_for(const DeviceCommandOptions& options, const BoardSettings& settings,
+                              const std::string& serial) {
+    const UnitSettings* const stored = find_unit(settings, serial);
+    const UnitSettings unit = stored != nullptr ? *stored : UnitSettings{serial, "", {}};
+    std::string name = options.profile.empty() ? unit.profile : options.profile;
+    const bool is_kind_needed = options.action != DeviceAction::probe;
+    if (name.empty() && is_kind_needed) return failure(kind_wanted());
+    if (name.empty()) name = default_profile().name;
+    const bool is_named_to_home = !options.profile.empty() && options.action == DeviceAction::home;
+    if (name == unit.profile && !is_named_to_home) return unit;
+    return find_profile(name).map([&](const DeviceProfile& kind) { return as_kind(unit, kind); });
+}
+
+Result<TakenUnit> take(const DeviceCommandOptions& options, std::ostream& out) {
     auto settings = read_board_files(board_files());
     if (!settings) return tl::unexpected(settings.error());
+    tell(settings->notice, out);
     auto usb = UsbBoards::create();
     if (!usb) return tl::unexpected(usb.error());
     const auto found = usb->find(settings->boards, options.serial);
     if (!found) return tl::unexpected(found.error());
-    std::string profile = options.profile;
-    std::erase_if(settings->units, [&](const UnitSettings& unit) {
-        return unit.serial == found->serial && !profile.empty() && unit.profile != profile;
-    });
-    if (const UnitSettings* kept = find_unit(*settings, found->serial)) profile = kept->profile;
-    const bool is_kind_needed = options.action != DeviceAction::probe;
-    if (profile.empty() && is_kind_needed) return failure(kind_wanted());
-    if (profile.empty()) profile = default_profile().name;
-    auto board = take_pantograph(*usb, *settings, found->serial, profile);
+    const auto unit = unit_for(options, *settings, found->serial);
+    if (!unit) return tl::unexpected(unit.error());
+    settings->units = {*unit};
+    auto board = take_pantograph(*usb, *settings, found->serial, unit->profile);
     if (!board) return tl::unexpected(board.error());
-    return TakenUnit{std::move(*usb), std::move(*board), profile};
+    return TakenUnit{std::move(*usb), std::move(*board), unit->profile};
 }
 
 std::string plugs(const Calibration& calibration) {
     const auto told = [](const Plugs& plugs) {
-        return plugs == Plugs{} ? "as usual" : "otherwise";
+        return plugs == Plugs{} ? "as usual" : "not as usual";
     };
     return fmt::format("encoders {}, motors {}", told(calibration.encoders),
                        told(calibration.motors));
@@ -81,6 +95,7 @@ std::string plugs(const Calibration& calibration) {
 Result<void> list(std::ostream& out) {
     const auto known = read_board_files(board_files());
     if (!known) return tl::unexpected(known.error());
+    tell(known->notice, out);
     const auto usb = UsbBoards::create();
     if (!usb) return tl::unexpected(usb.error());
     const std::vector<FoundBoard> found = usb->list(known->boards);
@@ -165,9 +180,8 @@ Result<BoardSettings> settings_to_stop_by() {
 
 /// As far as it is known: it says whether a motor is at the handle too.
 DeviceProfile profile_of(const BoardSettings& settings, const FoundBoard& board) {
-    const UnitSettings* unit = find_unit(settings, board.serial);
-    return unit == nullptr ? default_profile()
-                           : find_profile(unit->profile).value_or(default_profile());
+    const UnitSettings* const unit = find_unit(settings, board.serial);
+    return profile_or_default(unit == nullptr ? std::string_view() : unit->profile);
 }
 
 Result<void> stop_board(const UsbBoards& usb, const FoundBoard& board, const DeviceProfile& profile,
@@ -210,7 +224,7 @@ Result<void> run_device(const DeviceCommandOptions& options, std::ostream& out) 
     if (options.action == DeviceAction::list) return list(out);
     catch_signals();
     if (options.action == DeviceAction::stop) return stop(options, out);
-    auto unit = take(options);
+    auto unit = take(options, out);
     if (!unit) return tl::unexpected(unit.error());
     switch (options.action) {
         case DeviceAction::probe:

@@ -11,7 +11,8 @@
 namespace touchline {
 
 /// list: boards that are plugged in. probe: whether one answers, and how fast. home: the person
-/// leads the handle to its stops and lets go of it; scale, stops and plugs of the unit are kept.
+/// leads the handle to its stops and lets go of it; scale, stops and plugs of the unit are kept,
+/// and measured anew where a kind is named.
 /// nudge: whether the motors have power and push the right way. stop: zero torque, whatever drove
 /// the board before.
 enum class DeviceAction : std::uint8_t { list, probe, home, nudge, stop };
@@ -19,7 +20,7 @@ enum class DeviceAction : std::uint8_t { list, probe, home, nudge, stop };
 struct DeviceCommandOptions {
     DeviceAction action = DeviceAction::list;
     std::string serial;   // of the unit; empty: the only one there is
-    std::string profile;  // empty: as kept for the unit; what is kept of another is forgotten
+    std::string profile;  // empty: as stored; a different kind discards what is stored for the unit
 };
 
 /// Says on `out` what was found and what to do. Without a board the error says what was looked for.

@@ -13,12 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<std::vector<UnitSettings>> read_units(const fs::path& file) {
+Result<BoardSettings> read_units(const fs::path& file) {
     std::error_code error;
-    if (!fs::exists(file, error) && !error) return std::vector<UnitSettings>{};
-    auto settings = read_boards(file);
-    if (!settings) return tl::unexpected(settings.error());
-    return std::move(settings->units);
+    if (!fs::exists(file, error) && !error) return BoardSettings{};
+    return read_boards(file);
 }
 
 void put(std::vector<UnitSettings>& units, const UnitSettings& unit) {
@@ -47,21 +45,35 @@ Result<BoardSettings> read_board_files(const BoardFiles& files) {
     if (!settings) return settings;
     const auto units = read_units(files.units);
     if (!units) return tl::unexpected(units.error());
-    for (const UnitSettings& unit : *units) put(settings->units, unit);
+    for (const UnitSettings& unit : units->units) put(settings->units, unit);
+    if (!units->notice.empty()) settings->notice = units->notice;
     return settings;
 }
 
 Result<void> keep_unit(const BoardFiles& files, const UnitSettings& unit) {
-    auto units = read_units(files.units);
-    if (!units) return tl::unexpected(units.error());
-    put(*units, unit);
+    if (unit.serial.empty())
+        return failure(
+            "the board tells no serial number: nothing is stored, its kind is asked at "
+            "each start");
+    auto stored = read_units(files.units);
+    if (!stored) return tl::unexpected(stored.error());
+    put(stored->units, unit);
     std::error_code error;
     fs::create_directories(files.units.parent_path(), error);
     if (error) {
         return failure("the folder " + files.units.parent_path().string() +
                        " cannot be made: " + error.message());
     }
-    return write_whole_file(files.units.string(), units_text(*units));
+    return write_whole_file(files.units.string(), units_text(stored->units));
+}
+
+UnitSettings as_kind(const UnitSettings& unit, const DeviceProfile& profile) {
+    UnitSettings taken{unit.serial, std::string(profile.name), {}};
+    const auto limit_Nm = unit.calibration.torque_limit_Nm;
+    const bool is_same = unit.profile == profile.name;
+    if (limit_Nm && (is_same || *limit_Nm <= profile.torque_limit_Nm))
+        taken.calibration.torque_limit_Nm = limit_Nm;
+    return taken;
 }
 
 }  // namespace touchline

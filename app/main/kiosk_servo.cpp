@@ -18,33 +18,31 @@
 namespace touchline {
 namespace {
 
-Result<std::optional<UsbDevice>> find_device() {
-    const auto settings = read_board_files(board_files());
-    if (!settings) return tl::unexpected(settings.error());
-    return find_usb_device(*settings);
+UnitSettings unit_of(const UsbDevice& device) {
+    return {device.serial, device.profile, device.calibration};
 }
 
 /// It is kept for the next visit and the next servo.
 std::vector<std::string> keep(const UsbDevice& device) {
-    const auto kept = keep_unit(board_files(), {device.serial, device.profile, device.calibration});
+    const auto kept = keep_unit(board_files(), unit_of(device));
     if (!kept) fmt::print(stderr, "touchline: {}\n", plain_line(kept.error().line));
     return arguments_of(device);
 }
 
-/// The unit as homing found it.
+/// The unit as homing found it. One that nobody can tell from another is measured each time.
 std::vector<std::string> keep_home(UsbDevice& device, const Message& message) {
     const auto found = calibration_of(message, device.calibration);
-    if (!found) return arguments_of(device);
+    if (!found || device.serial.empty()) return arguments_of(device);
     device.calibration = *found;
     return keep(device);
 }
 
-/// What was measured of it as another kind is worth nothing.
-std::vector<std::string> keep_kind(UsbDevice& device, const std::string& profile) {
-    const auto torque_limit_Nm = device.calibration.torque_limit_Nm;
-    device.profile = profile;
-    device.calibration = {};
-    device.calibration.torque_limit_Nm = torque_limit_Nm;
+std::vector<std::string> keep_kind(UsbDevice& device, const std::string& kind) {
+    const auto profile = find_profile(kind);
+    if (!profile) return arguments_of(device);
+    UnitSettings taken = as_kind(unit_of(device), *profile);
+    device.profile = std::move(taken.profile);
+    device.calibration = taken.calibration;
     return keep(device);
 }
 
@@ -65,7 +63,7 @@ KioskServo with_motors(const UsbDevice& found) {
     KioskServo servo;
     servo.client = std::make_unique<ServoProcess>(std::move(options));
     servo.has_motors = true;
-    servo.profile = find_profile(found.profile).value_or(default_profile());
+    servo.profile = profile_or_default(found.profile);
     servo.hand_words = fmt::format("pantograph {} {}", found.profile, found.serial);
     return servo;
 }
@@ -85,8 +83,15 @@ Result<KioskServo> simulated(const std::shared_ptr<MouseHand>& hand) {
 }  // namespace
 
 Result<KioskServo> start_servo(const std::shared_ptr<MouseHand>& hand) {
-    const auto device = find_device();
-    if (device && *device) return with_motors(**device);
+    const auto settings = read_board_files(board_files());
+    const auto device = settings
+                            ? find_usb_device(*settings)
+                            : Result<std::optional<UsbDevice>>(tl::unexpected(settings.error()));
+    if (device && *device) {
+        KioskServo servo = with_motors(**device);
+        servo.note = settings->notice;
+        return servo;
+    }
     auto servo = simulated(hand);
     if (servo)
         servo->note = device ? "there is no pantograph: the mouse is the hand of a simulated one; "

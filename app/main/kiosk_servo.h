@@ -18,7 +18,7 @@ struct KioskServo {
     DeviceProfile profile = default_profile();
     std::string hand_words;   // what the hand is
     bool has_motors = false;  // force follows the tier
-    std::string note;         // why it is not the device that one might expect; may be empty
+    std::string note;         // why it is not what one might expect; may be empty
 };
 
 /// `hand` leads the simulated pantograph where there is no real one.

@@ -37,11 +37,6 @@ bool read_plugs(const std::string& text, Plugs& plugs) {
     return true;
 }
 
-/// As far as it is known: it says whether a motor is at the handle too.
-DeviceProfile profile_of(const UsbDevice& device) {
-    return find_profile(device.profile).value_or(default_profile());
-}
-
 Result<OpenedBoard> take(const UsbBoards& boards, const UsbDevice& device) {
     const auto found = boards.find(std::array{device.id}, device.serial);
     if (!found) return tl::unexpected(found.error());
@@ -135,13 +130,13 @@ Result<void> zero_usb_device(const UsbDevice& device, const std::string& bus_pat
     if (!boards) return tl::unexpected(boards.error());
     auto taken = bus_path.empty() ? take(*boards, device) : take_at(*boards, device, bus_path);
     if (!taken) return tl::unexpected(taken.error());
-    if (!zero_torque(std::move(taken->link), profile_of(device)))
+    if (!zero_torque(std::move(taken->link), profile_or_default(device.profile)))
         return failure("the board did not confirm zero torque");
     return {};
 }
 
 bool cut_usb_device(const UsbDevice& device, const HeldBoard& held) {
-    return write_zero(held.node.number(), held.pipes, profile_of(device));
+    return write_zero(held.node.number(), held.pipes, profile_or_default(device.profile));
 }
 
 }  // namespace touchline

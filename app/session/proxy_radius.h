@@ -4,7 +4,7 @@
 namespace touchline {
 
 /// Radius of the proxy: 1.4 F / K at 0.7 N and 700 N/m, so that the force stays continuous around
-/// corners in ordinary exploration. A softer wall does so up to K times a millimetre only.
+/// corners in ordinary exploration. With a softer wall it stays continuous only up to F = K × 1 mm.
 inline constexpr double proxy_radius_m = 0.0014;
 
 }  // namespace touchline

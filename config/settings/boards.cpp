@@ -131,7 +131,30 @@ Plugs read_plugs(TableReader& reader, const std::string& what) {
     return {reader.read_flag("swapped_" + what), is_1_reversed, is_2_reversed};
 }
 
+std::optional<double> read_torque_limit(TableReader& reader, const toml::table& table) {
+    const auto limit_Nm = reader.read<double>("torque_limit_Nm", "a number", false);
+    const double limit = limit_Nm.value_or(greatest_torque_limit_Nm);
+    if (!(limit > 0.0 && limit <= greatest_torque_limit_Nm))
+        reader.blame(*table.get("torque_limit_Nm"),
+                     "'torque_limit_Nm' must be above 0 and at most 1");
+    return limit_Nm;
+}
+
+/// It had a scale and an offset for each joint, and its kind was assumed.
+bool is_of_version_0(const toml::table& table) {
+    return table.contains("offset_rad") || table["scale"].is_array();
+}
+
+UnitSettings read_unit_of_version_0(TableReader& reader, const toml::table& table) {
+    reader.allow({"serial", "profile", "swapped_motors", "scale", "offset_rad", "torque_limit_Nm"});
+    UnitSettings unit;
+    unit.serial = reader.read<std::string>("serial", "a text", true).value_or("");
+    unit.calibration.torque_limit_Nm = read_torque_limit(reader, table);
+    return unit;
+}
+
 UnitSettings read_unit(TableReader& reader, const toml::table& table) {
+    if (is_of_version_0(table)) return read_unit_of_version_0(reader, table);
     reader.allow({"serial", "profile", "measured", "scale", "stop_off_rad", "swapped_encoders",
                   "reversed_encoders", "swapped_motors", "reversed_motors", "all_counts",
                   "torque_limit_Nm"});
@@ -148,11 +171,7 @@ UnitSettings read_unit(TableReader& reader, const toml::table& table) {
     calibration.encoders = read_plugs(reader, "encoders");
     calibration.motors = read_plugs(reader, "motors");
     calibration.has_all_counts = reader.read_flag("all_counts");
-    calibration.torque_limit_Nm = reader.read<double>("torque_limit_Nm", "a number", false);
-    const double limit = calibration.torque_limit_Nm.value_or(greatest_torque_limit_Nm);
-    if (!(limit > 0.0 && limit <= greatest_torque_limit_Nm))
-        reader.blame(*table.get("torque_limit_Nm"),
-                     "'torque_limit_Nm' must be above 0 and at most 1");
+    calibration.torque_limit_Nm = read_torque_limit(reader, table);
     return unit;
 }
 
@@ -178,6 +197,16 @@ Result<std::vector<T>> read_all(const toml::table& file, std::string_view name,
     return all;
 }
 
+std::string notice_of(const toml::table& file, std::string_view name) {
+    const toml::array* const units = file["unit"].as_array();
+    if (units == nullptr) return {};
+    const auto is_old = [](const toml::node& unit) { return is_of_version_0(*unit.as_table()); };
+    if (std::none_of(units->begin(), units->end(), is_old)) return {};
+    return std::string(name) +
+           ": what an earlier version stored for a handle no longer counts: choose the kind of "
+           "handle, and it is measured anew";
+}
+
 Result<BoardSettings> read_tables(const toml::table& file, std::string_view name) {
     TableReader outer(file, name);
     outer.allow({"board", "unit"});
@@ -186,7 +215,7 @@ Result<BoardSettings> read_tables(const toml::table& file, std::string_view name
     if (!boards) return tl::unexpected(boards.error());
     auto units = read_all<UnitSettings>(file, name, "unit", read_unit);
     if (!units) return tl::unexpected(units.error());
-    return BoardSettings{std::move(*boards), std::move(*units)};
+    return BoardSettings{std::move(*boards), std::move(*units), notice_of(file, name)};
 }
 
 toml::array pair_of(JointAngles pair) {
@@ -243,6 +272,7 @@ std::string units_text(const std::vector<UnitSettings>& units) {
 }
 
 const UnitSettings* find_unit(const BoardSettings& settings, std::string_view serial) {
+    if (serial.empty()) return nullptr;
     const auto found =
         std::find_if(settings.units.begin(), settings.units.end(),
                      [&](const UnitSettings& unit) { return unit.serial == serial; });

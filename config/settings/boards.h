@@ -29,17 +29,19 @@ struct BoardId {
 /// One unit, by its serial number.
 struct UnitSettings {
     std::string serial;
-    std::string profile;  // a name of haptics/pantograph/profile.h
+    std::string profile;  // a name of haptics/pantograph/profile.h; empty: nobody has said
     Calibration calibration;
 };
 
 struct BoardSettings {
     std::vector<BoardId> boards;
     std::vector<UnitSettings> units;
+    std::string notice = {};  // one line for the operator; may be empty
 };
 
 /// What the text of a file holds; `name` is that file's, for the error. Malformed, an unknown key
-/// or a value out of range: one line with file and line number.
+/// or a value out of range: one line with file and line number. A unit as version 0 wrote it keeps
+/// its serial number and torque limit only, and there is a notice.
 [[nodiscard]] Result<BoardSettings> parse_boards(std::string_view text, std::string_view name);
 
 /// At most 1 MB.
@@ -48,7 +50,8 @@ struct BoardSettings {
 /// The text that parse_boards() reads back to the same units.
 [[nodiscard]] std::string units_text(const std::vector<UnitSettings>& units);
 
-/// Nothing when the serial number has no settings.
+/// Nothing when the serial number has no settings. Boards that tell none have none either: they
+/// cannot be told apart.
 [[nodiscard]] const UnitSettings* find_unit(const BoardSettings& settings, std::string_view serial);
 
 }  // namespace touchline

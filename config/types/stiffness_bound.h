@@ -6,9 +6,12 @@
 
 namespace touchline {
 
+/// Nothing stiffer can be set.
+inline constexpr double most_stiffness_N_per_m = 20'000.0;
+
 struct StiffnessBound {
-    double share = 1.0;              // of what is set; below 1 without real-time priority
-    double most_N_per_m = 20'000.0;  // what rate and delay of the loop allow
+    double share = 1.0;  // of what is set; below 1 without real-time priority
+    double most_N_per_m = most_stiffness_N_per_m;  // what rate and delay of the loop allow
 
     friend bool operator==(const StiffnessBound&, const StiffnessBound&) = default;
 };

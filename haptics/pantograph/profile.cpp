@@ -145,6 +145,10 @@ Result<DeviceProfile> find_profile(std::string_view name) {
                    names);
 }
 
+DeviceProfile profile_or_default(std::string_view name) {
+    return find_profile(name).value_or(default_profile());
+}
+
 JointAngles encoder_quantum(const DeviceProfile& profile) {
     return {2.0 * pi / profile.counts_per_turn.x, 2.0 * pi / profile.counts_per_turn.y};
 }

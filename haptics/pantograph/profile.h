@@ -88,6 +88,9 @@ struct DeviceProfile {
 /// The error lists the names there are.
 [[nodiscard]] Result<DeviceProfile> find_profile(std::string_view name);
 
+/// Of a device whose kind is not known yet the default's, where any will do.
+[[nodiscard]] DeviceProfile profile_or_default(std::string_view name);
+
 /// W is D turned by 180 degrees about the centre of the drawing area: each is its own inverse.
 [[nodiscard]] constexpr Position device_from_picture(const DeviceProfile& profile, Position p_W) {
     return profile.centre - p_W;

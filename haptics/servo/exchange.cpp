@@ -40,7 +40,7 @@ bool is_sound(const ServoCommands& commands) {
     constexpr double most_turn_rad = 1e4;
     return commands.mode <= Mode::stay && is_bool(commands.is_level_auto) &&
            is_bool(commands.is_force_wanted) && is_bool(commands.is_emergency_stop) &&
-           is_within(commands.stiffness_N_per_m, 1e-9, 20'000.0) &&
+           is_within(commands.stiffness_N_per_m, 1e-9, most_stiffness_N_per_m) &&
            is_within(commands.friction, 0.0, 1.0) && is_within(commands.radius_m, 0.0, 0.02) &&
            is_within(commands.capture_m, 1e-9, 0.1) &&
            is_within(commands.pop_through_N, 0.0, 100.0) &&
@@ -58,7 +58,7 @@ bool is_sound(const ServoReport& report) {
     const HandState& hand = report.hand;
     return is_finite(hand.p_WH) && is_finite(hand.p_WP) && is_finite(hand.force) &&
            std::isfinite(hand.level) && is_within(hand.stiffness_bound.share, 0.0, 1.0) &&
-           is_within(hand.stiffness_bound.most_N_per_m, 0.0, StiffnessBound{}.most_N_per_m) &&
+           is_within(hand.stiffness_bound.most_N_per_m, 0.0, most_stiffness_N_per_m) &&
            hand.mode <= Mode::stay && hand.state <= ContactState::vertex && hand.outline >= -1 &&
            is_bool(hand.is_level_auto) && hand.guidance.phase <= GuidancePhase::stopped &&
            is_bool(hand.guidance.is_on_line) && hand.guidance.outline >= -1 &&

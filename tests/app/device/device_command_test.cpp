@@ -141,9 +141,13 @@ TEST_F(DeviceCommand, TheKindOfANewUnitIsAskedAndNotAssumed) {
     EXPECT_EQ(held(board), JointTorques{});
 }
 
-TEST_F(DeviceCommand, HomeLeadsAPersonAndKeepsWhatItFound) {
+/// What is stored of it is wrong, and would never fit.
+TEST_F(DeviceCommand, HomeOfANamedKindMeasuresAnewAndKeepsWhatItFound) {
     const auto person = std::make_shared<Person>(default_profile());
     BoardTruth truth;
+    UnitSettings stored{truth.serial, "2diy-gen3.1", {}};
+    stored.calibration = {{}, {}, 0.5, {}, {}, true, false, 0.1};
+    ASSERT_TRUE(keep_unit(board_files(), stored).has_value());
     truth.scale_error = {0.04, 0.04};
     truth.hand = stiff_arm;
     MockedBoard board(usb_, truth, 1, person);
@@ -174,6 +178,7 @@ TEST_F(DeviceCommand, HomeLeadsAPersonAndKeepsWhatItFound) {
     ASSERT_NE(unit, nullptr);
     EXPECT_NEAR(unit->calibration.scale, 1.0 / 1.04, 0.01);
     EXPECT_TRUE(unit->calibration.is_measured);
+    EXPECT_EQ(unit->calibration.torque_limit_Nm, 0.1);
     EXPECT_EQ(unit->calibration.motors, Plugs{});
     EXPECT_NE(person->heard.back().find("kept in"), std::string::npos);
     EXPECT_EQ(held(board), JointTorques{});

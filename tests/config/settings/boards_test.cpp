@@ -130,7 +130,7 @@ TEST(Boards, ValuesOutOfRangeAreRefused) {
     for (const char* bad : {"scale = 0.3", "scale = 1.4", "scale = nan"})
         EXPECT_EQ(boards_error(unit + bad),
                   "boards.toml:4: 'scale' must be a number from 0.4 to 1.3");
-    EXPECT_EQ(boards_error(unit + "scale = [1.0, 1.0]"), "boards.toml:4: 'scale' must be a number");
+    EXPECT_EQ(boards_error(unit + "scale = true"), "boards.toml:4: 'scale' must be a number");
     for (const char* bad :
          {"stop_off_rad = [0.0, 0.5]", "stop_off_rad = [nan, 0.0]", "stop_off_rad = [0.0]",
           "stop_off_rad = 0.0", "stop_off_rad = [0.0, 0.0, 0.0]", "stop_off_rad = [\"a\", 0.0]"})
@@ -141,6 +141,40 @@ TEST(Boards, ValuesOutOfRangeAreRefused) {
                             "reversed_motors = [1, 0]", "reversed_motors = [true, true, true]"})
         EXPECT_EQ(boards_error(unit + bad),
                   "boards.toml:4: 'reversed_motors' must be true or false twice, one a joint");
+}
+
+/// As units_text() wrote it before motors and encoders were told apart.
+TEST(Boards, AUnitOfVersion0HasNoKindAndIsNotMeasured) {
+    const std::string old =
+        "[[unit]]\nserial = 'A1B2'\nprofile = '2diy-gen3.1'\n"
+        "swapped_motors = true\nscale = [ 1.02, 0.99 ]\n"
+        "offset_rad = [ 3.0, -6.2 ]\ntorque_limit_Nm = 0.05\n";
+    const std::string now = units_text({{"C3D4", "mk2", {}}});
+    EXPECT_EQ(parse_boards(now, "units.toml")->notice, "");
+    const auto read = parse_boards(old + now, "units.toml");
+    ASSERT_TRUE(read.has_value()) << read.error().line;
+    EXPECT_EQ(read->notice.rfind("units.toml: ", 0), 0U) << read->notice;
+    const UnitSettings* const unit = find_unit(*read, "A1B2");
+    ASSERT_NE(unit, nullptr);
+    EXPECT_EQ(unit->profile, "");
+    EXPECT_FALSE(unit->calibration.is_measured);
+    EXPECT_EQ(unit->calibration.scale, 1.0);
+    EXPECT_EQ(unit->calibration.motors, Plugs{});
+    EXPECT_EQ(unit->calibration.torque_limit_Nm, 0.05) << "less force than the profile's";
+    EXPECT_EQ(find_unit(*read, "C3D4")->profile, "mk2");
+    const auto rewritten = parse_boards(units_text(read->units), "units.toml");
+    ASSERT_TRUE(rewritten.has_value()) << rewritten.error().line;
+    EXPECT_EQ(rewritten->notice, "");
+    EXPECT_EQ(find_unit(*rewritten, "A1B2")->profile, "");
+    EXPECT_EQ(boards_error(old + "colour = 3\n"), "boards.toml:8: 'colour' is not a setting here");
+    EXPECT_EQ(boards_error(old + "measured = true\n"),
+              "boards.toml:8: 'measured' is not a setting here");
+}
+
+TEST(Boards, ThoseWithoutASerialNumberAreNeverKnown) {
+    const auto read = parse_boards(units_text({{"", "mk2", {}}}), "units.toml");
+    ASSERT_TRUE(read.has_value()) << read.error().line;
+    EXPECT_EQ(find_unit(*read, ""), nullptr);
 }
 
 TEST(Boards, FileThatIsMissingOrHugeIsRefused) {
