@@ -517,8 +517,7 @@ TEST_F(OperatorTest, TheKindInUseCanBeChosenAndChangesNothing) {
     EXPECT_EQ(rig.count<ChooseKind>(), 0);
 }
 
-/// Whatever has the focus, on every screen.
-TEST_F(OperatorTest, NextTellsOrOpensAndNeverActs) {
+TEST_F(OperatorTest, WhatAnActionMeansIsHeardBeforeItIsDone) {
     ASSERT_TRUE(rig.open({"Upkeep", "Log and recording"}));
     ASSERT_TRUE(rig.find("Save what was felt in the last minute"));
     (void)rig.heard();

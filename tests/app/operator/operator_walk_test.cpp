@@ -206,6 +206,24 @@ TEST(OperatorWalk, EveryScreenSpeaksInEveryLanguage) {
     }
 }
 
+/// Whatever has the focus, but for a value that is held, a digit, a test and the wizard.
+TEST(OperatorWalk, NextTellsOrOpensAndNeverActs) {
+    const Language english;
+    const OperatorWorld world = still_world(english);
+    int pressed_count = 0;
+    for (const auto& [key, state] : all_states(world)) {
+        const bool is_list = is_inside(state.place) && state.place != P::test_step &&
+                             state.place != P::key_wizard && state.place != P::cleaning_lock;
+        if (!is_list || state.is_held) continue;
+        ++pressed_count;
+        for (const OperatorOrder& order : pressed(state, R::next, world).orders)
+            EXPECT_TRUE(std::holds_alternative<Say>(order) ||
+                        std::holds_alternative<ShowLive>(order))
+                << operator_screen(state, world).title << ' ' << state.focus;
+    }
+    EXPECT_GT(pressed_count, 100);
+}
+
 TEST(OperatorWalk, EveryTextIsInTheCatalogue) {
     const PoFile catalogue =
         read_po(TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue/touchline.pot");
