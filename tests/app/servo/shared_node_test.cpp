@@ -17,7 +17,6 @@
 #include <fstream>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -103,9 +102,10 @@ class SharedNode : public testing::TestWithParam<Death> {
         std::vector<std::string> words{"usb-kiosk"};
         for (const std::string& word : arguments_of(device)) words.push_back(word);
         const std::string before = "LD_PRELOAD=" TOUCHLINE_REAL_NODE_LIBRARY ":";
-        kiosk_ = Child::start(TOUCHLINE_SERVO_RIG, words, {}, StandardStreams::ours,
-                              {before + std::getenv("LD_PRELOAD")})
-                     .value();
+        kiosk_ = std::make_unique<Child>(Child::start(TOUCHLINE_SERVO_RIG, words, {},
+                                                      StandardStreams::ours,
+                                                      {before + std::getenv("LD_PRELOAD")})
+                                             .value());
     }
 
     void end_kiosk() {
@@ -147,7 +147,7 @@ class SharedNode : public testing::TestWithParam<Death> {
 
     MockedUsb mocked_;
     std::unique_ptr<UsbNodeServer> board_;
-    std::optional<Child> kiosk_;
+    std::unique_ptr<Child> kiosk_;  // GCC 14 takes one in an optional for uninitialised
 };
 
 TEST_P(SharedNode, IsZeroedByTheGuardAtOnce) {
