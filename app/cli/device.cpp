@@ -161,10 +161,14 @@ Result<void> home_unit(TakenUnit& unit, std::ostream& out) {
 
 Result<void> nudge_unit(TakenUnit& unit, std::ostream& out) {
     PantographBoard& board = *unit.board.driver;
+    const Calibration stored = board.frame().calibration();
+    if (!stored.is_measured) return failure("Home the handle first.");
     if (auto opened = board.open(); !opened) return opened;
     MonotonicClock clock;
-    out << plain_line(words_of(NudgeVerdict::running, board.frame())) << std::endl;
-    const auto tried = nudge(procedure(board, clock, out));
+    // Where the middle is shows only then.
+    const auto homed = home(procedure(board, clock, out), stored);
+    if (!homed) return tl::unexpected(homed.error());
+    const auto tried = nudge(procedure(board, clock, out), homed->words + " ");
     if (!tried) return tl::unexpected(tried.error());
     const std::string words = words_of(tried->verdict(), board.frame());
     if (tried->verdict() != NudgeVerdict::works) return failure(words);

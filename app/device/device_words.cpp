@@ -24,15 +24,20 @@ std::string words_of(HomingStep step, const DeviceProfile& profile) {
             return "The force is off. First, move the handle a little. " +
                    words_of(profile.home_place);
         case HomingStep::to_check:
-            return "That was the first place. " + words_of(profile.check.place);
+            return words_of(profile.check.place);
         case HomingStep::to_left:
             return "Now move the handle to the left, by the width of a hand. Hold it still there.";
         case HomingStep::to_home_again:
-            return "Once more the first place. " + words_of(profile.home_place);
+            return "Now the first place once more. " + words_of(profile.home_place);
         case HomingStep::to_check_again:
-            return "Once more the second place. " + words_of(profile.check.place);
+            return "Now the second place once more. " + words_of(profile.check.place);
+        case HomingStep::to_answer:
+            return "One question. Push the handle away from you until it stops. With your other "
+                   "hand, feel the two arms next to the motors. If they lie in one straight line, "
+                   "move the handle to the left, by the width of a hand. If they do not, move it "
+                   "to the right. Hold it still there.";
         case HomingStep::done:
-            return "The place of the handle is found.";
+            return "The handle's position is now known.";
     }
     return {};
 }
@@ -40,35 +45,41 @@ std::string words_of(HomingStep step, const DeviceProfile& profile) {
 std::string noticed(const HomingView& view) {
     switch (view.remark) {
         case HomingRemark::none:
-            return {};
+            return view.step == HomingStep::to_check ? "That was the first place. " : "";
         case HomingRemark::silent:
             return "The board does not answer. Check its USB cable. ";
         case HomingRemark::not_moved:
             return "The handle has not moved. ";
         case HomingRemark::misfit:
-            return fmt::format("Not there yet: {:.0f} millimetres off. ", 1000.0 * view.misfit_m);
+            return fmt::format("Not there yet. It is {:.0f} millimetres off. ",
+                               1000.0 * view.misfit_m);
         case HomingRemark::not_left:
             return "That was not to the side. ";
         case HomingRemark::starting_over:
+            return "That did not fit three times. We start again. ";
+        case HomingRemark::no_such_scale:
             return fmt::format(
-                "That did not fit three times. The way between the places is {:.0f} percent of "
-                "what it should be. Perhaps this handle is of another kind. We start again. ",
+                "The places do not fit. The way between them is {:.0f} percent of what it should "
+                "be. Perhaps this handle is of another kind. We start again. ",
                 100.0 * view.turn_share);
+        case HomingRemark::other_kind:
+            return "Then this handle is of another kind than the one that was chosen. We start "
+                   "again. ";
         case HomingRemark::lost_count:
             return "The board lost count. We start again. ";
         case HomingRemark::reversed:
-            return "The places came in the wrong order, or plugs are exchanged. We start again. ";
+            return "The places came in the wrong order, or the plugs are swapped. We start again. ";
         case HomingRemark::replugged:
-            return "The plugs are not as they were. The handle is measured anew. ";
+            return "The plugs have been changed. The handle will be measured again. ";
         case HomingRemark::measured:
-            return "The handle was measured. That is kept. ";
+            return "The handle has been measured. ";
     }
     return {};
 }
 
 std::string wrong_motor(int port) {
     return fmt::format(
-        "There is no force. The motor on plug {} pushes the wrong way. Turn its plug round.", port);
+        "There is no force. The motor on plug {} pushes the wrong way. Reverse its plug.", port);
 }
 
 std::string idle_motor(int port) {
@@ -93,10 +104,9 @@ std::string what_motors_did(NudgeVerdict verdict, const BoardFrame& frame) {
         case NudgeVerdict::reversed_2:
             return wrong_motor(frame.motor_port(2));
         case NudgeVerdict::reversed_both:
-            return "There is no force. Both motors push the wrong way. Turn both plugs round.";
+            return "There is no force. Both motors push the wrong way. Reverse both plugs.";
         case NudgeVerdict::swapped:
-            return "There is no force. The plugs of the two motors are exchanged. Change them "
-                   "back.";
+            return "There is no force. The two motor plugs are swapped. Swap them back.";
         case NudgeVerdict::restless:
             return "The handle was held or moved. Let go of it in the middle.";
         case NudgeVerdict::silent:
@@ -109,6 +119,14 @@ std::string what_motors_did(NudgeVerdict verdict, const BoardFrame& frame) {
 
 std::string words_of(const HomingView& view, const DeviceProfile& profile) {
     return noticed(view) + words_of(view.step, profile);
+}
+
+std::string words_again(const std::string& words) {
+    return "Once more. " + words;
+}
+
+std::string words_outside_the_middle(const BoardFrame& frame) {
+    return "The handle is not in the middle yet. " + words_of(NudgeVerdict::running, frame);
 }
 
 std::string words_of(NudgeVerdict verdict, const BoardFrame& frame) {

@@ -5,6 +5,7 @@
 #include "haptics/pantograph/kinematics.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace touchline {
@@ -12,14 +13,38 @@ namespace {
 
 constexpr std::int64_t period_ns = 1'000'000;
 constexpr double let_go_s = 2.0;         // to let go of a handle
-constexpr double between_tries_s = 4.0;  // of the motors: for the words, and to let go
+constexpr double words_s = 5.0;          // to say what is to be done
+constexpr double between_tries_s = 6.0;  // of the motors: for the words, and to let go
+constexpr double outside_s = 20.0;       // of the middle: say so
 constexpr double middle_share = 0.6;     // of the drawing area
 
 enum class Ending : std::uint8_t { finished, stopped, out_of_time, lost, misplaced };
 
-/// Ticks until `step(angles, dt_s)` gives no torques. The last thing written is zero.
+constexpr const char* motor_test = "the test of the motors";
+
+/// The same words twice are not heard where only a change is spoken.
+class Speech {
+  public:
+    explicit Speech(const Procedure& procedure) : say_(procedure.say) {}
+
+    void say(const std::string& words) {
+        last_ = words == last_ ? words_again(words) : words;
+        say_(last_);
+    }
+
+  private:
+    const std::function<void(const std::string&)>& say_;
+    std::string last_;
+};
+
+std::int64_t end_of(const Procedure& procedure) {
+    return procedure.clock.now_ns() + static_cast<std::int64_t>(procedure.longest_s * 1e9);
+}
+
+/// Ticks until `step(angles, dt_s)` gives no torques, or to the end. The last thing written is
+/// zero.
 template <class Step>
-Ending run_ticks(const Procedure& procedure, Step step) {
+Ending run_ticks(const Procedure& procedure, std::int64_t end_ns, Step step) {
     TickSchedule schedule(procedure.clock.now_ns(), period_ns);
     double last_s = 0.0;
     Ending ending = Ending::finished;
@@ -31,7 +56,7 @@ Ending run_ticks(const Procedure& procedure, Step step) {
         last_s = now_s;
         if (!torques) break;
         if (!procedure.goes_on()) ending = Ending::stopped;
-        if (now_s > procedure.longest_s) ending = Ending::out_of_time;
+        if (procedure.clock.now_ns() > end_ns) ending = Ending::out_of_time;
         if (procedure.board.report().is_position_doubtful) ending = Ending::misplaced;
         if (procedure.board.report().state == BoardState::lost) ending = Ending::lost;
         if (ending != Ending::finished) break;
@@ -59,14 +84,10 @@ tl::unexpected<Error> failed(Ending ending, const std::string& what) {
     }
 }
 
-/// Zero torque for so long, or until `is_over(angles, dt_s)`.
-template <class IsOver>
-Ending wait(const Procedure& procedure, double longest_s, IsOver is_over) {
-    double left_s = longest_s;
-    return run_ticks(procedure, [&](const auto& angles, double dt_s) {
-        left_s -= dt_s;
-        const bool ends = !(left_s > 0.0) || is_over(angles, dt_s);
-        return ends ? std::optional<JointTorques>() : JointTorques{};
+Ending wait(const Procedure& procedure, std::int64_t end_ns, double pause_s) {
+    return run_ticks(procedure, end_ns, [&](const auto&, double dt_s) {
+        pause_s -= dt_s;
+        return pause_s > 0.0 ? std::optional(JointTorques{}) : std::nullopt;
     });
 }
 
@@ -79,17 +100,39 @@ bool is_in_the_middle(const DeviceProfile& profile, const std::optional<JointAng
            std::abs(p_W.y) <= 0.5 * middle_share * profile.area.height_m;
 }
 
-/// Until the handle has been in the middle for as long as it takes to let go of it. On the way
-/// there from where the arms lie stretched a leap of the tip means nothing.
-Ending lead_to_the_middle(const Procedure& procedure) {
-    double there_s = 0.0;
-    PantographBoard& board = procedure.board;
-    return wait(procedure, procedure.longest_s, [&](const auto& angles, double dt_s) {
+/// Until the handle has been in the middle for as long as it takes to let go of it, and all was
+/// said. On the way there from where the arms lie stretched a leap of the tip means nothing.
+Ending lead_to_the_middle(const Procedure& procedure, std::int64_t end_ns, Speech& speech) {
+    double there_s = 0.0, since_s = 0.0, away_s = 0.0;
+    return run_ticks(procedure, end_ns, [&](const auto& angles, double dt_s) {
+        PantographBoard& board = procedure.board;
         if (board.report().state == BoardState::jumped) board.accept_position();
         const bool is_there = is_in_the_middle(board.frame().profile(), angles);
+        since_s += dt_s;
         there_s = is_there ? there_s + dt_s : 0.0;
-        return there_s >= let_go_s;
+        away_s = is_there ? 0.0 : away_s + dt_s;
+        if (away_s >= outside_s) speech.say(words_outside_the_middle(board.frame()));
+        if (away_s >= outside_s) away_s = 0.0;
+        const bool is_over = there_s >= let_go_s && since_s >= words_s;
+        return is_over ? std::nullopt : std::optional(JointTorques{});
     });
+}
+
+/// What was said last comes `before` what is to be done now.
+Result<NudgeTest> nudge(const Procedure& procedure, std::int64_t end_ns, Speech& speech,
+                        const std::string& before) {
+    speech.say(before + words_of(NudgeVerdict::running, procedure.board.frame()));
+    if (const Ending ending = lead_to_the_middle(procedure, end_ns, speech);
+        ending != Ending::finished)
+        return failed(ending, motor_test);
+    NudgeTest test(encoder_quantum(procedure.board.frame().calibrated_profile()));
+    const Ending ending = run_ticks(procedure, end_ns, [&](const auto& angles, double dt_s) {
+        const JointTorques torques = test.step(angles, dt_s);
+        const bool is_over = test.verdict() != NudgeVerdict::running;
+        return is_over ? std::optional<JointTorques>() : torques;
+    });
+    if (ending != Ending::finished) return failed(ending, motor_test);
+    return test;
 }
 
 }  // namespace
@@ -100,8 +143,9 @@ Result<Homed> home(const Procedure& procedure, const Calibration& stored) {
     Homing homing(homing_plan(profile), stored);
     board.set_calibration(homing.bare());
     HomingView said;
-    procedure.say(words_of(said, profile));
-    const Ending ending = run_ticks(procedure, [&](const auto& angles, double dt_s) {
+    Speech speech(procedure);
+    speech.say(words_of(said, profile));
+    const auto step = [&](const auto& angles, double dt_s) {
         // Before the arms are known to be where they read, a leap of the tip means nothing.
         if (board.report().state == BoardState::jumped) board.accept_position();
         if (board.report().is_position_doubtful) {
@@ -110,54 +154,50 @@ Result<Homed> home(const Procedure& procedure, const Calibration& stored) {
         }
         const HomingView view = homing.step(angles, dt_s);
         const bool is_new = view.prompts != said.prompts;
-        said = view;
-        if (is_new) procedure.say(words_of(view, profile));
         const bool is_over = view.step == HomingStep::done;
+        said = view;
+        if (is_new && !is_over) speech.say(words_of(view, profile));
         return is_over ? std::optional<JointTorques>() : JointTorques{};
-    });
+    };
+    const Ending ending = run_ticks(procedure, end_of(procedure), step);
     if (ending != Ending::finished) return failed(ending, "homing");
     board.set_calibration(homing.calibration());
-    return Homed{board.frame().calibration(), said.remark == HomingRemark::measured};
+    return Homed{board.frame().calibration(), said.remark == HomingRemark::measured,
+                 words_of(said, profile)};
 }
 
-Result<NudgeTest> nudge(const Procedure& procedure) {
-    NudgeTest test(encoder_quantum(procedure.board.frame().calibrated_profile()));
-    const Ending ending = run_ticks(procedure, [&](const auto& angles, double dt_s) {
-        const JointTorques torques = test.step(angles, dt_s);
-        const bool is_over = test.verdict() != NudgeVerdict::running;
-        return is_over ? std::optional<JointTorques>() : torques;
-    });
-    if (ending != Ending::finished) return failed(ending, "the nudge test");
-    return test;
+Result<NudgeTest> nudge(const Procedure& procedure, const std::string& before) {
+    Speech speech(procedure);
+    return nudge(procedure, end_of(procedure), speech, before);
 }
 
-Result<Calibration> try_motors(const Procedure& procedure, bool may_learn) {
+Result<Calibration> try_motors(const Procedure& procedure, bool may_learn, std::string before) {
     PantographBoard& board = procedure.board;
-    procedure.say(words_of(NudgeVerdict::running, board.frame()));
+    const std::int64_t end_ns = end_of(procedure);
+    Speech speech(procedure);
     while (true) {
-        if (const Ending ending = lead_to_the_middle(procedure); ending != Ending::finished)
-            return failed(ending, "the test of the motors");
-        const auto tried = nudge(procedure);
+        const auto tried = nudge(procedure, end_ns, speech, std::exchange(before, {}));
         if (!tried) return tl::unexpected(tried.error());
-        if (tried->verdict() == NudgeVerdict::works) return board.frame().calibration();
-        if (is_wrong(tried->verdict()) && std::exchange(may_learn, false)) {
+        const NudgeVerdict verdict = tried->verdict();
+        if (verdict == NudgeVerdict::works) return board.frame().calibration();
+        if (is_wrong(verdict) && std::exchange(may_learn, false)) {
             Calibration learnt = board.frame().calibration();
             learnt.motors = tried->motors(learnt.motors);
             board.set_calibration(learnt);
             continue;
         }
-        procedure.say(words_of(tried->verdict(), board.frame()));
-        const double pause_s = is_wrong(tried->verdict()) ? procedure.longest_s : between_tries_s;
-        const Ending ending = wait(procedure, pause_s, [](const auto&, double) { return false; });
-        if (ending != Ending::finished || is_wrong(tried->verdict()))
-            return failed(ending, "the test of the motors");
+        speech.say(words_of(verdict, board.frame()));
+        const double pause_s =
+            is_wrong(verdict) ? std::numeric_limits<double>::infinity() : between_tries_s;
+        if (const Ending ending = wait(procedure, end_ns, pause_s); ending != Ending::finished)
+            return failed(ending, motor_test);
     }
 }
 
 Result<Calibration> make_ready(const Procedure& procedure, const Calibration& stored) {
     const auto homed = home(procedure, stored);
     if (!homed) return tl::unexpected(homed.error());
-    return try_motors(procedure, homed->is_new);
+    return try_motors(procedure, homed->is_new, homed->words + " ");
 }
 
 }  // namespace touchline

@@ -55,7 +55,7 @@ struct Message {
     SceneOrder scene;
     HomeFound home;
     SerialPipes pipes;
-    char line[256] = {};  // not ended by a zero
+    char line[512] = {};  // not ended by a zero
 };
 
 [[nodiscard]] Message message_of(MessageKind kind, std::string_view line = {});

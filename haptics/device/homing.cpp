@@ -6,9 +6,10 @@
 namespace touchline {
 namespace {
 
-constexpr double listen_s = 3.0;     // of a step's words, before a rest counts
-constexpr double rest_s = 1.0;       // of stillness
-constexpr double patience_s = 30.0;  // without a motion: say the step again
+constexpr double listen_s = 3.0;         // of a step's words, before a rest counts
+constexpr double rest_s = 1.0;           // of stillness
+constexpr double patience_s = 30.0;      // without a motion: say the step again
+constexpr double longest_wait_s = 60.0;  // for a rest of a hand that moves: say the step again
 constexpr double longest_silence_s = 0.5;
 constexpr double fit_m = 3e-3;  // of the elbows, between where they read and must be
 constexpr double stops_apart_m =
@@ -22,20 +23,9 @@ constexpr int most_reversals = 3;
 constexpr double beyond_m = 2e-3;  // past a stop
 constexpr double beyond_s = 0.3;
 
-// Counts that units are known to make, of those that their kind does: as many, 4096 for 4880, and
-// twice that by a decoder that sees each edge. Each to 6.5 per cent, as users' programs correct it.
-constexpr double known_scales[]{1.0, 4880.0 / 4096.0, 0.5, 0.5 * 4880.0 / 4096.0};
-constexpr double scale_tolerance = 0.065;
-
-bool is_known_scale(double scale) {
-    return std::ranges::any_of(known_scales, [scale](double known) {
-        return std::abs(scale / known - 1.0) <= scale_tolerance;
-    });
-}
-
 // Encoders do not differ from each other; where the two joints do, a stop stands elsewhere.
 double scale_of(JointAngles wanted, JointAngles turn) {
-    return (std::abs(wanted.x) + std::abs(wanted.y)) / (std::abs(turn.x) + std::abs(turn.y));
+    return turn_of_both_rad(wanted) / turn_of_both_rad(turn);
 }
 
 // The two stops alone cannot tell a linkage from its mirror image.
@@ -53,8 +43,12 @@ JointAngles resting_band(const HomingPlan& plan) {
 
 HomingPlan homing_plan(const DeviceProfile& profile, JointAngles stop_off) {
     const bool is_home_stretched = profile.home_place == StopPlace::towards;
-    HomingPlan plan{profile.home, profile.check.angles, profile.geometry.proximal_m,
-                    encoder_quantum(profile), is_home_stretched};
+    HomingPlan plan{profile.home,
+                    profile.check.angles,
+                    profile.geometry.proximal_m,
+                    encoder_quantum(profile),
+                    is_home_stretched,
+                    known_units(profile)};
     (is_home_stretched ? plan.check : plan.home) += stop_off;
     return plan;
 }
@@ -83,6 +77,11 @@ JointAngles Homing::wanted_turn() const {
     return plan_.check - plan_.home + sign * calibration_.stop_off;
 }
 
+void Homing::advance(HomingStep step) {
+    misses_ = 0;
+    go(step, HomingRemark::none);
+}
+
 void Homing::go(HomingStep step, HomingRemark remark) {
     view_.step = step;
     view_.remark = remark;
@@ -102,6 +101,7 @@ HomingView Homing::step(const std::optional<JointAngles>& read, double dt_s) {
     if (view_.remark == HomingRemark::silent) go(view_.step, HomingRemark::none);
     watch(*read, dt_s);
     if (since_s_ >= patience_s && !has_left_) lose_patience();
+    if (since_s_ >= longest_wait_s) say_again();
     // Nobody who has not moved since the words began has understood them.
     if (!has_left_) return view_;
     view_.held = std::min(1.0, stillness_.still_s() / rest_s);
@@ -134,6 +134,13 @@ void Homing::lose_patience() {
     go(view_.step, HomingRemark::not_moved);
 }
 
+/// Where the hand has come to meanwhile stays good.
+void Homing::say_again() {
+    view_.remark = HomingRemark::none;
+    ++view_.prompts;
+    since_s_ = 0.0;
+}
+
 void Homing::rest(JointAngles read) {
     switch (view_.step) {
         case HomingStep::to_home:
@@ -146,6 +153,8 @@ void Homing::rest(JointAngles read) {
             return rest_at_home_again(read);
         case HomingStep::to_check_again:
             return rest_at_check_again(read);
+        case HomingStep::to_answer:
+            return rest_at_answer(read);
         case HomingStep::done:
             return;
     }
@@ -156,45 +165,42 @@ void Homing::rest_at_home(JointAngles read) {
     go(HomingStep::to_check, HomingRemark::none);
 }
 
-double Homing::misfit_m(JointAngles turn) const {
-    const double scale = calibration_.is_measured ? calibration_.scale : 1.0;
-    const JointAngles size{scale * std::abs(turn.x), scale * std::abs(turn.y)};
-    const JointAngles wanted = wanted_turn();
-    return elbow_m({size.x - std::abs(wanted.x), size.y - std::abs(wanted.y)});
-}
-
-/// Encoders with which the turn is that from stop to stop, on the ports where they were found, else
-/// on their own; nothing where no scale makes it that.
-std::optional<Plugs> Homing::plugs_that_fit(JointAngles turn) const {
+Homing::Fit Homing::fit_of(JointAngles turn) const {
     const bool are_swapped = calibration_.encoders.are_swapped;
     const JointAngles at = at_joints({are_swapped, false, false}, turn);
     const JointAngles wanted = wanted_turn();
+    const auto apart_m = [&](double scale) {
+        return elbow_m({scale * std::abs(at.x) - std::abs(wanted.x),
+                        scale * std::abs(at.y) - std::abs(wanted.y)});
+    };
     const bool is_known = calibration_.is_measured;
     const double scale = is_known ? calibration_.scale : scale_of(wanted, at);
-    const JointAngles apart{scale * std::abs(at.x) - std::abs(wanted.x),
-                            scale * std::abs(at.y) - std::abs(wanted.y)};
-    if (!is_known && !is_known_scale(scale)) return std::nullopt;
-    if (!(elbow_m(apart) <= (is_known ? fit_m : stops_apart_m))) return std::nullopt;
-    return Plugs{are_swapped, at.x * wanted.x < 0.0, at.y * wanted.y < 0.0};
+    return {Plugs{are_swapped, at.x * wanted.x < 0.0, at.y * wanted.y < 0.0}, scale, apart_m(scale),
+            apart_m(is_known ? scale : 1.0)};
+}
+
+bool Homing::does_fit(const Fit& fit, JointAngles turn) const {
+    if (calibration_.is_measured) return fit.apart_m <= fit_m;
+    return fit.apart_m <= stops_apart_m && is_of_kind(plan_.known, turn);
 }
 
 void Homing::rest_at_check(JointAngles read) {
     const JointAngles turn = read - read_at_home_;
+    const Fit fit = fit_of(turn);
     read_at_check_ = read;
-    view_.misfit_m = misfit_m(turn);
     view_.turn_share = 1.0 / scale_of(wanted_turn(), turn);
-    const auto fitting = plugs_that_fit(turn);
-    if (!fitting) return miss(view_.misfit_m);
-    if (calibration_.is_measured) return check_known(*fitting);
-    encoders_ = *fitting;
-    go(HomingStep::to_left, HomingRemark::none);
+    if (!does_fit(fit, turn)) return miss(fit.misfit_m);
+    view_.misfit_m = fit.misfit_m;
+    scale_ = fit.scale;
+    if (calibration_.is_measured) return check_known(fit.encoders);
+    encoders_ = fit.encoders;
+    advance(HomingStep::to_left);
 }
 
 /// Plugs that were changed read as the two stops do when they are visited in the wrong order. So it
 /// must come again and again before the unit is measured anew.
 void Homing::check_known(const Plugs& fitting) {
-    const Plugs& known = calibration_.encoders;
-    if (fitting == (known.are_swapped ? mirrored(known) : known)) return finish(HomingRemark::none);
+    if (fitting == calibration_.encoders) return finish(HomingRemark::none);
     if (++reversals_ < most_reversals) return go(HomingStep::to_home, HomingRemark::reversed);
     calibration_.is_measured = false;
     calibration_.encoders = {};
@@ -202,33 +208,56 @@ void Homing::check_known(const Plugs& fitting) {
     go(HomingStep::to_home, HomingRemark::replugged);
 }
 
-/// To the left both joints turn down, and up in the mirror image. What is otherwise than the
-/// profile has it could be the stops in the wrong order: it must come twice.
-void Homing::rest_at_left(JointAngles read) {
-    const JointAngles turn = at_joints(encoders_, read - read_at_check_);
+/// To the left both joints turn down. Nothing where the handle is neither to the left nor to the
+/// right.
+std::optional<bool> Homing::is_left(JointAngles read) const {
+    const JointAngles turn = scale_ * at_joints(encoders_, read - read_at_check_);
     const double aside = 0.5 * (turn.x + turn.y);
     const double apart = 0.5 * (turn.x - turn.y);
-    if (!(elbow_m({aside, aside}) >= aside_m && std::abs(aside) >= least_aside * std::abs(apart)))
-        return go(HomingStep::to_left, HomingRemark::not_left);
-    if (aside > 0.0) encoders_ = mirrored(encoders_);
+    const bool is_aside =
+        elbow_m({aside, aside}) >= aside_m && std::abs(aside) >= least_aside * std::abs(apart);
+    return is_aside ? std::optional(aside < 0.0) : std::nullopt;
+}
+
+/// In the mirror image the left is the right. What is otherwise than the profile has it could be
+/// the stops in the wrong order: it must come twice.
+void Homing::rest_at_left(JointAngles read) {
+    const auto is_to_left = is_left(read);
+    if (!is_to_left) return go(HomingStep::to_left, HomingRemark::not_left);
+    if (!*is_to_left) encoders_ = mirrored(encoders_);
     const bool is_usual = encoders_ == Plugs{};
-    if (is_usual || seen_ == encoders_) return go(HomingStep::to_home_again, HomingRemark::none);
+    if (is_usual || seen_ == encoders_) return advance(HomingStep::to_home_again);
     seen_ = encoders_;
     go(HomingStep::to_home, HomingRemark::reversed);
 }
 
 void Homing::rest_at_home_again(JointAngles read) {
-    const double misfit_m = elbow_m(read - read_at_home_);
+    const double misfit_m = scale_ * elbow_m(read - read_at_home_);
     if (!(misfit_m <= same_place_m)) return miss(misfit_m);
-    go(HomingStep::to_check_again, HomingRemark::none);
+    advance(HomingStep::to_check_again);
 }
 
 /// The same place twice: a stop, and not where a hand happened to pause.
 void Homing::rest_at_check_again(JointAngles read) {
-    const double misfit_m = elbow_m(read - read_at_check_);
+    const double misfit_m = scale_ * elbow_m(read - read_at_check_);
+    const JointAngles turn = read - read_at_home_;
     if (!(misfit_m <= same_place_m)) return miss(misfit_m);
+    if (!does_fit(fit_of(turn), turn)) return go(HomingStep::to_home, HomingRemark::no_such_scale);
     read_at_check_ = read;
-    const JointAngles turn = at_joints(encoders_, read - read_at_home_);
+    if (needs_an_answer(plan_.known, turn)) return advance(HomingStep::to_answer);
+    measure();
+}
+
+/// A hand that rests anywhere else is still feeling.
+void Homing::rest_at_answer(JointAngles read) {
+    const auto is_yes = is_left(read);
+    if (!is_yes) return;
+    if (*is_yes == are_own_straight(plan_.known)) return measure();
+    go(HomingStep::to_home, HomingRemark::other_kind);
+}
+
+void Homing::measure() {
+    const JointAngles turn = at_joints(encoders_, read_at_check_ - read_at_home_);
     const JointAngles wanted = plan_.check - plan_.home;
     calibration_.scale = scale_of(wanted, turn);
     calibration_.encoders = encoders_;
@@ -256,7 +285,9 @@ void Homing::miss(double misfit_m) {
     ++misses_;
     if (misses_ < largest_misses) return go(view_.step, HomingRemark::misfit);
     misses_ = 0;
-    go(HomingStep::to_home, HomingRemark::starting_over);
+    const bool is_scale_unknown = view_.step == HomingStep::to_check && !calibration_.is_measured;
+    go(HomingStep::to_home,
+       is_scale_unknown ? HomingRemark::no_such_scale : HomingRemark::starting_over);
 }
 
 bool DriftWatch::step(JointAngles angles, double dt_s) {

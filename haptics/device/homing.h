@@ -3,18 +3,21 @@
 // and rests; goes to a second stop and rests; if the arms read there what they must, force may
 // come. A unit that is homed for the first time is measured: from the second stop the hand also
 // goes to the left, which tells a linkage from its mirror image, and the two stops are visited
-// twice. No force acts meanwhile. Words for each step are the program's business. Source: users'
-// reports of Haply devices (wrong home poses, swapped plugs, encoders that turn the other way,
-// scales off by per cent and by a fifth). Threads: plain values, one thread.
+// twice; where a unit of another kind would read alike, a question that is answered with the handle
+// tells them apart. No force acts meanwhile. Words for each step are the program's business.
+// Source: users' reports of Haply devices (wrong home poses, swapped plugs, encoders that turn the
+// other way, scales off by per cent and by a fifth). Threads: plain values, one thread.
 #pragma once
 
 #include "config/types/calibration.h"
 #include "config/types/vec2.h"
+#include "haptics/device/known_units.h"
 #include "haptics/device/stillness.h"
 #include "haptics/pantograph/profile.h"
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace touchline {
 
@@ -24,7 +27,10 @@ struct HomingPlan {
     JointAngles check;    // rad
     double arm_m = 0.0;   // motor axis to elbow, > 0: misfits are told as motion of the elbow
     JointAngles quantum;  // rad, of one encoder count
-    bool is_home_stretched = false;  // arms towards the person: alike on all units; else check is
+    // true: the home stop is the one with the arms stretched, which is alike on all units;
+    // false: the check stop is
+    bool is_home_stretched = false;
+    std::vector<KnownUnits> known;  // of this kind, and others of the same links
 };
 
 /// As the profile has them, or as the unit does whose `stop_off` is given (rad).
@@ -36,6 +42,7 @@ enum class HomingStep : std::uint8_t {
     to_left,         // unit measured: "now to the left"
     to_home_again,   // "once more home"
     to_check_again,  // "and once more to the other stop"
+    to_answer,       // whether bent arms lie in one line: yes to the left, no to the right
     done,
 };
 
@@ -46,7 +53,9 @@ enum class HomingRemark : std::uint8_t {
     not_moved,      // half a minute where it was when the words began
     misfit,         // still, but not where the stop must be; move on to it
     not_left,       // still, but neither to the left nor to the right of the stop
-    starting_over,  // it did not fit three times: perhaps the kind of the unit is another
+    starting_over,  // it did not fit three times
+    no_such_scale,  // the same, for no unit of this kind turns so far: perhaps it is of another
+    other_kind,     // the answer was that of another kind
     lost_count,     // of the encoders: what was found is worth nothing
     reversed,       // the stops came the wrong way round, or the plugs are otherwise: once more
     replugged,      // a known unit answers otherwise than it did: it is measured anew
@@ -82,8 +91,17 @@ class Homing {
     [[nodiscard]] const Calibration& calibration() const { return calibration_; }
 
   private:
+    /// How a turn from stop to stop reads as that which it must be.
+    struct Fit {
+        Plugs encoders;         // on the ports where they were found, else on their own
+        double scale = 1.0;     // that of the unit, else the one that makes it fit
+        double apart_m = 0.0;   // of the elbows, with that scale
+        double misfit_m = 0.0;  // with that of the unit, else the kind's
+    };
+
     void miss_reading(double dt_s);
     void watch(JointAngles read, double dt_s);
+    void say_again();
     void lose_patience();
     void rest(JointAngles read);
     void rest_at_home(JointAngles read);
@@ -92,19 +110,24 @@ class Homing {
     void rest_at_left(JointAngles read);
     void rest_at_home_again(JointAngles read);
     void rest_at_check_again(JointAngles read);
+    void rest_at_answer(JointAngles read);
+    void measure();
+    void advance(HomingStep step);
     void go(HomingStep step, HomingRemark remark);
     void miss(double misfit_m);
     void finish(HomingRemark remark);
     [[nodiscard]] double elbow_m(JointAngles turn) const;
     [[nodiscard]] JointAngles wanted_turn() const;
-    [[nodiscard]] double misfit_m(JointAngles turn) const;
-    [[nodiscard]] std::optional<Plugs> plugs_that_fit(JointAngles turn) const;
+    [[nodiscard]] Fit fit_of(JointAngles turn) const;
+    [[nodiscard]] bool does_fit(const Fit& fit, JointAngles turn) const;
+    [[nodiscard]] std::optional<bool> is_left(JointAngles read) const;
 
     HomingPlan plan_;
     Calibration calibration_;
     JointAngles read_at_home_;
     JointAngles read_at_check_;
     Plugs encoders_;             // as they seem in this round
+    double scale_ = 1.0;         // likewise
     std::optional<Plugs> seen_;  // what was otherwise than the profile in the round before
     Stillness stillness_;
     JointAngles prompted_at_;
@@ -113,7 +136,7 @@ class Homing {
     double since_s_ = 0.0;     // these words
     double silent_s_ = 0.0;
     int misses_ = 0;
-    int reversals_ = 0;  // of a known unit, in a row
+    int reversals_ = 0;  // of a known unit, until it fits or is measured anew
     HomingView view_;
 };
 

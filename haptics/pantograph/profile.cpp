@@ -67,7 +67,8 @@ constexpr DeviceProfile gen31{"2diy-gen3.1",
                               gen3_wiring,
                               StopPlace::away,
                               CheckStop{gen3_extended, StopPlace::towards},
-                              std::nullopt};
+                              std::nullopt,
+                              4096.0 / m0_told_per_count};
 
 constexpr DeviceProfile gen2{"2diy-gen2",
                              gen2_links,

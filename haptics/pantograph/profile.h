@@ -77,6 +77,7 @@ struct DeviceProfile {
     StopPlace home_place = StopPlace::away;
     CheckStop check;
     std::optional<TurningHandle> handle;  // nothing: it does not turn
+    double other_counts_per_turn = 0.0;   // with which units of this kind are found too; 0: none
 };
 
 /// 2diy-gen3.1 (the default), the same stopped at 172/8 and 180/0 degrees, 2diy-gen3, 2diy-gen2,

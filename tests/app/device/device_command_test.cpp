@@ -46,6 +46,44 @@ class Lines final : public std::streambuf {
     std::string line_;
 };
 
+/// A board, and a person at its handle who hears what a command says.
+struct Visit {
+    Visit(MockedUsb& usb, BoardTruth truth)
+        : person(std::make_shared<Person>(truth.profile)), board(usb, firm(truth), 1, person) {}
+
+    static BoardTruth firm(BoardTruth truth) {
+        truth.hand = stiff_arm;
+        return truth;
+    }
+
+    Result<void> run(DeviceAction action) {
+        std::atomic<bool> is_over{false};
+        // Lets go where the words say so, and takes the handle again for the next ones.
+        std::thread hand([&] {
+            for (; !is_over; std::this_thread::sleep_for(std::chrono::milliseconds(5)))
+                board.with([&](BoardEmulator& emulator, UsbFaults&) {
+                    const bool holds = person->holds(emulator.now_s());
+                    if (std::exchange(is_held, holds) != holds)
+                        emulator.grip(holds ? stiff_arm : no_hand);
+                });
+        });
+        Lines lines([&](const std::string& line) {
+            double now_s = 0.0;
+            board.with([&](BoardEmulator& emulator, UsbFaults&) { now_s = emulator.now_s(); });
+            person->hear(line, now_s);
+        });
+        std::ostream out(&lines);
+        const auto ended = run_device({action, "", std::string(default_profile().name)}, out);
+        is_over = true;
+        hand.join();
+        return ended;
+    }
+
+    std::shared_ptr<Person> person;
+    MockedBoard board;
+    bool is_held = true;
+};
+
 class DeviceCommand : public testing::Test {
   protected:
     DeviceCommand() {
@@ -69,12 +107,6 @@ class DeviceCommand : public testing::Test {
 
     static bool asks_for_another_try(const Error& error) {
         return error.line.find("held or moved") != std::string::npos;
-    }
-
-    static BoardTruth let_go() {
-        BoardTruth truth;
-        truth.hand = no_hand;
-        return truth;
     }
 
     MockedUsb usb_;
@@ -114,20 +146,26 @@ TEST_F(DeviceCommand, StopNeedsNoSoundFileOfUnits) {
     EXPECT_TRUE(run(DeviceAction::stop).has_value());
 }
 
-TEST_F(DeviceCommand, NudgeTellsWhetherTheMotorsHavePower) {
-    MockedBoard board(usb_, let_go(), 1, std::make_shared<Person>(default_profile()));
-    board.with([](BoardEmulator& emulator, UsbFaults&) { emulator.switch_motors(false); });
-    const auto without = run(DeviceAction::nudge);
+TEST_F(DeviceCommand, NudgeHomesAKnownUnitAndTellsWhetherTheMotorsHavePower) {
+    Visit visit(usb_, {});
+    EXPECT_NE(visit.run(DeviceAction::nudge).error().line.find("Home the handle first"),
+              std::string::npos);
+    UnitSettings known{BoardTruth{}.serial, std::string(default_profile().name), {}};
+    known.calibration.is_measured = true;
+    ASSERT_TRUE(keep_unit(board_files(), known).has_value());
+    visit.board.with([](BoardEmulator& emulator, UsbFaults&) { emulator.switch_motors(false); });
+    const auto without = visit.run(DeviceAction::nudge);
     ASSERT_FALSE(without.has_value());
-    EXPECT_NE(without.error().line.find("power of the motors"), std::string::npos);
-    EXPECT_EQ(held(board), JointTorques{});
-    board.with([](BoardEmulator& emulator, UsbFaults&) { emulator.switch_motors(true); });
+    EXPECT_NE(without.error().line.find("power of the motors"), std::string::npos)
+        << without.error().line;
+    EXPECT_EQ(held(visit.board), JointTorques{});
+    visit.board.with([](BoardEmulator& emulator, UsbFaults&) { emulator.switch_motors(true); });
     // A late tick lets a pulse throw the free handle; the words then ask for another try.
-    auto with = run(DeviceAction::nudge);
+    auto with = visit.run(DeviceAction::nudge);
     for (int tries = 1; tries < 10 && !with && asks_for_another_try(with.error()); ++tries)
-        with = run(DeviceAction::nudge);
+        with = visit.run(DeviceAction::nudge);
     EXPECT_TRUE(with.has_value()) << with.error().line;
-    EXPECT_EQ(held(board), JointTorques{});
+    EXPECT_EQ(held(visit.board), JointTorques{});
 }
 
 TEST_F(DeviceCommand, TheKindOfANewUnitIsAskedAndNotAssumed) {
@@ -143,45 +181,24 @@ TEST_F(DeviceCommand, TheKindOfANewUnitIsAskedAndNotAssumed) {
 
 /// What is stored of it is wrong, and would never fit.
 TEST_F(DeviceCommand, HomeOfANamedKindMeasuresAnewAndKeepsWhatItFound) {
-    const auto person = std::make_shared<Person>(default_profile());
     BoardTruth truth;
+    truth.scale_error = {0.015, 0.015};
     UnitSettings stored{truth.serial, "2diy-gen3.1", {}};
     stored.calibration = {{}, {}, 0.5, {}, {}, true, false, 0.1};
     ASSERT_TRUE(keep_unit(board_files(), stored).has_value());
-    truth.scale_error = {0.04, 0.04};
-    truth.hand = stiff_arm;
-    MockedBoard board(usb_, truth, 1, person);
-    std::atomic<bool> is_over{false};
-    // Lets go where the words say so, and takes the handle again for the next ones.
-    std::thread hand([&] {
-        for (bool was_held = true; !is_over;
-             std::this_thread::sleep_for(std::chrono::milliseconds(5)))
-            board.with([&](BoardEmulator& emulator, UsbFaults&) {
-                const bool is_held = person->holds(emulator.now_s());
-                if (std::exchange(was_held, is_held) != is_held)
-                    emulator.grip(is_held ? stiff_arm : no_hand);
-            });
-    });
-    Lines lines([&](const std::string& line) {
-        double now_s = 0.0;
-        board.with([&](BoardEmulator& emulator, UsbFaults&) { now_s = emulator.now_s(); });
-        person->hear(line, now_s);
-    });
-    std::ostream out(&lines);
-    const auto homed = run_device({DeviceAction::home, "", "2diy-gen3.1"}, out);
-    is_over = true;
-    hand.join();
+    Visit visit(usb_, truth);
+    const auto homed = visit.run(DeviceAction::home);
     ASSERT_TRUE(homed.has_value()) << homed.error().line;
     const auto settings = read_board_files(board_files());
     ASSERT_TRUE(settings.has_value());
     const UnitSettings* unit = find_unit(*settings, truth.serial);
     ASSERT_NE(unit, nullptr);
-    EXPECT_NEAR(unit->calibration.scale, 1.0 / 1.04, 0.01);
+    EXPECT_NEAR(unit->calibration.scale, 1.0 / 1.015, 0.006);
     EXPECT_TRUE(unit->calibration.is_measured);
     EXPECT_EQ(unit->calibration.torque_limit_Nm, 0.1);
     EXPECT_EQ(unit->calibration.motors, Plugs{});
-    EXPECT_NE(person->heard.back().find("kept in"), std::string::npos);
-    EXPECT_EQ(held(board), JointTorques{});
+    EXPECT_NE(visit.person->heard.back().find("kept in"), std::string::npos);
+    EXPECT_EQ(held(visit.board), JointTorques{});
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ class Person final : public IntendedPath {
         : home_(place(unit, unit.home)),
           check_(place(unit, unit.check.angles)),
           home_place_(unit.home_place),
-          check_place_(unit.check.place) {
+          check_place_(unit.check.place),
+          is_bent_straight_(is_straight(unit)) {
         from_ = to_ = 0.5 * (home_ + check_);
     }
 
@@ -34,6 +35,8 @@ class Person final : public IntendedPath {
         if (is_said("towards you")) to = stop(StopPlace::towards);
         if (is_said("out to the sides")) to = stop(StopPlace::sideways);
         if (is_said("to the left")) to = takes_right_for_left_ ? right : left;
+        if (is_said("one straight line"))
+            to = is_bent_straight_ == takes_right_for_left_ ? right : left;
         if (is_said("middle")) to = {};
         go(to, now_s);
         const std::lock_guard lock(mutex_);
@@ -82,6 +85,12 @@ class Person final : public IntendedPath {
         return picture_from_device(unit, pose ? pose->p_DH : out);
     }
 
+    /// The bent arms, at their stop, as fingers feel them.
+    static bool is_straight(const DeviceProfile& unit) {
+        const bool is_home = unit.home_place != StopPlace::towards;
+        return (is_home ? unit.home : unit.check.angles).x > 3.09;
+    }
+
     [[nodiscard]] Position stop(StopPlace place) const {
         return place == home_place_ ? home_ : place == check_place_ ? check_ : to_;
     }
@@ -89,6 +98,7 @@ class Person final : public IntendedPath {
     mutable std::mutex mutex_;
     Position home_, check_, from_, to_;
     StopPlace home_place_, check_place_;
+    bool is_bent_straight_;
     double since_s_ = 0.0;
     bool lets_go_ = false;
     bool takes_right_for_left_ = false;

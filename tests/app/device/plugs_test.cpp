@@ -92,14 +92,14 @@ BoardTruth plugged(const Wires& wires) {
 /// Motors by encoders, each on its own ports or the other's, each joint this way round or that.
 class Plugged : public testing::TestWithParam<Wires> {
   protected:
-    /// Whether it became ready. Nothing but nudges was told until then.
-    static bool becomes_ready(DeviceVisit& visit, const Calibration& stored) {
-        visit.end_s = 200.0;
+    /// What it is, once it became ready. Nothing but nudges was told until then.
+    static std::optional<Calibration> made_ready(DeviceVisit& visit, const Calibration& stored) {
+        visit.end_s = visit.rig.time.now_s + 250.0;
         EXPECT_TRUE(visit.rig.driver->open().has_value());
         const auto ready = make_ready(visit.procedure(), stored);
         EXPECT_LE(most_told_Nm(visit.rig.board), nudge_Nm);
         EXPECT_EQ(visit.rig.held(), JointTorques{});
-        return ready.has_value();
+        return ready ? std::optional(*ready) : std::nullopt;
     }
 
     static void expect_a_wall(DeviceVisit& visit) {
@@ -116,7 +116,15 @@ class Replugged : public Plugged {};
 
 TEST_P(NewlyPlugged, AUnitEndsRight) {
     DeviceVisit visit(plugged(GetParam()));
-    ASSERT_TRUE(becomes_ready(visit, {})) << visit.person->heard.back();
+    const auto unit = made_ready(visit, {});
+    ASSERT_TRUE(unit.has_value()) << visit.person->heard.back();
+    // From then on it is known.
+    visit.rig.connect({}, *unit);
+    visit.person->go({}, visit.rig.time.now_s);
+    visit.person->heard.clear();
+    ASSERT_TRUE(made_ready(visit, *unit).has_value()) << visit.person->heard.back();
+    EXPECT_FALSE(visit.was_heard("wrong order"));
+    EXPECT_FALSE(visit.was_heard("measured"));
     expect_a_wall(visit);
 }
 
@@ -126,7 +134,7 @@ TEST_P(Replugged, AKnownUnitEndsRightOrIsRefused) {
     Calibration stored;
     stored.is_measured = true;
     DeviceVisit visit(plugged(GetParam()), stored);
-    const bool is_ready = becomes_ready(visit, stored);
+    const bool is_ready = made_ready(visit, stored).has_value();
     if (is_ready) expect_a_wall(visit);
     // All exchanged and turned round is the mirror image, which two stops do not tell from itself.
     const bool is_unseen = GetParam().encoders == 0 || GetParam().encoders == 7;
@@ -140,16 +148,17 @@ INSTANTIATE_TEST_SUITE_P(Every, NewlyPlugged,
 // Ports as usual or exchanged, both motors this way round or that, both encoders likewise.
 INSTANTIATE_TEST_SUITE_P(Sixteen, Replugged, testing::ValuesIn(wires_of({0, 1, 6, 7})));
 
-/// A person who takes the right for the left is found out by the order being asked for again, or
-/// has a picture that is mirrored; the force is right all the same.
+/// A person who takes the right for the left both times has a picture that is mirrored; the force
+/// is right all the same.
 TEST(PluggedAsUsual, WhoTakesRightForLeftIsNotPushedOn) {
     DeviceVisit visit(plugged({}));
     visit.person->mistake_left();
-    visit.end_s = 200.0;
+    visit.end_s = 250.0;
     ASSERT_TRUE(visit.rig.driver->open().has_value());
     const auto ready = make_ready(visit.procedure(), {});
     EXPECT_TRUE(visit.was_heard("wrong order"));
-    if (!ready) return;
+    ASSERT_TRUE(ready.has_value()) << visit.person->heard.back();
+    EXPECT_EQ(number_of(ready->encoders), 7U);
     const Pressed pressed = press(visit);
     EXPECT_LT(pressed.most_on_N, 0.1);
 }

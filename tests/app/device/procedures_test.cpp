@@ -37,7 +37,7 @@ TEST(Procedures, HomingPutsRightABoardThatWasSetUpInTheMiddle) {
 
 TEST(Procedures, HomingMeasuresAScaleThatIsOffByPerCent) {
     BoardTruth truth;
-    truth.scale_error = {0.05, 0.05};
+    truth.scale_error = {-0.02, -0.02};
     truth.hand = stiff_arm;
     DeviceVisit visit(truth);
     ASSERT_TRUE(visit.rig.driver->open().has_value());
@@ -45,9 +45,9 @@ TEST(Procedures, HomingMeasuresAScaleThatIsOffByPerCent) {
     ASSERT_TRUE(homed.has_value());
     EXPECT_TRUE(homed->is_new);
     EXPECT_TRUE(homed->unit.is_measured);
-    EXPECT_NEAR(homed->unit.scale, 1.0 / 1.05, 0.006);
+    EXPECT_NEAR(homed->unit.scale, 1.0 / 0.98, 0.006);
     EXPECT_TRUE(visit.was_heard("to the left"));
-    EXPECT_TRUE(visit.was_heard("measured"));
+    EXPECT_NE(homed->words.find("has been measured"), std::string::npos);
     visit.rig.tick_for(0.1, {});
     EXPECT_LT(worst_angle_rad(visit), 0.01);
 }
@@ -77,10 +77,10 @@ TEST(Procedures, HomingEndsWhenStoppedUnpluggedOrOutOfTime) {
 TEST(Procedures, TheNudgeTestSeesPowerAndItsOwnEnd) {
     const auto verdict_of = [](bool has_power) {
         BoardTruth truth;
-        truth.hand = no_hand;
         truth.have_motors_power = has_power;
         DeviceVisit visit(truth);
         EXPECT_TRUE(visit.rig.driver->open().has_value());
+        EXPECT_TRUE(home(visit.procedure(), measured()).has_value());
         const auto tried = nudge(visit.procedure());
         EXPECT_EQ(visit.rig.held(), JointTorques{});
         return tried.value().verdict();
@@ -133,6 +133,72 @@ TEST(Procedures, NoForceComesWhileTheMotorsHaveNoPowerAndThenItDoes) {
     ASSERT_TRUE(unit.has_value());
     EXPECT_GT(visit.rig.time.now_s, 60.0);
     EXPECT_TRUE(visit.was_heard("power of the motors"));
+}
+
+/// Homed, with the hand at the second stop from then on, whatever is said.
+struct Homebody {
+    explicit Homebody(bool have_motors_power = true) : visit(truth(have_motors_power)) {
+        EXPECT_TRUE(visit.rig.driver->open().has_value());
+        EXPECT_TRUE(home(visit.procedure(), measured()).has_value());
+        visit.person->heard.clear();
+    }
+
+    static BoardTruth truth(bool have_motors_power) {
+        BoardTruth truth;
+        truth.have_motors_power = have_motors_power;
+        return truth;
+    }
+
+    /// As long as it may take; what is said is not done.
+    Procedure deaf(double longest_s) {
+        Procedure procedure = visit.procedure();
+        procedure.longest_s = longest_s;
+        procedure.say = [this](const std::string& words) { visit.person->heard.push_back(words); };
+        return procedure;
+    }
+
+    [[nodiscard]] bool was_torque_told() const {
+        const auto& told = visit.rig.board.told_torques();
+        return std::any_of(told.begin(), told.end(), [](const TorqueChange& change) {
+            return change.torques != JointTorques{};
+        });
+    }
+
+    DeviceVisit visit;
+};
+
+TEST(Procedures, NoMotorIsTriedOutsideTheMiddleHoweverLongItTakes) {
+    for (const double longest_s : {1.0, 3.0, 7.0}) {
+        Homebody body;
+        const auto tried = try_motors(body.deaf(longest_s), true);
+        ASSERT_FALSE(tried.has_value());
+        EXPECT_NE(tried.error().line.find("too long"), std::string::npos) << tried.error().line;
+        EXPECT_FALSE(body.was_torque_told());
+    }
+}
+
+TEST(Procedures, WhoMissesTheMiddleHearsSoAgainAndAgainInOtherWords) {
+    Homebody body;
+    EXPECT_FALSE(try_motors(body.deaf(90.0), false).has_value());
+    const auto& heard = body.visit.person->heard;
+    EXPECT_TRUE(body.visit.was_heard("not in the middle yet"));
+    EXPECT_GE(heard.size(), 5U);
+    EXPECT_EQ(std::adjacent_find(heard.begin(), heard.end()), heard.end());
+    EXPECT_FALSE(body.was_torque_told());
+}
+
+TEST(Procedures, MotorsWithoutPowerAreTriedNoLongerThanItMayTake) {
+    Homebody body(false);
+    Procedure procedure = body.visit.procedure();
+    procedure.longest_s = 40.0;
+    const double began_s = body.visit.rig.time.now_s;
+    body.visit.end_s = began_s + 200.0;
+    const auto tried = try_motors(procedure, false);
+    ASSERT_FALSE(tried.has_value());
+    EXPECT_NE(tried.error().line.find("too long"), std::string::npos) << tried.error().line;
+    EXPECT_NEAR(body.visit.rig.time.now_s - began_s, 40.0, 1.0);
+    const auto& heard = body.visit.person->heard;
+    EXPECT_EQ(std::adjacent_find(heard.begin(), heard.end()), heard.end());
 }
 
 /// What the hand does with the handle decides nothing: it is asked to let go, for ever.

@@ -122,21 +122,60 @@ TEST_P(Unit, BecomesReadyWithTheTipWithinAMillimetre) {
 INSTANTIATE_TEST_SUITE_P(Field, Unit, testing::ValuesIn(field_units()),
                          [](const auto& made) { return made.param.name; });
 
-/// Two stops cannot tell a stop that stands elsewhere from an encoder that counts otherwise; where
-/// no count that units are known for makes it fit, that is said.
-TEST(WrongKind, IsSaidWhereNoKnownCountMakesItFit) {
-    const DeviceProfile kind = find_profile("2diy-gen3.1").value();
-    DeviceVisit visit(truth_of({"", "2diy-gen3.1-180", {180.0, 0.0}}), {}, &kind);
-    visit.end_s = 250.0;
-    ASSERT_TRUE(visit.rig.driver->open().has_value());
-    EXPECT_FALSE(make_ready(visit.procedure(), {}).has_value());
-    EXPECT_TRUE(visit.was_heard("117 percent"));
-    EXPECT_TRUE(visit.was_heard("another kind"));
-    EXPECT_EQ(visit.rig.board.told_torques().back().torques, JointTorques{});
+/// A unit, taken for another kind than it is.
+struct Taken {
+    FieldUnit unit;
+    std::string kind;
+};
+
+void PrintTo(const Taken& taken, std::ostream* out) {
+    *out << taken.unit.name << " as " << taken.kind;
 }
 
-TEST(HighFriction, OfAGen2LeavesTheMotorsToBeTried) {
-    BoardTruth truth = truth_of({"", "2diy-gen2", {241.0, -61.0}});
+std::vector<Taken> wrongly_taken() {
+    std::vector<Taken> all;
+    for (const FieldUnit& unit : field_units())
+        for (const DeviceProfile& kind : device_profiles())
+            if (kind.name != unit.kind) all.push_back({unit, std::string(kind.name)});
+    return all;
+}
+
+/// The two gen 2 are a degree apart at the stop, which is less than can be read where their arms
+/// lie stretched.
+double allowed_m(const Taken& taken) {
+    return taken.unit.kind.starts_with("2diy-gen2") ? 1.25e-3 : 1e-3;
+}
+
+class WrongKind : public testing::TestWithParam<Taken> {};
+
+/// Two stops cannot tell a stop that stands elsewhere from an encoder that counts otherwise.
+TEST_P(WrongKind, IsSaidOrTheTipIsWithinAMillimetreAllTheSame) {
+    const DeviceProfile kind = find_profile(GetParam().kind).value();
+    DeviceVisit visit(truth_of(GetParam().unit), {}, &kind);
+    if (!visit.rig.driver->open()) return;  // a board that this kind has not
+    Procedure procedure = visit.procedure();
+    const auto is_said = [&] {
+        return visit.was_heard("of another kind") || visit.was_heard("has not moved");
+    };
+    procedure.goes_on = [&] { return visit.rig.time.now_s < 250.0 && !is_said(); };
+    if (make_ready(procedure, {})) {
+        EXPECT_LT(worst_tip_off_m(visit), allowed_m(GetParam()));
+        return;
+    }
+    EXPECT_TRUE(is_said()) << visit.person->heard.back();
+    for (const TorqueChange& change : visit.rig.board.told_torques())
+        EXPECT_EQ(change.torques, JointTorques{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, WrongKind, testing::ValuesIn(wrongly_taken()));
+
+class HighFriction : public testing::TestWithParam<const char*> {};
+
+TEST_P(HighFriction, LeavesTheMotorsToBeTried) {
+    const DeviceProfile kind = find_profile(GetParam()).value();
+    const bool is_home_stretched = kind.home_place == StopPlace::towards;
+    const JointAngles bent = is_home_stretched ? kind.check.angles : kind.home;
+    BoardTruth truth = truth_of({"", GetParam(), 1.0 / degree * bent});
     truth.profile.mechanics.coulomb_N = 0.25;
     DeviceVisit visit(truth);
     visit.end_s = 300.0;
@@ -144,6 +183,10 @@ TEST(HighFriction, OfAGen2LeavesTheMotorsToBeTried) {
     const auto ready = make_ready(visit.procedure(), {});
     EXPECT_TRUE(ready.has_value()) << visit.person->heard.back();
 }
+
+INSTANTIATE_TEST_SUITE_P(Kinds, HighFriction,
+                         testing::Values("2diy-gen3.1", "2diy-gen3.1-172", "2diy-gen3.1-180",
+                                         "2diy-gen3", "2diy-gen2", "2diy-gen2-240", "haplet"));
 
 }  // namespace
 }  // namespace touchline

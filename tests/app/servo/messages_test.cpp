@@ -52,7 +52,7 @@ TEST(Messages, ArriveWholeWithTheirDescriptor) {
     ASSERT_TRUE(send(kiosk, message_of(MessageKind::notice, std::string(1000, 'x'))));
     ASSERT_EQ(receive(servo, arrival), ReceiveStatus::received);
     EXPECT_FALSE(arrival.attached.is_open());
-    EXPECT_EQ(line_of(arrival.message), std::string(256, 'x'));
+    EXPECT_EQ(line_of(arrival.message), std::string(sizeof Message::line, 'x'));
 }
 
 TEST(Messages, ABoardComesWithItsNodeOrNotAtAll) {
@@ -108,7 +108,7 @@ TEST(Messages, NonsenseCountsAsGone) {
     Message unknown = message_of(MessageKind::notice);
     unknown.kind = static_cast<MessageKind>(77);
     Message too_long = message_of(MessageKind::notice);
-    too_long.line_bytes = 257;
+    too_long.line_bytes = sizeof Message::line + 1;
     for (const Message& message : {unknown, too_long}) {
         const auto [kiosk, servo] = socket_pair().value();
         ASSERT_TRUE(send(kiosk, message));

@@ -23,6 +23,9 @@ const HomingPlan gen31 = homing_plan(default_profile());
 constexpr JointAngles aside =
     extended + JointAngles{-30.0 * degree, -30.0 * degree};  // to the left
 
+// "No": to the right.
+constexpr JointAngles answer_no = extended + JointAngles{30.0 * degree, 30.0 * degree};
+
 Calibration known() {
     Calibration stored;
     stored.is_measured = true;
@@ -98,13 +101,14 @@ TEST(Homing, ShiftsWhatTheBoardTellsToWhereTheArmsAre) {
 }
 
 TEST(Homing, MeasuresTheScaleOfAUnitByTwoVisits) {
-    for (const double scale : {1.06, 0.95, 1.19, 0.5, 0.6}) {
+    for (const double scale : {1.02, 0.985, 1.19, 0.5, 0.595}) {
         const Unit unit{scale, retracted, {}};
         Homing homing(gen31, {});
         const HomingView half = lead(homing, unit, {{retracted, 4.5}, {extended, 4.5}});
         EXPECT_EQ(half.step, HomingStep::to_left) << scale;
-        const HomingView view =
-            lead(homing, unit, {{extended, 0.1}, {aside, 4.5}, {retracted, 4.5}, {extended, 4.5}});
+        const HomingView view = lead(
+            homing, unit,
+            {{extended, 0.1}, {aside, 4.5}, {retracted, 4.5}, {extended, 4.5}, {answer_no, 4.5}});
         EXPECT_EQ(view.step, HomingStep::done) << scale;
         EXPECT_EQ(view.remark, HomingRemark::measured);
         EXPECT_TRUE(homing.calibration().is_measured);
@@ -114,14 +118,14 @@ TEST(Homing, MeasuresTheScaleOfAUnitByTwoVisits) {
 }
 
 TEST(Homing, AScaleThatNoUnitIsKnownForIsSaidToBeAnotherKind) {
-    for (const double scale : {0.855, 1.09, 0.7, 0.42, 1.4}) {
+    for (const double scale : {0.855, 0.95, 1.05, 1.09, 0.7, 0.42, 1.4}) {
         Homing homing(gen31, {});
         const Unit unit{scale, retracted, {}};
         EXPECT_EQ(lead(homing, unit, {{retracted, 4.5}, {extended, 4.5}}).remark,
                   HomingRemark::misfit)
             << scale;
         const HomingView view = lead(homing, unit, {{extended, 45.0}});
-        EXPECT_EQ(view.remark, HomingRemark::starting_over) << scale;
+        EXPECT_EQ(view.remark, HomingRemark::no_such_scale) << scale;
         EXPECT_NEAR(view.turn_share, 1.0 / scale, 0.02 / scale);
     }
 }
@@ -130,10 +134,15 @@ TEST(Homing, AScaleThatNoUnitIsKnownForIsSaidToBeAnotherKind) {
 TEST(Homing, WhatDiffersBetweenTheJointsIsTheStop) {
     const JointAngles stop{166.58 * degree, 11.11 * degree};
     Homing homing(gen31, {});
-    ASSERT_EQ(
-        lead(homing, {}, {{stop, 4.5}, {extended, 4.5}, {aside, 4.5}, {stop, 4.5}, {extended, 4.5}})
-            .step,
-        HomingStep::done);
+    ASSERT_EQ(lead(homing, {},
+                   {{stop, 4.5},
+                    {extended, 4.5},
+                    {aside, 4.5},
+                    {stop, 4.5},
+                    {extended, 4.5},
+                    {answer_no, 4.5}})
+                  .step,
+              HomingStep::done);
     const Calibration found = homing.calibration();
     EXPECT_NEAR(found.scale, 1.0, 0.006);
     EXPECT_LT(norm(retracted + found.stop_off - stop), 0.6 * degree);
@@ -142,11 +151,11 @@ TEST(Homing, WhatDiffersBetweenTheJointsIsTheStop) {
 }
 
 TEST(Homing, DoesNotTakeAPauseOnTheWayForTheStop) {
-    // 95 % of the way: within what a scale may be off. The second visit gives it away.
+    // 98 % of the way: within what a scale may be off. The second visit gives it away.
     Homing homing(gen31, {});
     const HomingView view = lead(
         homing, {},
-        {{retracted, 4.5}, {between(0.95), 4.5}, {aside, 4.5}, {retracted, 4.5}, {extended, 4.5}});
+        {{retracted, 4.5}, {between(0.98), 4.5}, {aside, 4.5}, {retracted, 4.5}, {extended, 4.5}});
     EXPECT_EQ(view.step, HomingStep::to_check_again);
     EXPECT_EQ(view.remark, HomingRemark::misfit);
 }
@@ -199,13 +208,105 @@ TEST(Homing, FindsWhereAndWhichWayRoundTheEncodersAre) {
             EXPECT_EQ(lead(homing, unit, round).remark, HomingRemark::reversed) << number;
         }
         EXPECT_EQ(lead(homing, unit, round).step, HomingStep::to_home_again) << number;
-        view = lead(homing, unit, {{aside, 0.1}, {retracted, 4.5}, {extended, 4.5}});
+        view =
+            lead(homing, unit, {{aside, 0.1}, {retracted, 4.5}, {extended, 4.5}, {answer_no, 4.5}});
         ASSERT_EQ(view.step, HomingStep::done) << number;
         EXPECT_EQ(at_joints(homing.calibration().encoders,
                             at_ports(unit.encoders, JointAngles{1.0, 2.0})),
                   (JointAngles{1.0, 2.0}))
             << number;
     }
+}
+
+TEST(Homing, AKnownUnitIsRecognizedHoweverItsEncodersAre) {
+    for (std::uint32_t number = 0; number < 8; ++number) {
+        Calibration stored = known();
+        stored.encoders = plugs_of(number);
+        Homing homing(gen31, stored);
+        const Unit unit{1.0, retracted, plugs_of(number)};
+        const HomingView view = lead(homing, unit, {{retracted, 4.5}, {extended, 4.5}});
+        EXPECT_EQ(view.step, HomingStep::done) << number;
+        EXPECT_EQ(view.remark, HomingRemark::none) << number;
+    }
+}
+
+/// 168 degrees and as many counts as usual read as 180 degrees and 4096 counts do.
+TEST(Homing, WhatAnotherKindWouldReadTooIsAsked) {
+    const DeviceProfile kind_180 = find_profile("2diy-gen3.1-180").value();
+    for (const bool is_chosen_180 : {false, true}) {
+        for (const bool is_unit_180 : {false, true}) {
+            Homing homing(is_chosen_180 ? homing_plan(kind_180) : gen31, {});
+            const JointAngles stop = is_unit_180 ? kind_180.home : retracted;
+            const Unit unit{is_unit_180 ? 4880.0 / 4096.0 : 1.0, stop, {}};
+            const HomingView asked =
+                lead(homing, unit,
+                     {{stop, 4.5}, {extended, 4.5}, {aside, 4.5}, {stop, 4.5}, {extended, 4.5}});
+            EXPECT_EQ(asked.step, HomingStep::to_answer);
+            // A rest at the stop, while the other hand feels the arms, is no answer.
+            EXPECT_EQ(lead(homing, unit, {{stop, 8.0}}).prompts, asked.prompts);
+            const HomingView view = lead(homing, unit, {{is_unit_180 ? aside : answer_no, 4.5}});
+            EXPECT_EQ(view.remark, is_chosen_180 == is_unit_180 ? HomingRemark::measured
+                                                                : HomingRemark::other_kind);
+            EXPECT_EQ(homing.calibration().is_measured, is_chosen_180 == is_unit_180);
+        }
+    }
+}
+
+/// 5.6 per cent: no question that fingers can answer tells these apart, so the nearest count does.
+TEST(Homing, KindsThatBendAlikeAreToldApartByTheNearestCount) {
+    const HomingPlan plan_172 = homing_plan(find_profile("2diy-gen3.1-172").value());
+    const HomingPlan plan_3 = homing_plan(find_profile("2diy-gen3").value());
+    const auto step_of = [](const HomingPlan& plan, const Unit& unit, JointAngles stop) {
+        Homing homing(plan, {});
+        const JointAngles first = plan.is_home_stretched ? extended : stop;
+        const JointAngles second = plan.is_home_stretched ? stop : extended;
+        return lead(homing, unit, {{first, 4.5}, {second, 4.5}}).step;
+    };
+    const double gen3_counts = 0.5 * (2048.0 * 2.5 * 1.0194 * 2.0154);
+    const JointAngles stop_172 = plan_172.home;
+    EXPECT_EQ(step_of(plan_172, {}, stop_172), HomingStep::to_left);
+    EXPECT_EQ(step_of(plan_172, {}, retracted), HomingStep::to_check);
+    EXPECT_EQ(step_of(gen31, {}, stop_172), HomingStep::to_check);
+    EXPECT_EQ(step_of(plan_3, {gen3_counts / 4880.0, retracted, {}}, stop_172),
+              HomingStep::to_check);
+    EXPECT_EQ(step_of(plan_172, {4880.0 / gen3_counts, retracted, {}}, retracted),
+              HomingStep::to_check);
+}
+
+/// It says a millimetre for each half of one.
+TEST(Homing, ADecoderThatDoublesAllowsAHandThatIsAsSoft) {
+    const Unit unit{0.5, retracted, {}};
+    const auto elbow_off = [](double off_m) {
+        return retracted + off_m / gen31.arm_m * JointAngles{-1.0, 1.0};
+    };
+    Homing homing(gen31, {});
+    const std::vector<Stay> round{{retracted, 4.5}, {extended, 4.5}, {aside, 4.5}};
+    ASSERT_EQ(lead(homing, unit, round).step, HomingStep::to_home_again);
+    const HomingView off = lead(homing, unit, {{aside, 0.1}, {elbow_off(4e-3), 4.5}});
+    EXPECT_EQ(off.remark, HomingRemark::misfit);
+    EXPECT_NEAR(off.misfit_m, 4e-3, 0.4e-3);
+    EXPECT_EQ(lead(homing, unit, {{elbow_off(9e-3), 0.1}, {elbow_off(0.7e-3), 4.5}}).step,
+              HomingStep::to_check_again);
+}
+
+/// Each place that fits ends the count of those that did not.
+TEST(Homing, MissesInARowStartOverAndSayNothingOfTheKindOnceThePlacesFit) {
+    Homing homing(gen31, {});
+    const std::vector<Stay> round{{retracted, 4.5}, {between(0.5), 4.5}, {extended, 4.5},
+                                  {aside, 4.5},     {between(0.6), 4.5}, {between(0.4), 4.5}};
+    EXPECT_EQ(lead(homing, {}, round).step, HomingStep::to_home_again);
+    EXPECT_EQ(lead(homing, {}, {{between(0.4), 0.1}, {between(0.6), 4.5}}).remark,
+              HomingRemark::starting_over);
+}
+
+TEST(Homing, AHandThatNeverRestsHearsTheWordsAgain) {
+    Homing homing(gen31, known());
+    const std::vector<Stay> to_and_fro{{between(0.2), 0.0}, {between(0.8), 0.0}};
+    const int prompts = lead(homing, {}, to_and_fro).prompts;
+    HomingView view;
+    for (int k = 0; k < 70; ++k) view = lead(homing, {}, to_and_fro);
+    EXPECT_EQ(view.step, HomingStep::to_home);
+    EXPECT_GT(view.prompts, prompts);
 }
 
 TEST(Homing, AKnownUnitThatIsPluggedOtherwiseIsMeasuredAnewTheThirdTime) {
@@ -251,7 +352,11 @@ TEST(Homing, StopsInTheWrongOrderAreNotSwappedPlugs) {
         view = lead(homing, {}, {{retracted, 4.5}, {extended, 4.5}});
         if (!stored.is_measured)
             view = lead(homing, {},
-                        {{extended, 0.1}, {aside, 4.5}, {retracted, 4.5}, {extended, 4.5}});
+                        {{extended, 0.1},
+                         {aside, 4.5},
+                         {retracted, 4.5},
+                         {extended, 4.5},
+                         {answer_no, 4.5}});
         EXPECT_EQ(view.step, HomingStep::done);
         EXPECT_EQ(homing.calibration().encoders, Plugs{});
     }

@@ -92,11 +92,11 @@ double shake_m_per_s(bool do_counts_step_back, int& faults) {
     return std::sqrt(squares / ticks);
 }
 
-// Without the play of half a count it was 3.7 mm/s, and 1.2 where no count steps back.
-TEST(BoardLoopCounts, ACounterThatStepsBackNeitherShakesNorTrips) {
+// 1.9 mm/s against 1.1 is accepted: without the play of half a count it was 3.7 against 1.2.
+TEST(BoardLoopCounts, ACounterThatStepsBackShakesLittleMoreAndDoesNotTrip) {
     int faults = 0;
-    EXPECT_LT(shake_m_per_s(true, faults), 2.0 * shake_m_per_s(false, faults));
-    EXPECT_LT(shake_m_per_s(true, faults), 0.0025);
+    EXPECT_LT(shake_m_per_s(false, faults), 0.00125);
+    EXPECT_LT(shake_m_per_s(true, faults), 0.0021);
     EXPECT_EQ(faults, 0);
 }
 
