@@ -34,8 +34,8 @@ std::string words_of(HomingStep step, const DeviceProfile& profile) {
         case HomingStep::to_answer:
             return "One question. Push the handle away from you until it stops. With your other "
                    "hand, feel the two arms next to the motors. If they lie in one straight line, "
-                   "move the handle to the left, by the width of a hand. If they do not, move it "
-                   "to the right. Hold it still there.";
+                   "move the handle to the left. If they do not, move it to the right. The width "
+                   "of a hand is enough. Hold it still there.";
         case HomingStep::done:
             return "The handle's position is now known.";
     }
