@@ -18,7 +18,6 @@ enum class Mischief : int { none, write_nowhere, throw_something, spin };
 
 struct FakeBoard {
     std::atomic<int> is_pressed{0};  // by the hand, against the line
-    std::atomic<int> is_tried{0};    // with torque, before it counts as opened
     std::atomic<Mischief> mischief{Mischief::none};
     std::atomic<int> owner{0};            // the process that holds it
     std::atomic<int> opened{0};           // times
@@ -28,6 +27,7 @@ struct FakeBoard {
     std::atomic<int> zeroed_by_guard{0};
     std::atomic<int> zeroed_by_handler{0};
     std::atomic<int> is_zero_unconfirmed{0};  // it does not answer at the end
+    std::atomic<int> is_tried{0};             // its motors, before it counts as opened
 
     void put(JointTorques torques) {
         const int is_on = torques == JointTorques{} ? 0 : 1;
