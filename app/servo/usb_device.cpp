@@ -50,7 +50,7 @@ Result<OpenedBoard> take_at(const UsbBoards& boards, const UsbDevice& device,
     return failure("no board is plugged in at " + bus_path);
 }
 
-/// In a thread of the loop's priority: while the motors are tried its silence ends the servo.
+/// The thread has the loop's priority: while the motors are tried its silence ends the servo.
 Result<void> open_in_time(WatchedBoard& board, bool is_homed_first, const Opening& opening) {
     Result<void> opened;
     std::thread([&] {

@@ -9,7 +9,7 @@
 namespace touchline {
 namespace {
 
-/// In the language and detail that hold now.
+/// Opens it in the language and detail that hold now.
 void load(VisitWork& work, Loading loading) {
     loading.order.request = ++work.house.request;
     loading.order.language = work.visitor.sound.language;

@@ -219,7 +219,7 @@ std::optional<bool> Homing::is_left(JointAngles read) const {
     return is_aside ? std::optional(aside < 0.0) : std::nullopt;
 }
 
-/// In the mirror image the left is the right. What is otherwise than the profile has it could be
+/// The left is the right in the mirror image. What is otherwise than the profile has it could be
 /// the stops in the wrong order: it must come twice.
 void Homing::rest_at_left(JointAngles read) {
     const auto is_to_left = is_left(read);

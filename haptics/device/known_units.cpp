@@ -12,7 +12,8 @@ namespace {
 // degrees could not be told from those stopped at 172, which turn by 5.6 per cent farther.
 constexpr double scale_tolerance = 0.025;
 constexpr double straight_rad = 0.05;
-// Of the elbows. Less cannot be read where the stretched arms lie straight, as those of a gen 2 do.
+// Measured at the elbows. Less cannot be read where the stretched arms lie straight, as those of a
+// gen 2 do.
 constexpr double kinds_apart_m = 2e-3;
 
 JointAngles bent_of(const DeviceProfile& kind) {
@@ -46,7 +47,7 @@ void add_known(const DeviceProfile& kind, const DeviceProfile& chosen, bool are_
     }
 }
 
-/// By how much, as a share, such a turn misses that of the nearest of the units that count.
+/// The share by which such a turn misses that of the nearest of the units that count.
 template <class Counts>
 double off_by(const std::vector<KnownUnits>& known, JointAngles read, Counts counts) {
     double least = std::numeric_limits<double>::infinity();

@@ -17,7 +17,7 @@ struct KnownUnits {
     bool are_straight = false;  // bent arms lie in one line at their stop
 };
 
-/// Of the chosen kind first, then those of the same links that are stopped elsewhere.
+/// Those of the chosen kind first, then those of the same links that are stopped elsewhere.
 [[nodiscard]] std::vector<KnownUnits> known_units(const DeviceProfile& chosen);
 
 [[nodiscard]] double turn_of_both_rad(JointAngles turn);
