@@ -16,11 +16,11 @@ for one in 'ubuntu 24.04' 'debian 11' 'debian ' 'debian 120' 'fedora 13' unknown
 done
 
 os_origin=12.11
-equal 'compiler of the fuzzers on 12' "$(packages fuzz)" clang-14
+equal 'other compiler on 12' "$(packages clang)" clang-16
 equal 'formatter on 12' "$(packages test | grep clang)" clang-format-14
 build_12=$(packages build)
 os_origin=13.1
-equal 'compiler of the fuzzers on 13' "$(packages fuzz)" clang-19
+equal 'other compiler on 13' "$(packages clang)" clang-19
 equal 'formatter on 13' "$(packages test | grep clang || true)" ''
 equal 'building on 13 as on 12' "$(packages build)" "$build_12"
 equal 'names without a mark of the release' "$(packages build run test package | grep '[@#]' || true)" ''
