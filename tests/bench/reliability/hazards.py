@@ -5,8 +5,8 @@ import xml.etree.ElementTree as xml
 import figures
 
 TESTED = figures.HERE / 'results/tested.csv'
-FAULTS = figures.ROOT / 'tests/sim/README.md'
-# The test that judges every fault of a way into the driver (tests/sim/README.md).
+FAULTS = figures.ROOT / 'tests/sim/faults.md'
+# The test that judges every fault of a way into the driver (tests/sim/faults.md).
 OF_WAY = {'driver': 'FaultMatrix.EndsInZeroTorqueAndFindsBack', 'servo': 'LoopFaults.EndInZeroTorqueAreSaidAndForceComesBackArmed',
           'libusb': 'UsbFault.EndsInZeroTorqueAndFindsBack', 'processes': 'ProcessFault.EndsInZeroTorqueAndFindsBack'}
 
@@ -88,9 +88,7 @@ def judged(evidence, known, all_figures):
 
 def faults():
     """(way, fault, runs, zero torque after, state, force back) of every fault, as tests/sim keeps them."""
-    inside = False
     for line in FAULTS.read_text().splitlines():
-        inside = (inside or line == '<!-- bench:faults -->') and line != '<!-- /bench -->'
         cells = [cell.strip() for cell in line.strip('|').split('|')]
-        if inside and line.startswith('|') and cells[0] in OF_WAY:
+        if line.startswith('|') and cells[0] in OF_WAY:
             yield cells[:6]
