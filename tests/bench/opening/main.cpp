@@ -50,8 +50,7 @@ std::string start_of(int runs) {
 }
 
 /// What the kernel takes to give a process a page that it has not touched before. A worker is all
-/// fresh pages, so its times follow this figure, which differs a hundredfold between a computer and
-/// some virtual machines.
+/// fresh pages, so its times follow this figure, which differs much from machine to machine.
 double fresh_page_us() {
     constexpr std::size_t pages = 4096;
     constexpr std::size_t page_bytes = 4096;
