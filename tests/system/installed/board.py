@@ -97,8 +97,7 @@ def _sleeps(table, kiosk, board):
         machine.said(f'! journalctl -k -o cat | grep -q "{ASLEEP}"')
         machine.said(f'[[ $({servo}) == {before} ]]')
     with table.check('board', 'put to sleep all the same: no torque meanwhile, the handle is homed afterwards') as note:
-        machine.said('rm /run/touchline-console/closed; echo s2idle >/sys/power/mem_sleep;'
-                     f'rtcwake -m no -s {SLEEP_S}; systemctl --no-block suspend')
+        machine.said(f'rm /run/touchline-console/closed; rtcwake -m no -s {SLEEP_S}; systemctl --no-block suspend')
         time.sleep(SLEEP_S / 2)
         _told(board)
         time.sleep(SLEEP_S / 6)
