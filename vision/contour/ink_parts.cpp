@@ -8,22 +8,25 @@
 namespace touchline {
 namespace {
 
-constexpr int kLeastArea_px = 8;  // less ink is a speck
+constexpr int kLeastArea_px = 8;  // less ink is a speck, less paper a pinhole
 constexpr double kClearlyWide = 1.25;
 constexpr double kLeastTailOverWidth = 1.0;  // what stands out of a wide shape less is its corner
 
-void drop_specks(cv::Mat1b& mask) {
+/// Without the pieces of a mask that are too small, by neighbours of 4 or of 8.
+cv::Mat without_specks(const cv::Mat& mask, int neighbours) {
     cv::Mat1i label;
     cv::Mat1i stats;
     cv::Mat1d centres;
-    cv::connectedComponentsWithStats(mask, label, stats, centres, 8, CV_32S);
+    cv::connectedComponentsWithStats(mask, label, stats, centres, neighbours, CV_32S);
+    cv::Mat kept = mask.clone();
     for (int y = 0; y < mask.rows; ++y) {
         for (int x = 0; x < mask.cols; ++x) {
-            if (mask(y, x) != 0 && stats(label(y, x), cv::CC_STAT_AREA) < kLeastArea_px) {
-                mask(y, x) = 0;
+            if (stats(label(y, x), cv::CC_STAT_AREA) < kLeastArea_px) {
+                kept.at<uchar>(y, x) = 0;
             }
         }
     }
+    return kept;
 }
 
 /// Where the ink is deeper than a stroke's, in places clearly so: between two strokes that meet at
@@ -90,8 +93,9 @@ cv::Mat1f depth_of(const cv::Mat& mask) {
 
 InkParts parts_of(const cv::Mat1b& ink, double greatest_width_px) {
     InkParts parts;
-    cv::Mat1b mask = ink.clone();
-    drop_specks(mask);
+    // Pinholes lie where two strokes begin to part.
+    const cv::Mat paper = ~without_specks(ink, 8);
+    const cv::Mat1b mask = cv::Mat(~without_specks(paper, 4));
     parts.depth = depth_of(mask);
     parts.shapes = wide_part(mask, parts.depth, greatest_width_px);
     parts.strokes = cv::Mat(mask & ~parts.shapes);
