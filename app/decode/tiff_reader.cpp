@@ -87,20 +87,17 @@ std::unique_ptr<TIFF, Close> open(Source& source) {
                           size_of, nullptr, nullptr, options.get()));
 }
 
-/// libtiff packs a pixel into one number, colours multiplied by alpha; over white in place.
+/// libtiff packs a pixel into one number, red lowest, colours multiplied by alpha.
 void raster_to_bgr(std::vector<std::uint8_t>& raster) {
-    const std::size_t pixels = raster.size() / 4;
-    for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t i = 0; i < raster.size(); i += 4) {
         std::uint32_t pixel = 0;
-        std::memcpy(&pixel, &raster[4 * i], 4);
-        const std::uint32_t white = 255 - TIFFGetA(pixel);
-        const std::array bgr{TIFFGetB(pixel), TIFFGetG(pixel), TIFFGetR(pixel)};
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            const std::uint32_t sum = std::min(bgr[channel] + white, 255U);
-            raster[3 * i + channel] = static_cast<std::uint8_t>(sum);
-        }
+        std::memcpy(&pixel, &raster[i], 4);
+        const std::array bgra{TIFFGetB(pixel), TIFFGetG(pixel), TIFFGetR(pixel), TIFFGetA(pixel)};
+        std::ranges::transform(bgra, raster.begin() + static_cast<std::ptrdiff_t>(i),
+                               [](std::uint32_t value) { return static_cast<std::uint8_t>(value); });
+        unmultiply(&raster[i]);
     }
-    raster.resize(3 * pixels);
+    compose(raster);
 }
 
 }  // namespace

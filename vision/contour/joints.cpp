@@ -178,7 +178,9 @@ class Solver {
 
     Joints run() {
         for (std::size_t arm = 0; arm < skeleton_.arms.size(); ++arm) cross_over(arm);
-        for (std::vector<EndId>& ends : nodes_) solve(ends);
+        for (std::size_t arm = 0; arm < skeleton_.arms.size(); ++arm) join_over(arm);
+        for (const std::vector<EndId>& ends : nodes_)
+            if (!ends.empty()) solve(ends);
         return std::move(found_);
     }
 
@@ -209,9 +211,7 @@ class Solver {
     void cross_over(std::size_t arm) {
         const EndId front = front_of(arm);
         const EndId back = back_of(arm);
-        if (skeleton_.arms[arm].is_closed || is_free(front) || is_free(back) ||
-            node_of_[front] == node_of_[back])
-            return;
+        if (!is_bridge(arm)) return;
         const std::vector<EndId> a = others_at(front);
         const std::vector<EndId> b = others_at(back);
         if (a.size() != 2 || b.size() != 2) return;
@@ -239,21 +239,67 @@ class Solver {
         return turn(a, b) < kParallel && beside(a, b.from) <= aside_px && beside(b, a.from) <= aside_px;
     }
 
-    void solve(std::vector<EndId>& ends) {
-        drop_tip(ends);
-        if (ends.size() < 2) return;
-        const bool is_known = std::ranges::all_of(ends, [&](EndId end) { return courses_.at(end).has_value(); });
+    /// The ends of a node once the arms to tips have gone, and what they do; nothing where their
+    /// courses do not tell.
+    struct Solution {
+        std::vector<EndId> tips;
+        SolvedJunction junction;
+    };
+
+    [[nodiscard]] std::optional<Solution> solution_of(std::vector<EndId> ends) const {
+        Solution solution;
+        solution.tips = tips_of(ends);
+        for (const EndId tip : solution.tips) std::erase(ends, tip);
+        const bool is_known = ends.size() >= 2 && std::ranges::all_of(ends, [&](EndId end) {
+            return courses_.at(end).has_value();
+        });
         const auto at = is_known ? crossing_of(rays_of(ends)) : std::nullopt;
-        if (!at || !is_near(*at, ends)) {
-            found_.unsolved.push_back(ends);
-            return;
-        }
+        if (!at || !is_near(*at, ends)) return std::nullopt;
         const auto pairs = ends.size() == 2 ? corner(ends) : straight_on(ends);
-        if (ends.size() == 2 && pairs.empty()) {
-            found_.unsolved.push_back(ends);
+        if (ends.size() == 2 && pairs.empty()) return std::nullopt;
+        solution.junction = solved(*at, ends, pairs);
+        return solution;
+    }
+
+    void take(Solution solution) {
+        for (const EndId tip : solution.tips) found_.is_dropped[chain_of(tip)] = true;
+        found_.solved.push_back(std::move(solution.junction));
+    }
+
+    /// An arm between two nodes that is all flowed together: both are one, if that can be solved.
+    void join_over(std::size_t arm) {
+        const EndId front = front_of(arm);
+        const EndId back = back_of(arm);
+        if (!is_bridge(arm) || courses_.at(front) || courses_.at(back)) return;
+        std::vector<EndId> ends = others_at(front);
+        std::ranges::copy(others_at(back), std::back_inserter(ends));
+        auto solution = solution_of(ends);
+        if (!solution) return;
+        found_.is_dropped[arm] = true;
+        take(std::move(*solution));
+        nodes_[node_of_[front]].clear();
+        nodes_[node_of_[back]].clear();
+    }
+
+    /// Between two nodes, neither of which is solved.
+    [[nodiscard]] bool is_bridge(std::size_t arm) const {
+        const std::size_t front = node_of_[front_of(arm)];
+        const std::size_t back = node_of_[back_of(arm)];
+        return front != kFree && back != kFree && front != back && !nodes_[front].empty() &&
+               !nodes_[back].empty();
+    }
+
+    void solve(const std::vector<EndId>& ends) {
+        if (auto solution = solution_of(ends)) {
+            take(std::move(*solution));
             return;
         }
-        found_.solved.push_back(solved(*at, ends, pairs));
+        std::vector<EndId> left = ends;
+        for (const EndId tip : tips_of(ends)) {
+            found_.is_dropped[chain_of(tip)] = true;
+            std::erase(left, tip);
+        }
+        if (left.size() >= 2) found_.unsolved.push_back(std::move(left));
     }
 
     [[nodiscard]] std::vector<std::pair<EndId, EndId>> corner(const std::vector<EndId>& ends) const {
@@ -304,8 +350,9 @@ class Solver {
         return chosen;
     }
 
-    /// The arm to the tip of a corner goes.
-    void drop_tip(std::vector<EndId>& ends) {
+    /// Those whose arms lead to the tip of a corner.
+    [[nodiscard]] std::vector<EndId> tips_of(std::vector<EndId> ends) const {
+        std::vector<EndId> tips;
         for (const EndId tip : std::vector<EndId>(ends)) {
             if (!is_free(tip ^ 1U) || ends.size() < 3) continue;
             std::vector<EndId> others;
@@ -313,9 +360,10 @@ class Solver {
                 return end != tip && courses_.at(end).has_value();
             });
             if (others.size() + 1 != ends.size() || !is_tip(tip, others)) continue;
-            found_.is_dropped[chain_of(tip)] = true;
+            tips.push_back(tip);
             std::erase(ends, tip);
         }
+        return tips;
     }
 
     [[nodiscard]] bool is_tip(EndId tip, const std::vector<EndId>& others) const {

@@ -2,7 +2,7 @@
 // Threads: any.
 #pragma once
 
-#include "app/loading/page_views.h"
+#include "app/trace/page_views.h"
 #include "app/loading/stages.h"
 
 #include <atomic>

@@ -80,8 +80,11 @@ std::vector<Polyline> pen_star(PenDice& dice, double thin) {
 
 std::vector<Polyline> pen_triangle(PenDice& dice, double /*thin*/) {
     const double half_deg = 0.5 * dice.between(kSharpest_deg, 60.0);
-    const double width = 1.8 * std::tan(half_deg * std::numbers::pi / 180.0);
-    return {{{{0.0, -1.0}, {0.5 * width, 0.8}, {-0.5 * width, 0.8}}, true}};
+    const double half_base = 1.8 * std::tan(half_deg * std::numbers::pi / 180.0);
+    const double reach = std::max(1.0, std::hypot(half_base, 0.8));
+    Polyline ring{{{0.0, -1.0}, {half_base, 0.8}, {-half_base, 0.8}}, true};
+    for (cv::Point2d& p : ring.points) p /= reach;
+    return {ring};
 }
 
 std::vector<Polyline> pen_zigzag(PenDice& dice, double thin) {
