@@ -105,7 +105,9 @@ void JunctionSet::cut(std::size_t host, const std::vector<Cut>& cuts) {
     const auto part = [&](std::size_t from, std::size_t to) {
         return Chain{{line.points.begin() + static_cast<std::ptrdiff_t>(from),
                       line.points.begin() + static_cast<std::ptrdiff_t>(to) + 1},
-                     false};
+                     false,
+                     line.width_px,
+                     line.of};
     };
     std::size_t piece = host;
     std::size_t from = 0;

@@ -8,7 +8,6 @@
 #include "vision/contour/region_borders.h"
 #include "vision/contour/skeleton.h"
 #include "vision/contour/thinning.h"
-#include "vision/prepare/ink.h"
 
 #include <algorithm>
 #include <cmath>
@@ -293,9 +292,12 @@ class StrokeTracer {
 
 }  // namespace
 
-std::vector<Chain> stroke_lines(const LabPicture& lab, double noise, double greatest_width_px) {
-    const Ink ink = ink_of(lab, noise);
+std::vector<Chain> stroke_lines(const Ink& ink, double greatest_width_px) {
     return StrokeTracer(ink, greatest_width_px).run();
+}
+
+std::vector<Chain> stroke_lines(const LabPicture& lab, double noise, double greatest_width_px) {
+    return stroke_lines(ink_of(lab, noise), greatest_width_px);
 }
 
 }  // namespace touchline
