@@ -10,6 +10,9 @@ X = 'DISPLAY=:0 XAUTHORITY=/run/touchline-display/cookie'  # for those who ask t
 TRIES = 5
 FELT = 'Lead me round|Explore freely|Bring me back'  # some of what can be done with a picture
 TROUBLE = 'Something is wrong|Select goes on'
+STAFF = ('h', 'up', 'up', 'down', 'down', 'ret')  # Help, Up, Up, Down, Down, Select
+PIN = (1, 2, 3, 4)
+KEY_S = 1.5  # a key in an emulated machine
 MOST_LOOKS = 20  # at a screen that does not answer a key
 READY_S = 600  # an emulated machine beside other work; a real one needs seconds
 # Nobody presses a key for minutes while a slow machine reads: the visit must not end meanwhile.
@@ -71,20 +74,20 @@ class Kiosk:
         self.machine.press(key)
 
     def go(self, is_there, else_key, what):
-        """Presses a key after a look at the screen that does not show it; the look is its words. The next key waits until
-        the screen has answered the last one, or did not for a while. Two looks have to show it: an answer to an earlier
-        key may still come."""
+        """Presses a key after two looks at the screen that are alike and do not show it; the look is its words. The next
+        key waits until the screen has answered the last one, or did not for a while. Two looks have to show it: an answer
+        to an earlier key may still come."""
         words = pressed_at = ''
         looks = hits = 0
 
         def step():
             nonlocal words, pressed_at, looks, hits
-            words = self.machine.screen()
+            before, words = words, self.machine.screen()
             if is_there(words):
                 hits += 1
                 return hits == 2
             looks, hits = looks + 1, 0
-            if words != pressed_at or looks > MOST_LOOKS:
+            if words == before and (words != pressed_at or looks > MOST_LOOKS):
                 self.press(else_key(words))
                 pressed_at, looks = words, 0
             return False
@@ -98,6 +101,23 @@ class Kiosk:
         def key(words):
             return 'ret' if re.search('press any key|find your language|ny key skips|' + TROUBLE, words) else 'left'
         self.go(lambda words: 'What to feel' in words, key, 'the screen "What to feel"')
+
+    def press_all(self, keys):
+        """One after the other, each by itself."""
+        for key in keys:
+            self.press(key)
+            time.sleep(KEY_S)
+
+    def to_staff(self):
+        """The operator's screens, for the first time: a PIN is chosen."""
+        self.to_choose()
+        self.press_all(STAFF)
+        self.machine.wait_screen(['PIN'])
+        for _ in range(2):
+            for digit in PIN:
+                self.press_all(['up'] * digit + ['right'])
+            self.press_all(['ret'])
+        self.machine.wait_screen(['The PIN is kept'])
 
     def to_item(self, name):
         """Down until the caption tells of it, and which of how many it is: its frame in the list hides it from tesseract.
