@@ -48,14 +48,14 @@ Result<TracedMap> trace_picture(const std::string& path, const TraceRequest& req
     if (!page) return tl::unexpected(page.error());
     const int views = view_count(*page);
     if (view > views)
-        return tl::unexpected(of_file(
-            path, {fmt::format("it has {} to feel; choose one of them",
-                               views == 1 ? "one view" : fmt::format("{} views", views))}));
+        return tl::unexpected(
+            of_file(path, {fmt::format("it has {} to feel; choose one of them",
+                                       views == 1 ? "one view" : fmt::format("{} views", views))}));
     const auto open = [&path](const PageOrder& order) { return open_page_of(path, order); };
     if (auto finer = finer_page(*page, view, open)) page = std::move(*finer);
     const Page seen = view < views ? view_of(*page, view) : std::move(*page);
-    const auto felt = is_own_map(seen) ? own_map(seen, request.options.detail)
-                                       : trace_page(seen, request);
+    const auto felt =
+        is_own_map(seen) ? own_map(seen, request.options.detail) : trace_page(seen, request);
     return felt.map_error([&path](const Error& error) { return of_file(path, error); });
 }
 

@@ -6,8 +6,8 @@
 namespace touchline::decode {
 namespace {
 
-constexpr int kAlike = 40;          // grey levels: nobody sees what differs less from its ground
-constexpr double kUnseen = 0.97;    // of what is painted, alike white: nothing would be seen
+constexpr int kAlike = 40;        // grey levels: nobody sees what differs less from its ground
+constexpr double kUnseen = 0.97;  // of what is painted, alike white: nothing would be seen
 
 int lightness_of(const std::uint8_t* bgr) {
     return (29 * bgr[0] + 150 * bgr[1] + 77 * bgr[2]) / 256;
@@ -25,8 +25,9 @@ unsigned ground_for(const std::vector<std::uint8_t>& bgra) {
         if (255 - lightness_of(&bgra[i]) < kAlike) unseen += alpha;
         if (alpha < 255 - kAlike) ++open;
     }
-    const bool is_unseen = open > 0 && static_cast<double>(unseen) >
-                                           kUnseen * static_cast<double>(std::max<std::uint64_t>(painted, 1));
+    const bool is_unseen =
+        open > 0 && static_cast<double>(unseen) >
+                        kUnseen * static_cast<double>(std::max<std::uint64_t>(painted, 1));
     return is_unseen ? 0U : 255U;
 }
 
@@ -48,8 +49,8 @@ void compose(std::vector<std::uint8_t>& bgra) {
 void unmultiply(std::uint8_t* bgra) {
     const unsigned alpha = bgra[3];
     for (std::size_t channel = 0; alpha > 0 && channel < 3; ++channel)
-        bgra[channel] = static_cast<std::uint8_t>(
-            std::min(255U, (bgra[channel] * 255U + alpha / 2U) / alpha));
+        bgra[channel] =
+            static_cast<std::uint8_t>(std::min(255U, (bgra[channel] * 255U + alpha / 2U) / alpha));
 }
 
 }  // namespace touchline::decode

@@ -67,6 +67,10 @@ void compose(std::vector<std::uint8_t>& bgra);
 /// One pixel whose colours were multiplied by its alpha, back to straight alpha.
 void unmultiply(std::uint8_t* bgra);
 
+/// The picture with square pixels, from how many lie on the same length each way; as it is where
+/// those are alike, not known (0, NaN) or beyond belief. O(pixels).
+[[nodiscard]] Picture with_square_pixels(Picture picture, double x_per_length, double y_per_length);
+
 /// The picture upright, from the orientation that EXIF and TIFF share (1 ... 8; else as it is).
 [[nodiscard]] Picture upright(Picture picture, int orientation);
 

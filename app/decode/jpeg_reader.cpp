@@ -32,11 +32,11 @@ ErrorCallbacks& callbacks_of(j_common_ptr codec) {
     std::longjmp(errors.way_out, 1);  // NOLINT(cert-err52-cpp): libjpeg's interface
 }
 
-/// Warnings pass (a picture with stray bytes is a picture) but for those that say data is missing.
+/// Warnings pass (a picture with stray bytes, or without a mark at its end, is a picture) but for
+/// the one that says that pixels are missing.
 void note_warning(j_common_ptr codec, int message_level) {
-    if (message_level >= 0) return;
-    const int code = codec->err->msg_code;
-    if (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER) callbacks_of(codec).is_cut_short = true;
+    if (message_level < 0 && codec->err->msg_code == JWRN_HIT_MARKER)
+        callbacks_of(codec).is_cut_short = true;
 }
 
 void limit_scans(j_common_ptr codec) {
@@ -120,7 +120,8 @@ bool read_rows(Decoder& decoder, bool has_inks, Picture& picture) {
                 inks_to_bgr(row, width, decoder.saw_Adobe_marker == TRUE, out);
             }
         }
-        jpeg_finish_decompress(&decoder);
+        // What makers of cameras write behind the picture is not looked at.
+        jpeg_abort_decompress(&decoder);
     });
 }
 
@@ -136,6 +137,8 @@ Result<Picture> read_jpeg(Bytes bytes) {
     const unsigned by = reduction(decoder.image_width, decoder.image_height);
     const bool has_inks =
         decoder.jpeg_color_space == JCS_CMYK || decoder.jpeg_color_space == JCS_YCCK;
+    const double x_density = decoder.X_density;
+    const double y_density = decoder.Y_density;
     decoder.scale_num = 1;
     decoder.scale_denom = by;
     decoder.out_color_space = has_inks ? JCS_CMYK : JCS_EXT_BGR;
@@ -152,7 +155,7 @@ Result<Picture> read_jpeg(Bytes bytes) {
     if (!read_rows(decoder, has_inks, picture))
         return damaged("JPEG", decoder.errors.message.data());
     if (decoder.errors.is_cut_short) return damaged("JPEG", "the file ends before the picture");
-    return picture;
+    return with_square_pixels(std::move(picture), x_density, y_density);
 }
 
 }  // namespace touchline::decode

@@ -221,8 +221,8 @@ bool is_at_size(const pugi::xml_node& root, const ViewBox& box, const Area& area
 /// By what only Touchline writes.
 bool is_marked(const pugi::xml_node& root) {
     if (root.attribute("data-difficulty")) return true;
-    return static_cast<bool>(root.find_node(
-        [](const pugi::xml_node& node) { return node.attribute("data-detail"); }));
+    return static_cast<bool>(
+        root.find_node([](const pugi::xml_node& node) { return node.attribute("data-detail"); }));
 }
 
 Result<TactileMap> parse_own(std::string_view text, const Area& area) {

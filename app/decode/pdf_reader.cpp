@@ -1,5 +1,6 @@
 // One page of a PDF: its pixels, its words with their boxes, what was written of its figures.
 #include "app/decode/formats.h"
+#include "app/decode/machine_words.h"
 #include "app/decode/pdf_parts.h"
 #include "app/decode/sheet.h"
 
@@ -74,7 +75,7 @@ std::string title_of(PopplerDocument* document, PopplerPage* page) {
     std::string title = heading_of(document, page);
     if (!title.empty()) return title;
     const GlibOwned<gchar> own(poppler_document_get_title(document));
-    return own == nullptr ? std::string() : std::string(own.get());
+    return own == nullptr ? std::string() : of_a_person(own.get());
 }
 
 Result<Page> read_page(PopplerDocument* document, PopplerPage* source, const PageOrder& order) {

@@ -20,7 +20,8 @@ class Sheet {
 
     [[nodiscard]] cairo_t* context() const { return context_.get(); }
 
-    /// What is on it, over the ground that shows it (compose of formats.h); fails when cairo gave up.
+    /// What is on it, over the ground that shows it (compose of formats.h); fails when cairo gave
+    /// up.
     [[nodiscard]] Result<Picture> picture() const;
 
   private:

@@ -1,6 +1,7 @@
 // An SVG as a picture of pixels. librsvg opens no other file as long as it is told of no base
 // address; scripts, animation and network do not exist in it, and it bounds its own nesting.
 #include "app/decode/formats.h"
+#include "app/decode/machine_words.h"
 #include "app/decode/map_svg.h"
 #include "app/decode/sheet.h"
 #include "app/decode/svg_references.h"
@@ -58,17 +59,16 @@ std::optional<Framing> framing_of_unsized(RsvgHandle* handle) {
     if (rsvg_handle_get_geometry_for_element(handle, nullptr, &ink, nullptr, nullptr) == 0)
         return std::nullopt;
     const double margin = kMargin * std::max(ink.width, ink.height);
-    return Framing{{0.0, 0.0, ink.x + ink.width, ink.y + ink.height},
-                   {ink.x - margin, ink.y - margin, ink.width + 2.0 * margin,
-                    ink.height + 2.0 * margin}};
+    return Framing{
+        {0.0, 0.0, ink.x + ink.width, ink.y + ink.height},
+        {ink.x - margin, ink.y - margin, ink.width + 2.0 * margin, ink.height + 2.0 * margin}};
 }
 
 /// With the longer side svg_longer_side_px long; nothing for a document without a size.
 std::optional<Framing> framing_of(RsvgHandle* handle) {
     double width = 0.0;
     double height = 0.0;
-    const bool is_sized =
-        rsvg_handle_get_intrinsic_size_in_pixels(handle, &width, &height) != 0;
+    const bool is_sized = rsvg_handle_get_intrinsic_size_in_pixels(handle, &width, &height) != 0;
     const RsvgRectangle whole{0.0, 0.0, width, height};
     auto framing = is_sized ? Framing{whole, whole} : framing_of_unsized(handle);
     if (!framing) return framing;
@@ -86,8 +86,8 @@ TactileMap told_by(std::string_view text, const Picture& picture) {
     TactileMap told;
     told.area = told_area(picture);
     SvgWords words = words_of_svg(text);
-    told.title = std::move(words.title);
-    told.description = std::move(words.description);
+    told.title = of_a_person(std::move(words.title));
+    told.description = of_a_person(std::move(words.description));
     return told;
 }
 
@@ -100,12 +100,13 @@ void add_texts(RsvgHandle* handle, const std::vector<SvgText>& texts, const Fram
         if (!box) continue;
         const auto x_px = [&](double x) { return framing.px_per_unit * (x - framing.shown.x); };
         const auto y_px = [&](double y) { return framing.px_per_unit * (y - framing.shown.y); };
-        const auto word = pixels_within({x_px(box->left), y_px(box->top), x_px(box->right),
-                                         y_px(box->bottom)}, picture);
+        const auto word = pixels_within(
+            {x_px(box->left), y_px(box->top), x_px(box->right), y_px(box->bottom)}, picture);
         if (!word) continue;
         page.words.push_back(*word);
-        page.told.labels.push_back({text.words, told_place(picture, 0.5 * (word->left + word->right),
-                                                           0.5 * (word->top + word->bottom))});
+        page.told.labels.push_back(
+            {text.words, told_place(picture, 0.5 * (word->left + word->right),
+                                    0.5 * (word->top + word->bottom))});
     }
 }
 

@@ -37,7 +37,8 @@ Result<std::string> unpacked(Bytes bytes) {
         stream.next_out = reinterpret_cast<Bytef*>(part.data());
         stream.avail_out = part.size();
         status = inflate(&stream, Z_NO_FLUSH);
-        if (status != Z_OK && status != Z_STREAM_END) return damaged("SVG", "it cannot be unpacked");
+        if (status != Z_OK && status != Z_STREAM_END)
+            return damaged("SVG", "it cannot be unpacked");
         text.append(part.data(), part.size() - stream.avail_out);
         if (text.size() > most_text_bytes)
             return failure("the SVG picture is too large when unpacked; save it as PNG");
@@ -50,11 +51,12 @@ Result<std::string> narrowed(std::string_view text) {
     const std::size_t low = text.starts_with("\xfe\xff") ? 1 : 0;
     std::vector<gunichar2> units;
     for (std::size_t i = 2; i + 1 < text.size(); i += 2)
-        units.push_back(static_cast<gunichar2>(static_cast<unsigned char>(text[i + low]) |
-                                               static_cast<unsigned char>(text[i + 1 - low]) << 8U));
+        units.push_back(
+            static_cast<gunichar2>(static_cast<unsigned char>(text[i + low]) |
+                                   static_cast<unsigned char>(text[i + 1 - low]) << 8U));
     glong length = 0;
-    const std::unique_ptr<gchar, Release> utf8(g_utf16_to_utf8(
-        units.data(), static_cast<glong>(units.size()), nullptr, &length, nullptr));
+    const std::unique_ptr<gchar, Release> utf8(
+        g_utf16_to_utf8(units.data(), static_cast<glong>(units.size()), nullptr, &length, nullptr));
     if (utf8 == nullptr) return damaged("SVG", "its letters cannot be read");
     const std::string_view all(utf8.get(), static_cast<std::size_t>(length));
     const auto end = all.starts_with("<?xml") ? all.find("?>") : std::string_view::npos;
@@ -65,9 +67,9 @@ Result<std::string> narrowed(std::string_view text) {
 
 Result<std::string> svg_text(Bytes bytes) {
     Result<std::string> text =
-        is_packed(bytes)
-            ? unpacked(bytes)
-            : Result<std::string>(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+        is_packed(bytes) ? unpacked(bytes)
+                         : Result<std::string>(std::string(
+                               reinterpret_cast<const char*>(bytes.data()), bytes.size()));
     if (!text) return text;
     const Bytes unpacked_bytes = std::as_bytes(std::span(*text));
     if (is_packed(unpacked_bytes) || format_of(unpacked_bytes) != FileFormat::svg)

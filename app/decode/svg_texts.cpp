@@ -16,7 +16,8 @@ namespace {
 
 /// What is in these is painted elsewhere, or nowhere.
 bool is_apart(std::string_view name) {
-    constexpr std::array<std::string_view, 5> apart{"defs", "symbol", "clipPath", "mask", "pattern"};
+    constexpr std::array<std::string_view, 5> apart{"defs", "symbol", "clipPath", "mask",
+                                                    "pattern"};
     return std::ranges::find(apart, name) != apart.end();
 }
 
@@ -55,7 +56,8 @@ class Collector {
     /// Behind the element's name, so that all else stays as it was written.
     bool insert_id(const pugi::xml_node& element, const std::string& id) {
         const std::string_view name = element.name();
-        const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(element.offset_debug(), 0));
+        const auto at =
+            static_cast<std::size_t>(std::max<std::ptrdiff_t>(element.offset_debug(), 0));
         if (at < copied_ || at == 0 || at + name.size() > svg_.size()) return false;
         if (svg_[at - 1] != '<' || svg_.substr(at, name.size()) != name) return false;
         made_.svg.append(svg_.substr(copied_, at + name.size() - copied_));

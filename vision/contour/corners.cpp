@@ -197,7 +197,8 @@ class Run {
             return std::nullopt;
         }
         const Corner corner{apex - std::min(samples_in(skip_px), (2 * room_before) / 5),
-                            apex + std::min(samples_in(skip_px), (2 * room_after) / 5), *vertex, turn};
+                            apex + std::min(samples_in(skip_px), (2 * room_after) / 5), *vertex,
+                            turn};
         double rounding_px = std::numeric_limits<double>::infinity();
         for (int i = corner.from; i <= corner.to; ++i) {
             rounding_px = std::min(rounding_px, distance(*vertex, sample(i).at));

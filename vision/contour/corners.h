@@ -16,7 +16,7 @@ namespace touchline {
 /// place and the turn in radians, refuses stays as it is.
 [[nodiscard]] Chain with_sharp_corners(
     const Chain& chain, double blur_px,
-    const std::function<bool(const cv::Point2d&, double)>& accepts =
-        [](const cv::Point2d&, double) { return true; });
+    const std::function<bool(const cv::Point2d&, double)>& accepts = [](const cv::Point2d&,
+                                                                        double) { return true; });
 
 }  // namespace touchline

@@ -23,8 +23,8 @@ constexpr double kMostAlike = 0.65;  // of the pieces: those at ends and corners
 constexpr double kField = 1.5;       // of the second nearest dot: no nearer may be a third
 constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
-/// A dash or a dot. Its two ends are EndIds of its place in the list of pieces; those of a dot point
-/// nowhere.
+/// A dash or a dot. Its two ends are EndIds of its place in the list of pieces; those of a dot
+/// point nowhere.
 struct Piece {
     std::size_t line = 0;
     cv::Point2d middle;
@@ -66,7 +66,8 @@ std::vector<Piece> pieces_of(const std::vector<Chain>& lines, double mm_px) {
         if (length_px <= kLongestDash_mm * mm_px) {
             const cv::Point2d front = line.points.front().at;
             const cv::Point2d back = line.points.back().at;
-            pieces.push_back({i, line.points[line.points.size() / 2].at, front, back, length_px, false});
+            pieces.push_back(
+                {i, line.points[line.points.size() / 2].at, front, back, length_px, false});
         }
     }
     return pieces;
@@ -91,7 +92,8 @@ class Joiner {
         std::vector<Chain> made;
         for (const bool from_ends : {true, false}) {
             for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
-                const bool is_end = to_[front_of(piece)] == kNobody || to_[back_of(piece)] == kNobody;
+                const bool is_end =
+                    to_[front_of(piece)] == kNobody || to_[back_of(piece)] == kNobody;
                 if (is_walked[piece] || is_end != from_ends) {
                     continue;
                 }
@@ -239,13 +241,15 @@ class Joiner {
         const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
         std::ranges::nth_element(values, middle);
         const double usual = *middle;
-        const auto like = std::ranges::count_if(
-            values, [&](double value) { return std::abs(value - usual) <= kLike * std::abs(usual) + 1.0; });
+        const auto like = std::ranges::count_if(values, [&](double value) {
+            return std::abs(value - usual) <= kLike * std::abs(usual) + 1.0;
+        });
         return static_cast<double>(like) >= kMostAlike * static_cast<double>(values.size());
     }
 
     [[nodiscard]] bool is_broken_line(const std::vector<EndId>& way) const {
-        if (way.empty() || way.size() < (pieces_[chain_of(way.front())].is_dot ? kLeastDots : kLeastDashes)) {
+        if (way.empty() ||
+            way.size() < (pieces_[chain_of(way.front())].is_dot ? kLeastDots : kLeastDashes)) {
             return false;
         }
         std::vector<double> lengths;

@@ -12,7 +12,7 @@ constexpr int kLeastArea_px = 8;  // less ink is a speck, less paper a pinhole
 constexpr double kClearlyWide = 1.25;
 constexpr double kStillAStroke = 1.1;  // of the greatest width: strokes of a piece stay strokes
 constexpr double kWhereTwoMeet = 2.05;
-constexpr double kAsWide = 0.6;  // near its end, of what it is half-way
+constexpr double kAsWide = 0.6;              // near its end, of what it is half-way
 constexpr double kLeastTailOverWidth = 1.0;  // what stands out of a wide shape less is its corner
 
 /// Without the pieces of a mask that are too small, by neighbours of 4 or of 8.
@@ -70,7 +70,8 @@ cv::Mat wide_cores(const InkParts& parts, double greatest_width_px) {
         for (int x = 0; x < depth.cols; ++x) {
             const auto usual_px =
                 static_cast<double>(usual[static_cast<std::size_t>(parts.piece(y, x))]);
-            const double met_px = usual_px <= kStillAStroke * half_px ? kWhereTwoMeet * usual_px : 0.0;
+            const double met_px =
+                usual_px <= kStillAStroke * half_px ? kWhereTwoMeet * usual_px : 0.0;
             if (label(y, x) != 0 &&
                 static_cast<double>(depth(y, x)) > std::max(kClearlyWide * half_px, met_px)) {
                 is_wide[static_cast<std::size_t>(label(y, x))] = 255;
@@ -125,7 +126,8 @@ cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, double greates
         tail.reach_px = std::max(tail.reach_px, static_cast<double>(from_core(p)));
     });
     for_each([&](const cv::Point& p, Tail& tail) {
-        const double part = (static_cast<double>(from_core(p)) - half_px) / (tail.reach_px - half_px);
+        const double part =
+            (static_cast<double>(from_core(p)) - half_px) / (tail.reach_px - half_px);
         const auto depth_px = static_cast<double>(parts.depth(p));
         if (part > 0.4 && part < 0.6) {
             tail.middle_px = std::max(tail.middle_px, depth_px);

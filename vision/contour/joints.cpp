@@ -1,5 +1,7 @@
 #include "vision/contour/joints.h"
 
+#include "vision/contour/courses.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,135 +12,16 @@
 namespace touchline {
 namespace {
 
-constexpr double kDeep = 1.12;       // times the stroke's own depth, and more: ink of two strokes
-constexpr double kDeepSlack_px = 0.8;  // whole pixels: a slanting stroke is now 2, now 2.8 deep
-constexpr double kSpanOverDepth = 12.0;  // of a course, at most: the longer, the surer
-constexpr double kSpan_px = 24.0;
-constexpr double kLeastSpan_px = 3.0;
-constexpr double kStraight_px = 0.7;     // rms about the fitted line
 constexpr double kStraightOn = 30.0 * std::numbers::pi / 180.0;
-constexpr double kTurn = 35.0 * std::numbers::pi / 180.0;       // less is a bend, not a corner
-constexpr double kSharpest = 8.0 * std::numbers::pi / 180.0;    // courses are parallel below it
-constexpr double kBesideOverDepth = 1.2;  // a place on the way of an arm, or a course through a crossing
+constexpr double kTurn = 35.0 * std::numbers::pi / 180.0;     // less is a bend, not a corner
+constexpr double kSharpest = 8.0 * std::numbers::pi / 180.0;  // courses are parallel below it
+constexpr double kBesideOverDepth =
+    1.2;  // a place on the way of an arm, or a course through a crossing
 constexpr double kBeside_px = 1.0;
-constexpr double kTipSlack = 1.25;  // times the length of a mitre
-constexpr double kTapered = 0.78;   // of the stroke's depth, on average: a mitre, not a stroke
+constexpr double kTipSlack = 1.25;    // times the length of a mitre
+constexpr double kTapered = 0.78;     // of the stroke's depth, on average: a mitre, not a stroke
 constexpr double kNoStroke_px = 6.0;  // longer than its width by no more: too short to be one
 constexpr double kParallel = 15.0 * std::numbers::pi / 180.0;
-
-/// The straight part of an arm next to one of its ends, beyond what has flowed together.
-struct Course {
-    Ray ray;               // outward, towards the end
-    double from_px = 0.0;  // along the arm from the end
-};
-
-class Courses {
-  public:
-    Courses(const Skeleton& skeleton, const cv::Mat1f& depth, std::vector<double> usual_depth_px)
-        : skeleton_(skeleton), depth_(depth), own_depth_px_(std::move(usual_depth_px)) {
-        for (std::size_t arm = 0; arm < skeleton.arms.size(); ++arm) {
-            depths_.push_back(depths_of(skeleton.arms[arm]));
-            const double own_px = quantile_of(depths_[arm], kOwnPart);
-            if (length_of(skeleton.arms[arm]) > kLongOverDepth * own_px) own_depth_px_[arm] = own_px;
-        }
-        for (EndId end = 0; end < 2 * skeleton.arms.size(); ++end) courses_.push_back(course_at(end));
-    }
-
-    [[nodiscard]] const std::optional<Course>& at(EndId end) const { return courses_[end]; }
-
-    /// Half the width of the stroke that the arm is of.
-    [[nodiscard]] double depth_px(EndId end) const { return own_depth_px_[chain_of(end)]; }
-
-    [[nodiscard]] const std::vector<float>& depths(std::size_t arm) const { return depths_[arm]; }
-
-  private:
-    static constexpr double kOwnPart = 0.3;
-    static constexpr double kLongOverDepth = 6.0;
-
-    [[nodiscard]] std::vector<float> depths_of(const Chain& arm) const {
-        std::vector<float> depths;
-        for (const EdgePoint& point : arm.points)
-            depths.push_back(depth_(cv::Point(cvRound(point.at.x), cvRound(point.at.y))));
-        return depths;
-    }
-
-    static double quantile_of(std::vector<float> values, double part) {
-        if (values.empty()) return 1.0;
-        const auto at = values.begin() +
-                        static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-        std::ranges::nth_element(values, at);
-        return std::max(1.0, static_cast<double>(*at));
-    }
-
-    /// Where the ink is that of one stroke; half of the arm at most, for the other end has its own.
-    [[nodiscard]] double flowed_px(EndId end) const {
-        const std::vector<EdgePoint>& points = skeleton_.arms[chain_of(end)].points;
-        const std::vector<float>& depths = depths_[chain_of(end)];
-        const double limit = kDeep * depth_px(end) + kDeepSlack_px;
-        const double needed_px = std::max(2.0, depth_px(end));
-        const std::size_t n = points.size();
-        const auto index = [&](std::size_t i) { return is_back(end) ? n - 1 - i : i; };
-        double passed_px = 0.0;
-        double flowed_px = 0.0;
-        for (std::size_t i = 1; i < n; ++i) {
-            passed_px += distance(points[index(i - 1)].at, points[index(i)].at);
-            if (static_cast<double>(depths[index(i)]) > limit) flowed_px = passed_px;
-            if (passed_px - flowed_px > needed_px) break;
-        }
-        return flowed_px + depth_px(end);
-    }
-
-    [[nodiscard]] std::optional<Course> course_at(EndId end) const {
-        const Chain& arm = skeleton_.arms[chain_of(end)];
-        const double length_px = length_of(arm);
-        const double from_px = flowed_px(end);
-        const double room_px = length_px - from_px - flowed_px(end ^ 1U);
-        double span_px = std::min(room_px, kSpanOverDepth * depth_px(end) + kSpan_px);
-        while (span_px >= kLeastSpan_px) {
-            const auto [ray, rms_px] = fitted(arm, end, from_px, span_px);
-            if (rms_px <= kStraight_px) return Course{ray, from_px};
-            span_px *= 0.6;
-        }
-        return std::nullopt;
-    }
-
-    /// Least squares through the points between from_px and from_px + span_px of arc length.
-    static std::pair<Ray, double> fitted(const Chain& arm, EndId end, double from_px, double span_px) {
-        std::vector<cv::Point2d> part;
-        double passed_px = 0.0;
-        const std::size_t n = arm.points.size();
-        const auto at = [&](std::size_t i) { return arm.points[is_back(end) ? n - 1 - i : i].at; };
-        for (std::size_t i = 1; i < n && passed_px <= from_px + span_px; ++i) {
-            passed_px += distance(at(i - 1), at(i));
-            if (passed_px >= from_px) part.push_back(at(i));
-        }
-        if (part.size() < 3) return {{}, std::numeric_limits<double>::infinity()};
-        cv::Point2d sum;
-        for (const cv::Point2d& p : part) sum += p;
-        const cv::Point2d centre = sum / static_cast<double>(part.size());
-        double xx = 0.0, yy = 0.0, xy = 0.0;
-        for (const cv::Point2d& p : part) {
-            const cv::Point2d d = p - centre;
-            xx += d.x * d.x;
-            yy += d.y * d.y;
-            xy += d.x * d.y;
-        }
-        const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
-        cv::Point2d direction(std::cos(angle), std::sin(angle));
-        if (direction.dot(part.front() - part.back()) < 0.0) direction = -direction;
-        const double along = direction.x * direction.x * xx + 2.0 * direction.x * direction.y * xy +
-                             direction.y * direction.y * yy;
-        const double rms_px =
-            std::sqrt(std::max(0.0, xx + yy - along) / static_cast<double>(part.size()));
-        return {{centre + (part.front() - centre).dot(direction) * direction, direction}, rms_px};
-    }
-
-    const Skeleton& skeleton_;
-    const cv::Mat1f& depth_;
-    std::vector<std::vector<float>> depths_;
-    std::vector<double> own_depth_px_;
-    std::vector<std::optional<Course>> courses_;
-};
 
 /// Distance of a place from the line along a ray.
 double beside(const Ray& ray, const cv::Point2d& at) {
@@ -168,7 +51,8 @@ std::optional<cv::Point2d> crossing_of(const std::vector<Ray>& rays) {
 
 class Solver {
   public:
-    Solver(const Skeleton& skeleton, const cv::Mat1f& depth, const std::vector<double>& usual_depth_px)
+    Solver(const Skeleton& skeleton, const cv::Mat1f& depth,
+           const std::vector<double>& usual_depth_px)
         : skeleton_(skeleton), courses_(skeleton, depth, usual_depth_px), nodes_(skeleton.nodes) {
         found_.is_dropped.assign(skeleton.arms.size(), false);
         node_of_.assign(2 * skeleton.arms.size(), kFree);
@@ -236,7 +120,8 @@ class Solver {
         const Ray& a = courses_.at(pair.first)->ray;
         const Ray& b = courses_.at(pair.second)->ray;
         const double aside_px = 0.7 * courses_.depth_px(pair.first) + kBeside_px;
-        return turn(a, b) < kParallel && beside(a, b.from) <= aside_px && beside(b, a.from) <= aside_px;
+        return turn(a, b) < kParallel && beside(a, b.from) <= aside_px &&
+               beside(b, a.from) <= aside_px;
     }
 
     /// The ends of a node once the arms to tips have gone, and what they do; nothing where their
@@ -251,8 +136,8 @@ class Solver {
         solution.tips = tips_of(ends);
         for (const EndId tip : solution.tips) std::erase(ends, tip);
         const bool is_known = ends.size() >= 2 && std::ranges::all_of(ends, [&](EndId end) {
-            return courses_.at(end).has_value();
-        });
+                                  return courses_.at(end).has_value();
+                              });
         const auto at = is_known ? crossing_of(rays_of(ends)) : std::nullopt;
         if (!at || !is_near(*at, ends)) return std::nullopt;
         const auto pairs = ends.size() == 2 ? corner(ends) : straight_on(ends);
@@ -302,7 +187,8 @@ class Solver {
         if (left.size() >= 2) found_.unsolved.push_back(std::move(left));
     }
 
-    [[nodiscard]] std::vector<std::pair<EndId, EndId>> corner(const std::vector<EndId>& ends) const {
+    [[nodiscard]] std::vector<std::pair<EndId, EndId>> corner(
+        const std::vector<EndId>& ends) const {
         if (turn(courses_.at(ends[0])->ray, courses_.at(ends[1])->ray) < kTurn) return {};
         return {{ends[0], ends[1]}};
     }
@@ -312,7 +198,8 @@ class Solver {
         return std::ranges::all_of(ends, [&](EndId end) {
             const Course& course = *courses_.at(end);
             const double ahead_px = course.ray.direction.dot(at - course.ray.from);
-            return beside(course.ray, at) <= kBesideOverDepth * courses_.depth_px(end) + kBeside_px &&
+            return beside(course.ray, at) <=
+                       kBesideOverDepth * courses_.depth_px(end) + kBeside_px &&
                    ahead_px > -kBeside_px && ahead_px < reach_px(end, ends);
         });
     }
@@ -331,7 +218,8 @@ class Solver {
     }
 
     /// Best first, each end once.
-    [[nodiscard]] std::vector<std::pair<EndId, EndId>> straight_on(const std::vector<EndId>& ends) const {
+    [[nodiscard]] std::vector<std::pair<EndId, EndId>> straight_on(
+        const std::vector<EndId>& ends) const {
         std::vector<std::pair<double, std::pair<EndId, EndId>>> all;
         for (std::size_t i = 0; i < ends.size(); ++i)
             for (std::size_t j = i + 1; j < ends.size(); ++j)
@@ -381,7 +269,8 @@ class Solver {
         const Beyond beyond = beyond_of(tip, *at);
         if (beyond.aside_px > kBesideOverDepth * depth_px + kBeside_px) return false;
         if (beyond.length_px > kTipSlack * mitre_px + 2.0) return false;
-        return beyond.length_px <= 2.0 * depth_px + kNoStroke_px || beyond.mean_depth_px <= kTapered * depth_px + 0.3;
+        return beyond.length_px <= 2.0 * depth_px + kNoStroke_px ||
+               beyond.mean_depth_px <= kTapered * depth_px + 0.3;
     }
 
     /// What of an arm lies beyond the place on it that is nearest to `at`.

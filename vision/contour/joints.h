@@ -13,7 +13,7 @@ namespace touchline {
 struct Joints {
     std::vector<SolvedJunction> solved;
     std::vector<std::vector<EndId>> unsolved;  // ends that meet, whose courses tell nothing
-    std::vector<bool> is_dropped;              // of each arm: the tip of a corner, the inside of a crossing
+    std::vector<bool> is_dropped;  // of each arm: the tip of a corner, the inside of a crossing
 };
 
 /// Where two strokes of half width h meet at an angle a, their ink is one wedge from

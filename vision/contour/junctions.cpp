@@ -238,7 +238,7 @@ void JunctionSet::pin(const SolvedJunction& junction) {
             passed_px += distance(points[gone - 1].at, points[gone].at);
         }
         points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(
-                                         std::min(gone, points.size() - 1)));
+                                                          std::min(gone, points.size() - 1)));
         points.insert(points.begin(), first);
         if (is_back(end)) {
             std::ranges::reverse(points);

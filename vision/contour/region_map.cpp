@@ -194,7 +194,9 @@ void overgrow(cv::Mat1b& map, const cv::Mat1b& mask) {
     std::vector<cv::Point> front;
     for (int y = 0; y < map.rows; ++y) {
         for (int x = 0; x < map.cols; ++x) {
-            const auto is_left = [&](const cv::Point& q) { return frame.contains(q) && gone(q) == 0; };
+            const auto is_left = [&](const cv::Point& q) {
+                return frame.contains(q) && gone(q) == 0;
+            };
             if (gone(y, x) != 0) {
                 std::ranges::copy_if(beside({x, y}), std::back_inserter(front), is_left);
             }

@@ -133,8 +133,8 @@ std::vector<Chain> joined(std::vector<Chain> lines, std::size_t strokes, cv::Siz
     }
     for (EndId end = 0; end < 2 * lines.size(); ++end) {
         const cv::Point2d at = end_point(end);
-        const bool is_on_frame = at.x < 0.0 || at.y < 0.0 || at.x > size.width - 1.0 ||
-                                 at.y > size.height - 1.0;
+        const bool is_on_frame =
+            at.x < 0.0 || at.y < 0.0 || at.x > size.width - 1.0 || at.y > size.height - 1.0;
         if (lines[chain_of(end)].is_closed || is_on_frame || twice.contains({at.x, at.y})) {
             continue;
         }

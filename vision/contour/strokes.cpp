@@ -30,7 +30,7 @@ constexpr double kDepthAtCorner = 0.48;
 
 /// What was found in one connected piece of ink.
 struct Piece {
-    std::vector<std::size_t> arms;                // of the skeleton
+    std::vector<std::size_t> arms;  // of the skeleton
     std::vector<const SolvedJunction*> solved;
     std::vector<const std::vector<EndId>*> unsolved;  // ends that meet
     std::vector<Chain> outlines;
@@ -238,12 +238,11 @@ class StrokeTracer {
             line = centred(line, ink_.darkness);
         }
         const double width_px = line.width_px;
-        line = with_sharp_corners(
-            line, kPictureBlur_px + kRoundingOverWidth * width_px,
-            [&](const cv::Point2d& at, double turn) {
-                return depth_near(at) >=
-                       kDepthAtCorner * width_px * std::cos(0.5 * turn);
-            });
+        line = with_sharp_corners(line, kPictureBlur_px + kRoundingOverWidth * width_px,
+                                  [&](const cv::Point2d& at, double turn) {
+                                      return depth_near(at) >=
+                                             kDepthAtCorner * width_px * std::cos(0.5 * turn);
+                                  });
         line.width_px = width_px;
         const auto is_set = [](const EdgePoint& point) { return point.strength > 0.0; };
         for (EdgePoint& point : line.points) {
@@ -273,7 +272,8 @@ class StrokeTracer {
     /// The greatest within a pixel.
     double depth_near(const cv::Point2d& at) const {
         const cv::Point p = pixel_at(at);
-        const cv::Rect around = cv::Rect(p.x - 1, p.y - 1, 3, 3) & cv::Rect({}, parts_.depth.size());
+        const cv::Rect around =
+            cv::Rect(p.x - 1, p.y - 1, 3, 3) & cv::Rect({}, parts_.depth.size());
         double depth_px = 0.0;
         cv::minMaxLoc(parts_.depth(around), nullptr, &depth_px);
         return depth_px;

@@ -127,8 +127,7 @@ std::optional<std::size_t> too_near_itself(const Chain& ring, const SpacingScale
             const cv::Point2d way = ring.points[(i + 1) % ring.points.size()].at - p;
             is_near = is_near ||
                       (along_mm > kApartAlong * scale.gap_mm - 2.0 * scale.step_mm &&
-                       apart_mm < scale.clearance_mm() &&
-                       !corners.is_round_one(other.index, i)) ||
+                       apart_mm < scale.clearance_mm() && !corners.is_round_one(other.index, i)) ||
                       (along_mm > kHairpinAlong * scale.gap_mm && apart_mm < scale.gap_mm &&
                        is_back(way, other));
         });

@@ -1,5 +1,4 @@
 // What is written for those who cannot see a picture survives its opening.
-#include "app/cli/page_map.h"
 #include "app/decode/files.h"
 #include "app/decode/one_line.h"
 #include "app/decode/side_car.h"

@@ -60,8 +60,8 @@ std::vector<Polyline> pen_polygon(PenDice& dice, double thin) {
         Polyline ring{{}, true};
         const double turn = dice.between(0.0, 360.0);
         for (int i = 0; i < n; ++i)
-            ring.points.push_back(
-                at_angle(dice.between(0.35, 1.0), turn + (i + dice.between(-0.3, 0.3)) * 360.0 / n));
+            ring.points.push_back(at_angle(dice.between(0.35, 1.0),
+                                           turn + (i + dice.between(-0.3, 0.3)) * 360.0 / n));
         if (is_drawable(ring, 14.0 * thin)) return {ring};
     }
 }
@@ -133,17 +133,23 @@ std::vector<Polyline> pen_letter(PenDice& dice, double /*thin*/) {
     const cv::Point2d left(-0.2, 0.2);
     const cv::Point2d right(0.2, 0.2);
     const std::vector<std::vector<Polyline>> letters{
-        {{{{-0.5, 0.95}, left + cv::Point2d(-0.055, 0.0), {0.0, -0.95}, right + cv::Point2d(0.055, 0.0), {0.5, 0.95}},
+        {{{{-0.5, 0.95},
+           left + cv::Point2d(-0.055, 0.0),
+           {0.0, -0.95},
+           right + cv::Point2d(0.055, 0.0),
+           {0.5, 0.95}},
           false},
-         {{left + cv::Point2d(-0.055, 0.0), right + cv::Point2d(0.055, 0.0)}, false}},  // A
+         {{left + cv::Point2d(-0.055, 0.0), right + cv::Point2d(0.055, 0.0)}, false}},   // A
         {{{{-0.5, -0.9}, {0.0, 0.9}, {0.5, -0.9}}, false}},                              // V
         {{{{-0.9, -0.8}, {-0.45, 0.8}, {0.0, -0.8}, {0.45, 0.8}, {0.9, -0.8}}, false}},  // W
         {{{{-0.7, 0.8}, {-0.6, -0.8}, {0.0, 0.6}, {0.6, -0.8}, {0.7, 0.8}}, false}},     // M
         {{{{-0.5, 0.9}, {-0.5, -0.9}, {0.5, 0.9}, {0.5, -0.9}}, false}},                 // N
-        {{{{0.3, 0.95}, {0.3, 0.4}, {0.3, -0.95}, {-0.5, 0.4}, {0.3, 0.4}, {0.7, 0.4}}, false}},  // 4
-        {{{{-0.5, -0.9}, {0.5, -0.9}, {-0.1, 0.9}}, false}},                             // 7
+        {{{{0.3, 0.95}, {0.3, 0.4}, {0.3, -0.95}, {-0.5, 0.4}, {0.3, 0.4}, {0.7, 0.4}},
+          false}},                                            // 4
+        {{{{-0.5, -0.9}, {0.5, -0.9}, {-0.1, 0.9}}, false}},  // 7
     };
-    std::vector<Polyline> drawn = letters[static_cast<std::size_t>(dice.below(static_cast<int>(letters.size())))];
+    std::vector<Polyline> drawn =
+        letters[static_cast<std::size_t>(dice.below(static_cast<int>(letters.size())))];
     for (Polyline& line : drawn)
         for (cv::Point2d& p : line.points) p *= 0.8;  // into the circle
     return drawn;
@@ -151,15 +157,16 @@ std::vector<Polyline> pen_letter(PenDice& dice, double /*thin*/) {
 
 using PenMaker = std::vector<Polyline> (*)(PenDice&, double);
 
-constexpr std::array<std::pair<const char*, PenMaker>, 9> kPenMakers{{{"polygon", pen_polygon},
-                                                                {"star", pen_star},
-                                                                {"triangle", pen_triangle},
-                                                                {"zig-zag", pen_zigzag},
-                                                                {"arrow", pen_arrow},
-                                                                {"crossing", pen_crossing},
-                                                                {"three arms", pen_three_arms},
-                                                                {"stroke on stroke", pen_stroke_on_stroke},
-                                                                {"letter", pen_letter}}};
+constexpr std::array<std::pair<const char*, PenMaker>, 9> kPenMakers{
+    {{"polygon", pen_polygon},
+     {"star", pen_star},
+     {"triangle", pen_triangle},
+     {"zig-zag", pen_zigzag},
+     {"arrow", pen_arrow},
+     {"crossing", pen_crossing},
+     {"three arms", pen_three_arms},
+     {"stroke on stroke", pen_stroke_on_stroke},
+     {"letter", pen_letter}}};
 
 /// Neighbours of each point; equal points are one.
 using Graph = std::map<std::pair<double, double>, std::multiset<std::pair<double, double>>>;
@@ -206,7 +213,8 @@ Topology topology_of(const std::vector<Polyline>& lines) {
     for (const auto& [point, neighbours] : graph) {
         edges += static_cast<int>(neighbours.size());
         if (neighbours.size() == 1) ++topology.ends;
-        if (neighbours.size() > 2) topology.junctions.push_back(static_cast<int>(neighbours.size()));
+        if (neighbours.size() > 2)
+            topology.junctions.push_back(static_cast<int>(neighbours.size()));
         if (!seen.insert(point).second) continue;
         ++topology.parts;
         std::vector<std::pair<double, double>> open{point};
