@@ -8,8 +8,8 @@
 namespace touchline::decode {
 
 /// "OLYMPUS DIGITAL CAMERA", "oznor", "filter: 0; jpegRotation: 0;", "Created with Sketch.",
-/// "untitled", "Microsoft Word - Doc1.docx", "Slice 1": told to nobody, for a file's own name says more.
-/// O(text).
+/// "untitled", "Microsoft Word - Doc1.docx", "Slice 1": told to nobody, for a file's own name says
+/// more. O(text).
 [[nodiscard]] bool is_of_a_machine(std::string_view text);
 
 /// The text, or nothing where a machine wrote it.

@@ -18,8 +18,9 @@ struct Between {
 };
 
 Between between(std::size_t at, std::size_t count, std::size_t of) {
-    const double place = (static_cast<double>(at) + 0.5) * static_cast<double>(of) /
-                             static_cast<double>(count) - 0.5;
+    const double place =
+        (static_cast<double>(at) + 0.5) * static_cast<double>(of) / static_cast<double>(count) -
+        0.5;
     const double clamped = std::clamp(place, 0.0, static_cast<double>(of - 1));
     const auto first = static_cast<std::size_t>(clamped);
     return {first, std::min(first + 1, of - 1),
@@ -33,16 +34,19 @@ Picture stretched(const Picture& from, int width, int height) {
     to.bgr.resize(3 * columns * static_cast<std::size_t>(height));
     std::uint8_t* out = to.bgr.data();
     for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
-        const Between rows = between(y, static_cast<std::size_t>(height), static_cast<std::size_t>(from.height));
+        const Between rows =
+            between(y, static_cast<std::size_t>(height), static_cast<std::size_t>(from.height));
         for (std::size_t x = 0; x < columns; ++x) {
             const Between sides = between(x, columns, from_columns);
             for (std::size_t channel = 0; channel < 3; ++channel, ++out) {
                 const auto level = [&](std::size_t row) {
                     const std::uint8_t* pixels = from.bgr.data() + 3 * row * from_columns + channel;
-                    return (256 - sides.part) * pixels[3 * sides.first] + sides.part * pixels[3 * sides.second];
+                    return (256 - sides.part) * pixels[3 * sides.first] +
+                           sides.part * pixels[3 * sides.second];
                 };
                 *out = static_cast<std::uint8_t>(
-                    ((256 - rows.part) * level(rows.first) + rows.part * level(rows.second)) >> 16U);
+                    ((256 - rows.part) * level(rows.first) + rows.part * level(rows.second)) >>
+                    16U);
             }
         }
     }

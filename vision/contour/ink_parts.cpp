@@ -1,6 +1,8 @@
 #include "vision/contour/ink_parts.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -10,6 +12,9 @@ namespace {
 
 constexpr int kLeastArea_px = 8;  // less ink is a speck, less paper a pinhole
 constexpr double kClearlyWide = 1.25;
+constexpr float kAlike = 0.2F;         // of the depth: along a stroke
+constexpr double kMostAlike = 0.55;    // of the ridges
+constexpr double kHair = 0.4;          // of the greatest width: a stroke, however it swells
 constexpr double kStillAStroke = 1.1;  // of the greatest width: strokes of a piece stay strokes
 constexpr double kWhereTwoMeet = 2.05;
 constexpr double kAsWide = 0.6;              // near its end, of what it is half-way
@@ -32,7 +37,8 @@ cv::Mat without_specks(const cv::Mat& mask, int neighbours) {
     return kept;
 }
 
-/// Half the width of the strokes of each piece: the middle one of the depths along its ridges.
+/// Half the width of the strokes of each piece: the middle one of the depths along its ridges; 0
+/// for what is no stroke.
 std::vector<float> usual_depths(const cv::Mat1f& depth, const cv::Mat1i& piece, int pieces) {
     cv::Mat around;
     cv::dilate(depth, around, cv::Mat::ones(3, 3, CV_8U));
@@ -50,7 +56,15 @@ std::vector<float> usual_depths(const cv::Mat1f& depth, const cv::Mat1i& piece, 
             const auto middle =
                 ridges[i].begin() + static_cast<std::ptrdiff_t>(ridges[i].size() / 2);
             std::ranges::nth_element(ridges[i], middle);
-            usual[i] = *middle;
+            const float depth_px = *middle;
+            const auto alike = std::ranges::count_if(ridges[i], [depth_px](float each) {
+                return std::abs(each - depth_px) <= kAlike * depth_px + 0.5F;
+            });
+            // Towards the corners of a shape its ridges are of every depth.
+            usual[i] =
+                static_cast<double>(alike) >= kMostAlike * static_cast<double>(ridges[i].size())
+                    ? depth_px
+                    : 0.0F;
         }
     }
     return usual;
@@ -58,10 +72,10 @@ std::vector<float> usual_depths(const cv::Mat1f& depth, const cv::Mat1i& piece, 
 
 /// Where the ink is deeper than a stroke's, in places clearly so. Where two strokes of a piece meet
 /// at a sharp angle it is up to twice as deep as they are.
-cv::Mat wide_cores(const InkParts& parts, double greatest_width_px) {
+cv::Mat wide_cores(const InkParts& parts, const std::vector<float>& usual,
+                   double greatest_width_px) {
     const cv::Mat1f& depth = parts.depth;
     const double half_px = 0.5 * greatest_width_px;
-    const std::vector<float> usual = usual_depths(depth, parts.piece, parts.pieces);
     const cv::Mat deep = depth > half_px;
     cv::Mat1i label;
     const int n = cv::connectedComponents(deep, label, 8, CV_32S);
@@ -101,8 +115,9 @@ struct Tail {
 };
 
 /// The wide parts of the ink, with the corners round them; tails that are strokes stay strokes.
-cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, double greatest_width_px) {
-    const cv::Mat core = wide_cores(parts, greatest_width_px);
+cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vector<float>& usual,
+                    double greatest_width_px) {
+    const cv::Mat core = wide_cores(parts, usual, greatest_width_px);
     if (cv::countNonZero(core) == 0) {
         return cv::Mat1b(mask.size(), uchar{0});
     }
@@ -144,6 +159,27 @@ cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, double greates
     return wide;
 }
 
+/// Pieces that swell and shrink, but for the finest, are shapes, however narrow: a star of rays.
+void add_swelling(InkParts& parts, const std::vector<float>& usual, double greatest_width_px) {
+    std::vector<float> deepest(usual.size(), 0.0F);
+    const auto of = [&](int y, int x) { return static_cast<std::size_t>(parts.piece(y, x)); };
+    for (int y = 0; y < parts.depth.rows; ++y) {
+        for (int x = 0; x < parts.depth.cols; ++x) {
+            deepest[of(y, x)] = std::max(deepest[of(y, x)], parts.depth(y, x));
+        }
+    }
+    const double hair_px = std::max(1.0, 0.5 * kHair * greatest_width_px) + 0.5;
+    for (int y = 0; y < parts.depth.rows; ++y) {
+        for (int x = 0; x < parts.depth.cols; ++x) {
+            const std::size_t piece = of(y, x);
+            if (piece != 0 && !(usual[piece] > 0.0F) &&
+                static_cast<double>(deepest[piece]) > hair_px) {
+                parts.shapes(y, x) = 255;
+            }
+        }
+    }
+}
+
 }  // namespace
 
 cv::Mat1f depth_of(const cv::Mat& mask) {
@@ -159,7 +195,9 @@ InkParts parts_of(const cv::Mat1b& ink, double greatest_width_px) {
     const cv::Mat1b mask = cv::Mat(~without_specks(paper, 4));
     parts.depth = depth_of(mask);
     parts.pieces = cv::connectedComponents(mask, parts.piece, 8, CV_32S);
-    parts.shapes = wide_part(mask, parts, greatest_width_px);
+    const std::vector<float> usual = usual_depths(parts.depth, parts.piece, parts.pieces);
+    parts.shapes = wide_part(mask, parts, usual, greatest_width_px);
+    add_swelling(parts, usual, greatest_width_px);
     parts.strokes = cv::Mat(mask & ~parts.shapes);
     return parts;
 }

@@ -19,7 +19,7 @@ namespace touchline {
 namespace {
 
 constexpr double kGradientOverStep = 0.4;      // as of a step smoothed with sigma 1 px
-constexpr double kLeastLengthOverWidth = 2.0;  // shorter is a dot
+constexpr double kLeastLengthOverWidth = 2.5;  // with shorter arms it is a dot, or a small star
 constexpr double kPictureBlur_px = 0.7;
 // At a corner of angle a the middle of the ink is 0.25 (1 / sin(a / 2) - 1) widths inside it, over
 // half a width / tan(a / 2) of either side: what a blur of this many widths would do.
@@ -35,7 +35,7 @@ struct Piece {
     std::vector<const std::vector<EndId>*> unsolved;  // ends that meet
     std::vector<Chain> outlines;
     double width_px = 0.0;
-    double length_px = 0.0;  // of the arms
+    double longest_px = 0.0;  // of the arms
 };
 
 double middle_width(const std::vector<Chain>& arms, const std::vector<std::size_t>& which,
@@ -94,7 +94,8 @@ class StrokeTracer {
         std::vector<Piece> pieces(static_cast<std::size_t>(parts_.pieces));
         for (std::size_t i = 0; i < skeleton_.arms.size(); ++i) {
             pieces[piece_of_arm(i)].arms.push_back(i);
-            pieces[piece_of_arm(i)].length_px += length_of(skeleton_.arms[i]);
+            double& longest_px = pieces[piece_of_arm(i)].longest_px;
+            longest_px = std::max(longest_px, length_of(skeleton_.arms[i]));
         }
         for (Piece& piece : pieces) {
             piece.width_px = middle_width(skeleton_.arms, piece.arms, parts_.depth);
@@ -133,7 +134,7 @@ class StrokeTracer {
         std::vector<uchar> is_dot(pieces.size(), 0);
         for (std::size_t i = 1; i < pieces.size(); ++i) {
             Piece& piece = pieces[i];
-            if (piece.length_px < kLeastLengthOverWidth * piece.width_px) {
+            if (piece.longest_px < kLeastLengthOverWidth * piece.width_px) {
                 is_dot[i] = 1;
                 piece.arms.clear();
                 piece.solved.clear();
