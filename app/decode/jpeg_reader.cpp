@@ -16,6 +16,7 @@ struct ErrorCallbacks {
     jpeg_error_mgr base;  // first: libjpeg's pointer to it is a pointer to this
     std::jmp_buf way_out;
     bool is_cut_short;
+    bool has_no_end_mark;
     std::array<char, JMSG_LENGTH_MAX> message;
 };
 
@@ -32,11 +33,22 @@ ErrorCallbacks& callbacks_of(j_common_ptr codec) {
     std::longjmp(errors.way_out, 1);  // NOLINT(cert-err52-cpp): libjpeg's interface
 }
 
-/// Warnings pass (a picture with stray bytes, or without a mark at its end, is a picture) but for
-/// the one that says that pixels are missing.
+/// Warnings pass (a picture with stray bytes is a picture) but for the one that says that pixels
+/// are missing. Where only the mark at the end is, all of them are there.
 void note_warning(j_common_ptr codec, int message_level) {
-    if (message_level < 0 && codec->err->msg_code == JWRN_HIT_MARKER)
-        callbacks_of(codec).is_cut_short = true;
+    if (message_level >= 0) return;
+    const int code = codec->err->msg_code;
+    if (code == JWRN_JPEG_EOF) callbacks_of(codec).has_no_end_mark = true;
+    if (code == JWRN_HIT_MARKER) callbacks_of(codec).is_cut_short = true;
+}
+
+/// Whether a progressive picture has had all its scans: every bit of every coefficient.
+bool has_all_scans(const jpeg_decompress_struct& decoder) {
+    if (decoder.progressive_mode == FALSE || decoder.coef_bits == nullptr) return true;
+    for (int component = 0; component < decoder.num_components; ++component)
+        if (std::ranges::any_of(decoder.coef_bits[component], [](int bits) { return bits != 0; }))
+            return false;
+    return true;
 }
 
 void limit_scans(j_common_ptr codec) {
@@ -145,6 +157,7 @@ Result<Picture> read_jpeg(Bytes bytes) {
     if (!run(decoder.errors, [&] { jpeg_start_decompress(&decoder); })) {
         return damaged("JPEG", decoder.errors.message.data());
     }
+    const bool is_whole = !decoder.errors.has_no_end_mark || has_all_scans(decoder);
     if (auto fits = check_size("JPEG", decoder.output_width, decoder.output_height); !fits)
         return tl::unexpected(fits.error());
     Picture picture{static_cast<int>(decoder.output_width),
@@ -154,7 +167,8 @@ Result<Picture> read_jpeg(Bytes bytes) {
     picture.bgr.resize(std::size_t{3} * decoder.output_width * decoder.output_height);
     if (!read_rows(decoder, has_inks, picture))
         return damaged("JPEG", decoder.errors.message.data());
-    if (decoder.errors.is_cut_short) return damaged("JPEG", "the file ends before the picture");
+    if (decoder.errors.is_cut_short || !is_whole)
+        return damaged("JPEG", "the file ends before the picture");
     return with_square_pixels(std::move(picture), x_density, y_density);
 }
 

@@ -118,12 +118,14 @@ void paint_over(cv::Mat& bgr, std::span<const WordBox> words) {
         const cv::Rect reach = grown(box, lean_px, whole) - window.tl();
         cv::Mat part = bgr(window);
         const cv::Vec3b ground = colour_around(bgr, grown(box, beside_words_px, whole));
-        cv::Mat1b ink = differing(part, ground, least_contrast);
+        const cv::Mat1b ink = differing(part, ground, least_contrast);
+        cv::Mat1b of_words = ink.clone();
         if (box.height > large_box * bgr.rows)
-            ink &= ~differing(part, commonest(part, ink), like_letters);
-        cv::Mat letters = letters_in(ink, reach);
-        cv::dilate(letters, letters, cv::Mat::ones(5, 5, CV_8U));
-        letters.setTo(0, ink & ~letters_in(ink, reach));
+            of_words &= ~differing(part, commonest(part, ink), like_letters);
+        const cv::Mat inner = letters_in(of_words, reach);
+        cv::Mat letters;
+        cv::dilate(inner, letters, cv::Mat::ones(5, 5, CV_8U));
+        letters.setTo(0, ink & ~inner);
         part.setTo(cv::Scalar(ground[0], ground[1], ground[2]), letters);
     }
 }

@@ -130,21 +130,6 @@ TEST(Told, PdfIsAsLargeAsAskedFor) {
     EXPECT_EQ(decode_page(pdf, {1, 144})->dpi, 144);
 }
 
-/// None where nothing is found.
-std::size_t outlines_of(const Page& page) {
-    const auto traced = trace_page(page, {});
-    return traced ? traced->map.outlines.size() : 0;
-}
-
-TEST(Told, WordsAreNotFelt) {
-    const auto page = decode_page(tagged_pdf({"Fish"}, ""), {1, 150});
-    ASSERT_TRUE(page.has_value());
-    ASSERT_FALSE(page->words.empty());
-    Page with_letters = *page;
-    with_letters.words.clear();
-    EXPECT_LT(outlines_of(*page), outlines_of(with_letters));
-}
-
 TEST(Told, LabelsLieWhereTheyLieInTheTracedMap) {
     const auto page = decode_page(tagged_pdf({"Fish"}, "A black box"), {1, 150});
     ASSERT_TRUE(page.has_value());
