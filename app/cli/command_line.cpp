@@ -162,6 +162,10 @@ class CommandLine {
         trace_command_->add_option("-o", trace_.output, "MAP.svg")->required();
         trace_command_->add_option("--detail", trace_.trace.detail, "1 silhouette ... 5 all")
             ->check(CLI::Range(1, 5));
+        trace_command_
+            ->add_option("--view", trace_.view,
+                         "Which picture of the page, in the kiosk's order; the last is all of it")
+            ->check(CLI::Range(1, 101));
         trace_command_->add_option("--area", area_, "Drawing area in millimetres, like 116x84")
             ->check(
                 [this](const std::string& text) { return parse_area(text, trace_.trace.area); });

@@ -1,8 +1,11 @@
 #include "app/cli/load.h"
 
-#include "app/cli/page_map.h"
+#include "app/cli/json.h"
 #include "app/decode/map_svg.h"
 #include "app/decode/opening.h"
+#include "app/trace/own_map.h"
+#include "app/trace/page_views.h"
+#include "config/types/map_limits.h"
 
 #include <algorithm>
 #include <cctype>
@@ -16,6 +19,19 @@ Error of_file(const std::string& path, const Error& error) {
     return {fmt::format("{}: {}", path, error.line)};
 }
 
+/// As it is, with a report that says so.
+Result<TracedMap> own_map(const Page& page, int detail) {
+    return shown_at(page.told, detail).map([](TactileMap map) {
+        TracedMap felt;
+        felt.report = fmt::format(
+            "{{\n  \"class\": \"map\", \"reason\": {},\n  \"outlines\": {}, \"points\": {}\n}}\n",
+            json_string("This is a map of Touchline's own: it is felt as it is."),
+            map.outlines.size(), point_count(map));
+        felt.map = std::move(map);
+        return felt;
+    });
+}
+
 }  // namespace
 
 bool is_map_name(const std::string& path) {
@@ -27,17 +43,29 @@ bool is_map_name(const std::string& path) {
                       });
 }
 
-Result<TracedMap> trace_picture(const std::string& path, const TraceRequest& request) {
-    const auto page = open_page_of(path);
+Result<TracedMap> trace_picture(const std::string& path, const TraceRequest& request, int view) {
+    auto page = open_page_of(path);
     if (!page) return tl::unexpected(page.error());
-    return trace_page(*page, request).map_error([&path](const Error& error) {
-        return of_file(path, error);
-    });
+    const int views = view_count(*page);
+    if (view > views)
+        return tl::unexpected(
+            of_file(path, {fmt::format("it has {} to feel; choose one of them",
+                                       views == 1 ? "one view" : fmt::format("{} views", views))}));
+    const auto open = [&path](const PageOrder& order) { return open_page_of(path, order); };
+    if (auto finer = finer_page(*page, view, open)) page = std::move(*finer);
+    const Page seen = view < views ? view_of(*page, view) : std::move(*page);
+    const auto felt =
+        is_own_map(seen) ? own_map(seen, request.options.detail) : trace_page(seen, request);
+    return felt.map_error([&path](const Error& error) { return of_file(path, error); });
 }
 
 Result<TactileMap> load_map(const std::string& path, bool as_picture) {
     if (is_map_name(path) && !as_picture) return read_map_svg(path);
-    return trace_picture(path, {}).map([](TracedMap found) { return std::move(found.map); });
+    const auto page = open_page_of(path);
+    if (!page) return tl::unexpected(page.error());
+    return trace_page(*page, {})
+        .map([](TracedMap found) { return std::move(found.map); })
+        .map_error([&path](const Error& error) { return of_file(path, error); });
 }
 
 Result<TactileMap> load_drawing(const std::string& path, int detail) {

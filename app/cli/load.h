@@ -13,8 +13,10 @@ namespace touchline {
 /// True for a name that ends in .svg, which is a map to every command but `trace`.
 [[nodiscard]] bool is_map_name(const std::string& path);
 
-/// Opens a picture by a worker, and has another one trace it.
-[[nodiscard]] Result<TracedMap> trace_picture(const std::string& path, const TraceRequest& request);
+/// What the kiosk lets a hand feel of a file's first page: opened by a worker, its view number
+/// `view` (1 ..., app/trace/page_views.h) traced by another one; a map of Touchline's own as it is.
+[[nodiscard]] Result<TracedMap> trace_picture(const std::string& path, const TraceRequest& request,
+                                              int view = 1);
 
 /// The map of a file: read as it is, or traced with the defaults of `trace`. `as_picture` makes an
 /// .svg a picture.

@@ -35,8 +35,8 @@ Error about_file(const Error& error, const std::string& edge_model) {
 Result<std::string> run_trace(const TraceCommandOptions& options) {
     const auto network = network_of(options.edge_model);
     if (!network) return tl::unexpected(network.error());
-    const auto found =
-        trace_picture(options.input, {options.trace, !options.edges.empty(), *network});
+    const auto found = trace_picture(
+        options.input, {options.trace, !options.edges.empty(), *network}, options.view);
     if (!found) return tl::unexpected(about_file(found.error(), options.edge_model));
     Result<void> written = write_whole_file(options.output, format_map_svg(found->map));
     if (written && !options.report.empty()) {

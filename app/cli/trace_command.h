@@ -15,6 +15,7 @@ struct TraceCommandOptions {
     std::string report;      // REPORT.json; empty: none
     std::string edges;       // STRENGTH.png; empty: none
     std::string edge_model;  // FILE.onnx; empty: none
+    int view = 1;            // of the first page, in the kiosk's order
     TraceOptions trace;
 };
 

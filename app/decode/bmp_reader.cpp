@@ -72,7 +72,7 @@ Picture unpacked_colours(Bytes pixels, std::size_t stride, const BmpHeader& head
     }
     if (!has_alpha)  // no field for it, or a program that left it empty
         for (std::size_t i = 3; i < picture.bgr.size(); i += 4) picture.bgr[i] = 0xff;
-    compose_over_white(picture.bgr);
+    compose(picture.bgr);
     return picture;
 }
 

@@ -5,8 +5,10 @@
 #include "app/decode/page.h"
 #include "app/decode/page_order.h"
 #include "app/decode/signature.h"
+#include "app/decode/text_line.h"
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace touchline::decode {
@@ -55,8 +57,19 @@ constexpr double told_m_per_px = 1e-4;
 /// A place in pixels from the upper left corner, in `told`.
 [[nodiscard]] Position told_place(const Picture& picture, double x_px, double y_px);
 
-/// Four bytes a pixel (blue, green, red, straight alpha) become three, over white, in place.
-void compose_over_white(std::vector<std::uint8_t>& bgra);
+/// The pixels of a picture that a box touches; nothing where there are none.
+[[nodiscard]] std::optional<WordBox> pixels_within(const TextBox& box_px, const Picture& picture);
+
+/// Four bytes a pixel (blue, green, red, straight alpha) become three, in place, over the ground
+/// that shows them: white, or black where next to all that is painted is white itself.
+void compose(std::vector<std::uint8_t>& bgra);
+
+/// One pixel whose colours were multiplied by its alpha, back to straight alpha.
+void unmultiply(std::uint8_t* bgra);
+
+/// The picture with square pixels, from how many lie on the same length each way; as it is where
+/// those are alike, not known (0, NaN) or beyond belief. O(pixels).
+[[nodiscard]] Picture with_square_pixels(Picture picture, double x_per_length, double y_per_length);
 
 /// The picture upright, from the orientation that EXIF and TIFF share (1 ... 8; else as it is).
 [[nodiscard]] Picture upright(Picture picture, int orientation);

@@ -1,4 +1,4 @@
-// The first frame of a GIF, over white.
+// The first frame of a GIF.
 #include "app/decode/formats.h"
 
 #include <algorithm>
@@ -74,11 +74,12 @@ void draw_row(const std::vector<GifPixelType>& row, int y, const GifImageDesc& f
         if (index == transparent || index >= colours.ColorCount) continue;
         const GifColorType& colour = colours.Colors[index];
         const std::size_t at =
-            3 * (static_cast<std::size_t>(top) * static_cast<std::size_t>(picture.width) +
+            4 * (static_cast<std::size_t>(top) * static_cast<std::size_t>(picture.width) +
                  static_cast<std::size_t>(frame.Left + x));
         picture.bgr[at] = colour.Blue;
         picture.bgr[at + 1] = colour.Green;
         picture.bgr[at + 2] = colour.Red;
+        picture.bgr[at + 3] = 255;
     }
 }
 
@@ -98,12 +99,13 @@ Result<Picture> read_frame(GifFileType& file, std::optional<int> transparent) {
     if (colours == nullptr) return damaged("GIF", "it has no colours");
     Picture picture{width, height, {}};
     picture.bgr.assign(
-        std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0xff);
+        std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
     std::vector<GifPixelType> row(static_cast<std::size_t>(frame.Width));
     for (const int y : row_order(frame.Height, frame.Interlace)) {
         if (DGifGetLine(&file, row.data(), frame.Width) == GIF_ERROR) return broken(file.Error);
         draw_row(row, y, frame, *colours, transparent, picture);
     }
+    compose(picture.bgr);
     return picture;
 }
 

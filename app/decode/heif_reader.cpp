@@ -58,7 +58,7 @@ Result<Picture> picture_of(const heif_image* image, std::size_t channels) {
             if (channels == 4) to[3] = from[3];
         }
     }
-    if (channels == 4) compose_over_white(picture.bgr);
+    if (channels == 4) compose(picture.bgr);
     return picture;
 }
 

@@ -16,6 +16,7 @@ struct ErrorCallbacks {
     jpeg_error_mgr base;  // first: libjpeg's pointer to it is a pointer to this
     std::jmp_buf way_out;
     bool is_cut_short;
+    bool has_no_end_mark;
     std::array<char, JMSG_LENGTH_MAX> message;
 };
 
@@ -32,11 +33,22 @@ ErrorCallbacks& callbacks_of(j_common_ptr codec) {
     std::longjmp(errors.way_out, 1);  // NOLINT(cert-err52-cpp): libjpeg's interface
 }
 
-/// Warnings pass (a picture with stray bytes is a picture) but for those that say data is missing.
+/// Warnings pass (a picture with stray bytes is a picture) but for the one that says that pixels
+/// are missing. Where only the mark at the end is, all of them are there.
 void note_warning(j_common_ptr codec, int message_level) {
     if (message_level >= 0) return;
     const int code = codec->err->msg_code;
-    if (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER) callbacks_of(codec).is_cut_short = true;
+    if (code == JWRN_JPEG_EOF) callbacks_of(codec).has_no_end_mark = true;
+    if (code == JWRN_HIT_MARKER) callbacks_of(codec).is_cut_short = true;
+}
+
+/// Whether a progressive picture has had all its scans: every bit of every coefficient.
+bool has_all_scans(const jpeg_decompress_struct& decoder) {
+    if (decoder.progressive_mode == FALSE || decoder.coef_bits == nullptr) return true;
+    for (int component = 0; component < decoder.num_components; ++component)
+        if (std::ranges::any_of(decoder.coef_bits[component], [](int bits) { return bits != 0; }))
+            return false;
+    return true;
 }
 
 void limit_scans(j_common_ptr codec) {
@@ -120,7 +132,8 @@ bool read_rows(Decoder& decoder, bool has_inks, Picture& picture) {
                 inks_to_bgr(row, width, decoder.saw_Adobe_marker == TRUE, out);
             }
         }
-        jpeg_finish_decompress(&decoder);
+        // What makers of cameras write behind the picture is not looked at.
+        jpeg_abort_decompress(&decoder);
     });
 }
 
@@ -136,12 +149,15 @@ Result<Picture> read_jpeg(Bytes bytes) {
     const unsigned by = reduction(decoder.image_width, decoder.image_height);
     const bool has_inks =
         decoder.jpeg_color_space == JCS_CMYK || decoder.jpeg_color_space == JCS_YCCK;
+    const double x_density = decoder.X_density;
+    const double y_density = decoder.Y_density;
     decoder.scale_num = 1;
     decoder.scale_denom = by;
     decoder.out_color_space = has_inks ? JCS_CMYK : JCS_EXT_BGR;
     if (!run(decoder.errors, [&] { jpeg_start_decompress(&decoder); })) {
         return damaged("JPEG", decoder.errors.message.data());
     }
+    const bool is_whole = !decoder.errors.has_no_end_mark || has_all_scans(decoder);
     if (auto fits = check_size("JPEG", decoder.output_width, decoder.output_height); !fits)
         return tl::unexpected(fits.error());
     Picture picture{static_cast<int>(decoder.output_width),
@@ -151,8 +167,9 @@ Result<Picture> read_jpeg(Bytes bytes) {
     picture.bgr.resize(std::size_t{3} * decoder.output_width * decoder.output_height);
     if (!read_rows(decoder, has_inks, picture))
         return damaged("JPEG", decoder.errors.message.data());
-    if (decoder.errors.is_cut_short) return damaged("JPEG", "the file ends before the picture");
-    return picture;
+    if (decoder.errors.is_cut_short || !is_whole)
+        return damaged("JPEG", "the file ends before the picture");
+    return with_square_pixels(std::move(picture), x_density, y_density);
 }
 
 }  // namespace touchline::decode

@@ -51,12 +51,10 @@ constexpr std::size_t max_map_points = 4'000'000;
 /// for any other value, and for what is no SVG. O(text).
 [[nodiscard]] Result<std::optional<int>> difficulty_of_map_svg(std::string_view text);
 
-/// The lines of an SVG that anybody drew, if lines are all that it looks like: strokes, and fills
-/// that hide nothing drawn before. It is fitted in `area`, centred, proportions kept; one that is
-/// small enough and in millimetres already is taken as parse_map_svg does. Fails for whatever
-/// needs its pixels to be looked at: pictures, <use>, style sheets, fills that cover. O(text +
-/// points + shapes squared).
-[[nodiscard]] Result<TactileMap> parse_line_drawing(std::string_view text, const Area& area);
+/// A map of Touchline's own, as format_map_svg() and the gallery write them: in millimetres, no
+/// larger than `area`, with a data-detail on an outline or a data-difficulty. Fails for every other
+/// SVG: that is a picture, and felt as it is painted. As parse_map_svg().
+[[nodiscard]] Result<TactileMap> parse_own_map(std::string_view text, const Area& area);
 
 /// Title and description of an SVG in English or no language, else in the first that is there;
 /// white space collapsed; empty where it has none.

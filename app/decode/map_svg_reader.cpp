@@ -1,7 +1,6 @@
 #include "app/decode/files.h"
 #include "app/decode/map_svg.h"
 #include "app/decode/one_line.h"
-#include "app/decode/svg_look.h"
 #include "app/decode/svg_nodes.h"
 #include "app/decode/svg_scanner.h"
 #include "app/decode/svg_shapes.h"
@@ -34,11 +33,10 @@ class MapReader {
         map_.area = area_of(box);
     }
 
-    Result<TactileMap> read(const pugi::xml_node& root, const Affine& to_view_box = {}) {
+    Result<TactileMap> read(const pugi::xml_node& root) {
         map_.title = words_in(root, "title", language_);
         map_.description = words_in(root, "desc", language_);
-        if (auto walked = walk(root, to_view_box, 0); !walked)
-            return tl::unexpected(walked.error());
+        if (auto walked = walk(root, {}, 0); !walked) return tl::unexpected(walked.error());
         if (map_.outlines.empty()) {
             return failure("the map holds no outline; draw at least one <path>");
         }
@@ -220,29 +218,22 @@ bool is_at_size(const pugi::xml_node& root, const ViewBox& box, const Area& area
            box.height_mm <= 1000.0 * area.height_m + 1e-9;
 }
 
-/// Where the root has no viewBox, its sides in pixels are one.
-Result<ViewBox> drawn_box_in(const pugi::xml_node& root) {
-    if (root.attribute("viewBox")) return view_box_in(root);
-    const auto width = parse_svg_length(root.attribute("width").value());
-    const auto height = parse_svg_length(root.attribute("height").value());
-    if (!width || !height || !(*width > 0.0) || !(*height > 0.0))
-        return failure("the drawing has no size");
-    return ViewBox{0.0, 0.0, *width, *height};
+/// By what only Touchline writes.
+bool is_marked(const pugi::xml_node& root) {
+    if (root.attribute("data-difficulty")) return true;
+    return static_cast<bool>(
+        root.find_node([](const pugi::xml_node& node) { return node.attribute("data-detail"); }));
 }
 
-Result<TactileMap> parse_drawing(std::string_view text, const Area& area) {
+Result<TactileMap> parse_own(std::string_view text, const Area& area) {
     pugi::xml_document document;
     const auto root = root_in(text, document);
     if (!root) return tl::unexpected(root.error());
-    const auto box = drawn_box_in(*root);
+    const auto box = view_box_in(*root);
     if (!box) return tl::unexpected(box.error());
-    if (!is_line_drawing(*root, *box)) return failure("the drawing is more than lines");
-    if (is_at_size(*root, *box, area)) return MapReader(*box, {}).read(*root);
-    const double scale =
-        std::min(1000.0 * area.width_m / box->width_mm, 1000.0 * area.height_m / box->height_mm);
-    const Affine fit{scale, 0.0, 0.0, scale, -scale * box->x0_mm, -scale * box->y0_mm};
-    const ViewBox fitted{0.0, 0.0, scale * box->width_mm, scale * box->height_mm};
-    return MapReader(fitted, {}).read(*root, fit);
+    if (!is_at_size(*root, *box, area) || !is_marked(*root))
+        return failure("the SVG is a picture, no map");
+    return MapReader(*box, {}).read(*root);
 }
 
 }  // namespace
@@ -256,11 +247,11 @@ Result<TactileMap> parse_map_svg(std::string_view text, const LanguageTag& langu
     }
 }
 
-Result<TactileMap> parse_line_drawing(std::string_view text, const Area& area) {
+Result<TactileMap> parse_own_map(std::string_view text, const Area& area) {
     try {
-        return decode::parse_drawing(text, area);
+        return decode::parse_own(text, area);
     } catch (const std::exception& problem) {
-        return failure("the drawing cannot be read: " + one_line(problem.what()));
+        return failure("the map cannot be read: " + one_line(problem.what()));
     }
 }
 

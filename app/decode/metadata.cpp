@@ -1,32 +1,23 @@
 #include "app/decode/metadata.h"
 
 #include "app/decode/exiv2_generations.h"
+#include "app/decode/machine_words.h"
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <string>
-#include <string_view>
+#include <utility>
 
 namespace touchline::decode {
 namespace {
 
 constexpr std::size_t longest_text = 4000;
 
-/// Programs and cameras fill the field in by themselves.
-bool is_of_a_machine(const std::string& text) {
-    constexpr std::array<std::string_view, 8> beginnings{
-        "OLYMPUS DIGITAL", "SONY DSC", "MINOLTA DIGITAL", "KONICA MINOLTA",
-        "Created with",    "CREATOR:", "LEAD Tech",       "SAMSUNG"};
-    return std::any_of(beginnings.begin(), beginnings.end(),
-                       [&text](std::string_view beginning) { return text.starts_with(beginning); });
-}
-
 std::string cleaned(std::string text) {
     text.resize(std::min({text.find('\0'), text.size(), longest_text}));
     const auto last = text.find_last_not_of(" \t\r\n");
     text.resize(last == std::string::npos ? 0 : last + 1);
-    return is_of_a_machine(text) ? std::string() : text;
+    return of_a_person(std::move(text));
 }
 
 /// A text in several languages: the one that is for all, else the first.

@@ -1,7 +1,8 @@
 // One page of a PDF: its pixels, its words with their boxes, what was written of its figures.
 #include "app/decode/formats.h"
+#include "app/decode/machine_words.h"
 #include "app/decode/pdf_parts.h"
-#include "app/decode/white_sheet.h"
+#include "app/decode/sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,19 +32,10 @@ tl::unexpected<Error> refusal(const GlibOwned<GError>& error) {
     return damaged("PDF", error != nullptr ? error->message : "");
 }
 
-std::uint16_t pixel(double value, int most) {
-    return static_cast<std::uint16_t>(std::clamp(value, 0.0, static_cast<double>(most)));
-}
-
 /// Of points, as pixels; none where no pixel of the page is within.
 std::optional<WordBox> pixels_in(const PopplerRectangle& box, double scale,
                                  const Picture& picture) {
-    const WordBox found{pixel(std::floor(scale * box.x1), picture.width),
-                        pixel(std::floor(scale * box.y1), picture.height),
-                        pixel(std::ceil(scale * box.x2), picture.width),
-                        pixel(std::ceil(scale * box.y2), picture.height)};
-    if (found.left < found.right && found.top < found.bottom) return found;
-    return std::nullopt;
+    return pixels_within({scale * box.x1, scale * box.y1, scale * box.x2, scale * box.y2}, picture);
 }
 
 void add_word_box(const PopplerRectangle& box, double scale, Page& page) {
@@ -83,7 +75,7 @@ std::string title_of(PopplerDocument* document, PopplerPage* page) {
     std::string title = heading_of(document, page);
     if (!title.empty()) return title;
     const GlibOwned<gchar> own(poppler_document_get_title(document));
-    return own == nullptr ? std::string() : std::string(own.get());
+    return own == nullptr ? std::string() : of_a_person(own.get());
 }
 
 Result<Page> read_page(PopplerDocument* document, PopplerPage* source, const PageOrder& order) {
@@ -93,8 +85,9 @@ Result<Page> read_page(PopplerDocument* document, PopplerPage* source, const Pag
     if (!(width_pt > 0.0 && height_pt > 0.0) || !std::isfinite(width_pt * height_pt))
         return damaged("PDF", "the page has no size");
     const double scale = scale_for(width_pt, height_pt, order.dpi);
-    const WhiteSheet sheet(std::max(1, static_cast<int>(std::lround(scale * width_pt))),
-                           std::max(1, static_cast<int>(std::lround(scale * height_pt))));
+    Sheet sheet(std::max(1, static_cast<int>(std::lround(scale * width_pt))),
+                std::max(1, static_cast<int>(std::lround(scale * height_pt))));
+    sheet.whiten();
     cairo_scale(sheet.context(), scale, scale);
     poppler_page_render(source, sheet.context());
     auto picture = sheet.picture();

@@ -52,7 +52,7 @@ Result<Picture> read_png(Bytes bytes) {
     if (png_image_finish_read(&image, nullptr, picture.bgr.data(), 0, nullptr) == 0) {
         return damaged("PNG", image.message);
     }
-    if (has_alpha) compose_over_white(picture.bgr);
+    if (has_alpha) compose(picture.bgr);
     return picture;
 }
 

@@ -2,6 +2,8 @@
 #include "app/decode/formats.h"
 #include "app/decode/one_line.h"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <new>
 
@@ -48,6 +50,20 @@ tl::unexpected<Error> not_a_picture(FileFormat format) {
 
 Area told_area(const Picture& picture) {
     return {told_m_per_px * picture.width, told_m_per_px * picture.height};
+}
+
+std::optional<WordBox> pixels_within(const TextBox& box_px, const Picture& picture) {
+    if (!std::isfinite(box_px.left + box_px.top + box_px.right + box_px.bottom))
+        return std::nullopt;
+    const auto pixel = [](double value, int most) {
+        return static_cast<std::uint16_t>(std::clamp(value, 0.0, static_cast<double>(most)));
+    };
+    const WordBox found{pixel(std::floor(box_px.left), picture.width),
+                        pixel(std::floor(box_px.top), picture.height),
+                        pixel(std::ceil(box_px.right), picture.width),
+                        pixel(std::ceil(box_px.bottom), picture.height)};
+    if (found.left < found.right && found.top < found.bottom) return found;
+    return std::nullopt;
 }
 
 Position told_place(const Picture& picture, double x_px, double y_px) {

@@ -1,6 +1,8 @@
 #include "app/decode/signature.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <string_view>
 
 namespace touchline {
@@ -14,15 +16,49 @@ bool starts_with(Bytes bytes, std::string_view magic, std::size_t offset = 0) {
                       [](char c, std::byte b) { return static_cast<std::byte>(c) == b; });
 }
 
+/// After declarations, comments and a DOCTYPE; what is not closed ends the text.
+std::string_view after_prologue(std::string_view text) {
+    struct Part {
+        std::string_view begin;
+        std::string_view end;
+    };
+
+    constexpr std::array parts{Part{"<?", "?>"}, Part{"<!--", "-->"}, Part{"<!DOCTYPE", ">"}};
+    for (;;) {
+        const auto first = text.find_first_not_of(" \t\r\n");
+        if (first == std::string_view::npos) return {};
+        text.remove_prefix(first);
+        const auto part = std::ranges::find_if(
+            parts, [&](const Part& each) { return text.starts_with(each.begin); });
+        if (part == parts.end()) return text;
+        // The declarations of a DOCTYPE stand in brackets.
+        const auto bracket = text.find('[');
+        const bool has_own = part->begin == "<!DOCTYPE" && bracket < text.find('>');
+        const auto from = has_own ? text.find(']', bracket) : part->begin.size();
+        const auto end = from == std::string_view::npos ? from : text.find(part->end, from);
+        if (end == std::string_view::npos) return {};
+        text.remove_prefix(end + part->end.size());
+    }
+}
+
+bool begins_an_svg(std::string_view text) {
+    text = after_prologue(text);
+    if (!text.starts_with('<')) return false;
+    const std::string_view name = text.substr(1, text.find_first_of(" \t\r\n/>") - 1);
+    return name == "svg" || name.ends_with(":svg");
+}
+
 bool is_svg(Bytes bytes) {
-    constexpr std::size_t prologue_bytes = 4096;  // declaration, DOCTYPE, comments
+    constexpr std::size_t prologue_bytes = std::size_t{1} << 20U;  // with its comments
     const auto head = bytes.first(std::min(bytes.size(), prologue_bytes));
     std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {  // UTF-16
+        std::string narrow(text.substr(2));
+        std::erase(narrow, '\0');
+        return begins_an_svg(narrow);
+    }
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    const auto first = text.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos || text[first] != '<') return false;
-    return text.find("<svg") != std::string_view::npos ||
-           text.find(":svg") != std::string_view::npos;
+    return begins_an_svg(text);
 }
 
 /// ISO 14496-12: the first box tells which brands of reader can read the file.
@@ -78,6 +114,8 @@ FileFormat format_of(Bytes bytes) {
         return FileFormat::office;
     if (starts_with(bytes, "Rar!"sv) || starts_with(bytes, "7z\xbc\xaf"sv))
         return FileFormat::archive;
+    // Nothing else that is felt is packed so; the worker looks.
+    if (starts_with(bytes, "\x1f\x8b"sv)) return FileFormat::svg;
     if (is_pdf(bytes)) return FileFormat::pdf;
     return is_svg(bytes) ? FileFormat::svg : FileFormat::unknown;
 }

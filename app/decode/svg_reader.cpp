@@ -1,14 +1,18 @@
 // An SVG as a picture of pixels. librsvg opens no other file as long as it is told of no base
 // address; scripts, animation and network do not exist in it, and it bounds its own nesting.
 #include "app/decode/formats.h"
+#include "app/decode/machine_words.h"
 #include "app/decode/map_svg.h"
+#include "app/decode/sheet.h"
 #include "app/decode/svg_references.h"
-#include "app/decode/white_sheet.h"
+#include "app/decode/svg_source.h"
+#include "app/decode/svg_texts.h"
 #include "config/types/map_limits.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <librsvg/rsvg.h>
 
@@ -24,41 +28,86 @@ struct Release {
 template <class T>
 using Owned = std::unique_ptr<T, Release>;
 
-struct Size {
-    int width;
-    int height;
+/// A document's viewport, and what of it becomes the picture.
+struct Framing {
+    RsvgRectangle viewport{};
+    RsvgRectangle shown{};
+    double px_per_unit = 0.0;  // of the viewport
+
+    [[nodiscard]] int width_px() const { return side(shown.width); }
+
+    [[nodiscard]] int height_px() const { return side(shown.height); }
+
+  private:
+    [[nodiscard]] int side(double length) const {
+        return std::max(1, static_cast<int>(std::lround(px_per_unit * length)));
+    }
 };
 
-/// The document's proportions with the longer side svg_longer_side_px long; 4:3 when it names none.
-Size drawn_size(RsvgHandle* handle) {
-    double width = 0.0;
-    double height = 0.0;
-    if (rsvg_handle_get_intrinsic_size_in_pixels(handle, &width, &height) == 0) {
-        gboolean has_box = 0;
-        RsvgRectangle box{};
-        rsvg_handle_get_intrinsic_dimensions(handle, nullptr, nullptr, nullptr, nullptr, &has_box,
-                                             &box);
-        width = has_box != 0 ? box.width : 4.0;
-        height = has_box != 0 ? box.height : 3.0;
+/// Of a document that names no size: its viewBox, or else all that is painted, with a margin.
+std::optional<Framing> framing_of_unsized(RsvgHandle* handle) {
+    gboolean has_box = 0;
+    RsvgRectangle box{};
+    rsvg_handle_get_intrinsic_dimensions(handle, nullptr, nullptr, nullptr, nullptr, &has_box,
+                                         &box);
+    if (has_box != 0) {
+        const RsvgRectangle whole{0.0, 0.0, box.width, box.height};
+        return Framing{whole, whole};
     }
-    const double longer = std::max(width, height);
-    if (!(width > 0.0 && height > 0.0 && std::isfinite(longer))) return {0, 0};
-    const auto side = [&](double length) {
-        return std::max(1, static_cast<int>(std::lround(length / longer * svg_longer_side_px)));
-    };
-    return {side(width), side(height)};
+    constexpr double kMargin = 0.03;
+    RsvgRectangle ink{};
+    if (rsvg_handle_get_geometry_for_element(handle, nullptr, &ink, nullptr, nullptr) == 0)
+        return std::nullopt;
+    const double margin = kMargin * std::max(ink.width, ink.height);
+    return Framing{
+        {0.0, 0.0, ink.x + ink.width, ink.y + ink.height},
+        {ink.x - margin, ink.y - margin, ink.width + 2.0 * margin, ink.height + 2.0 * margin}};
 }
 
-/// Its lines, where lines are what it is made of; else what it says of itself.
+/// With the longer side svg_longer_side_px long; nothing for a document without a size.
+std::optional<Framing> framing_of(RsvgHandle* handle) {
+    double width = 0.0;
+    double height = 0.0;
+    const bool is_sized = rsvg_handle_get_intrinsic_size_in_pixels(handle, &width, &height) != 0;
+    const RsvgRectangle whole{0.0, 0.0, width, height};
+    auto framing = is_sized ? Framing{whole, whole} : framing_of_unsized(handle);
+    if (!framing) return framing;
+    const double longer = std::max(framing->shown.width, framing->shown.height);
+    if (!(framing->shown.width > 0.0 && framing->shown.height > 0.0 && std::isfinite(longer)))
+        return std::nullopt;
+    framing->px_per_unit = svg_longer_side_px / longer;
+    return framing;
+}
+
+/// What it says of itself.
 TactileMap told_by(std::string_view text, const Picture& picture) {
-    auto drawing = parse_line_drawing(text, Area{});
-    if (drawing && point_count(*drawing) <= MapLimits::points) return std::move(*drawing);
+    if (auto own = parse_own_map(text, Area{}); own && point_count(*own) <= MapLimits::points)
+        return std::move(*own);
     TactileMap told;
     told.area = told_area(picture);
     SvgWords words = words_of_svg(text);
-    told.title = std::move(words.title);
-    told.description = std::move(words.description);
+    told.title = of_a_person(std::move(words.title));
+    told.description = of_a_person(std::move(words.description));
     return told;
+}
+
+/// Its texts: where they are painted, and as labels.
+void add_texts(RsvgHandle* handle, const std::vector<SvgText>& texts, const Framing& framing,
+               Page& page) {
+    const Picture& picture = page.picture;
+    for (const SvgText& text : texts) {
+        const auto box = box_of(handle, text, framing.viewport);
+        if (!box) continue;
+        const auto x_px = [&](double x) { return framing.px_per_unit * (x - framing.shown.x); };
+        const auto y_px = [&](double y) { return framing.px_per_unit * (y - framing.shown.y); };
+        const auto word = pixels_within(
+            {x_px(box->left), y_px(box->top), x_px(box->right), y_px(box->bottom)}, picture);
+        if (!word) continue;
+        page.words.push_back(*word);
+        page.told.labels.push_back(
+            {text.words, told_place(picture, 0.5 * (word->left + word->right),
+                                    0.5 * (word->top + word->bottom))});
+    }
 }
 
 tl::unexpected<Error> told(const Owned<GError>& error) {
@@ -69,28 +118,35 @@ tl::unexpected<Error> told(const Owned<GError>& error) {
 
 Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
     if (order.page != 1) return failure("the file has one page only");
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (drawn_again(text) > most_drawn_again)
+    const auto text = svg_text(bytes);
+    if (!text) return tl::unexpected(text.error());
+    if (drawn_again(*text) > most_drawn_again)
         return failure("the SVG picture repeats its parts too often; save it as PNG");
+    const SvgWithTexts source = with_ids(*text);
     GError* problem = nullptr;
     const Owned<RsvgHandle> handle(rsvg_handle_new_from_data(
-        reinterpret_cast<const guint8*>(bytes.data()), bytes.size(), &problem));
+        reinterpret_cast<const guint8*>(source.svg.data()), source.svg.size(), &problem));
     if (handle == nullptr) return told(Owned<GError>(problem));
-    const Size size = drawn_size(handle.get());
-    if (auto fits = check_size("SVG", static_cast<std::uint64_t>(size.width),
-                               static_cast<std::uint64_t>(size.height));
+    constexpr double kPixelsPerInch = 96.0;  // of CSS
+    rsvg_handle_set_dpi(handle.get(), kPixelsPerInch);
+    const auto framing = framing_of(handle.get());
+    if (!framing) return damaged("SVG", "nothing is painted, or it has no size");
+    if (auto fits = check_size("SVG", static_cast<std::uint64_t>(framing->width_px()),
+                               static_cast<std::uint64_t>(framing->height_px()));
         !fits) {
         return tl::unexpected(fits.error());
     }
-    const WhiteSheet sheet(size.width, size.height);
-    const RsvgRectangle whole{0.0, 0.0, static_cast<double>(size.width),
-                              static_cast<double>(size.height)};
-    if (rsvg_handle_render_document(handle.get(), sheet.context(), &whole, &problem) == 0)
+    const Sheet sheet(framing->width_px(), framing->height_px());
+    cairo_scale(sheet.context(), framing->px_per_unit, framing->px_per_unit);
+    cairo_translate(sheet.context(), -framing->shown.x, -framing->shown.y);
+    if (rsvg_handle_render_document(handle.get(), sheet.context(), &framing->viewport, &problem) ==
+        0)
         return told(Owned<GError>(problem));
-    return sheet.picture().map([text](Picture picture) {
+    return sheet.picture().map([&](Picture picture) {
         Page page;
         page.picture = std::move(picture);
-        page.told = told_by(text, page.picture);
+        page.told = told_by(*text, page.picture);
+        if (page.told.outlines.empty()) add_texts(handle.get(), source.texts, *framing, page);
         return page;
     });
 }

@@ -87,20 +87,39 @@ std::unique_ptr<TIFF, Close> open(Source& source) {
                           size_of, nullptr, nullptr, options.get()));
 }
 
-/// libtiff packs a pixel into one number, colours multiplied by alpha; over white in place.
+/// libtiff packs a pixel into one number, red lowest, colours multiplied by alpha.
 void raster_to_bgr(std::vector<std::uint8_t>& raster) {
-    const std::size_t pixels = raster.size() / 4;
-    for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t i = 0; i < raster.size(); i += 4) {
         std::uint32_t pixel = 0;
-        std::memcpy(&pixel, &raster[4 * i], 4);
-        const std::uint32_t white = 255 - TIFFGetA(pixel);
-        const std::array bgr{TIFFGetB(pixel), TIFFGetG(pixel), TIFFGetR(pixel)};
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            const std::uint32_t sum = std::min(bgr[channel] + white, 255U);
-            raster[3 * i + channel] = static_cast<std::uint8_t>(sum);
-        }
+        std::memcpy(&pixel, &raster[i], 4);
+        const std::array bgra{TIFFGetB(pixel), TIFFGetG(pixel), TIFFGetR(pixel), TIFFGetA(pixel)};
+        std::ranges::transform(
+            bgra, raster.begin() + static_cast<std::ptrdiff_t>(i),
+            [](std::uint32_t value) { return static_cast<std::uint8_t>(value); });
+        unmultiply(&raster[i]);
     }
-    raster.resize(3 * pixels);
+    compose(raster);
+}
+
+/// The first directory that is a picture, and no small copy of one nor a mask; the first, if there
+/// is none.
+void choose_directory(TIFF* tiff) {
+    constexpr int most_directories = 100;
+    for (int i = 0; i < most_directories; ++i) {
+        std::uint32_t type = 0;
+        TIFFGetFieldDefaulted(tiff, TIFFTAG_SUBFILETYPE, &type);
+        if ((type & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) == 0) return;
+        if (TIFFReadDirectory(tiff) == 0) break;
+    }
+    TIFFSetDirectory(tiff, 0);
+}
+
+/// Pixels on the same length, across and down; 0 where the file does not say.
+std::array<float, 2> resolution_of(TIFF* tiff) {
+    std::array<float, 2> resolution{};
+    TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &resolution[0]);
+    TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &resolution[1]);
+    return resolution;
 }
 
 }  // namespace
@@ -109,6 +128,7 @@ Result<Picture> read_tiff(Bytes bytes) {
     Source source{bytes, 0, {}};
     const auto tiff = open(source);
     if (tiff == nullptr) return damaged("TIFF", source.error);
+    choose_directory(tiff.get());
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
@@ -130,7 +150,10 @@ Result<Picture> read_tiff(Bytes bytes) {
         return damaged("TIFF", source.error);
     }
     raster_to_bgr(picture.bgr);
-    return upright(std::move(picture), orientation);
+    const auto [across, down] = resolution_of(tiff.get());
+    return upright(with_square_pixels(std::move(picture), static_cast<double>(across),
+                                      static_cast<double>(down)),
+                   orientation);
 }
 
 }  // namespace touchline::decode

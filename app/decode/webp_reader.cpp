@@ -46,7 +46,7 @@ Result<Picture> read_webp(Bytes bytes) {
     const auto status = WebPDecode(data, bytes.size(), &config);
     WebPFreeDecBuffer(&config.output);
     if (status != VP8_STATUS_OK) return damaged("WebP", meaning(status));
-    if (has_alpha) compose_over_white(picture.bgr);
+    if (has_alpha) compose(picture.bgr);
     return picture;
 }
 

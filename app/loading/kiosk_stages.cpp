@@ -1,13 +1,13 @@
 #include "app/loading/kiosk_stages.h"
 
-#include "app/cli/page_map.h"
 #include "app/decode/one_line.h"
 #include "app/decode/opening.h"
 #include "app/gallery/gallery.h"
-#include "app/loading/page_views.h"
 #include "app/screen/canvas.h"
 #include "app/screen/layout.h"
 #include "app/servo/scene_order.h"
+#include "app/trace/own_map.h"
+#include "app/trace/page_views.h"
 
 #include <algorithm>
 #include <atomic>
@@ -47,7 +47,7 @@ TraceOptions options_for(const FeltPart& part) {
 
 Result<FoundPtr> found_in(PagePtr view, const PagePlace& place, const FeltPart& part) {
     FoundView found;
-    if (view->told.outlines.empty()) {
+    if (!is_own_map(*view)) {
         auto traced = find_page_lines(*view, {options_for(part)});
         if (!traced) return tl::unexpected(traced.error());
         found.lines = std::move(traced->lines);
@@ -62,11 +62,8 @@ Result<FoundPtr> found_in(PagePtr view, const PagePlace& place, const FeltPart& 
 
 /// The page, drawn as finely as the view needs it; the one that is there where that fails.
 PagePtr fine_page(const PictureFile& file, const PagePtr& page, int view) {
-    const int dpi = dpi_for(*page, view);
-    if (dpi <= page->dpi) return page;
-    auto finer = file.open({page->number, dpi});
-    if (!finer || finer->figures.size() != page->figures.size()) return page;
-    return std::make_shared<const Page>(std::move(*finer));
+    auto finer = finer_page(*page, view, file.open);
+    return finer ? std::make_shared<const Page>(std::move(*finer)) : page;
 }
 
 /// What is felt at a detail, and one sentence that may be worth telling.
@@ -85,7 +82,7 @@ Result<FeltMap> felt_map(const FoundView& found, const FeltPart& part) {
         return traced_map(found, part).map([](TracedMap traced) {
             return FeltMap{std::move(traced.map), std::move(traced.warning)};
         });
-    auto whole = drawn_lines(*found.view, part.detail);
+    auto whole = shown_at(found.view->told, part.detail);
     if (!whole) return tl::unexpected(whole.error());
     TactileMap map = enlarged(*whole, part.zoom);
     if (map.outlines.empty())

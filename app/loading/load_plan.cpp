@@ -1,6 +1,6 @@
 #include "app/loading/load_plan.h"
 
-#include "app/loading/page_views.h"
+#include "app/trace/page_views.h"
 
 #include <algorithm>
 #include <utility>

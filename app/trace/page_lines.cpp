@@ -5,19 +5,29 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 namespace touchline {
 namespace {
 
-constexpr int beside_words_px = 3;  // soft edges of letters reach out of their box
+constexpr int beside_words_px = 3;   // soft edges of letters reach out of their box
+constexpr double beyond_box = 0.25;  // of its height: so far letters lean out of their box
+constexpr int least_contrast = 30;   // grey levels, of letters to what they stand on
+constexpr double large_box = 0.12;   // of the picture's height: words across the drawing
+constexpr int like_letters = 40;     // grey levels about the colour of such words
 
-cv::Rect grown(const WordBox& box, const cv::Rect& whole) {
-    const cv::Rect exact(box.left, box.top, box.right - box.left, box.bottom - box.top);
-    const cv::Point by(beside_words_px, beside_words_px);
-    return cv::Rect(exact.tl() - by, exact.br() + by) & whole;
+cv::Rect exact(const WordBox& box) {
+    return {box.left, box.top, box.right - box.left, box.bottom - box.top};
+}
+
+cv::Rect grown(const cv::Rect& box, int by_px, const cv::Rect& whole) {
+    const cv::Point by(by_px, by_px);
+    return cv::Rect(box.tl() - by, box.br() + by) & whole;
 }
 
 /// The middle colour along the edge of a box, each channel by itself.
@@ -52,11 +62,71 @@ cv::Mat view_of(const decode::AnswerParts& page) {
             const_cast<std::byte*>(page.pixels.data())};
 }
 
+/// Pixels that differ from a colour by more, or by less, than so many levels in one channel.
+cv::Mat1b differing(const cv::Mat& bgr, const cv::Vec3b& colour, int levels) {
+    cv::Mat difference;
+    cv::absdiff(bgr, cv::Scalar(colour[0], colour[1], colour[2]), difference);
+    cv::Mat1b mask(bgr.size());
+    std::transform(difference.begin<cv::Vec3b>(), difference.end<cv::Vec3b>(), mask.begin(),
+                   [levels](const cv::Vec3b& d) {
+                       return static_cast<uchar>(std::max({d[0], d[1], d[2]}) > levels ? 255 : 0);
+                   });
+    return mask;
+}
+
+/// The commonest colour under a mask, to within 32 levels.
+cv::Vec3b commonest(const cv::Mat& bgr, const cv::Mat1b& mask) {
+    std::map<std::array<int, 3>, std::pair<int, cv::Vec3i>> bins;
+    for (int y = 0; y < bgr.rows; ++y)
+        for (int x = 0; x < bgr.cols; ++x) {
+            if (mask(y, x) == 0) continue;
+            const auto p = bgr.at<cv::Vec3b>(y, x);
+            auto& [count, sum] = bins[{p[0] / 32, p[1] / 32, p[2] / 32}];
+            ++count;
+            sum += cv::Vec3i(p);
+        }
+    const auto best =
+        std::ranges::max_element(bins, {}, [](const auto& bin) { return bin.second.first; });
+    if (best == bins.end()) return {};
+    return cv::Vec3b(best->second.second / best->second.first);
+}
+
+/// What of the ink in a window lies within a box, in pieces that do not lead out of it: letters.
+/// Lines that run beneath the words do.
+cv::Mat letters_in(const cv::Mat1b& ink, const cv::Rect& box) {
+    cv::Mat1i label;
+    cv::Mat1i stats;
+    cv::Mat1d centres;
+    cv::connectedComponentsWithStats(ink, label, stats, centres, 8, CV_32S);
+    cv::Mat letters(ink.size(), CV_8U, cv::Scalar(0));
+    for (int piece = 1; piece < stats.rows; ++piece) {
+        const cv::Rect extent(stats(piece, cv::CC_STAT_LEFT), stats(piece, cv::CC_STAT_TOP),
+                              stats(piece, cv::CC_STAT_WIDTH), stats(piece, cv::CC_STAT_HEIGHT));
+        if ((extent & box) == extent) letters.setTo(255, label == piece);
+    }
+    return letters;
+}
+
+/// Letters are heard, not felt; what they stand on, and lines beneath them, stay.
 void paint_over(cv::Mat& bgr, std::span<const WordBox> words) {
     const cv::Rect whole(0, 0, bgr.cols, bgr.rows);
     for (const WordBox& word : words) {
-        const cv::Rect box = grown(word, whole);
-        bgr(box).setTo(colour_around(bgr, box));
+        const cv::Rect box = exact(word) & whole;
+        if (box.empty()) continue;
+        const int lean_px = beside_words_px + static_cast<int>(beyond_box * box.height);
+        const cv::Rect window = grown(box, 2 * lean_px, whole);
+        const cv::Rect reach = grown(box, lean_px, whole) - window.tl();
+        cv::Mat part = bgr(window);
+        const cv::Vec3b ground = colour_around(bgr, grown(box, beside_words_px, whole));
+        const cv::Mat1b ink = differing(part, ground, least_contrast);
+        cv::Mat1b of_words = ink.clone();
+        if (box.height > large_box * bgr.rows)
+            of_words &= ~differing(part, commonest(part, ink), like_letters);
+        const cv::Mat inner = letters_in(of_words, reach);
+        cv::Mat letters;
+        cv::dilate(inner, letters, cv::Mat::ones(5, 5, CV_8U));
+        letters.setTo(0, ink & ~inner);
+        part.setTo(cv::Scalar(ground[0], ground[1], ground[2]), letters);
     }
 }
 

@@ -57,9 +57,14 @@ class Centring {
   public:
     Centring(const Chain& line, const cv::Mat1f& darkness) : line_(line), darkness_(darkness) {}
 
-    Chain run() {
+    Chain between_ends() {
         move_to_middle();
         smooth();
+        return std::move(line_);
+    }
+
+    Chain run() {
+        line_ = between_ends();
         if (!line_.is_closed) {
             for (const bool at_back : {false, true}) {
                 place_end(at_back);
@@ -185,6 +190,10 @@ class Centring {
 };
 
 }  // namespace
+
+Chain in_the_middle(const Chain& line, const cv::Mat1f& darkness) {
+    return Centring(line, darkness).between_ends();
+}
 
 Chain centred(const Chain& line, const cv::Mat1f& darkness) {
     return Centring(line, darkness).run();

@@ -14,4 +14,7 @@ namespace touchline {
 /// O(points x width).
 [[nodiscard]] Chain centred(const Chain& line, const cv::Mat1f& darkness);
 
+/// The same without a look at its ends: for what has not been joined yet.
+[[nodiscard]] Chain in_the_middle(const Chain& line, const cv::Mat1f& darkness);
+
 }  // namespace touchline

@@ -23,7 +23,7 @@ constexpr double kStraight_px = 0.25;  // rms about the fitted line
 constexpr double kRounding = 0.6;
 constexpr double kRoundingSlack_px = 1.2;  // noise
 
-using Accepts = std::function<bool(const cv::Point2d&)>;
+using Accepts = std::function<bool(const cv::Point2d&, double)>;
 
 /// A line fitted to part of the chain, directed along it.
 struct Course {
@@ -36,6 +36,7 @@ struct Corner {
     int from = 0;  // samples replaced by the vertex: from ... to
     int to = 0;
     cv::Point2d vertex;
+    double turn = 0.0;
 };
 
 /// One run of even samples between two fixed points, or a ring without any.
@@ -59,7 +60,7 @@ class Run {
         for (std::size_t i = 0; i < apexes.size(); ++i) {
             const std::optional<Corner> corner =
                 corner_at(apexes[i], room(apexes, i, -1), room(apexes, i, 1));
-            if (corner && accepts(corner->vertex)) {
+            if (corner && accepts(corner->vertex, corner->turn)) {
                 corners.push_back(*corner);
             }
         }
@@ -196,7 +197,8 @@ class Run {
             return std::nullopt;
         }
         const Corner corner{apex - std::min(samples_in(skip_px), (2 * room_before) / 5),
-                            apex + std::min(samples_in(skip_px), (2 * room_after) / 5), *vertex};
+                            apex + std::min(samples_in(skip_px), (2 * room_after) / 5), *vertex,
+                            turn};
         double rounding_px = std::numeric_limits<double>::infinity();
         for (int i = corner.from; i <= corner.to; ++i) {
             rounding_px = std::min(rounding_px, distance(*vertex, sample(i).at));

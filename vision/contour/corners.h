@@ -12,12 +12,11 @@ namespace touchline {
 /// and after is straight, the rounded stretch is replaced by the crossing of the two courses, a
 /// fixed point. Courses are lines fitted beyond the blur. A corner that is rounder than `blur_px`
 /// (Gaussian sigma of picture and smoothing together) explains is a round one and stays as it is.
-/// Fixed points stay, and a chain without length or points. A corner whose place `accepts` refuses
-/// stays as it is.
+/// Fixed points stay, and a chain without length or points. A corner that `accepts`, asked with its
+/// place and the turn in radians, refuses stays as it is.
 [[nodiscard]] Chain with_sharp_corners(
     const Chain& chain, double blur_px,
-    const std::function<bool(const cv::Point2d&)>& accepts = [](const cv::Point2d&) {
-        return true;
-    });
+    const std::function<bool(const cv::Point2d&, double)>& accepts = [](const cv::Point2d&,
+                                                                        double) { return true; });
 
 }  // namespace touchline

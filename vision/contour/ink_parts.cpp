@@ -1,6 +1,8 @@
 #include "vision/contour/ink_parts.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -8,76 +10,174 @@
 namespace touchline {
 namespace {
 
-constexpr int kLeastArea_px = 8;  // less ink is a speck
+constexpr int kLeastArea_px = 8;  // less ink is a speck, less paper a pinhole
 constexpr double kClearlyWide = 1.25;
+constexpr float kAlike = 0.2F;         // of the depth: along a stroke
+constexpr double kMostAlike = 0.55;    // of the ridges
+constexpr double kHair = 0.4;          // of the greatest width: a stroke, however it swells
+constexpr double kStillAStroke = 1.1;  // of the greatest width: strokes of a piece stay strokes
+constexpr double kWhereTwoMeet = 2.05;
+constexpr double kAsWide = 0.6;              // near its end, of what it is half-way
 constexpr double kLeastTailOverWidth = 1.0;  // what stands out of a wide shape less is its corner
 
-void drop_specks(cv::Mat1b& mask) {
+/// Without the pieces of a mask that are too small, by neighbours of 4 or of 8.
+cv::Mat without_specks(const cv::Mat& mask, int neighbours) {
     cv::Mat1i label;
     cv::Mat1i stats;
     cv::Mat1d centres;
-    cv::connectedComponentsWithStats(mask, label, stats, centres, 8, CV_32S);
+    cv::connectedComponentsWithStats(mask, label, stats, centres, neighbours, CV_32S);
+    cv::Mat kept = mask.clone();
     for (int y = 0; y < mask.rows; ++y) {
         for (int x = 0; x < mask.cols; ++x) {
-            if (mask(y, x) != 0 && stats(label(y, x), cv::CC_STAT_AREA) < kLeastArea_px) {
-                mask(y, x) = 0;
+            if (stats(label(y, x), cv::CC_STAT_AREA) < kLeastArea_px) {
+                kept.at<uchar>(y, x) = 0;
             }
         }
     }
+    return kept;
 }
 
-/// Where the ink is deeper than a stroke's, in places clearly so: between two strokes that meet at
-/// a sharp angle it is a little deeper.
-cv::Mat wide_cores(const cv::Mat1f& depth, double greatest_width_px) {
-    const cv::Mat deep = depth > 0.5 * greatest_width_px;
-    cv::Mat1i label;
-    const int n = cv::connectedComponents(deep, label, 8, CV_32S);
-    std::vector<float> deepest(static_cast<std::size_t>(n), 0.0F);
+/// Half the width of the strokes of each piece: the middle one of the depths along its ridges; 0
+/// for what is no stroke.
+std::vector<float> usual_depths(const cv::Mat1f& depth, const cv::Mat1i& piece, int pieces) {
+    cv::Mat around;
+    cv::dilate(depth, around, cv::Mat::ones(3, 3, CV_8U));
+    std::vector<std::vector<float>> ridges(static_cast<std::size_t>(pieces));
     for (int y = 0; y < depth.rows; ++y) {
         for (int x = 0; x < depth.cols; ++x) {
-            float& of_core = deepest[static_cast<std::size_t>(label(y, x))];
-            of_core = std::max(of_core, label(y, x) != 0 ? depth(y, x) : 0.0F);
+            if (piece(y, x) != 0 && depth(y, x) >= around.at<float>(y, x)) {
+                ridges[static_cast<std::size_t>(piece(y, x))].push_back(depth(y, x));
+            }
+        }
+    }
+    std::vector<float> usual(ridges.size(), 0.0F);
+    for (std::size_t i = 0; i < ridges.size(); ++i) {
+        if (!ridges[i].empty()) {
+            const auto middle =
+                ridges[i].begin() + static_cast<std::ptrdiff_t>(ridges[i].size() / 2);
+            std::ranges::nth_element(ridges[i], middle);
+            const float depth_px = *middle;
+            const auto alike = std::ranges::count_if(ridges[i], [depth_px](float each) {
+                return std::abs(each - depth_px) <= kAlike * depth_px + 0.5F;
+            });
+            // Towards the corners of a shape its ridges are of every depth.
+            usual[i] =
+                static_cast<double>(alike) >= kMostAlike * static_cast<double>(ridges[i].size())
+                    ? depth_px
+                    : 0.0F;
+        }
+    }
+    return usual;
+}
+
+/// Where the ink is deeper than a stroke's, in places clearly so. Where two strokes of a piece meet
+/// at a sharp angle it is up to twice as deep as they are.
+cv::Mat wide_cores(const InkParts& parts, const std::vector<float>& usual,
+                   double greatest_width_px) {
+    const cv::Mat1f& depth = parts.depth;
+    const double half_px = 0.5 * greatest_width_px;
+    const cv::Mat deep = depth > half_px;
+    cv::Mat1i label;
+    const int n = cv::connectedComponents(deep, label, 8, CV_32S);
+    std::vector<uchar> is_wide(static_cast<std::size_t>(n), 0);
+    for (int y = 0; y < depth.rows; ++y) {
+        for (int x = 0; x < depth.cols; ++x) {
+            const auto usual_px =
+                static_cast<double>(usual[static_cast<std::size_t>(parts.piece(y, x))]);
+            const double met_px =
+                usual_px <= kStillAStroke * half_px ? kWhereTwoMeet * usual_px : 0.0;
+            if (label(y, x) != 0 &&
+                static_cast<double>(depth(y, x)) > std::max(kClearlyWide * half_px, met_px)) {
+                is_wide[static_cast<std::size_t>(label(y, x))] = 255;
+            }
         }
     }
     cv::Mat cores(depth.size(), CV_8U, cv::Scalar(0));
     for (int y = 0; y < depth.rows; ++y) {
         for (int x = 0; x < depth.cols; ++x) {
-            const double d = static_cast<double>(deepest[static_cast<std::size_t>(label(y, x))]);
-            cores.at<uchar>(y, x) = d > kClearlyWide * 0.5 * greatest_width_px ? 255 : 0;
+            cores.at<uchar>(y, x) = is_wide[static_cast<std::size_t>(label(y, x))];
         }
     }
     return cores;
 }
 
-/// What of the ink is wider than a stroke: everywhere that a disc of that width fits, and the
-/// corners round it; tails that stand out by more than a width stay strokes.
-cv::Mat1b wide_part(const cv::Mat1b& mask, const cv::Mat1f& depth, double greatest_width_px) {
-    const cv::Mat core = wide_cores(depth, greatest_width_px);
+/// What stands out of a wide shape in one piece: how far, and how deep it is half-way and near its
+/// end.
+struct Tail {
+    double reach_px = 0.0;
+    double middle_px = 0.0;
+    double far_px = 0.0;
+
+    /// A corner, however sharp, grows narrower all the way; a stroke does not.
+    [[nodiscard]] bool is_stroke(double least_px) const {
+        return reach_px >= least_px && far_px >= kAsWide * middle_px;
+    }
+};
+
+/// The wide parts of the ink, with the corners round them; tails that are strokes stay strokes.
+cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vector<float>& usual,
+                    double greatest_width_px) {
+    const cv::Mat core = wide_cores(parts, usual, greatest_width_px);
     if (cv::countNonZero(core) == 0) {
         return cv::Mat1b(mask.size(), uchar{0});
     }
     const cv::Mat1f from_core = depth_of(~core);
-    cv::Mat wide = (from_core <= 0.5 * greatest_width_px + 1.0) & mask;
+    const double half_px = 0.5 * greatest_width_px;
+    cv::Mat wide = (from_core <= half_px + 1.0) & mask;
     cv::Mat1i label;
     const cv::Mat rest = mask & ~wide;
     const int n = cv::connectedComponents(rest, label, 8, CV_32S);
-    std::vector<float> reach(static_cast<std::size_t>(n), 0.0F);
-    for (int y = 0; y < mask.rows; ++y) {
-        for (int x = 0; x < mask.cols; ++x) {
-            float& farthest = reach[static_cast<std::size_t>(label(y, x))];
-            farthest = std::max(farthest, from_core(y, x));
+    std::vector<Tail> tails(static_cast<std::size_t>(n));
+    const auto for_each = [&](auto&& visit) {
+        for (int y = 0; y < mask.rows; ++y) {
+            for (int x = 0; x < mask.cols; ++x) {
+                if (label(y, x) != 0) {
+                    visit(cv::Point(x, y), tails[static_cast<std::size_t>(label(y, x))]);
+                }
+            }
+        }
+    };
+    for_each([&](const cv::Point& p, Tail& tail) {
+        tail.reach_px = std::max(tail.reach_px, static_cast<double>(from_core(p)));
+    });
+    for_each([&](const cv::Point& p, Tail& tail) {
+        const double part =
+            (static_cast<double>(from_core(p)) - half_px) / (tail.reach_px - half_px);
+        const auto depth_px = static_cast<double>(parts.depth(p));
+        if (part > 0.4 && part < 0.6) {
+            tail.middle_px = std::max(tail.middle_px, depth_px);
+        } else if (part > 0.75 && part < 0.9) {
+            tail.far_px = std::max(tail.far_px, depth_px);
+        }
+    });
+    const double least_px = (0.5 + kLeastTailOverWidth) * greatest_width_px;
+    for_each([&](const cv::Point& p, const Tail& tail) {
+        if (!tail.is_stroke(least_px)) {
+            wide.at<uchar>(p) = 255;
+        }
+    });
+    return wide;
+}
+
+/// Pieces that swell and shrink, but for the finest, are shapes, however narrow: a star of rays.
+void add_swelling(InkParts& parts, const std::vector<float>& usual, double greatest_width_px) {
+    std::vector<float> deepest(usual.size(), 0.0F);
+    const auto of = [&](int y, int x) { return static_cast<std::size_t>(parts.piece(y, x)); };
+    for (int y = 0; y < parts.depth.rows; ++y) {
+        for (int x = 0; x < parts.depth.cols; ++x) {
+            deepest[of(y, x)] = std::max(deepest[of(y, x)], parts.depth(y, x));
         }
     }
-    const double tail_px = (0.5 + kLeastTailOverWidth) * greatest_width_px;
-    for (int y = 0; y < mask.rows; ++y) {
-        for (int x = 0; x < mask.cols; ++x) {
-            if (label(y, x) != 0 &&
-                static_cast<double>(reach[static_cast<std::size_t>(label(y, x))]) < tail_px) {
-                wide.at<uchar>(y, x) = 255;
+    const double hair_px = std::max(1.0, 0.5 * kHair * greatest_width_px) + 0.5;
+    for (int y = 0; y < parts.depth.rows; ++y) {
+        for (int x = 0; x < parts.depth.cols; ++x) {
+            const std::size_t piece = of(y, x);
+            if (piece != 0 && !(usual[piece] > 0.0F) &&
+                static_cast<double>(deepest[piece]) > hair_px) {
+                parts.shapes(y, x) = 255;
             }
         }
     }
-    return wide;
 }
 
 }  // namespace
@@ -90,12 +190,15 @@ cv::Mat1f depth_of(const cv::Mat& mask) {
 
 InkParts parts_of(const cv::Mat1b& ink, double greatest_width_px) {
     InkParts parts;
-    cv::Mat1b mask = ink.clone();
-    drop_specks(mask);
+    // Pinholes lie where two strokes begin to part.
+    const cv::Mat paper = ~without_specks(ink, 8);
+    const cv::Mat1b mask = cv::Mat(~without_specks(paper, 4));
     parts.depth = depth_of(mask);
-    parts.shapes = wide_part(mask, parts.depth, greatest_width_px);
-    parts.strokes = cv::Mat(mask & ~parts.shapes);
     parts.pieces = cv::connectedComponents(mask, parts.piece, 8, CV_32S);
+    const std::vector<float> usual = usual_depths(parts.depth, parts.piece, parts.pieces);
+    parts.shapes = wide_part(mask, parts, usual, greatest_width_px);
+    add_swelling(parts, usual, greatest_width_px);
+    parts.strokes = cv::Mat(mask & ~parts.shapes);
     return parts;
 }
 

@@ -15,9 +15,10 @@ struct InkParts {
     int pieces = 0;   // one more than there are: 0 is the paper
 };
 
-/// A shape is ink that a disc of the greatest width fits into, clearly (1.25 times) somewhere, with
-/// the corners round it; tails that stand out of it by more than a width are strokes, and so is all
-/// other ink. Specks of fewer than 8 pixels are left out. O(pixels).
+/// A shape is ink that a disc of the greatest width fits into, clearly (1.25 times, and twice what
+/// is usual in a piece of strokes, for so deep is a sharp corner) somewhere, with the corners round
+/// it; tails that stand out of it by more than a width are strokes, and so is all other ink. Specks
+/// of fewer than 8 pixels are left out. O(pixels).
 [[nodiscard]] InkParts parts_of(const cv::Mat1b& ink, double greatest_width_px);
 
 /// Distance of each pixel of the mask to the nearest one outside, pixels.

@@ -41,6 +41,9 @@ std::vector<Chain> JunctionSet::assembled(std::vector<Chain> lines) {
     for (Junction& junction : junctions_) {
         place(junction);
     }
+    for (const SolvedJunction& junction : solved_) {
+        pin(junction);
+    }
     is_walked_.assign(arms_.size(), false);
     std::vector<Chain> outlines;
     for (const bool from_ends : {true, false}) {  // what is left after the open ones are rings
@@ -102,7 +105,9 @@ void JunctionSet::cut(std::size_t host, const std::vector<Cut>& cuts) {
     const auto part = [&](std::size_t from, std::size_t to) {
         return Chain{{line.points.begin() + static_cast<std::ptrdiff_t>(from),
                       line.points.begin() + static_cast<std::ptrdiff_t>(to) + 1},
-                     false};
+                     false,
+                     line.width_px,
+                     line.of};
     };
     std::size_t piece = host;
     std::size_t from = 0;
@@ -210,6 +215,32 @@ void JunctionSet::pin_arms(const Junction& junction, bool is_moved) {
         }
         points.push_back(last);
         if (!is_back(end)) {
+            std::ranges::reverse(points);
+        }
+    }
+}
+
+void JunctionSet::pin(const SolvedJunction& junction) {
+    for (const auto& [a, b] : junction.through) {
+        join(moved_[a], moved_[b]);
+    }
+    for (const SolvedJunction::Arm& arm : junction.arms) {
+        const EndId end = moved_[arm.end];
+        std::vector<EdgePoint>& points = arms_[chain_of(end)].points;
+        if (is_back(end)) {
+            std::ranges::reverse(points);
+        }
+        EdgePoint first = points.front();
+        first.at = junction.at;
+        first.is_fixed = true;
+        std::size_t gone = 1;
+        for (double passed_px = 0.0; gone < points.size() && passed_px < arm.bent_px; ++gone) {
+            passed_px += distance(points[gone - 1].at, points[gone].at);
+        }
+        points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(
+                                                          std::min(gone, points.size() - 1)));
+        points.insert(points.begin(), first);
+        if (is_back(end)) {
             std::ranges::reverse(points);
         }
     }

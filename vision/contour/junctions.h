@@ -8,6 +8,18 @@
 
 namespace touchline {
 
+/// A junction whose place is known, and which of its arms are one line there.
+struct SolvedJunction {
+    struct Arm {
+        EndId end;
+        double bent_px;  // so much of the line before its end gives way to a straight one
+    };
+
+    cv::Point2d at;
+    std::vector<Arm> arms;
+    std::vector<std::pair<EndId, EndId>> through;
+};
+
 /// Collects who meets whom while the lines stay as they are; `assembled` then does all of it at
 /// once. Ends and points are named by their place in the list of lines that `assembled` will get;
 /// an end may be added once.
@@ -22,6 +34,8 @@ class JunctionSet {
 
     /// Three or more ends that meet near `centre`.
     void add_cluster(std::vector<EndId> ends, cv::Point2d centre);
+
+    void add_solved(SolvedJunction junction) { solved_.push_back(std::move(junction)); }
 
     /// An end that meets a line at one of its points.
     void add_meeting(EndId end, PointRef host);
@@ -50,6 +64,7 @@ class JunctionSet {
     void cut(std::size_t host, const std::vector<Cut>& cuts);
     void place(Junction& junction);
     void pin_arms(const Junction& junction, bool is_moved);
+    void pin(const SolvedJunction& junction);
     void join_through(const std::vector<EndId>& ends, const std::vector<Ray>& rays);
     [[nodiscard]] cv::Point2d crossing_of(const std::vector<Ray>& rays,
                                           cv::Point2d otherwise) const;
@@ -61,6 +76,7 @@ class JunctionSet {
     double span_px_;
     std::vector<std::pair<EndId, EndId>> joints_;
     std::vector<Junction> junctions_;
+    std::vector<SolvedJunction> solved_;
     std::vector<Cut> cuts_;
 
     // While assembling:

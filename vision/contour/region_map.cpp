@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 
 namespace touchline {
@@ -175,41 +176,42 @@ std::array<cv::Point, 4> beside(const cv::Point& p) {
     return {cv::Point(p.x, p.y - 1), {p.x - 1, p.y}, {p.x + 1, p.y}, {p.x, p.y + 1}};
 }
 
-/// Lets the large regions grow over the small ones, all at the same pace.
-void overgrow(cv::Mat1b& map, const std::vector<Run>& small) {
-    cv::Mat1b is_small(map.size(), uchar{0});
-    for (const Run& run : small) {
-        is_small(cv::Rect(run.from, run.row, run.to - run.from, 1)) = 255;
+}  // namespace
+
+cv::Mat1b region_map(const LabPicture& lab, const std::vector<cv::Vec3f>& palette, int least_px) {
+    cv::Mat1b map = Mixtures(lab, palette, nearest_colours(lab, palette)).undone();
+    cv::Mat1b gone(map.size(), uchar{0});
+    for (const Run& run : small_regions(map, least_px)) {
+        gone(cv::Rect(run.from, run.row, run.to - run.from, 1)) = 255;
     }
+    overgrow(map, gone);
+    return map;
+}
+
+void overgrow(cv::Mat1b& map, const cv::Mat1b& mask) {
+    cv::Mat1b gone = mask.clone();
     const cv::Rect frame({}, map.size());
     std::vector<cv::Point> front;
-    for (const Run& run : small) {
-        for (int x = run.from; x < run.to; ++x) {
-            for (const cv::Point& q : beside({x, run.row})) {
-                if (frame.contains(q) && is_small(q) == 0) {
-                    front.push_back(q);
-                }
+    for (int y = 0; y < map.rows; ++y) {
+        for (int x = 0; x < map.cols; ++x) {
+            const auto is_left = [&](const cv::Point& q) {
+                return frame.contains(q) && gone(q) == 0;
+            };
+            if (gone(y, x) != 0) {
+                std::ranges::copy_if(beside({x, y}), std::back_inserter(front), is_left);
             }
         }
     }
     for (std::size_t i = 0; i < front.size(); ++i) {
         const cv::Point p = front[i];
         for (const cv::Point& q : beside(p)) {
-            if (frame.contains(q) && is_small(q) != 0) {
-                is_small(q) = 0;
+            if (frame.contains(q) && gone(q) != 0) {
+                gone(q) = 0;
                 map(q) = map(p);
                 front.push_back(q);
             }
         }
     }
-}
-
-}  // namespace
-
-cv::Mat1b region_map(const LabPicture& lab, const std::vector<cv::Vec3f>& palette, int least_px) {
-    cv::Mat1b map = Mixtures(lab, palette, nearest_colours(lab, palette)).undone();
-    overgrow(map, small_regions(map, least_px));
-    return map;
 }
 
 }  // namespace touchline

@@ -18,4 +18,8 @@ namespace touchline {
 [[nodiscard]] cv::Mat1b region_map(const LabPicture& lab, const std::vector<cv::Vec3f>& palette,
                                    int least_px);
 
+/// The pixels of the mask given to what lies beside them, all at the same pace; none stay where
+/// nothing else is. O(pixels).
+void overgrow(cv::Mat1b& map, const cv::Mat1b& mask);
+
 }  // namespace touchline

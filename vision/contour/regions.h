@@ -1,4 +1,4 @@
-// Lines between areas of flat colour: logos, diagrams, flags, clip art.
+// Lines of pictures in flat colours: logos, diagrams, flags, clip art.
 // Threads: pure function.
 #pragma once
 
@@ -7,14 +7,17 @@
 
 namespace touchline {
 
-/// Quantises the colours (palette.h), gives every pixel to a region (region_map.h) and traces the
-/// borders (region_borders.h): one line per border, not one from each side; sub-pixel, where the
-/// colour is half-way between the two; closed wherever the frame does not cut it. Where three
-/// regions meet, the lines share their point bit for bit, fixed; lines that continue each other
-/// within 30 degrees run through as one. Corners are sharp and fixed. What the frame cuts off on
-/// one side is closed along it. Strength: that of the step between the two colours, smoothed as
-/// edges are (grey levels per pixel). noise: of the picture, grey levels (noise_of).
-/// Deterministic. O(pixels), about 60 ms a megapixel.
-[[nodiscard]] std::vector<Chain> region_lines(const LabPicture& lab, double noise);
+/// Quantises the colours (palette.h), gives every pixel to a region (region_map.h), and traces
+/// strokes no wider than `greatest_width_px` by their middle lines, whatever their colours
+/// (thin_parts.h, strokes.h), and the borders of all else (region_borders.h): one line per border,
+/// not one from each side; sub-pixel, where the colour is half-way between the two; closed wherever
+/// the frame does not cut it. A border ends on the stroke that it comes to. Where three regions
+/// meet, the lines share their point bit for bit, fixed; lines that continue each other within 30
+/// degrees run through as one. Corners are sharp and fixed. What the frame cuts off on one side is
+/// closed along it. Strength: that of the step between the two colours, smoothed as edges are (grey
+/// levels per pixel). noise: of the picture, grey levels (noise_of). Deterministic. O(pixels x
+/// colours), about 120 ms a megapixel.
+[[nodiscard]] std::vector<Chain> region_lines(const LabPicture& lab, double noise,
+                                              double greatest_width_px);
 
 }  // namespace touchline

@@ -3,11 +3,11 @@
 #include "vision/contour/centring.h"
 #include "vision/contour/corners.h"
 #include "vision/contour/ink_parts.h"
+#include "vision/contour/joints.h"
 #include "vision/contour/junctions.h"
 #include "vision/contour/region_borders.h"
 #include "vision/contour/skeleton.h"
 #include "vision/contour/thinning.h"
-#include "vision/prepare/ink.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,20 +19,23 @@ namespace touchline {
 namespace {
 
 constexpr double kGradientOverStep = 0.4;      // as of a step smoothed with sigma 1 px
-constexpr double kLeastLengthOverWidth = 2.0;  // shorter is a dot
+constexpr double kLeastLengthOverWidth = 2.5;  // with shorter arms it is a dot, or a small star
 constexpr double kPictureBlur_px = 0.7;
 // At a corner of angle a the middle of the ink is 0.25 (1 / sin(a / 2) - 1) widths inside it, over
 // half a width / tan(a / 2) of either side: what a blur of this many widths would do.
 constexpr double kRoundingOverWidth = 0.5;
-constexpr double kDepthAtCorner = 0.36;  // of the width: a bend's vertex is nearer to the edge
+// A bevelled join of angle a leaves half a width x sin(a / 2) of ink beyond the corner, and others
+// more; a bend's vertex is nearer to the edge.
+constexpr double kDepthAtCorner = 0.48;
 
 /// What was found in one connected piece of ink.
 struct Piece {
     std::vector<std::size_t> arms;  // of the skeleton
-    std::vector<std::size_t> nodes;
+    std::vector<const SolvedJunction*> solved;
+    std::vector<const std::vector<EndId>*> unsolved;  // ends that meet
     std::vector<Chain> outlines;
     double width_px = 0.0;
-    double length_px = 0.0;  // of the arms
+    double longest_px = 0.0;  // of the arms
 };
 
 double middle_width(const std::vector<Chain>& arms, const std::vector<std::size_t>& which,
@@ -59,6 +62,7 @@ class StrokeTracer {
     std::vector<Chain> run() {
         skeleton_ = skeleton_of(thinned(parts_.strokes, depth_of(parts_.strokes)), parts_.depth);
         std::vector<Piece> pieces = sorted_into_pieces();
+        solve_joints(pieces);
         dots_become_shapes(pieces);
         for (Chain& outline : outlines()) {
             const int piece = piece_at(outline.points.front().at);
@@ -90,15 +94,35 @@ class StrokeTracer {
         std::vector<Piece> pieces(static_cast<std::size_t>(parts_.pieces));
         for (std::size_t i = 0; i < skeleton_.arms.size(); ++i) {
             pieces[piece_of_arm(i)].arms.push_back(i);
-            pieces[piece_of_arm(i)].length_px += length_of(skeleton_.arms[i]);
-        }
-        for (std::size_t i = 0; i < skeleton_.nodes.size(); ++i) {
-            pieces[piece_of_arm(chain_of(skeleton_.nodes[i].front()))].nodes.push_back(i);
+            double& longest_px = pieces[piece_of_arm(i)].longest_px;
+            longest_px = std::max(longest_px, length_of(skeleton_.arms[i]));
         }
         for (Piece& piece : pieces) {
             piece.width_px = middle_width(skeleton_.arms, piece.arms, parts_.depth);
         }
         return pieces;
+    }
+
+    /// Which ends meet, and where; the arms that nobody drew go.
+    void solve_joints(std::vector<Piece>& pieces) {
+        std::vector<double> usual_depth_px(skeleton_.arms.size(), 1.0);
+        for (const Piece& piece : pieces) {
+            for (const std::size_t arm : piece.arms) {
+                usual_depth_px[arm] = 0.5 * (piece.width_px + 1.0);
+                skeleton_.arms[arm].width_px = piece.width_px;
+                skeleton_.arms[arm] = in_the_middle(skeleton_.arms[arm], ink_.darkness);
+            }
+        }
+        joints_ = joints_of(skeleton_, parts_.depth, usual_depth_px);
+        for (Piece& piece : pieces) {
+            std::erase_if(piece.arms, [&](std::size_t arm) { return joints_.is_dropped[arm]; });
+        }
+        for (const SolvedJunction& junction : joints_.solved) {
+            pieces[piece_of_arm(chain_of(junction.arms.front().end))].solved.push_back(&junction);
+        }
+        for (const std::vector<EndId>& ends : joints_.unsolved) {
+            pieces[piece_of_arm(chain_of(ends.front()))].unsolved.push_back(&ends);
+        }
     }
 
     std::size_t piece_of_arm(std::size_t arm) const {
@@ -110,10 +134,11 @@ class StrokeTracer {
         std::vector<uchar> is_dot(pieces.size(), 0);
         for (std::size_t i = 1; i < pieces.size(); ++i) {
             Piece& piece = pieces[i];
-            if (piece.length_px < kLeastLengthOverWidth * piece.width_px) {
+            if (piece.longest_px < kLeastLengthOverWidth * piece.width_px) {
                 is_dot[i] = 1;
                 piece.arms.clear();
-                piece.nodes.clear();
+                piece.solved.clear();
+                piece.unsolved.clear();
             }
         }
         for (int y = 0; y < parts_.shapes.rows; ++y) {
@@ -144,18 +169,18 @@ class StrokeTracer {
             place[front_of(arm)] = front_of(lines.size());
             place[back_of(arm)] = back_of(lines.size());
             lines.push_back(skeleton_.arms[arm]);
-            lines.back().width_px = piece.width_px;
             is_free.insert(is_free.end(), 2, !lines.back().is_closed);
         }
         const std::size_t strokes = lines.size();
         lines.insert(lines.end(), piece.outlines.begin(), piece.outlines.end());
         JunctionSet junctions(0.75 * piece.width_px + 0.5, std::max(4.0, 1.5 * piece.width_px));
-        for (const std::size_t node : piece.nodes) {
+        const auto placed = [&](EndId end) {
+            is_free[place[end]] = false;
+            return place[end];
+        };
+        for (const std::vector<EndId>* node : piece.unsolved) {
             std::vector<EndId> ends;
-            for (const EndId end : skeleton_.nodes[node]) {
-                ends.push_back(place[end]);
-                is_free[place[end]] = false;
-            }
+            std::ranges::transform(*node, std::back_inserter(ends), placed);
             if (ends.size() == 2) {
                 junctions.add_joint(ends[0], ends[1]);
             } else {
@@ -163,6 +188,17 @@ class StrokeTracer {
                 junctions.add_cluster(
                     ends, is_back(ends[0]) ? first.points.back().at : first.points.front().at);
             }
+        }
+        for (const SolvedJunction* known : piece.solved) {
+            SolvedJunction junction = *known;
+            for (SolvedJunction::Arm& arm : junction.arms) {
+                arm.end = placed(arm.end);
+            }
+            for (auto& [a, b] : junction.through) {
+                a = place[a];
+                b = place[b];
+            }
+            junctions.add_solved(std::move(junction));
         }
         meet_outlines(lines, strokes, is_free, junctions);
         std::vector<Chain> network = junctions.assembled(std::move(lines));
@@ -203,10 +239,11 @@ class StrokeTracer {
             line = centred(line, ink_.darkness);
         }
         const double width_px = line.width_px;
-        line = with_sharp_corners(
-            line, kPictureBlur_px + kRoundingOverWidth * width_px, [&](const cv::Point2d& at) {
-                return static_cast<double>(parts_.depth(pixel_at(at))) >= kDepthAtCorner * width_px;
-            });
+        line = with_sharp_corners(line, kPictureBlur_px + kRoundingOverWidth * width_px,
+                                  [&](const cv::Point2d& at, double turn) {
+                                      return depth_near(at) >=
+                                             kDepthAtCorner * width_px * std::cos(0.5 * turn);
+                                  });
         line.width_px = width_px;
         const auto is_set = [](const EdgePoint& point) { return point.strength > 0.0; };
         for (EdgePoint& point : line.points) {
@@ -233,6 +270,16 @@ class StrokeTracer {
         }
     }
 
+    /// The greatest within a pixel.
+    double depth_near(const cv::Point2d& at) const {
+        const cv::Point p = pixel_at(at);
+        const cv::Rect around =
+            cv::Rect(p.x - 1, p.y - 1, 3, 3) & cv::Rect({}, parts_.depth.size());
+        double depth_px = 0.0;
+        cv::minMaxLoc(parts_.depth(around), nullptr, &depth_px);
+        return depth_px;
+    }
+
     cv::Point pixel_at(const cv::Point2d& at) const {
         return {std::clamp(cvRound(at.x), 0, ink_.mask.cols - 1),
                 std::clamp(cvRound(at.y), 0, ink_.mask.rows - 1)};
@@ -241,13 +288,17 @@ class StrokeTracer {
     const Ink& ink_;
     InkParts parts_;
     Skeleton skeleton_;
+    Joints joints_;
 };
 
 }  // namespace
 
-std::vector<Chain> stroke_lines(const LabPicture& lab, double noise, double greatest_width_px) {
-    const Ink ink = ink_of(lab, noise);
+std::vector<Chain> stroke_lines(const Ink& ink, double greatest_width_px) {
     return StrokeTracer(ink, greatest_width_px).run();
+}
+
+std::vector<Chain> stroke_lines(const LabPicture& lab, double noise, double greatest_width_px) {
+    return stroke_lines(ink_of(lab, noise), greatest_width_px);
 }
 
 }  // namespace touchline

@@ -4,6 +4,7 @@
 
 #include "vision/contour/chain.h"
 #include "vision/contour/gradient.h"
+#include "vision/prepare/ink.h"
 
 namespace touchline {
 
@@ -20,5 +21,8 @@ namespace touchline {
 /// pixel. Deterministic. O(pixels), about 50 ms a megapixel.
 [[nodiscard]] std::vector<Chain> stroke_lines(const LabPicture& lab, double noise,
                                               double greatest_width_px);
+
+/// The same of ink that is known.
+[[nodiscard]] std::vector<Chain> stroke_lines(const Ink& ink, double greatest_width_px);
 
 }  // namespace touchline

@@ -1,5 +1,6 @@
 #include "vision/simplify/class_lines.h"
 
+#include "vision/contour/dashes.h"
 #include "vision/contour/edge_strength.h"
 #include "vision/contour/gradient.h"
 #include "vision/contour/main_shape.h"
@@ -16,7 +17,7 @@ namespace touchline {
 namespace {
 
 constexpr double kWorkingPixels = 1e6;    // 0.1 mm a pixel on a drawing area of 116 x 84 mm
-constexpr double kWidestStroke_mm = 6.0;  // wider, and a hand feels its two edges
+constexpr double kWidestStroke_mm = 3.0;  // wider, and a hand feels its two edges
 constexpr double kShortest_mm = 4.0;      // the smallest feature worth a finger's time
 
 Chain box_around(const cv::Rect& box, double strength) {
@@ -68,11 +69,14 @@ PhotoLines drawn_lines(const cv::Mat& picture, PictureClass picture_class, doubl
     found.noise = noise_of(lab);
     const double px_per_mm = std::max(lab.cols, lab.rows) / longer_side_mm;
     if (picture_class == PictureClass::diagram) {
-        found.chains = region_lines(lab, found.noise);
+        found.chains = region_lines(lab, found.noise, kWidestStroke_mm * px_per_mm);
     } else if (picture_class == PictureClass::line_art) {
         found.chains = stroke_lines(lab, found.noise, kWidestStroke_mm * px_per_mm);
     } else {
         found.chains = page_lines(lab, found.noise);
+    }
+    if (picture_class != PictureClass::text_page) {
+        found.chains = with_dashes_joined(std::move(found.chains), px_per_mm);
     }
     found.lines_found = static_cast<int>(found.chains.size());
     found.specks_dropped = static_cast<int>(std::erase_if(found.chains, [&](const Chain& line) {
@@ -107,7 +111,8 @@ Result<ClassLines> class_lines(const cv::Mat& picture, PictureClass picture_clas
     if (picture_class != PictureClass::photo && !model) {
         PhotoLines found = drawn_lines(picture, picture_class, longer_side_mm);
         constexpr std::size_t kMostSpecks = 50;
-        if (!found.chains.empty() &&
+        constexpr double kGrain = 40.0;  // grey levels of noise: no drawing shows through
+        if (!found.chains.empty() && found.noise < kGrain &&
             static_cast<std::size_t>(found.specks_dropped) < kMostSpecks * found.chains.size()) {
             return ClassLines{picture_class, std::move(found)};
         }

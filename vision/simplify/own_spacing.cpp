@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace touchline {
 namespace {
@@ -9,6 +10,7 @@ namespace {
 constexpr double kApartAlong = 4.0;  // gaps: nearer along the line, it is a bend and not two lines
 constexpr double kHairpinAlong = 2.0;  // gaps: further, and there and back on parallel ways
 constexpr double kParallel = 0.985;    // cosine of 10 degrees
+constexpr double kStraight_mm = 0.5;   // the way along two straight sides, over that by the corner
 
 /// Whether a segment leads back along another.
 bool is_back(cv::Point2d way, const LineSegment& other) {
@@ -25,6 +27,47 @@ std::vector<double> arc_lengths(const std::vector<EdgePoint>& points) {
     return at_mm;
 }
 
+/// Places that lie on the two straight sides of one corner, which may be as sharp as it is drawn.
+class Corners {
+  public:
+    /// `around_mm`: of a ring; 0 for an open line.
+    Corners(const std::vector<EdgePoint>& points, const std::vector<double>& at_mm,
+            double around_mm)
+        : points_(points), at_mm_(at_mm), around_mm_(around_mm) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (points[i].is_fixed) {
+                corners_.push_back(i);
+            }
+        }
+    }
+
+    /// Whether the way from one point to another is straight but for one corner.
+    [[nodiscard]] bool is_round_one(std::size_t from, std::size_t to) const {
+        return std::ranges::any_of(corners_, [&](std::size_t corner) {
+            const double straight_mm = distance(points_[from].at, points_[corner].at) +
+                                       distance(points_[corner].at, points_[to].at);
+            return way_mm(from, corner, to) - straight_mm < kStraight_mm;
+        });
+    }
+
+  private:
+    /// Along the line from the one by the corner to the other; endless where it lies elsewhere.
+    [[nodiscard]] double way_mm(std::size_t from, std::size_t corner, std::size_t to) const {
+        const auto [low, high] = std::minmax(at_mm_[from], at_mm_[to]);
+        const double between_mm = high - low;
+        const bool is_between = at_mm_[corner] >= low && at_mm_[corner] <= high;
+        if (is_between) {
+            return between_mm;
+        }
+        return around_mm_ > 0.0 ? around_mm_ - between_mm : std::numeric_limits<double>::infinity();
+    }
+
+    const std::vector<EdgePoint>& points_;
+    const std::vector<double>& at_mm_;
+    double around_mm_;
+    std::vector<std::size_t> corners_;
+};
+
 }  // namespace
 
 LineSegment segment_of(const Chain& line, std::size_t i, std::size_t number) {
@@ -38,10 +81,10 @@ std::size_t segments_of(const Chain& line) {
 OwnStretch clear_of_itself(const std::vector<EdgePoint>& points, std::size_t first,
                            std::size_t last, const SpacingScale& scale) {
     SegmentGrid own(scale.area_mm, 0.5 * scale.gap_mm);
-    std::vector<double> at_mm(points.size(), 0.0);
+    const std::vector<double> at_mm = arc_lengths(points);
+    const Corners corners(points, at_mm, 0.0);
     for (std::size_t i = first + 1; i <= last; ++i) {
         const cv::Point2d p = points[i].at;
-        at_mm[i] = at_mm[i - 1] + distance(points[i - 1].at, p);
         double least_mm = scale.clearance_mm();
         std::optional<OwnStretch::Foot> foot;
         bool is_hairpin = false;
@@ -50,7 +93,7 @@ OwnStretch clear_of_itself(const std::vector<EdgePoint>& points, std::size_t fir
             const double apart_mm = distance(on, p);
             const double along_mm = at_mm[i] - at_mm[before.index + 1];
             if (along_mm > kApartAlong * scale.gap_mm - 2.0 * scale.step_mm &&
-                apart_mm < least_mm) {
+                apart_mm < least_mm && !corners.is_round_one(before.index, i)) {
                 least_mm = apart_mm;
                 foot = {on, before.index};
             }
@@ -59,11 +102,11 @@ OwnStretch clear_of_itself(const std::vector<EdgePoint>& points, std::size_t fir
                                is_back(p - points[i - 1].at, before));
         });
         if (foot || is_hairpin) {
-            return {first, i - 1, at_mm[i - 1], foot};
+            return {first, i - 1, at_mm[i - 1] - at_mm[first], foot};
         }
         own.add({points[i - 1].at, p, 0, i - 1});
     }
-    return {first, last, at_mm[last], std::nullopt};
+    return {first, last, at_mm[last] - at_mm[first], std::nullopt};
 }
 
 std::optional<std::size_t> too_near_itself(const Chain& ring, const SpacingScale& scale) {
@@ -73,6 +116,7 @@ std::optional<std::size_t> too_near_itself(const Chain& ring, const SpacingScale
     }
     const std::vector<double> at_mm = arc_lengths(ring.points);
     const double around_mm = length_of(ring);
+    const Corners corners(ring.points, at_mm, around_mm);
     for (std::size_t i = 0; i < ring.points.size(); ++i) {
         const cv::Point2d p = ring.points[i].at;
         bool is_near = false;
@@ -83,7 +127,7 @@ std::optional<std::size_t> too_near_itself(const Chain& ring, const SpacingScale
             const cv::Point2d way = ring.points[(i + 1) % ring.points.size()].at - p;
             is_near = is_near ||
                       (along_mm > kApartAlong * scale.gap_mm - 2.0 * scale.step_mm &&
-                       apart_mm < scale.clearance_mm()) ||
+                       apart_mm < scale.clearance_mm() && !corners.is_round_one(other.index, i)) ||
                       (along_mm > kHairpinAlong * scale.gap_mm && apart_mm < scale.gap_mm &&
                        is_back(way, other));
         });

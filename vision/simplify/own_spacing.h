@@ -39,7 +39,8 @@ struct OwnStretch {
 
 /// The stretch from point `first` to `last` at most that keeps the gap to itself where more than
 /// four gaps lie between along it, or two where it leads back beside itself (within 10 degrees).
-/// O(points x points near).
+/// The two straight sides of a corner may come as near as they do: whatever its angle it is one
+/// corner. O(points x points near).
 [[nodiscard]] OwnStretch clear_of_itself(const std::vector<EdgePoint>& points, std::size_t first,
                                          std::size_t last, const SpacingScale& scale);
 

@@ -50,6 +50,10 @@ std::string kind_of(LineOf of, bool is_closed) {
             return "line of text";
         case LineOf::figure:
             return "figure";
+        case LineOf::dashed:
+            return "dashed line";
+        case LineOf::dotted:
+            return "dotted line";
         default:
             return is_closed ? "closed line" : "line";
     }

@@ -8,8 +8,10 @@
 #include "tests/app/decode/encoders.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -110,6 +112,46 @@ TEST(JpegReader, ColourGreyAndProgressiveComeBackClosely) {
     grey.channels = 1;
     const std::vector<std::uint8_t> ramp{0, 30, 60, 90, 120, 150, 180, 210};
     EXPECT_LE(worst_difference(decoded(encoders::jpeg(8, 1, grey, ramp)), greys(ramp)), 6);
+}
+
+TEST(SquarePixels, TheCoarserSideGrows) {
+    const Picture fax{4, 2, std::vector<std::uint8_t>(24, 90)};
+    const Picture square = decode::with_square_pixels(fax, 204.0, 98.0);
+    EXPECT_EQ(square.width, 4);
+    EXPECT_EQ(square.height, 4);
+    EXPECT_EQ(square.bgr, std::vector<std::uint8_t>(48, 90));
+    EXPECT_EQ(decode::with_square_pixels(fax, 98.0, 204.0).width, 8);
+}
+
+TEST(SquarePixels, WhatIsNotKnownOrBeyondBeliefChangesNothing) {
+    const Picture fax{4, 2, std::vector<std::uint8_t>(24, 90)};
+    for (const auto& [x, y] : {std::pair{0.0, 0.0},
+                               {72.0, 0.0},
+                               {0.0, 72.0},
+                               {72.0, 72.0},
+                               {std::nan(""), 1.0},
+                               {1.0, 1000.0},
+                               {-1.0, 1.0}})
+        EXPECT_EQ(decode::with_square_pixels(fax, x, y).bgr, fax.bgr);
+}
+
+/// Every row is there: some programs leave the mark at the end off, and some telephones write films
+/// behind it.
+TEST(JpegReader, IsWholeWithoutItsEndMarkAndWithWhatFollowsIt) {
+    const Picture picture = encoders::test_picture();
+    encoders::JpegForm progressive;
+    progressive.is_progressive = true;
+    for (const encoders::Bytes& whole :
+         {encoders::jpeg(picture), encoders::jpeg(picture, progressive)}) {
+        encoders::Bytes bytes = whole;
+        bytes.resize(bytes.size() - 2);
+        EXPECT_EQ(decoded(bytes).bgr, decoded(whole).bgr);
+    }
+    encoders::Bytes trailed = encoders::jpeg(picture);
+    trailed.resize(trailed.size() - 2);
+    for (const int byte : {0x00, 0x00, 0x30, 0x0b, 0xff, 0x4f, 0xff, 0x51, 0x7f})
+        trailed.push_back(static_cast<std::byte>(byte));
+    EXPECT_EQ(decoded(trailed).bgr, decoded(encoders::jpeg(picture)).bgr);
 }
 
 TEST(JpegReader, PrintingInksBecomeLightInBothConventions) {

@@ -1,6 +1,6 @@
 // What is written for those who cannot see a picture survives its opening.
-#include "app/cli/page_map.h"
 #include "app/decode/files.h"
+#include "app/decode/machine_words.h"
 #include "app/decode/one_line.h"
 #include "app/decode/side_car.h"
 #include "app/trace/tracing.h"
@@ -50,6 +50,18 @@ TEST(Told, WhatACameraWritesByItselfIsNone) {
                                     }))
                   .description,
               "");
+}
+
+TEST(Told, WordsOfMachinesAreNone) {
+    for (const char* words :
+         {"OLYMPUS DIGITAL CAMERA", "MEDION DIGITAL CAMERA", "_cuva", "oznor", "dav_soft",
+          "My beautiful picture", "filter: 0; jpegRotation: 0; filterMask: 0;",
+          "Created with Sketch.", "untitled", "Untitled-1", "Microsoft Word - Doc1.docx",
+          "PowerPoint Presentation", "Slice 1"})
+        EXPECT_TRUE(decode::is_of_a_machine(words)) << words;
+    for (const char* words : {"A dog", "dog", "The Olympus", "Plan of the hall: ground floor",
+                              "Scan of a letter", "Layers of the earth", "Image of a saint"})
+        EXPECT_FALSE(decode::is_of_a_machine(words)) << words;
 }
 
 TEST(Told, AltTextOfXmpWinsOverACaption) {
@@ -118,21 +130,6 @@ TEST(Told, PdfIsAsLargeAsAskedFor) {
     EXPECT_EQ(decode_page(pdf, {1, 144})->dpi, 144);
 }
 
-/// None where nothing is found.
-std::size_t outlines_of(const Page& page) {
-    const auto traced = trace_page(page, {});
-    return traced ? traced->map.outlines.size() : 0;
-}
-
-TEST(Told, WordsAreNotFelt) {
-    const auto page = decode_page(tagged_pdf({"Fish"}, ""), {1, 150});
-    ASSERT_TRUE(page.has_value());
-    ASSERT_FALSE(page->words.empty());
-    Page with_letters = *page;
-    with_letters.words.clear();
-    EXPECT_LT(outlines_of(*page), outlines_of(with_letters));
-}
-
 TEST(Told, LabelsLieWhereTheyLieInTheTracedMap) {
     const auto page = decode_page(tagged_pdf({"Fish"}, "A black box"), {1, 150});
     ASSERT_TRUE(page.has_value());
@@ -158,6 +155,30 @@ TEST(SideCar, FirstLineIsTheTitle) {
     tell("A fish\n", short_one);
     EXPECT_EQ(short_one.title, "");
     EXPECT_EQ(short_one.description, "A fish");
+}
+
+/// As Windows' editor writes them: "ANSI", "Unicode", "Unicode big endian".
+TEST(SideCar, IsReadInWhateverCodeItWasSaved) {
+    const std::string ansi =
+        "Schlo\xdf Neuschwanstein\r\nDie T\xfcrme \x96 von S\xfc"
+        "den\r\n";
+    const std::u16string wide =
+        u"Schlo\u00df Neuschwanstein\r\nDie T\u00fcrme \u2013 von S\u00fcden\r\n";
+    std::string little = "\xff\xfe";
+    std::string big = "\xfe\xff";
+    for (const char16_t unit : wide) {
+        little += {static_cast<char>(unit & 0xff), static_cast<char>(unit >> 8)};
+        big += {static_cast<char>(unit >> 8), static_cast<char>(unit & 0xff)};
+    }
+    for (const std::string& text : {ansi, little, big}) {
+        TactileMap told;
+        tell(text, told);
+        EXPECT_EQ(told.title, "Schlo\u00df Neuschwanstein");
+        EXPECT_EQ(told.description, "Die T\u00fcrme \u2013 von S\u00fcden");
+    }
+    TactileMap cut;
+    tell(little.substr(0, 9), cut);
+    EXPECT_EQ(cut.description, "Sch");
 }
 
 TEST(SideCar, WhatIsNoTextChangesNothing) {

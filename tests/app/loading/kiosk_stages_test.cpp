@@ -5,7 +5,7 @@
 #include "app/decode/opening.h"
 #include "app/gallery/gallery.h"
 #include "app/loading/page_reader.h"
-#include "app/loading/page_views.h"
+#include "app/trace/page_views.h"
 #include "config/types/map_bytes.h"
 #include "tests/app/decode/files_of_formats.h"
 

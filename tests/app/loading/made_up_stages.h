@@ -2,8 +2,8 @@
 // Threads: any.
 #pragma once
 
-#include "app/loading/page_views.h"
 #include "app/loading/stages.h"
+#include "app/trace/page_views.h"
 
 #include <atomic>
 #include <map>

@@ -1,4 +1,4 @@
-#include "app/loading/page_views.h"
+#include "app/trace/page_views.h"
 
 #include <algorithm>
 #include <string>

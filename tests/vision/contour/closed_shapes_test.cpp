@@ -34,7 +34,7 @@ void expect_rings(const cv::Mat& picture, int rings) {
     const LabPicture lab = to_lab(picture);
     const double noise = noise_of(lab);
     for (const std::vector<Chain>& lines :
-         {region_lines(lab, noise), stroke_lines(lab, noise, kAnyWidth_px)}) {
+         {region_lines(lab, noise, kAnyWidth_px), stroke_lines(lab, noise, kAnyWidth_px)}) {
         EXPECT_EQ(static_cast<int>(lines.size()), rings);
         EXPECT_TRUE(std::ranges::all_of(lines, &Chain::is_closed));
     }
@@ -99,7 +99,7 @@ TEST(RegionLines, ABorderIsOneLineAndItsPlaceIsRight) {
         canvas.fill({testing::arc({200.0, 150.0}, {60.0, 60.0})}, {200, 160, 40});
         const LabPicture lab =
             to_lab(testing::seen(canvas.picture(), testing::effects_of_kind(kind, kind)));
-        const std::vector<Chain> lines = region_lines(lab, noise_of(lab));
+        const std::vector<Chain> lines = region_lines(lab, noise_of(lab), kAnyWidth_px);
         ASSERT_EQ(lines.size(), 2U);
         for (const Chain& line : lines) {
             EXPECT_TRUE(line.is_closed);
@@ -124,7 +124,7 @@ TEST(RegionLines, ThreeColoursMeetInOnePoint) {
     canvas.fill({{{{50, 50}, {250, 50}, {250, 150}, {50, 150}}, true}}, {30, 30, 200});
     canvas.fill({{{{50, 150}, {250, 150}, {250, 250}, {50, 250}}, true}}, {200, 120, 30});
     const LabPicture lab = to_lab(canvas.picture());
-    const std::vector<Chain> lines = region_lines(lab, noise_of(lab));
+    const std::vector<Chain> lines = region_lines(lab, noise_of(lab), kAnyWidth_px);
     // The border between the two, and the outer ring or its two halves; ends on ends, bit for bit.
     std::vector<cv::Point2d> ends;
     for (const Chain& line : lines) {
@@ -147,7 +147,7 @@ TEST(RegionLines, ThreeColoursMeetInOnePoint) {
 
 TEST(RegionLines, OneColourHasNoLines) {
     const LabPicture lab = to_lab(cv::Mat(60, 80, CV_8UC3, cv::Scalar(10, 200, 90)));
-    EXPECT_TRUE(region_lines(lab, 0.0).empty());
+    EXPECT_TRUE(region_lines(lab, 0.0, 5.0).empty());
     EXPECT_TRUE(stroke_lines(lab, 0.0, 5.0).empty());
 }
 
@@ -156,7 +156,7 @@ TEST(RegionLines, OddSizesAreTakenAsTheyAre) {
         cv::Mat3b picture(size, cv::Vec3b(255, 255, 255));
         picture(0, 0) = {0, 0, 0};
         const LabPicture lab = to_lab(picture);
-        EXPECT_LE(region_lines(lab, 0.0).size(), 1U);
+        EXPECT_LE(region_lines(lab, 0.0, 5.0).size(), 1U);
         EXPECT_LE(stroke_lines(lab, 0.0, 5.0).size(), 1U);
     }
 }

@@ -1,5 +1,6 @@
 #include "tests/vision/pictures/canvas.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -51,13 +52,16 @@ void Canvas::fill(const std::vector<Polyline>& rings, const cv::Scalar& ink) {
     cairo_fill(pen_);
 }
 
-void Canvas::stroke(const std::vector<Polyline>& lines, double width_px, const cv::Scalar& ink,
-                    bool is_round) {
+void Canvas::stroke(const std::vector<Polyline>& lines, const Pen& pen, const cv::Scalar& ink) {
+    constexpr std::array joins{CAIRO_LINE_JOIN_ROUND, CAIRO_LINE_JOIN_MITER, CAIRO_LINE_JOIN_BEVEL};
+    constexpr std::array caps{CAIRO_LINE_CAP_ROUND, CAIRO_LINE_CAP_BUTT, CAIRO_LINE_CAP_SQUARE};
+    constexpr double kMitreLimit = 20.0;
     use(ink);
     add(lines);
-    cairo_set_line_width(pen_, width_px);
-    cairo_set_line_join(pen_, is_round ? CAIRO_LINE_JOIN_ROUND : CAIRO_LINE_JOIN_MITER);
-    cairo_set_line_cap(pen_, is_round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+    cairo_set_line_width(pen_, pen.width_px);
+    cairo_set_line_join(pen_, joins[static_cast<std::size_t>(pen.join)]);
+    cairo_set_line_cap(pen_, caps[static_cast<std::size_t>(pen.cap)]);
+    cairo_set_miter_limit(pen_, kMitreLimit);
     cairo_stroke(pen_);
 }
 

@@ -16,6 +16,16 @@ struct Polyline {
     bool is_closed = false;
 };
 
+enum class Join { round, mitre, bevel };
+enum class Cap { round, butt, square };
+
+/// As drawing programs have it; a mitre is drawn down to angles of 6 degrees.
+struct Pen {
+    double width_px = 1.0;
+    Join join = Join::round;
+    Cap cap = Cap::round;
+};
+
 struct Font {
     std::string family = "DejaVu Sans";
     double size_px = 20.0;
@@ -34,9 +44,12 @@ class Canvas {
     /// Filled by the even-odd rule, all together.
     void fill(const std::vector<Polyline>& rings, const cv::Scalar& ink);
 
-    /// Round joins and caps, or mitred joins and butt caps.
-    void stroke(const std::vector<Polyline>& lines, double width_px, const cv::Scalar& ink,
-                bool is_round = true);
+    void stroke(const std::vector<Polyline>& lines, const Pen& pen, const cv::Scalar& ink);
+
+    /// With round joins and caps.
+    void stroke(const std::vector<Polyline>& lines, double width_px, const cv::Scalar& ink) {
+        stroke(lines, Pen{width_px}, ink);
+    }
 
     /// Baseline starts at `at`.
     void write(const std::string& text, cv::Point2d at, const Font& font, const cv::Scalar& ink);

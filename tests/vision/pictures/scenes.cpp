@@ -211,7 +211,7 @@ cv::Mat diagram(int seed, cv::Size size) {
                 dice.colour(0.0, 220.0));
         }
         canvas.stroke({{{{0.07 * w, 0.1 * h}, {0.07 * w, 0.9 * h}, {0.95 * w, 0.9 * h}}, false}},
-                      3.0, {0, 0, 0}, false);
+                      {3.0, Join::mitre, Cap::butt}, {0, 0, 0});
     } else if (kind == 2) {  // flag
         const int stripes = 2 + dice.upto(3);
         const bool is_upright = dice.upto(2) == 0;
@@ -300,12 +300,13 @@ cv::Mat line_drawing(int seed, cv::Size size) {
         const double y0 = dice.between(0.15, 0.3) * h;
         const double x1 = dice.between(0.7, 0.9) * w;
         const double y1 = dice.between(0.7, 0.85) * h;
-        canvas.stroke({{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, true}}, width_px, ink, false);
+        canvas.stroke({{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, true}},
+                      {width_px, Join::mitre, Cap::butt}, ink);
         canvas.stroke({arc({0.5 * (x0 + x1), 0.5 * (y0 + y1)}, {0.15 * unit, 0.15 * unit})},
                       width_px, ink);
         canvas.stroke({{{{x0, 0.5 * (y0 + y1)}, {x1, 0.5 * (y0 + y1)}}, false},
                        {{{0.5 * (x0 + x1), y0}, {0.5 * (x0 + x1), y1}}, false}},
-                      0.5 * width_px, ink, false);
+                      {0.5 * width_px, Join::mitre, Cap::butt}, ink);
         canvas.write(word(dice), {x0, 0.95 * h}, {"DejaVu Sans", 0.05 * unit, false, false}, ink);
     }
     return canvas.picture();

@@ -72,6 +72,33 @@ double end_to_lines(const TactileMap& map, std::size_t number, bool at_back, dou
     return best;
 }
 
+/// Where an outline turns by more than 40 degrees within 2 mm.
+std::vector<Place> corners_of(const Outline& outline, std::size_t number) {
+    const std::vector<Place> places = places_along(in_mm(outline), number);
+    const auto reach = static_cast<std::size_t>(std::lround(1.0 / kPitch_mm));
+    const std::size_t n = places.size() - (outline.is_closed ? 1 : 0);
+    std::vector<Place> corners;
+    for (std::size_t k = 0; k < n && n > 2 * reach; ++k) {
+        if (!outline.is_closed && (k < reach || k + reach >= n)) continue;
+        const Position in = places[k].at - places[(k + n - reach) % n].at;
+        const Position out = places[(k + reach) % n].at - places[k].at;
+        if (std::abs(std::atan2(cross(in, out), dot(in, out))) > 40.0 * std::numbers::pi / 180.0)
+            corners.push_back(places[k]);
+    }
+    return corners;
+}
+
+/// The way along an outline from a to b is straight but for one corner, within half a millimetre.
+bool are_sides_of_a_corner(const Place& a, const Place& b, const std::vector<Place>& corners,
+                           double around_mm) {
+    const auto [low, high] = std::minmax(a.along_mm, b.along_mm);
+    return std::ranges::any_of(corners, [&, low = low, high = high](const Place& corner) {
+        const bool is_between = corner.along_mm >= low && corner.along_mm <= high;
+        const double way_mm = is_between ? high - low : around_mm - (high - low);
+        return way_mm - norm(a.at - corner.at) - norm(corner.at - b.at) < 0.5;
+    });
+}
+
 /// Where spacing does not count: ends on or just short of a line, and corners.
 std::vector<Position> exempt(const TactileMap& map, double gap_mm) {
     std::vector<Position> centres;
@@ -83,18 +110,7 @@ std::vector<Position> exempt(const TactileMap& map, double gap_mm) {
                 centres.push_back(at_back ? points.back() : points.front());
             }
         }
-        const std::vector<Place> places = places_along(in_mm(outline), i);
-        const auto reach = static_cast<std::size_t>(std::lround(1.0 / kPitch_mm));
-        const std::size_t n = places.size() - (outline.is_closed ? 1 : 0);
-        for (std::size_t k = 0; k < n && n > 2 * reach; ++k) {
-            if (!outline.is_closed && (k < reach || k + reach >= n)) continue;
-            const Position in = places[k].at - places[(k + n - reach) % n].at;
-            const Position out = places[(k + reach) % n].at - places[k].at;
-            if (std::abs(std::atan2(cross(in, out), dot(in, out))) >
-                40.0 * std::numbers::pi / 180.0) {
-                centres.push_back(places[k].at);
-            }
-        }
+        for (const Place& corner : corners_of(outline, i)) centres.push_back(corner.at);
     }
     return centres;
 }
@@ -104,9 +120,12 @@ void judge_spacing(const TactileMap& map, const TouchRules& rules,
     const std::vector<Position> centres = exempt(map, rules.gap_mm);
     std::vector<Place> places;
     std::vector<double> lengths;
+    std::vector<std::vector<Place>> corners;
     for (std::size_t i = 0; i < map.outlines.size(); ++i) {
         const std::vector<Place> own = places_along(in_mm(map.outlines[i]), i);
-        lengths.push_back(own.back().along_mm);
+        lengths.push_back(map.outlines[i].is_closed ? own.back().along_mm
+                                                    : std::numeric_limits<double>::infinity());
+        corners.push_back(corners_of(map.outlines[i], i));
         std::ranges::copy_if(own, std::back_inserter(places), [&](const Place& place) {
             return std::ranges::none_of(centres, [&](const Position& centre) {
                 return norm(place.at - centre) <= rules.gap_mm + rules.bridge_mm;
@@ -122,12 +141,12 @@ void judge_spacing(const TactileMap& map, const TouchRules& rules,
             double along_mm = std::numeric_limits<double>::infinity();
             if (a.outline == b.outline) {
                 along_mm = std::abs(a.along_mm - b.along_mm);
-                if (map.outlines[a.outline].is_closed) {
-                    along_mm = std::min(along_mm, lengths[a.outline] - along_mm);
-                }
+                along_mm = std::min(along_mm, lengths[a.outline] - along_mm);
             }
             const double apart_mm = norm(a.at - b.at);
-            if (along_mm > 4.0 * rules.gap_mm && apart_mm < rules.gap_mm - 1e-6) {
+            if (along_mm > 4.0 * rules.gap_mm && apart_mm < rules.gap_mm - 1e-6 &&
+                !(a.outline == b.outline &&
+                  are_sides_of_a_corner(a, b, corners[a.outline], lengths[a.outline]))) {
                 faults.push_back(
                     fmt::format("{} and {} are {:.3f} mm apart at {:.2f}, {:.2f}; {:.1f} mm along",
                                 map.outlines[a.outline].id, map.outlines[b.outline].id, apart_mm,

@@ -3,6 +3,11 @@
 #pragma once
 
 #include "app/decode/page.h"
+#include "app/decode/page_order.h"
+#include "config/types/result.h"
+
+#include <functional>
+#include <optional>
 
 namespace touchline {
 
@@ -19,6 +24,12 @@ inline constexpr int most_view_dpi = 600;
 /// At which the page is to be drawn for this view (1 ... view_count): page.dpi where that is fine
 /// enough, 0 where the page has pixels of its own only. The worker may give less.
 [[nodiscard]] int dpi_for(const Page& page, int view);
+
+/// Opens the file that the page is of.
+using PageOpener = std::function<Result<Page>(const PageOrder&)>;
+
+/// The page drawn as finely as the view needs; nothing where it is fine enough, or that fails.
+[[nodiscard]] std::optional<Page> finer_page(const Page& page, int view, const PageOpener& open);
 
 /// The view as a page of its own: pixels cut out, words and labels that lie on it moved along. What
 /// is written of a figure is its description, and its title where it is short. The last view is the

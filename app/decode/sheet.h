@@ -1,4 +1,4 @@
-// Private to app/decode: a white sheet that libraries draw on, and its pixels.
+// Private to app/decode: a sheet that libraries draw on, and its pixels.
 // Threads: one sheet, one thread.
 #pragma once
 
@@ -10,14 +10,18 @@
 
 namespace touchline::decode {
 
-class WhiteSheet {
+class Sheet {
   public:
-    /// Sizes within the limits of picture.h.
-    WhiteSheet(int width, int height);
+    /// Nothing is on it. Sizes within the limits of picture.h.
+    Sheet(int width, int height);
+
+    /// For what is drawn on paper.
+    void whiten();
 
     [[nodiscard]] cairo_t* context() const { return context_.get(); }
 
-    /// What is on it; fails when cairo gave up.
+    /// What is on it, over the ground that shows it (compose of formats.h); fails when cairo gave
+    /// up.
     [[nodiscard]] Result<Picture> picture() const;
 
   private:

@@ -1,4 +1,4 @@
-#include "app/loading/page_views.h"
+#include "app/trace/page_views.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +82,14 @@ int dpi_for(const Page& page, int view) {
     if (page.dpi <= 0 || longer_px <= 0 || longer_px >= least_view_px) return page.dpi;
     const double wanted = std::ceil(static_cast<double>(page.dpi) * least_view_px / longer_px);
     return static_cast<int>(std::min<double>(wanted, most_view_dpi));
+}
+
+std::optional<Page> finer_page(const Page& page, int view, const PageOpener& open) {
+    const int dpi = dpi_for(page, view);
+    if (dpi <= page.dpi) return std::nullopt;
+    auto finer = open({page.number, dpi});
+    if (!finer || finer->figures.size() != page.figures.size()) return std::nullopt;
+    return std::move(*finer);
 }
 
 Page view_of(const Page& page, int view) {

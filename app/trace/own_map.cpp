@@ -1,4 +1,4 @@
-#include "app/cli/page_map.h"
+#include "app/trace/own_map.h"
 
 #include <fmt/core.h>
 
@@ -11,11 +11,6 @@ Result<TactileMap> shown_at(TactileMap map, int detail) {
         return failure(
             fmt::format("no outline is shown at detail {}; choose a higher detail", detail));
     return map;
-}
-
-Result<TactileMap> drawn_lines(const Page& page, int detail) {
-    if (page.told.outlines.empty()) return failure("the picture has no lines of its own");
-    return shown_at(page.told, detail);
 }
 
 }  // namespace touchline

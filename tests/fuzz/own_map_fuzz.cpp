@@ -1,4 +1,4 @@
-// Any text is a line drawing within its area and limits, or one clear line; a language chooses
+// Any text is a map of our own within its area and limits, or one clear line; a language chooses
 // words and nothing else.
 #include "app/decode/map_svg.h"
 
@@ -11,7 +11,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace touchline;
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    const auto map = parse_line_drawing(text, Area{});
+    const auto map = parse_own_map(text, Area{});
     (void)words_of_svg(text);
     (void)difficulty_of_map_svg(text);
     const auto english = parse_map_svg(text);

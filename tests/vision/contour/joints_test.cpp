@@ -1,0 +1,77 @@
+// Sharp corners, crossings and joints of strokes, drawn at random: as drawn they come out.
+// TOUCHLINE_EXHAUSTIVE=1 draws 20 000 (tests/README.md).
+#include "tests/vision/pictures/effects.h"
+#include "tests/vision/pictures/pen_figures.h"
+#include "tests/vision/pictures/pictograms.h"
+#include "vision/contour/strokes.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+using testing::PenFigure;
+using testing::Polyline;
+
+constexpr int kEveryday = 450;
+constexpr int kExhaustive = 20'000;
+const cv::Size kPicture(560, 420);
+constexpr double kLeastRight = 0.995;
+constexpr double kNear_px = 10.0;
+
+std::vector<Polyline> found_in(const PenFigure& figure, int seed) {
+    testing::Canvas canvas(kPicture, {250, 250, 250});
+    canvas.stroke(figure.lines, figure.pen, {20, 20, 20});
+    const cv::Mat picture =
+        testing::seen(canvas.picture(), testing::effects_of_kind(seed % 3, seed));
+    const LabPicture lab = to_lab(picture);
+    std::vector<Polyline> lines;
+    for (const Chain& chain : stroke_lines(lab, noise_of(lab), 30.0)) {
+        Polyline line{{}, chain.is_closed};
+        for (const EdgePoint& point : chain.points)
+            line.points.push_back(point.at + cv::Point2d(0.5, 0.5));
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+struct Outcome {
+    bool hangs_together = false;
+    double off_px = 0.0;
+};
+
+Outcome outcome_of(int seed) {
+    const PenFigure figure = testing::pen_figure(seed, kPicture);
+    const std::vector<Polyline> found = found_in(figure, seed);
+    const auto drawn = testing::topology_of(figure.lines);
+    const auto felt = testing::topology_of(found);
+    const double off_px = std::max(testing::farthest_px(figure.lines, found),
+                                   testing::farthest_px(found, figure.lines));
+    if (!(drawn == felt) || off_px > kNear_px)
+        fmt::print("{}, seed {}, pen {:.1f} px: drawn {}; found {}; {:.1f} px off\n", figure.name,
+                   seed, figure.pen.width_px, words_of(drawn), words_of(felt), off_px);
+    return {drawn == felt, off_px};
+}
+
+/// A pixel is a tenth of a millimetre at the hand.
+TEST(Joints, FiguresHangTogetherAsDrawn) {
+    const int count = std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr ? kExhaustive : kEveryday;
+    int together = 0;
+    int near = 0;
+    for (int seed = 0; seed < count; ++seed) {
+        const Outcome outcome = outcome_of(seed);
+        together += outcome.hangs_together ? 1 : 0;
+        near += outcome.off_px <= kNear_px ? 1 : 0;
+    }
+    fmt::print("{} figures: {} hang together as drawn, {} lie within a millimetre\n", count,
+               together, near);
+    EXPECT_GE(together, kLeastRight * count);
+    EXPECT_GE(near, kLeastRight * count);
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,113 @@
+#include "vision/contour/courses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace touchline {
+namespace {
+
+constexpr double kDeep = 1.12;         // times the stroke's own depth, and more: ink of two strokes
+constexpr double kDeepSlack_px = 0.8;  // whole pixels: a slanting stroke is now 2, now 2.8 deep
+constexpr double kSpanOverDepth = 12.0;  // of a course, at most: the longer, the surer
+constexpr double kSpan_px = 24.0;
+constexpr double kLeastSpan_px = 3.0;
+constexpr double kStraight_px = 0.7;    // rms about the fitted line
+constexpr double kOwnPart = 0.3;        // of an arm's depths: half the width of its stroke
+constexpr double kLongOverDepth = 6.0;  // shorter arms tell nothing of it
+
+double quantile_of(std::vector<float> values, double part) {
+    if (values.empty()) return 1.0;
+    const auto at =
+        values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, at);
+    return std::max(1.0, static_cast<double>(*at));
+}
+
+/// Least squares through the points between from_px and from_px + span_px of arc length.
+std::pair<Ray, double> fitted(const Chain& arm, EndId end, double from_px, double span_px) {
+    std::vector<cv::Point2d> part;
+    double passed_px = 0.0;
+    const std::size_t n = arm.points.size();
+    const auto at = [&](std::size_t i) { return arm.points[is_back(end) ? n - 1 - i : i].at; };
+    for (std::size_t i = 1; i < n && passed_px <= from_px + span_px; ++i) {
+        passed_px += distance(at(i - 1), at(i));
+        if (passed_px >= from_px) part.push_back(at(i));
+    }
+    if (part.size() < 3) return {{}, std::numeric_limits<double>::infinity()};
+    cv::Point2d sum;
+    for (const cv::Point2d& p : part) sum += p;
+    const cv::Point2d centre = sum / static_cast<double>(part.size());
+    double xx = 0.0, yy = 0.0, xy = 0.0;
+    for (const cv::Point2d& p : part) {
+        const cv::Point2d d = p - centre;
+        xx += d.x * d.x;
+        yy += d.y * d.y;
+        xy += d.x * d.y;
+    }
+    const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
+    cv::Point2d direction(std::cos(angle), std::sin(angle));
+    if (direction.dot(part.front() - part.back()) < 0.0) direction = -direction;
+    const double along = direction.x * direction.x * xx + 2.0 * direction.x * direction.y * xy +
+                         direction.y * direction.y * yy;
+    const double rms_px =
+        std::sqrt(std::max(0.0, xx + yy - along) / static_cast<double>(part.size()));
+    return {{centre + (part.front() - centre).dot(direction) * direction, direction}, rms_px};
+}
+
+}  // namespace
+
+Courses::Courses(const Skeleton& skeleton, const cv::Mat1f& depth,
+                 std::vector<double> usual_depth_px)
+    : skeleton_(skeleton), depth_(depth), own_depth_px_(std::move(usual_depth_px)) {
+    for (std::size_t arm = 0; arm < skeleton.arms.size(); ++arm) {
+        depths_.push_back(depths_of(skeleton.arms[arm]));
+        const double own_px = quantile_of(depths_[arm], kOwnPart);
+        if (length_of(skeleton.arms[arm]) > kLongOverDepth * own_px) own_depth_px_[arm] = own_px;
+    }
+    for (EndId end = 0; end < 2 * skeleton.arms.size(); ++end) courses_.push_back(course_at(end));
+}
+
+std::vector<float> Courses::depths_of(const Chain& arm) const {
+    std::vector<float> depths;
+    for (const EdgePoint& point : arm.points) {
+        const cv::Point at(std::clamp(cvRound(point.at.x), 0, depth_.cols - 1),
+                           std::clamp(cvRound(point.at.y), 0, depth_.rows - 1));
+        depths.push_back(depth_(at));
+    }
+    return depths;
+}
+
+/// Where the ink is that of one stroke; half of the arm at most, for the other end has its own.
+double Courses::flowed_px(EndId end) const {
+    const std::vector<EdgePoint>& points = skeleton_.arms[chain_of(end)].points;
+    const std::vector<float>& depths = depths_[chain_of(end)];
+    const double limit = kDeep * depth_px(end) + kDeepSlack_px;
+    const double needed_px = std::max(2.0, depth_px(end));
+    const std::size_t n = points.size();
+    const auto index = [&](std::size_t i) { return is_back(end) ? n - 1 - i : i; };
+    double passed_px = 0.0;
+    double flowed_px = 0.0;
+    for (std::size_t i = 1; i < n; ++i) {
+        passed_px += distance(points[index(i - 1)].at, points[index(i)].at);
+        if (static_cast<double>(depths[index(i)]) > limit) flowed_px = passed_px;
+        if (passed_px - flowed_px > needed_px) break;
+    }
+    return flowed_px + depth_px(end);
+}
+
+std::optional<Course> Courses::course_at(EndId end) const {
+    const Chain& arm = skeleton_.arms[chain_of(end)];
+    const double length_px = length_of(arm);
+    const double from_px = flowed_px(end);
+    const double room_px = length_px - from_px - flowed_px(end ^ 1U);
+    double span_px = std::min(room_px, kSpanOverDepth * depth_px(end) + kSpan_px);
+    while (span_px >= kLeastSpan_px) {
+        const auto [ray, rms_px] = fitted(arm, end, from_px, span_px);
+        if (rms_px <= kStraight_px) return Course{ray, from_px};
+        span_px *= 0.6;
+    }
+    return std::nullopt;
+}
+
+}  // namespace touchline

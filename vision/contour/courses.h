@@ -1,0 +1,47 @@
+// Which way strokes go before they come to where they meet.
+// Threads: values.
+#pragma once
+
+#include "vision/contour/ends.h"
+#include "vision/contour/skeleton.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace touchline {
+
+/// The straight part of an arm next to one of its ends, beyond the ink that has flowed together.
+struct Course {
+    Ray ray;               // outward, towards the end
+    double from_px = 0.0;  // along the arm from the end
+};
+
+/// Of every end of a skeleton. Refers to the skeleton and the depths it was made from.
+class Courses {
+  public:
+    /// As joints_of() of joints.h. O(points of the arms).
+    Courses(const Skeleton& skeleton, const cv::Mat1f& depth, std::vector<double> usual_depth_px);
+
+    /// Nothing where the arm is bent, or all flowed together.
+    [[nodiscard]] const std::optional<Course>& at(EndId end) const { return courses_[end]; }
+
+    /// Half the width of the stroke that the arm is of.
+    [[nodiscard]] double depth_px(EndId end) const { return own_depth_px_[chain_of(end)]; }
+
+    /// At each point of an arm.
+    [[nodiscard]] const std::vector<float>& depths(std::size_t arm) const { return depths_[arm]; }
+
+  private:
+    [[nodiscard]] std::vector<float> depths_of(const Chain& arm) const;
+    [[nodiscard]] double flowed_px(EndId end) const;
+    [[nodiscard]] std::optional<Course> course_at(EndId end) const;
+
+    const Skeleton& skeleton_;
+    const cv::Mat1f& depth_;
+    std::vector<std::vector<float>> depths_;
+    std::vector<double> own_depth_px_;
+    std::vector<std::optional<Course>> courses_;
+};
+
+}  // namespace touchline
