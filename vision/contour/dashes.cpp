@@ -18,9 +18,10 @@ constexpr double kWidestGap_mm = 4.2;
 constexpr double kMostBend = 60.0 * std::numbers::pi / 180.0;  // round the corner of a box
 constexpr std::size_t kLeastDashes = 3;
 constexpr std::size_t kLeastDots = 5;
-constexpr double kLike = 0.35;       // of the middle length or gap: alike
-constexpr double kMostAlike = 0.65;  // of the pieces: those at ends and corners are cut short
-constexpr double kField = 1.5;       // of the second nearest dot: no nearer may be a third
+constexpr double kLike = 0.35;             // of the middle length or gap: alike
+constexpr double kMostAlike = 0.65;        // of the pieces: those at ends and corners are cut short
+constexpr double kField = 1.5;             // of the second nearest dot: no nearer may be a third
+constexpr std::size_t kMostPieces = 2000;  // more are grain, or a tone that is printed in dots
 constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
 /// A dash or a dot. Its two ends are EndIds of its place in the list of pieces; those of a dot
@@ -163,6 +164,10 @@ class Joiner {
     }
 
     void link() {
+        to_.assign(2 * pieces_.size(), kNobody);
+        if (pieces_.size() > kMostPieces) {
+            return;
+        }
         find_fields();
         std::vector<Link> links;
         for (EndId a = 0; a < 2 * pieces_.size(); ++a) {
@@ -171,7 +176,6 @@ class Joiner {
             }
         }
         std::ranges::stable_sort(links, {}, &Link::cost);
-        to_.assign(2 * pieces_.size(), kNobody);
         for (const Link& link : links) {
             const EndId a = free_end(link.a);
             const EndId b = free_end(link.b);
