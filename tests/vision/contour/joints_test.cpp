@@ -17,7 +17,11 @@ namespace {
 using testing::PenFigure;
 using testing::Polyline;
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kEveryday = 45;  // ten times as slow
+#else
 constexpr int kEveryday = 450;
+#endif
 constexpr int kExhaustive = 20'000;
 const cv::Size kPicture(560, 420);
 constexpr double kLeastRight = 0.995;
