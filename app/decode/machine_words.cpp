@@ -1,18 +1,13 @@
 #include "app/decode/machine_words.h"
 
+#include "app/decode/ascii.h"
+
 #include <algorithm>
 #include <array>
 #include <vector>
 
 namespace touchline::decode {
 namespace {
-
-std::string lower(std::string_view text) {
-    std::string made(text);
-    for (char& c : made)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return made;
-}
 
 std::vector<std::string_view> parts_of(std::string_view text, std::string_view between) {
     std::vector<std::string_view> parts;

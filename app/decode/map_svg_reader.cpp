@@ -218,7 +218,7 @@ bool is_at_size(const pugi::xml_node& root, const ViewBox& box, const Area& area
            box.height_mm <= 1000.0 * area.height_m + 1e-9;
 }
 
-/// By what only Touchline writes.
+/// Only Touchline writes these attributes.
 bool is_marked(const pugi::xml_node& root) {
     if (root.attribute("data-difficulty")) return true;
     return static_cast<bool>(

@@ -15,7 +15,7 @@ class Sheet {
     /// Nothing is on it. Sizes within the limits of picture.h.
     Sheet(int width, int height);
 
-    /// For what is drawn on paper.
+    /// Some libraries draw as on paper.
     void whiten();
 
     [[nodiscard]] cairo_t* context() const { return context_.get(); }

@@ -66,7 +66,7 @@ std::string of_windows_1252(std::string_view bytes) {
     return text;
 }
 
-/// In UTF-8, of whatever an editor saved; nothing of a picture or program that somebody named .txt.
+/// What an editor saved, in UTF-8; nothing of a picture or program that somebody named .txt.
 std::string text_in(std::string_view bytes) {
     if (bytes.size() > max_side_car_bytes) return {};
     if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {

@@ -44,7 +44,7 @@ struct Framing {
     }
 };
 
-/// Of a document that names no size: its viewBox, or else all that is painted, with a margin.
+/// A document that names no size shows its viewBox, or else all that is painted, with a margin.
 std::optional<Framing> framing_of_unsized(RsvgHandle* handle) {
     gboolean has_box = 0;
     RsvgRectangle box{};
@@ -64,7 +64,7 @@ std::optional<Framing> framing_of_unsized(RsvgHandle* handle) {
         {ink.x - margin, ink.y - margin, ink.width + 2.0 * margin, ink.height + 2.0 * margin}};
 }
 
-/// With the longer side svg_longer_side_px long; nothing for a document without a size.
+/// The longer side becomes svg_longer_side_px long; nothing for a document without a size.
 std::optional<Framing> framing_of(RsvgHandle* handle) {
     double width = 0.0;
     double height = 0.0;

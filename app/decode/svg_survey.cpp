@@ -1,5 +1,6 @@
 #include "app/decode/svg_survey.h"
 
+#include "app/decode/ascii.h"
 #include "app/decode/svg_nodes.h"
 
 #include <algorithm>
@@ -10,13 +11,6 @@
 namespace touchline {
 namespace decode {
 namespace {
-
-std::string lower(std::string_view text) {
-    std::string made(text);
-    for (char& c : made)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return made;
-}
 
 std::string language_in(std::string_view tag) {
     return lower(tag.substr(0, tag.find('-')));

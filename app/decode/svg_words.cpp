@@ -1,20 +1,12 @@
 #include "app/decode/svg_words.h"
 
+#include "app/decode/ascii.h"
 #include "app/decode/svg_nodes.h"
 
 #include <utility>
 
 namespace touchline::decode {
 namespace {
-
-/// Of letters as a tag has them; bytes beyond ASCII stay, whatever the locale.
-std::string lower(std::string_view text) {
-    std::string made(text);
-    for (char& c : made) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return made;
-}
 
 std::string_view language_in(std::string_view tag) {
     return tag.substr(0, tag.find('-'));
