@@ -1,6 +1,7 @@
 #include "vision/contour/region_map.h"
 
 #include "vision/contour/palette.h"
+#include "vision/contour/region_runs.h"
 
 #include <algorithm>
 #include <array>
@@ -112,63 +113,16 @@ class Mixtures {
     cv::Mat1b uniform_;
 };
 
-/// Pixels of one colour beside each other in a row: flat pictures have few.
-struct Run {
-    int row = 0;
-    int from = 0;  // columns from ... to - 1
-    int to = 0;
-    std::size_t region = 0;  // an earlier run of the same region, or itself
-};
-
-std::size_t first_of(std::vector<Run>& runs, std::size_t i) {
-    while (runs[i].region != i) {
-        runs[i].region = runs[runs[i].region].region;
-        i = runs[i].region;
-    }
-    return i;
-}
-
-/// All runs, those of a 4-connected region united.
-std::vector<Run> united_runs(const cv::Mat1b& map) {
-    std::vector<Run> runs;
-    std::size_t above = 0;  // first run of the row above that may touch
-    for (int y = 0; y < map.rows; ++y) {
-        const uchar* colours = map[y];
-        const std::size_t row_start = runs.size();
-        for (int from = 0, to = 0; from < map.cols; from = to) {
-            while (to < map.cols && colours[to] == colours[from]) {
-                ++to;
-            }
-            runs.push_back({y, from, to, runs.size()});
-            while (above < row_start && runs[above].to <= from) {
-                ++above;
-            }
-            for (std::size_t i = above; i < row_start && runs[i].from < to; ++i) {
-                if (map(y - 1, runs[i].from) == colours[from]) {
-                    const std::size_t a = first_of(runs, i);
-                    const std::size_t b = first_of(runs, runs.size() - 1);
-                    runs[std::max(a, b)].region = std::min(a, b);
-                }
-            }
-        }
-        above = row_start;
-    }
-    return runs;
-}
-
 /// The runs of regions below `least_px`; none if there are no others.
 std::vector<Run> small_regions(const cv::Mat1b& map, int least_px) {
-    std::vector<Run> runs = united_runs(map);
+    const std::vector<Run> runs = runs_of(map);
     std::vector<int> area_px(runs.size(), 0);
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        area_px[first_of(runs, i)] += runs[i].to - runs[i].from;
+    for (const Run& run : runs) {
+        area_px[run.region] += run.to - run.from;
     }
     std::vector<Run> small;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        if (area_px[first_of(runs, i)] < least_px) {
-            small.push_back(runs[i]);
-        }
-    }
+    std::ranges::copy_if(runs, std::back_inserter(small),
+                         [&](const Run& run) { return area_px[run.region] < least_px; });
     return small.size() < runs.size() ? small : std::vector<Run>();
 }
 

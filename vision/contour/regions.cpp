@@ -1,6 +1,8 @@
 #include "vision/contour/regions.h"
 
 #include "vision/contour/corners.h"
+#include "vision/contour/fading.h"
+#include "vision/contour/grid_lines.h"
 #include "vision/contour/junctions.h"
 #include "vision/contour/linking.h"
 #include "vision/contour/palette.h"
@@ -64,6 +66,7 @@ FlatPicture flat_picture(const LabPicture& lab, double noise) {
     flat.palette = palette_of(flat.lab, noise);
     flat.map = region_map(flat.lab, flat.palette,
                           static_cast<int>(kLeastPart * static_cast<double>(lab.total())));
+    join_fading(flat.map, flat.palette, flat.lab);
     return flat;
 }
 
@@ -81,6 +84,35 @@ Ink ink_of_strokes(const FlatPicture& flat, const ThinParts& thin) {
         }
     }
     return ink;
+}
+
+/// The greatest difference between the ground and a colour that is more than a speck.
+double strongest_contrast(const FlatPicture& flat) {
+    std::vector<int> counts(flat.palette.size(), 0);
+    for (const uchar colour : flat.map) {
+        ++counts[colour];
+    }
+    const cv::Vec3f& ground =
+        flat.palette[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
+    double strongest = 0.0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] > 0) {
+            strongest = std::max(strongest, cv::norm(flat.palette[i] - ground));
+        }
+    }
+    return strongest;
+}
+
+/// The picture's strokes, once a grid behind them is gone.
+ThinParts strokes_of(FlatPicture& flat, double greatest_width_px) {
+    ThinParts thin = thin_parts_of(flat.map, greatest_width_px);
+    const cv::Mat1b grid =
+        grid_of(ink_of_strokes(flat, thin), strongest_contrast(flat), greatest_width_px);
+    if (grid.empty()) {
+        return thin;
+    }
+    overgrow(flat.map, grid);
+    return thin_parts_of(flat.map, greatest_width_px);
 }
 
 /// What of the lines lies outside a mask, in pieces; a ring that does as a whole stays one.
@@ -159,8 +191,8 @@ std::vector<Chain> joined(std::vector<Chain> lines, std::size_t strokes, cv::Siz
 }  // namespace
 
 std::vector<Chain> region_lines(const LabPicture& lab, double noise, double greatest_width_px) {
-    const FlatPicture flat = flat_picture(lab, noise);
-    const ThinParts thin = thin_parts_of(flat.map, greatest_width_px);
+    FlatPicture flat = flat_picture(lab, noise);
+    const ThinParts thin = strokes_of(flat, greatest_width_px);
     std::vector<Chain> lines = stroke_lines(ink_of_strokes(flat, thin), greatest_width_px);
     const std::size_t strokes = lines.size();
     cv::Mat near_strokes;

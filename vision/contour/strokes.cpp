@@ -2,6 +2,7 @@
 
 #include "vision/contour/centring.h"
 #include "vision/contour/corners.h"
+#include "vision/contour/grid_lines.h"
 #include "vision/contour/ink_parts.h"
 #include "vision/contour/joints.h"
 #include "vision/contour/junctions.h"
@@ -291,6 +292,33 @@ class StrokeTracer {
     Joints joints_;
 };
 
+/// The contrast that all but one in fifty of the ink's pixels keep below.
+double strongest_contrast(const Ink& ink) {
+    std::vector<float> contrasts;
+    for (int y = 0; y < ink.mask.rows; ++y) {
+        for (int x = 0; x < ink.mask.cols; ++x) {
+            if (ink.mask(y, x) != 0) {
+                contrasts.push_back(ink.contrast(y, x));
+            }
+        }
+    }
+    if (contrasts.empty()) {
+        return 0.0;
+    }
+    const auto at = contrasts.begin() + static_cast<std::ptrdiff_t>(contrasts.size() * 49 / 50);
+    std::ranges::nth_element(contrasts, at);
+    return static_cast<double>(*at);
+}
+
+Ink without_grid(Ink ink, double greatest_width_px) {
+    const cv::Mat1b grid = grid_of(ink, strongest_contrast(ink), greatest_width_px);
+    if (!grid.empty()) {
+        ink.mask.setTo(0, grid);
+        ink.darkness.setTo(0.0, grid);
+    }
+    return ink;
+}
+
 }  // namespace
 
 std::vector<Chain> stroke_lines(const Ink& ink, double greatest_width_px) {
@@ -298,7 +326,7 @@ std::vector<Chain> stroke_lines(const Ink& ink, double greatest_width_px) {
 }
 
 std::vector<Chain> stroke_lines(const LabPicture& lab, double noise, double greatest_width_px) {
-    return stroke_lines(ink_of(lab, noise), greatest_width_px);
+    return stroke_lines(without_grid(ink_of(lab, noise), greatest_width_px), greatest_width_px);
 }
 
 }  // namespace touchline

@@ -21,11 +21,13 @@ constexpr double kEdgeOverStrongest = 0.18;
 constexpr double kStill = 1.5;         // less is flat
 constexpr double kSlow = 1.0;          // more than a lamp's shade, less than a face's roundness
 constexpr double kSignificance = 5.0;  // x gradient noise
+constexpr float kGrainless = 1.1F;     // grey levels off the mean of the neighbours: rounding
 
 // Decisions; what lies to either side is in README.md.
 constexpr double kTextured = 0.013;  // of the open parts: a photo
 constexpr double kMuchOpen = 0.3;    // less: the picture is full of edges, and less texture tells
 constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
+constexpr double kShaded = 0.9;      // of the texture: no camera made it
 constexpr double kRestless = 0.6;    // of all pixels change: grass, not a pattern
 constexpr double kPen_part = 0.025;  // of the diagonal: the widest stroke of a pen
 constexpr double kThin = 0.7;        // of the ink: drawn with a pen
@@ -40,8 +42,24 @@ double part_of(const cv::Mat& mask, double whole) {
     return whole > 0.0 ? cv::countNonZero(mask) / whole : 0.0;
 }
 
+/// How much of what changes does so without the grain that every camera leaves.
+double shaded_part(const cv::Mat& picture, const cv::Mat& texture) {
+    cv::Mat values;
+    cv::Mat means;
+    picture.convertTo(values, CV_32F);
+    cv::blur(values, means, {3, 3});
+    const cv::Mat off = cv::abs(values - means);
+    const cv::Mat rough = off.reshape(1, static_cast<int>(off.total())) > kGrainless;
+    cv::Mat is_rough;
+    cv::reduce(rough, is_rough, 1, cv::REDUCE_MAX);
+    cv::Mat asked;
+    cv::resize(texture, asked, picture.size(), 0.0, 0.0, cv::INTER_NEAREST);
+    const auto all = static_cast<double>(cv::countNonZero(asked));
+    return part_of(asked & (is_rough.reshape(1, picture.rows) == 0), all);
+}
+
 /// What changes away from edges, how much is away from edges, and how much changes at all.
-void measure_texture(const LabPicture& copy, PictureFeatures& features) {
+void measure_texture(const cv::Mat& picture, const LabPicture& copy, PictureFeatures& features) {
     LabPicture half;
     cv::resize(copy, half, {std::max(1, copy.cols / 2), std::max(1, copy.rows / 2)}, 0.0, 0.0,
                cv::INTER_AREA);
@@ -58,6 +76,7 @@ void measure_texture(const LabPicture& copy, PictureFeatures& features) {
     const auto all = static_cast<double>(half.total());
     features.open_part = part_of(open, all);
     features.texture = part_of(changing & open, cv::countNonZero(open));
+    features.shaded_part = shaded_part(picture, changing & open);
     features.changing_part =
         part_of(edges > std::max(kStill, kSignificance * gradient_noise(noise, kEdge_px)), all);
 }
@@ -128,7 +147,7 @@ ClassDecision decided(const PictureFeatures& f) {
     }
     const double textured = kTextured * std::min(1.0, f.open_part / kMuchOpen);
     const bool is_textured = f.open_part >= kLeastOpen
-                                 ? f.texture > textured
+                                 ? f.texture > textured && f.shaded_part < kShaded
                                  : (f.changing_part > kRestless && f.clearness < 2.0 * kClear);
     if (is_paper && f.thin_part >= kThin && f.clearness >= kClear &&
         (!is_textured || f.clearness >= 2.0 * kClear)) {
@@ -148,7 +167,7 @@ ClassDecision class_of(const cv::Mat& picture) {
     const LabPicture copy = to_lab(reduced(picture, kCopyPixels));
     PictureFeatures features;
     features.noise = noise_of(copy);
-    measure_texture(copy, features);
+    measure_texture(picture, copy, features);
     measure_ink(copy, features);
     return decided(features);
 }

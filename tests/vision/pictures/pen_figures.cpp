@@ -1,11 +1,12 @@
 #include "tests/vision/pictures/pen_figures.h"
 
+#include "tests/vision/pictures/chance.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <random>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -14,20 +15,6 @@ namespace touchline::testing {
 namespace {
 
 constexpr double kSharpest_deg = 15.0;
-
-class PenDice {
-  public:
-    explicit PenDice(int seed) : engine_(static_cast<unsigned>(seed)) {}
-
-    double between(double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(engine_);
-    }
-
-    int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(engine_); }
-
-  private:
-    std::mt19937 engine_;
-};
 
 cv::Point2d at_angle(double radius, double deg) {
     const double a = deg * std::numbers::pi / 180.0;
@@ -54,32 +41,32 @@ bool is_drawable(const Polyline& ring, double least_side) {
 
 // Each about the origin, in a circle of radius 1; `thin` is the pen's width there.
 
-std::vector<Polyline> pen_polygon(PenDice& dice, double thin) {
+std::vector<Polyline> pen_polygon(Chance& chance, double thin) {
     for (;;) {
-        const int n = 3 + dice.below(6);
+        const int n = 3 + chance.below(6);
         Polyline ring{{}, true};
-        const double turn = dice.between(0.0, 360.0);
+        const double turn = chance.between(0.0, 360.0);
         for (int i = 0; i < n; ++i)
-            ring.points.push_back(at_angle(dice.between(0.35, 1.0),
-                                           turn + (i + dice.between(-0.3, 0.3)) * 360.0 / n));
+            ring.points.push_back(at_angle(chance.between(0.35, 1.0),
+                                           turn + (i + chance.between(-0.3, 0.3)) * 360.0 / n));
         if (is_drawable(ring, 14.0 * thin)) return {ring};
     }
 }
 
-std::vector<Polyline> pen_star(PenDice& dice, double thin) {
+std::vector<Polyline> pen_star(Chance& chance, double thin) {
     for (;;) {
-        const int tips = 3 + dice.below(5);
-        const double inner = dice.between(0.25, 0.7);
+        const int tips = 3 + chance.below(5);
+        const double inner = chance.between(0.25, 0.7);
         Polyline ring{{}, true};
-        const double turn = dice.between(0.0, 360.0);
+        const double turn = chance.between(0.0, 360.0);
         for (int i = 0; i < 2 * tips; ++i)
             ring.points.push_back(at_angle(i % 2 == 0 ? 1.0 : inner, turn + i * 180.0 / tips));
         if (is_drawable(ring, 14.0 * thin)) return {ring};
     }
 }
 
-std::vector<Polyline> pen_triangle(PenDice& dice, double /*thin*/) {
-    const double half_deg = 0.5 * dice.between(kSharpest_deg, 60.0);
+std::vector<Polyline> pen_triangle(Chance& chance, double /*thin*/) {
+    const double half_deg = 0.5 * chance.between(kSharpest_deg, 60.0);
     const double half_base = 1.8 * std::tan(half_deg * std::numbers::pi / 180.0);
     const double reach = std::max(1.0, std::hypot(half_base, 0.8));
     Polyline ring{{{0.0, -1.0}, {half_base, 0.8}, {-half_base, 0.8}}, true};
@@ -87,10 +74,10 @@ std::vector<Polyline> pen_triangle(PenDice& dice, double /*thin*/) {
     return {ring};
 }
 
-std::vector<Polyline> pen_zigzag(PenDice& dice, double thin) {
-    const int n = 2 + dice.below(5);
-    const double angle = dice.between(kSharpest_deg, 90.0);
-    const double height = std::max(14.0 * thin, dice.between(0.6, 1.4));
+std::vector<Polyline> pen_zigzag(Chance& chance, double thin) {
+    const int n = 2 + chance.below(5);
+    const double angle = chance.between(kSharpest_deg, 90.0);
+    const double height = std::max(14.0 * thin, chance.between(0.6, 1.4));
     const double step = height * std::tan(0.5 * angle * std::numbers::pi / 180.0);
     Polyline line;
     for (int i = 0; i <= n; ++i)
@@ -100,36 +87,36 @@ std::vector<Polyline> pen_zigzag(PenDice& dice, double thin) {
     return {line};
 }
 
-std::vector<Polyline> pen_arrow(PenDice& dice, double /*thin*/) {
-    const double barb_deg = dice.between(22.0, 45.0);
-    const double barb = dice.between(0.6, 0.9);
+std::vector<Polyline> pen_arrow(Chance& chance, double /*thin*/) {
+    const double barb_deg = chance.between(22.0, 45.0);
+    const double barb = chance.between(0.6, 0.9);
     const cv::Point2d tip(1.0, 0.0);
     return {{{{-1.0, 0.0}, tip}, false},
             {{tip - at_angle(barb, barb_deg), tip, tip - at_angle(barb, -barb_deg)}, false}};
 }
 
-std::vector<Polyline> pen_crossing(PenDice& dice, double /*thin*/) {
-    const double angle = dice.between(kSharpest_deg, 90.0);
-    const cv::Point2d middle(dice.between(-0.15, 0.15), 0.0);
+std::vector<Polyline> pen_crossing(Chance& chance, double /*thin*/) {
+    const double angle = chance.between(kSharpest_deg, 90.0);
+    const cv::Point2d middle(chance.between(-0.15, 0.15), 0.0);
     return {{{{-1.0, 0.0}, middle, {1.0, 0.0}}, false},
             {{middle - at_angle(0.8, angle), middle, middle + at_angle(0.8, angle)}, false}};
 }
 
-std::vector<Polyline> pen_three_arms(PenDice& dice, double /*thin*/) {
-    const double first = dice.between(20.0, 120.0);
-    const double second = dice.between(20.0, 150.0);
+std::vector<Polyline> pen_three_arms(Chance& chance, double /*thin*/) {
+    const double first = chance.between(20.0, 120.0);
+    const double second = chance.between(20.0, 150.0);
     const cv::Point2d middle(0.0, 0.0);
     return {{{at_angle(1.0, 0.0), middle, at_angle(0.9, first)}, false},
             {{middle, at_angle(0.9, first + second)}, false}};
 }
 
-std::vector<Polyline> pen_stroke_on_stroke(PenDice& dice, double /*thin*/) {
-    const cv::Point2d foot(dice.between(-0.3, 0.3), 0.0);
+std::vector<Polyline> pen_stroke_on_stroke(Chance& chance, double /*thin*/) {
+    const cv::Point2d foot(chance.between(-0.3, 0.3), 0.0);
     return {{{{-1.0, 0.0}, foot, {1.0, 0.0}}, false},
-            {{foot, foot + at_angle(0.65, dice.between(20.0, 160.0))}, false}};
+            {{foot, foot + at_angle(0.65, chance.between(20.0, 160.0))}, false}};
 }
 
-std::vector<Polyline> pen_letter(PenDice& dice, double /*thin*/) {
+std::vector<Polyline> pen_letter(Chance& chance, double /*thin*/) {
     const cv::Point2d left(-0.2, 0.2);
     const cv::Point2d right(0.2, 0.2);
     const std::vector<std::vector<Polyline>> letters{
@@ -149,13 +136,13 @@ std::vector<Polyline> pen_letter(PenDice& dice, double /*thin*/) {
         {{{{-0.5, -0.9}, {0.5, -0.9}, {-0.1, 0.9}}, false}},  // 7
     };
     std::vector<Polyline> drawn =
-        letters[static_cast<std::size_t>(dice.below(static_cast<int>(letters.size())))];
+        letters[static_cast<std::size_t>(chance.below(static_cast<int>(letters.size())))];
     for (Polyline& line : drawn)
         for (cv::Point2d& p : line.points) p *= 0.8;  // into the circle
     return drawn;
 }
 
-using PenMaker = std::vector<Polyline> (*)(PenDice&, double);
+using PenMaker = std::vector<Polyline> (*)(Chance&, double);
 
 constexpr std::array<std::pair<const char*, PenMaker>, 9> kPenMakers{
     {{"polygon", pen_polygon},
@@ -190,17 +177,17 @@ Graph graph_of(const std::vector<Polyline>& lines) {
 }  // namespace
 
 PenFigure pen_figure(int seed, cv::Size size) {
-    PenDice dice(seed);
+    Chance chance(seed);
     const auto& [name, make] = kPenMakers[static_cast<std::size_t>(seed) % kPenMakers.size()];
     PenFigure figure{name, {}, {}};
-    figure.pen.width_px = dice.between(2.5, 8.0);
-    figure.pen.join = static_cast<Join>(dice.below(3));
-    figure.pen.cap = static_cast<Cap>(dice.below(3));
+    figure.pen.width_px = chance.between(2.5, 8.0);
+    figure.pen.join = static_cast<Join>(chance.below(3));
+    figure.pen.cap = static_cast<Cap>(chance.below(3));
     const double radius_px = 0.5 * std::min(size.width, size.height) - 4.0 * figure.pen.width_px;
-    const double turn_deg = dice.between(0.0, 360.0);
-    const cv::Point2d middle(0.5 * size.width + dice.between(-1.0, 1.0),
-                             0.5 * size.height + dice.between(-1.0, 1.0));
-    for (const Polyline& line : make(dice, figure.pen.width_px / radius_px))
+    const double turn_deg = chance.between(0.0, 360.0);
+    const cv::Point2d middle(0.5 * size.width + chance.between(-1.0, 1.0),
+                             0.5 * size.height + chance.between(-1.0, 1.0));
+    for (const Polyline& line : make(chance, figure.pen.width_px / radius_px))
         figure.lines.push_back(placed(line, middle, radius_px, turn_deg));
     return figure;
 }

@@ -1,0 +1,69 @@
+// What is painted is what is felt: drawings made up at random, from the file to the map.
+// TOUCHLINE_EXHAUSTIVE=1 makes more than 300 (tests/README.md).
+#include "tests/app/drawings/charts.h"
+#include "tests/app/drawings/felt.h"
+#include "tests/app/drawings/svg_drawings.h"
+#include "vision/simplify/detail_limits.h"
+
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr double kTolerance_mm = 0.5;
+constexpr double kLeastShare = 0.99;
+
+/// What became of all drawings of some kinds, in words where one is below the bar.
+class Tally {
+  public:
+    void add(const testing::Drawing& drawing) {
+        const auto found = testing::felt_of(drawing, kMostDetail, kTolerance_mm);
+        EXPECT_TRUE(found.has_value()) << drawing.name << ": " << found.error().line;
+        if (!found) return;
+        seen_ += found->seen;
+        felt_ += found->felt;
+        if (found->seen.share() >= kLeastShare && found->felt.share() >= kLeastShare) return;
+        fmt::print("{}: {:.1f} % of what is seen is felt, {:.1f} % of what is felt is seen\n",
+                   drawing.name, 100.0 * found->seen.share(), 100.0 * found->felt.share());
+    }
+
+    void judge() const {
+        fmt::print(
+            "{:.2f} % of what is seen is felt ({:.1f} m; besides {:.1f} m too near others, "
+            "{:.2f} m too short), {:.2f} % of what is felt is seen\n",
+            100.0 * seen_.share(), 1e-3 * seen_.right_mm, 1e-3 * seen_.too_near_mm,
+            1e-3 * seen_.too_short_mm, 100.0 * felt_.share());
+        EXPECT_GE(seen_.share(), kLeastShare);
+        EXPECT_GE(felt_.share(), kLeastShare);
+    }
+
+  private:
+    testing::Counted seen_;
+    testing::Counted felt_;
+};
+
+int seeds(int everyday, int exhaustive) {
+    return std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr ? exhaustive : everyday;
+}
+
+TEST(Drawings, AnSvgIsFeltAsItIsPainted) {
+    Tally tally;
+    for (int feature = 0; feature < testing::svg_feature_count(); ++feature)
+        for (int seed = 0; seed < seeds(2, 12); ++seed)
+            tally.add(testing::svg_drawing(feature, seed));
+    tally.judge();
+}
+
+TEST(Drawings, ChartsAndPlansAreFeltAsTheyArePainted) {
+    Tally tally;
+    for (int kind = 0; kind < testing::chart_kind_count(); ++kind)
+        for (int seed = 0; seed < seeds(3, 30); ++seed)
+            tally.add(testing::chart_drawing(kind, seed));
+    tally.judge();
+}
+
+}  // namespace
+}  // namespace touchline

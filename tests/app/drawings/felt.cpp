@@ -1,0 +1,211 @@
+#include "tests/app/drawings/felt.h"
+
+#include "app/decode/opening.h"
+#include "app/trace/page_views.h"
+#include "app/trace/tracing.h"
+#include "vision/simplify/detail_limits.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <span>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline::testing {
+namespace {
+
+constexpr double kLeastLine_mm = 3.0;  // shorter ones are not asked for
+
+/// A point of a line, which line, and how far along it.
+struct Mark {
+    cv::Point2d at;
+    std::size_t line = 0;
+    double along_mm = 0.0;
+};
+
+/// Points by place, for questions of what lies near.
+class Marks {
+  public:
+    void add(const Mark& mark) {
+        if (auto* cell = cell_at(mark.at)) cell->push_back(mark);
+    }
+
+    [[nodiscard]] bool any_near(const cv::Point2d& at, double within_mm,
+                                const std::function<bool(const Mark&)>& counts) const {
+        const int reach = static_cast<int>(std::ceil(within_mm));
+        for (int y = -reach; y <= reach; ++y)
+            for (int x = -reach; x <= reach; ++x)
+                if (const auto* cell = const_cast<Marks*>(this)->cell_at(at + cv::Point2d(x, y)))
+                    for (const Mark& mark : *cell)
+                        if (cv::norm(mark.at - at) <= within_mm && counts(mark)) return true;
+        return false;
+    }
+
+    [[nodiscard]] bool any_near(const cv::Point2d& at, double within_mm) const {
+        return any_near(at, within_mm, [](const Mark&) { return true; });
+    }
+
+  private:
+    static constexpr int kColumns = 120;
+    static constexpr int kRows = 90;
+
+    std::vector<Mark>* cell_at(const cv::Point2d& at) {
+        const int x = static_cast<int>(std::floor(at.x)) + 2;
+        const int y = static_cast<int>(std::floor(at.y)) + 3;
+        if (x < 0 || y < 0 || x >= kColumns || y >= kRows) return nullptr;
+        return &cells_[static_cast<std::size_t>(y * kColumns + x)];
+    }
+
+    std::vector<std::vector<Mark>> cells_ = std::vector<std::vector<Mark>>(kColumns * kRows);
+};
+
+std::vector<cv::Point2d> in_steps(const Outline& outline) {
+    std::vector<cv::Point2d> corners;
+    for (const Position& p : outline.points)
+        corners.emplace_back(1e3 * p.x + 0.5 * kSheet_mm.width, 0.5 * kSheet_mm.height - 1e3 * p.y);
+    if (outline.is_closed) corners.push_back(corners.front());
+    std::vector<cv::Point2d> out;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const cv::Point2d side = corners[i] - corners[i - 1];
+        const int steps = std::max(1, static_cast<int>(std::ceil(cv::norm(side) / kStep_mm)));
+        for (int k = 0; k < steps; ++k)
+            out.push_back(corners[i - 1] + side * (static_cast<double>(k) / steps));
+    }
+    return out;
+}
+
+std::vector<Mark> marks_of(std::span<const cv::Point2d> points, std::size_t line) {
+    std::vector<Mark> out;
+    double along = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i > 0) along += cv::norm(points[i] - points[i - 1]);
+        out.push_back({points[i], line, along});
+    }
+    return out;
+}
+
+/// Two lines, or one that comes back, lie within the gap: one of them is chosen, or led to the
+/// other.
+bool is_crowded(const Marks& seen, const cv::Point2d& at, double gap_mm) {
+    bool is_first = true;
+    Mark first;
+    return seen.any_near(at, gap_mm, [&](const Mark& mark) {
+        if (std::exchange(is_first, false)) first = mark;
+        return mark.line != first.line || std::abs(mark.along_mm - first.along_mm) > 4.0 * gap_mm;
+    });
+}
+
+bool is_unjudged(const Drawing& drawing, const cv::Point2d& at) {
+    return std::any_of(drawing.unjudged.begin(), drawing.unjudged.end(),
+                       [&](const cv::Rect2d& r) { return r.contains(at); });
+}
+
+Result<Page> first_view(std::span<const std::byte> file) {
+    auto page = open_page(file);
+    if (!page) return page;
+    if (auto finer =
+            finer_page(*page, 1, [&](const PageOrder& order) { return open_page(file, order); }))
+        *page = std::move(*finer);
+    return view_count(*page) > 1 ? view_of(*page, 1) : std::move(*page);
+}
+
+void judge_seen(const std::vector<SeenLine>& lines, const Marks& seen, const Marks& felt,
+                const DetailLimits& limits, double tolerance_mm, Felt& out) {
+    for (const SeenLine& line : lines) {
+        const double length_mm = static_cast<double>(line.points.size()) * kStep_mm;
+        if (length_mm < kLeastLine_mm) continue;
+        for (const cv::Point2d& at : line.points) {
+            if (felt.any_near(at, tolerance_mm)) {
+                out.seen.right_mm += kStep_mm;
+                continue;
+            }
+            if (length_mm < limits.least_stroke_mm)
+                out.seen.too_short_mm += kStep_mm;
+            else if (is_crowded(seen, at, limits.gap_mm + tolerance_mm))
+                out.seen.too_near_mm += kStep_mm;
+            else {
+                out.seen.wrong_mm += kStep_mm;
+                if (out.missed.empty() || cv::norm(out.missed.back().back() - at) > 4 * kStep_mm)
+                    out.missed.emplace_back();
+                out.missed.back().push_back(at);
+            }
+        }
+    }
+}
+
+void judge_felt(const Drawing& drawing, const std::vector<std::vector<cv::Point2d>>& lines,
+                const Marks& seen, const DetailLimits& limits, double tolerance_mm, Felt& out) {
+    for (const std::vector<cv::Point2d>& line : lines)
+        for (const cv::Point2d& at : line) {
+            if (is_unjudged(drawing, at)) continue;
+            double& share = seen.any_near(at, tolerance_mm) ? out.felt.right_mm
+                            : is_crowded(seen, at, limits.gap_mm + tolerance_mm)
+                                ? out.felt.too_near_mm
+                                : out.felt.wrong_mm;
+            share += kStep_mm;
+        }
+}
+
+}  // namespace
+
+Counted& Counted::operator+=(const Counted& other) {
+    right_mm += other.right_mm;
+    wrong_mm += other.wrong_mm;
+    too_near_mm += other.too_near_mm;
+    too_short_mm += other.too_short_mm;
+    return *this;
+}
+
+Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto page = first_view(std::as_bytes(std::span(drawing.file)));
+    if (!page) return tl::unexpected(page.error());
+    TraceRequest request;
+    request.options.detail = detail;
+    const auto traced = trace_page(*page, request);
+    if (!traced) return tl::unexpected(traced.error());
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+
+    Felt out;
+    out.map = traced->map;
+    out.milliseconds = took.count();
+    const std::vector<SeenLine> lines = seen_lines(drawing);
+    Marks seen;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        for (const Mark& mark : marks_of(lines[i].points, i)) seen.add(mark);
+    std::vector<std::vector<cv::Point2d>> felt_lines;
+    Marks felt;
+    for (const Outline& outline : out.map.outlines) {
+        felt_lines.push_back(in_steps(outline));
+        for (const Mark& mark : marks_of(felt_lines.back(), felt_lines.size())) felt.add(mark);
+    }
+    const DetailLimits limits = limits_for(detail, request.options.area);
+    judge_seen(lines, seen, felt, limits, tolerance_mm, out);
+    judge_felt(drawing, felt_lines, seen, limits, tolerance_mm, out);
+    return out;
+}
+
+cv::Mat sheet_of(const Drawing& drawing, const Felt& felt) {
+    constexpr double kScale = 5.0;
+    const cv::Size size(static_cast<int>(kSheet_mm.width * kScale),
+                        static_cast<int>(kSheet_mm.height * kScale));
+    cv::Mat seen(size, CV_8UC3, cv::Scalar::all(255));
+    const auto dot = [&](cv::Mat& on, const cv::Point2d& at, const cv::Scalar& colour) {
+        cv::circle(on, cv::Point(at * kScale), 1, colour, cv::FILLED);
+    };
+    for (const SeenLine& line : seen_lines(drawing))
+        for (const cv::Point2d& at : line.points) dot(seen, at, {60, 160, 60});
+    for (const auto& stretch : felt.missed)
+        for (const cv::Point2d& at : stretch) dot(seen, at, {0, 0, 230});
+    cv::Mat hand(size, CV_8UC3, cv::Scalar::all(255));
+    for (const Outline& outline : felt.map.outlines)
+        for (const cv::Point2d& at : in_steps(outline)) dot(hand, at, {0, 0, 0});
+    cv::Mat both;
+    cv::hconcat(seen, hand, both);
+    return both;
+}
+
+}  // namespace touchline::testing

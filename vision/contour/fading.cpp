@@ -1,0 +1,201 @@
+#include "vision/contour/fading.h"
+
+#include "vision/contour/region_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr float kFlatStep = 0.3F;     // of the two colours' difference: less is no step
+constexpr float kLeastBeside = 0.3F;  // of the change at the border, on either side of it
+constexpr float kBothBeside = 1.0F;   // on both together
+constexpr double kMostlySoft = 0.6;   // of a border
+constexpr std::size_t kMostColours = 256;
+constexpr int kReach_px = 4;
+
+/// Pairs of neighbouring pixels along the border of two regions.
+struct Contact {
+    int pairs = 0;
+    int soft = 0;
+
+    [[nodiscard]] bool is_soft() const { return soft >= kMostlySoft * pairs; }
+};
+
+using Regions = std::pair<std::size_t, std::size_t>;  // the lesser first
+
+Regions both(std::size_t a, std::size_t b) {
+    return {std::min(a, b), std::max(a, b)};
+}
+
+class Fading {
+  public:
+    Fading(cv::Mat1b& map, std::vector<cv::Vec3f>& palette, const LabPicture& lab)
+        : map_(map), palette_(palette), lab_(lab), runs_(runs_of(map)), region_(map.size()) {
+        for (const Run& run : runs_) {
+            region_(cv::Rect(run.from, run.row, run.to - run.from, 1))
+                .setTo(static_cast<double>(run.region));
+        }
+    }
+
+    void join() {
+        find_contacts();
+        join_soft_ones();
+        paint();
+    }
+
+  private:
+    void find_contacts() {
+        for (int y = 0; y < map_.rows; ++y) {
+            for (int x = 0; x < map_.cols; ++x) {
+                if (x + 1 < map_.cols && map_(y, x) != map_(y, x + 1)) {
+                    add({x, y}, {1, 0});
+                }
+                if (y + 1 < map_.rows && map_(y, x) != map_(y + 1, x)) {
+                    add({x, y}, {0, 1});
+                }
+            }
+        }
+    }
+
+    void add(const cv::Point& p, const cv::Point& along) {
+        const cv::Rect frame({}, map_.size());
+        if (!frame.contains(p - (kReach_px - 1) * along) ||
+            !frame.contains(p + (kReach_px + 1) * along)) {
+            return;
+        }
+        Contact& contact = contacts_[both(region_at(p), region_at(p + along))];
+        ++contact.pairs;
+        contact.soft += is_soft(p, along) ? 1 : 0;
+    }
+
+    [[nodiscard]] std::size_t region_at(const cv::Point& p) const {
+        return static_cast<std::size_t>(region_(p));
+    }
+
+    /// Whether colours change beside the border as they do across it, or hardly change across it.
+    [[nodiscard]] bool is_soft(const cv::Point& p, const cv::Point& along) const {
+        const cv::Vec3f& before = lab_(p - along);
+        const cv::Vec3f& after = lab_(p + 2 * along);
+        const cv::Vec3f across = after - before;
+        const float step = static_cast<float>(cv::norm(across));
+        const cv::Vec3f colours = palette_[map_(p + along)] - palette_[map_(p)];
+        if (step < kFlatStep * static_cast<float>(cv::norm(colours))) {
+            return true;
+        }
+        const float on = (lab_(p + (kReach_px + 1) * along) - after).dot(across) / step;
+        const float back = (before - lab_(p - (kReach_px - 1) * along)).dot(across) / step;
+        return std::min(on, back) >= kLeastBeside * step && on + back >= kBothBeside * step;
+    }
+
+    void join_soft_ones() {
+        std::vector<std::pair<Contact, Regions>> soft;
+        for (const auto& [regions, contact] : contacts_) {
+            if (contact.is_soft()) {
+                soft.emplace_back(contact, regions);
+            }
+        }
+        std::ranges::stable_sort(soft, [](const auto& a, const auto& b) {
+            return a.first.soft * b.first.pairs > b.first.soft * a.first.pairs;
+        });
+        for (const auto& [contact, regions] : soft) {
+            const std::size_t a = first_of(regions.first);
+            const std::size_t b = first_of(regions.second);
+            if (a != b && contacts_.at(both(a, b)).is_soft()) {
+                take_in(a, b);
+            }
+        }
+    }
+
+    [[nodiscard]] std::size_t first_of(std::size_t region) const {
+        for (auto at = part_of_.find(region); at != part_of_.end(); at = part_of_.find(region)) {
+            region = at->second;
+        }
+        return region;
+    }
+
+    /// The second becomes part of the first, its borders too.
+    void take_in(std::size_t whole, std::size_t part) {
+        part_of_[part] = whole;
+        std::vector<std::pair<std::size_t, Contact>> others;
+        std::erase_if(contacts_, [&](const auto& entry) {
+            const auto& [regions, contact] = entry;
+            if (regions.first != part && regions.second != part) {
+                return false;
+            }
+            others.emplace_back(regions.first == part ? regions.second : regions.first, contact);
+            return true;
+        });
+        for (const auto& [other, contact] : others) {
+            if (other != whole) {
+                Contact& sum = contacts_[both(whole, other)];
+                sum.pairs += contact.pairs;
+                sum.soft += contact.soft;
+            }
+        }
+    }
+
+    /// Each whole in a colour of its own; the largest region, the ground, keeps its colour.
+    void paint() {
+        std::map<std::size_t, std::pair<cv::Vec3f, int>> sums;  // of each region's pixels
+        for (const Run& run : runs_) {
+            const int pixels = run.to - run.from;
+            auto& [sum, count] = sums[first_of(run.region)];
+            sum += palette_[map_(run.row, run.from)] * static_cast<float>(pixels);
+            count += pixels;
+        }
+        const std::size_t ground = std::ranges::max_element(sums, {}, [](const auto& s) {
+                                       return s.second.second;
+                                   })->first;
+        std::map<std::size_t, uchar> colour_of;
+        for (const auto& [part, whole] : part_of_) {
+            const std::size_t region = first_of(whole);
+            if (colour_of.contains(region) || palette_.size() >= kMostColours) {
+                continue;
+            }
+            if (region == ground) {
+                colour_of[region] = commonest_colour(region);
+                continue;
+            }
+            const auto& [sum, count] = sums[region];
+            colour_of[region] = static_cast<uchar>(palette_.size());
+            palette_.push_back(sum * (1.0F / static_cast<float>(count)));
+        }
+        for (const Run& run : runs_) {
+            if (const auto at = colour_of.find(first_of(run.region)); at != colour_of.end()) {
+                map_(cv::Rect(run.from, run.row, run.to - run.from, 1)).setTo(at->second);
+            }
+        }
+    }
+
+    [[nodiscard]] uchar commonest_colour(std::size_t region) const {
+        std::vector<int> counts(kMostColours, 0);
+        for (const Run& run : runs_) {
+            if (first_of(run.region) == region) {
+                counts[map_(run.row, run.from)] += run.to - run.from;
+            }
+        }
+        return static_cast<uchar>(std::ranges::max_element(counts) - counts.begin());
+    }
+
+    cv::Mat1b& map_;
+    std::vector<cv::Vec3f>& palette_;
+    const LabPicture& lab_;
+    std::vector<Run> runs_;
+    cv::Mat1i region_;
+    std::map<Regions, Contact> contacts_;
+    std::map<std::size_t, std::size_t> part_of_;
+};
+
+}  // namespace
+
+void join_fading(cv::Mat1b& map, std::vector<cv::Vec3f>& palette, const LabPicture& lab) {
+    if (palette.size() > 2) {  // of two colours neither fades into a third
+        Fading(map, palette, lab).join();
+    }
+}
+
+}  // namespace touchline

@@ -1,0 +1,159 @@
+#include "vision/contour/grid_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+constexpr double kPale = 0.4;          // of the strongest contrast
+constexpr double kLeastPale = 0.0005;  // of the picture: less is no grid
+constexpr double kStraight = 0.03;     // of the picture's diagonal: what a line is known by
+constexpr double kMostTilt_deg = 3.0;
+constexpr double kTiltStep_deg = 0.25;
+constexpr double kLongEnough = 0.25;  // of the longest line: others are broken by what lies on them
+constexpr std::size_t kLeastLines = 3;
+constexpr double kEven = 0.2;         // of the spacing
+constexpr double kMostlyEven = 0.7;   // of the gaps
+constexpr double kMostlyGrid = 0.55;  // of all that is as pale
+constexpr int kEdge_px = 2;           // beside a line, what is left of it
+
+/// Places across lines of one direction, tilted by an angle: x cos - y sin, say.
+struct Bundle {
+    bool is_level = true;
+    double tilt = 0.0;  // of y per x, or x per y
+
+    [[nodiscard]] double place_of(const cv::Point& p) const {
+        return is_level ? p.y - tilt * p.x : p.x + tilt * p.y;
+    }
+};
+
+struct Band {
+    double from = 0.0;
+    double to = 0.0;
+    int pixels = 0;
+
+    [[nodiscard]] double middle() const { return 0.5 * (from + to); }
+};
+
+class Counts {
+  public:
+    Counts(const std::vector<cv::Point>& points, const Bundle& bundle, cv::Size size)
+        : low_(static_cast<int>(-0.1 * (size.width + size.height))),
+          counts_(static_cast<std::size_t>(1.2 * (size.width + size.height)), 0) {
+        for (const cv::Point& p : points) {
+            ++counts_[static_cast<std::size_t>(std::lround(bundle.place_of(p)) - low_)];
+        }
+    }
+
+    [[nodiscard]] double sharpness() const {
+        double sum = 0.0;
+        for (const int n : counts_) {
+            sum += static_cast<double>(n) * n;
+        }
+        return sum;
+    }
+
+    /// Stretches of places that hold enough.
+    [[nodiscard]] std::vector<Band> bands() const {
+        const int most = *std::ranges::max_element(counts_);
+        std::vector<Band> bands;
+        for (std::size_t i = 0; i < counts_.size();) {
+            Band band{static_cast<double>(i) + low_, 0.0, 0};
+            for (; i < counts_.size() && counts_[i] > kLongEnough * most; ++i) {
+                band.pixels += counts_[i];
+                band.to = static_cast<double>(i) + low_;
+            }
+            if (band.pixels > 0) {
+                bands.push_back(band);
+            } else {
+                ++i;
+            }
+        }
+        return bands;
+    }
+
+  private:
+    int low_;
+    std::vector<int> counts_;
+};
+
+Bundle best_tilted(const std::vector<cv::Point>& points, bool is_level, cv::Size size) {
+    Bundle best{is_level, 0.0};
+    double sharpest = 0.0;
+    for (double deg = -kMostTilt_deg; deg <= kMostTilt_deg; deg += kTiltStep_deg) {
+        const Bundle bundle{is_level, std::tan(deg * std::numbers::pi / 180.0)};
+        const double sharpness = Counts(points, bundle, size).sharpness();
+        if (sharpness > sharpest) {
+            sharpest = sharpness;
+            best = bundle;
+        }
+    }
+    return best;
+}
+
+/// Each gap a multiple of the least, near enough.
+bool are_even(const std::vector<Band>& bands) {
+    std::vector<double> gaps;
+    for (std::size_t i = 1; i < bands.size(); ++i) {
+        gaps.push_back(bands[i].middle() - bands[i - 1].middle());
+    }
+    const double least = *std::ranges::min_element(gaps);
+    const auto even = std::ranges::count_if(
+        gaps, [&](double gap) { return std::abs(gap / least - std::round(gap / least)) <= kEven; });
+    return static_cast<double>(even) >= kMostlyEven * static_cast<double>(gaps.size());
+}
+
+/// What of the pale strokes lies on evenly spaced lines of one direction.
+cv::Mat1b on_even_lines(const cv::Mat1b& pale, bool is_level, double greatest_width_px) {
+    cv::Mat1b found(pale.size(), uchar{0});
+    const int length = static_cast<int>(kStraight * std::hypot(pale.cols, pale.rows));
+    cv::Mat1b straight;
+    cv::morphologyEx(pale, straight, cv::MORPH_OPEN,
+                     cv::Mat::ones(is_level ? cv::Size(length, 1) : cv::Size(1, length), CV_8U));
+    std::vector<cv::Point> points;
+    cv::findNonZero(straight, points);
+    if (points.empty()) {
+        return found;
+    }
+    const Bundle bundle = best_tilted(points, is_level, pale.size());
+    const std::vector<Band> bands = Counts(points, bundle, pale.size()).bands();
+    const bool are_thin = std::ranges::all_of(
+        bands, [&](const Band& band) { return band.to - band.from < greatest_width_px; });
+    if (bands.size() < kLeastLines || !are_thin || !are_even(bands)) {
+        return found;
+    }
+    std::vector<cv::Point> all;
+    cv::findNonZero(pale, all);
+    for (const cv::Point& p : all) {
+        const double place = bundle.place_of(p);
+        found(p) = std::ranges::any_of(bands,
+                                       [&](const Band& band) {
+                                           return place >= band.from - kEdge_px &&
+                                                  place <= band.to + kEdge_px;
+                                       })
+                       ? 255
+                       : 0;
+    }
+    return found;
+}
+
+}  // namespace
+
+cv::Mat1b grid_of(const Ink& strokes, double strongest, double greatest_width_px) {
+    const cv::Mat1b pale((strokes.contrast <= kPale * strongest) & strokes.mask);
+    const int pixels = cv::countNonZero(pale);
+    if (pixels < kLeastPale * static_cast<double>(pale.total())) {
+        return {};
+    }
+    const cv::Mat1b grid(on_even_lines(pale, true, greatest_width_px) |
+                         on_even_lines(pale, false, greatest_width_px));
+    const bool is_grid = cv::countNonZero(grid) >= kMostlyGrid * pixels;
+    return is_grid ? grid : cv::Mat1b();
+}
+
+}  // namespace touchline
