@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include <opencv2/imgproc.hpp>
+
 namespace touchline {
 namespace {
 
@@ -16,11 +18,17 @@ constexpr double kLongestDash_mm = 7.0;
 constexpr double kWidestDot_mm = 3.0;
 constexpr double kWidestGap_mm = 4.2;
 constexpr double kMostBend = 60.0 * std::numbers::pi / 180.0;  // round the corner of a box
+constexpr double kMostTurnAtDot = 90.0 * std::numbers::pi / 180.0;
+constexpr double kMostTurnAtTip = 150.0 * std::numbers::pi / 180.0;
+constexpr double kCorner = 40.0 * std::numbers::pi / 180.0;  // a turn of less is a curve's
+constexpr double kParallel = 0.03;  // the square of the sine between courses: they meet nowhere
+constexpr double kDashOverWidth = 1.4;
 constexpr std::size_t kLeastDashes = 3;
 constexpr std::size_t kLeastDots = 5;
 constexpr double kLike = 0.35;             // of the middle length or gap: alike
 constexpr double kMostAlike = 0.65;        // of the pieces: those at ends and corners are cut short
-constexpr double kField = 1.5;             // of the second nearest dot: no nearer may be a third
+constexpr double kField = 1.6;             // of the second nearest dot: so near are many others
+constexpr std::size_t kMostAtTip = 4;      // so near
 constexpr std::size_t kMostPieces = 2000;  // more are grain, or a tone that is printed in dots
 constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
@@ -28,26 +36,43 @@ constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 /// point nowhere.
 struct Piece {
     std::size_t line = 0;
-    cv::Point2d middle;
-    cv::Point2d front;
-    cv::Point2d back;
-    double length_px = 0.0;
+    std::vector<EdgePoint> way;  // the middle line of a dash; of a dot its middle
+    double length_px = 0.0;      // of its ink
+    double width_px = 0.0;
     bool is_dot = false;
+
+    [[nodiscard]] const cv::Point2d& middle() const { return way[way.size() / 2].at; }
 };
 
-std::optional<Piece> dot_of(const Chain& line, std::size_t number, double mm_px) {
-    cv::Point2d low = line.points.front().at;
-    cv::Point2d high = low;
+/// A ring of ink: a dot, or a dash too short to have been a stroke.
+std::optional<Piece> piece_of_ring(const Chain& line, std::size_t number, double mm_px) {
+    std::vector<cv::Point2f> points;
     for (const EdgePoint& p : line.points) {
-        low = {std::min(low.x, p.at.x), std::min(low.y, p.at.y)};
-        high = {std::max(high.x, p.at.x), std::max(high.y, p.at.y)};
+        points.emplace_back(p.at);
     }
-    const double across_px = std::max(high.x - low.x, high.y - low.y);
-    if (across_px > kWidestDot_mm * mm_px) {
+    const cv::RotatedRect box = cv::minAreaRect(points);
+    const cv::Size2d size(box.size);
+    const double long_px = std::max(size.width, size.height);
+    const double short_px = std::min(size.width, size.height);
+    if (short_px > kWidestDot_mm * mm_px || long_px > kLongestDash_mm * mm_px) {
         return std::nullopt;
     }
-    const cv::Point2d middle = 0.5 * (low + high);
-    return Piece{number, middle, middle, middle, across_px, true};
+    const double strength = line.points.front().strength;
+    const cv::Point2d middle(box.center);
+    const bool is_dot = long_px < kDashOverWidth * short_px;
+    if (is_dot) {
+        return Piece{number, {{middle, strength, false}}, long_px, long_px, true};
+    }
+    const double turned =
+        (static_cast<double>(box.angle) + (size.width >= size.height ? 0.0 : 90.0)) *
+        std::numbers::pi / 180.0;
+    const cv::Point2d along(std::cos(turned), std::sin(turned));
+    const cv::Point2d half = 0.5 * (long_px - short_px) * along;
+    return Piece{number,
+                 {{middle - half, strength, false}, {middle + half, strength, false}},
+                 long_px,
+                 short_px,
+                 false};
 }
 
 std::vector<Piece> pieces_of(const std::vector<Chain>& lines, double mm_px) {
@@ -58,26 +83,29 @@ std::vector<Piece> pieces_of(const std::vector<Chain>& lines, double mm_px) {
             continue;
         }
         if (line.is_closed) {
-            if (const auto dot = dot_of(line, i, mm_px)) {
-                pieces.push_back(*dot);
+            if (auto piece = piece_of_ring(line, i, mm_px)) {
+                pieces.push_back(std::move(*piece));
             }
             continue;
         }
         const double length_px = length_of(line) + line.width_px;  // its ends lie within its ink
         if (length_px <= kLongestDash_mm * mm_px) {
-            const cv::Point2d front = line.points.front().at;
-            const cv::Point2d back = line.points.back().at;
-            pieces.push_back(
-                {i, line.points[line.points.size() / 2].at, front, back, length_px, false});
+            pieces.push_back({i, line.points, length_px, line.width_px, false});
         }
     }
     return pieces;
 }
 
+/// What lies between the ink of two pieces.
+struct Gap {
+    double length_px = 0.0;             // along the way
+    std::optional<cv::Point2d> corner;  // where the courses of the two meet, off the straight way
+    std::size_t dash = kNobody;         // the piece that is bent round that corner
+};
+
 struct Link {
     EndId a = 0;
     EndId b = 0;
-    double gap_px = 0.0;
     double cost = 0.0;
 };
 
@@ -92,20 +120,17 @@ class Joiner {
         std::vector<bool> is_walked(pieces_.size(), false);
         std::vector<Chain> made;
         for (const bool from_ends : {true, false}) {
-            for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
+            for (std::size_t number = 0; number < pieces_.size(); ++number) {
                 const bool is_end =
-                    to_[front_of(piece)] == kNobody || to_[back_of(piece)] == kNobody;
-                if (is_walked[piece] || is_end != from_ends) {
+                    to_[front_of(number)] == kNobody || to_[back_of(number)] == kNobody;
+                if (is_walked[number] || is_end != from_ends) {
                     continue;
                 }
-                const std::vector<EndId> way = walked(piece, is_walked);
-                if (!is_broken_line(way)) {
-                    continue;
+                const std::vector<EndId> way = walked(number, is_walked);
+                if (is_broken_line(way)) {
+                    made.push_back(line_through(way, !from_ends));
+                    mark_gone(way, !from_ends, is_gone);
                 }
-                for (const EndId in : way) {
-                    is_gone[pieces_[chain_of(in)].line] = true;
-                }
-                made.push_back(line_through(way, !from_ends));
             }
         }
         std::vector<Chain> kept;
@@ -119,47 +144,109 @@ class Joiner {
     }
 
   private:
+    void mark_gone(const std::vector<EndId>& way, bool is_ring, std::vector<bool>& is_gone) const {
+        for (std::size_t i = 0; i < way.size(); ++i) {
+            is_gone[piece(way[i]).line] = true;
+            const std::size_t bent = i > 0 || is_ring ? gap_before(way, i).dash : kNobody;
+            if (bent != kNobody) {
+                is_gone[pieces_[bent].line] = true;
+            }
+        }
+    }
+
+    [[nodiscard]] const Piece& piece(EndId end) const { return pieces_[chain_of(end)]; }
+
     [[nodiscard]] cv::Point2d place(EndId end) const {
-        const Piece& piece = pieces_[chain_of(end)];
-        return is_back(end) ? piece.back : piece.front;
+        return is_back(end) ? piece(end).way.back().at : piece(end).way.front().at;
     }
 
-    /// Outward.
+    /// Outward, as far back as the dash is straight.
     [[nodiscard]] cv::Point2d direction(EndId end) const {
-        const Piece& piece = pieces_[chain_of(end)];
-        const std::vector<EdgePoint>& points = lines_[piece.line].points;
-        return ray_at(points, is_back(end), 0.0, 0.5 * piece.length_px).direction;
+        const std::vector<EdgePoint>& way = piece(end).way;
+        double straight_px = 0.0;
+        for (std::size_t i = 1; i < way.size(); ++i) {
+            const EdgePoint& here = is_back(end) ? way[way.size() - 1 - i] : way[i];
+            const EdgePoint& before = is_back(end) ? way[way.size() - i] : way[i - 1];
+            straight_px += distance(here.at, before.at);
+            if (here.is_fixed) {
+                break;
+            }
+        }
+        return ray_at(way, is_back(end), 0.0, std::min(straight_px, 0.5 * piece(end).length_px))
+            .direction;
     }
 
-    /// From the edge of the ink of the one to that of the other.
-    [[nodiscard]] double gap_px(EndId a, EndId b) const {
-        const auto beyond_px = [&](EndId end) {
-            const Piece& piece = pieces_[chain_of(end)];
-            return piece.is_dot ? 0.5 * piece.length_px : 0.5 * lines_[piece.line].width_px;
-        };
-        return distance(place(a), place(b)) - beyond_px(a) - beyond_px(b);
+    /// How far the ink goes beyond an end.
+    [[nodiscard]] double beyond_px(EndId end) const { return 0.5 * piece(end).width_px; }
+
+    [[nodiscard]] Gap gap_between(EndId a, EndId b) const {
+        const Gap straight{distance(place(a), place(b)) - beyond_px(a) - beyond_px(b), {}};
+        if (piece(a).is_dot || piece(b).is_dot) {
+            return straight;
+        }
+        const Ray from_a{place(a), direction(a)};
+        const Ray from_b{place(b), direction(b)};
+        if (angle_between(from_a.direction, -from_b.direction) < kCorner) {
+            return straight;
+        }
+        const auto corner = crossing_of({from_a, from_b}, kParallel);
+        if (!corner) {
+            return straight;
+        }
+        const double ahead_a = (*corner - from_a.from).dot(from_a.direction);
+        const double ahead_b = (*corner - from_b.from).dot(from_b.direction);
+        if (ahead_a <= -beyond_px(a) || ahead_b <= -beyond_px(b)) {
+            return straight;
+        }
+        const Gap bent{ahead_a + ahead_b - beyond_px(a) - beyond_px(b), corner, dot_at(*corner)};
+        if (bent.dash == kNobody) {
+            return bent;
+        }
+        return {0.5 * (bent.length_px - pieces_[bent.dash].length_px), corner, bent.dash};
+    }
+
+    /// What lies before the i-th piece of a way; before the first, what leads to it from the last.
+    [[nodiscard]] Gap gap_before(const std::vector<EndId>& way, std::size_t i) const {
+        return gap_between(way[(i + way.size() - 1) % way.size()] ^ 1U, way[i]);
+    }
+
+    /// A dash that is bent round a sharp corner is as wide as it is long.
+    [[nodiscard]] std::size_t dot_at(const cv::Point2d& corner) const {
+        const auto at = std::ranges::find_if(pieces_, [&](const Piece& piece) {
+            return piece.is_dot && distance(piece.middle(), corner) <= 0.75 * piece.length_px;
+        });
+        return at == pieces_.end() ? kNobody : static_cast<std::size_t>(at - pieces_.begin());
     }
 
     [[nodiscard]] double bend(EndId end, const cv::Point2d& way) const {
-        return pieces_[chain_of(end)].is_dot ? 0.0 : angle_between(direction(end), way);
+        return piece(end).is_dot ? 0.0 : angle_between(direction(end), way);
     }
 
-    /// Dots with a third dot as near as the second lie in a field.
+    /// Dots with many others about as near as the second lie in a field, and so do those at its
+    /// rim. A sharp tip of a line has three or four.
     void find_fields() {
-        is_in_field_.assign(pieces_.size(), false);
+        std::vector<bool> is_amid(pieces_.size(), false);
+        std::vector<std::vector<std::size_t>> nearest(pieces_.size());
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
-            std::vector<double> apart;
+            std::vector<std::pair<double, std::size_t>> apart;
             for (std::size_t j = 0; pieces_[i].is_dot && j < pieces_.size(); ++j) {
-                const double d = distance(pieces_[i].middle, pieces_[j].middle);
+                const double d = distance(pieces_[i].middle(), pieces_[j].middle());
                 if (j != i && pieces_[j].is_dot && d < 3.0 * kWidestGap_mm * mm_px_) {
-                    apart.push_back(d);
+                    apart.emplace_back(d, j);
                 }
             }
-            if (apart.size() >= 3) {
-                std::ranges::nth_element(apart, apart.begin() + 2);
-                const double second = *std::max_element(apart.begin(), apart.begin() + 2);
-                is_in_field_[i] = apart[2] < kField * second;
+            std::ranges::sort(apart);
+            is_amid[i] =
+                apart.size() > kMostAtTip && apart[kMostAtTip].first < kField * apart[1].first;
+            for (std::size_t k = 0; k < std::min(kMostAtTip, apart.size()); ++k) {
+                nearest[i].push_back(apart[k].second);
             }
+        }
+        is_in_field_ = is_amid;
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            const auto amid =
+                std::ranges::count_if(nearest[i], [&](std::size_t j) { return is_amid[j]; });
+            is_in_field_[i] = is_amid[i] || amid >= 2;
         }
     }
 
@@ -169,10 +256,20 @@ class Joiner {
             return;
         }
         find_fields();
+        link_where(kWidestGap_mm * mm_px_, kMostTurnAtDot, [](EndId) { return true; });
+        // What was begun goes on round a sharp tip of dots, or past a dash that was lost.
+        link_where(usual_pitch_px(), kMostTurnAtTip,
+                   [&](EndId end) { return to_[end] != kNobody || to_[end ^ 1U] != kNobody; });
+    }
+
+    template <class Counts>
+    void link_where(double widest_gap_px, double most_turn, Counts&& counts) {
         std::vector<Link> links;
         for (EndId a = 0; a < 2 * pieces_.size(); ++a) {
-            for (EndId b = a + 1; b < 2 * pieces_.size(); ++b) {
-                consider(a, b, links);
+            for (EndId b = a + 1; b < 2 * pieces_.size() && counts(a); ++b) {
+                if (counts(b)) {
+                    consider(a, b, widest_gap_px, links);
+                }
             }
         }
         std::ranges::stable_sort(links, {}, &Link::cost);
@@ -180,37 +277,57 @@ class Joiner {
             const EndId a = free_end(link.a);
             const EndId b = free_end(link.b);
             const bool is_taken = to_[a] != kNobody || to_[b] != kNobody;
-            if (is_taken || !leads_on(a, b) || !leads_on(b, a) || are_linked(a, b)) {
-                continue;
+            if (!is_taken && leads_on(a, b, most_turn) && leads_on(b, a, most_turn) &&
+                !are_linked(a, b)) {
+                to_[a] = b;
+                to_[b] = a;
             }
-            to_[a] = b;
-            to_[b] = a;
         }
     }
 
-    void consider(EndId a, EndId b, std::vector<Link>& links) const {
-        const Piece& one = pieces_[chain_of(a)];
-        const Piece& other = pieces_[chain_of(b)];
+    /// From one piece across the next to the one after it, in the middle of all; at least the
+    /// widest gap.
+    [[nodiscard]] double usual_pitch_px() const {
+        std::vector<double> pitches;
+        for (EndId end = 0; end < to_.size(); ++end) {
+            if (to_[end] != kNobody && end < to_[end]) {
+                pitches.push_back(2.0 * gap_between(end, to_[end]).length_px +
+                                  piece(end).length_px);
+            }
+        }
+        const double widest_px = kWidestGap_mm * mm_px_;
+        if (pitches.empty()) {
+            return widest_px;
+        }
+        const auto middle = pitches.begin() + static_cast<std::ptrdiff_t>(pitches.size() / 2);
+        std::ranges::nth_element(pitches, middle);
+        return std::max(widest_px, *middle);
+    }
+
+    void consider(EndId a, EndId b, double widest_gap_px, std::vector<Link>& links) const {
+        const Piece& one = piece(a);
+        const Piece& other = piece(b);
         const bool is_second_of_a_dot = (one.is_dot && is_back(a)) || (other.is_dot && is_back(b));
         if (&one == &other || is_second_of_a_dot || one.is_dot != other.is_dot ||
-            is_in_field_[chain_of(a)] || is_in_field_[chain_of(b)]) {
+            is_in_field_[chain_of(a)] || is_in_field_[chain_of(b)] ||
+            distance(place(a), place(b)) > kLongestDash_mm * mm_px_ + 2.0 * widest_gap_px) {
             return;
         }
-        const double gap = gap_px(a, b);
-        if (gap > kWidestGap_mm * mm_px_) {
+        const Gap gap = gap_between(a, b);
+        if (gap.length_px > widest_gap_px) {
             return;
         }
         const cv::Point2d way = place(b) - place(a);
         const double bend_a = bend(a, way);
         const double bend_b = bend(b, -way);
-        if (std::max(bend_a, bend_b) <= kMostBend) {
-            links.push_back({a, b, gap, std::max(gap, 0.1) * (1.0 + 2.0 * (bend_a + bend_b))});
+        if (gap.corner || std::max(bend_a, bend_b) <= kMostBend) {
+            links.push_back({a, b, std::max(gap.length_px, 0.1) * (1.0 + 2.0 * (bend_a + bend_b))});
         }
     }
 
     /// A dot's end that is not taken yet.
     [[nodiscard]] EndId free_end(EndId end) const {
-        return pieces_[chain_of(end)].is_dot && to_[end] != kNobody ? end ^ 1U : end;
+        return piece(end).is_dot && to_[end] != kNobody ? end ^ 1U : end;
     }
 
     [[nodiscard]] bool are_linked(EndId a, EndId b) const {
@@ -218,12 +335,12 @@ class Joiner {
     }
 
     /// Past a dot the way goes on, and does not turn back.
-    [[nodiscard]] bool leads_on(EndId from, EndId to) const {
-        if (!pieces_[chain_of(from)].is_dot || to_[from ^ 1U] == kNobody) {
+    [[nodiscard]] bool leads_on(EndId from, EndId to, double most_turn) const {
+        if (!piece(from).is_dot || to_[from ^ 1U] == kNobody) {
             return true;
         }
         const cv::Point2d before = place(from) - place(to_[from ^ 1U]);
-        return angle_between(before, place(to) - place(from)) < 1.5 * kMostBend;
+        return angle_between(before, place(to) - place(from)) < most_turn;
     }
 
     /// The ends by which the pieces are entered, from an end, or round.
@@ -252,16 +369,15 @@ class Joiner {
     }
 
     [[nodiscard]] bool is_broken_line(const std::vector<EndId>& way) const {
-        if (way.empty() ||
-            way.size() < (pieces_[chain_of(way.front())].is_dot ? kLeastDots : kLeastDashes)) {
+        if (way.empty() || way.size() < (piece(way.front()).is_dot ? kLeastDots : kLeastDashes)) {
             return false;
         }
         std::vector<double> lengths;
         std::vector<double> gaps;
         for (std::size_t i = 0; i < way.size(); ++i) {
-            lengths.push_back(pieces_[chain_of(way[i])].length_px);
+            lengths.push_back(piece(way[i]).length_px);
             if (i > 0) {
-                gaps.push_back(gap_px(way[i - 1] ^ 1U, way[i]));
+                gaps.push_back(gap_before(way, i).length_px);
             }
         }
         return are_alike(std::move(lengths)) && are_alike(std::move(gaps));
@@ -270,22 +386,18 @@ class Joiner {
     [[nodiscard]] Chain line_through(const std::vector<EndId>& way, bool is_ring) const {
         Chain line;
         line.is_closed = is_ring;
-        for (const EndId in : way) {
-            const Piece& piece = pieces_[chain_of(in)];
-            const Chain& part = lines_[piece.line];
-            line.width_px = std::max(line.width_px, piece.is_dot ? piece.length_px : part.width_px);
-            line.of = piece.is_dot ? LineOf::dotted : LineOf::dashed;
-            if (piece.is_dot) {
-                line.points.push_back({piece.middle, part.points.front().strength, false});
-                continue;
-            }
-            std::vector<EdgePoint> points = part.points;
-            if (is_back(in)) {
+        line.of = piece(way.front()).is_dot ? LineOf::dotted : LineOf::dashed;
+        for (std::size_t i = 0; i < way.size(); ++i) {
+            const Piece& part = piece(way[i]);
+            line.width_px = std::max(line.width_px, part.width_px);
+            std::vector<EdgePoint> points = part.way;
+            if (is_back(way[i])) {
                 std::ranges::reverse(points);
             }
-            for (EdgePoint& point : points) {  // what was an end is none any more
-                const bool is_end = &point == &points.front() || &point == &points.back();
-                point.is_fixed = point.is_fixed && !is_end;
+            points.front().is_fixed = false;  // what was an end is none any more
+            points.back().is_fixed = false;
+            if (is_ring || i > 0) {
+                add_corner(gap_before(way, i), line);
             }
             std::ranges::move(points, std::back_inserter(line.points));
         }
@@ -294,6 +406,13 @@ class Joiner {
             line.points.back().is_fixed = true;
         }
         return line;
+    }
+
+    static void add_corner(const Gap& gap, Chain& line) {
+        if (gap.corner) {
+            const double strength = line.points.empty() ? 1.0 : line.points.back().strength;
+            line.points.push_back({*gap.corner, strength, true});
+        }
     }
 
     std::vector<Chain> lines_;

@@ -28,6 +28,22 @@ double angle_between(const cv::Point2d& a, const cv::Point2d& b) {
     return std::abs(std::atan2(a.cross(b), a.dot(b)));
 }
 
+std::optional<cv::Point2d> crossing_of(const std::vector<Ray>& rays, double least) {
+    cv::Matx22d a = cv::Matx22d::zeros();
+    cv::Vec2d b(0.0, 0.0);
+    for (const Ray& ray : rays) {
+        const cv::Vec2d d(ray.direction.x, ray.direction.y);
+        const cv::Matx22d across = cv::Matx22d::eye() - d * d.t();
+        a += across;
+        b += across * cv::Vec2d(ray.from.x, ray.from.y);
+    }
+    if (!(cv::determinant(a) >= least)) {
+        return std::nullopt;
+    }
+    const cv::Vec2d solution = a.inv() * b;
+    return cv::Point2d(solution[0], solution[1]);
+}
+
 PointGrid::PointGrid(const std::vector<Chain>& chains, cv::Size picture, double cell_px)
     : cell_px_(cell_px),
       columns_(static_cast<int>(picture.width / cell_px) + 1),

@@ -5,6 +5,8 @@
 #include "vision/contour/chain.h"
 
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace touchline {
 
@@ -40,6 +42,10 @@ struct Ray {
 
 /// Angle between two directions, 0 to pi.
 [[nodiscard]] double angle_between(const cv::Point2d& a, const cv::Point2d& b);
+
+/// Where the lines along some rays cross, in least squares; nothing where the determinant is below
+/// `least`: for two rays, the square of the sine between them.
+[[nodiscard]] std::optional<cv::Point2d> crossing_of(const std::vector<Ray>& rays, double least);
 
 /// Where a point of a chain lies in the list of chains.
 struct PointRef {

@@ -13,8 +13,8 @@ namespace touchline {
 namespace {
 
 constexpr double kStraightOn = 30.0 * std::numbers::pi / 180.0;
-constexpr double kTurn = 35.0 * std::numbers::pi / 180.0;     // less is a bend, not a corner
-constexpr double kSharpest = 8.0 * std::numbers::pi / 180.0;  // courses are parallel below it
+constexpr double kTurn = 35.0 * std::numbers::pi / 180.0;  // less is a bend, not a corner
+const double kSharpest = std::pow(std::sin(8.0 * std::numbers::pi / 180.0), 2);  // below: parallel
 constexpr double kBesideOverDepth =
     1.2;  // a place on the way of an arm, or a course through a crossing
 constexpr double kBeside_px = 1.0;
@@ -31,22 +31,6 @@ double beside(const Ray& ray, const cv::Point2d& at) {
 /// Angle by which who comes along the one ray turns to leave along the other.
 double turn(const Ray& in, const Ray& out) {
     return angle_between(in.direction, -out.direction);
-}
-
-/// Least squares over the courses; nothing where they are parallel.
-std::optional<cv::Point2d> crossing_of(const std::vector<Ray>& rays) {
-    cv::Matx22d a = cv::Matx22d::zeros();
-    cv::Vec2d b(0.0, 0.0);
-    for (const Ray& ray : rays) {
-        const cv::Vec2d d(ray.direction.x, ray.direction.y);
-        const cv::Matx22d across = cv::Matx22d::eye() - d * d.t();
-        a += across;
-        b += across * cv::Vec2d(ray.from.x, ray.from.y);
-    }
-    const double least = std::sin(kSharpest) * std::sin(kSharpest);
-    if (cv::determinant(a) < least) return std::nullopt;
-    const cv::Vec2d solution = a.inv() * b;
-    return cv::Point2d(solution[0], solution[1]);
 }
 
 class Solver {
@@ -106,7 +90,7 @@ class Solver {
             const std::pair two(a[1], b[is_swapped ? 0 : 1]);
             if (!goes_on(one) || !goes_on(two)) continue;
             std::vector<EndId> ends{one.first, one.second, two.first, two.second};
-            const auto at = crossing_of(rays_of(ends));
+            const auto at = crossing_of(rays_of(ends), kSharpest);
             if (!at) return;
             found_.is_dropped[arm] = true;
             found_.solved.push_back(solved(*at, ends, {one, two}));
@@ -138,7 +122,7 @@ class Solver {
         const bool is_known = ends.size() >= 2 && std::ranges::all_of(ends, [&](EndId end) {
                                   return courses_.at(end).has_value();
                               });
-        const auto at = is_known ? crossing_of(rays_of(ends)) : std::nullopt;
+        const auto at = is_known ? crossing_of(rays_of(ends), kSharpest) : std::nullopt;
         if (!at || !is_near(*at, ends)) return std::nullopt;
         const auto pairs = ends.size() == 2 ? corner(ends) : straight_on(ends);
         if (ends.size() == 2 && pairs.empty()) return std::nullopt;
@@ -255,7 +239,7 @@ class Solver {
     }
 
     [[nodiscard]] bool is_tip(EndId tip, const std::vector<EndId>& others) const {
-        const auto at = crossing_of(rays_of(others));
+        const auto at = crossing_of(rays_of(others), kSharpest);
         if (!at) return false;
         double sharpest = std::numbers::pi;
         double depth_px = 0.0;

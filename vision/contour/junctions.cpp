@@ -145,29 +145,18 @@ void JunctionSet::place(Junction& junction) {
     }
     const bool is_moved = !junction.is_on_line || straightest > kStraightOn;
     if (is_moved) {
-        junction.at = crossing_of(rays, junction.at);
+        junction.at = place_of(rays, junction.at);
     }
     join_through(junction.arms, rays);
     pin_arms(junction, is_moved);
 }
 
-/// Least squares over the arms' lines; `otherwise` if that is far away or undetermined.
-cv::Point2d JunctionSet::crossing_of(const std::vector<Ray>& rays, cv::Point2d otherwise) const {
-    cv::Matx22d a = cv::Matx22d::zeros();
-    cv::Vec2d b(0.0, 0.0);
-    for (const Ray& ray : rays) {
-        const cv::Vec2d d(ray.direction.x, ray.direction.y);
-        const cv::Matx22d across = cv::Matx22d::eye() - d * d.t();
-        a += across;
-        b += across * cv::Vec2d(ray.from.x, ray.from.y);
-    }
+/// Where the arms' lines cross; `otherwise` if that is far away or undetermined.
+cv::Point2d JunctionSet::place_of(const std::vector<Ray>& rays, cv::Point2d otherwise) const {
     constexpr double kLeastDeterminant = 0.05;
-    if (cv::determinant(a) < kLeastDeterminant) {
-        return otherwise;
-    }
-    const cv::Vec2d solution = a.inv() * b;
-    const cv::Point2d crossing(solution[0], solution[1]);
-    return distance(crossing, otherwise) <= 2.0 * blur_px_ + 1.0 ? crossing : otherwise;
+    const auto crossing = crossing_of(rays, kLeastDeterminant);
+    return crossing && distance(*crossing, otherwise) <= 2.0 * blur_px_ + 1.0 ? *crossing
+                                                                              : otherwise;
 }
 
 void JunctionSet::join_through(const std::vector<EndId>& ends, const std::vector<Ray>& rays) {

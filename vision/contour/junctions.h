@@ -66,8 +66,7 @@ class JunctionSet {
     void pin_arms(const Junction& junction, bool is_moved);
     void pin(const SolvedJunction& junction);
     void join_through(const std::vector<EndId>& ends, const std::vector<Ray>& rays);
-    [[nodiscard]] cv::Point2d crossing_of(const std::vector<Ray>& rays,
-                                          cv::Point2d otherwise) const;
+    [[nodiscard]] cv::Point2d place_of(const std::vector<Ray>& rays, cv::Point2d otherwise) const;
     [[nodiscard]] Ray ray_of(EndId end) const;
     [[nodiscard]] Chain walked(EndId start);
     void join(EndId a, EndId b);
