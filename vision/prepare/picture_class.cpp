@@ -21,13 +21,14 @@ constexpr double kEdgeOverStrongest = 0.18;
 constexpr double kStill = 1.5;         // less is flat
 constexpr double kSlow = 1.0;          // more than a lamp's shade, less than a face's roundness
 constexpr double kSignificance = 5.0;  // x gradient noise
-constexpr float kGrainless = 1.1F;     // grey levels off the mean of the neighbours: rounding
+constexpr float kGrainless = 1.1F;     // grey levels off the mean of the pixels around: rounding
+constexpr int kEven_px = 15;           // across: within these a computed shade has an even slope
 
 // Decisions; what lies to either side is in README.md.
 constexpr double kTextured = 0.013;  // of the open parts: a photo
 constexpr double kMuchOpen = 0.3;    // less: the picture is full of edges, and less texture tells
 constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
-constexpr double kShaded = 0.9;      // of the texture: no camera made it
+constexpr double kShaded = 0.95;     // of the texture: no camera made it
 constexpr double kRestless = 0.6;    // of all pixels change: grass, not a pattern
 constexpr double kPen_part = 0.025;  // of the diagonal: the widest stroke of a pen
 constexpr double kThin = 0.7;        // of the ink: drawn with a pen
@@ -42,12 +43,12 @@ double part_of(const cv::Mat& mask, double whole) {
     return whole > 0.0 ? cv::countNonZero(mask) / whole : 0.0;
 }
 
-/// How much of what changes does so without the grain that every camera leaves.
+/// How much of what changes does so evenly, without the grain and spots of what a camera sees.
 double shaded_part(const cv::Mat& picture, const cv::Mat& texture) {
     cv::Mat values;
     cv::Mat means;
     picture.convertTo(values, CV_32F);
-    cv::blur(values, means, {3, 3});
+    cv::blur(values, means, {kEven_px, kEven_px});
     const cv::Mat off = cv::abs(values - means);
     const cv::Mat rough = off.reshape(1, static_cast<int>(off.total())) > kGrainless;
     cv::Mat is_rough;
