@@ -13,6 +13,7 @@ namespace {
 constexpr float kFlatStep = 0.3F;     // of the two colours' difference: less is no step
 constexpr float kLeastBeside = 0.3F;  // of the change at the border, on either side of it
 constexpr float kBothBeside = 1.0F;   // on both together
+constexpr double kTrue = 60.0;        // grey levels off the region's colour
 constexpr double kMostlySoft = 0.6;   // of a border
 constexpr std::size_t kMostColours = 256;
 constexpr int kReach_px = 4;
@@ -64,12 +65,17 @@ class Fading {
     void add(const cv::Point& p, const cv::Point& along) {
         const cv::Rect frame({}, map_.size());
         if (!frame.contains(p - (kReach_px - 1) * along) ||
-            !frame.contains(p + (kReach_px + 1) * along)) {
+            !frame.contains(p + (kReach_px + 1) * along) || !is_true(p) || !is_true(p + along)) {
             return;
         }
         Contact& contact = contacts_[both(region_at(p), region_at(p + along))];
         ++contact.pairs;
         contact.soft += is_soft(p, along) ? 1 : 0;
+    }
+
+    /// Not of a speck that something else has grown over.
+    [[nodiscard]] bool is_true(const cv::Point& p) const {
+        return cv::norm(lab_(p) - palette_[map_(p)]) < kTrue;
     }
 
     [[nodiscard]] std::size_t region_at(const cv::Point& p) const {
@@ -83,8 +89,12 @@ class Fading {
         const cv::Vec3f across = after - before;
         const float step = static_cast<float>(cv::norm(across));
         const cv::Vec3f colours = palette_[map_(p + along)] - palette_[map_(p)];
-        if (step < kFlatStep * static_cast<float>(cv::norm(colours))) {
+        const auto at_once = static_cast<float>(cv::norm(lab_(p + along) - lab_(p)));
+        if (std::max(step, at_once) < kFlatStep * static_cast<float>(cv::norm(colours))) {
             return true;
+        }
+        if (step <= at_once) {  // a line of a pixel or two: what is beyond it is as before it
+            return false;
         }
         const float on = (lab_(p + (kReach_px + 1) * along) - after).dot(across) / step;
         const float back = (before - lab_(p - (kReach_px - 1) * along)).dot(across) / step;

@@ -37,15 +37,22 @@ std::size_t bin_of(const cv::Vec3f& lab) {
         cell(lab[2], -128.0F, kBin, kBins));
 }
 
-/// Colours of pixels that differ little across them both ways. In the middle of a line both sides
-/// are alike too, so thin lines count.
+/// Whether a pixel is no mixture along an axis: both sides of it are alike, as in the middle of a
+/// line, or of it and one beside it, as in a line of two pixels.
+bool is_plain(const LabPicture& lab, const cv::Point& at, const cv::Point& along, float flat) {
+    const auto alike = [&](int i, int j) {
+        return squared(lab(at + i * along) - lab(at + j * along)) < flat * flat;
+    };
+    return alike(-1, 1) || (alike(0, 1) && alike(-1, 2)) || (alike(0, -1) && alike(1, -2));
+}
+
+/// Colours of pixels that are no mixtures.
 std::vector<Bin> histogram(const LabPicture& lab, double noise) {
     std::vector<Bin> bins(static_cast<std::size_t>(kBins * kBins * kBins));
     const float flat = kFlat + 3.0F * static_cast<float>(noise);
-    for (int y = 1; y + 1 < lab.rows; ++y) {
-        for (int x = 1; x + 1 < lab.cols; ++x) {
-            if (squared(lab(y, x + 1) - lab(y, x - 1)) < flat * flat &&
-                squared(lab(y + 1, x) - lab(y - 1, x)) < flat * flat) {
+    for (int y = 2; y + 2 < lab.rows; ++y) {
+        for (int x = 2; x + 2 < lab.cols; ++x) {
+            if (is_plain(lab, {x, y}, {1, 0}, flat) && is_plain(lab, {x, y}, {0, 1}, flat)) {
                 Bin& bin = bins[bin_of(lab(y, x))];
                 bin.sum += lab(y, x);
                 ++bin.count;

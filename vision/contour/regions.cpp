@@ -13,6 +13,7 @@
 #include "vision/prepare/paper.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -54,6 +55,12 @@ struct FlatPicture {
     double smoothing_px = 0.0;
 };
 
+void find_regions(FlatPicture& flat) {
+    const auto least_px = static_cast<int>(kLeastPart * static_cast<double>(flat.lab.total()));
+    flat.map = region_map(flat.lab, flat.palette, least_px);
+    join_fading(flat.map, flat.palette, flat.lab);
+}
+
 FlatPicture flat_picture(const LabPicture& lab, double noise) {
     FlatPicture flat{lab, {}, {}, smoothing_for_noise(noise)};
     if (flat.smoothing_px > 0.0) {
@@ -64,9 +71,7 @@ FlatPicture flat_picture(const LabPicture& lab, double noise) {
         flat.lab = evenly_lit(flat.lab, paper);
     }
     flat.palette = palette_of(flat.lab, noise);
-    flat.map = region_map(flat.lab, flat.palette,
-                          static_cast<int>(kLeastPart * static_cast<double>(lab.total())));
-    join_fading(flat.map, flat.palette, flat.lab);
+    find_regions(flat);
     return flat;
 }
 
@@ -103,6 +108,48 @@ double strongest_contrast(const FlatPicture& flat) {
     return strongest;
 }
 
+/// The grid with its last pixels before an area, which look as if they lay on it.
+cv::Mat1b whole_grid(const cv::Mat1b& grid, const cv::Mat1b& map) {
+    cv::Mat1b near_grid;
+    cv::dilate(grid, near_grid, cv::Mat::ones(7, 7, CV_8U));
+    std::array<bool, 256> is_of_grid{};
+    for (int y = 0; y < map.rows; ++y) {
+        for (int x = 0; x < map.cols; ++x) {
+            is_of_grid[map(y, x)] = is_of_grid[map(y, x)] || grid(y, x) != 0;
+        }
+    }
+    for (int y = 0; y < map.rows; ++y) {
+        for (int x = 0; x < map.cols; ++x) {
+            near_grid(y, x) = near_grid(y, x) != 0 && is_of_grid[map(y, x)] ? 255 : 0;
+        }
+    }
+    return near_grid;
+}
+
+/// Each pixel of the mask in the colour of the nearest one outside.
+LabPicture painted_over(const LabPicture& lab, const cv::Mat1b& mask) {
+    cv::Mat1f apart;
+    cv::Mat1i nearest;  // the same number for all that are nearest to one pixel outside
+    cv::distanceTransform(mask, apart, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
+    std::vector<cv::Vec3f> colours(lab.total() + 1);
+    for (int y = 0; y < mask.rows; ++y) {
+        for (int x = 0; x < mask.cols; ++x) {
+            if (mask(y, x) == 0) {
+                colours[static_cast<std::size_t>(nearest(y, x))] = lab(y, x);
+            }
+        }
+    }
+    LabPicture painted = lab.clone();
+    for (int y = 0; y < mask.rows; ++y) {
+        for (int x = 0; x < mask.cols; ++x) {
+            if (mask(y, x) != 0) {
+                painted(y, x) = colours[static_cast<std::size_t>(nearest(y, x))];
+            }
+        }
+    }
+    return painted;
+}
+
 /// The picture's strokes, once a grid behind them is gone.
 ThinParts strokes_of(FlatPicture& flat, double greatest_width_px) {
     ThinParts thin = thin_parts_of(flat.map, greatest_width_px);
@@ -111,7 +158,8 @@ ThinParts strokes_of(FlatPicture& flat, double greatest_width_px) {
     if (grid.empty()) {
         return thin;
     }
-    overgrow(flat.map, grid);
+    flat.lab = painted_over(flat.lab, whole_grid(grid, flat.map));
+    find_regions(flat);
     return thin_parts_of(flat.map, greatest_width_px);
 }
 

@@ -1,0 +1,163 @@
+// What lies behind the lines of a drawing and is none: shadows, gradients, grids.
+#include "tests/vision/pictures/canvas.h"
+#include "vision/contour/regions.h"
+#include "vision/contour/strokes.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+using testing::Canvas;
+using testing::Polyline;
+
+constexpr double kWidest_px = 25.0;
+const cv::Size kSize(900, 650);
+const cv::Scalar kWhite(255, 255, 255);
+const cv::Scalar kDark(90, 40, 20);
+const cv::Scalar kPale(216, 216, 216);
+
+/// Those that are no specks to a hand, 4 mm long.
+std::vector<Chain> flat_lines(const cv::Mat& bgr) {
+    const LabPicture lab = to_lab(bgr);
+    std::vector<Chain> lines = region_lines(lab, noise_of(lab), kWidest_px);
+    std::erase_if(lines, [](const Chain& line) { return length_of(line) < 40.0; });
+    return lines;
+}
+
+Polyline box(const cv::Rect2d& r) {
+    return {
+        {{r.x, r.y}, {r.x + r.width, r.y}, {r.x + r.width, r.y + r.height}, {r.x, r.y + r.height}},
+        true};
+}
+
+double farthest_px(const std::vector<Chain>& lines, const cv::Rect2d& r) {
+    double farthest = 0.0;
+    for (const Chain& line : lines) {
+        for (const EdgePoint& p : line.points) {
+            const cv::Point2d at = p.at + cv::Point2d(0.5, 0.5);
+            const double x = std::max({r.x - at.x, at.x - r.x - r.width, 0.0});
+            const double y = std::max({r.y - at.y, at.y - r.y - r.height, 0.0});
+            const double inside =
+                std::min({at.x - r.x, r.x + r.width - at.x, at.y - r.y, r.y + r.height - at.y});
+            farthest = std::max(farthest, inside > 0.0 ? inside : std::hypot(x, y));
+        }
+    }
+    return farthest;
+}
+
+TEST(Behind, AShadowIsNoLine) {
+    for (const double blur_px : {5.0, 8.0, 14.0}) {
+        for (const cv::Point2d& off : {cv::Point2d(8, 8), {0, 12}, {-6, 10}}) {
+            const cv::Rect2d shape(250, 180, 400, 260);
+            Canvas canvas(kSize, kWhite);
+            canvas.fill({box(shape + off)}, {140, 140, 140});
+            cv::Mat picture = canvas.picture();
+            cv::GaussianBlur(picture, picture, {}, blur_px);
+            Canvas above(kSize, kWhite);
+            above.fill({box(shape)}, kDark);
+            above.picture().copyTo(picture, above.picture() != cv::Mat(kSize, CV_8UC3, kWhite));
+            const cv::Rect inside(shape);
+            picture(inside) = kDark;
+            const auto lines = flat_lines(picture);
+            ASSERT_EQ(lines.size(), 1U) << blur_px << " " << off;
+            EXPECT_TRUE(lines.front().is_closed);
+            EXPECT_LT(farthest_px(lines, shape), 2.0);
+        }
+    }
+}
+
+TEST(Behind, AGradientHasNoLinesInside) {
+    for (const double turn_deg : {0.0, 30.0, 90.0}) {
+        const cv::Rect shape(200, 150, 500, 350);
+        cv::Mat picture(kSize, CV_8UC3, kWhite);
+        const double a = turn_deg * std::numbers::pi / 180.0;
+        for (int y = shape.y; y < shape.br().y; ++y) {
+            for (int x = shape.x; x < shape.br().x; ++x) {
+                const double t =
+                    ((x - shape.x) * std::cos(a) + (y - shape.y) * std::sin(a)) / 620.0;
+                picture.at<cv::Vec3b>(y, x) = {static_cast<uchar>(150 - 130 * t),
+                                               static_cast<uchar>(20 + 150 * t),
+                                               static_cast<uchar>(160 - 100 * t)};
+            }
+        }
+        const auto lines = flat_lines(picture);
+        ASSERT_EQ(lines.size(), 1U) << turn_deg;
+        EXPECT_TRUE(lines.front().is_closed);
+        EXPECT_LT(farthest_px(lines, shape), 2.0);
+    }
+}
+
+/// A shape that is as white as the paper at one end is still whole.
+TEST(Behind, AShapeThatFadesIntoThePaperStaysWhole) {
+    const cv::Rect shape(200, 150, 500, 350);
+    cv::Mat picture(kSize, CV_8UC3, kWhite);
+    for (int x = shape.x; x < shape.br().x; ++x) {
+        picture(cv::Rect(x, shape.y, 1, shape.height)) =
+            cv::Scalar::all(40.0 + 215.0 * (x - shape.x) / shape.width);
+    }
+    double left_side_px = 0.0;
+    for (const Chain& line : flat_lines(picture)) {
+        for (const EdgePoint& p : line.points) {
+            left_side_px += std::abs(p.at.x + 0.5 - shape.x) < 2.0 ? 1.0 : 0.0;
+        }
+    }
+    EXPECT_GT(left_side_px, 0.8 * shape.height);
+}
+
+void draw_grid(Canvas& canvas, double tilt_deg, bool both_ways, const cv::Scalar& ink) {
+    const double tilt = std::tan(tilt_deg * std::numbers::pi / 180.0);
+    for (double at = 60; at < 620; at += 70) {
+        canvas.stroke({{{{20, at}, {880, at + 860 * tilt}}, false}}, 2.0, ink);
+    }
+    for (double at = 60; at < 880 && both_ways; at += 70) {
+        canvas.stroke({{{{at, 20}, {at - 610 * tilt, 630}}, false}}, 2.0, ink);
+    }
+}
+
+TEST(Behind, APaleGridIsNoLine) {
+    for (const double tilt_deg : {0.0, 1.3, -2.0}) {
+        for (const bool both_ways : {false, true}) {
+            Canvas canvas(kSize, kWhite);
+            draw_grid(canvas, tilt_deg, both_ways, kPale);
+            const cv::Rect2d shape(250, 180, 300, 260);
+            canvas.fill({box(shape)}, kDark);
+            const auto lines = flat_lines(canvas.picture());
+            ASSERT_EQ(lines.size(), 1U) << tilt_deg << " " << both_ways;
+            EXPECT_LT(farthest_px(lines, shape), 4.0);
+        }
+    }
+}
+
+TEST(Behind, SquaredPaperIsNoLineOfTheDrawingOnIt) {
+    Canvas canvas(kSize, kWhite);
+    draw_grid(canvas, 0.5, true, {235, 215, 190});
+    canvas.stroke({testing::arc({450, 320}, {220, 180})}, 5.0, kDark);
+    const LabPicture lab = to_lab(canvas.picture());
+    const auto lines = stroke_lines(lab, noise_of(lab), kWidest_px);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(lines.front().is_closed);
+}
+
+TEST(Behind, AGridThatIsAllThereIsIsFelt) {
+    Canvas canvas(kSize, kWhite);
+    draw_grid(canvas, 0.0, true, kPale);
+    EXPECT_GE(flat_lines(canvas.picture()).size(), 12U);
+}
+
+/// A pale drawing beside a dark one is no grid: its lines are not evenly spaced.
+TEST(Behind, APaleDrawingIsFelt) {
+    Canvas canvas(kSize, kWhite);
+    canvas.fill({box({60, 60, 200, 200})}, kDark);
+    for (const double y : {330.0, 360.0, 440.0, 585.0}) {
+        canvas.stroke({{{{320, y}, {860, y}}, false}}, 3.0, kPale);
+    }
+    EXPECT_EQ(flat_lines(canvas.picture()).size(), 5U);
+}
+
+}  // namespace
+}  // namespace touchline
