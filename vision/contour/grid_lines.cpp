@@ -10,7 +10,6 @@
 namespace touchline {
 namespace {
 
-constexpr double kPale = 0.4;          // of the strongest contrast
 constexpr double kLeastPale = 0.0005;  // of the picture: less is no grid
 constexpr double kStraight = 0.03;     // of the picture's diagonal: what a line is known by
 constexpr double kMostTilt_deg = 3.0;
@@ -144,16 +143,14 @@ cv::Mat1b on_even_lines(const cv::Mat1b& pale, bool is_level, double greatest_wi
 
 }  // namespace
 
-cv::Mat1b grid_of(const Ink& strokes, double strongest, double greatest_width_px) {
-    const cv::Mat1b pale((strokes.contrast <= kPale * strongest) & strokes.mask);
+cv::Mat1b grid_of(const cv::Mat1b& pale, double greatest_width_px) {
     const int pixels = cv::countNonZero(pale);
     if (pixels < kLeastPale * static_cast<double>(pale.total())) {
         return {};
     }
     const cv::Mat1b grid(on_even_lines(pale, true, greatest_width_px) |
                          on_even_lines(pale, false, greatest_width_px));
-    const bool is_grid = cv::countNonZero(grid) >= kMostlyGrid * pixels;
-    return is_grid ? grid : cv::Mat1b();
+    return cv::countNonZero(grid) >= kMostlyGrid * pixels ? grid : cv::Mat1b();
 }
 
 }  // namespace touchline

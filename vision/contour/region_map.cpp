@@ -132,14 +132,16 @@ std::array<cv::Point, 4> beside(const cv::Point& p) {
 
 }  // namespace
 
-cv::Mat1b region_map(const LabPicture& lab, const std::vector<cv::Vec3f>& palette, int least_px) {
-    cv::Mat1b map = Mixtures(lab, palette, nearest_colours(lab, palette)).undone();
+cv::Mat1b region_map(const LabPicture& lab, const std::vector<cv::Vec3f>& palette) {
+    return Mixtures(lab, palette, nearest_colours(lab, palette)).undone();
+}
+
+void overgrow_specks(cv::Mat1b& map, int least_px) {
     cv::Mat1b gone(map.size(), uchar{0});
     for (const Run& run : small_regions(map, least_px)) {
         gone(cv::Rect(run.from, run.row, run.to - run.from, 1)) = 255;
     }
     overgrow(map, gone);
-    return map;
 }
 
 void overgrow(cv::Mat1b& map, const cv::Mat1b& mask) {

@@ -3,6 +3,7 @@
 #include "vision/contour/corners.h"
 #include "vision/contour/fading.h"
 #include "vision/contour/grid_lines.h"
+#include "vision/contour/ink_parts.h"
 #include "vision/contour/junctions.h"
 #include "vision/contour/linking.h"
 #include "vision/contour/palette.h"
@@ -13,7 +14,6 @@
 #include "vision/prepare/paper.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -55,77 +55,6 @@ struct FlatPicture {
     double smoothing_px = 0.0;
 };
 
-void find_regions(FlatPicture& flat) {
-    const auto least_px = static_cast<int>(kLeastPart * static_cast<double>(flat.lab.total()));
-    flat.map = region_map(flat.lab, flat.palette, least_px);
-    join_fading(flat.map, flat.palette, flat.lab);
-}
-
-FlatPicture flat_picture(const LabPicture& lab, double noise) {
-    FlatPicture flat{lab, {}, {}, smoothing_for_noise(noise)};
-    if (flat.smoothing_px > 0.0) {
-        cv::GaussianBlur(lab, flat.lab, cv::Size(), flat.smoothing_px);
-    }
-    const Paper paper(flat.lab);
-    if (paper.part() >= kLeastPaper) {
-        flat.lab = evenly_lit(flat.lab, paper);
-    }
-    flat.palette = palette_of(flat.lab, noise);
-    find_regions(flat);
-    return flat;
-}
-
-/// Strokes of any colour as ink on what lies beneath them.
-Ink ink_of_strokes(const FlatPicture& flat, const ThinParts& thin) {
-    Ink ink;
-    ink.mask = thin.strokes;
-    thin.strokes.convertTo(ink.darkness, CV_32F, 2.0 / 255.0);
-    cv::GaussianBlur(ink.darkness, ink.darkness, cv::Size(), kPictureBlur_px);
-    ink.contrast = cv::Mat1f(thin.map.size());
-    for (int y = 0; y < thin.map.rows; ++y) {
-        for (int x = 0; x < thin.map.cols; ++x) {
-            ink.contrast(y, x) = static_cast<float>(
-                cv::norm(flat.palette[flat.map(y, x)] - flat.palette[thin.map(y, x)]));
-        }
-    }
-    return ink;
-}
-
-/// The greatest difference between the ground and a colour that is more than a speck.
-double strongest_contrast(const FlatPicture& flat) {
-    std::vector<int> counts(flat.palette.size(), 0);
-    for (const uchar colour : flat.map) {
-        ++counts[colour];
-    }
-    const cv::Vec3f& ground =
-        flat.palette[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
-    double strongest = 0.0;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (counts[i] > 0) {
-            strongest = std::max(strongest, cv::norm(flat.palette[i] - ground));
-        }
-    }
-    return strongest;
-}
-
-/// The grid with its last pixels before an area, which look as if they lay on it.
-cv::Mat1b whole_grid(const cv::Mat1b& grid, const cv::Mat1b& map) {
-    cv::Mat1b near_grid;
-    cv::dilate(grid, near_grid, cv::Mat::ones(7, 7, CV_8U));
-    std::array<bool, 256> is_of_grid{};
-    for (int y = 0; y < map.rows; ++y) {
-        for (int x = 0; x < map.cols; ++x) {
-            is_of_grid[map(y, x)] = is_of_grid[map(y, x)] || grid(y, x) != 0;
-        }
-    }
-    for (int y = 0; y < map.rows; ++y) {
-        for (int x = 0; x < map.cols; ++x) {
-            near_grid(y, x) = near_grid(y, x) != 0 && is_of_grid[map(y, x)] ? 255 : 0;
-        }
-    }
-    return near_grid;
-}
-
 /// Each pixel of the mask in the colour of the nearest one outside.
 LabPicture painted_over(const LabPicture& lab, const cv::Mat1b& mask) {
     cv::Mat1f apart;
@@ -150,17 +79,67 @@ LabPicture painted_over(const LabPicture& lab, const cv::Mat1b& mask) {
     return painted;
 }
 
-/// The picture's strokes, once a grid behind them is gone.
-ThinParts strokes_of(FlatPicture& flat, double greatest_width_px) {
-    ThinParts thin = thin_parts_of(flat.map, greatest_width_px);
-    const cv::Mat1b grid =
-        grid_of(ink_of_strokes(flat, thin), strongest_contrast(flat), greatest_width_px);
-    if (grid.empty()) {
-        return thin;
+/// The colours that differ from the ground, the commonest, but much less than others.
+cv::Mat1b pale_pixels(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palette) {
+    std::vector<int> counts(palette.size(), 0);
+    for (const uchar colour : map) {
+        ++counts[colour];
     }
-    flat.lab = painted_over(flat.lab, whole_grid(grid, flat.map));
-    find_regions(flat);
-    return thin_parts_of(flat.map, greatest_width_px);
+    const cv::Vec3f& ground =
+        palette[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
+    double strongest = 0.0;
+    for (const cv::Vec3f& colour : palette) {
+        strongest = std::max(strongest, cv::norm(colour - ground));
+    }
+    cv::Mat1b pale(map.size());
+    std::ranges::transform(map, pale.begin(), [&](uchar colour) {
+        const double contrast = cv::norm(palette[colour] - ground);
+        return contrast > 0.0 && contrast <= kPalest * strongest ? uchar{255} : uchar{0};
+    });
+    return pale;
+}
+
+/// The picture's regions, once a grid behind them is gone.
+void find_regions(FlatPicture& flat, double greatest_width_px) {
+    flat.map = region_map(flat.lab, flat.palette);
+    const cv::Mat1b pale = pale_pixels(flat.map, flat.palette);
+    const cv::Mat1b grid = grid_of(parts_of(pale, greatest_width_px).strokes, greatest_width_px);
+    if (!grid.empty()) {
+        flat.lab = painted_over(flat.lab, grid);
+        flat.map = region_map(flat.lab, flat.palette);
+    }
+    overgrow_specks(flat.map, static_cast<int>(kLeastPart * static_cast<double>(flat.lab.total())));
+    join_fading(flat.map, flat.palette, flat.lab);
+}
+
+FlatPicture flat_picture(const LabPicture& lab, double noise, double greatest_width_px) {
+    FlatPicture flat{lab, {}, {}, smoothing_for_noise(noise)};
+    if (flat.smoothing_px > 0.0) {
+        cv::GaussianBlur(lab, flat.lab, cv::Size(), flat.smoothing_px);
+    }
+    const Paper paper(flat.lab);
+    if (paper.part() >= kLeastPaper) {
+        flat.lab = evenly_lit(flat.lab, paper);
+    }
+    flat.palette = palette_of(flat.lab, noise);
+    find_regions(flat, greatest_width_px);
+    return flat;
+}
+
+/// Strokes of any colour as ink on what lies beneath them.
+Ink ink_of_strokes(const FlatPicture& flat, const ThinParts& thin) {
+    Ink ink;
+    ink.mask = thin.strokes;
+    thin.strokes.convertTo(ink.darkness, CV_32F, 2.0 / 255.0);
+    cv::GaussianBlur(ink.darkness, ink.darkness, cv::Size(), kPictureBlur_px);
+    ink.contrast = cv::Mat1f(thin.map.size());
+    for (int y = 0; y < thin.map.rows; ++y) {
+        for (int x = 0; x < thin.map.cols; ++x) {
+            ink.contrast(y, x) = static_cast<float>(
+                cv::norm(flat.palette[flat.map(y, x)] - flat.palette[thin.map(y, x)]));
+        }
+    }
+    return ink;
 }
 
 /// What of the lines lies outside a mask, in pieces; a ring that does as a whole stays one.
@@ -239,8 +218,8 @@ std::vector<Chain> joined(std::vector<Chain> lines, std::size_t strokes, cv::Siz
 }  // namespace
 
 std::vector<Chain> region_lines(const LabPicture& lab, double noise, double greatest_width_px) {
-    FlatPicture flat = flat_picture(lab, noise);
-    const ThinParts thin = strokes_of(flat, greatest_width_px);
+    const FlatPicture flat = flat_picture(lab, noise, greatest_width_px);
+    const ThinParts thin = thin_parts_of(flat.map, greatest_width_px);
     std::vector<Chain> lines = stroke_lines(ink_of_strokes(flat, thin), greatest_width_px);
     const std::size_t strokes = lines.size();
     cv::Mat near_strokes;

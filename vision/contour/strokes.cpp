@@ -311,7 +311,8 @@ double strongest_contrast(const Ink& ink) {
 }
 
 Ink without_grid(Ink ink, double greatest_width_px) {
-    const cv::Mat1b grid = grid_of(ink, strongest_contrast(ink), greatest_width_px);
+    const cv::Mat1b pale((ink.contrast <= kPalest * strongest_contrast(ink)) & ink.mask);
+    const cv::Mat1b grid = grid_of(pale, greatest_width_px);
     if (!grid.empty()) {
         ink.mask.setTo(0, grid);
         ink.darkness.setTo(0.0, grid);

@@ -22,13 +22,15 @@ constexpr double kStill = 1.5;         // less is flat
 constexpr double kSlow = 1.0;          // more than a lamp's shade, less than a face's roundness
 constexpr double kSignificance = 5.0;  // x gradient noise
 constexpr float kGrainless = 1.1F;     // grey levels off the mean of the pixels around: rounding
+constexpr int kFlat_px = 5;            // across: a patch of one colour
+constexpr int kNearFlat_px = 11;       // across, round the middle of such a patch
 constexpr int kEven_px = 15;           // across: within these a computed shade has an even slope
 
 // Decisions; what lies to either side is in README.md.
 constexpr double kTextured = 0.013;  // of the open parts: a photo
 constexpr double kMuchOpen = 0.3;    // less: the picture is full of edges, and less texture tells
 constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
-constexpr double kShaded = 0.95;     // of the texture: no camera made it
+constexpr double kPainted = 0.95;    // of the texture: no camera made it
 constexpr double kRestless = 0.6;    // of all pixels change: grass, not a pattern
 constexpr double kPen_part = 0.025;  // of the diagonal: the widest stroke of a pen
 constexpr double kThin = 0.7;        // of the ink: drawn with a pen
@@ -43,20 +45,37 @@ double part_of(const cv::Mat& mask, double whole) {
     return whole > 0.0 ? cv::countNonZero(mask) / whole : 0.0;
 }
 
-/// How much of what changes does so evenly, without the grain and spots of what a camera sees.
-double shaded_part(const cv::Mat& picture, const cv::Mat& texture) {
+/// The greatest of each pixel's channels.
+cv::Mat greatest_channel(const cv::Mat& picture) {
+    cv::Mat greatest;
+    cv::reduce(picture.reshape(1, static_cast<int>(picture.total())), greatest, 1, cv::REDUCE_MAX);
+    return greatest.reshape(1, picture.rows);
+}
+
+/// Where the pixels are of one colour, as no camera sees anything, and beside it.
+cv::Mat near_flat(const cv::Mat& picture) {
+    cv::Mat low;
+    cv::Mat high;
+    const cv::Mat patch = cv::Mat::ones(kFlat_px, kFlat_px, CV_8U);
+    cv::erode(picture, low, patch);
+    cv::dilate(picture, high, patch);
+    cv::Mat flat = greatest_channel(high - low) == 0;
+    cv::dilate(flat, flat, cv::Mat::ones(kNearFlat_px, kNearFlat_px, CV_8U));
+    return flat;
+}
+
+/// How much of what changes does so as a program paints: evenly, or beside flat colour, without the
+/// grain and spots of what a camera sees.
+double painted_part(const cv::Mat& picture, const cv::Mat& texture) {
     cv::Mat values;
     cv::Mat means;
     picture.convertTo(values, CV_32F);
     cv::blur(values, means, {kEven_px, kEven_px});
-    const cv::Mat off = cv::abs(values - means);
-    const cv::Mat rough = off.reshape(1, static_cast<int>(off.total())) > kGrainless;
-    cv::Mat is_rough;
-    cv::reduce(rough, is_rough, 1, cv::REDUCE_MAX);
+    const cv::Mat even = greatest_channel(cv::abs(values - means)) <= kGrainless;
     cv::Mat asked;
     cv::resize(texture, asked, picture.size(), 0.0, 0.0, cv::INTER_NEAREST);
     const auto all = static_cast<double>(cv::countNonZero(asked));
-    return part_of(asked & (is_rough.reshape(1, picture.rows) == 0), all);
+    return part_of(asked & (even | near_flat(picture)), all);
 }
 
 /// What changes away from edges, how much is away from edges, and how much changes at all.
@@ -77,7 +96,7 @@ void measure_texture(const cv::Mat& picture, const LabPicture& copy, PictureFeat
     const auto all = static_cast<double>(half.total());
     features.open_part = part_of(open, all);
     features.texture = part_of(changing & open, cv::countNonZero(open));
-    features.shaded_part = shaded_part(picture, changing & open);
+    features.painted_part = painted_part(picture, changing & open);
     features.changing_part =
         part_of(edges > std::max(kStill, kSignificance * gradient_noise(noise, kEdge_px)), all);
 }
@@ -148,7 +167,7 @@ ClassDecision decided(const PictureFeatures& f) {
     }
     const double textured = kTextured * std::min(1.0, f.open_part / kMuchOpen);
     const bool is_textured = f.open_part >= kLeastOpen
-                                 ? f.texture > textured && f.shaded_part < kShaded
+                                 ? f.texture > textured && f.painted_part < kPainted
                                  : (f.changing_part > kRestless && f.clearness < 2.0 * kClear);
     if (is_paper && f.thin_part >= kThin && f.clearness >= kClear &&
         (!is_textured || f.clearness >= 2.0 * kClear)) {
