@@ -34,11 +34,11 @@ inline constexpr unsigned most_worker_threads = 64;
     constexpr std::size_t MiB = std::size_t{1} << 20U;
     switch (kind) {
         case WorkerKind::raster:
-            return {.input_bytes = 64 * MiB,
-                    .address_space_bytes = 512 * MiB,
-                    .cpu_s = 4,
+            return {.input_bytes = 200 * MiB,
+                    .address_space_bytes = 1024 * MiB,
+                    .cpu_s = 8,
                     .file_bytes = 200 * MiB,
-                    .deadline_s = 6.0};
+                    .deadline_s = 10.0};
         case WorkerKind::film:
             return {.input_bytes = 64 * MiB,
                     .address_space_bytes = 1024 * MiB,  // a stack a thread
