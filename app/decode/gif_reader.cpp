@@ -133,14 +133,21 @@ struct Plan {
     int height = 0;
 };
 
-/// Up to the first pause. Where there is none, all of them, unless they are repeated: then each is
-/// a picture for itself.
+/// Whether nothing of what was there before shows through.
+bool hides_all(const GifImageDesc& frame, const Control& control, const Plan& plan) {
+    return frame.Left == 0 && frame.Top == 0 && frame.Width >= plan.width &&
+           frame.Height >= plan.height && !control.transparent;
+}
+
+/// Up to the first pause, or to a frame that is a picture for itself. Where no pause comes, all of
+/// them, unless they are repeated: then each is one.
 Result<Plan> plan_of(GifFileType& file) {
     Frames frames(file);
     Plan plan{0, file.SWidth, file.SHeight};
     bool has_pause = false;
     while (!has_pause && frames.next()) {
         const GifImageDesc& frame = file.Image;
+        if (plan.frames > 0 && hides_all(frame, frames.control(), plan)) return plan;
         if (frame.Left < 0 || frame.Top < 0 || frame.Width < 1 || frame.Height < 1)
             return damaged("GIF", "its first frame has no pixels");
         // Some programs leave the screen empty, or smaller than what is on it.

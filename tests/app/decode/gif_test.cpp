@@ -225,7 +225,7 @@ TEST(GifReader, TilesWithoutAPauseAreOnePicture) {
 TEST(GifReader, TheFirstPauseEndsThePicture) {
     Frame first = plain_frame(0, 0, 4, 4, 10);
     Frame second = plain_frame(1, 1, 2, 2, 20);
-    Frame third = plain_frame(0, 0, 4, 4, 30);
+    Frame third = plain_frame(0, 0, 4, 3, 30);
     second.pause = 5;
     const Picture picture = decoded(gif({4, 4, true}, {first, second, third}));
     EXPECT_TRUE(is(picture, 0, 0, bgr_of(first, 10)));
@@ -235,9 +235,21 @@ TEST(GifReader, TheFirstPauseEndsThePicture) {
 
 /// Programs show such a film as fast as they can.
 TEST(GifReader, AFilmWithoutPausesShowsItsFirstFrame) {
-    const std::vector<Frame> frames{plain_frame(0, 0, 4, 4, 10), plain_frame(0, 0, 4, 4, 20)};
+    std::vector<Frame> frames{plain_frame(0, 0, 4, 4, 10), plain_frame(0, 0, 4, 4, 20)};
+    for (const bool is_repeated : {false, true})
+        EXPECT_TRUE(is(decoded(gif({4, 4, is_repeated}, frames)), 2, 2, bgr_of(frames[0], 10)));
+    frames[1] = plain_frame(1, 1, 2, 2, 20);  // only what changes
     EXPECT_TRUE(is(decoded(gif({4, 4, true}, frames)), 2, 2, bgr_of(frames[0], 10)));
-    EXPECT_TRUE(is(decoded(gif({4, 4, false}, frames)), 2, 2, bgr_of(frames[0], 20)));
+}
+
+/// Each adds what the ones before had no colours for.
+TEST(GifReader, LayersWithoutAPauseAreOnePicture) {
+    Frame second = plain_frame(0, 0, 4, 4, 0);
+    second.transparent = 0;
+    second.indices[5] = 20;
+    const Picture picture = decoded(gif({4, 4}, {plain_frame(0, 0, 4, 4, 10), second}));
+    EXPECT_TRUE(is(picture, 1, 1, bgr_of(second, 20)));
+    EXPECT_TRUE(is(picture, 2, 1, bgr_of(second, 10)));
 }
 
 TEST(GifReader, WhatIsTakenAwayAgainIsNotSeen) {
