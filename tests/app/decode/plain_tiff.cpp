@@ -118,6 +118,7 @@ std::vector<Entry> entries_of(const PlainTiff& form, const std::vector<std::uint
     }
     if (form.extra_sample >= 0)
         entries.push_back({338, 3, {static_cast<std::uint32_t>(form.extra_sample)}});
+    if (form.photometric == 6) entries.push_back({530, 3, {1, 1}});  // colour at every pixel
     if (!form.palette.empty())
         entries.push_back({320, 3, {form.palette.begin(), form.palette.end()}});
     if (form.x_resolution != 0) {

@@ -13,9 +13,10 @@ namespace touchline::encoders {
 struct PlainTiff {
     std::uint32_t width = 1;
     std::uint32_t height = 1;
-    unsigned bits = 8;         // a sample
-    unsigned samples = 1;      // a pixel
-    unsigned photometric = 1;  // 0 white is zero, 1 black is zero, 2 RGB, 3 palette, 5 inks, 8 Lab
+    unsigned bits = 8;     // a sample
+    unsigned samples = 1;  // a pixel
+    unsigned photometric =
+        1;  // 0 white is zero, 1 black is zero, 2 RGB, 3 palette, 5 inks, 6 YCbCr, 8 Lab
     unsigned sample_format = 1;    // 1 whole, 2 signed, 3 floating
     bool is_planar = false;        // each sample stored for itself
     std::uint32_t tile = 0;        // its sides; 0: strips

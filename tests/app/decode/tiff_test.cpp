@@ -3,6 +3,7 @@
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/plain_tiff.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -262,6 +263,34 @@ TEST(TiffForms, LabOfBothEncodingsAndDepths) {
             EXPECT_LT(part_at(picture, 3, 0, 0), 60);
             EXPECT_GT(part_at(picture, 4, 0, 0), 220);
             EXPECT_LT(part_at(picture, 4, 0, 1), 60);
+        }
+    }
+}
+
+/// By the formula of ITU-R BT.601 over all levels, as the specification has it.
+TEST(TiffForms, BrightnessAndColourApartInStripsAndTiles) {
+    for (const std::uint32_t tile : {0U, 16U}) {
+        for (const std::uint32_t strip : {0U, 5U}) {
+            PlainTiff form = form_of(8, 3, 6);
+            form.tile = tile;
+            form.strip_rows = strip;
+            const std::vector<std::uint64_t> stored = samples_of(form);
+            const Picture picture = decoded(plain_tiff(form, stored));
+            ASSERT_EQ(picture.width, static_cast<int>(tiff_columns));
+            for (std::uint32_t i = 0; i < tiff_columns * tiff_rows; ++i) {
+                const auto part = [&](std::size_t k) {
+                    return static_cast<double>(stored[3 * i + k]);
+                };
+                const double blue = part(1) - 128.0;
+                const double red = part(2) - 128.0;
+                const std::array<double, 3> told{part(0) + 1.772 * blue,
+                                                 part(0) - 0.344136 * blue - 0.714136 * red,
+                                                 part(0) + 1.402 * red};
+                for (std::size_t k = 0; k < 3; ++k)
+                    ASSERT_NEAR(part_at(picture, i % tiff_columns, i / tiff_columns, k),
+                                std::clamp(told[k], 0.0, 255.0), 2.0)
+                        << i;
+            }
         }
     }
 }
