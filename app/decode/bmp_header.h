@@ -11,10 +11,10 @@
 
 namespace touchline::decode {
 
-enum class BmpPacking : std::uint8_t { none, runs_of_8, runs_of_4, fields };
+enum class BmpPacking : std::uint8_t { none, runs_of_4, runs_of_8, runs_of_24, fields };
 
 struct BmpHeader {
-    int width = 0;   // within the limits of picture.h
+    int width = 0;   // within check_file_size()
     int height = 0;  // likewise
     bool is_top_down = false;
     int bits = 0;  // a pixel: 1, 4, 8, 16, 24, 32
@@ -22,12 +22,15 @@ struct BmpHeader {
     std::size_t pixels_at = 0;                         // of the file's bytes
     std::vector<std::array<std::uint8_t, 3>> palette;  // blue, green, red
     std::array<std::uint32_t, 4> fields{};             // blue, green, red, alpha
+    std::size_t end = 0;                               // of the header and its palette
+    Resolution resolution{};
 };
 
 /// The number of 2 or 4 bytes, lowest first; 0 beyond the end.
 [[nodiscard]] std::uint32_t little_endian(Bytes bytes, std::size_t at, std::size_t count);
 
-/// Fails with one line for a header that is none, or beyond the limits. O(palette).
-[[nodiscard]] Result<BmpHeader> read_bmp_header(Bytes bytes);
+/// Of the file header at `at` and what follows it. Fails with one line for a header that is none,
+/// or beyond the limits. O(palette).
+[[nodiscard]] Result<BmpHeader> read_bmp_header(Bytes bytes, std::size_t at);
 
 }  // namespace touchline::decode

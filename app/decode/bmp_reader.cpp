@@ -1,12 +1,25 @@
 // BMP, by hand: no library of Debian reads it from memory without dragging sound, windows or a
-// hundred formats along. Fuzzed (tests/fuzz/bmp_fuzz.cpp), and only ever run shut in.
+// hundred formats along. Fuzzed (tests/fuzz/plain_picture_fuzz.cpp), and only ever run shut in.
+// OS/2 has arrays of bitmaps, each for another screen, and icons and pointers: a bitmap of colours
+// behind one of masks, or masks alone.
 #include "app/decode/bmp_header.h"
+#include "app/decode/bmp_runs.h"
+#include "app/decode/shrinking.h"
 
 #include <algorithm>
 #include <bit>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace touchline::decode {
 namespace {
+
+constexpr std::size_t file_header_bytes = 14;
+
+tl::unexpected<Error> cut_short() {
+    return damaged("BMP", "the file ends before the picture");
+}
 
 /// A part of a packed pixel as 0 ... 255.
 std::uint8_t part_of(std::uint32_t pixel, std::uint32_t field) {
@@ -17,154 +30,187 @@ std::uint8_t part_of(std::uint32_t pixel, std::uint32_t field) {
     return static_cast<std::uint8_t>((value * 255 + most / 2) / most);
 }
 
-/// Where row `y` of the file belongs in the picture.
-std::size_t row_at(const BmpHeader& header, int y) {
-    const int row = header.is_top_down ? y : header.height - 1 - y;
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(header.width);
-}
-
-Picture picture_of(const BmpHeader& header, std::size_t channels) {
-    Picture picture{header.width, header.height, {}};
-    picture.bgr.resize(channels * static_cast<std::size_t>(header.width) *
-                       static_cast<std::size_t>(header.height));
-    return picture;
-}
-
-/// Indices, a byte each, into colours.
-Picture coloured(const BmpHeader& header, const std::vector<std::uint8_t>& indices) {
-    Picture picture = picture_of(header, 3);
-    for (std::size_t i = 0; i < indices.size(); ++i)
-        std::copy_n(header.palette[indices[i]].data(), 3, &picture.bgr[3 * i]);
-    return picture;
-}
-
-std::vector<std::uint8_t> unpacked_indices(Bytes pixels, std::size_t stride,
-                                           const BmpHeader& header) {
-    const auto width = static_cast<std::size_t>(header.width);
-    const auto bits = static_cast<std::size_t>(header.bits);
-    const std::uint32_t mask = (1U << bits) - 1U;
-    std::vector<std::uint8_t> indices(width * static_cast<std::size_t>(header.height));
-    for (int y = 0; y < header.height; ++y) {
-        const Bytes row = pixels.subspan(static_cast<std::size_t>(y) * stride, stride);
-        std::uint8_t* to = &indices[row_at(header, y)];
-        for (std::size_t x = 0; x < width; ++x) {
-            const auto byte = std::to_integer<std::uint32_t>(row[x * bits / 8]);
-            to[x] = static_cast<std::uint8_t>(byte >> (8 - bits - x * bits % 8) & mask);
-        }
-    }
-    return indices;
-}
-
-Picture unpacked_colours(Bytes pixels, std::size_t stride, const BmpHeader& header) {
-    const auto width = static_cast<std::size_t>(header.width);
-    const std::size_t pixel_bytes = static_cast<std::size_t>(header.bits) / 8;
-    Picture picture = picture_of(header, 4);
-    bool has_alpha = false;
-    for (int y = 0; y < header.height; ++y) {
-        const Bytes row = pixels.subspan(static_cast<std::size_t>(y) * stride, stride);
-        std::uint8_t* to = &picture.bgr[4 * row_at(header, y)];
-        for (std::size_t x = 0; x < width; ++x, to += 4) {
-            const std::uint32_t pixel = little_endian(row, x * pixel_bytes, pixel_bytes);
-            for (std::size_t part = 0; part < 4; ++part)
-                to[part] = part_of(pixel, header.fields[part]);
-            has_alpha = has_alpha || to[3] != 0;
-        }
-    }
-    if (!has_alpha)  // no field for it, or a program that left it empty
-        for (std::size_t i = 3; i < picture.bgr.size(); i += 4) picture.bgr[i] = 0xff;
-    compose(picture.bgr);
-    return picture;
-}
-
-/// Runs of equal pixels, and stretches of different ones.
-class RunReader {
+/// The pixels of one bitmap as they are stored, which give any of their rows.
+class Bitmap {
   public:
-    RunReader(Bytes packed, const BmpHeader& header)
-        : packed_(packed),
-          header_(header),
-          is_4_bit_(header.packing == BmpPacking::runs_of_4),
-          indices_(static_cast<std::size_t>(header.width) *
-                   static_cast<std::size_t>(header.height)) {}
+    Bitmap(const Bitmap&) = delete;  // a view of its own pixels
+    Bitmap(Bitmap&&) = default;
+    Bitmap& operator=(const Bitmap&) = delete;
+    Bitmap& operator=(Bitmap&&) = default;
+    ~Bitmap() = default;
 
-    /// False when the file ends before the picture does.
-    bool read() {
-        while (at_ + 2 <= packed_.size()) {
-            const unsigned count = take();
-            const unsigned value = take();
-            if (count > 0) {
-                for (unsigned i = 0; i < count; ++i) put(nibble(value, i));
-            } else if (value == 0) {
-                x_ = 0;
-                ++y_;
-            } else if (value == 1) {
-                return true;
-            } else if (value == 2) {
-                x_ += static_cast<int>(take());
-                y_ += static_cast<int>(take());
-            } else {
-                take_stretch(value);
-            }
-            if (y_ > header_.height) return true;
+    static Result<Bitmap> of(Bytes bytes, const BmpHeader& header) {
+        if (header.pixels_at > bytes.size()) return damaged("BMP", "it ends before its pixels");
+        Bitmap bitmap(header, bytes.subspan(header.pixels_at));
+        const bool has_runs =
+            header.packing != BmpPacking::none && header.packing != BmpPacking::fields;
+        if (has_runs) {
+            auto unpacked = unpacked_runs(bitmap.stored_, header);
+            if (!unpacked) return cut_short();
+            bitmap.unpacked_ = std::move(*unpacked);
+            bitmap.stored_ = std::as_bytes(std::span(bitmap.unpacked_));
+            bitmap.bits_ = header.packing == BmpPacking::runs_of_24 ? 24 : 8;
+            bitmap.stride_ = bitmap.width() * bitmap.bits_ / 8;
         }
-        return y_ >= header_.height;
+        if (bitmap.stored_.size() < bitmap.stride_ * bitmap.height()) return cut_short();
+        return bitmap;
     }
 
-    [[nodiscard]] const std::vector<std::uint8_t>& indices() const { return indices_; }
+    [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(header_.width); }
+
+    [[nodiscard]] std::size_t height() const { return static_cast<std::size_t>(header_.height); }
+
+    /// A stored number, which is an index where there are at most 8 bits. `y` from the top.
+    [[nodiscard]] std::uint32_t number(std::size_t x, std::size_t y) const {
+        const std::size_t row = header_.is_top_down ? y : height() - 1 - y;
+        const Bytes stored = stored_.subspan(row * stride_, stride_);
+        if (bits_ > 8) return little_endian(stored, x * bits_ / 8, bits_ / 8);
+        const auto byte = std::to_integer<std::uint32_t>(stored[x * bits_ / 8]);
+        return byte >> (8 - bits_ - x * bits_ % 8) & ((1U << bits_) - 1U);
+    }
+
+    /// Blue, green, red and alpha: 0 where there is none.
+    [[nodiscard]] std::array<std::uint8_t, 4> pixel(std::size_t x, std::size_t y) const {
+        const std::uint32_t stored = number(x, y);
+        if (bits_ <= 8) {
+            const auto& colour = header_.palette[stored];
+            return {colour[0], colour[1], colour[2], 0};
+        }
+        std::array<std::uint8_t, 4> parts{};
+        for (std::size_t part = 0; part < 4; ++part)
+            parts[part] = part_of(stored, header_.fields[part]);
+        return parts;
+    }
+
+    /// Some programs have a field for alpha and leave it empty.
+    [[nodiscard]] bool has_alpha() const {
+        if (bits_ <= 8 || header_.fields[3] == 0) return false;
+        for (std::size_t y = 0; y < height(); ++y)
+            for (std::size_t x = 0; x < width(); ++x)
+                if ((number(x, y) & header_.fields[3]) != 0) return true;
+        return false;
+    }
 
   private:
-    unsigned take() {
-        return at_ < packed_.size() ? std::to_integer<unsigned>(packed_[at_++]) : 0U;
-    }
+    Bitmap(const BmpHeader& header, Bytes stored)
+        : header_(header),
+          stored_(stored),
+          bits_(static_cast<std::size_t>(header.bits)),
+          stride_((width() * bits_ + 31) / 32 * 4) {}
 
-    [[nodiscard]] std::uint8_t nibble(unsigned value, unsigned i) const {
-        if (!is_4_bit_) return static_cast<std::uint8_t>(value);
-        return static_cast<std::uint8_t>(i % 2 == 0 ? value >> 4U : value & 15U);
-    }
-
-    void take_stretch(unsigned count) {
-        const std::size_t bytes = is_4_bit_ ? (count + 1) / 2 : count;
-        unsigned value = 0;
-        for (unsigned i = 0; i < count; ++i) {
-            if (!is_4_bit_ || i % 2 == 0) value = take();
-            put(nibble(value, i));
-        }
-        if (bytes % 2 == 1) (void)take();  // to an even number
-    }
-
-    void put(std::uint8_t index) {
-        if (x_ < header_.width && y_ < header_.height)
-            indices_[row_at(header_, y_) + static_cast<std::size_t>(x_)] = index;
-        if (x_ < header_.width) ++x_;
-    }
-
-    Bytes packed_;
-    const BmpHeader& header_;
-    bool is_4_bit_;
-    std::vector<std::uint8_t> indices_;
-    std::size_t at_ = 0;
-    int x_ = 0;
-    int y_ = 0;
+    BmpHeader header_;
+    Bytes stored_;
+    std::size_t bits_;
+    std::size_t stride_;
+    std::vector<std::uint8_t> unpacked_;
 };
+
+Picture picture_of(const Bitmap& bitmap) {
+    const std::size_t channels = bitmap.has_alpha() ? 4 : 3;
+    Shrinking shrinking(bitmap.width(), bitmap.height(), channels);
+    std::vector<std::uint8_t> row(channels * bitmap.width());
+    for (std::size_t y = 0; y < bitmap.height(); ++y) {
+        for (std::size_t x = 0; x < bitmap.width(); ++x)
+            std::copy_n(bitmap.pixel(x, y).begin(), channels, &row[channels * x]);
+        shrinking.add_row(y, row);
+    }
+    return std::move(shrinking).picture();
+}
+
+/// An icon or a pointer. The upper half of the masks says where nothing is drawn, the lower half
+/// where black, or the colour, is turned into its opposite.
+Picture picture_of(const Bitmap& masks, const Bitmap* colours) {
+    const std::size_t width = masks.width();
+    const std::size_t height = masks.height() / 2;
+    Shrinking shrinking(width, height, 4);
+    std::vector<std::uint8_t> row(4 * width);
+    for (std::size_t y = 0; y < height; ++y) {
+        for (std::size_t x = 0; x < width; ++x) {
+            std::array<std::uint8_t, 4> pixel{};
+            if (colours != nullptr) pixel = colours->pixel(x, y);
+            if (masks.number(x, height + y) != 0)
+                for (std::uint8_t& part : pixel) part = static_cast<std::uint8_t>(255 - part);
+            pixel[3] = masks.number(x, y) != 0 ? 0 : 255;
+            std::ranges::copy(pixel, row.begin() + static_cast<std::ptrdiff_t>(4 * x));
+        }
+        shrinking.add_row(y, row);
+    }
+    return std::move(shrinking).picture();
+}
+
+/// What one entry of a file holds.
+struct Entry {
+    BmpHeader header;                // of a bitmap, or of masks
+    bool is_masked = false;          // an icon or a pointer
+    std::optional<BmpHeader> other;  // of its colours
+};
+
+/// Whether a file header of this kind is there.
+bool begins(Bytes bytes, std::size_t at, std::string_view letters) {
+    if (at + 2 > bytes.size()) return false;
+    return letters == std::string_view(reinterpret_cast<const char*>(bytes.data()) + at, 2);
+}
+
+Result<Entry> entry_at(Bytes bytes, std::size_t at) {
+    auto first = read_bmp_header(bytes, at);
+    if (!first) return tl::unexpected(first.error());
+    if (begins(bytes, at, "BM")) return Entry{std::move(*first), false, std::nullopt};
+    const bool is_coloured = begins(bytes, at, "CI") || begins(bytes, at, "CP");
+    std::optional<BmpHeader> other;
+    if (is_coloured) {
+        auto second = read_bmp_header(bytes, first->end);
+        if (!second) return tl::unexpected(second.error());
+        other = std::move(*second);
+        const bool are_swapped = other->bits == 1 && other->height == 2 * first->height;
+        if (are_swapped) std::swap(*first, *other);
+    }
+    const bool is_whole =
+        first->bits == 1 && first->height % 2 == 0 &&
+        (!other || (other->width == first->width && 2 * other->height == first->height));
+    if (!is_whole) return damaged("BMP", "its masks do not fit");
+    return Entry{std::move(*first), true, std::move(other)};
+}
+
+/// Pixels, and how many colours they can have: the more, the better it serves.
+std::pair<std::uint64_t, int> size_of(const Entry& entry) {
+    const BmpHeader& shown = entry.other ? *entry.other : entry.header;
+    return {std::uint64_t{1} * static_cast<unsigned>(shown.width) *
+                static_cast<unsigned>(entry.is_masked && !entry.other ? shown.height / 2
+                                                                      : shown.height),
+            shown.bits};
+}
+
+/// The one of an array that is the largest; the first error where there is none.
+Result<Entry> largest_of(Bytes bytes) {
+    constexpr int most_entries = 100;
+    Result<Entry> best = damaged("BMP", "it has no pixels");
+    bool is_first = true;
+    std::size_t at = 0;
+    for (int i = 0; i < most_entries && begins(bytes, at, "BA"); ++i) {
+        auto entry = entry_at(bytes, at + file_header_bytes);
+        if (is_first || (entry && (!best || size_of(*entry) > size_of(*best))))
+            best = std::move(entry);
+        is_first = false;
+        const std::size_t next = little_endian(bytes, at + 6, 4);
+        if (next <= at) break;
+        at = next;
+    }
+    return best;
+}
 
 }  // namespace
 
-Result<Picture> read_bmp(Bytes bytes) {
-    const auto header = read_bmp_header(bytes);
-    if (!header) return tl::unexpected(header.error());
-    if (header->pixels_at > bytes.size()) return damaged("BMP", "it ends before its pixels");
-    const Bytes pixels = bytes.subspan(header->pixels_at);
-    if (header->packing == BmpPacking::runs_of_8 || header->packing == BmpPacking::runs_of_4) {
-        RunReader runs(pixels, *header);
-        if (!runs.read()) return damaged("BMP", "the file ends before the picture");
-        return coloured(*header, runs.indices());
-    }
-    const std::size_t stride =
-        (static_cast<std::size_t>(header->width) * static_cast<std::size_t>(header->bits) + 31) /
-        32 * 4;
-    if (pixels.size() < stride * static_cast<std::size_t>(header->height))
-        return damaged("BMP", "the file ends before the picture");
-    if (header->bits <= 8) return coloured(*header, unpacked_indices(pixels, stride, *header));
-    return unpacked_colours(pixels, stride, *header);
+Result<Stored> read_bmp(Bytes bytes) {
+    const auto entry = begins(bytes, 0, "BA") ? largest_of(bytes) : entry_at(bytes, 0);
+    if (!entry) return tl::unexpected(entry.error());
+    const auto first = Bitmap::of(bytes, entry->header);
+    if (!first) return tl::unexpected(first.error());
+    const Resolution& resolution = entry->header.resolution;
+    if (!entry->is_masked) return Stored{picture_of(*first), resolution};
+    if (!entry->other) return Stored{picture_of(*first, nullptr), resolution};
+    const auto colours = Bitmap::of(bytes, *entry->other);
+    if (!colours) return tl::unexpected(colours.error());
+    return Stored{picture_of(*first, &*colours), resolution};
 }
 
 }  // namespace touchline::decode

@@ -13,7 +13,7 @@ namespace touchline {
 
 /// A picture of pixels. The format is told by the first bytes, never by a name. Transparency lies
 /// over white, 16 bits become 8, grey, palettes and CMYK become BGR, colours of another profile
-/// become sRGB, an orientation is applied, a TIFF gives its first page, a GIF its first frame.
+/// become sRGB, an orientation is applied, a TIFF gives its first page, a GIF its first picture.
 /// Fails with one line for anything empty, unknown, cut short, damaged, too large, or with another
 /// page than 1. O(bytes + pixels).
 [[nodiscard]] Result<Page> decode_raster(std::span<const std::byte> bytes, const PageOrder& order);

@@ -8,7 +8,7 @@ namespace decode {
 namespace {
 
 Result<Page> read_film(Bytes bytes, const PageOrder& order) {
-    return page_by({read_heif, true}, bytes, order);
+    return page_by(read_heif, bytes, order);
 }
 
 }  // namespace

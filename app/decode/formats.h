@@ -16,16 +16,29 @@ namespace touchline::decode {
 using Bytes = std::span<const std::byte>;
 
 /// What libjpeg and libtiff may take beside the pixels, each.
-constexpr std::uint64_t max_library_bytes = std::uint64_t{256} << 20U;
+constexpr std::uint64_t max_library_bytes = std::uint64_t{512} << 20U;
 
-Result<Picture> read_png(Bytes bytes);
-Result<Picture> read_jpeg(Bytes bytes);
-Result<Picture> read_webp(Bytes bytes);
-Result<Picture> read_tiff(Bytes bytes);
-Result<Picture> read_gif(Bytes bytes);
-Result<Picture> read_bmp(Bytes bytes);
-Result<Picture> read_pnm(Bytes bytes);
-Result<Picture> read_heif(Bytes bytes);
+/// Pixels on the same length, across and down; 0: the file does not say.
+struct Resolution {
+    double across = 0.0;
+    double down = 0.0;
+};
+
+/// Pixels in the order in which the file has them, and what its format says of how they are meant.
+struct Stored {
+    Picture picture;
+    Resolution resolution{};
+    int orientation = 0;  // as EXIF numbers them, 1 ... 8; 0: what the file's EXIF says
+};
+
+Result<Stored> read_png(Bytes bytes);
+Result<Stored> read_jpeg(Bytes bytes);
+Result<Stored> read_webp(Bytes bytes);
+Result<Stored> read_tiff(Bytes bytes);
+Result<Stored> read_gif(Bytes bytes);
+Result<Stored> read_bmp(Bytes bytes);
+Result<Stored> read_pnm(Bytes bytes);
+Result<Stored> read_heif(Bytes bytes);
 Result<Page> read_svg(Bytes bytes, const PageOrder& order);
 Result<Page> read_pdf(Bytes bytes, const PageOrder& order);
 
@@ -33,9 +46,11 @@ Result<Page> read_pdf(Bytes bytes, const PageOrder& order);
 [[nodiscard]] Result<void> check_size(std::string_view format, std::uint64_t width,
                                       std::uint64_t height);
 
-/// "the FORMAT picture has W x H pixels, more than ...; save it smaller".
-[[nodiscard]] tl::unexpected<Error> too_large(std::string_view format, std::uint64_t width,
-                                              std::uint64_t height);
+/// A file of this size, whose picture may be made smaller (shrinking.h); fails likewise: "the
+/// FORMAT picture has W x H pixels, more than ...; save it smaller".
+[[nodiscard]] Result<void> check_file_size(std::string_view format, std::uint64_t width,
+                                           std::uint64_t height,
+                                           std::uint64_t most_pixels = max_file_pixels);
 
 /// "the FORMAT picture is cut short or damaged (DETAIL); ...", for what a library reports.
 [[nodiscard]] tl::unexpected<Error> damaged(std::string_view format, std::string_view detail);
@@ -67,9 +82,9 @@ void compose(std::vector<std::uint8_t>& bgra);
 /// One pixel whose colours were multiplied by its alpha, back to straight alpha.
 void unmultiply(std::uint8_t* bgra);
 
-/// The picture with square pixels, from how many lie on the same length each way; as it is where
-/// those are alike, not known (0, NaN) or beyond belief. O(pixels).
-[[nodiscard]] Picture with_square_pixels(Picture picture, double x_per_length, double y_per_length);
+/// The picture with square pixels; as it is where they are, where that is not known (0, NaN) or
+/// beyond belief. O(pixels).
+[[nodiscard]] Picture with_square_pixels(Picture picture, const Resolution& resolution);
 
 /// The picture upright, from the orientation that EXIF and TIFF share (1 ... 8; else as it is).
 [[nodiscard]] Picture upright(Picture picture, int orientation);

@@ -1,11 +1,15 @@
-// The first frame of a GIF.
+// The first picture of a GIF: what is shown before the first pause. Some are put together of
+// several frames without one, since each may have its own 256 colours.
 #include "app/decode/formats.h"
+#include "app/decode/shrinking.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include <gif_lib.h>
 
@@ -28,19 +32,139 @@ struct Close {
     void operator()(GifFileType* file) const { (void)DGifCloseFile(file, nullptr); }
 };
 
+using File = std::unique_ptr<GifFileType, Close>;
+
 tl::unexpected<Error> broken(int error) {
     const char* const words = GifErrorString(error);
     return damaged("GIF", words != nullptr ? words : "");
 }
 
-/// What is told before a frame: the index that is not drawn.
-std::optional<int> transparent_index(const GifByteType* block) {
-    GraphicsControlBlock control{};
+/// What is told before a frame.
+struct Control {
+    std::optional<int> transparent;  // the index that is not drawn
+    bool has_pause = false;          // after it
+    int disposal = DISPOSAL_UNSPECIFIED;
+};
+
+Control control_of(const GifByteType* block) {
+    GraphicsControlBlock told{};
     if (block == nullptr || block[0] < 4 ||
-        DGifExtensionToGCB(block[0], block + 1, &control) == GIF_ERROR ||
-        control.TransparentColor == NO_TRANSPARENT_COLOR)
-        return std::nullopt;
-    return control.TransparentColor;
+        DGifExtensionToGCB(block[0], block + 1, &told) == GIF_ERROR)
+        return {};
+    Control control;
+    if (told.TransparentColor != NO_TRANSPARENT_COLOR) control.transparent = told.TransparentColor;
+    control.has_pause = told.DelayTime > 0 || told.UserInputFlag;
+    control.disposal = told.DisposalMode;
+    return control;
+}
+
+bool repeats(int code, const GifByteType* block) {
+    constexpr std::array<std::string_view, 2> programs{"NETSCAPE2.0", "ANIMEXTS1.0"};
+    if (code != APPLICATION_EXT_FUNC_CODE || block == nullptr || block[0] < 11) return false;
+    const std::string_view name(reinterpret_cast<const char*>(block + 1), 11);
+    return std::ranges::find(programs, name) != programs.end();
+}
+
+/// Goes from frame to frame.
+class Frames {
+  public:
+    explicit Frames(GifFileType& file) : file_(file) {}
+
+    /// Up to the next frame's pixels; false at the end of the file, whether it says so or stops, or
+    /// where an error() came.
+    bool next() {
+        control_ = {};
+        for (;;) {
+            GifRecordType record = UNDEFINED_RECORD_TYPE;
+            if (DGifGetRecordType(&file_, &record) == GIF_ERROR) return false;
+            if (record == TERMINATE_RECORD_TYPE) return false;
+            if (record == IMAGE_DESC_RECORD_TYPE) {
+                if (DGifGetImageDesc(&file_) != GIF_ERROR) return true;
+                error_ = file_.Error;
+                return false;
+            }
+            if (!read_extension()) return false;
+        }
+    }
+
+    /// Over the pixels of this frame, without unpacking them.
+    bool skip() {
+        int code_size = 0;
+        GifByteType* block = nullptr;
+        if (DGifGetCode(&file_, &code_size, &block) == GIF_ERROR) return fail();
+        while (block != nullptr)
+            if (DGifGetCodeNext(&file_, &block) == GIF_ERROR) return fail();
+        return true;
+    }
+
+    bool fail() {
+        error_ = file_.Error;
+        return false;
+    }
+
+    [[nodiscard]] const Control& control() const { return control_; }
+
+    [[nodiscard]] bool is_repeated() const { return is_repeated_; }
+
+    [[nodiscard]] std::optional<int> error() const { return error_; }
+
+  private:
+    bool read_extension() {
+        int code = 0;
+        GifByteType* block = nullptr;
+        if (DGifGetExtension(&file_, &code, &block) == GIF_ERROR) return fail();
+        if (code == GRAPHICS_EXT_FUNC_CODE) control_ = control_of(block);
+        is_repeated_ = is_repeated_ || repeats(code, block);
+        while (block != nullptr)
+            if (DGifGetExtensionNext(&file_, &block) == GIF_ERROR) return fail();
+        return true;
+    }
+
+    GifFileType& file_;
+    Control control_;
+    bool is_repeated_ = false;
+    std::optional<int> error_;
+};
+
+/// How many frames make the first picture, and what it measures.
+struct Plan {
+    int frames = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// Whether nothing of what was there before shows through.
+bool hides_all(const GifImageDesc& frame, const Control& control, const Plan& plan) {
+    return frame.Left == 0 && frame.Top == 0 && frame.Width >= plan.width &&
+           frame.Height >= plan.height && !control.transparent;
+}
+
+/// Up to the first pause, or to a frame that is a picture for itself. Where no pause comes, all of
+/// them, unless they are repeated: then each is one.
+Result<Plan> plan_of(GifFileType& file) {
+    Frames frames(file);
+    Plan plan{0, file.SWidth, file.SHeight};
+    bool has_pause = false;
+    while (!has_pause && frames.next()) {
+        const GifImageDesc& frame = file.Image;
+        if (plan.frames > 0 && hides_all(frame, frames.control(), plan)) return plan;
+        if (frame.Left < 0 || frame.Top < 0 || frame.Width < 1 || frame.Height < 1)
+            return damaged("GIF", "its first frame has no pixels");
+        // Some programs leave the screen empty, or smaller than what is on it.
+        if (plan.frames == 0 || file.SWidth == 0 || file.SHeight == 0) {
+            plan.width = std::max(plan.width, frame.Left + frame.Width);
+            plan.height = std::max(plan.height, frame.Top + frame.Height);
+        }
+        ++plan.frames;
+        has_pause = frames.control().has_pause;
+        if (!has_pause && !frames.skip()) break;
+    }
+    if (plan.frames == 0) {
+        if (frames.error()) return broken(*frames.error());
+        return damaged("GIF", "it has no frame");
+    }
+    if (!has_pause && frames.is_repeated()) plan.frames = 1;
+    return plan;
 }
 
 /// Rows in the order that the file has them.
@@ -64,71 +188,105 @@ std::vector<int> row_order(int height, bool is_interlaced) {
     return rows;
 }
 
-/// Draws the part of a row that lies in the picture.
-void draw_row(const std::vector<GifPixelType>& row, int y, const GifImageDesc& frame,
-              const ColorMapObject& colours, std::optional<int> transparent, Picture& picture) {
-    const int top = frame.Top + y;
-    if (top >= picture.height) return;
-    for (int x = 0; x < frame.Width && frame.Left + x < picture.width; ++x) {
-        const int index = row[static_cast<std::size_t>(x)];
-        if (index == transparent || index >= colours.ColorCount) continue;
-        const GifColorType& colour = colours.Colors[index];
-        const std::size_t at =
-            4 * (static_cast<std::size_t>(top) * static_cast<std::size_t>(picture.width) +
-                 static_cast<std::size_t>(frame.Left + x));
-        picture.bgr[at] = colour.Blue;
-        picture.bgr[at + 1] = colour.Green;
-        picture.bgr[at + 2] = colour.Red;
-        picture.bgr[at + 3] = 255;
-    }
-}
+/// Blue, green, red, alpha; nothing is painted at first.
+class Canvas {
+  public:
+    explicit Canvas(const Plan& plan)
+        : width_(plan.width),
+          height_(plan.height),
+          bgra_(std::size_t{4} * static_cast<std::size_t>(width_) *
+                static_cast<std::size_t>(height_)) {}
 
-Result<Picture> read_frame(GifFileType& file, std::optional<int> transparent) {
-    if (DGifGetImageDesc(&file) == GIF_ERROR) return broken(file.Error);
-    const GifImageDesc& frame = file.Image;
-    if (frame.Left < 0 || frame.Top < 0 || frame.Width < 1 || frame.Height < 1)
-        return damaged("GIF", "its first frame has no pixels");
-    const int width = file.SWidth > 0 ? file.SWidth : frame.Left + frame.Width;
-    const int height = file.SHeight > 0 ? file.SHeight : frame.Top + frame.Height;
-    for (const auto& [w, h] : {std::pair{width, height}, std::pair{frame.Width, frame.Height}}) {
-        const auto fits =
-            check_size("GIF", static_cast<std::uint64_t>(w), static_cast<std::uint64_t>(h));
-        if (!fits) return tl::unexpected(fits.error());
+    /// The part of a row that lies in the picture.
+    void draw_row(const std::vector<GifPixelType>& row, int y, const GifImageDesc& frame,
+                  const ColorMapObject& colours, std::optional<int> transparent) {
+        const int top = frame.Top + y;
+        if (top >= height_) return;
+        for (int x = 0; x < frame.Width && frame.Left + x < width_; ++x) {
+            const int index = row[static_cast<std::size_t>(x)];
+            if (index == transparent || index >= colours.ColorCount) continue;
+            const GifColorType& colour = colours.Colors[index];
+            const std::array<std::uint8_t, 4> pixel{colour.Blue, colour.Green, colour.Red, 255};
+            std::ranges::copy(pixel, at(frame.Left + x, top));
+        }
     }
+
+    void clear(const GifImageDesc& frame) {
+        const int right = std::min(frame.Left + frame.Width, width_);
+        for (int y = frame.Top; y < std::min(frame.Top + frame.Height, height_); ++y)
+            if (frame.Left < right) std::fill(at(frame.Left, y), at(right, y), std::uint8_t{0});
+    }
+
+    [[nodiscard]] Picture picture() const {
+        Shrinking shrinking(static_cast<std::size_t>(width_), static_cast<std::size_t>(height_), 4);
+        const std::size_t row_bytes = std::size_t{4} * static_cast<std::size_t>(width_);
+        for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y)
+            shrinking.add_row(y, std::span(bgra_).subspan(y * row_bytes, row_bytes));
+        return std::move(shrinking).picture();
+    }
+
+  private:
+    std::vector<std::uint8_t>::iterator at(int x, int y) {
+        return bgra_.begin() + 4 * (std::ptrdiff_t{y} * width_ + x);
+    }
+
+    int width_;
+    int height_;
+    std::vector<std::uint8_t> bgra_;
+};
+
+/// A frame that is taken away again is seen only where no other follows it.
+Result<void> draw_frame(GifFileType& file, const Control& control, bool is_last, Canvas& canvas) {
+    const GifImageDesc& frame = file.Image;
     const ColorMapObject* colours = frame.ColorMap != nullptr ? frame.ColorMap : file.SColorMap;
     if (colours == nullptr) return damaged("GIF", "it has no colours");
-    Picture picture{width, height, {}};
-    picture.bgr.assign(
-        std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+    const bool is_drawn = is_last || control.disposal != DISPOSE_PREVIOUS;
     std::vector<GifPixelType> row(static_cast<std::size_t>(frame.Width));
     for (const int y : row_order(frame.Height, frame.Interlace)) {
         if (DGifGetLine(&file, row.data(), frame.Width) == GIF_ERROR) return broken(file.Error);
-        draw_row(row, y, frame, *colours, transparent, picture);
+        if (is_drawn) canvas.draw_row(row, y, frame, *colours, control.transparent);
     }
-    compose(picture.bgr);
-    return picture;
+    if (!is_last && control.disposal == DISPOSE_BACKGROUND) canvas.clear(frame);
+    return {};
+}
+
+Result<File> open(Source& source) {
+    int error = 0;
+    File file(DGifOpen(&source, read_some, &error));
+    if (file == nullptr) return broken(error);
+    return file;
+}
+
+/// The shape of its pixels, by the specification of 1989; 0: not told.
+Resolution resolution_of(const GifFileType& file) {
+    if (file.AspectByte == 0) return {};
+    return {64.0, 15.0 + file.AspectByte};
 }
 
 }  // namespace
 
-Result<Picture> read_gif(Bytes bytes) {
+Result<Stored> read_gif(Bytes bytes) {
+    Source looked_at{bytes};
+    const auto first = open(looked_at);
+    if (!first) return tl::unexpected(first.error());
+    const auto plan = plan_of(**first);
+    if (!plan) return tl::unexpected(plan.error());
+    if (auto fits = check_file_size("GIF", static_cast<std::uint64_t>(plan->width),
+                                    static_cast<std::uint64_t>(plan->height));
+        !fits)
+        return tl::unexpected(fits.error());
     Source source{bytes};
-    int error = 0;
-    const std::unique_ptr<GifFileType, Close> file(DGifOpen(&source, read_some, &error));
-    if (file == nullptr) return broken(error);
-    std::optional<int> transparent;
-    for (;;) {
-        GifRecordType record = UNDEFINED_RECORD_TYPE;
-        if (DGifGetRecordType(file.get(), &record) == GIF_ERROR) return broken(file->Error);
-        if (record == IMAGE_DESC_RECORD_TYPE) return read_frame(*file, transparent);
-        if (record == TERMINATE_RECORD_TYPE) return damaged("GIF", "it has no frame");
-        int code = 0;
-        GifByteType* block = nullptr;
-        if (DGifGetExtension(file.get(), &code, &block) == GIF_ERROR) return broken(file->Error);
-        if (code == GRAPHICS_EXT_FUNC_CODE) transparent = transparent_index(block);
-        while (block != nullptr)
-            if (DGifGetExtensionNext(file.get(), &block) == GIF_ERROR) return broken(file->Error);
+    const auto file = open(source);
+    if (!file) return tl::unexpected(file.error());
+    Frames frames(**file);
+    Canvas canvas(*plan);
+    for (int i = 0; i < plan->frames; ++i) {
+        if (!frames.next()) return damaged("GIF", "the file ends before the picture");
+        const bool is_last = i + 1 == plan->frames;
+        const auto drawn = draw_frame(**file, frames.control(), is_last, canvas);
+        if (!drawn) return tl::unexpected(drawn.error());
     }
+    return Stored{canvas.picture(), resolution_of(**file)};
 }
 
 }  // namespace touchline::decode

@@ -1,7 +1,13 @@
-// HEIC (telephones) and AVIF, through libheif, which turns them upright itself.
+// HEIC (telephones) and AVIF, through libheif, which turns them upright itself, and decodes the
+// whole picture at once: a large one is made smaller afterwards.
 #include "app/decode/formats.h"
+#include "app/decode/shrinking.h"
 
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <new>
+#include <utility>
 
 #include <libheif/heif.h>
 
@@ -21,77 +27,121 @@ struct Release {
 template <class T>
 using Owned = std::unique_ptr<T, Release>;
 
-tl::unexpected<Error> broken(const heif_error& error) {
-    return damaged("HEIC", error.message != nullptr ? error.message : "");
+/// The first box names it.
+std::string_view name_of(Bytes bytes) {
+    const auto head = bytes.first(std::min<std::size_t>(bytes.size(), 12));
+    const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
+    return text.ends_with("avif") ? "AVIF" : "HEIC";
 }
 
-Result<void> check_handle(const heif_image_handle* handle) {
-    const int width = heif_image_handle_get_width(handle);
-    const int height = heif_image_handle_get_height(handle);
-    if (width < 1 || height < 1) return damaged("HEIC", "it has no pixels");
-    return check_size("HEIC", static_cast<std::uint64_t>(width),
-                      static_cast<std::uint64_t>(height));
+tl::unexpected<Error> broken(const heif_error& error, std::string_view name) {
+    if (error.code == heif_error_Memory_allocation_error &&
+        error.subcode != heif_suberror_Security_limit_exceeded)
+        throw std::bad_alloc();
+    return damaged(name, error.message != nullptr ? error.message : "");
 }
 
-/// Rows of red, green, blue and perhaps alpha.
-Result<Picture> picture_of(const heif_image* image, std::size_t channels) {
-    const int width = heif_image_get_width(image, heif_channel_interleaved);
-    const int height = heif_image_get_height(image, heif_channel_interleaved);
-    int stride = 0;
-    const std::uint8_t* row =
-        heif_image_get_plane_readonly(image, heif_channel_interleaved, &stride);
-    if (row == nullptr || width < 1 || height < 1) return damaged("HEIC", "");
-    if (auto fits = check_size("HEIC", static_cast<std::uint64_t>(width),
-                               static_cast<std::uint64_t>(height));
-        !fits)
-        return tl::unexpected(fits.error());
-    Picture picture{width, height, {}};
-    picture.bgr.resize(channels * static_cast<std::size_t>(width) *
-                       static_cast<std::size_t>(height));
-    std::uint8_t* to = picture.bgr.data();
-    for (int y = 0; y < height; ++y, row += stride) {
-        const std::uint8_t* from = row;
-        for (int x = 0; x < width; ++x, from += channels, to += channels) {
-            to[0] = from[2];
-            to[1] = from[1];
-            to[2] = from[0];
-            if (channels == 4) to[3] = from[3];
-        }
+Result<void> check_sides(int width, int height, std::string_view name) {
+    if (width < 1 || height < 1) return damaged(name, "it has no pixels");
+    return check_file_size(name, static_cast<std::uint64_t>(width),
+                           static_cast<std::uint64_t>(height));
+}
+
+/// A row of one channel in memory of libheif's, and the way to the next.
+struct Plane {
+    const std::uint8_t* row = nullptr;
+    std::ptrdiff_t stride = 0;
+};
+
+/// Blue, green, red and perhaps alpha; a null row where one is missing or is not of 8 bits.
+std::array<Plane, 4> planes_of(const heif_image* image) {
+    constexpr std::array order{heif_channel_B, heif_channel_G, heif_channel_R, heif_channel_Alpha};
+    std::array<Plane, 4> planes;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const bool is_like_the_first =
+            heif_image_get_width(image, order[i]) == heif_image_get_width(image, order[0]) &&
+            heif_image_get_height(image, order[i]) == heif_image_get_height(image, order[0]);
+        if (!is_like_the_first || heif_image_get_bits_per_pixel_range(image, order[i]) != 8)
+            continue;
+        int stride = 0;
+        planes[i].row = heif_image_get_plane_readonly(image, order[i], &stride);
+        planes[i].stride = stride;
     }
-    if (channels == 4) compose(picture.bgr);
-    return picture;
+    return planes;
+}
+
+Result<Picture> picture_of(const heif_image* image, std::string_view name) {
+    const int width = heif_image_get_width(image, heif_channel_B);
+    const int height = heif_image_get_height(image, heif_channel_B);
+    if (auto fits = check_sides(width, height, name); !fits) return tl::unexpected(fits.error());
+    std::array<Plane, 4> planes = planes_of(image);
+    for (std::size_t i = 0; i < 3; ++i)
+        if (planes[i].row == nullptr) return damaged(name, "it has no colours");
+    const std::size_t channels = planes[3].row != nullptr ? 4 : 3;
+    const auto columns = static_cast<std::size_t>(width);
+    Shrinking shrinking(columns, static_cast<std::size_t>(height), channels);
+    std::vector<std::uint8_t> row(channels * columns);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
+        for (std::size_t channel = 0; channel < channels; ++channel) {
+            for (std::size_t x = 0; x < columns; ++x)
+                row[channels * x + channel] = planes[channel].row[x];
+            planes[channel].row += planes[channel].stride;
+        }
+        shrinking.add_row(y, row);
+    }
+    return std::move(shrinking).picture();
+}
+
+/// The shape of its pixels, which libheif tells as it was before the picture was turned.
+Resolution resolution_of(const heif_image* image, const heif_image_handle* handle) {
+    std::uint32_t across = 0;
+    std::uint32_t down = 0;
+    heif_image_get_pixel_aspect_ratio(image, &across, &down);
+    const bool was_wide =
+        heif_image_handle_get_ispe_width(handle) > heif_image_handle_get_ispe_height(handle);
+    const bool is_wide =
+        heif_image_get_width(image, heif_channel_B) > heif_image_get_height(image, heif_channel_B);
+    if (was_wide != is_wide) std::swap(across, down);
+    // The wider a pixel is, the fewer lie on a length.
+    return {static_cast<double>(down), static_cast<double>(across)};
 }
 
 Result<Owned<heif_image_handle>> primary_image(heif_context* context, Bytes bytes) {
     heif_context_set_max_decoding_threads(context, 0);
-    heif_context_set_maximum_image_size_limit(context, static_cast<int>(max_picture_side_px));
+    heif_context_set_maximum_image_size_limit(context, static_cast<int>(max_file_side_px));
     heif_error error =
         heif_context_read_from_memory_without_copy(context, bytes.data(), bytes.size(), nullptr);
-    if (error.code != heif_error_Ok) return broken(error);
+    if (error.code != heif_error_Ok) return broken(error, name_of(bytes));
     heif_image_handle* handle = nullptr;
     error = heif_context_get_primary_image_handle(context, &handle);
-    if (error.code != heif_error_Ok) return broken(error);
+    if (error.code != heif_error_Ok) return broken(error, name_of(bytes));
     return Owned<heif_image_handle>(handle);
 }
 
 }  // namespace
 
-Result<Picture> read_heif(Bytes bytes) {
+Result<Stored> read_heif(Bytes bytes) {
+    const std::string_view name = name_of(bytes);
     const Owned<heif_context> context(heif_context_alloc());
     if (context == nullptr) throw std::bad_alloc();
     const auto handle = primary_image(context.get(), bytes);
     if (!handle) return tl::unexpected(handle.error());
-    if (auto fits = check_handle(handle->get()); !fits) return tl::unexpected(fits.error());
-    const bool has_alpha = heif_image_handle_has_alpha_channel(handle->get()) != 0;
+    if (auto fits = check_sides(heif_image_handle_get_width(handle->get()),
+                                heif_image_handle_get_height(handle->get()), name);
+        !fits)
+        return tl::unexpected(fits.error());
     const Owned<heif_decoding_options> options(heif_decoding_options_alloc());
     options->convert_hdr_to_8bit = 1;
     heif_image* decoded = nullptr;
-    const heif_error error = heif_decode_image(
-        handle->get(), &decoded, heif_colorspace_RGB,
-        has_alpha ? heif_chroma_interleaved_RGBA : heif_chroma_interleaved_RGB, options.get());
-    if (error.code != heif_error_Ok) return broken(error);
+    // Plane by plane: what is decoded is held so anyway, and one copy of it less.
+    const heif_error error = heif_decode_image(handle->get(), &decoded, heif_colorspace_RGB,
+                                               heif_chroma_444, options.get());
+    if (error.code != heif_error_Ok) return broken(error, name);
     const Owned<heif_image> image(decoded);
-    return picture_of(image.get(), has_alpha ? 4 : 3);
+    auto picture = picture_of(image.get(), name);
+    if (!picture) return tl::unexpected(picture.error());
+    constexpr int is_upright = 1;
+    return Stored{std::move(*picture), resolution_of(image.get(), handle->get()), is_upright};
 }
 
 }  // namespace touchline::decode

@@ -1,4 +1,5 @@
 #include "app/decode/formats.h"
+#include "app/decode/shrinking.h"
 
 #include <algorithm>
 #include <array>
@@ -95,15 +96,23 @@ class Decoder : public jpeg_decompress_struct {
     jpeg_progress_mgr progress_{};
 };
 
-/// The divisor of both sides: 1, 2, 4 or 8.
-unsigned reduction(std::uint64_t width, std::uint64_t height) {
-    std::uint64_t by = 1;
-    const auto is_too_large = [&] {
-        return width * height / (by * by) > max_full_jpeg_pixels ||
-               std::max(width, height) / by >= max_picture_side_px;
-    };
-    while (by < 8 && is_too_large()) by *= 2;
-    return static_cast<unsigned>(by);
+/// What gave up, in words for who brought the picture.
+tl::unexpected<Error> given_up(const Decoder& decoder) {
+    const int code = decoder.errors.base.msg_code;
+    const bool is_memory = code == JERR_OUT_OF_MEMORY || code == JERR_NO_BACKING_STORE;
+    if (is_memory && decoder.progressive_mode == TRUE)
+        return failure(
+            "the JPEG picture is a progressive one, which needs too much memory at its "
+            "size; save it smaller, or not progressive");
+    if (is_memory) return failure("the JPEG picture needs too much memory; save it smaller");
+    return damaged("JPEG", decoder.errors.message.data());
+}
+
+/// JFIF's, where it says more than that it does not know. Its unit is of no interest.
+Resolution resolution_of(const jpeg_decompress_struct& decoder) {
+    const bool is_told = decoder.density_unit != 0 || decoder.X_density != decoder.Y_density;
+    if (decoder.saw_JFIF_marker == FALSE || !is_told) return {};
+    return {static_cast<double>(decoder.X_density), static_cast<double>(decoder.Y_density)};
 }
 
 /// Printing inks to light. Adobe's programs store every ink inverted, and all others follow them;
@@ -139,37 +148,30 @@ bool read_rows(Decoder& decoder, bool has_inks, Picture& picture) {
 
 }  // namespace
 
-Result<Picture> read_jpeg(Bytes bytes) {
+Result<Stored> read_jpeg(Bytes bytes) {
     Decoder decoder;
-    if (!run(decoder.errors, [&] { decoder.open(bytes); })) {
-        return damaged("JPEG", decoder.errors.message.data());
-    }
-    if (std::uint64_t{decoder.image_width} * decoder.image_height > max_jpeg_pixels)
-        return too_large("JPEG", decoder.image_width, decoder.image_height);
-    const unsigned by = reduction(decoder.image_width, decoder.image_height);
+    if (!run(decoder.errors, [&] { decoder.open(bytes); })) return given_up(decoder);
+    const std::uint64_t width = decoder.image_width;
+    const std::uint64_t height = decoder.image_height;
+    if (auto fits = check_file_size("JPEG", width, height, max_jpeg_pixels); !fits)
+        return tl::unexpected(fits.error());
+    const unsigned by = reduction_for(width, height);
     const bool has_inks =
         decoder.jpeg_color_space == JCS_CMYK || decoder.jpeg_color_space == JCS_YCCK;
-    const double x_density = decoder.X_density;
-    const double y_density = decoder.Y_density;
     decoder.scale_num = 1;
     decoder.scale_denom = by;
     decoder.out_color_space = has_inks ? JCS_CMYK : JCS_EXT_BGR;
-    if (!run(decoder.errors, [&] { jpeg_start_decompress(&decoder); })) {
-        return damaged("JPEG", decoder.errors.message.data());
-    }
+    if (!run(decoder.errors, [&] { jpeg_start_decompress(&decoder); })) return given_up(decoder);
     const bool is_whole = !decoder.errors.has_no_end_mark || has_all_scans(decoder);
-    if (auto fits = check_size("JPEG", decoder.output_width, decoder.output_height); !fits)
-        return tl::unexpected(fits.error());
     Picture picture{static_cast<int>(decoder.output_width),
                     static_cast<int>(decoder.output_height),
                     {},
                     1.0 / by};
     picture.bgr.resize(std::size_t{3} * decoder.output_width * decoder.output_height);
-    if (!read_rows(decoder, has_inks, picture))
-        return damaged("JPEG", decoder.errors.message.data());
+    if (!read_rows(decoder, has_inks, picture)) return given_up(decoder);
     if (decoder.errors.is_cut_short || !is_whole)
         return damaged("JPEG", "the file ends before the picture");
-    return with_square_pixels(std::move(picture), x_density, y_density);
+    return Stored{std::move(picture), resolution_of(decoder)};
 }
 
 }  // namespace touchline::decode

@@ -67,6 +67,19 @@ void read_orientation(const Exiv2::Image& image, Metadata& metadata) {
     if (orientation >= 1 && orientation <= 8) metadata.orientation = static_cast<int>(orientation);
 }
 
+/// Of a rational number; 0 where it is none.
+double exif_number(const Exiv2::ExifData& exif, const char* name) {
+    const auto found = exif.findKey(Exiv2::ExifKey(name));
+    if (found == exif.end() || found->count() == 0) return 0.0;
+    const auto [above, below] = found->toRational();
+    return below == 0 ? 0.0 : static_cast<double>(above) / below;
+}
+
+void read_resolution(const Exiv2::Image& image, Metadata& metadata) {
+    metadata.resolution = {exif_number(image.exifData(), "Exif.Image.XResolution"),
+                           exif_number(image.exifData(), "Exif.Image.YResolution")};
+}
+
 void read_profile(Exiv2::Image& image, Metadata& metadata) {
     if (!image.iccProfileDefined()) return;
     const auto profile = profile_of(image);
@@ -84,6 +97,7 @@ Metadata metadata_of(Bytes bytes) {
                                       static_cast<Exiv2Count>(bytes.size()));
         image->readMetadata();
         read_orientation(*image, metadata);
+        read_resolution(*image, metadata);
         read_profile(*image, metadata);
         read_texts(*image, metadata);
     } catch (const std::bad_alloc&) {

@@ -14,6 +14,7 @@ struct Metadata {
     std::string title;
     std::string description;  // what was written for those who cannot see it comes first
     int orientation = 1;      // 1 ... 8, as EXIF numbers them
+    Resolution resolution{};  // of EXIF
     std::vector<std::uint8_t> colour_profile;  // ICC; empty: none
 };
 

@@ -16,7 +16,7 @@ struct Picture {
     int width = 0;   // >= 1 in every decoded picture
     int height = 0;  // >= 1
     std::vector<std::uint8_t> bgr;
-    double scale = 1.0;  // pixels here per pixel of the file; < 1: a large JPEG, decoded smaller
+    double scale = 1.0;  // pixels here per pixel of the file; < 1: a large one, made smaller
 };
 
 /// A header that claims more is refused before anything is allocated for it.
@@ -29,12 +29,15 @@ constexpr std::uint64_t max_picture_side_px = 10'000;
            height <= max_picture_side_px && width * height <= max_picture_pixels;
 }
 
-/// What is decoded smaller may have more in its file.
+/// A file's pixels may be more: they are made fewer while they are read. A JPEG's have a larger
+/// limit, since its codec leaves out the most of the work that way.
+constexpr std::uint64_t max_file_pixels = 120'000'000;
 constexpr std::uint64_t max_jpeg_pixels = 200'000'000;
+constexpr std::uint64_t max_file_side_px = 8 * max_picture_side_px;
 
-/// A JPEG with more pixels is decoded at 1/2, 1/4 or 1/8 of its size: outlines for touch need one
-/// megapixel, and the reduced transform costs less time and memory.
-constexpr std::uint64_t max_full_jpeg_pixels = 24'000'000;
+/// A picture of a file with more pixels is kept at 1/2, 1/4 or 1/8 of its sides: outlines for touch
+/// need one megapixel.
+constexpr std::uint64_t max_full_pixels = 24'000'000;
 
 /// An SVG read as a picture is drawn with its longer side this many pixels long.
 constexpr int svg_longer_side_px = 1600;

@@ -6,13 +6,10 @@
 
 namespace touchline::decode {
 
-struct PixelReader {
-    Result<Picture> (*read)(Bytes bytes) = nullptr;
-    bool is_turning = false;  // it gives the picture upright
-};
+using PixelReader = Result<Stored> (*)(Bytes bytes);
 
-/// What is read, upright, in sRGB, and what the file tells of it. Fails as the reader does, or with
-/// another page than 1.
-[[nodiscard]] Result<Page> page_by(const PixelReader& reader, Bytes bytes, const PageOrder& order);
+/// What is read, upright, of square pixels, in sRGB, and what the file tells of it. Fails as the
+/// reader does, or with another page than 1.
+[[nodiscard]] Result<Page> page_by(PixelReader read, Bytes bytes, const PageOrder& order);
 
 }  // namespace touchline::decode

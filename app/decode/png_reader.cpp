@@ -1,22 +1,129 @@
+// PNG, row by row: the lower of libpng's two interfaces, since the simpler one holds the whole
+// picture.
 #include "app/decode/formats.h"
+#include "app/decode/shrinking.h"
+
+#include <algorithm>
+#include <array>
+#include <csetjmp>
+#include <cstring>
+#include <utility>
 
 #include <png.h>
 
 namespace touchline::decode {
 namespace {
 
-/// Frees what libpng's simplified interface holds; it never longjmps into us.
-class Image : public png_image {
-  public:
-    Image() : png_image{} { version = PNG_IMAGE_VERSION; }
-
-    Image(const Image&) = delete;
-    Image(Image&&) = delete;
-    Image& operator=(const Image&) = delete;
-    Image& operator=(Image&&) = delete;
-
-    ~Image() { png_image_free(this); }
+/// libpng reports an error by a call that must not return: we jump out of the library from it.
+struct Source {
+    Bytes left;
+    std::jmp_buf way_out;
+    std::array<char, 200> message;
 };
+
+[[noreturn]] void leave(png_structp reader, png_const_charp message) {
+    auto& source = *static_cast<Source*>(png_get_error_ptr(reader));
+    std::strncpy(source.message.data(), message, source.message.size() - 1);
+    std::longjmp(source.way_out, 1);  // NOLINT(cert-err52-cpp): libpng's interface
+}
+
+void drop_warning(png_structp /*reader*/, png_const_charp /*message*/) {}
+
+void read_some(png_structp reader, png_bytep to, std::size_t wanted) {
+    auto& source = *static_cast<Source*>(png_get_io_ptr(reader));
+    if (wanted > source.left.size()) png_error(reader, "the file ends before the picture");
+    std::memcpy(to, source.left.data(), wanted);
+    source.left = source.left.subspan(wanted);
+}
+
+/// Runs one step of the reader; false when libpng gave up in it. The jump ends here, so neither
+/// this function nor a step may hold an object with a destructor.
+template <class Step>
+bool run(Source& source, const Step& step) {
+    if (setjmp(source.way_out) != 0) return false;  // NOLINT(cert-err52-cpp): libpng's interface
+    step();
+    return true;
+}
+
+class Reader {
+  public:
+    explicit Reader(Bytes bytes)
+        : source{bytes, {}, {}},
+          png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, leave, drop_warning)),
+          info(png != nullptr ? png_create_info_struct(png) : nullptr) {
+        if (info == nullptr) {
+            png_destroy_read_struct(&png, nullptr, nullptr);
+            throw std::bad_alloc();
+        }
+    }
+
+    Reader(const Reader&) = delete;
+    Reader(Reader&&) = delete;
+    Reader& operator=(const Reader&) = delete;
+    Reader& operator=(Reader&&) = delete;
+
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+
+    /// Up to the pixels, which will come as blue, green, red and perhaps alpha, of 8 bits.
+    void open() {
+        png_set_read_fn(png, &source, read_some);
+        png_set_benign_errors(png, 1);
+        png_read_info(png, info);
+        png_set_expand(png);
+        png_set_scale_16(png);
+        png_set_gray_to_rgb(png);
+        png_set_bgr(png);
+        // Where the file states no gamma, 16 bits are no reason to take it for linear light.
+        png_set_alpha_mode(png, PNG_ALPHA_PNG, PNG_DEFAULT_sRGB);
+        png_read_update_info(png, info);
+    }
+
+    Source source;
+    png_structp png;
+    png_infop info;
+};
+
+/// Adam7: seven passes, each of every so many pixels across and down.
+struct Pass {
+    Columns columns;
+    std::size_t first_row;
+    std::size_t row_step;
+};
+
+constexpr std::array<Pass, 7> interlaced{{{{0, 8}, 0, 8},
+                                          {{4, 8}, 0, 8},
+                                          {{0, 4}, 4, 8},
+                                          {{2, 4}, 0, 4},
+                                          {{0, 2}, 2, 4},
+                                          {{1, 2}, 0, 2},
+                                          {{0, 1}, 1, 2}}};
+constexpr std::array<Pass, 1> plain{{{{0, 1}, 0, 1}}};
+
+/// All rows, in the order of the file. A pass without pixels has none.
+void read_rows(const Reader& reader, std::span<const Pass> passes, std::span<std::uint8_t> row,
+               Shrinking& shrinking) {
+    const std::size_t width = png_get_image_width(reader.png, reader.info);
+    const std::size_t height = png_get_image_height(reader.png, reader.info);
+    const std::size_t channels = png_get_channels(reader.png, reader.info);
+    for (const Pass& pass : passes) {
+        const Columns& columns = pass.columns;
+        if (columns.first >= width) continue;
+        const std::size_t count = (width - columns.first + columns.step - 1) / columns.step;
+        for (std::size_t y = pass.first_row; y < height; y += pass.row_step) {
+            png_read_row(reader.png, row.data(), nullptr);
+            shrinking.add_row(y, row.first(channels * count), columns);
+        }
+    }
+}
+
+/// What pHYs says; whether a metre is meant or nothing is of no interest.
+Resolution resolution_of(const Reader& reader) {
+    png_uint_32 across = 0;
+    png_uint_32 down = 0;
+    int unit = 0;
+    png_get_pHYs(reader.png, reader.info, &across, &down, &unit);
+    return {static_cast<double>(across), static_cast<double>(down)};
+}
 
 std::uint64_t big_endian_32(Bytes bytes, std::size_t offset) {
     std::uint64_t value = 0;
@@ -28,32 +135,26 @@ std::uint64_t big_endian_32(Bytes bytes, std::size_t offset) {
 
 }  // namespace
 
-Result<Picture> read_png(Bytes bytes) {
+Result<Stored> read_png(Bytes bytes) {
     constexpr std::size_t header_end = 24;  // signature 8, IHDR's length and name 8, two sides 8
     if (bytes.size() < header_end) return damaged("PNG", "the header is missing");
     // Looked at here because libpng calls a large header merely invalid.
-    if (auto fits = check_size("PNG", big_endian_32(bytes, 16), big_endian_32(bytes, 20)); !fits) {
+    const std::uint64_t width = big_endian_32(bytes, 16);
+    const std::uint64_t height = big_endian_32(bytes, 20);
+    if (auto fits = check_file_size("PNG", width, height); !fits)
         return tl::unexpected(fits.error());
-    }
 
-    Image image;
-    if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) {
-        return damaged("PNG", image.message);
-    }
-    const bool has_alpha = (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
-    const std::size_t channels = has_alpha ? 4 : 3;
-    if (auto fits = check_size("PNG", image.width, image.height); !fits) {
-        return tl::unexpected(fits.error());
-    }
-    image.format = has_alpha ? PNG_FORMAT_BGRA : PNG_FORMAT_BGR;
-    image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16 bits are no reason to take it for linear light
-    Picture picture{static_cast<int>(image.width), static_cast<int>(image.height), {}};
-    picture.bgr.resize(channels * image.width * image.height);
-    if (png_image_finish_read(&image, nullptr, picture.bgr.data(), 0, nullptr) == 0) {
-        return damaged("PNG", image.message);
-    }
-    if (has_alpha) compose(picture.bgr);
-    return picture;
+    Reader reader(bytes);
+    const auto given_up = [&reader] { return damaged("PNG", reader.source.message.data()); };
+    if (!run(reader.source, [&reader] { reader.open(); })) return given_up();
+    Shrinking shrinking(png_get_image_width(reader.png, reader.info),
+                        png_get_image_height(reader.png, reader.info),
+                        png_get_channels(reader.png, reader.info));
+    std::vector<std::uint8_t> row(png_get_rowbytes(reader.png, reader.info));
+    const bool is_plain = png_get_interlace_type(reader.png, reader.info) == PNG_INTERLACE_NONE;
+    const std::span<const Pass> passes = is_plain ? std::span<const Pass>(plain) : interlaced;
+    if (!run(reader.source, [&] { read_rows(reader, passes, row, shrinking); })) return given_up();
+    return Stored{std::move(shrinking).picture(), resolution_of(reader)};
 }
 
 }  // namespace touchline::decode

@@ -1,9 +1,11 @@
 // The six plain formats of Netpbm, by hand: its own library ends the program at the first error.
-// Fuzzed (tests/fuzz/pnm_fuzz.cpp).
+// Fuzzed (tests/fuzz/plain_picture_fuzz.cpp).
 #include "app/decode/formats.h"
+#include "app/decode/shrinking.h"
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace touchline::decode {
 namespace {
@@ -122,19 +124,23 @@ Result<Samples> read_numbers(Bytes raster, const Form& form, std::size_t count) 
     return samples;
 }
 
-Picture picture_of(const Samples& samples, std::size_t channels, int width, int height) {
-    Picture picture{width, height, {}};
-    const std::size_t pixels = samples.size() / channels;
-    picture.bgr.resize(3 * pixels);
-    for (std::size_t i = 0; i < pixels; ++i)
-        for (std::size_t part = 0; part < 3; ++part)
-            picture.bgr[3 * i + part] = samples[channels * i + (channels == 3 ? 2 - part : 0)];
-    return picture;
+Picture picture_of(const Samples& samples, std::size_t channels, std::size_t width,
+                   std::size_t height) {
+    Shrinking shrinking(width, height, 3);
+    std::vector<std::uint8_t> row(3 * width);
+    for (std::size_t y = 0; y < height; ++y) {
+        const std::uint8_t* from = samples.data() + channels * width * y;
+        for (std::size_t x = 0; x < width; ++x, from += channels)
+            for (std::size_t part = 0; part < 3; ++part)
+                row[3 * x + part] = from[channels == 3 ? 2 - part : 0];
+        shrinking.add_row(y, row);
+    }
+    return std::move(shrinking).picture();
 }
 
 }  // namespace
 
-Result<Picture> read_pnm(Bytes bytes) {
+Result<Stored> read_pnm(Bytes bytes) {
     if (bytes.size() < 3) return cut_short();
     Form form = form_of(static_cast<char>(bytes[1]));
     Scanner scanner(bytes);
@@ -143,14 +149,15 @@ Result<Picture> read_pnm(Bytes bytes) {
     const auto most = form.is_bits ? std::optional(std::uint32_t{1}) : scanner.number();
     if (!width || !height || !most || *most < 1 || *most > 65'535)
         return damaged("PNM", "its header is unknown");
-    if (auto fits = check_size("PNM", *width, *height); !fits) return tl::unexpected(fits.error());
+    if (auto fits = check_file_size("PNM", *width, *height); !fits)
+        return tl::unexpected(fits.error());
     form.most = *most;
     const std::size_t count = form.channels * *width * *height;
     const auto samples = form.is_text   ? read_text(scanner, form, count)
                          : form.is_bits ? read_bits(scanner.rest(), *width, *height)
                                         : read_numbers(scanner.rest(), form, count);
     if (!samples) return tl::unexpected(samples.error());
-    return picture_of(*samples, form.channels, static_cast<int>(*width), static_cast<int>(*height));
+    return Stored{picture_of(*samples, form.channels, *width, *height)};
 }
 
 }  // namespace touchline::decode

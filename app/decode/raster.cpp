@@ -5,28 +5,28 @@ namespace touchline {
 namespace decode {
 namespace {
 
-Result<Picture> refuse(Bytes bytes) {
+Result<Stored> refuse(Bytes bytes) {
     return not_a_picture(format_of(bytes));
 }
 
 PixelReader reader_of(FileFormat format) {
     switch (format) {
         case FileFormat::png:
-            return {read_png};
+            return read_png;
         case FileFormat::jpeg:
-            return {read_jpeg};
+            return read_jpeg;
         case FileFormat::webp:
-            return {read_webp};
+            return read_webp;
         case FileFormat::tiff:
-            return {read_tiff, true};
+            return read_tiff;
         case FileFormat::gif:
-            return {read_gif};
+            return read_gif;
         case FileFormat::bmp:
-            return {read_bmp};
+            return read_bmp;
         case FileFormat::pnm:
-            return {read_pnm};
+            return read_pnm;
         default:
-            return {refuse};
+            return refuse;
     }
 }
 

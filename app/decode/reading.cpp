@@ -11,18 +11,30 @@
 
 namespace touchline::decode {
 
-Result<void> check_size(std::string_view format, std::uint64_t width, std::uint64_t height) {
-    if (width == 0 || height == 0) return damaged(format, "it has no pixels");
-    if (fits_a_picture(width, height)) return {};
-    return too_large(format, width, height);
-}
+namespace {
 
-tl::unexpected<Error> too_large(std::string_view format, std::uint64_t width,
-                                std::uint64_t height) {
+tl::unexpected<Error> too_large(std::string_view format, std::uint64_t width, std::uint64_t height,
+                                std::uint64_t most_megapixels, std::uint64_t most_side_px) {
     return failure(
         fmt::format("the {} picture has {} x {} pixels, more than {} megapixels or {} on a side; "
                     "save it smaller",
-                    format, width, height, max_picture_pixels >> 20U, max_picture_side_px));
+                    format, width, height, most_megapixels, most_side_px));
+}
+
+}  // namespace
+
+Result<void> check_size(std::string_view format, std::uint64_t width, std::uint64_t height) {
+    if (width == 0 || height == 0) return damaged(format, "it has no pixels");
+    if (fits_a_picture(width, height)) return {};
+    return too_large(format, width, height, max_picture_pixels >> 20U, max_picture_side_px);
+}
+
+Result<void> check_file_size(std::string_view format, std::uint64_t width, std::uint64_t height,
+                             std::uint64_t most_pixels) {
+    if (width == 0 || height == 0) return damaged(format, "it has no pixels");
+    if (width <= max_file_side_px && height <= max_file_side_px && width * height <= most_pixels)
+        return {};
+    return too_large(format, width, height, most_pixels / 1'000'000, max_file_side_px);
 }
 
 tl::unexpected<Error> damaged(std::string_view format, std::string_view detail) {

@@ -55,8 +55,8 @@ Picture stretched(const Picture& from, int width, int height) {
 
 }  // namespace
 
-Picture with_square_pixels(Picture picture, double x_per_length, double y_per_length) {
-    const double ratio = x_per_length / y_per_length;
+Picture with_square_pixels(Picture picture, const Resolution& resolution) {
+    const double ratio = resolution.across / resolution.down;
     if (!(ratio > 1.0 / most_difference && ratio < most_difference) ||
         std::abs(ratio - 1.0) < least_difference)
         return picture;

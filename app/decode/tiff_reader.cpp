@@ -1,159 +1,133 @@
-#include "app/decode/formats.h"
+// TIFF: rows or tiles through libtiff, what they mean by ourselves, since libtiff's own pictures
+// know 1 to 8 and 16 bits of whole numbers only. A few kinds that it alone knows are left to it.
+#include "app/decode/shrinking.h"
+#include "app/decode/tiff_colours.h"
+#include "app/decode/tiff_file.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdarg>
-#include <cstdio>
 #include <cstring>
-#include <memory>
-
-#include <tiffio.h>
+#include <utility>
 
 namespace touchline::decode {
 namespace {
 
-/// What libtiff reads from, and the first error it told.
-struct Source {
-    Bytes bytes;
-    std::size_t offset = 0;
-    std::string error;
-};
-
-Source& source_of(thandle_t handle) {
-    return *static_cast<Source*>(handle);
-}
-
-tmsize_t read_some(thandle_t handle, void* to, tmsize_t wanted) {
-    Source& source = source_of(handle);
-    if (wanted <= 0 || source.offset >= source.bytes.size()) return 0;
-    const std::size_t count =
-        std::min(static_cast<std::size_t>(wanted), source.bytes.size() - source.offset);
-    std::memcpy(to, source.bytes.data() + source.offset, count);
-    source.offset += count;
-    return static_cast<tmsize_t>(count);
-}
-
-tmsize_t refuse_write(thandle_t /*handle*/, void* /*from*/, tmsize_t /*size*/) {
-    return 0;
-}
-
-toff_t seek(thandle_t handle, toff_t offset, int from) {
-    Source& source = source_of(handle);
-    if (from == SEEK_CUR) offset += source.offset;
-    if (from == SEEK_END) offset += source.bytes.size();
-    source.offset = static_cast<std::size_t>(offset);
-    return offset;
-}
-
-int close_nothing(thandle_t /*handle*/) {
-    return 0;
-}
-
-toff_t size_of(thandle_t handle) {
-    return source_of(handle).bytes.size();
-}
-
-[[gnu::format(printf, 4, 0)]] int keep_first_error(TIFF* /*tiff*/, void* user,
-                                                   const char* /*module*/, const char* format,
-                                                   std::va_list arguments) {
-    std::string& error = static_cast<Source*>(user)->error;
-    if (error.empty()) {
-        std::array<char, 256> text{};
-        const int length = std::vsnprintf(text.data(), text.size(), format, arguments);
-        error = length > 0 ? text.data() : "libtiff gives no reason";
+/// Colours at fewer places than brightness, logarithms of light, and codecs without rows.
+bool is_libtiffs_own(const TiffFile& file) {
+    const auto compression = file.number(TIFFTAG_COMPRESSION);
+    switch (file.number(TIFFTAG_PHOTOMETRIC)) {
+        case PHOTOMETRIC_YCBCR:
+            return compression != COMPRESSION_JPEG || file.is_planar();
+        case PHOTOMETRIC_LOGL:
+        case PHOTOMETRIC_LOGLUV:
+            return true;
+        default:
+            return compression == COMPRESSION_JBIG || compression == COMPRESSION_OJPEG;
     }
-    return 1;  // handled: nothing goes to the process-wide handler and stderr
-}
-
-int drop_warning(TIFF* /*tiff*/, void* /*user*/, const char* /*module*/, const char* /*format*/,
-                 std::va_list /*arguments*/) {
-    return 1;
-}
-
-struct Close {
-    void operator()(TIFF* tiff) const { TIFFClose(tiff); }
-
-    void operator()(TIFFOpenOptions* options) const { TIFFOpenOptionsFree(options); }
-};
-
-std::unique_ptr<TIFF, Close> open(Source& source) {
-    const std::unique_ptr<TIFFOpenOptions, Close> options(TIFFOpenOptionsAlloc());
-    if (options == nullptr) return nullptr;
-    TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(max_library_bytes));
-    TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_first_error, &source);
-    TIFFOpenOptionsSetWarningHandlerExtR(options.get(), drop_warning, nullptr);
-    return std::unique_ptr<TIFF, Close>(
-        TIFFClientOpenExt("picture", "r", &source, read_some, refuse_write, seek, close_nothing,
-                          size_of, nullptr, nullptr, options.get()));
 }
 
 /// libtiff packs a pixel into one number, red lowest, colours multiplied by alpha.
-void raster_to_bgr(std::vector<std::uint8_t>& raster) {
-    for (std::size_t i = 0; i < raster.size(); i += 4) {
-        std::uint32_t pixel = 0;
-        std::memcpy(&pixel, &raster[i], 4);
-        const std::array bgra{TIFFGetB(pixel), TIFFGetG(pixel), TIFFGetR(pixel), TIFFGetA(pixel)};
+void unpack_pixels(std::span<const std::uint32_t> packed, std::span<std::uint8_t> bgra) {
+    std::uint8_t* to = bgra.data();
+    for (const std::uint32_t pixel : packed) {
+        const std::array parts{TIFFGetB(pixel), TIFFGetG(pixel), TIFFGetR(pixel), TIFFGetA(pixel)};
         std::ranges::transform(
-            bgra, raster.begin() + static_cast<std::ptrdiff_t>(i),
-            [](std::uint32_t value) { return static_cast<std::uint8_t>(value); });
-        unmultiply(&raster[i]);
+            parts, to, [](std::uint32_t value) { return static_cast<std::uint8_t>(value); });
+        unmultiply(to);
+        to += 4;
     }
-    compose(raster);
 }
 
-/// The first directory that is a picture, and no small copy of one nor a mask; the first, if there
-/// is none.
-void choose_directory(TIFF* tiff) {
-    constexpr int most_directories = 100;
-    for (int i = 0; i < most_directories; ++i) {
-        std::uint32_t type = 0;
-        TIFFGetFieldDefaulted(tiff, TIFFTAG_SUBFILETYPE, &type);
-        if ((type & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) == 0) return;
-        if (TIFFReadDirectory(tiff) == 0) break;
+/// A strip or a tile at a time, each with its last row first.
+Result<Picture> read_by_libtiff(const TiffFile& file, std::uint32_t width, std::uint32_t height) {
+    TIFF* const tiff = file.get();
+    std::array<char, 1024> reason{};
+    if (TIFFRGBAImageOK(tiff, reason.data()) == 0) return damaged("TIFF", reason.data());
+    TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);  // stored order
+    const bool is_tiled = TIFFIsTiled(tiff) != 0;
+    const std::uint32_t across = is_tiled ? file.number(TIFFTAG_TILEWIDTH) : width;
+    const std::uint32_t down =
+        is_tiled ? file.number(TIFFTAG_TILELENGTH)
+                 : std::min(std::max(file.number(TIFFTAG_ROWSPERSTRIP), 1U), height);
+    if (across == 0 || down == 0 || std::uint64_t{4} * across * down > max_library_bytes)
+        return failure("the TIFF picture is stored in one piece that is too large; save it as PNG");
+    std::vector<std::uint32_t> packed(std::size_t{across} * down);
+    std::vector<std::uint8_t> bgra(std::size_t{4} * across);
+    Shrinking shrinking(width, height, 4);
+    const int stop_on_error = 1;
+    for (std::uint32_t top = 0; top < height; top += down) {
+        for (std::uint32_t left = 0; left < width; left += across) {
+            const int is_read =
+                is_tiled ? TIFFReadRGBATileExt(tiff, left, top, packed.data(), stop_on_error)
+                         : TIFFReadRGBAStripExt(tiff, top, packed.data(), stop_on_error);
+            if (is_read == 0) return file.broken();
+            const std::uint32_t rows = std::min(down, height - top);
+            const std::uint32_t last = is_tiled ? down - 1 : rows - 1;
+            for (std::uint32_t y = 0; y < rows; ++y) {
+                unpack_pixels(std::span(packed).subspan(std::size_t{last - y} * across, across),
+                              bgra);
+                shrinking.add_row(top + y, bgra, {left, 1});
+            }
+        }
     }
-    TIFFSetDirectory(tiff, 0);
+    return std::move(shrinking).picture();
 }
 
-/// Pixels on the same length, across and down; 0 where the file does not say.
-std::array<float, 2> resolution_of(TIFF* tiff) {
-    std::array<float, 2> resolution{};
-    TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &resolution[0]);
-    TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &resolution[1]);
-    return resolution;
+/// Of the numbers in the file where they may be measurements: those are looked at first.
+Result<Range> range_of(const TiffFile& file, const TiffForm& form) {
+    const bool is_fixed = form.samples.kind == NumberKind::whole && form.samples.bits <= 8;
+    const bool is_light = form.colours == TiffColours::grey || form.colours == TiffColours::rgb ||
+                          form.colours == TiffColours::white_is_zero;
+    if (is_fixed || !is_light) return own_range(form.samples);
+    const auto looked_at = file.again();
+    if (!looked_at) return tl::unexpected(looked_at.error());
+    TiffPixels pixels(form, {});
+    Seen seen;
+    const auto done = looked_at->read(pixels.planes(),
+                                      [&](const Stretch& stretch) { pixels.look(stretch, seen); });
+    if (!done) return tl::unexpected(done.error());
+    return seen.range(form.samples);
+}
+
+Result<Picture> read_by_rows(const TiffFile& file, std::uint32_t width, std::uint32_t height) {
+    if (file.number(TIFFTAG_PHOTOMETRIC) == PHOTOMETRIC_YCBCR)
+        TIFFSetField(file.get(), TIFFTAG_JPEGCOLORMODE, JPEGCOLORMODE_RGB);
+    const auto form = form_of(file);
+    if (!form) return tl::unexpected(form.error());
+    const auto range = range_of(file, *form);
+    if (!range) return tl::unexpected(range.error());
+    TiffPixels pixels(*form, *range);
+    Shrinking shrinking(width, height, pixels.channels());
+    const auto done = file.read(pixels.planes(), [&](const Stretch& stretch) {
+        shrinking.add_row(stretch.y, pixels.pixels_of(stretch), {stretch.x, 1});
+    });
+    if (!done) return tl::unexpected(done.error());
+    return std::move(shrinking).picture();
+}
+
+/// Pixels on the same length, of whatever unit; 0 where the file does not say.
+Resolution resolution_of(const TiffFile& file) {
+    float across = 0.0F;
+    float down = 0.0F;
+    TIFFGetField(file.get(), TIFFTAG_XRESOLUTION, &across);
+    TIFFGetField(file.get(), TIFFTAG_YRESOLUTION, &down);
+    return {static_cast<double>(across), static_cast<double>(down)};
 }
 
 }  // namespace
 
-Result<Picture> read_tiff(Bytes bytes) {
-    Source source{bytes, 0, {}};
-    const auto tiff = open(source);
-    if (tiff == nullptr) return damaged("TIFF", source.error);
-    choose_directory(tiff.get());
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-    TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
-    TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
-    if (auto fits = check_size("TIFF", width, height); !fits) {
+Result<Stored> read_tiff(Bytes bytes) {
+    const auto file = TiffFile::open(bytes);
+    if (!file) return tl::unexpected(file.error());
+    const std::uint32_t width = file->number(TIFFTAG_IMAGEWIDTH);
+    const std::uint32_t height = file->number(TIFFTAG_IMAGELENGTH);
+    if (auto fits = check_file_size("TIFF", width, height); !fits)
         return tl::unexpected(fits.error());
-    }
-    std::uint16_t orientation = ORIENTATION_TOPLEFT;
-    TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_ORIENTATION, &orientation);
-
-    Picture picture{static_cast<int>(width), static_cast<int>(height), {}};
-    picture.bgr.resize(std::size_t{4} * width * height);
-    // Rows and columns as they are stored: libtiff turns only four of the eight orientations.
-    // A byte vector's memory is aligned for any number.
-    auto* raster = reinterpret_cast<std::uint32_t*>(picture.bgr.data());
-    const int stop_on_error = 1;
-    if (TIFFReadRGBAImageOriented(tiff.get(), width, height, raster, orientation, stop_on_error) ==
-        0) {
-        return damaged("TIFF", source.error);
-    }
-    raster_to_bgr(picture.bgr);
-    const auto [across, down] = resolution_of(tiff.get());
-    return upright(with_square_pixels(std::move(picture), static_cast<double>(across),
-                                      static_cast<double>(down)),
-                   orientation);
+    const auto orientation = static_cast<int>(file->number(TIFFTAG_ORIENTATION));
+    auto picture = is_libtiffs_own(*file) ? read_by_libtiff(*file, width, height)
+                                          : read_by_rows(*file, width, height);
+    if (!picture) return tl::unexpected(picture.error());
+    return Stored{std::move(*picture), resolution_of(*file), orientation};
 }
 
 }  // namespace touchline::decode

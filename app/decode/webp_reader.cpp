@@ -1,4 +1,8 @@
 #include "app/decode/formats.h"
+#include "app/decode/shrinking.h"
+
+#include <new>
+#include <utility>
 
 #include <webp/decode.h>
 
@@ -7,8 +11,6 @@ namespace {
 
 std::string_view meaning(VP8StatusCode status) {
     switch (status) {
-        case VP8_STATUS_OUT_OF_MEMORY:
-            return "not enough memory for it";
         case VP8_STATUS_UNSUPPORTED_FEATURE:
             return "it uses an unknown feature";
         case VP8_STATUS_NOT_ENOUGH_DATA:
@@ -20,7 +22,7 @@ std::string_view meaning(VP8StatusCode status) {
 
 }  // namespace
 
-Result<Picture> read_webp(Bytes bytes) {
+Result<Stored> read_webp(Bytes bytes) {
     const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
     WebPDecoderConfig config;
     if (WebPInitDecoderConfig(&config) == 0) return failure("libwebp is of another version");
@@ -31,23 +33,32 @@ Result<Picture> read_webp(Bytes bytes) {
     if (config.input.has_animation != 0) {
         return failure("the WebP picture moves; save one frame of it as PNG or JPEG");
     }
-    const bool has_alpha = config.input.has_alpha != 0;
-    const int channels = has_alpha ? 4 : 3;
     const auto width = static_cast<std::uint64_t>(config.input.width);
     const auto height = static_cast<std::uint64_t>(config.input.height);
-    if (auto fits = check_size("WebP", width, height); !fits) {
+    if (auto fits = check_file_size("WebP", width, height); !fits) {
         return tl::unexpected(fits.error());
     }
-    Picture picture{config.input.width, config.input.height, {}};
-    picture.bgr.resize(static_cast<std::size_t>(channels) * width * height);
+    const unsigned by = reduction_for(width, height);
+    Picture picture{static_cast<int>(reduced_side(width, by)),
+                    static_cast<int>(reduced_side(height, by)),
+                    {},
+                    1.0 / by};
+    const bool has_alpha = config.input.has_alpha != 0;
+    const int channels = has_alpha ? 4 : 3;
+    picture.bgr.resize(static_cast<std::size_t>(channels) * reduced_side(width, by) *
+                       reduced_side(height, by));
+    config.options.use_scaling = by > 1 ? 1 : 0;  // row by row, while it decodes
+    config.options.scaled_width = picture.width;
+    config.options.scaled_height = picture.height;
     config.output.colorspace = has_alpha ? MODE_BGRA : MODE_BGR;
     config.output.is_external_memory = 1;
-    config.output.u.RGBA = {picture.bgr.data(), channels * config.input.width, picture.bgr.size()};
+    config.output.u.RGBA = {picture.bgr.data(), channels * picture.width, picture.bgr.size()};
     const auto status = WebPDecode(data, bytes.size(), &config);
     WebPFreeDecBuffer(&config.output);
+    if (status == VP8_STATUS_OUT_OF_MEMORY) throw std::bad_alloc();
     if (status != VP8_STATUS_OK) return damaged("WebP", meaning(status));
     if (has_alpha) compose(picture.bgr);
-    return picture;
+    return Stored{std::move(picture)};
 }
 
 }  // namespace touchline::decode

@@ -34,17 +34,17 @@ inline constexpr unsigned most_worker_threads = 64;
     constexpr std::size_t MiB = std::size_t{1} << 20U;
     switch (kind) {
         case WorkerKind::raster:
-            return {.input_bytes = 64 * MiB,
-                    .address_space_bytes = 512 * MiB,
-                    .cpu_s = 4,
-                    .file_bytes = 200 * MiB,
-                    .deadline_s = 6.0};
-        case WorkerKind::film:
-            return {.input_bytes = 64 * MiB,
-                    .address_space_bytes = 1024 * MiB,  // a stack a thread
+            return {.input_bytes = 200 * MiB,
+                    .address_space_bytes = 1024 * MiB,
                     .cpu_s = 8,
                     .file_bytes = 200 * MiB,
-                    .deadline_s = 10.0,
+                    .deadline_s = 10.0};
+        case WorkerKind::film:
+            return {.input_bytes = 64 * MiB,
+                    .address_space_bytes = 1536 * MiB,  // all of a picture, twice, and stacks
+                    .cpu_s = 12,
+                    .file_bytes = 200 * MiB,
+                    .deadline_s = 15.0,
                     .has_threads = true};
         case WorkerKind::document:
             return {.input_bytes = 128 * MiB,

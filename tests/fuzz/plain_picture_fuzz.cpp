@@ -15,14 +15,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool is_pnm = format_of(bytes) == FileFormat::pnm;
     if (!is_bmp && !is_pnm) return 0;
     // A large picture of few bytes is honest, and only slow here.
-    const auto picture = is_bmp ? decode::read_bmp(bytes) : decode::read_pnm(bytes);
-    if (!picture) {
-        if (picture.error().line.empty() || picture.error().line.find('\n') != std::string::npos)
+    const auto stored = is_bmp ? decode::read_bmp(bytes) : decode::read_pnm(bytes);
+    if (!stored) {
+        if (stored.error().line.empty() || stored.error().line.find('\n') != std::string::npos)
             abort();
         return 0;
     }
-    if (picture->bgr.size() !=
-        3 * static_cast<std::size_t>(picture->width) * static_cast<std::size_t>(picture->height))
+    const Picture& picture = stored->picture;
+    if (picture.bgr.size() !=
+        3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height))
         abort();
     return 0;
 }

@@ -62,10 +62,20 @@ std::string sentence_for(const std::exception& e) {
                        "foreseen; try another one";
 }
 
-std::string nothing_found(const cv::Mat& picture, const PhotoLines& found) {
+std::string nothing_found(const cv::Mat& picture, double mm_per_pixel, const PhotoLines& found) {
     if (picture.total() <= 64) {
         return "no outline found, because the picture is only " + size_of(picture) +
                " pixels; use a larger one";
+    }
+    // Less is one line for a finger, or has no room for an edge.
+    constexpr double kLeast_mm = 3.0;
+    constexpr int kLeastPixels = 8;
+    const int shorter = std::min(picture.cols, picture.rows);
+    if (shorter < kLeastPixels || mm_per_pixel * shorter < kLeast_mm) {
+        const bool is_flat = picture.rows < picture.cols;
+        return "no outline found, because the picture is " + size_of(picture) + " pixels, too " +
+               (is_flat ? "flat to be felt; use a higher one"
+                        : "narrow to be felt; use a wider one");
     }
     if (found.specks_dropped > 0) {
         return "no outline found, because all that is in the picture is too small for a finger; "
@@ -106,8 +116,8 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
     if (const Result<void> usable = check(options); !usable) return tl::unexpected(usable.error());
     try {
         const Placement placement(picture.size(), picture.size(), options.area);
-        const double longer_side_mm =
-            1000.0 * std::max(picture.cols, picture.rows) / placement.picture_pixels_per_metre();
+        const double mm_per_pixel = 1000.0 / placement.picture_pixels_per_metre();
+        const double longer_side_mm = mm_per_pixel * std::max(picture.cols, picture.rows);
         // Reduced once: every way of finding lines starts from at most a megapixel.
         const cv::Mat small = reduced(picture, kClassPixels);
         ClassDecision decision =
@@ -117,7 +127,8 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
         Result<ClassLines> lines =
             class_lines(small, decision.picture_class, longer_side_mm, options.edge_model);
         if (!lines) return tl::unexpected(lines.error());
-        if (lines->found.chains.empty()) return failure(nothing_found(picture, lines->found));
+        if (lines->found.chains.empty())
+            return failure(nothing_found(picture, mm_per_pixel, lines->found));
         if (lines->picture_class != decision.picture_class) {
             decision.picture_class = lines->picture_class;
             decision.reason = options.edge_model

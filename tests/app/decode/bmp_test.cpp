@@ -70,6 +70,158 @@ TEST(BmpReader, RunsOutsideThePictureAreNotDrawn) {
     EXPECT_TRUE(decode_picture(bmp(2, 1, 8, 1, {0, 2, 255, 255, 9, 1, 0, 1})).has_value());
 }
 
+/// A file header of OS/2: two letters, its size, a hot spot, where the pixels are.
+void add_file_header(Bytes& bytes, const std::string& kind, std::size_t pixels_at) {
+    for (const char letter : kind) bytes.push_back(static_cast<std::byte>(letter));
+    add(bytes, 26, 4);
+    add(bytes, 3, 2);
+    add(bytes, 5, 2);
+    add(bytes, pixels_at, 4);
+}
+
+/// The header of 12 bytes, and as many colours of three bytes as there can be: lit but for the
+/// first.
+void add_oldest_header(Bytes& bytes, int width, int height, unsigned bits) {
+    add(bytes, 12, 4);
+    add(bytes, static_cast<std::uint64_t>(width), 2);
+    add(bytes, static_cast<std::uint64_t>(height), 2);
+    add(bytes, 1, 2);
+    add(bytes, bits, 2);
+    if (bits > 8) return;
+    add(bytes, 0, 3);
+    for (unsigned i = 1; i < (1U << bits); ++i) add(bytes, 0x102030, 3);
+}
+
+void add_pixels(Bytes& bytes, const std::vector<int>& pixels) {
+    for (const int byte : pixels) bytes.push_back(static_cast<std::byte>(byte));
+}
+
+TEST(BmpReader, AHotSpotIsNoReasonToRefuse) {
+    for (const unsigned bits : {1U, 4U, 8U}) {
+        Bytes bytes;
+        const std::size_t header = 26 + 3 * (std::size_t{1} << bits);
+        add_file_header(bytes, "BM", header);
+        add_oldest_header(bytes, 2, 1, bits);
+        add_pixels(bytes, {bits == 1 ? 0x40 : bits == 4 ? 0x01 : 0, bits == 8 ? 1 : 0, 0, 0});
+        const auto picture = decode_picture(bytes);
+        ASSERT_TRUE(picture) << picture.error().line;
+        EXPECT_FALSE(is_lit(*picture, 0, 0));
+        EXPECT_TRUE(is_lit(*picture, 1, 0));
+    }
+}
+
+/// OS/2's header of 64 bytes may end after any of its fields; what is left off is 0.
+TEST(BmpReader, HeadersOfOs2OfEveryLength) {
+    for (std::size_t size = 16; size <= 64; size += 2) {
+        if (size == 40 || size == 52 || size == 56) continue;  // those are of Windows
+        SCOPED_TRACE(size);
+        Bytes header;
+        add(header, size, 4);
+        add(header, 2, 4);
+        add(header, 1, 4);
+        add(header, 1, 2);
+        add(header, 24, 2);
+        header.resize(size);
+        Bytes bytes;
+        add_file_header(bytes, "BM", 14 + size);
+        bytes.insert(bytes.end(), header.begin(), header.end());
+        add_pixels(bytes, {9, 9, 9, 0x30, 0x20, 0x10, 0, 0});
+        const auto picture = decode_picture(bytes);
+        ASSERT_TRUE(picture) << picture.error().line;
+        EXPECT_EQ(picture->width, 2);
+        EXPECT_TRUE(is_lit(*picture, 1, 0));
+    }
+}
+
+TEST(BmpReader, RunsOfThreeBytesAreOs2s) {
+    Bytes bytes;
+    add_file_header(bytes, "BM", 14 + 64);
+    add(bytes, 64, 4);
+    add(bytes, 4, 4);
+    add(bytes, 1, 4);
+    add(bytes, 1, 2);
+    add(bytes, 24, 2);
+    add(bytes, 4, 4);
+    bytes.resize(14 + 64);
+    // A run of two, a stretch of three, the last beyond the side, a byte to fill it, the end.
+    add_pixels(bytes, {2, 0x30, 0x20, 0x10, 0, 3, 1, 1, 1, 0x30, 0x20, 0x10, 5, 5, 5, 0, 0, 1});
+    const auto picture = decode_picture(bytes);
+    ASSERT_TRUE(picture) << picture.error().line;
+    for (int x = 0; x < 4; ++x) EXPECT_EQ(is_lit(*picture, x, 0), x != 2) << x;
+}
+
+/// Of an array the largest: the same picture for screens of several kinds.
+TEST(BmpReader, OfAnArrayTheLargestIsTaken) {
+    Bytes bytes;
+    const std::size_t second = 14 + 26 + 6 + 4;
+    add_file_header(bytes, "BA", 0);
+    bytes.resize(6);
+    add(bytes, second, 4);
+    add(bytes, 0, 4);
+    add_file_header(bytes, "BM", 14 + 26 + 6);
+    add_oldest_header(bytes, 1, 1, 1);
+    add_pixels(bytes, {0, 0, 0, 0});
+    Bytes other;
+    add_file_header(other, "BA", 0);
+    other.resize(6);
+    add(other, 0, 4);
+    add(other, 0, 4);
+    add_file_header(other, "BM", second + 14 + 26 + 6);
+    add_oldest_header(other, 3, 1, 1);
+    add_pixels(other, {0x60, 0, 0, 0});
+    bytes.insert(bytes.end(), other.begin(), other.end());
+    const auto picture = decode_picture(bytes);
+    ASSERT_TRUE(picture) << picture.error().line;
+    EXPECT_EQ(picture->width, 3);
+    EXPECT_EQ(picture->height, 1);
+    for (int x = 0; x < 3; ++x) EXPECT_EQ(is_lit(*picture, x, 0), x > 0) << x;
+}
+
+/// Twice as high as it is: above, where nothing is drawn; below, where black becomes white.
+TEST(BmpReader, IconsAndPointersOfOs2) {
+    for (const auto* kind : {"IC", "PT"}) {
+        Bytes bytes;
+        add_file_header(bytes, kind, 26 + 6);
+        add_oldest_header(bytes, 3, 2, 1);
+        add_pixels(bytes, {0x40, 0, 0, 0, 0x20, 0, 0, 0});  // the last row comes first
+        const auto picture = decode_picture(bytes);
+        ASSERT_TRUE(picture) << picture.error().line;
+        ASSERT_EQ(picture->height, 1);
+        EXPECT_EQ(picture->bgr, (std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255, 255, 255, 255}));
+    }
+    for (const auto* kind : {"CI", "CP"}) {
+        Bytes bytes;
+        const std::size_t masks_at = 26 + 6 + 26;
+        add_file_header(bytes, kind, masks_at);
+        add_oldest_header(bytes, 3, 2, 1);
+        add_file_header(bytes, kind, masks_at + 8);
+        add_oldest_header(bytes, 3, 1, 24);
+        add_pixels(bytes, {0, 0, 0, 0, 0x20, 0, 0, 0});
+        add_pixels(bytes, {0x30, 0x20, 0x10, 1, 2, 3, 4, 5, 6, 0, 0, 0});
+        const auto picture = decode_picture(bytes);
+        ASSERT_TRUE(picture) << picture.error().line;
+        ASSERT_EQ(picture->height, 1);
+        EXPECT_EQ(picture->bgr,
+                  (std::vector<std::uint8_t>{0x30, 0x20, 0x10, 1, 2, 3, 255, 255, 255}));
+    }
+}
+
+TEST(BmpReader, PixelsAMetreMakeThemSquare) {
+    Bytes bytes = bmp(4, 2, 24, 0, std::vector<int>(24, 90));
+    const auto set = [&bytes](std::size_t at, unsigned value) {
+        for (std::size_t i = 0; i < 4; ++i)
+            bytes[at + i] = static_cast<std::byte>(value >> (8 * i) & 0xffU);
+    };
+    set(38, 8000);
+    set(42, 4000);
+    const auto picture = decode_picture(bytes);
+    ASSERT_TRUE(picture) << picture.error().line;
+    EXPECT_EQ(picture->width, 4);
+    EXPECT_EQ(picture->height, 4);
+    set(42, 0x80000000U);  // below nought
+    EXPECT_EQ(decode_picture(bytes)->height, 2);
+}
+
 TEST(BmpReader, WhatIsCutShortOrUnknownIsOneLine) {
     EXPECT_FALSE(decode_picture(bmp(5, 5, 24, 0, {1, 2, 3})).has_value());
     EXPECT_FALSE(decode_picture(bmp(5, 5, 8, 1, {1, 2, 3})).has_value());

@@ -4,6 +4,8 @@
 
 #include "app/decode/decoding.h"
 
+#include <gtest/gtest.h>
+
 namespace touchline {
 
 inline Result<Page> decode_page(std::span<const std::byte> bytes, const PageOrder& order = {}) {
@@ -19,6 +21,13 @@ inline Result<Page> decode_page(std::span<const std::byte> bytes, const PageOrde
 
 inline Result<Picture> decode_picture(std::span<const std::byte> bytes) {
     return decode_page(bytes).map([](Page page) { return std::move(page.picture); });
+}
+
+/// A picture that has to be one.
+inline Picture decoded(std::span<const std::byte> bytes) {
+    auto picture = decode_picture(bytes);
+    EXPECT_TRUE(picture.has_value()) << picture.error().line;
+    return picture.value_or(Picture{});
 }
 
 }  // namespace touchline

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 #include <jpeglib.h>
+#include <libheif/heif.h>
 #include <png.h>
 #include <tiffio.h>
 #include <unistd.h>
@@ -239,6 +240,46 @@ Bytes tiff(const Picture& picture, int orientation) {
     TiffForm form{PHOTOMETRIC_RGB, 3};
     form.orientation = orientation;
     return tiff(picture.width, picture.height, form, rgb_of(picture));
+}
+
+Bytes heif(const Picture& picture, const HeifForm& form) {
+    heif_context* context = heif_context_alloc();
+    heif_encoder* encoder = nullptr;
+    heif_context_get_encoder_for_format(
+        context, form.is_avif ? heif_compression_AV1 : heif_compression_HEVC, &encoder);
+    if (encoder == nullptr) throw std::runtime_error("libheif has no encoder");
+    heif_encoder_set_lossy_quality(encoder, form.quality);
+    heif_encoder_set_parameter_string(encoder, form.is_avif ? "speed" : "preset",
+                                      form.is_avif ? "9" : "ultrafast");
+    heif_image* image = nullptr;
+    heif_image_create(picture.width, picture.height, heif_colorspace_RGB,
+                      heif_chroma_interleaved_RGB, &image);
+    heif_image_add_plane(image, heif_channel_interleaved, picture.width, picture.height, 8);
+    int stride = 0;
+    std::uint8_t* plane = heif_image_get_plane(image, heif_channel_interleaved, &stride);
+    const std::vector<std::uint8_t> rgb = rgb_of(picture);
+    const std::size_t row_bytes = std::size_t{3} * static_cast<std::size_t>(picture.width);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(picture.height); ++y)
+        std::copy_n(rgb.begin() + static_cast<std::ptrdiff_t>(y * row_bytes), row_bytes,
+                    plane + y * static_cast<std::size_t>(stride));
+    heif_image_set_pixel_aspect_ratio(image, form.pixel_width, form.pixel_height);
+    heif_encoding_options* options = heif_encoding_options_alloc();
+    options->macOS_compatibility_workaround = 0;  // which would hide the picture in another
+    options->image_orientation = static_cast<heif_orientation>(form.orientation);
+    heif_context_encode_image(context, image, encoder, options, nullptr);
+    Bytes out;
+    heif_writer writer{1, [](heif_context*, const void* data, std::size_t size, void* user) {
+                           auto& bytes = *static_cast<Bytes*>(user);
+                           const auto* begin = static_cast<const std::byte*>(data);
+                           bytes.assign(begin, begin + size);
+                           return heif_error{heif_error_Ok, heif_suberror_Unspecified, ""};
+                       }};
+    heif_context_write(context, &writer, &out);
+    heif_encoding_options_free(options);
+    heif_image_release(image);
+    heif_encoder_release(encoder);
+    heif_context_free(context);
+    return out;
 }
 
 }  // namespace touchline::encoders

@@ -57,6 +57,16 @@ struct TiffForm {
 Bytes tiff(int width, int height, const TiffForm& form, const std::vector<std::uint8_t>& samples);
 Bytes tiff(const Picture& picture, int orientation = 1);
 
+struct HeifForm {
+    bool is_avif = false;
+    int orientation = 1;            // as EXIF numbers them, by irot and imir
+    std::uint32_t pixel_width = 1;  // its shape, by pasp
+    std::uint32_t pixel_height = 1;
+    int quality = 90;
+};
+
+Bytes heif(const Picture& picture, const HeifForm& form);
+
 /// The same pixels in RGB order.
 std::vector<std::uint8_t> rgb_of(const Picture& picture);
 

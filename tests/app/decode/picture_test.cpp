@@ -21,12 +21,6 @@
 namespace touchline {
 namespace {
 
-Picture decoded(const encoders::Bytes& bytes) {
-    auto picture = decode_picture(bytes);
-    EXPECT_TRUE(picture) << picture.error().line;
-    return picture.value_or(Picture{});
-}
-
 void expect_same(const Picture& actual, const Picture& expected) {
     EXPECT_EQ(actual.width, expected.width);
     EXPECT_EQ(actual.height, expected.height);
@@ -116,11 +110,11 @@ TEST(JpegReader, ColourGreyAndProgressiveComeBackClosely) {
 
 TEST(SquarePixels, TheCoarserSideGrows) {
     const Picture fax{4, 2, std::vector<std::uint8_t>(24, 90)};
-    const Picture square = decode::with_square_pixels(fax, 204.0, 98.0);
+    const Picture square = decode::with_square_pixels(fax, {204.0, 98.0});
     EXPECT_EQ(square.width, 4);
     EXPECT_EQ(square.height, 4);
     EXPECT_EQ(square.bgr, std::vector<std::uint8_t>(48, 90));
-    EXPECT_EQ(decode::with_square_pixels(fax, 98.0, 204.0).width, 8);
+    EXPECT_EQ(decode::with_square_pixels(fax, {98.0, 204.0}).width, 8);
 }
 
 TEST(SquarePixels, WhatIsNotKnownOrBeyondBeliefChangesNothing) {
@@ -132,7 +126,7 @@ TEST(SquarePixels, WhatIsNotKnownOrBeyondBeliefChangesNothing) {
                                {std::nan(""), 1.0},
                                {1.0, 1000.0},
                                {-1.0, 1.0}})
-        EXPECT_EQ(decode::with_square_pixels(fax, x, y).bgr, fax.bgr);
+        EXPECT_EQ(decode::with_square_pixels(fax, {x, y}).bgr, fax.bgr);
 }
 
 /// Every row is there: some programs leave the mark at the end off, and some telephones write films

@@ -288,8 +288,8 @@ TEST(SandboxPolicy, WhatEachKindMayTakeOfTheMachine) {
     };
 
     constexpr std::array<Row, 8> rows{
-        {{WorkerKind::raster, 64, 512, 4, 200, 6.0, false, false},
-         {WorkerKind::film, 64, 1024, 8, 200, 10.0, true, false},
+        {{WorkerKind::raster, 200, 1024, 8, 200, 10.0, false, false},
+         {WorkerKind::film, 64, 1536, 12, 200, 15.0, true, false},
          {WorkerKind::document, 128, 1024, 8, 200, 10.0, true, true},
          {WorkerKind::ocr, 200, 1024, 30, 16, 40.0, false, false},
          {WorkerKind::speech, 1, 256, 0, 0, 0.0, false, false},

@@ -61,6 +61,22 @@ TEST(Trace, AllWhiteHasNoOutline) {
                     "no outline found, because");
 }
 
+/// Whatever is in it: the reason is not its contrast.
+TEST(Trace, ATooFlatOrTooNarrowPictureSaysSo) {
+    for (const int thickness : {1, 2, 7}) {
+        cv::Mat1b stripes(thickness, 1000);
+        for (int x = 0; x < stripes.cols; ++x)
+            stripes.col(x) = static_cast<uchar>(x / 50 % 2 == 0 ? 255 : 0);
+        const std::string side = std::to_string(thickness);
+        expect_one_line(
+            trace_outlines(stripes, {}),
+            "the picture is 1000 x " + side + " pixels, too flat to be felt; use a higher one");
+        expect_one_line(
+            trace_outlines(stripes.t(), {}),
+            "the picture is " + side + " x 1000 pixels, too narrow to be felt; use a wider one");
+    }
+}
+
 TEST(Trace, ASmoothRampHasNoOutline) {
     cv::Mat1b ramp(200, 400);
     for (int x = 0; x < ramp.cols; ++x) {
