@@ -263,6 +263,26 @@ TEST(PdfPainting, WhateverPaintsIsInThePicture) {
     }
 }
 
+/// Where a document says what a field holds and not how it looks, poppler does.
+TEST(PdfPainting, WhatAFieldHoldsIsPaintedAndTold) {
+    const std::string looks = "/DR << /Font << /F 4 0 R >> >> /DA (/F 12 Tf 0 g)";
+    for (const std::string& field :
+         {std::string("/Subtype /Widget /FT /Tx /T (a) /V (Harbour) /DA (/F 30 Tf 0 g)"),
+          std::string("/Subtype /FreeText /Contents (Harbour) /DA (/F 30 Tf 0 g)")}) {
+        const auto page =
+            page_of({"field",
+                     "",
+                     {"<< /Type /Annot /Rect [100 500 400 560] /F 4 " + field + " >>"},
+                     "/Font << /F 4 0 R >>",
+                     "/Annots [5 0 R]",
+                     "/AcroForm << /Fields [5 0 R] /NeedAppearances true " + looks + " >>"});
+        ASSERT_TRUE(page.has_value()) << page.error().line;
+        ASSERT_EQ(page->told.labels.size(), 1U) << field;
+        EXPECT_EQ(page->told.labels[0].text, "Harbour") << field;
+        EXPECT_EQ(page->words.size(), 1U) << field;
+    }
+}
+
 std::vector<Painting> hidden() {
     const std::string words = " BT /F 40 Tf 180 420 Td (Hidden words) Tj ET ";
     const std::string font = "/Font << /F 4 0 R >> ";
