@@ -83,7 +83,12 @@ class LetterDevice final : public SplashOutputDev {
     void drawChar(GfxState* state, double x, double y, double dx, double dy, double originX,
                   double originY, CharCode code, int nBytes, const Unicode* u, int uLen) override {
         if (in_mask_ > 0) return;
+        // Letters without ink may be filled by a pattern, or be a picture's clip: as if filled.
+        const int way_of_painting = state->getRender();
+        const int ink = way_of_painting & 3;
+        state->setRender(ink == 3 ? 0 : ink);
         SplashOutputDev::drawChar(state, x, y, dx, dy, originX, originY, code, nBytes, u, uLen);
+        state->setRender(way_of_painting);
         keep(*state, {x, y}, {dx, dy}, {originX, originY}, {u, u + std::max(uLen, 0)},
              nBytes == 1 && code == ' ');
     }

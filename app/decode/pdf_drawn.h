@@ -29,8 +29,7 @@ struct DrawnLetter {
     bool is_sign = false;  // it draws rather than writes: symbols, arrows, frames, rules
 };
 
-/// How much of each pixel the letters cover that their clips and ways of painting let show,
-/// 0 ... 255, whatever their colour and whatever is painted later.
+/// How much of each pixel the letters' shapes cover within their clips, 0 ... 255, painted or not.
 struct LetterInk {
     int width = 0;
     int height = 0;

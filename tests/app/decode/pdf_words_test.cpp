@@ -137,6 +137,23 @@ TEST(PdfWords, WordsThatWereReadInAScanAreToldAndPaintedOver) {
     EXPECT_EQ(scanned->words.size(), 2U);
 }
 
+TEST(PdfWords, LettersThatShowAPatternOrAPictureAreWords) {
+    const std::string shade =
+        "<< /PatternType 2 /Shading << /ShadingType 2 /ColorSpace /DeviceGray /Coords [0 0 600 0] "
+        "/Extend [true true] /Function << /FunctionType 2 /Domain [0 1] /C0 [0] /C1 [0.6] /N 1 >> "
+        ">> >>";
+    const auto shaded = decode_page(
+        written_pdf({{"/Pattern cs /P scn BT /F 60 Tf 100 400 Td (OK) Tj ET",
+                      "/MediaBox [0 0 600 800]", "/Font << /F 4 0 R >> /Pattern << /P 5 0 R >>"}},
+                    {shade}));
+    ASSERT_TRUE(shaded.has_value());
+    EXPECT_EQ(told(*shaded), Texts{"OK"});
+    EXPECT_EQ(told(page_with("q BT 7 Tr /F 60 Tf 100 400 Td (OK) Tj ET 0.2 0.4 0.6 rg 0 0 600 800 "
+                             "re f Q")),
+              Texts{"OK"});
+    EXPECT_EQ(told(page_with("BT 1 Tr 3 w /F 60 Tf 100 400 Td (OK) Tj ET")), Texts{"OK"});
+}
+
 TEST(PdfWords, LinesThroughWordsDoNotHideThem) {
     const Page page = page_with(
         "3 w 100 400 m 500 420 l S 100 430 m 500 400 l S BT /F 40 Tf 150 400 Td (Crossed words) Tj "
