@@ -91,29 +91,36 @@ cv::Mat1b between(const cv::Mat& bgr, const cv::Vec3b& ground, const cv::Vec3b& 
     return mask;
 }
 
-/// The commonest colour under a mask, to within 32 levels.
-cv::Vec3b commonest(const cv::Mat& bgr, const cv::Mat1b& mask) {
+/// The colours under a mask that are common, to within 32 levels, at least one where it holds any.
+std::vector<cv::Vec3b> common_colours(const cv::Mat& bgr, const cv::Mat1b& mask) {
+    constexpr int times_commoner = 4;  // than these is no other
     std::map<std::array<int, 3>, std::pair<int, cv::Vec3i>> bins;
+    int most = 0;
     for (int y = 0; y < bgr.rows; ++y)
         for (int x = 0; x < bgr.cols; ++x) {
             if (mask(y, x) == 0) continue;
             const auto p = bgr.at<cv::Vec3b>(y, x);
             auto& [count, sum] = bins[{p[0] / 32, p[1] / 32, p[2] / 32}];
-            ++count;
             sum += cv::Vec3i(p);
+            most = std::max(most, ++count);
         }
-    const auto best =
-        std::ranges::max_element(bins, {}, [](const auto& bin) { return bin.second.first; });
-    if (best == bins.end()) return {};
-    return cv::Vec3b(best->second.second / best->second.first);
+    std::vector<cv::Vec3b> colours;
+    for (const auto& [place, bin] : bins)
+        if (times_commoner * bin.first >= most) colours.emplace_back(bin.second / bin.first);
+    return colours;
 }
 
-/// Ink of a letter's colour, without the soft edges of lines of another colour: what crosses a
-/// letter does not make it lead out.
+/// Ink of a letter's colour with the soft edges around it, without those of lines of another
+/// colour: what crosses a letter does not make it lead out.
 cv::Mat1b in_colour(const cv::Mat& bgr, const cv::Mat1b& ink, const cv::Vec3b& ground,
                     const cv::Vec3b& letter) {
+    cv::Mat1b core;
+    cv::subtract(ink, differing(bgr, letter, like_letters), core);
+    cv::Mat1b around;
+    cv::dilate(core, around, cv::Mat::ones(5, 5, CV_8U));
     cv::Mat1b of_letters = between(bgr, ground, letter);
     of_letters &= ink;
+    of_letters &= around;
     cv::Mat1b others;
     cv::subtract(ink, of_letters, others);
     cv::Mat beside;
@@ -138,6 +145,20 @@ cv::Mat letters_in(const cv::Mat1b& ink, const cv::Rect& box) {
     return letters;
 }
 
+/// Letters of the colour of which most of the ink in the box is that does not lead out.
+cv::Mat coloured_letters(const cv::Mat& part, const cv::Mat1b& ink, const cv::Vec3b& ground,
+                         const cv::Rect& box, const cv::Rect& reach) {
+    cv::Mat best(ink.size(), CV_8U, cv::Scalar(0));
+    int most = 0;
+    for (const cv::Vec3b& letter : common_colours(part(box), ink(box))) {
+        const cv::Mat letters = letters_in(in_colour(part, ink, ground, letter), reach);
+        const int area = cv::countNonZero(letters(box));
+        if (area > most) best = letters;
+        most = std::max(most, area);
+    }
+    return best;
+}
+
 /// Letters are heard, not felt; what they stand on, and lines beneath them, stay.
 void paint_over(cv::Mat& bgr, std::span<const WordBox> words) {
     const cv::Rect whole(0, 0, bgr.cols, bgr.rows);
@@ -152,9 +173,7 @@ void paint_over(cv::Mat& bgr, std::span<const WordBox> words) {
         cv::Mat part = bgr(window);
         const cv::Vec3b ground = colour_around(bgr, grown(box, beside_words_px, whole));
         const cv::Mat1b ink = differing(part, ground, least_contrast);
-        const cv::Rect of_box = box - window.tl();
-        const cv::Vec3b letter = commonest(part(of_box), ink(of_box));
-        cv::Mat inner = letters_in(in_colour(part, ink, ground, letter), reach);
+        cv::Mat inner = coloured_letters(part, ink, ground, box - window.tl(), reach);
         if (shorter_px <= large_box * bgr.rows) inner |= letters_in(ink, reach);
         cv::Mat letters;
         cv::dilate(inner, letters, cv::Mat::ones(5, 5, CV_8U));

@@ -116,9 +116,9 @@ std::string class_in(const std::string& report) {
 /// Kinds whose lines are felt as they are drawn, whatever stands beside them on the page. Of the
 /// others dashes, dots and hair lines are lost beside areas, strokes beside shaded areas are felt
 /// by one side, and ends and near lines are joined.
-constexpr std::array sound_kinds{"area with edge", "clipped area", "nonzero star", "picture",
-                                 "polygon",        "ring",         "shaded",       "united discs",
-                                 "watermarked",    "wide ring"};
+constexpr std::array sound_kinds{"area with edge", "clipped area", "nonzero star",
+                                 "picture",        "polygon",      "ring",
+                                 "shaded",         "united discs", "wide ring"};
 
 Share all_of(const std::map<std::string, Share>& shares) {
     Share all;
