@@ -39,7 +39,7 @@ struct AnswerHeader {
 }
 
 inline constexpr std::size_t box_bytes = 8;
-inline constexpr int max_pages = 200;
+inline constexpr int max_pages = 50'000;
 inline constexpr std::size_t max_word_boxes = 5000;
 inline constexpr std::size_t max_figures = 100;
 

@@ -1,5 +1,6 @@
 #include "app/decode/decoding.h"
 #include "app/decode/formats.h"
+#include "app/decode/pdf_drawn.h"
 #include "app/decode/signature.h"
 
 #include <string_view>
@@ -35,6 +36,7 @@ Result<Page> read_document(Bytes bytes, const PageOrder& order) {
 
 void prepare_documents() {
     decode::silence_libraries();
+    decode::prepare_pdf();
     (void)decode::read_svg(std::as_bytes(std::span(decode::words_in_a_drawing)), {});
 }
 

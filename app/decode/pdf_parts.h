@@ -35,15 +35,10 @@ struct PdfText {
     PopplerRectangle box{};  // y1 above y2
 };
 
-/// The words of a page, those that stand close in one line together.
-[[nodiscard]] std::vector<PdfText> texts_of(PopplerPage* page);
-
-/// The marked figures of a page with what their author wrote for those who cannot see them.
-[[nodiscard]] std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page);
-
-/// Boxes of the page's pixel images, in the order of drawing. poppler 22.12 takes for the longer
-/// side that with more pixels: the box of an image that is drawn turned has its sides swapped.
-[[nodiscard]] std::vector<PopplerRectangle> image_boxes(PopplerPage* page);
+/// The marked figures of a page with what their author wrote for those who cannot see them; their
+/// boxes where the page has as many images.
+[[nodiscard]] std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page,
+                                              const std::vector<PopplerRectangle>& images);
 
 struct PageSize {
     double width_pt = 0.0;

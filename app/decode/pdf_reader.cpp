@@ -2,11 +2,11 @@
 #include "app/decode/formats.h"
 #include "app/decode/machine_words.h"
 #include "app/decode/pdf_parts.h"
+#include "app/decode/pdf_words.h"
 #include "app/decode/sheet.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,14 +16,25 @@ namespace {
 
 constexpr double points_per_inch = 72.0;
 
-/// Pixels per point: as asked for, or as many as the largest picture allows.
-double scale_for(double width_pt, double height_pt, int dpi) {
-    const double longer = std::max(width_pt, height_pt);
-    const double most =
-        0.99 *
-        std::min(static_cast<double>(max_picture_side_px) / longer,
-                 std::sqrt(static_cast<double>(max_picture_pixels) / (width_pt * height_pt)));
-    return std::min(dpi / points_per_inch, most);
+/// How a page is drawn: pixels per unit of it, and what that is in pixels per inch.
+struct Scale {
+    double px_per_unit = 1.0;
+    double dpi = points_per_inch;
+};
+
+/// As asked for, or as many pixels as the largest picture allows. A hand feels every page at the
+/// same size: one smaller than a sheet of A5 counts as one, and a larger one than A2 as that.
+Scale scale_for(const PageSize& page, double user_unit, int dpi) {
+    constexpr double least_longer_in = 8.0;
+    constexpr double most_longer_in = 24.0;
+    const double longer = std::max(page.width_pt, page.height_pt);
+    const double longer_in = longer * user_unit / points_per_inch;
+    const double counts_as = std::clamp(longer_in, least_longer_in, most_longer_in) / longer;
+    const double most = 0.99 * std::min(static_cast<double>(max_picture_side_px) / longer,
+                                        std::sqrt(static_cast<double>(max_picture_pixels) /
+                                                  (page.width_pt * page.height_pt)));
+    const double px_per_unit = std::min(dpi * counts_as, most);
+    return {px_per_unit, px_per_unit / counts_as};
 }
 
 tl::unexpected<Error> refusal(const GlibOwned<GError>& error) {
@@ -32,23 +43,25 @@ tl::unexpected<Error> refusal(const GlibOwned<GError>& error) {
     return damaged("PDF", error != nullptr ? error->message : "");
 }
 
-/// Of points, as pixels; none where no pixel of the page is within.
-std::optional<WordBox> pixels_in(const PopplerRectangle& box, double scale,
-                                 const Picture& picture) {
-    return pixels_within({scale * box.x1, scale * box.y1, scale * box.x2, scale * box.y2}, picture);
+PopplerRectangle points_of(const TextBox& box, double scale) {
+    return {box.left / scale, box.top / scale, box.right / scale, box.bottom / scale};
 }
 
-void add_word_box(const PopplerRectangle& box, double scale, Page& page) {
-    const auto word = pixels_in(box, scale, page.picture);
+TextBox box_of(const PopplerRectangle& box, double scale) {
+    return {scale * box.x1, scale * box.y1, scale * box.x2, scale * box.y2};
+}
+
+void add_word_box(const TextBox& box, Page& page) {
+    const auto word = pixels_within(box, page.picture);
     if (word && page.words.size() < max_word_boxes) page.words.push_back(*word);
 }
 
-void add_label(const PdfText& text, double scale, Page& page) {
-    const double x = scale * (text.box.x1 + text.box.x2) / 2.0;
-    const double y = scale * (text.box.y1 + text.box.y2) / 2.0;
+void add_label(const std::string& text, const TextBox& box, Page& page) {
+    const double x = (box.left + box.right) / 2.0;
+    const double y = (box.top + box.bottom) / 2.0;
     const bool is_on_page =
         x >= 0.0 && y >= 0.0 && x <= page.picture.width && y <= page.picture.height;
-    if (is_on_page) page.told.labels.push_back({text.text, told_place(page.picture, x, y)});
+    if (is_on_page) page.told.labels.push_back({text, told_place(page.picture, x, y)});
 }
 
 /// What is written of the figures.
@@ -57,19 +70,60 @@ void tell_figures(const std::vector<PdfText>& figures, double scale, Page& page)
         if (figure.text.empty()) continue;
         if (!page.told.description.empty()) page.told.description += ' ';
         page.told.description += figure.text;
-        if (figure.box.x1 < figure.box.x2) add_label(figure, scale, page);
+        if (figure.box.x1 < figure.box.x2) add_label(figure.text, box_of(figure.box, scale), page);
     }
 }
 
 /// Where pictures are.
-void add_figures(std::vector<PdfText> parts, PopplerPage* source, double scale, Page& page) {
-    PageSize size;
-    poppler_page_get_size(source, &size.width_pt, &size.height_pt);
-    for (const PopplerRectangle& image : image_boxes(source)) parts.push_back({"", image});
+void add_figures(std::vector<PdfText> parts, const std::vector<PopplerRectangle>& images,
+                 const PageSize& size, double scale, Page& page) {
+    for (const PopplerRectangle& image : images) parts.push_back({"", image});
     for (const PdfText& picture : pictures_in(std::move(parts), size))
-        if (const auto box = pixels_in(picture.box, scale, page.picture))
+        if (const auto box = pixels_within(box_of(picture.box, scale), page.picture))
             page.figures.push_back({*box, picture.text});
 }
+
+/// Texts that a visitor could see, once each.
+class Texts {
+  public:
+    Texts(const LetterInk& ink, Page& page) : ink_(ink), page_(page) {}
+
+    void add(const DrawnText& text) {
+        const double contrast = painting_of(text, ink_, page_.picture).contrast;
+        if (contrast == 0.0 && !looks_written(text, page_.picture)) return;
+        if (!is_told(text, contrast)) add_label(text.text, text.box, page_);
+        told_.push_back(&text);
+        for (const DrawnWord& word : text.words) add_boxes(text, word, contrast > 0.0);
+    }
+
+  private:
+    /// A shadow, or letters made bold by drawing them twice, lie where their text does; a watermark
+    /// may be everywhere.
+    bool is_told(const DrawnText& text, double contrast) const {
+        constexpr double pale = 110.0;  // levels
+        const bool is_everywhere = text.is_slanted || (contrast > 0.0 && contrast < pale);
+        return std::ranges::any_of(told_, [&](const DrawnText* told) {
+            return told->text == text.text && (is_everywhere || meet(told->box, text.box));
+        });
+    }
+
+    static bool meet(const TextBox& a, const TextBox& b) {
+        return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+    }
+
+    /// The box around a slanted word holds much that is none of it.
+    void add_boxes(const DrawnText& text, const DrawnWord& word, bool is_inked) {
+        const auto add = [&](const TextBox& box) {
+            add_word_box(is_inked ? inked(box, ink_) : box, page_);
+        };
+        if (!text.is_slanted) return add(word.box);
+        for (const TextBox& letter : word.letters) add(letter);
+    }
+
+    const LetterInk& ink_;
+    Page& page_;
+    std::vector<const DrawnText*> told_;
+};
 
 std::string title_of(PopplerDocument* document, PopplerPage* page) {
     std::string title = heading_of(document, page);
@@ -78,33 +132,42 @@ std::string title_of(PopplerDocument* document, PopplerPage* page) {
     return own == nullptr ? std::string() : of_a_person(own.get());
 }
 
-Result<Page> read_page(PopplerDocument* document, PopplerPage* source, const PageOrder& order) {
-    double width_pt = 0.0;
-    double height_pt = 0.0;
-    poppler_page_get_size(source, &width_pt, &height_pt);
-    if (!(width_pt > 0.0 && height_pt > 0.0) || !std::isfinite(width_pt * height_pt))
-        return damaged("PDF", "the page has no size");
-    const double scale = scale_for(width_pt, height_pt, order.dpi);
-    Sheet sheet(std::max(1, static_cast<int>(std::lround(scale * width_pt))),
-                std::max(1, static_cast<int>(std::lround(scale * height_pt))));
+Result<Picture> picture_of(PopplerPage* source, const PageSize& size, double scale) {
+    Sheet sheet(std::max(1, static_cast<int>(std::lround(scale * size.width_pt))),
+                std::max(1, static_cast<int>(std::lround(scale * size.height_pt))));
     sheet.whiten();
     cairo_scale(sheet.context(), scale, scale);
     poppler_page_render(source, sheet.context());
-    auto picture = sheet.picture();
+    return sheet.picture();
+}
+
+Result<Page> read_page(PopplerDocument* document, PopplerPage* source, Bytes bytes,
+                       const PageOrder& order) {
+    PageSize size;
+    poppler_page_get_size(source, &size.width_pt, &size.height_pt);
+    if (!(size.width_pt > 0.0 && size.height_pt > 0.0) ||
+        !std::isfinite(size.width_pt * size.height_pt))
+        return damaged("PDF", "the page has no size");
+    PdfProgram program(bytes);
+    const Scale drawn_at = scale_for(size, program.user_unit(order.page), order.dpi);
+    const double scale = drawn_at.px_per_unit;
+    auto picture = picture_of(source, size, scale);
     if (!picture) return tl::unexpected(picture.error());
     Page page;
     page.picture = std::move(*picture);
     page.told.area = told_area(page.picture);
     page.told.title = title_of(document, source);
-    std::vector<PdfText> figures = figures_of(document, source);
+    const DrawnPage drawn = program.drawn(order.page, scale);
+    std::vector<PopplerRectangle> images;
+    for (const TextBox& image : drawn.images) images.push_back(points_of(image, scale));
+    std::vector<PdfText> figures = figures_of(document, source, images);
     tell_figures(figures, scale, page);
-    add_figures(std::move(figures), source, scale, page);
-    for (const PdfText& text : texts_of(source)) {
-        add_label(text, scale, page);
-        add_word_box(text.box, scale, page);
-    }
+    add_figures(std::move(figures), images, size, scale, page);
+    const std::vector<DrawnText> texts = texts_in(drawn.letters);
+    Texts seen(drawn.ink, page);
+    for (const DrawnText& text : texts) seen.add(text);
     page.number = order.page;
-    page.dpi = static_cast<int>(std::lround(points_per_inch * scale));
+    page.dpi = static_cast<int>(std::lround(drawn_at.dpi));
     return page;
 }
 
@@ -123,7 +186,7 @@ Result<Page> read_pdf(Bytes bytes, const PageOrder& order) {
                                    count == 1 ? "page" : "pages"));
     const GlibOwned<PopplerPage> page(poppler_document_get_page(document.get(), order.page - 1));
     if (page == nullptr) return damaged("PDF", "the page is missing");
-    auto read = read_page(document.get(), page.get(), order);
+    auto read = read_page(document.get(), page.get(), bytes, order);
     if (read) read->count = count;
     return read;
 }

@@ -2,6 +2,7 @@
 #include "app/decode/pdf_parts.h"
 
 #include <functional>
+#include <utility>
 
 namespace touchline::decode {
 namespace {
@@ -55,16 +56,8 @@ bool is_heading(PopplerStructureElementKind kind) {
 
 }  // namespace
 
-std::vector<PopplerRectangle> image_boxes(PopplerPage* page) {
-    std::vector<PopplerRectangle> boxes;
-    GList* const images = poppler_page_get_image_mapping(page);
-    for (const GList* at = images; at != nullptr; at = at->next)
-        boxes.push_back(static_cast<PopplerImageMapping*>(at->data)->area);
-    poppler_page_free_image_mapping(images);
-    return boxes;
-}
-
-std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page) {
+std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page,
+                                const std::vector<PopplerRectangle>& images) {
     std::vector<PdfText> figures;
     StructureWalk walk(poppler_page_get_index(page), [&](PopplerStructureElement* element) {
         if (poppler_structure_element_get_kind(element) == POPPLER_STRUCTURE_ELEMENT_FIGURE)
@@ -73,9 +66,8 @@ std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page) {
     });
     walk.walk(document);
     // poppler gives no box of a figure; the images do, if there are as many.
-    const auto boxes = image_boxes(page);
-    for (std::size_t i = 0; boxes.size() == figures.size() && i < figures.size(); ++i)
-        figures[i].box = boxes[i];
+    for (std::size_t i = 0; images.size() == figures.size() && i < figures.size(); ++i)
+        figures[i].box = images[i];
     return figures;
 }
 

@@ -16,10 +16,11 @@ namespace touchline {
 namespace {
 
 constexpr int beside_words_px = 3;   // soft edges of letters reach out of their box
-constexpr double beyond_box = 0.25;  // of its height: so far letters lean out of their box
+constexpr double beyond_box = 0.25;  // of its shorter side: so far letters lean out of their box,
+constexpr int most_beyond_px = 16;   // and no further where they are large
 constexpr int least_contrast = 30;   // grey levels, of letters to what they stand on
-constexpr double large_box = 0.12;   // of the picture's height: words across the drawing
-constexpr int like_letters = 40;     // grey levels about the colour of such words
+constexpr double large_box = 0.05;   // of the picture's height: words across the drawing
+constexpr int like_letters = 40;     // grey levels about the colours of letters and their edges
 
 cv::Rect exact(const WordBox& box) {
     return {box.left, box.top, box.right - box.left, box.bottom - box.top};
@@ -62,7 +63,7 @@ cv::Mat view_of(const decode::AnswerParts& page) {
             const_cast<std::byte*>(page.pixels.data())};
 }
 
-/// Pixels that differ from a colour by more, or by less, than so many levels in one channel.
+/// Pixels that differ from a colour by more than so many levels in one channel.
 cv::Mat1b differing(const cv::Mat& bgr, const cv::Vec3b& colour, int levels) {
     cv::Mat difference;
     cv::absdiff(bgr, cv::Scalar(colour[0], colour[1], colour[2]), difference);
@@ -74,21 +75,58 @@ cv::Mat1b differing(const cv::Mat& bgr, const cv::Vec3b& colour, int levels) {
     return mask;
 }
 
-/// The commonest colour under a mask, to within 32 levels.
-cv::Vec3b commonest(const cv::Mat& bgr, const cv::Mat1b& mask) {
+/// Pixels whose colour is near one of those between two: of letters and of their soft edges.
+cv::Mat1b between(const cv::Mat& bgr, const cv::Vec3b& ground, const cv::Vec3b& letter) {
+    const cv::Vec3d way = cv::Vec3d(letter) - cv::Vec3d(ground);
+    const double length = std::max(way.dot(way), 1.0);
+    cv::Mat1b mask(bgr.size());
+    std::transform(bgr.begin<cv::Vec3b>(), bgr.end<cv::Vec3b>(), mask.begin(),
+                   [&](const cv::Vec3b& pixel) {
+                       const cv::Vec3d from = cv::Vec3d(pixel) - cv::Vec3d(ground);
+                       const double part = std::clamp(from.dot(way) / length, 0.0, 1.0);
+                       const cv::Vec3d off = from - part * way;
+                       const bool is_near = cv::norm(off, cv::NORM_INF) <= like_letters;
+                       return static_cast<uchar>(is_near ? 255 : 0);
+                   });
+    return mask;
+}
+
+/// The colours under a mask that are common, to within 32 levels, at least one where it holds any.
+std::vector<cv::Vec3b> common_colours(const cv::Mat& bgr, const cv::Mat1b& mask) {
+    constexpr int times_commoner = 4;  // than these is no other
     std::map<std::array<int, 3>, std::pair<int, cv::Vec3i>> bins;
+    int most = 0;
     for (int y = 0; y < bgr.rows; ++y)
         for (int x = 0; x < bgr.cols; ++x) {
             if (mask(y, x) == 0) continue;
             const auto p = bgr.at<cv::Vec3b>(y, x);
             auto& [count, sum] = bins[{p[0] / 32, p[1] / 32, p[2] / 32}];
-            ++count;
             sum += cv::Vec3i(p);
+            most = std::max(most, ++count);
         }
-    const auto best =
-        std::ranges::max_element(bins, {}, [](const auto& bin) { return bin.second.first; });
-    if (best == bins.end()) return {};
-    return cv::Vec3b(best->second.second / best->second.first);
+    std::vector<cv::Vec3b> colours;
+    for (const auto& [place, bin] : bins)
+        if (times_commoner * bin.first >= most) colours.emplace_back(bin.second / bin.first);
+    return colours;
+}
+
+/// Ink of a letter's colour with the soft edges around it, without those of lines of another
+/// colour: what crosses a letter does not make it lead out.
+cv::Mat1b in_colour(const cv::Mat& bgr, const cv::Mat1b& ink, const cv::Vec3b& ground,
+                    const cv::Vec3b& letter) {
+    cv::Mat1b core;
+    cv::subtract(ink, differing(bgr, letter, like_letters), core);
+    cv::Mat1b around;
+    cv::dilate(core, around, cv::Mat::ones(5, 5, CV_8U));
+    cv::Mat1b of_letters = between(bgr, ground, letter);
+    of_letters &= ink;
+    of_letters &= around;
+    cv::Mat1b others;
+    cv::subtract(ink, of_letters, others);
+    cv::Mat beside;
+    cv::dilate(others, beside, cv::Mat::ones(3, 3, CV_8U));
+    of_letters.setTo(0, beside);
+    return of_letters;
 }
 
 /// What of the ink in a window lies within a box, in pieces that do not lead out of it: letters.
@@ -107,22 +145,36 @@ cv::Mat letters_in(const cv::Mat1b& ink, const cv::Rect& box) {
     return letters;
 }
 
+/// Letters of the colour of which most of the ink in the box is that does not lead out.
+cv::Mat coloured_letters(const cv::Mat& part, const cv::Mat1b& ink, const cv::Vec3b& ground,
+                         const cv::Rect& box, const cv::Rect& reach) {
+    cv::Mat best(ink.size(), CV_8U, cv::Scalar(0));
+    int most = 0;
+    for (const cv::Vec3b& letter : common_colours(part(box), ink(box))) {
+        const cv::Mat letters = letters_in(in_colour(part, ink, ground, letter), reach);
+        const int area = cv::countNonZero(letters(box));
+        if (area > most) best = letters;
+        most = std::max(most, area);
+    }
+    return best;
+}
+
 /// Letters are heard, not felt; what they stand on, and lines beneath them, stay.
 void paint_over(cv::Mat& bgr, std::span<const WordBox> words) {
     const cv::Rect whole(0, 0, bgr.cols, bgr.rows);
     for (const WordBox& word : words) {
         const cv::Rect box = exact(word) & whole;
         if (box.empty()) continue;
-        const int lean_px = beside_words_px + static_cast<int>(beyond_box * box.height);
+        const int shorter_px = std::min(box.width, box.height);
+        const int lean_px =
+            beside_words_px + std::min(static_cast<int>(beyond_box * shorter_px), most_beyond_px);
         const cv::Rect window = grown(box, 2 * lean_px, whole);
         const cv::Rect reach = grown(box, lean_px, whole) - window.tl();
         cv::Mat part = bgr(window);
         const cv::Vec3b ground = colour_around(bgr, grown(box, beside_words_px, whole));
         const cv::Mat1b ink = differing(part, ground, least_contrast);
-        cv::Mat1b of_words = ink.clone();
-        if (box.height > large_box * bgr.rows)
-            of_words &= ~differing(part, commonest(part, ink), like_letters);
-        const cv::Mat inner = letters_in(of_words, reach);
+        cv::Mat inner = coloured_letters(part, ink, ground, box - window.tl(), reach);
+        if (shorter_px <= large_box * bgr.rows) inner |= letters_in(ink, reach);
         cv::Mat letters;
         cv::dilate(inner, letters, cv::Mat::ones(5, 5, CV_8U));
         letters.setTo(0, ink & ~inner);

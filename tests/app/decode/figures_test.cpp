@@ -83,10 +83,11 @@ TEST(Figures, HaveTheTextThatIsWrittenOfThem) {
     const auto page = decode_page(tagged_pdf({"Fish"}, "A black box"), {1, 72});
     ASSERT_EQ(page->figures.size(), 1U);
     EXPECT_EQ(page->figures[0].text, "A black box");
-    EXPECT_NEAR(page->figures[0].box.left, 200, 1);
-    EXPECT_NEAR(page->figures[0].box.top, 130, 1);
-    EXPECT_NEAR(page->figures[0].box.right, 260, 1);
-    EXPECT_NEAR(page->figures[0].box.bottom, 170, 1);
+    const double px = page->picture.width / 300.0;
+    EXPECT_NEAR(page->figures[0].box.left, px * 200, 1);
+    EXPECT_NEAR(page->figures[0].box.top, px * 130, 1);
+    EXPECT_NEAR(page->figures[0].box.right, px * 260, 1);
+    EXPECT_NEAR(page->figures[0].box.bottom, px * 170, 1);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "tests/app/decode/files_of_formats.h"
 
 #include "app/decode/files.h"
+#include "tests/app/decode/pdf_writer.h"
 #include "tests/app/decode/reference.h"
 
 #include <algorithm>
@@ -34,29 +35,6 @@ void put_little_endian(Bytes& bytes, std::size_t at, std::uint32_t value, std::s
     for (std::size_t i = 0; i < count; ++i)
         bytes.at(at + i) = static_cast<std::byte>(value >> (8 * i) & 0xffU);
 }
-
-/// Objects with the table of their places, as PDF wants it.
-class PdfWriter {
-  public:
-    int add(const std::string& body) {
-        places_.push_back(text_.size());
-        text_ += fmt::format("{} 0 obj\n{}\nendobj\n", places_.size(), body);
-        return static_cast<int>(places_.size());
-    }
-
-    Bytes finish(int catalogue) {
-        const std::size_t table = text_.size();
-        text_ += fmt::format("xref\n0 {}\n0000000000 65535 f \n", places_.size() + 1);
-        for (const std::size_t place : places_) text_ += fmt::format("{:010} 00000 n \n", place);
-        text_ += fmt::format("trailer\n<< /Size {} /Root {} 0 R >>\nstartxref\n{}\n%%EOF\n",
-                             places_.size() + 1, catalogue, table);
-        return encoders::bytes_of(text_);
-    }
-
-  private:
-    std::string text_ = "%PDF-1.7\n";
-    std::vector<std::size_t> places_;
-};
 
 }  // namespace
 

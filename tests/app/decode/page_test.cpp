@@ -98,7 +98,7 @@ TEST(Page, SizesThatNobodyHasAreRefusedThoughTheSumIsRight) {
     page.picture = some_page().picture;
     page.number = 8;
     EXPECT_FALSE(page_of(answer_of(page).value()).has_value());
-    page.number = page.count = 201;
+    page.number = page.count = max_pages + 1;
     EXPECT_FALSE(page_of(answer_of(page).value()).has_value());
     page.number = page.count = 0;
     EXPECT_FALSE(page_of(answer_of(page).value()).has_value());

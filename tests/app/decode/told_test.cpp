@@ -110,13 +110,15 @@ TEST(Told, TaggedPdfGivesHeadingFigureAndWordsOfEachPage) {
         EXPECT_EQ(page->told.description, "A black box");
         ASSERT_EQ(page->told.labels.size(), 2U);
         EXPECT_EQ(page->told.labels[0].text, "A black box");
-        // Centre (230, 50) points from below, of 300 x 200; a pixel is 1e-4 m.
-        EXPECT_NEAR(page->told.labels[0].place.x, 80e-4, 2e-4);
-        EXPECT_NEAR(page->told.labels[0].place.y, -50e-4, 2e-4);
+        // Centre (230, 50) points from below, of 300 x 200, drawn as large as A5; a pixel is 1e-4
+        // m.
+        const double px = page->picture.width / 300.0;
+        EXPECT_NEAR(page->told.labels[0].place.x, px * 80e-4, 2e-4);
+        EXPECT_NEAR(page->told.labels[0].place.y, px * -50e-4, 2e-4);
         EXPECT_EQ(page->told.labels[1].text, word);
         ASSERT_EQ(page->words.size(), 1U);
-        EXPECT_NEAR(page->words[0].left, 72, 3);
-        EXPECT_NEAR(page->words[0].bottom, 50, 10);
+        EXPECT_NEAR(page->words[0].left, px * 72, 5);
+        EXPECT_NEAR(page->words[0].bottom, px * 50, 10);
     }
     const auto beyond = decode_page(pdf, {3, 72});
     ASSERT_FALSE(beyond.has_value());
@@ -125,8 +127,8 @@ TEST(Told, TaggedPdfGivesHeadingFigureAndWordsOfEachPage) {
 
 TEST(Told, PdfIsAsLargeAsAskedFor) {
     const Bytes pdf = tagged_pdf({"Fish"}, "");
-    EXPECT_EQ(decode_page(pdf, {1, 72})->picture.width, 300);
-    EXPECT_EQ(decode_page(pdf, {1, 144})->picture.width, 600);
+    EXPECT_EQ(decode_page(pdf, {1, 72})->picture.width, 8 * 72) << "small pages count as A5";
+    EXPECT_EQ(decode_page(pdf, {1, 144})->picture.width, 8 * 144);
     EXPECT_EQ(decode_page(pdf, {1, 144})->dpi, 144);
 }
 

@@ -8,10 +8,12 @@
 #include "app/trace/page_views.h"
 #include "config/types/map_bytes.h"
 #include "tests/app/decode/files_of_formats.h"
+#include "tests/app/decode/pdf_writer.h"
 
 #include <atomic>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -89,6 +91,16 @@ TEST(KioskStages, ThePageAsAWholeComesLast) {
     const LoadedScene scene = felt(stages, document, 1, 3);
     EXPECT_EQ(scene.facts.place.view, 3);
     EXPECT_GE(scene.facts.outline_count, 2);
+}
+
+TEST(KioskStages, EveryPageOfALongDocumentIsFelt) {
+    const KioskStages stages(default_profile());
+    const Document document(
+        written_pdf(std::vector<WrittenPage>(300, {"4 w 100 300 400 200 re S"})));
+    for (const int page : {1, 201, 300}) {
+        const PagePlace place{page, 300, 1, 1};
+        EXPECT_EQ(felt(stages, document, page, 1).facts.place, place);
+    }
 }
 
 TEST(KioskStages, ADetailCostsNoWorker) {

@@ -55,5 +55,35 @@ TEST(PageLines, AWordAcrossThePageTakesNoLineAway) {
                 30.0);
 }
 
+TEST(PageLines, ADarkWordOnAPaleLineGoesAndTheLineStays) {
+    testing::Canvas canvas({kWidth, kHeight}, {255, 255, 255});
+    canvas.stroke({{{{40.0, 200.0}, {560.0, 200.0}}, false}}, 5.0, {190, 190, 190});
+    canvas.write("Harbour", {200.0, 212.0}, {"DejaVu Sans", 40.0, false, false}, {0, 0, 0});
+    const cv::Mat drawn = canvas.picture();
+    Page page;
+    page.picture = {kWidth, kHeight, {drawn.datastart, drawn.dataend}};
+    page.told.area = {0.06, 0.04};
+    page.words = {{200, 180, 372, 214}};
+    // Without what the strokes of the letters cover.
+    EXPECT_NEAR(length_px(page), 495.0, 30.0);
+}
+
+TEST(PageLines, ASmallDrawingBesideALargePaleLetterStays) {
+    // Boxes of letters one by one: when the last is painted over the others are gone already, and
+    // the drawing is most of what is left around it.
+    testing::Canvas canvas({kWidth, kHeight}, {255, 255, 255});
+    const testing::Font font{"DejaVu Sans", 200.0, false, false};
+    canvas.write("I", {120.0, 300.0}, font, {215, 215, 215});
+    canvas.write("L", {300.0, 300.0}, font, {215, 215, 215});
+    canvas.stroke({{{{380.0, 180.0}, {420.0, 180.0}, {420.0, 240.0}, {380.0, 240.0}}, true}}, 4.0,
+                  {0, 0, 0});
+    const cv::Mat drawn = canvas.picture();
+    Page page;
+    page.picture = {kWidth, kHeight, {drawn.datastart, drawn.dataend}};
+    page.told.area = {0.06, 0.04};
+    page.words = {{139, 154, 159, 300}, {319, 154, 420, 300}};
+    EXPECT_NEAR(length_px(page), 200.0, 8.0);
+}
+
 }  // namespace
 }  // namespace touchline
