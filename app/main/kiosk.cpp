@@ -71,7 +71,11 @@ std::vector<Language> offered(std::vector<Language> languages, const std::string
     std::istringstream words(codes);
     for (std::string code; words >> code;) {
         const auto at = std::ranges::find(languages, code, &Language::code);
-        if (at != languages.end()) chosen.push_back(*at);
+        if (at != languages.end()) {
+            chosen.push_back(*at);
+        } else {
+            report("settings: there are no words of '" + code + "'; take it out of the languages");
+        }
     }
     if (chosen.empty()) chosen.emplace_back();
     return chosen;
