@@ -60,12 +60,11 @@ std::optional<std::size_t> nearest_spot(const std::vector<PartFacts>& parts, Pos
 }
 
 /// A title without a blank is what programs make of a file's name.
-std::string title_of(const std::string& title, const std::string& file_name,
-                     const Language& language) {
-    const bool is_of_a_person = title.find(' ') != std::string::npos;
-    if (is_of_a_person) return title;
-    const std::string& name = title.empty() ? file_name : title;
-    return name.empty() ? std::string() : spoken_name(name, language);
+std::string title_of(const std::string& title, const PictureFile& file, const Language& language) {
+    const bool is_of_file = title == file.title && !file.file_name.empty();
+    if (is_of_file) return spoken_name(file.file_name, language);
+    const bool is_of_a_person = title.empty() || title.find(' ') != std::string::npos;
+    return is_of_a_person ? title : spoken_name(title, language);
 }
 
 }  // namespace
@@ -73,7 +72,7 @@ std::string title_of(const std::string& title, const std::string& file_name,
 PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file, const Language& language) {
     const TactileMap& map = *scene.felt.map;
     PictureFacts facts;
-    facts.title = title_of(scene.facts.title, file.file_name, language);
+    facts.title = title_of(scene.facts.title, file, language);
     facts.description = map.description;
     facts.place = scene.facts.place;
     facts.outline_count = scene.facts.outline_count;

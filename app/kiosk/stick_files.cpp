@@ -4,6 +4,7 @@
 #include "app/decode/side_car.h"
 #include "app/sticks/names.h"
 
+#include <filesystem>
 #include <utility>
 
 namespace touchline {
@@ -80,8 +81,9 @@ std::vector<FilePtr> files_of_stick(const std::shared_ptr<StickReader>& reader,
                                     const std::string& root, const StickListing& listing) {
     std::vector<FilePtr> files;
     for (const StickEntry& entry : listing.entries) {
+        const std::string stem = std::filesystem::path(entry.name).stem().string();
         files.push_back(std::make_shared<const PictureFile>(
-            PictureFile{shown_name(entry.name), "", "", true,
+            PictureFile{shown_name(entry.name), shown_name(stem), "", true,
                         [reader, root, entry](const PageOrder& order) {
                             return opened(*reader, root, entry, order);
                         },

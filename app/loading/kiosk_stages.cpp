@@ -184,7 +184,8 @@ FilePtr file_at(const std::string& path) {
     const std::filesystem::path name(path);
     const bool is_of_gallery = name.parent_path() == gallery_folder();
     return std::make_shared<const PictureFile>(
-        PictureFile{one_line(path), "", is_of_gallery ? name.filename().string() : "", false,
+        PictureFile{one_line(path), one_line(name.stem().string()),
+                    is_of_gallery ? name.filename().string() : "", false,
                     [path](const PageOrder& order) { return open_page_of(path, order); },
                     name.filename().string()});
 }

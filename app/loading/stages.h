@@ -23,12 +23,12 @@ namespace touchline {
 /// A file of the list. Two of them are the same only if they are the same object.
 struct PictureFile {
     std::string name;          // as sentences about it begin; fit to be shown
-    std::string title;         // that a person gave it; empty: none, or one within the file
+    std::string title;         // where the file has none of its own
     std::string gallery_file;  // its name there; empty: a visitor's
     bool is_private = false;   // of a stick: no log may name it
     /// A page of it. Errors are one line with the file's name. From any thread, at any time.
     std::function<Result<Page>(const PageOrder&)> open;
-    /// Raw bytes: said by spoken_name() alone, where nobody gave a title. Empty: not even that.
+    /// Raw bytes, where `title` is made of it and no person's: said by spoken_name() alone.
     std::string file_name = {};
 };
 

@@ -6,10 +6,10 @@
 namespace touchline {
 namespace {
 
-// mark u32, not_listed u32, flags u8, folders u16, entries u16; a folder: its path; an entry: kind
-// u8, folder u16 (0 is the root, 1 the first folder), name. A text is u16 and its bytes. All
+// mark u32, not_listed u32, is_whole u8 (every folder was looked into), entries u16; an entry: kind
+// u8, folder and name, each as u16 and bytes; last the reasons why it is not whole, u8. All
 // little-endian.
-constexpr std::uint32_t mark = 0x324c5354;  // "TSL2"
+constexpr std::uint32_t mark = 0x314c5354;  // "TSL1"
 
 constexpr std::uint32_t deeper_flag = 1;
 constexpr std::uint32_t unreadable_flag = 2;
@@ -56,35 +56,13 @@ class Taker {
     std::span<const std::byte> bytes_;
 };
 
-/// Those of neighbours in a listing, each once as far as they are neighbours.
-std::vector<std::string_view> folders_of(const StickListing& listing) {
-    std::vector<std::string_view> folders;
-    for (const StickEntry& entry : listing.entries) {
-        const bool is_known =
-            folders.empty() ? entry.folder.empty() : folders.back() == entry.folder;
-        if (!is_known && !entry.folder.empty()) folders.emplace_back(entry.folder);
-    }
-    return folders;
-}
-
-std::optional<std::vector<std::string>> take_folders(Taker& taker, std::uint32_t count) {
-    std::vector<std::string> folders{""};
-    for (std::uint32_t i = 0; i < count; ++i) {
-        auto path = taker.text();
-        if (!path || path->empty() || !is_folder_path(*path)) return std::nullopt;
-        folders.push_back(std::move(*path));
-    }
-    return folders;
-}
-
-std::optional<StickEntry> take_entry(Taker& taker, const std::vector<std::string>& folders) {
+std::optional<StickEntry> take_entry(Taker& taker) {
     const auto kind = taker.number(1);
-    const auto folder = taker.number(2);
+    auto folder = taker.text();
     auto name = taker.text();
-    if (!kind || *kind >= stick_file_kind_count || !folder || *folder >= folders.size() || !name)
-        return std::nullopt;
-    if (!is_file_name(*name)) return std::nullopt;
-    return StickEntry{static_cast<StickFileKind>(*kind), folders[*folder], std::move(*name)};
+    if (!kind || *kind >= stick_file_kind_count || !folder || !name) return std::nullopt;
+    if (!is_file_name(*name) || !is_folder_path(*folder)) return std::nullopt;
+    return StickEntry{static_cast<StickFileKind>(*kind), std::move(*folder), std::move(*name)};
 }
 
 StickRest rest_of(std::uint32_t not_listed, std::uint32_t flags) {
@@ -118,22 +96,18 @@ bool is_folder_path(std::string_view path) {
 }
 
 std::vector<std::byte> bytes_of(const StickListing& listing) {
-    const std::vector<std::string_view> folders = folders_of(listing);
+    const std::uint32_t flags = flags_of(listing.rest);
     std::vector<std::byte> bytes;
     put(bytes, mark, 4);
     put(bytes, listing.rest.not_listed, 4);
-    put(bytes, flags_of(listing.rest), 1);
-    put(bytes, static_cast<std::uint32_t>(folders.size()), 2);
+    put(bytes, flags == 0 ? 1 : 0, 1);
     put(bytes, static_cast<std::uint32_t>(listing.entries.size()), 2);
-    for (const std::string_view folder : folders) put(bytes, folder);
-    std::uint32_t at = 0;  // folders begun
     for (const StickEntry& entry : listing.entries) {
-        const bool is_next = !entry.folder.empty() && (at == 0 || folders[at - 1] != entry.folder);
-        if (is_next) ++at;
         put(bytes, static_cast<std::uint32_t>(entry.kind), 1);
-        put(bytes, entry.folder.empty() ? 0U : at, 2);
+        put(bytes, entry.folder);
         put(bytes, entry.name);
     }
+    put(bytes, flags, 1);
     return bytes;
 }
 
@@ -142,22 +116,19 @@ Result<StickListing> listing_of(std::span<const std::byte> bytes) {
     Taker taker(bytes);
     if (taker.number(4) != mark) return wrong;
     const auto not_listed = taker.number(4);
-    const auto flags = taker.number(1);
-    const auto folder_count = taker.number(2);
+    const auto is_whole = taker.number(1);
     const auto count = taker.number(2);
-    if (!not_listed || !flags || *flags > all_flags || !folder_count ||
-        *folder_count > most_listed_folders || !count || *count > most_listed)
-        return wrong;
-    const auto folders = take_folders(taker, *folder_count);
-    if (!folders) return wrong;
-    StickListing listing{{}, rest_of(*not_listed, *flags)};
+    if (!not_listed || !is_whole || !count || *count > most_listed) return wrong;
+    StickListing listing;
     for (std::uint32_t i = 0; i < *count; ++i) {
-        auto entry = take_entry(taker, *folders);
+        auto entry = take_entry(taker);
         if (!entry) return wrong;
         listing.entries.push_back(std::move(*entry));
     }
-    // A folder that is named for nothing, or twice, would be two lists for the same bytes.
-    if (!taker.is_at_end() || !std::ranges::equal(bytes_of(listing), bytes)) return wrong;
+    const auto flags = taker.number(1);
+    if (!flags || *flags > all_flags || *is_whole != (*flags == 0 ? 1U : 0U)) return wrong;
+    if (!taker.is_at_end()) return wrong;
+    listing.rest = rest_of(*not_listed, *flags);
     return listing;
 }
 

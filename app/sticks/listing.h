@@ -16,6 +16,7 @@ namespace touchline {
 
 inline constexpr std::size_t most_listed = 10'000;
 inline constexpr std::size_t most_listed_folders = 2'000;
+inline constexpr std::size_t most_listed_bytes = std::size_t{8} << 20U;  // of names and paths
 inline constexpr std::size_t deepest_folder = 8;         // a folder in the root has depth 1
 inline constexpr std::size_t longest_name_bytes = 1020;  // 255 characters of UTF-8, as on exFAT
 
@@ -30,10 +31,11 @@ struct StickEntry {
 
 /// What a listing leaves out.
 struct StickRest {
-    std::uint32_t not_listed = 0;  // files of the same kinds that were found beyond most_listed
-    bool has_deeper = false;       // folders below deepest_folder
-    bool has_unreadable = false;   // folders, or names in them, that could not be read
-    bool is_cut_short = false;     // more folders or names than are looked at, or no time for them
+    /// Files of the same kinds that were found beyond most_listed, or most_listed_bytes.
+    std::uint32_t not_listed = 0;
+    bool has_deeper = false;      // folders below deepest_folder
+    bool has_unreadable = false;  // folders, or names in them, that could not be read
+    bool is_cut_short = false;    // more folders or names than are looked at, or no time for them
 
     friend bool operator==(const StickRest&, const StickRest&) = default;
 

@@ -111,12 +111,19 @@ class Scan {
         FirstNames files(order_, most_listed - listing_.entries.size());
         const int error = read_names(folder, files, folders);
         listing_.rest.not_listed += static_cast<std::uint32_t>(files.beyond());
-        for (std::string& file : files.take()) {
-            const auto kind = kind_of(file);
-            if (kind) listing_.entries.push_back({*kind, path, std::move(file)});
-        }
+        for (std::string& file : files.take()) list(path, std::move(file));
         if (error != 0) return error;
         return std::nullopt;
+    }
+
+    void list(const std::string& path, std::string file) {
+        const auto kind = kind_of(file);
+        if (!kind) return;
+        bytes_ += path.size() + file.size();
+        if (bytes_ > most_listed_bytes)
+            ++listing_.rest.not_listed;
+        else
+            listing_.entries.push_back({*kind, path, std::move(file)});
     }
 
     int read_names(const Descriptor& folder, FirstNames& files, FirstNames* folders) {
@@ -164,6 +171,7 @@ class Scan {
     StickListing listing_;
     std::size_t names_ = 0;
     std::size_t looked_into_ = 0;  // folders
+    std::size_t bytes_ = 0;        // of names and paths
     bool is_over_ = false;
 };
 

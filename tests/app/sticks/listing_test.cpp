@@ -123,11 +123,15 @@ TEST(StickListing, OfALiarIsRefused) {
     long_one.entries.push_back({StickFileKind::picture, "", "a"});
     EXPECT_TRUE(refused(long_one));
     auto bytes = bytes_of(one("", "a"));
-    bytes[13] = std::byte{stick_file_kind_count};  // the first entry's kind
+    bytes[11] = std::byte{stick_file_kind_count};  // the first entry's kind
     EXPECT_FALSE(listing_of(bytes));
-    bytes[13] = {};
+    bytes[11] = {};
     EXPECT_TRUE(listing_of(bytes));
-    bytes[14] = std::byte{1};  // a folder that is not there
+    bytes[8] = {};  // not whole, and no reason
+    EXPECT_FALSE(listing_of(bytes));
+    bytes.back() = std::byte{1};
+    EXPECT_TRUE(listing_of(bytes));
+    bytes.back() = std::byte{8};
     EXPECT_FALSE(listing_of(bytes));
 }
 

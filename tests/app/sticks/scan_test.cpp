@@ -192,6 +192,22 @@ TEST(StickScan, PathsAsLongAsTheyGetAreReadOrTold) {
     EXPECT_TRUE(listing_of(bytes_of(listing)).has_value());
 }
 
+TEST(StickScan, NamesAndPathsTakeNoMoreThanTheyMay) {
+    const StickFolder stick("/dev/shm");
+    std::string deep(255, 'd');
+    for (int depth = 2; depth <= 8; ++depth) deep += '/' + std::string(255, 'e');
+    stick.folder(deep);
+    const Descriptor at(::open((stick.path() / deep).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    for (int i = 0; i < 5000; ++i) {
+        const std::string name = std::to_string(i) + std::string(200, 'f') + ".png";
+        (void)Descriptor(::openat(at.number(), name.c_str(), O_CREAT | O_WRONLY, 0644));
+    }
+    const StickListing listing = scan(stick);
+    EXPECT_EQ(listing.entries.size() + listing.rest.not_listed, 5000U);
+    EXPECT_GT(listing.rest.not_listed, 0U);
+    EXPECT_LT(bytes_of(listing).size(), std::size_t{9} << 20U);
+}
+
 TEST(StickScan, ARootThatIsGoneIsRefused) {
     const Descriptor nothing(::open("/dev/null", O_PATH | O_CLOEXEC));
     EXPECT_FALSE(scan_stick(nothing, NaturalOrder(), {}, StickSearch::pictures).has_value());
