@@ -17,7 +17,7 @@ namespace touchline {
 struct ShelfChange {
     std::vector<FilePtr> files;
     std::string sentence;  // why there are none, for the person; may be empty
-    StickRest rest;        // what the stick has beyond the files
+    StickRest rest = {};   // what the stick has beyond the files
     bool is_read = false;  // its files were looked for: where there are none, it has none
 };
 
