@@ -322,7 +322,7 @@ class CommandLine {
         if (feel_command_->parsed()) return start_feel(out, err);
         if (tour_command_->parsed()) return finish(programs.tour(tour_), err);
         if (device_command_->parsed()) return start_device(out, err);
-        if (settings_command_->parsed()) return finish(run_settings(settings_, out), err);
+        if (settings_command_->parsed()) return start_settings(out, err);
         if (pack_command_->parsed()) return finish(run_pack(pack_, out), err);
         return programs.kiosk(kiosk_);
     }
@@ -346,6 +346,12 @@ class CommandLine {
             return wrong_usage;
         }
         return finish(run_feel(feel_), err);
+    }
+
+    int start_settings(std::ostream& out, std::ostream& err) {
+        const std::vector<std::string> faults = run_settings(settings_, out);
+        for (const std::string& fault : faults) tell(err, fault);
+        return faults.empty() ? done : unusable_input;
     }
 
     int start_device(std::ostream& out, std::ostream& err) {

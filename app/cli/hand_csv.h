@@ -23,9 +23,10 @@ enum class HandColumns : std::uint8_t {
     place_and_angle,  // t_s,x_m,y_m,angle_rad
 };
 
-/// Comma-separated, its first line naming the columns; the wanted ones must be there, others are
-/// ignored. Times increase strictly, numbers are finite, |x| and |y| at most 1 m, |angle| at most
-/// 1000 rad, at least one row. The error names the line.
+/// A table of any separator (csv_table.h), its first line naming the columns, in any order; the
+/// wanted ones must be there once, others are ignored. A number has a decimal point, or a comma
+/// where commas do not part the values. Times increase strictly, numbers are finite, |x| and |y| at
+/// most 1 m, |angle| at most 1000 rad, at least one row. The error names the line.
 [[nodiscard]] Result<std::vector<HandRow>> parse_hand_csv(std::string_view text,
                                                           HandColumns wanted = HandColumns::place);
 

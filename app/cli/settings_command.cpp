@@ -2,6 +2,7 @@
 
 #include "app/decode/files.h"
 #include "app/operator/settings_files.h"
+#include "app/sound/catalogues.h"
 #include "config/settings/settings_text.h"
 #include "config/types/plain_line.h"
 
@@ -14,11 +15,15 @@
 namespace touchline {
 namespace {
 
-Result<Settings> settings_with(const std::string& file) {
-    const auto bytes = read_file(file);
-    if (!bytes) return tl::unexpected(bytes.error());
-    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    return apply_settings(Settings{}, text, file, SettingLayer::site);
+Result<std::string> text_in(const std::string& file) {
+    return read_file(file).map([](const std::vector<std::byte>& bytes) {
+        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    });
+}
+
+/// Those of the catalogues; none where their folder cannot be read.
+std::vector<std::string> languages_that_there_are() {
+    return languages_in(words_folder().string()).value_or(std::vector<std::string>{});
 }
 
 std::string verdict(const std::string& file, const Settings& settings) {
@@ -32,13 +37,17 @@ std::string verdict(const std::string& file, const Settings& settings) {
 
 }  // namespace
 
-Result<void> run_settings(const SettingsCommandOptions& options, std::ostream& out) {
+std::vector<std::string> run_settings(const SettingsCommandOptions& options, std::ostream& out) {
     const bool is_named = !options.file.empty();
     const std::string file = is_named ? options.file : settings_files().site.string();
     std::error_code error;
     const bool is_missing = !is_named && !std::filesystem::exists(file, error) && !error;
-    const auto settings = is_missing ? Result<Settings>(Settings{}) : settings_with(file);
-    if (!settings) return tl::unexpected(settings.error());
+    const auto text = is_missing ? Result<std::string>("") : text_in(file);
+    if (!text) return {text.error().line};
+    auto faults = settings_faults(*text, file, SettingLayer::site, languages_that_there_are());
+    if (!faults.empty()) return faults;
+    const auto settings = apply_settings(Settings{}, *text, file, SettingLayer::site);
+    if (!settings) return {settings.error().line};
     if (options.action == SettingsAction::print) {
         out << settings_text(*settings);
     } else if (is_missing) {

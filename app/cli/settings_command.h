@@ -2,15 +2,14 @@
 // Threads: one.
 #pragma once
 
-#include "config/types/result.h"
-
 #include <cstdint>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace touchline {
 
-/// check: one line says whether the file can be used, and how many settings it sets. print: all
+/// check: one line says that the file can be used, and how many settings it sets. print: all
 /// settings as TOML.
 enum class SettingsAction : std::uint8_t { check, print };
 
@@ -19,7 +18,9 @@ struct SettingsCommandOptions {
     std::string file;  // empty: the site's, which need not be there
 };
 
-/// Fails with the line that says what is wrong with the file.
-[[nodiscard]] Result<void> run_settings(const SettingsCommandOptions& options, std::ostream& out);
+/// A line for every fault of the file (settings_text.h), among them a language that nobody has; a
+/// file that cannot be read is one. Empty: done, and nothing else was written to `out` but that.
+[[nodiscard]] std::vector<std::string> run_settings(const SettingsCommandOptions& options,
+                                                    std::ostream& out);
 
 }  // namespace touchline

@@ -29,15 +29,30 @@ void append_utf8(std::string& text, std::uint32_t code) {
     byte(0x80U | (code & 0x3fU));
 }
 
-/// What Windows calls "Unicode": UTF-16 with its mark. Halves of a pair alone become no character.
-std::string of_utf16(std::string_view bytes) {
-    const std::size_t low = bytes.starts_with("\xfe\xff") ? 1 : 0;
+enum class Utf16 : std::uint8_t { none, little, big };
+
+/// By its mark; without one, by the zero that half of all its characters need: every one of Latin.
+Utf16 utf16_of(std::string_view bytes) {
+    if (bytes.starts_with("\xff\xfe")) return Utf16::little;
+    if (bytes.starts_with("\xfe\xff")) return Utf16::big;
+    std::array<std::size_t, 2> zeros{};  // at even places, at odd ones
+    for (std::size_t at = 0; at < bytes.size(); ++at)
+        if (bytes[at] == '\0') ++zeros.at(at % 2);
+    if (bytes.size() % 2 != 0 || 4 * (zeros[0] + zeros[1]) < bytes.size()) return Utf16::none;
+    if (zeros[0] == 0) return Utf16::little;
+    return zeros[1] == 0 ? Utf16::big : Utf16::none;
+}
+
+/// What Windows calls "Unicode". Halves of a pair alone become no character.
+std::string of_utf16(std::string_view bytes, Utf16 order) {
+    const std::size_t low = order == Utf16::big ? 1 : 0;
+    const bool has_mark = bytes.starts_with("\xfe\xff") || bytes.starts_with("\xff\xfe");
     const auto unit = [&](std::size_t at) -> std::uint32_t {
         return static_cast<unsigned char>(bytes[at + low]) |
                static_cast<unsigned>(static_cast<unsigned char>(bytes[at + 1 - low])) << 8U;
     };
     std::string text;
-    for (std::size_t at = 2; at + 1 < bytes.size(); at += 2) {
+    for (std::size_t at = has_mark ? 2 : 0; at + 1 < bytes.size(); at += 2) {
         std::uint32_t code = unit(at);
         const bool is_first = code >= 0xd800U && code < 0xdc00U;
         const std::uint32_t next = is_first && at + 3 < bytes.size() ? unit(at + 2) : 0U;
@@ -69,8 +84,8 @@ std::string of_windows_1252(std::string_view bytes) {
 /// What an editor saved, in UTF-8; nothing of a picture or program that somebody named .txt.
 std::string text_in(std::string_view bytes) {
     if (bytes.size() > max_side_car_bytes) return {};
-    if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
-        std::string text = of_utf16(bytes);
+    if (const Utf16 order = utf16_of(bytes); order != Utf16::none) {
+        std::string text = of_utf16(bytes, order);
         return text.find('\0') == std::string::npos ? text : std::string();
     }
     if (bytes.find('\0') != std::string_view::npos) return {};
@@ -90,7 +105,7 @@ void tell(std::string_view bytes, TactileMap& told) {
     const auto first = side_car.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) return;
     side_car.remove_prefix(first);
-    const auto end = side_car.find('\n');
+    const auto end = side_car.find_first_of("\r\n");
     const std::string line = one_spaced(side_car.substr(0, end), longest_description);
     const std::string rest = end == std::string_view::npos
                                  ? std::string()

@@ -4,6 +4,7 @@
 #include "app/loading/kiosk_stages.h"
 #include "app/session/fault_words.h"
 #include "app/session/proxy_radius.h"
+#include "app/sticks/stick_words.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/guidance_words.h"
 #include "config/types/plain_line.h"
@@ -281,12 +282,11 @@ void Kiosk::follow_headphones() {
     happen(HeadphonesChanged{are_in.value_or(true)});
 }
 
-void Kiosk::offer(std::vector<FilePtr> files, const std::string& sentence) {
+void Kiosk::offer(std::vector<FilePtr> files, const StickRest& rest) {
     std::vector<std::string> names;
-    for (const FilePtr& file : files) names.push_back(spoken_title(file->title));
+    for (const FilePtr& file : files) names.push_back(file->file_name);
     pictures_.put_stick(std::move(files));
-    happen(
-        StickCame{std::move(names), in_words(sentence, "Not all files of the stick are listed.")});
+    happen(StickCame{std::move(names), rest});
 }
 
 void Kiosk::follow_stick(std::int64_t now_ns) {
@@ -295,11 +295,14 @@ void Kiosk::follow_stick(std::int64_t now_ns) {
     follow_part(Part::sticks, shelf_->is_watching());
     const bool was_listing = std::exchange(is_listing_, shelf_->is_listing());
     if (change && !change->files.empty()) {
-        offer(std::move(change->files), change->sentence);
+        offer(std::move(change->files), change->rest);
     } else if (change) {
         pictures_.put_stick({});
-        happen(StickGone{in_words(
-            change->sentence, "The stick cannot be read. Put it in again, or try another one.")});
+        happen(StickGone{
+            change->is_read
+                ? nothing_words(change->rest, language())
+                : in_words(change->sentence,
+                           "The stick cannot be read. Put it in again, or try another one.")});
     } else if (is_listing_ && !was_listing) {
         happen(StickArriving{});
     }
@@ -324,7 +327,7 @@ void Kiosk::take(Delivery delivery) {
     shown_ = delivery.scene->shown;
     map_ = delivery.scene->felt.map;
     felt_file_ = wanted_;
-    PictureFacts facts = facts_of(*delivery.scene);
+    PictureFacts facts = facts_of(*delivery.scene, *wanted_, language());
     parts_ = facts.parts;
     servo_->feel(delivery.scene->felt);
     if (operator_ && !delivery.is_better) operator_->count_picture(order_.source);

@@ -76,8 +76,8 @@ class Kiosk {
     /// alone; no PIN is needed for the operator's keys there.
     void strike_operator_key(const PhysicalKey& key);
 
-    /// Pictures to choose from, as if a stick had brought them. `sentence`: what is not among them.
-    void offer(std::vector<FilePtr> files, const std::string& sentence = {});
+    /// Pictures to choose from, as if a stick had brought them. `rest`: what is not among them.
+    void offer(std::vector<FilePtr> files, const StickRest& rest = {});
 
     /// Sixty times a second or so; `now_ns` of the monotonic clock.
     void step(std::int64_t now_ns);

@@ -1,6 +1,6 @@
 #include "app/kiosk/picture_facts.h"
 
-#include "audio-cues/speech/speech_text.h"
+#include "app/sticks/spoken_name.h"
 
 #include <algorithm>
 
@@ -59,16 +59,20 @@ std::optional<std::size_t> nearest_spot(const std::vector<PartFacts>& parts, Pos
     return nearest;
 }
 
-}  // namespace
-
-std::string spoken_title(const std::string& title) {
-    return title.find(' ') == std::string::npos ? speakable_name(title) : title;
+/// A title without a blank is what programs make of a file's name.
+std::string title_of(const std::string& title, const PictureFile& file, const Language& language) {
+    const bool is_of_file = title == file.title && !file.file_name.empty();
+    if (is_of_file) return spoken_name(file.file_name, language);
+    const bool is_of_a_person = title.empty() || title.find(' ') != std::string::npos;
+    return is_of_a_person ? title : spoken_name(title, language);
 }
 
-PictureFacts facts_of(const LoadedScene& scene) {
+}  // namespace
+
+PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file, const Language& language) {
     const TactileMap& map = *scene.felt.map;
     PictureFacts facts;
-    facts.title = spoken_title(scene.facts.title);
+    facts.title = title_of(scene.facts.title, file, language);
     facts.description = map.description;
     facts.place = scene.facts.place;
     facts.outline_count = scene.facts.outline_count;

@@ -3,6 +3,7 @@
 
 #include "app/loading/stages.h"
 #include "app/session/visit_events.h"
+#include "audio-cues/words/language.h"
 #include "config/types/hand_state.h"
 #include "config/types/tactile_map.h"
 
@@ -16,11 +17,11 @@ namespace touchline {
 /// So near a spot counts as on it: half of what a fingertip covers.
 inline constexpr double spot_m = 0.004;
 
-/// A name that a person chose as it is, one of a file so that it can be said.
-[[nodiscard]] std::string spoken_title(const std::string& title);
-
-/// Parts are the outlines that have names, each name once, then the spots. O(outlines + labels).
-[[nodiscard]] PictureFacts facts_of(const LoadedScene& scene);
+/// The title that a person chose, as it is, where it is no file's name; else the file's name as it
+/// is said. Parts are the outlines that have names, each name once, then the spots. O(outlines +
+/// labels).
+[[nodiscard]] PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file,
+                                    const Language& language);
 
 /// The part that the hand is on: the outline that it touches, else the nearest spot within spot_m.
 /// O(parts + log outlines).

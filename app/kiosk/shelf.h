@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/loading/stages.h"
+#include "app/sticks/listing.h"
 #include "app/sticks/mount_options.h"
 
 #include <cstdint>
@@ -15,7 +16,9 @@ namespace touchline {
 /// The files that a stick offers now; none: it went, or offers nothing.
 struct ShelfChange {
     std::vector<FilePtr> files;
-    std::string sentence;  // for the person; may be empty
+    std::string sentence;  // why there are none, for the person; may be empty
+    StickRest rest = {};   // what the stick has beyond the files
+    bool is_read = false;  // its files were looked for: where there are none, it has none
 };
 
 class Shelf {

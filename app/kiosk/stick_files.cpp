@@ -86,7 +86,8 @@ std::vector<FilePtr> files_of_stick(const std::shared_ptr<StickReader>& reader,
             PictureFile{shown_name(entry.name), shown_name(stem), "", true,
                         [reader, root, entry](const PageOrder& order) {
                             return opened(*reader, root, entry, order);
-                        }}));
+                        },
+                        entry.name}));
     }
     return files;
 }

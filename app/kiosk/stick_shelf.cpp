@@ -44,14 +44,12 @@ std::optional<ShelfChange> StickShelf::take(const StickEvent& event) {
     is_due_ = event.news == StickNews::ready;
     root_ = is_due_ ? event.root : std::string();
     if (is_due_) return std::nullopt;
-    return ShelfChange{{}, event.sentence};
+    return ShelfChange{{}, event.sentence, {}, false};
 }
 
 ShelfChange StickShelf::shelved(const Listed& listed) const {
-    if (!listed) return {{}, sentence_of(listed.error(), "")};
-    const std::string nothing = nothing_sentence(*listed);
-    return {files_of_stick(reader_, root_, *listed),
-            nothing.empty() ? remainder_sentence(*listed) : nothing};
+    if (!listed) return {{}, sentence_of(listed.error(), ""), {}, false};
+    return {files_of_stick(reader_, root_, *listed), "", listed->rest, true};
 }
 
 }  // namespace touchline

@@ -186,7 +186,8 @@ FilePtr file_at(const std::string& path) {
     return std::make_shared<const PictureFile>(
         PictureFile{one_line(path), one_line(name.stem().string()),
                     is_of_gallery ? name.filename().string() : "", false,
-                    [path](const PageOrder& order) { return open_page_of(path, order); }});
+                    [path](const PageOrder& order) { return open_page_of(path, order); },
+                    name.filename().string()});
 }
 
 }  // namespace touchline

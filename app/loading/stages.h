@@ -28,6 +28,8 @@ struct PictureFile {
     bool is_private = false;   // of a stick: no log may name it
     /// A page of it. Errors are one line with the file's name. From any thread, at any time.
     std::function<Result<Page>(const PageOrder&)> open;
+    /// Raw bytes, where `title` is made of it and no person's: said by spoken_name() alone.
+    std::string file_name = {};
 };
 
 using FilePtr = std::shared_ptr<const PictureFile>;

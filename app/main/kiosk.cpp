@@ -71,7 +71,11 @@ std::vector<Language> offered(std::vector<Language> languages, const std::string
     std::istringstream words(codes);
     for (std::string code; words >> code;) {
         const auto at = std::ranges::find(languages, code, &Language::code);
-        if (at != languages.end()) chosen.push_back(*at);
+        if (at != languages.end()) {
+            chosen.push_back(*at);
+        } else {
+            report("settings: there are no words of '" + code + "'; take it out of the languages");
+        }
     }
     if (chosen.empty()) chosen.emplace_back();
     return chosen;
@@ -126,10 +130,27 @@ class KioskWindow {
                                     }});
         if (!window) return tl::unexpected(window.error());
         window_ = std::move(*window);
-        auto screen = KioskScreen::make(cap_height_px(settings_.viewing_distance_m, mm_per_px()));
+        return make_screen();
+    }
+
+    Result<void> make_screen() {
+        cap_px_ = cap_height_px(settings_.viewing_distance_m, mm_per_px());
+        auto screen = KioskScreen::make(cap_px_);
         if (!screen) return tl::unexpected(screen.error());
         screen_ = std::make_unique<KioskScreen>(std::move(*screen));
+        width_px_ = window_->width_px();
+        height_px_ = window_->height_px();
         return {};
+    }
+
+    /// Another mode of the screen has pixels of another size: letters stay as large to the eye.
+    void follow_pixels() {
+        const bool is_same = width_px_ == window_->width_px() && height_px_ == window_->height_px();
+        if (arguments_.in_window || is_same) return;
+        width_px_ = window_->width_px();
+        height_px_ = window_->height_px();
+        if (cap_px_ == cap_height_px(settings_.viewing_distance_m, mm_per_px())) return;
+        if (const auto made = make_screen(); !made) report(made.error().line);
     }
 
     /// As the operator measured the screen, else as it tells itself.
@@ -217,6 +238,7 @@ class KioskWindow {
     }
 
     void draw(std::int64_t time_ns) {
+        follow_pixels();
         const int width = window_->width_px();
         const int height = window_->height_px();
         if (kiosk_->desk().shows_live_view) {
@@ -302,6 +324,9 @@ class KioskWindow {
     std::optional<RealTimeTier> told_tier_;
     std::unique_ptr<Window> window_;
     std::unique_ptr<KioskScreen> screen_;  // dies before the window that has its OpenGL context
+    double cap_px_ = 0.0;                  // of its letters
+    int width_px_ = 0;                     // of the window, when they were chosen
+    int height_px_ = 0;
     std::unique_ptr<Kiosk> kiosk_;
     ServoClient* servo_ = nullptr;  // the kiosk's
 };

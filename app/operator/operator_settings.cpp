@@ -195,7 +195,7 @@ void turn_value(OperatorTurn& turn, const ItemMeaning& meaning, bool is_up) {
         return turn.say_item();
     }
     const Settings settings = turned_settings(state.settings, meaning, is_up);
-    if (!contradiction(settings).empty())
+    if (!conflicts(settings).empty())
         return turn.say(turn.words("That does not go together with another setting."));
     const bool is_same = settings == state.settings;
     state.settings = settings;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include <epoxy/gl.h>
@@ -59,6 +60,33 @@ std::string glfw_reason() {
     return words != nullptr ? words : "no reason given";
 }
 
+/// Where a monitor or the window lies on the whole display.
+struct DisplayPlace {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+
+    friend bool operator==(const DisplayPlace&, const DisplayPlace&) = default;
+};
+
+/// Nothing while there is no monitor, or none that shows anything.
+std::optional<DisplayPlace> place_of_monitor() {
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode == nullptr || mode->width <= 0 || mode->height <= 0) return std::nullopt;
+    DisplayPlace place{0, 0, mode->width, mode->height};
+    glfwGetMonitorPos(monitor, &place.x, &place.y);
+    return place;
+}
+
+DisplayPlace place_of(GLFWwindow* window) {
+    DisplayPlace place;
+    glfwGetWindowPos(window, &place.x, &place.y);
+    glfwGetWindowSize(window, &place.width, &place.height);
+    return place;
+}
+
 GLFWwindow* create_window(bool is_full_screen) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 2);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
@@ -94,11 +122,11 @@ Result<std::unique_ptr<Window>> Window::open(bool is_full_screen, Listener liste
         glfwTerminate();
         return failure(fmt::format("no window: {}; OpenGL 2.1 is needed", reason));
     }
-    return std::unique_ptr<Window>(new Window(window, std::move(listener)));
+    return std::unique_ptr<Window>(new Window(window, is_full_screen, std::move(listener)));
 }
 
-Window::Window(GLFWwindow* window, Listener listener)
-    : window_(window), listener_(std::move(listener)) {
+Window::Window(GLFWwindow* window, bool is_full_screen, Listener listener)
+    : window_(window), is_full_screen_(is_full_screen), listener_(std::move(listener)) {
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(window_, this);
@@ -119,8 +147,7 @@ Window::Window(GLFWwindow* window, Listener listener)
         if (width <= 0 || height <= 0) return;
         self->listener_.pointer_moved({x * self->width_px_ / width, y * self->height_px_ / height});
     });
-    if (glfwGetWindowMonitor(window_) != nullptr)
-        glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);
+    if (is_full_screen_) glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);
     update_size();
 }
 
@@ -135,6 +162,25 @@ void Window::update_size() {
     glfwGetFramebufferSize(window_, &width, &height);
     width_px_ = std::max(width, 1);
     height_px_ = std::max(height, 1);
+}
+
+/// A window manager lets a full-screen window follow its monitor; without one GLFW leaves it as it
+/// was. It then becomes a window without borders over all of the monitor: to be full screen again,
+/// in GLFW's sense, would set a mode out of those that GLFW knew at the start.
+void Window::follow_monitor() {
+    constexpr std::int64_t every_ns = 250'000'000;
+    const std::int64_t time_ns = now_ns();
+    if (!is_full_screen_ || time_ns < next_look_ns_) return;
+    next_look_ns_ = time_ns + every_ns;
+    const auto monitor = place_of_monitor();
+    const bool is_covered = !monitor || *monitor == place_of(window_);
+    // Only the second look counts: a window manager has had its time by then.
+    if (!is_covered && !was_covered_) {
+        glfwSetWindowAttrib(window_, GLFW_DECORATED, GLFW_FALSE);
+        glfwSetWindowMonitor(window_, nullptr, monitor->x, monitor->y, monitor->width,
+                             monitor->height, GLFW_DONT_CARE);
+    }
+    was_covered_ = is_covered;
 }
 
 double Window::mm_per_px() const {
@@ -179,6 +225,7 @@ void Window::read_knob() {
 
 void Window::wait_until(std::int64_t due_ns) {
     glfwPollEvents();
+    follow_monitor();
     read_joysticks();
     read_knob();
     for (std::int64_t left_ns = due_ns - now_ns(); left_ns > 0; left_ns = due_ns - now_ns())

@@ -28,8 +28,8 @@ class Window {
         std::function<void(double by_rad)> knob_turned;  // counter-clockwise
     };
 
-    /// Full screen on the first monitor, or a window of 1280 x 800. Fails where there is no display
-    /// or no OpenGL 2.1.
+    /// Full screen on the first monitor, whatever mode it is set to later and whether it is another
+    /// one by then, or a window of 1280 x 800. Fails where there is no display or no OpenGL 2.1.
     [[nodiscard]] static Result<std::unique_ptr<Window>> open(bool is_full_screen,
                                                               Listener listener);
     ~Window();
@@ -54,18 +54,22 @@ class Window {
     void wait_until(std::int64_t due_ns);
 
   private:
-    Window(GLFWwindow* window, Listener listener);
+    Window(GLFWwindow* window, bool is_full_screen, Listener listener);
 
     void update_size();
+    void follow_monitor();
     void read_joysticks();
     void read_knob();
 
     GLFWwindow* window_;
+    bool is_full_screen_;
     Listener listener_;
     int width_px_ = 1;
     int height_px_ = 1;
-    std::vector<bool> buttons_;  // of the joystick: is it down?
-    Knob knob_;                  // its first axis
+    std::vector<bool> buttons_;      // of the joystick: is it down?
+    Knob knob_;                      // its first axis
+    std::int64_t next_look_ns_ = 0;  // at the monitor
+    bool was_covered_ = true;        // by the window, at the last look
 };
 
 }  // namespace touchline

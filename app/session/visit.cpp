@@ -11,12 +11,17 @@ void leave_screens_of_picture(VisitWork& work) {
     if (work.visitor.path.back().screen == VisitScreen::opening) leave(work);
 }
 
+/// They are of another list; whoever is at them comes back to it.
+void leave_letters(VisitWork& work) {
+    forget_letters(work.visitor);
+    if (work.visitor.path.back().screen == VisitScreen::letters) leave(work);
+}
+
 void stick_came(VisitWork& work, const StickCame& came) {
     Visitor& visitor = work.visitor;
     visitor.has_stick = true;
-    visitor.is_stick_listed = true;
-    visitor.stick_names = came.names;
-    visitor.stick_note = came.sentence;
+    visitor.stick_list = std::make_shared<const StickList>(StickList{came.names, came.rest});
+    leave_letters(work);
     if (!is_visit_on(visit_of(work))) return;
     if (open_screen(work) == VisitScreen::stick) {
         cue(work, ScreenEvent::news);
@@ -31,9 +36,9 @@ void stick_came(VisitWork& work, const StickCame& came) {
 void stick_gone(VisitWork& work, const StickGone& gone) {
     Visitor& visitor = work.visitor;
     const bool had_stick = visitor.has_stick;
-    visitor.has_stick = visitor.is_stick_listed = false;
-    visitor.stick_names.clear();
-    visitor.stick_note.clear();
+    visitor.has_stick = false;
+    visitor.stick_list.reset();
+    leave_letters(work);
     if (!is_visit_on(visit_of(work))) return;
     if (!gone.sentence.empty()) return show_trouble(work, gone.sentence, TroubleKind::stick);
     if (!had_stick) return;
@@ -169,7 +174,8 @@ struct Take {
 
     void operator()(const StickArriving&) {
         work.visitor.has_stick = true;
-        work.visitor.is_stick_listed = false;
+        work.visitor.stick_list.reset();
+        leave_letters(work);
         if (open_screen(work) == VisitScreen::stick) say_screen(work);
     }
 
@@ -203,7 +209,7 @@ struct Take {
 bool is_waited_for(const Visitor& visitor) {
     const VisitScreen screen = visitor.path.back().screen;
     const bool is_listing =
-        screen == VisitScreen::stick && visitor.has_stick && !visitor.is_stick_listed;
+        screen == VisitScreen::stick && visitor.has_stick && !visitor.stick_list;
     return screen == VisitScreen::opening || is_listing;
 }
 

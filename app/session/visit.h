@@ -6,11 +6,14 @@
 #include "app/session/screen_model.h"
 #include "app/session/visit_events.h"
 #include "app/session/visit_orders.h"
+#include "app/sticks/first_letters.h"
+#include "app/sticks/listing.h"
 #include "config/settings/settings.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +28,7 @@ enum class VisitScreen : std::uint8_t {
     practice,
     gallery,
     stick,
+    letters,  // by which the list of the stick is searched
     camera,
     opening,  // work is under way and can be cancelled
     picture,
@@ -43,7 +47,7 @@ enum class VisitScreen : std::uint8_t {
     trouble,   // what, why, what to do
 };
 
-inline constexpr std::size_t visit_screen_count = 21;
+inline constexpr std::size_t visit_screen_count = 22;
 
 /// What an item of a screen stands for (ScreenItem::id). Rows of a list: entry + their number.
 enum class VisitItem : int {
@@ -58,6 +62,8 @@ enum class VisitItem : int {
     finish,
     next_ten,
     ten_before,
+    letters,
+    all_files,
     take_picture,
     cancel,
     lead_round,
@@ -188,6 +194,12 @@ struct House {
     std::uint64_t request = 0;  // of the last LoadPicture
 };
 
+/// What a stick offers: thousands of names, perhaps, so that steps share them.
+struct StickList {
+    std::vector<std::string> names;  // raw bytes: said by spoken_name() alone
+    StickRest rest;
+};
+
 /// Of the visitor: a new one for every visit.
 struct Visitor {
     std::vector<Standing> path{Standing{}};  // never empty; the last one is open
@@ -203,9 +215,9 @@ struct Visitor {
     std::optional<Waiting> waiting;
     bool is_capturing = false;
     bool has_stick = false;
-    bool is_stick_listed = false;
-    std::vector<std::string> stick_names;
-    std::string stick_note;
+    std::shared_ptr<const StickList> stick_list;              // none: not read yet
+    std::shared_ptr<const LetterGroup> found;                 // that the list shows; none: all
+    std::shared_ptr<const std::vector<LetterGroup>> letters;  // of the screen of that name
     std::optional<Leading> leading;
     HandleSeen handle;
     double part_since_s = 0.0;  // on the part, or on none

@@ -26,9 +26,7 @@ void nobody_is_here(VisitWork& work) {
     Visitor before = std::move(work.visitor);
     work.visitor = new_visitor(work.house, work.world);
     work.visitor.has_stick = before.has_stick;
-    work.visitor.is_stick_listed = before.is_stick_listed;
-    work.visitor.stick_names = std::move(before.stick_names);
-    work.visitor.stick_note = std::move(before.stick_note);
+    work.visitor.stick_list = std::move(before.stick_list);
 }
 
 void begin_visit(VisitWork& work) {

@@ -5,6 +5,7 @@
 #include "app/session/page_place.h"
 #include "app/session/screen_model.h"
 #include "app/session/visit_orders.h"
+#include "app/sticks/listing.h"
 #include "config/settings/settings.h"
 #include "config/types/vec2.h"
 
@@ -56,10 +57,10 @@ struct HeadphonesChanged {
 
 struct StickArriving {};  // it came and is being read
 
-/// `names`: cleaned for people, in its order. `sentence`: what is not shown; may be empty.
+/// `names`: of its files, as it has them and in its order.
 struct StickCame {
     std::vector<std::string> names;
-    std::string sentence;
+    StickRest rest;
 };
 
 /// Pulled out, or refused: then `sentence` says why. Known only now: what was read stays.

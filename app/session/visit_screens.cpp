@@ -32,9 +32,9 @@ void put_language(Sheet& sheet) {
 std::string stick_value(const Sheet& sheet) {
     const Visitor& visitor = visitor_of(sheet);
     if (!visitor.has_stick) return sheet.words("none");
-    if (!visitor.is_stick_listed) return sheet.words("being read");
+    if (!visitor.stick_list) return sheet.words("being read");
     return sheet.language.counted("count", "{0} picture", "{0} pictures",
-                                  static_cast<int>(visitor.stick_names.size()));
+                                  static_cast<int>(visitor.stick_list->names.size()));
 }
 
 /// Without force or sound there is less of everything; the rest says so in its place.
@@ -101,28 +101,6 @@ void put_gallery(Sheet& sheet) {
                 grades[static_cast<std::size_t>(std::clamp(*picture.difficulty, 1, 5) - 1)]);
         }
         rows.push_back({number, picture.title, value});
-    }
-    sheet.list(rows, "Select opens it.");
-    sheet.back();
-}
-
-void put_stick(Sheet& sheet) {
-    const Visitor& visitor = visitor_of(sheet);
-    sheet.title("Your USB stick");
-    if (!visitor.has_stick) {
-        sheet.sentence("There is no stick.");
-        sheet.sentence("Put one into the socket; it is read only.");
-        return sheet.back();
-    }
-    if (!visitor.is_stick_listed) {
-        sheet.sentence("Your stick is being read.");
-        return sheet.back();
-    }
-    if (visitor.stick_names.empty()) sheet.sentence("There is nothing to feel on it.");
-    sheet.told(visitor.stick_note);
-    std::vector<ListRow> rows;
-    for (std::size_t number = 0; number < visitor.stick_names.size(); ++number) {
-        rows.push_back({number, visitor.stick_names[number], {}});
     }
     sheet.list(rows, "Select opens it.");
     sheet.back();
@@ -231,9 +209,10 @@ using Put = void (*)(Sheet&);
 
 // In the order of VisitScreen.
 constexpr std::array<Put, visit_screen_count> puts{
-    put_attract, put_language, put_choose,  put_practice, put_gallery, put_stick,    put_camera,
-    put_opening, put_picture,  put_parts,   put_explore,  put_zoom,    put_pages,    put_settings,
-    put_values,  put_confirm,  put_goodbye, put_closed,   put_help,    put_question, put_trouble};
+    put_attract, put_language, put_choose,   put_practice, put_gallery, put_stick,
+    put_letters, put_camera,   put_opening,  put_picture,  put_parts,   put_explore,
+    put_zoom,    put_pages,    put_settings, put_values,   put_confirm, put_goodbye,
+    put_closed,  put_help,     put_question, put_trouble};
 
 bool has_picture(VisitScreen screen) {
     return screen == VisitScreen::practice || screen == VisitScreen::picture ||

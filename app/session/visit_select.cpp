@@ -103,6 +103,8 @@ void take_row(VisitWork& work, std::size_t row, const std::string& name) {
             return open_picture(work, PictureSource::gallery, row, name);
         case VisitScreen::stick:
             return open_picture(work, PictureSource::stick, row, name);
+        case VisitScreen::letters:
+            return take_letter(work, row);
         case VisitScreen::parts:
             return lead_to_part(work, row);
         case VisitScreen::zoom:
@@ -165,6 +167,7 @@ void choose_another(VisitWork& work) {
             break;
         case PictureSource::stick:
             go_to(work, VisitScreen::stick);
+            return_to_file(work, work.visitor.felt->order.index);
             break;
         case PictureSource::camera:
             go_to(work, VisitScreen::camera);
@@ -217,6 +220,10 @@ void take(VisitWork& work, VisitItem item) {
             return turn_page(work, +1);
         case VisitItem::ten_before:
             return turn_page(work, -1);
+        case VisitItem::letters:
+            return open_letters(work);
+        case VisitItem::all_files:
+            return show_all_files(work);
         case VisitItem::take_picture:
             return capture(work);
         case VisitItem::mono:

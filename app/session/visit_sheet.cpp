@@ -57,22 +57,29 @@ void VisitSheet::row(std::size_t number, const std::string& name, const std::str
                             ItemRole::choice, name, value, words(choice_hint)});
 }
 
-void VisitSheet::list(const std::vector<ListRow>& rows, const char* hint) {
+void VisitSheet::list(std::size_t count, const std::function<ListRow(std::size_t)>& row_at,
+                      const char* hint) {
     constexpr std::size_t page = list_page;
     const auto wanted = static_cast<std::size_t>(std::max(visit.visitor.path.back().about, 0));
-    const std::size_t first = rows.empty() ? 0 : std::min(wanted, (rows.size() - 1) / page * page);
-    const std::size_t end = std::min(first + page, rows.size());
-    if (rows.size() > page) {
+    const std::size_t first = count == 0 ? 0 : std::min(wanted, (count - 1) / page * page);
+    const std::size_t end = std::min(first + page, count);
+    if (count > page) {
         told(language.text(
             "page", "Page {0} of {1}",
-            {std::to_string(first / page + 1), std::to_string((rows.size() + page - 1) / page)}));
+            {std::to_string(first / page + 1), std::to_string((count + page - 1) / page)}));
     }
     for (std::size_t i = first; i < end; ++i) {
-        row(rows[i].number, rows[i].name, rows[i].value);
+        const ListRow shown = row_at(i);
+        row(shown.number, shown.name, shown.value);
         screen.items.back().hint = words(hint);
     }
-    if (end < rows.size()) item(VisitItem::next_ten, "The next ten");
+    if (end < count) item(VisitItem::next_ten, "The next ten");
     if (first > 0) item(VisitItem::ten_before, "The ten before");
+}
+
+void VisitSheet::list(const std::vector<ListRow>& rows, const char* hint) {
+    list(
+        rows.size(), [&rows](std::size_t place) { return rows[place]; }, hint);
 }
 
 void VisitSheet::back(const char* english) {

@@ -5,6 +5,7 @@
 #include "app/session/visit_work.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,10 @@ struct VisitSheet {
     void setting(VisitItem item);
     void row(std::size_t number, const std::string& name, const std::string& value = {});
 
-    /// The page of ten that Standing::about begins, and what leads to the others.
+    /// The page of ten that Standing::about begins, and what leads to the others. Of `count` rows
+    /// only those on the page are asked for.
+    void list(std::size_t count, const std::function<ListRow(std::size_t)>& row_at,
+              const char* hint);
     void list(const std::vector<ListRow>& rows, const char* hint);
     void back(const char* english = "Back");
 };
@@ -46,6 +50,8 @@ struct VisitSheet {
 [[nodiscard]] std::vector<std::size_t> gallery_order(const VisitSheet& sheet);
 [[nodiscard]] std::string picture_title(const VisitSheet& sheet);
 
+void put_stick(VisitSheet& sheet);
+void put_letters(VisitSheet& sheet);
 void put_picture(VisitSheet& sheet);
 void put_parts(VisitSheet& sheet);
 void put_explore(VisitSheet& sheet);

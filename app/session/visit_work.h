@@ -106,6 +106,19 @@ void zoom_in_on_part(VisitWork& work, std::size_t part);
 /// "On the tail, upper right."
 [[nodiscard]] std::string told_place(const VisitWork& work);
 
+// The stick's list (visit_stick.cpp).
+
+/// The letters are those of the rows that the list shows now.
+void open_letters(VisitWork& work);
+
+/// `row` of Visitor::letters: the list shows those from now on.
+void take_letter(VisitWork& work, std::size_t row);
+void show_all_files(VisitWork& work);
+void forget_letters(Visitor& visitor);
+
+/// The open list shows the page with this file, which has the focus.
+void return_to_file(VisitWork& work, std::size_t row);
+
 // Leading (visit_leading.cpp).
 
 /// Announces; begins when that could be heard (HA-1).

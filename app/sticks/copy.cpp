@@ -67,8 +67,7 @@ Result<void, StickRefusal> copy_bytes(const Descriptor& file, std::size_t bytes,
 Result<void, StickRefusal> copy_from_stick(const Descriptor& root, const std::string& folder,
                                            const std::string& name, const Descriptor& output,
                                            const CopyLimits& limits) {
-    if (!is_file_name(name) || !(folder.empty() || is_file_name(folder)))
-        return Refused(StickRefusal::no_such_file);
+    if (!is_file_name(name) || !is_folder_path(folder)) return Refused(StickRefusal::no_such_file);
     const Descriptor open_folder =
         open_beneath(root, folder.empty() ? "." : folder, O_PATH | O_DIRECTORY);
     if (!open_folder.is_open()) return refused_by_system();

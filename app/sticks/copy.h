@@ -17,10 +17,10 @@ struct CopyLimits {
     std::function<bool()> is_time_up = [] { return false; };  // asked before every block
 };
 
-/// Copies `name` (in `folder` of the stick; "" is its root) to the end of `output`. Only a regular
-/// file is read: no link on the way is followed, and of anything else not a byte is asked for. A
-/// file that grows or shrinks meanwhile is refused. After a refusal `output` may hold a part.
-/// O(bytes).
+/// Copies `name` (in `folder` of the stick, as StickEntry has it) to the end of `output`. Only a
+/// regular file is read: no link on the way is followed, and of anything else not a byte is asked
+/// for. A file that grows or shrinks meanwhile is refused. After a refusal `output` may hold a
+/// part. O(bytes).
 [[nodiscard]] Result<void, StickRefusal> copy_from_stick(const Descriptor& root,
                                                          const std::string& folder,
                                                          const std::string& name,

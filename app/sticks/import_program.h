@@ -15,8 +15,8 @@ namespace touchline {
 /// The descriptor that the answer is written to.
 inline constexpr int import_output = 3;
 
-/// No listing is larger.
-inline constexpr std::size_t most_listing_bytes = std::size_t{2} << 20U;
+/// No listing is larger: its names and paths, and some bytes for each.
+inline constexpr std::size_t most_listing_bytes = std::size_t{9} << 20U;
 
 /// Exit statuses: 0 all was written; 2 wrong words; first_refusal_status + StickRefusal.
 inline constexpr int first_refusal_status = 80;

@@ -14,22 +14,38 @@
 
 namespace touchline {
 
-inline constexpr std::size_t most_listed = 500;
+inline constexpr std::size_t most_listed = 10'000;
+inline constexpr std::size_t most_listed_folders = 2'000;
+inline constexpr std::size_t most_listed_bytes = std::size_t{8} << 20U;  // of names and paths
+inline constexpr std::size_t deepest_folder = 8;         // a folder in the root has depth 1
 inline constexpr std::size_t longest_name_bytes = 1020;  // 255 characters of UTF-8, as on exFAT
 
 /// A file that can be asked for. Names are raw bytes: show, say and log them by names.h only.
 struct StickEntry {
     StickFileKind kind = StickFileKind::picture;
-    std::string folder;  // empty: it lies in the root
+    std::string folder;  // "DCIM/100CANON"; empty: it lies in the root
     std::string name;
 
     friend bool operator==(const StickEntry&, const StickEntry&) = default;
 };
 
+/// What a listing leaves out.
+struct StickRest {
+    /// Files of the same kinds that were found beyond most_listed, or most_listed_bytes.
+    std::uint32_t not_listed = 0;
+    bool has_deeper = false;      // folders below deepest_folder
+    bool has_unreadable = false;  // folders, or names in them, that could not be read
+    bool is_cut_short = false;    // more folders or names than are looked at, or no time for them
+
+    friend bool operator==(const StickRest&, const StickRest&) = default;
+
+    [[nodiscard]] bool is_nothing() const { return *this == StickRest{}; }
+};
+
 struct StickListing {
-    std::vector<StickEntry> entries;  // root first, then folder by folder, in natural order
-    std::uint32_t not_listed = 0;     // files of the same kinds that were found beyond most_listed
-    bool is_whole = true;             // false: something was not looked into
+    /// A folder's files, then what is in its folders, each in natural order.
+    std::vector<StickEntry> entries;
+    StickRest rest;
 
     friend bool operator==(const StickListing&, const StickListing&) = default;
 };
@@ -38,17 +54,15 @@ struct StickListing {
 /// "." nor ".."? O(n).
 [[nodiscard]] bool is_file_name(std::string_view name);
 
+/// Is it empty, for the root, or 1 to deepest_folder names of files with '/' between, shorter than
+/// a path may be? O(n).
+[[nodiscard]] bool is_folder_path(std::string_view path);
+
 /// O(n). The listing must be one that listing_of() would accept.
 [[nodiscard]] std::vector<std::byte> bytes_of(const StickListing& listing);
 
 /// The other way; the bytes may come from anybody. Fails with one line unless every name is one,
 /// every number in its range and every byte used. O(n).
 [[nodiscard]] Result<StickListing> listing_of(std::span<const std::byte> bytes);
-
-/// One sentence for what is not shown, "" where all is.
-[[nodiscard]] std::string remainder_sentence(const StickListing& listing);
-
-/// One sentence where nothing can be chosen, "" where something can.
-[[nodiscard]] std::string nothing_sentence(const StickListing& listing);
 
 }  // namespace touchline

@@ -1,5 +1,6 @@
 // Names of files as a stranger's stick holds them: any bytes but NUL and '/'. Only what comes out
-// of these functions is shown, said or logged; only the bytes themselves open the file again.
+// of these functions and of spoken_name.h is shown, said or logged; only the bytes themselves open
+// the file again.
 // Threads: pure functions. O(n).
 #pragma once
 
@@ -10,7 +11,6 @@
 namespace touchline {
 
 inline constexpr std::size_t shown_columns = 80;
-inline constexpr std::size_t spoken_characters = 80;
 inline constexpr std::size_t logged_bytes = 320;
 
 /// For the screen: sound UTF-8 on one line, at most shown_columns wide (a wide character counts
@@ -18,12 +18,6 @@ inline constexpr std::size_t logged_bytes = 320;
 /// (control, format and unassigned characters) becomes U+FFFD, a byte of no character \xNN; at most
 /// three accents are piled on one letter.
 [[nodiscard]] std::string shown_name(std::string_view name);
-
-/// For the voice: the name without its ending, only letters with their accents, digits and
-/// apostrophes between letters, single blanks for all else; no markup is left for a voice to obey.
-/// At most spoken_characters, cut between words where that is possible. "a file without a name"
-/// where nothing is left.
-[[nodiscard]] std::string spoken_name(std::string_view name);
 
 /// For the log: printable ASCII without a backslash, all else \xNN, the backslash too. At most
 /// logged_bytes, then "..."; what is not cut can be read back.

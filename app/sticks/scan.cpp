@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <optional>
 #include <utility>
 
 #include <dirent.h>
@@ -31,8 +32,6 @@ class FirstNames {
         first_.push_back(std::move(keyed));
         std::push_heap(first_.begin(), first_.end());
     }
-
-    [[nodiscard]] bool is_empty() const { return first_.empty(); }
 
     [[nodiscard]] std::size_t beyond() const { return count_ - first_.size(); }
 
@@ -74,36 +73,57 @@ class Scan {
         : order_(order), limits_(limits), search_(search) {}
 
     Result<StickListing, StickRefusal> run(const Descriptor& root) {
-        FirstNames folders(order_, limits_.most_folders);
-        // The handed descriptor's place in the folder is its owner's.
-        const Descriptor open_root = open_beneath(root, ".", O_DIRECTORY);
-        if (!open_root.is_open()) return tl::unexpected(refusal_of(errno));
-        const bool has_folders = search_ == StickSearch::pictures;
-        const int error = read_folder(open_root, "", has_folders ? &folders : nullptr);
-        if (error != 0 && listing_.entries.empty() && folders.is_empty())
-            return tl::unexpected(refusal_of(error));
-        if (folders.beyond() > 0) listing_.is_whole = false;
-        for (const std::string& name : folders.take()) {
-            const Descriptor folder = open_beneath(root, name, O_DIRECTORY);
-            if (!folder.is_open() || read_folder(folder, name, nullptr) != 0)
-                listing_.is_whole = false;
-            if (is_over_) break;
-        }
+        const auto error = walk(root, "", 0);
+        if (error && listing_.entries.empty() && looked_into_ == 0)
+            return tl::unexpected(refusal_of(*error));
         return std::move(listing_);
     }
 
   private:
-    /// errno where an error came before the folder's end; what was read until then counts.
-    int read_folder(const Descriptor& folder, const std::string& name, FirstNames* folders) {
-        FirstNames files(order_, most_listed - listing_.entries.size());
-        const int error = read_names(folder, files, folders);
-        if (error != 0) listing_.is_whole = false;
-        listing_.not_listed += static_cast<std::uint32_t>(files.beyond());
-        for (std::string& file : files.take()) {
-            const auto kind = kind_of(file);
-            if (kind) listing_.entries.push_back({*kind, name, std::move(file)});
+    /// A folder's files, then what is in its folders. errno where it could not be opened, or an
+    /// error came before its end; what was read until then counts.
+    std::optional<int> walk(const Descriptor& root, const std::string& path, std::size_t depth) {
+        const bool has_folders = search_ == StickSearch::pictures;
+        const bool is_deepest = depth == deepest_folder;
+        FirstNames folders(order_, is_deepest ? 0 : limits_.most_folders - looked_into_);
+        const auto error = read_folder(root, path, has_folders ? &folders : nullptr);
+        if (error) listing_.rest.has_unreadable = true;
+        if (folders.beyond() > 0)
+            (is_deepest ? listing_.rest.has_deeper : listing_.rest.is_cut_short) = true;
+        for (const std::string& name : folders.take()) {
+            if (is_over()) break;
+            if (looked_into_ == limits_.most_folders) {
+                listing_.rest.is_cut_short = true;
+                break;
+            }
+            ++looked_into_;
+            (void)walk(root, path.empty() ? name : path + '/' + name, depth + 1);
         }
         return error;
+    }
+
+    /// Closes it again: a process of few descriptors goes eight folders deep.
+    std::optional<int> read_folder(const Descriptor& root, const std::string& path,
+                                   FirstNames* folders) {
+        // The handed descriptor's place in the root is its owner's.
+        const Descriptor folder = open_beneath(root, path.empty() ? "." : path, O_DIRECTORY);
+        if (!folder.is_open()) return errno;
+        FirstNames files(order_, most_listed - listing_.entries.size());
+        const int error = read_names(folder, files, folders);
+        listing_.rest.not_listed += static_cast<std::uint32_t>(files.beyond());
+        for (std::string& file : files.take()) list(path, std::move(file));
+        if (error != 0) return error;
+        return std::nullopt;
+    }
+
+    void list(const std::string& path, std::string file) {
+        const auto kind = kind_of(file);
+        if (!kind) return;
+        bytes_ += path.size() + file.size();
+        if (bytes_ > most_listed_bytes)
+            ++listing_.rest.not_listed;
+        else
+            listing_.entries.push_back({*kind, path, std::move(file)});
     }
 
     int read_names(const Descriptor& folder, FirstNames& files, FirstNames* folders) {
@@ -140,7 +160,7 @@ class Scan {
     bool is_over() {
         if (!is_over_ && (names_ > limits_.most_names || limits_.is_time_up())) {
             is_over_ = true;
-            listing_.is_whole = false;
+            listing_.rest.is_cut_short = true;
         }
         return is_over_;
     }
@@ -150,6 +170,8 @@ class Scan {
     StickSearch search_;
     StickListing listing_;
     std::size_t names_ = 0;
+    std::size_t looked_into_ = 0;  // folders
+    std::size_t bytes_ = 0;        // of names and paths
     bool is_over_ = false;
 };
 

@@ -1,6 +1,6 @@
-// The files of a stick: its root and one level of folders. Memory does not grow with the stick:
-// only the names that may be listed are kept.
-// Threads: any, each call by itself; a call waits for the stick.
+// The files of a stick: of its root and of its folders, down to deepest_folder. Memory does not
+// grow with the stick: only the names that may be listed are kept. Threads: any, each call by
+// itself; a call waits for the stick.
 #pragma once
 
 #include "app/process/descriptor.h"
@@ -14,20 +14,21 @@
 
 namespace touchline {
 
-/// pictures: what visitors are offered, in the root and its folders. packs: of pictures, in the
+/// pictures: what visitors are offered, in the root and all folders. packs: of pictures, in the
 /// root alone, for the operator.
 enum class StickSearch : std::uint8_t { pictures, packs };
 
-/// What a scan may take; beyond, the listing says that it is not whole.
+/// What a scan may take; beyond, the listing says that it was cut short.
 struct ScanLimits {
-    std::size_t most_folders = 500;    // the first in natural order
+    /// The first in natural order, folder by folder; at most most_listed_folders.
+    std::size_t most_folders = most_listed_folders;
     std::size_t most_names = 200'000;  // of all folders together, also of what is not listed
     std::function<bool()> is_time_up = [] { return false; };  // asked every few hundred names
 };
 
 /// Regular files of known endings; links, FIFOs, sockets, devices, hidden files and what systems
 /// leave behind are passed over. A folder that cannot be read is passed over too, and the listing
-/// is not whole. Fails only where the root itself cannot be read, with errno's words. O(n log k)
+/// says so. Fails only where the root itself cannot be read, with errno's words. O(n log k)
 /// for n names and k listed.
 [[nodiscard]] Result<StickListing, StickRefusal> scan_stick(const Descriptor& root,
                                                             const NaturalOrder& order,

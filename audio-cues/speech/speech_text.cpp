@@ -1,7 +1,6 @@
 #include "audio-cues/speech/speech_text.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace touchline {
 namespace {
@@ -30,40 +29,6 @@ bool is_control(std::string_view character) {
            static_cast<unsigned char>(character[1]) < 0xA0U;
 }
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-bool can_be_said(std::string_view part) {
-    // Beyond ASCII every letter is taken for a vowel: the language's voice knows better.
-    return part.find_first_of("aeiouyAEIOUY") != std::string_view::npos ||
-           std::any_of(part.begin(), part.end(), is_following);
-}
-
-bool is_shouted(std::string_view part) {
-    return part.size() <= 3 &&
-           std::all_of(part.begin(), part.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
-}
-
-/// Letters and digits apart, split at all else but what is beyond ASCII.
-std::vector<std::string> parts_of(std::string_view name) {
-    std::vector<std::string> parts;
-    char last = ' ';
-    for (const char c : name) {
-        const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                               static_cast<unsigned char>(c) >= 0x80U;
-        if (is_letter || is_digit(c)) {
-            const bool begins = last == ' ' || is_digit(last) != is_digit(c);
-            if (begins) parts.emplace_back();
-            parts.back() += c;
-            last = c;
-        } else {
-            last = ' ';
-        }
-    }
-    return parts;
-}
-
 }  // namespace
 
 std::string plain_text(std::string_view text) {
@@ -77,32 +42,6 @@ std::string plain_text(std::string_view text) {
         text.remove_prefix(character.size());
     }
     return plain;
-}
-
-std::string spelled(std::string_view word) {
-    std::string letters;
-    while (!word.empty()) {
-        const std::size_t size = std::max<std::size_t>(character_bytes(word), 1);
-        if (!letters.empty()) letters += ' ';
-        letters += word.substr(0, size);
-        word.remove_prefix(size);
-    }
-    return letters;
-}
-
-std::string speakable_name(std::string_view file_name) {
-    const auto slash = file_name.find_last_of('/');
-    if (slash != std::string_view::npos) file_name.remove_prefix(slash + 1);
-    const auto point = file_name.find_last_of('.');
-    if (point != std::string_view::npos && point > 0) file_name = file_name.substr(0, point);
-    std::string said;
-    for (const std::string& part : parts_of(file_name)) {
-        if (!said.empty()) said += ' ';
-        const bool is_word = !is_digit(part[0]) && can_be_said(part) && !is_shouted(part);
-        const bool is_small_number = is_digit(part[0]) && part.size() <= 2;
-        said += is_word || is_small_number ? part : spelled(part);
-    }
-    return said;
 }
 
 }  // namespace touchline

@@ -14,12 +14,4 @@ inline constexpr std::size_t longest_speech_bytes = 4000;
 /// phoneme input are switched off in the engine.
 [[nodiscard]] std::string plain_text(std::string_view text);
 
-/// A name that nobody chose for its sound, as of a file: without folder and ending, parts apart,
-/// and parts that cannot be said (no vowel, or digits) letter by letter: "scans/IMG_2041.jpg" is "I
-/// M G 2 0 4 1", "garden-map.svg" is "garden map".
-[[nodiscard]] std::string speakable_name(std::string_view file_name);
-
-/// Letter by letter: "ab1" is "a b 1". Of UTF-8 whole characters.
-[[nodiscard]] std::string spelled(std::string_view word);
-
 }  // namespace touchline

@@ -110,13 +110,16 @@ std::string trespass(const Settings& before, const Settings& after) {
     return {};
 }
 
-std::string contradiction(const Settings& settings) {
+std::vector<SettingConflict> conflicts(const Settings& settings) {
+    std::vector<SettingConflict> found;
     if (settings.finest_level > settings.coarsest_level)
-        return "'levels.finest' must not be above 'levels.coarsest'";
+        found.push_back({"levels.finest", "levels.coarsest",
+                         "'levels.finest' must not be above 'levels.coarsest'"});
     const auto codes = languages_in_text(settings.languages);
     if (!codes || std::find(codes->begin(), codes->end(), settings.first_language) == codes->end())
-        return "'language.first' must be one of 'language.offered'";
-    return {};
+        found.push_back({"language.first", "language.offered",
+                         "'language.first' must be one of 'language.offered'"});
+    return found;
 }
 
 SettingValue value_of(const Settings& settings, const SettingRow& row) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace touchline {
 
@@ -76,8 +77,15 @@ using SettingValue = std::variant<bool, double, std::string>;
 /// or a visit may lower the ceiling of the force, never raise it.
 [[nodiscard]] std::string trespass(const Settings& before, const Settings& after);
 
-/// What two settings say against each other, as one sentence; empty if nothing does.
-[[nodiscard]] std::string contradiction(const Settings& settings);
+/// What two settings say against each other.
+struct SettingConflict {
+    std::string_view one;    // TABLE.KEY
+    std::string_view other;  // likewise
+    std::string sentence;
+};
+
+/// Empty where none do.
+[[nodiscard]] std::vector<SettingConflict> conflicts(const Settings& settings);
 
 /// As with_value() takes it: a choice is its name.
 [[nodiscard]] SettingValue value_of(const Settings& settings, const SettingRow& row);

@@ -1,8 +1,13 @@
 #include "config/settings/settings_text.h"
 
+#include "config/settings/setting_texts.h"
+#include "config/settings/settings_syntax.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <functional>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -13,10 +18,13 @@ namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 20U;
 
-tl::unexpected<Error> wrong(std::string_view name, const toml::source_region& source,
-                            std::string why) {
-    std::replace(why.begin(), why.end(), '\n', ' ');
-    return failure(std::string(name) + ":" + std::to_string(source.begin.line) + ": " + why);
+constexpr std::size_t most_faults_told = 100;
+
+std::string line_of(std::string_view name, const SettingFault& fault) {
+    std::string words = fault.words;
+    std::replace(words.begin(), words.end(), '\n', ' ');
+    const std::string place = fault.line == 0 ? "" : ':' + std::to_string(fault.line);
+    return std::string(name) + place + ": " + words;
 }
 
 std::optional<SettingValue> value_in(const toml::node& node) {
@@ -37,59 +45,103 @@ std::string_view name_of(SettingLayer layer) {
     return names[static_cast<std::size_t>(layer)];
 }
 
-struct Reader {
-    std::string_view name;
-    SettingLayer layer;
-
-    [[nodiscard]] Result<Settings> read_key(const Settings& base, std::string_view table,
-                                            std::string_view key, const toml::node& node) const {
-        const SettingRow* row = find_setting(table, key);
-        if (row == nullptr)
-            return wrong(name, node.source(), quoted(table, key) + " is not a setting");
-        if (layer > row->last_layer)
-            return wrong(name, node.source(),
-                         quoted(table, key) + " can be set by " +
-                             std::string(name_of(row->last_layer)) + " only");
-        const auto value = value_in(node);
-        const auto changed = value ? with_value(base, *row, *value) : std::nullopt;
-        if (changed) return *changed;
-        return wrong(name, node.source(), quoted(table, key) + " must be " + allowed_values(*row));
-    }
-
-    [[nodiscard]] Result<Settings> read_table(Settings settings, std::string_view table,
-                                              const toml::node& node) const {
-        if (!node.is_table())
-            return wrong(name, node.source(),
-                         '\'' + std::string(table) + "' is no table of settings");
-        for (const auto& [key, value] : *node.as_table()) {
-            auto changed = read_key(settings, table, key.str(), value);
-            if (!changed) return changed;
-            settings = std::move(*changed);
-        }
-        return settings;
-    }
-};
-
 bool is_known_table(std::string_view table) {
     const auto rows = setting_rows();
     return std::any_of(rows.begin(), rows.end(),
                        [&](const SettingRow& row) { return row.table == table; });
 }
 
-Result<Settings> apply(const Settings& base, const toml::table& file, const Reader& reader) {
-    Settings settings = base;
-    for (const auto& [table, node] : file) {
-        if (!is_known_table(table.str()))
-            return wrong(reader.name, node.source(),
-                         '\'' + std::string(table.str()) + "' is no table of settings");
-        auto changed = reader.read_table(std::move(settings), table.str(), node);
-        if (!changed) return changed;
-        settings = std::move(*changed);
+/// A file being judged: what is sound of it, and all that is not.
+class Judge {
+  public:
+    Judge(const Settings& base, SettingLayer layer) : base_(base), settings_(base), layer_(layer) {}
+
+    void read(const toml::table& file) {
+        for (const auto& [key, node] : file) read_table(table_name(key.str()), node);
     }
-    std::string why = contradiction(settings);
-    if (why.empty() && reader.layer > SettingLayer::site) why = trespass(base, settings);
-    if (!why.empty()) return failure(std::string(reader.name) + ": " + why);
-    return settings;
+
+    /// What the sound ones say against each other.
+    void compare() {
+        for (const SettingConflict& conflict : conflicts(settings_))
+            fault(std::max(line_of(conflict.one), line_of(conflict.other)), conflict.sentence);
+        if (layer_ <= SettingLayer::site) return;
+        const std::string why = trespass(base_, settings_);
+        if (!why.empty()) fault(line_of("feel.force_ceiling_N"), why);
+    }
+
+    /// `languages`: the codes of those that there are; empty: nobody asks.
+    void ask_for(std::span<const std::string> languages) {
+        if (languages.empty()) return;
+        const auto wanted = languages_in_text(settings_.languages);
+        if (!wanted) return;
+        for (const std::string& code : *wanted)
+            if (std::ranges::count(languages, code) == 0)
+                fault(line_of("language.offered"), "'language.offered': there are no words of '" +
+                                                       code + "'; there are those of " +
+                                                       together(languages));
+    }
+
+    void add(std::vector<SettingFault> faults) {
+        faults_.insert(faults_.end(), faults.begin(), faults.end());
+    }
+
+    /// They are in the order of the lines.
+    std::vector<SettingFault> take_faults() {
+        std::ranges::stable_sort(faults_, {}, &SettingFault::line);
+        return std::move(faults_);
+    }
+
+    [[nodiscard]] const Settings& settings() const { return settings_; }
+
+  private:
+    static std::string together(std::span<const std::string> words) {
+        std::string text;
+        for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+        return text;
+    }
+
+    void fault(std::size_t line, std::string words) { faults_.push_back({line, std::move(words)}); }
+
+    void read_table(std::string_view table, const toml::node& node) {
+        const std::size_t line = node.source().begin.line;
+        if (!is_known_table(table) || !node.is_table())
+            return fault(line, '\'' + std::string(table) + "' is no table of settings");
+        for (const auto& [key, value] : *node.as_table()) read_key(table, key.str(), value);
+    }
+
+    void read_key(std::string_view table, std::string_view key, const toml::node& node) {
+        const std::size_t line = node.source().begin.line;
+        const std::string name = quoted(table, key);
+        const SettingRow* row = find_setting(table, key);
+        if (row == nullptr) return fault(line, name + " is not a setting");
+        if (layer_ > row->last_layer)
+            return fault(
+                line, name + " can be set by " + std::string(name_of(row->last_layer)) + " only");
+        const auto [at, is_first] = lines_.emplace(name.substr(1, name.size() - 2), line);
+        if (!is_first)
+            return fault(line, name + " is set in line " + std::to_string(at->second) + " already");
+        const auto value = value_in(node);
+        auto changed = value ? with_value(settings_, *row, *value) : std::nullopt;
+        if (!changed) return fault(line, name + " must be " + allowed_values(*row));
+        settings_ = std::move(*changed);
+    }
+
+    /// 0 for a key that the file does not set.
+    [[nodiscard]] std::size_t line_of(std::string_view key) const {
+        const auto at = lines_.find(key);
+        return at == lines_.end() ? 0 : at->second;
+    }
+
+    const Settings& base_;
+    Settings settings_;
+    SettingLayer layer_;
+    std::map<std::string, std::size_t, std::less<>> lines_;  // of the keys
+    std::vector<SettingFault> faults_;
+};
+
+std::vector<SettingFault> too_large(std::string_view text) {
+    if (text.size() <= most_bytes) return {};
+    return {{0, "is larger than 1 MB; no file of settings is"}};
 }
 
 std::string in_toml(const SettingValue& value) {
@@ -123,13 +175,44 @@ std::string written(const Settings& settings, const Settings* base) {
 
 Result<Settings> apply_settings(const Settings& base, std::string_view text, std::string_view name,
                                 SettingLayer layer) {
-    if (text.size() > most_bytes)
-        return failure(std::string(name) + ": is larger than 1 MB; no file of settings is");
-    try {
-        return apply(base, toml::parse(text), {name, layer});
-    } catch (const toml::parse_error& error) {
-        return wrong(name, error.source(), std::string(error.description()));
+    auto faults = too_large(text);
+    if (!faults.empty()) return failure(line_of(name, faults.front()));
+    SettingsTree tree = settings_tree(text, 1);
+    if (!tree.faults.empty()) return failure(line_of(name, tree.faults.front()));
+    Judge judge(base, layer);
+    judge.read(tree.table);
+    faults = judge.take_faults();
+    if (faults.empty()) {
+        judge.compare();
+        faults = judge.take_faults();
     }
+    if (!faults.empty()) return failure(line_of(name, faults.front()));
+    return judge.settings();
+}
+
+std::vector<std::string> settings_faults(std::string_view text, std::string_view name,
+                                         SettingLayer layer,
+                                         std::span<const std::string> languages) {
+    auto faults = too_large(text);
+    if (faults.empty()) {
+        SettingsTree tree = settings_tree(text, most_faults_told);
+        const Settings base;
+        Judge judge(base, layer);
+        judge.read(tree.table);
+        judge.compare();
+        judge.ask_for(languages);
+        judge.add(std::move(tree.faults));
+        faults = judge.take_faults();
+    }
+    std::vector<std::string> lines;
+    for (const SettingFault& fault : faults) {
+        if (lines.size() == most_faults_told) {
+            lines.push_back(std::string(name) + ": there is more; correct these first");
+            break;
+        }
+        lines.push_back(line_of(name, fault));
+    }
+    return lines;
 }
 
 std::vector<std::size_t> rows_in(std::string_view text) {

@@ -4,6 +4,7 @@
 #include "config/settings/setting_rows.h"
 #include "config/types/result.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,14 @@ namespace touchline {
 /// with file, line, key and what is allowed, and nothing of the file holds. At most 1 MB.
 [[nodiscard]] Result<Settings> apply_settings(const Settings& base, std::string_view text,
                                               std::string_view name, SettingLayer layer);
+
+/// Every fault of a file, in the order of its lines, each as one line with file and line number; at
+/// most 100 and a line that there are more. Empty where apply_settings() takes it, laid on the
+/// program's own. `languages`: the codes of those that there are, so that one that nobody has is a
+/// fault; empty: nobody asks. O(text) for each fault that is no TOML.
+[[nodiscard]] std::vector<std::string> settings_faults(std::string_view text, std::string_view name,
+                                                       SettingLayer layer,
+                                                       std::span<const std::string> languages);
 
 /// Which rows of setting_rows() the text of a file sets, in their order; none of one that is
 /// malformed.

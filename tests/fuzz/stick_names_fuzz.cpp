@@ -1,10 +1,13 @@
 // Any bytes are a name that can be shown, said, logged and put in order without harm.
 #include "app/sticks/file_kind.h"
+#include "app/sticks/first_letters.h"
 #include "app/sticks/names.h"
 #include "app/sticks/natural_order.h"
+#include "app/sticks/spoken_name.h"
 #include "config/types/utf8.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -46,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string shown = shown_name(name);
     demand_harmless(shown);
     demand(shown.size() <= shown_columns * 4 * 4);  // a letter and three accents, four bytes each
-    const std::string spoken = spoken_name(name);
+    const std::string spoken = spoken_name(name, Language());
     demand_harmless(spoken);
     demand(!spoken.empty() && spoken.size() <= spoken_characters * 4);
     demand(spoken.find_first_of("<>[]{}&%$\\/") == std::string::npos);
@@ -54,6 +57,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     demand(logged.size() <= logged_bytes + 3);
     demand(std::all_of(logged.begin(), logged.end(), is_plain));
     demand(order.key_of(name).size() > size);
+    const std::array names{name, std::string("a")};
+    const std::array<std::size_t, 2> rows{0, 1};
+    demand(!letter_groups(names, rows, "es").empty());
     demand(side_car_of(name).ends_with(".txt"));
     if (is_left_out(name)) return 0;
     (void)kind_of_name(name);

@@ -2,6 +2,7 @@
 #include "app/cli/command_line.h"
 #include "config/settings/settings_text.h"
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -67,6 +68,22 @@ TEST_F(SettingsCommand, AWrongOneIsOneLineAndAStatus) {
     }
     EXPECT_EQ(say({"settings", "check", "/nowhere/kiosk.toml"}).status, 1);
     EXPECT_EQ(say({"settings"}).status, 2);
+}
+
+TEST_F(SettingsCommand, EveryFaultIsALineOfItsOwn) {
+    std::ofstream(file) << "[feel]\nfriction = 7\nmode = groove\n[language]\noffered = 'en xx'\n";
+    const Said said = say({"settings", "check", file});
+    EXPECT_EQ(said.status, 1);
+    EXPECT_EQ(said.out, "");
+    std::istringstream lines(said.err);
+    std::vector<std::string> told;
+    for (std::string line; std::getline(lines, line);) told.push_back(line);
+    ASSERT_EQ(told.size(), 3U) << said.err;
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        const std::string place = "touchline: " + file + ':' + std::array{"2", "3", "5"}[i] + ": ";
+        EXPECT_TRUE(told[i].starts_with(place)) << told[i];
+    }
+    EXPECT_NE(told[2].find("'xx'"), std::string::npos);
 }
 
 }  // namespace

@@ -159,7 +159,8 @@ TEST(SideCar, FirstLineIsTheTitle) {
     EXPECT_EQ(short_one.description, "A fish");
 }
 
-/// As Windows' editor writes them: "ANSI", "Unicode", "Unicode big endian".
+/// As Windows' editor writes them: "ANSI", "Unicode", "Unicode big endian"; the latter two without
+/// their mark as well, and with the line ends of old Macs.
 TEST(SideCar, IsReadInWhateverCodeItWasSaved) {
     const std::string ansi =
         "Schlo\xdf Neuschwanstein\r\nDie T\xfcrme \x96 von S\xfc"
@@ -172,7 +173,10 @@ TEST(SideCar, IsReadInWhateverCodeItWasSaved) {
         little += {static_cast<char>(unit & 0xff), static_cast<char>(unit >> 8)};
         big += {static_cast<char>(unit >> 8), static_cast<char>(unit & 0xff)};
     }
-    for (const std::string& text : {ansi, little, big}) {
+    std::string of_old_macs = ansi;
+    std::erase(of_old_macs, '\n');
+    for (const std::string& text :
+         {ansi, little, big, little.substr(2), big.substr(2), of_old_macs}) {
         TactileMap told;
         tell(text, told);
         EXPECT_EQ(told.title, "Schlo\u00df Neuschwanstein");
@@ -187,6 +191,8 @@ TEST(SideCar, WhatIsNoTextChangesNothing) {
     TactileMap told;
     told.description = "before";
     tell(std::string("a\0b", 3), told);
+    tell(std::string(40, '\0'), told);
+    tell("", told);
     tell(" \n ", told);
     tell(std::string(max_side_car_bytes + 1, 'a'), told);
     EXPECT_EQ(told.description, "before");

@@ -59,6 +59,25 @@ TEST(Kiosk, AFileOfAStickIsNotNamedInTheLog) {
     EXPECT_EQ(world.kiosk().take_report(), "a visitor's picture cannot be felt\n");
 }
 
+/// A camera's card: found in its folder, named by its date in the list and when it is felt.
+TEST(Kiosk, APictureOfACameraIsNamedByItsDateInTheVisitorsLanguage) {
+    KioskWorld world;
+    BlindVisitor visitor(world);
+    fs::create_directories(world.folder() / "DCIM" / "100CANON");
+    fs::copy(TOUCHLINE_SOURCE_DIR "/tests/app/kiosk/triangle.png",
+             world.folder() / "DCIM" / "100CANON" / "IMG_20230405_101500.PNG");
+    world.put_stick({world.folder() / "DCIM"});
+    visitor.press(KeyRole::select);
+    ASSERT_TRUE(visitor.choose("Deutsch"));
+    ASSERT_TRUE(visitor.choose("Ihr USB-Stick")) << visitor.heard();
+    const auto before = world.heard().things.size();
+    ASSERT_TRUE(visitor.choose("I M G, f\u00fcnfter April 2023, 10:15")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("F\u00fchre mich herum")) << visitor.heard();
+    EXPECT_NE(world.heard().text_since(before).find("I M G, f\u00fcnfter April 2023, 10:15."),
+              std::string::npos)
+        << world.heard().text_since(before);
+}
+
 TEST(Kiosk, AStickThatComesAtGoodbyeIsTheNextVisitors) {
     KioskWorld world;
     BlindVisitor visitor(world);

@@ -89,10 +89,11 @@ void KioskWorld::press(KeyRole role) {
 
 void KioskWorld::put_stick(const std::vector<fs::path>& files) {
     fs::create_directories(folder_ / "arriving");
-    for (const fs::path& file : files) fs::copy(file, folder_ / "arriving" / file.filename());
+    for (const fs::path& file : files)
+        fs::copy(file, folder_ / "arriving" / file.filename(), fs::copy_options::recursive);
     fs::rename(folder_ / "arriving", folder_ / "stick");
     // The folder is watched and listed in real time, by a process.
-    for (int i = 0; i < 200 && !kiosk_->visit().visitor.is_stick_listed; ++i) {
+    for (int i = 0; i < 200 && !kiosk_->visit().visitor.stick_list; ++i) {
         run(0.2);
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }

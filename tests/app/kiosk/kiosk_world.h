@@ -30,7 +30,7 @@ class KioskWorld {
     /// A key, then a frame.
     void press(KeyRole role);
 
-    /// A stick with these files of the folder of test pictures.
+    /// A stick with these files, and folders with all that is in them.
     void put_stick(const std::vector<std::filesystem::path>& files);
     void pull_stick();
 

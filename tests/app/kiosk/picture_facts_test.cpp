@@ -21,9 +21,25 @@ LoadedScene house() {
     return scene;
 }
 
+PictureFile of_file(const std::string& name) {
+    return {"", "", "", true, {}, name};
+}
+
+TEST(PictureFacts, ATitleThatAPersonGaveIsSaidElseTheNameOfTheFile) {
+    LoadedScene scene = house();
+    const auto title = [&scene](const std::string& file) {
+        return facts_of(scene, of_file(file), Language()).title;
+    };
+    scene.facts.title = "The house (of 1950)";
+    EXPECT_EQ(title("IMG_20230405_101500.jpg"), "The house (of 1950)");
+    scene.facts.title = "";
+    EXPECT_EQ(title("IMG_20230405_101500.jpg"), "I M G, 5th April 2023, 10:15");
+    EXPECT_EQ(title(""), "") << "a photograph has no name";
+}
+
 TEST(PictureFacts, NamesOfLinesOnceThenSpots) {
-    const PictureFacts facts = facts_of(house());
-    EXPECT_EQ(facts.title, "I M G 2 0 4 1") << "a file's name is spelled";
+    const PictureFacts facts = facts_of(house(), of_file(""), Language());
+    EXPECT_EQ(facts.title, "I M G 20 41") << "what a program took from a file's name";
     EXPECT_EQ(facts.description, "From the front.");
     EXPECT_EQ(facts.place, (PagePlace{2, 5, 1, 3}));
     ASSERT_EQ(facts.parts.size(), 2U);
@@ -35,7 +51,7 @@ TEST(PictureFacts, NamesOfLinesOnceThenSpots) {
 
 TEST(PictureFacts, AHandIsOnTheLineThatItTouchesElseOnASpotNearby) {
     const LoadedScene scene = house();
-    const PictureFacts facts = facts_of(scene);
+    const PictureFacts facts = facts_of(scene, of_file(""), Language());
     HandState hand;
     hand.map_version = 7;
     hand.p_WH = {0.05, 0.03};
@@ -52,7 +68,7 @@ TEST(PictureFacts, AHandIsOnTheLineThatItTouchesElseOnASpotNearby) {
 
 TEST(PictureFacts, WhatIsToldOfAnotherMapMeansNothing) {
     const LoadedScene scene = house();
-    const PictureFacts facts = facts_of(scene);
+    const PictureFacts facts = facts_of(scene, of_file(""), Language());
     HandState hand;
     hand.p_WH = {0.05, 0.03};
     hand.map_version = 6;

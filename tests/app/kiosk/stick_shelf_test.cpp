@@ -63,9 +63,10 @@ TEST_F(StickShelfTest, AStickThatComesOffersItsFilesAndTakesThemAlong) {
     const ShelfChange come = change();
     ASSERT_EQ(come.files.size(), 3U);
     EXPECT_EQ(come.files[0]->name, "b9.pdf");
-    EXPECT_EQ(come.files[1]->title, "b10");
+    EXPECT_EQ(come.files[1]->file_name, "b10.png");
     EXPECT_TRUE(come.files[2]->is_private);
     EXPECT_EQ(come.sentence, "");
+    EXPECT_TRUE(come.rest.is_nothing());
     port->events.push_back({StickNews::gone, "", ""});
     EXPECT_TRUE(change().files.empty());
 }
@@ -110,11 +111,25 @@ TEST_F(StickShelfTest, WhatCannotBeOpenedIsOneSentenceWithItsName) {
     EXPECT_NE(come.files[0]->open({1, 150}).error().line.find("PDF"), std::string::npos);
 }
 
-TEST_F(StickShelfTest, OneThatOffersNothingSaysWhatToDo) {
+TEST_F(StickShelfTest, OneThatOffersNothingWasRead) {
     ready();
     const ShelfChange come = change();
     EXPECT_TRUE(come.files.empty());
-    EXPECT_NE(come.sentence.find("no picture"), std::string::npos);
+    EXPECT_TRUE(come.is_read);
+    EXPECT_EQ(come.sentence, "");
+}
+
+TEST_F(StickShelfTest, FilesOfFoldersAreOpenedFromTheirDepth) {
+    stick.folder("DCIM/100CANON/3/4/5/6/7/8/9");
+    stick.file("DCIM/100CANON/fish.pdf", text_of(drawn_pdf({{{100, 100, 200, 200}}})));
+    stick.file("DCIM/100CANON/fish.txt", "A fish that swims\n");
+    ready();
+    const ShelfChange come = change();
+    ASSERT_EQ(come.files.size(), 1U);
+    const auto page = come.files[0]->open({1, 72});
+    ASSERT_TRUE(page.has_value()) << page.error().line;
+    EXPECT_EQ(page->told.description, "A fish that swims");
+    EXPECT_TRUE(come.rest.has_deeper);
 }
 
 TEST_F(StickShelfTest, ARefusedStickIsItsSentence) {

@@ -243,7 +243,7 @@ TEST(WholeVisit, TI4_NothingOfAVisitorIsInAnyFileAfterwards) {
     EXPECT_TRUE(world.servo().picture().map->outlines.empty()) << "nor does the servo have it";
     EXPECT_EQ(world.servo().recordings_forgotten, 1) << "nor how it was felt";
     EXPECT_EQ(world.servo().recordings_kept, 0);
-    EXPECT_TRUE(world.kiosk().visit().visitor.stick_names.empty());
+    EXPECT_EQ(world.kiosk().visit().visitor.stick_list, nullptr);
     fs::remove_all(home);
 }
 

@@ -377,7 +377,7 @@ void expect_sound(const OperatorRig& rig, double ceiling_before_N, bool was_aske
     const Settings settings = rig.world().settings;
     for (const SettingRow& row : setting_rows())
         ASSERT_TRUE(with_value({}, row, value_of(settings, row))) << row.key;
-    ASSERT_EQ(contradiction(settings), "");
+    ASSERT_TRUE(conflicts(settings).empty());
     ASSERT_FALSE(role_without_key(rig.keys));
     ASSERT_TRUE(check(rig.sound.headset) && check(rig.sound.speaker));
     ASSERT_TRUE(settings.force_ceiling_N <= ceiling_before_N || was_asked);

@@ -1,8 +1,8 @@
 // A full-screen window with a screen of the model in it, for the test of the window and for the
 // README's picture:
 //   window_probe OUT.png [SIZE 0 ... 3]
-// writes what was drawn, says how large it is and how long a frame took, then shows it until its
-// input ends.
+// writes what was drawn, says how large it is and how long a frame took, then goes on drawing until
+// its input ends, and writes what it drew last.
 #include "app/decode/png_writer.h"
 #include "app/screen/kiosk_screen.h"
 #include "app/screen/window.h"
@@ -12,12 +12,13 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <iostream>
 #include <stdexcept>
 #include <string>
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -83,6 +84,17 @@ void draw_and_measure(Window& window, KioskScreen& screen, ScreenContent& conten
                static_cast<double>(rest_ns) * 1e-6 / (frames - 1));
 }
 
+void write(const std::string& file, const Window& window) {
+    const auto written = write_png(file, pixels_of(window));
+    if (!written) throw std::runtime_error(written.error().line);
+}
+
+/// Nobody writes into it.
+bool has_input_ended() {
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    return ::poll(&input, 1, 0) > 0;
+}
+
 void run(const std::string& file, TextSize size) {
     const auto window = value_of(Window::open(
         true, {[](const PhysicalKey&, bool, bool) {}, [](PixelPoint) {}, [](double) {}}));
@@ -90,13 +102,23 @@ void run(const std::string& file, TextSize size) {
     ScreenContent content = fish_content();
     content.text_size = size;
     draw_and_measure(*window, screen, content);
-    const auto written = write_png(file, pixels_of(*window));
-    if (!written) throw std::runtime_error(written.error().line);
+    write(file, *window);
     window->show_frame();
     fmt::print("ready\n");
     std::fflush(stdout);
-    std::string line;
-    std::getline(std::cin, line);
+    constexpr std::int64_t frame_ns = 50'000'000;
+    // The clock stands still from now on: no page turns while the display is read.
+    const auto draw = [&] {
+        screen.draw(content, window->width_px(), window->height_px(),
+                    frames * 1'000'000'000LL / 60);
+    };
+    while (!has_input_ended()) {
+        window->wait_until(now_ns() + frame_ns);
+        draw();
+        window->show_frame();
+    }
+    draw();
+    write(file, *window);
 }
 
 }  // namespace

@@ -66,6 +66,48 @@ TEST_F(BareDisplay, TheWindowCoversAnUprightMonitor) {
     EXPECT_EQ(text_of("differing.txt"), "0");
 }
 
+/// What the window drew last beside what the display shows, after the screen has changed.
+std::string after(const std::string& change) {
+    return change + R"(
+        sleep 3
+        import -window root root.png
+        exec 3>&-
+        wait $!
+        identify -format '%wx%h' root.png >size.txt
+        compare -metric AE drawn.png root.png null: 2>differing.txt
+    )";
+}
+
+constexpr const char* smaller_mode = R"(
+    xrandr --newmode small 74.5 1280 1344 1472 1664 720 723 728 748
+    xrandr --addmode screen small
+    xrandr --output screen --mode small
+)";
+
+TEST_F(BareDisplay, TheWindowFollowsAChangeOfTheMode) {
+    EXPECT_EQ(run_script("1920x1080", after(smaller_mode)), 0) << text_of("err.txt");
+    EXPECT_EQ(text_of("size.txt"), "1280x720");
+    EXPECT_EQ(text_of("differing.txt"), "0");
+}
+
+TEST_F(BareDisplay, TheWindowComesBackToTheFirstMode) {
+    EXPECT_EQ(run_script("1920x1080", after(std::string(smaller_mode) +
+                                            "sleep 2\nxrandr --output screen --mode 1920x1080")),
+              0)
+        << text_of("err.txt");
+    EXPECT_EQ(text_of("size.txt"), "1920x1080");
+    EXPECT_EQ(text_of("differing.txt"), "0");
+}
+
+TEST_F(BareDisplay, TheWindowOutlivesAScreenThatIsUnpluggedAndComesBackAnother) {
+    EXPECT_EQ(run_script("1920x1080", after("xrandr --fb 1920x1080 --output screen --off\nsleep 2" +
+                                            std::string(smaller_mode))),
+              0)
+        << text_of("err.txt");
+    EXPECT_EQ(text_of("size.txt"), "1280x720");
+    EXPECT_EQ(text_of("differing.txt"), "0");
+}
+
 /// How much of a part of the picture has a colour.
 std::string share_of(const std::string& colour, const std::string& crop, const std::string& file) {
     return "convert drawn.png -crop " + crop + " +repage -fill black +opaque '" + colour +

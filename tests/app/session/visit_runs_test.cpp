@@ -65,7 +65,7 @@ void visit_all(FakeHouse& house, double every_s) {
     house.wait(5.0);
     EXPECT_TRUE(house.has_said("That was once round.", 0));
     visitor.press(KeyRole::back);
-    house.happen(StickCame{{"holiday", "letter"}, ""});
+    house.happen(StickCame{{"holiday", "letter"}, {}});
     ASSERT_TRUE(visitor.listen_for("Your USB stick, 2 pictures"));
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.listen_for("letter"));
@@ -198,6 +198,14 @@ TEST(VisitRun, AllLanguages) {
     }
 }
 
+StickCame stick_of(unsigned count, bool is_whole) {
+    StickCame came;
+    for (unsigned i = 0; i < count; ++i)
+        came.names.push_back(std::string(1, static_cast<char>('A' + i % 3)) + std::to_string(i));
+    if (!is_whole) came.rest = {5, true, false, true};
+    return came;
+}
+
 /// Anything that can happen, by chance; keys more often than all else.
 VisitEvent rude_event(std::mt19937& random, FakeHouse& house) {
     const auto upto = [&random](unsigned count) { return static_cast<unsigned>(random()) % count; };
@@ -211,8 +219,7 @@ VisitEvent rude_event(std::mt19937& random, FakeHouse& house) {
         case 3:
             return StickArriving{};
         case 4:
-            return StickCame{std::vector<std::string>(upto(25), "file"),
-                             upto(2) == 0 ? "" : "More."};
+            return stick_of(upto(25), upto(2) == 0);
         case 5:
             return StickGone{upto(2) == 0 ? "" : "It cannot be read. Take another."};
         case 6:

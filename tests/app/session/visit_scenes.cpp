@@ -31,7 +31,11 @@ std::string name_of(const Visit& visit) {
     name += visitor.loading ? "l" : "";
     name += visitor.is_capturing ? "c" : "";
     name += visitor.leading ? "g" : "";
-    name += visitor.is_stick_listed ? "s" : "";
+    name += visitor.stick_list ? "s" : "";
+    const bool is_list = std::ranges::any_of(visitor.path, [](const Standing& standing) {
+        return standing.screen == VisitScreen::stick;
+    });
+    name += is_list && visitor.found ? "f" + visitor.found->beginning : "";
     const bool is_picture = visitor.path.back().screen == VisitScreen::picture;
     name += is_picture && visitor.feel.shape != HeldShape::none ? "h" : "";
     return name;
@@ -101,8 +105,9 @@ class Search {
         }
         if (visitor.is_capturing) events.emplace_back(CameraCaptured{});
         if (visitor.leading && visitor.leading->has_begun) events.emplace_back(GuidanceEnded{true});
-        if (visitor.path.back().screen == VisitScreen::stick && !visitor.is_stick_listed) {
-            events.emplace_back(StickCame{{"boat", "letter"}, ""});
+        if (visitor.path.back().screen == VisitScreen::stick && !visitor.stick_list) {
+            events.emplace_back(
+                StickCame{{"boat", "letter", "lake", "3", "4", "5", "6", "7", "8", "9", "10"}, {}});
         }
         events.emplace_back(Tick{visit.house.now_s + 200.0});
         if (!visit.house.troubles[0]) events.emplace_back(TroubleBegan{TroubleKind::device, ""});
@@ -162,7 +167,7 @@ void to_stick_picture(FakeHouse& house, int count) {
     to_choose(house);
     std::vector<std::string> names;
     for (int i = 1; i <= count; ++i) names.push_back("file " + std::to_string(i));
-    house.happen(StickCame{names, ""});
+    house.happen(StickCame{names, {}});
     ASSERT_TRUE(house.choose("Your USB stick"));
     house.press(KeyRole::select);
     house.wait(house.load_s + 0.1);

@@ -132,8 +132,9 @@ TEST(Visit, TI2_NothingOfAVisitorStays) {
     EXPECT_FALSE(after.felt);
     EXPECT_FALSE(after.loading);
     EXPECT_FALSE(after.has_stick);
-    EXPECT_TRUE(after.stick_names.empty());
-    EXPECT_TRUE(after.stick_note.empty());
+    EXPECT_EQ(after.stick_list, nullptr);
+    EXPECT_EQ(after.found, nullptr);
+    EXPECT_EQ(after.letters, nullptr);
     EXPECT_TRUE(after.caption.text.empty());
     EXPECT_TRUE(after.error.empty());
     EXPECT_EQ(after.sound, fresh.sound);
@@ -368,7 +369,7 @@ TEST(Visit, ER3_AStickThatIsBeingReadIsHeardToo) {
     const std::size_t before = house.transcript.size();
     house.wait(2.5);
     EXPECT_TRUE(house.has_said("Your stick is being read.", before));
-    house.happen(StickCame{{"boat"}, ""});
+    house.happen(StickCame{{"boat"}, {}});
     EXPECT_TRUE(house.last_said().find("boat") != std::string::npos);
     house.all_orders.clear();
     house.wait(1.2);

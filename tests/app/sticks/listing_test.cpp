@@ -63,16 +63,31 @@ rc::Gen<std::string> file_name() {
                              [](const std::string& name) { return is_file_name(name); });
 }
 
+rc::Gen<std::string> folder_path() {
+    return rc::gen::map(
+        rc::gen::resize(deepest_folder, rc::gen::container<std::vector<std::string>>(file_name())),
+        [](const std::vector<std::string>& names) {
+            std::string path;
+            for (std::size_t i = 0; i < names.size() && i < deepest_folder; ++i)
+                path += (path.empty() ? "" : "/") + names[i];
+            return path;
+        });
+}
+
 rc::Gen<StickListing> listing() {
     const auto entry = rc::gen::build<StickEntry>(
         rc::gen::set(&StickEntry::kind,
                      rc::gen::element(StickFileKind::picture, StickFileKind::document,
                                       StickFileKind::office, StickFileKind::pack)),
-        rc::gen::set(&StickEntry::folder, rc::gen::oneOf(rc::gen::just(""s), file_name())),
+        rc::gen::set(&StickEntry::folder, folder_path()),
         rc::gen::set(&StickEntry::name, file_name()));
     return rc::gen::build<StickListing>(
         rc::gen::set(&StickListing::entries, rc::gen::container<std::vector<StickEntry>>(entry)),
-        rc::gen::set(&StickListing::not_listed), rc::gen::set(&StickListing::is_whole));
+        rc::gen::set(&StickListing::rest,
+                     rc::gen::build<StickRest>(rc::gen::set(&StickRest::not_listed),
+                                               rc::gen::set(&StickRest::has_deeper),
+                                               rc::gen::set(&StickRest::has_unreadable),
+                                               rc::gen::set(&StickRest::is_cut_short))));
 }
 
 RC_GTEST_PROP(StickListing, ComesBackAsItWasSent, ()) {
@@ -93,14 +108,15 @@ RC_GTEST_PROP(StickListing, CutShortOrWithMoreIsRefused, ()) {
 TEST(StickListing, OfALiarIsRefused) {
     const auto refused = [](const StickListing& listing) { return !listing_of(bytes_of(listing)); };
     const auto one = [](std::string folder, std::string name) {
-        return StickListing{
-            {{StickFileKind::picture, std::move(folder), std::move(name)}}, 0, true};
+        return StickListing{{{StickFileKind::picture, std::move(folder), std::move(name)}}, {}};
     };
     EXPECT_FALSE(refused(one("", "a.png")));
     for (const auto& name : {""s, "."s, ".."s, "../a.png"s, "/etc/shadow"s, "a\0b"s,
                              std::string(longest_name_bytes + 1, 'a')})
         EXPECT_TRUE(refused(one("", name)));
-    for (const auto& folder : {"."s, ".."s, "a/b"s, "\0"s}) EXPECT_TRUE(refused(one(folder, "a")));
+    EXPECT_FALSE(refused(one("a/b", "a")));
+    for (const auto& folder : {"."s, ".."s, "a/../b"s, "/etc"s, "\0"s, "1/2/3/4/5/6/7/8/9"s})
+        EXPECT_TRUE(refused(one(folder, "a")));
     StickListing long_one;
     long_one.entries.assign(most_listed, {StickFileKind::picture, "", "a"});
     EXPECT_FALSE(refused(long_one));
@@ -109,22 +125,22 @@ TEST(StickListing, OfALiarIsRefused) {
     auto bytes = bytes_of(one("", "a"));
     bytes[11] = std::byte{stick_file_kind_count};  // the first entry's kind
     EXPECT_FALSE(listing_of(bytes));
+    bytes[11] = {};
+    EXPECT_TRUE(listing_of(bytes));
+    bytes[8] = {};  // not whole, and no reason
+    EXPECT_FALSE(listing_of(bytes));
+    bytes.back() = std::byte{1};
+    EXPECT_TRUE(listing_of(bytes));
+    bytes.back() = std::byte{8};
+    EXPECT_FALSE(listing_of(bytes));
 }
 
-TEST(StickListing, SaysWhatIsNotShown) {
-    StickListing listing{{{StickFileKind::picture, "", "a.png"}}, 0, true};
-    EXPECT_EQ(remainder_sentence(listing), "");
-    EXPECT_EQ(nothing_sentence(listing), "");
-    listing.not_listed = 41;
-    EXPECT_EQ(remainder_sentence(listing),
-              "Of 42 files the first 1 are listed; for another one, bring it on a stick with fewer "
-              "files");
-    listing.is_whole = false;
-    EXPECT_NE(remainder_sentence(listing).find("not every folder was looked into"),
-              std::string::npos);
-    listing.not_listed = 0;
-    EXPECT_NE(remainder_sentence(listing), "");
-    EXPECT_NE(nothing_sentence({}), "");
+TEST(StickListing, PathsOfFoldersAreEightNamesAtMost) {
+    for (const auto& path : {""s, "a"s, "DCIM/100CANON"s, "1/2/3/4/5/6/7/8"s})
+        EXPECT_TRUE(is_folder_path(path)) << path;
+    for (const auto& path : {"/"s, "a/"s, "/a"s, "a//b"s, "a/../b"s, "./a"s, "1/2/3/4/5/6/7/8/9"s,
+                             "a\0b"s, std::string(4096, 'a')})
+        EXPECT_FALSE(is_folder_path(path)) << path;
 }
 
 TEST(StickRefusal, IsOneOwnSentenceWithWhatToDo) {

@@ -119,7 +119,7 @@ TEST_F(MountedStick, AMountOnAFolderOfItIsNotEntered) {
     ASSERT_TRUE(does("umount " + inner));
     ASSERT_TRUE(listing.has_value());
     EXPECT_EQ(listing->entries.size(), 1U);
-    EXPECT_FALSE(listing->is_whole);
+    EXPECT_TRUE(listing->rest.has_unreadable);
     EXPECT_EQ(secret.error(), StickRefusal::no_file);
 }
 

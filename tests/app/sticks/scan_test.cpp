@@ -33,23 +33,26 @@ std::vector<std::string> paths_of(const StickListing& listing) {
 
 using Paths = std::vector<std::string>;
 
-TEST(StickScan, ListsTheRootThenOneLevelOfFoldersInNaturalOrder) {
+TEST(StickScan, ListsAFoldersFilesThenItsFoldersInNaturalOrder) {
     const StickFolder stick;
     for (const char* name :
          {"boat 10.png", "boat 9.png", "notes.txt", "letter.docx", ".hidden.png"})
         stick.file(name);
-    for (const char* name :
-         {"day 10", "day 2", "day 2/deeper", ".Trash", "System Volume Information"})
+    for (const char* name : {"day 10", "day 2", "day 2/deeper", ".Trash", "day 10/.thumbnails",
+                             "System Volume Information", "DCIM/100CANON", "DCIM/101CANON"})
         stick.folder(name);
-    for (const char* name : {"day 10/a.png", "day 2/c.pdf", "day 2/b.jpg", "day 2/deeper/no.png",
-                             ".Trash/no.png", "System Volume Information/no.png"})
+    for (const char* name :
+         {"day 10/a.png", "day 2/c.pdf", "day 2/b.jpg", "day 2/deeper/d.png", ".Trash/no.png",
+          "day 10/.thumbnails/no.jpg", "System Volume Information/no.png",
+          "DCIM/101CANON/IMG_0001.JPG", "DCIM/100CANON/IMG_0002.JPG"})
         stick.file(name);
     const StickListing listing = scan(stick);
-    EXPECT_EQ(paths_of(listing), (Paths{"boat 9.png", "boat 10.png", "letter.docx", "day 2/b.jpg",
-                                        "day 2/c.pdf", "day 10/a.png"}));
+    EXPECT_EQ(paths_of(listing),
+              (Paths{"boat 9.png", "boat 10.png", "letter.docx", "day 2/b.jpg", "day 2/c.pdf",
+                     "day 2/deeper/d.png", "day 10/a.png", "DCIM/100CANON/IMG_0002.JPG",
+                     "DCIM/101CANON/IMG_0001.JPG"}));
     EXPECT_EQ(listing.entries[2].kind, StickFileKind::office);
-    EXPECT_EQ(listing.not_listed, 0U);
-    EXPECT_TRUE(listing.is_whole);
+    EXPECT_TRUE(listing.rest.is_nothing());
 }
 
 TEST(StickScan, PassesOverEverythingThatIsNoFile) {
@@ -74,7 +77,7 @@ TEST(StickScan, PassesOverEverythingThatIsNoFile) {
     }
     const StickListing listing = scan(stick);
     EXPECT_EQ(paths_of(listing), Paths{"boat.png"});
-    EXPECT_TRUE(listing.is_whole);
+    EXPECT_TRUE(listing.rest.is_nothing());
 }
 
 TEST(StickScan, HostileNamesAreListedAsTheyAre) {
@@ -89,17 +92,17 @@ TEST(StickScan, HostileNamesAreListedAsTheyAre) {
     EXPECT_TRUE(listing_of(bytes_of(listing)).has_value());
 }
 
-TEST(StickScan, ShowsTheFirstFiveHundredAndCountsTheRest) {
-    const StickFolder stick;
-    stick.files("f", 700);
+TEST(StickScan, ShowsTheFirstTenThousandAndCountsTheRest) {
+    const StickFolder stick("/dev/shm");
+    stick.files("f", most_listed + 200);
     stick.folder("more");
     stick.file("more/a.png");
     const StickListing listing = scan(stick);
     ASSERT_EQ(listing.entries.size(), most_listed);
     EXPECT_EQ(listing.entries[10].name, "f10.png");
-    EXPECT_EQ(listing.entries[499].name, "f499.png");
-    EXPECT_EQ(listing.not_listed, 201U);
-    EXPECT_TRUE(listing.is_whole);
+    EXPECT_EQ(listing.entries[9999].name, "f9999.png");
+    EXPECT_EQ(listing.rest, (StickRest{201U, false, false, false}));
+    EXPECT_TRUE(listing_of(bytes_of(listing)).has_value());
 }
 
 TEST(StickScan, LooksIntoNoMoreFoldersThanItMay) {
@@ -112,7 +115,11 @@ TEST(StickScan, LooksIntoNoMoreFoldersThanItMay) {
     limits.most_folders = 2;
     const StickListing listing = scan(stick, limits);
     EXPECT_EQ(paths_of(listing), (Paths{"1/a.png", "2/a.png"}));
-    EXPECT_FALSE(listing.is_whole);
+    EXPECT_EQ(listing.rest, (StickRest{0, false, false, true}));
+    stick.folder("1/within");
+    stick.file("1/within/b.png");
+    EXPECT_EQ(paths_of(scan(stick, limits)), (Paths{"1/a.png", "1/within/b.png"}))
+        << "folder by folder";
 }
 
 TEST(StickScan, EndsWithWhatItHasWhenTimeOrNamesAreUp) {
@@ -123,14 +130,14 @@ TEST(StickScan, EndsWithWhatItHasWhenTimeOrNamesAreUp) {
     ScanLimits few;
     few.most_names = 100;  // the first block of names holds more
     const StickListing part = scan(stick, few);
-    EXPECT_FALSE(part.is_whole);
+    EXPECT_TRUE(part.rest.is_cut_short);
     EXPECT_FALSE(part.entries.empty());
-    EXPECT_LT(part.entries.size() + part.not_listed, 3000U);
+    EXPECT_LT(part.entries.size() + part.rest.not_listed, 3000U);
     ScanLimits none;
     none.is_time_up = [] { return true; };
     const StickListing nothing = scan(stick, none);
     EXPECT_TRUE(nothing.entries.empty());
-    EXPECT_FALSE(nothing.is_whole);
+    EXPECT_TRUE(nothing.rest.is_cut_short);
 }
 
 TEST(StickScan, AFolderThatCannotBeReadIsPassedOver) {
@@ -144,17 +151,61 @@ TEST(StickScan, AFolderThatCannotBeReadIsPassedOver) {
     ASSERT_TRUE(!is_root || ::seteuid(0) == 0);
     fs::permissions(stick.path() / "shut", fs::perms::owner_all);
     EXPECT_EQ(paths_of(listing), Paths{"open/a.png"});
-    EXPECT_FALSE(listing.is_whole);
+    EXPECT_EQ(listing.rest, (StickRest{0, false, true, false}));
 }
 
-TEST(StickScan, DeepFoldersEndAfterOneLevel) {
+TEST(StickScan, FoldersAreEnteredToDepthEightAndDeeperOnesTold) {
     const StickFolder stick;
-    std::string deep = "d";
+    std::string deep = "1";
+    stick.folder(deep);
+    stick.file("1/a.png");
+    for (int depth = 2; depth <= 8; ++depth) deep += '/' + std::to_string(depth);
+    stick.folder(deep);
+    stick.file(deep + "/b.png");
+    const Paths found{"1/a.png", deep + "/b.png"};
+    EXPECT_EQ(paths_of(scan(stick)), found);
+    EXPECT_TRUE(scan(stick).rest.is_nothing());
+    stick.folder(deep + "/.hidden");
+    EXPECT_TRUE(scan(stick).rest.is_nothing());
     for (int i = 0; i < 100; ++i) deep += "/d";
     stick.folder(deep);
-    stick.file(deep + "/a.png");
-    stick.file("d/b.png");
-    EXPECT_EQ(paths_of(scan(stick)), Paths{"d/b.png"});
+    stick.file(deep + "/no.png");
+    EXPECT_EQ(paths_of(scan(stick)), found);
+    EXPECT_EQ(scan(stick).rest, (StickRest{0, true, false, false}));
+}
+
+/// 255 bytes a folder: the kernel takes no longer path, and the rest is still listed.
+TEST(StickScan, PathsAsLongAsTheyGetAreReadOrTold) {
+    const StickFolder stick;
+    std::string deep(255, 'd');
+    for (int depth = 2; depth <= 8; ++depth) deep += '/' + std::string(255, 'e');
+    stick.folder(deep);
+    stick.file("a.png");
+    Descriptor at(::open((stick.path() / deep).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    ASSERT_TRUE(at.is_open());
+    const std::string name = std::string(251, 'f') + ".png";
+    ASSERT_TRUE(
+        Descriptor(::openat(at.number(), name.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0644))
+            .is_open());
+    const StickListing listing = scan(stick);
+    EXPECT_EQ(paths_of(listing), (Paths{"a.png", deep + "/" + name}));
+    EXPECT_TRUE(listing_of(bytes_of(listing)).has_value());
+}
+
+TEST(StickScan, NamesAndPathsTakeNoMoreThanTheyMay) {
+    const StickFolder stick("/dev/shm");
+    std::string deep(255, 'd');
+    for (int depth = 2; depth <= 8; ++depth) deep += '/' + std::string(255, 'e');
+    stick.folder(deep);
+    const Descriptor at(::open((stick.path() / deep).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    for (int i = 0; i < 5000; ++i) {
+        const std::string name = std::to_string(i) + std::string(200, 'f') + ".png";
+        (void)Descriptor(::openat(at.number(), name.c_str(), O_CREAT | O_WRONLY, 0644));
+    }
+    const StickListing listing = scan(stick);
+    EXPECT_EQ(listing.entries.size() + listing.rest.not_listed, 5000U);
+    EXPECT_GT(listing.rest.not_listed, 0U);
+    EXPECT_LT(bytes_of(listing).size(), std::size_t{9} << 20U);
 }
 
 TEST(StickScan, ARootThatIsGoneIsRefused) {

@@ -29,23 +29,6 @@ TEST(SpeechText, ALongTextIsCutBetweenCharacters) {
     EXPECT_EQ(plain_text(cut), cut);
 }
 
-TEST(SpeechText, NamesOfFilesAreSaidOrSpelled) {
-    EXPECT_EQ(speakable_name("scans/IMG_2041.jpg"), "I M G 2 0 4 1");
-    EXPECT_EQ(speakable_name("garden-map.svg"), "garden map");
-    EXPECT_EQ(speakable_name("Haus12.png"), "Haus 12");
-    EXPECT_EQ(speakable_name("DSC00017.JPG"), "D S C 0 0 0 1 7");
-    EXPECT_EQ(speakable_name("Übersicht.pdf"), "Übersicht");
-    EXPECT_EQ(speakable_name("xkcd.png"), "x k c d");
-    EXPECT_EQ(speakable_name(""), "");
-    EXPECT_EQ(speakable_name(".png"), "p n g");
-}
-
-TEST(SpeechText, SpellsWholeCharacters) {
-    EXPECT_EQ(spelled("ab1"), "a b 1");
-    EXPECT_EQ(spelled("né"), "n é");
-    EXPECT_EQ(spelled(""), "");
-}
-
 TEST(SpeechRate, StepsRiseAndTheSlowOnesAreMadeByPauses) {
     EngineRate last{0, 100};
     for (std::size_t step = 0; step < speech_rates_per_minute.size(); ++step) {

@@ -57,7 +57,7 @@ TEST(SettingRows, TakeBackWhatTheySay) {
         ASSERT_TRUE(same.has_value()) << full_key(row);
         EXPECT_EQ(*same, Settings{});
     }
-    EXPECT_EQ(contradiction(Settings{}), "");
+    EXPECT_TRUE(conflicts(Settings{}).empty());
 }
 
 TEST(SettingRows, NoNumberPassesItsRange) {
@@ -128,7 +128,7 @@ TEST(SettingsText, NoProfileRaisesTheCeilingOfTheForce) {
     };
     const auto raised = with("[feel]\nforce_ceiling_N = 2.5", SettingLayer::profile);
     ASSERT_FALSE(raised);
-    EXPECT_EQ(raised.error().line, "f: 'feel.force_ceiling_N' must not be above the site's 2");
+    EXPECT_EQ(raised.error().line, "f:2: 'feel.force_ceiling_N' must not be above the site's 2");
     EXPECT_TRUE(with("[feel]\nforce_ceiling_N = 1.5", SettingLayer::profile));
     EXPECT_TRUE(with("[feel]\nforce_ceiling_N = 3", SettingLayer::site));
     EXPECT_FALSE(with("[feel]\nforce_ceiling_N = 3.1", SettingLayer::site)) << "no file passes it";
@@ -212,9 +212,9 @@ TEST(SettingsText, WhateverIsWrongIsOneLineWithItsPlace) {
     EXPECT_EQ(error_of("[fel]\n"), "site.toml:1: 'fel' is no table of settings");
     EXPECT_EQ(error_of("feel = 3"), "site.toml:1: 'feel' is no table of settings");
     EXPECT_EQ(error_of("[levels]\nfinest = 5\ncoarsest = 4"),
-              "site.toml: 'levels.finest' must not be above 'levels.coarsest'");
+              "site.toml:3: 'levels.finest' must not be above 'levels.coarsest'");
     EXPECT_EQ(error_of("[language]\nfirst = 'it'"),
-              "site.toml: 'language.first' must be one of 'language.offered'");
+              "site.toml:2: 'language.first' must be one of 'language.offered'");
     EXPECT_EQ(error_of("[hours]\nopening = 'noon'"),
               "site.toml:2: 'hours.opening' must be two times like \"09:00-17:00\"");
     EXPECT_TRUE(error_of("[feel").starts_with("site.toml:1: "));
@@ -241,7 +241,7 @@ Settings any_settings() {
     for (char& letter : settings.watched_folder) letter = static_cast<char>(letter & 0x7f);
     std::erase_if(settings.watched_folder,
                   [](char letter) { return letter < ' ' || letter == 0x7f; });
-    if (!contradiction(settings).empty()) settings.finest_level = settings.coarsest_level;
+    if (!conflicts(settings).empty()) settings.finest_level = settings.coarsest_level;
     return settings;
 }
 

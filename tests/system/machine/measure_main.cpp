@@ -74,7 +74,7 @@ int measure_listing(const std::string& program) {
     rusage use{};
     (void)getrusage(RUSAGE_CHILDREN, &use);
     std::printf("files %zu listed %zu whole %d s %.3f MB %.1f\n", files, listing->entries.size(),
-                listing->is_whole ? 1 : 0, took.count(),
+                listing->rest.is_cut_short ? 0 : 1, took.count(),
                 static_cast<double>(use.ru_maxrss) / 1024.0);
     return 0;
 }
