@@ -21,6 +21,7 @@ constexpr double kEdgeOverStrongest = 0.18;
 constexpr double kStill = 1.5;         // less is flat
 constexpr double kSlow = 1.0;          // more than a lamp's shade, less than a face's roundness
 constexpr double kSignificance = 5.0;  // x gradient noise
+constexpr double kNoGrain = 0.5;       // grey levels of noise
 constexpr float kGrainless = 1.1F;     // grey levels off the mean of the pixels around: rounding
 constexpr int kFlat_px = 5;            // across: a patch of one colour
 constexpr int kNearFlat_px = 11;       // across, round the middle of such a patch
@@ -96,7 +97,9 @@ void measure_texture(const cv::Mat& picture, const LabPicture& copy, PictureFeat
     const auto all = static_cast<double>(half.total());
     features.open_part = part_of(open, all);
     features.texture = part_of(changing & open, cv::countNonZero(open));
-    features.painted_part = painted_part(picture, changing & open);
+    if (features.noise < kNoGrain) {  // a camera's grain answers the question at once
+        features.painted_part = painted_part(picture, changing & open);
+    }
     features.changing_part =
         part_of(edges > std::max(kStill, kSignificance * gradient_noise(noise, kEdge_px)), all);
 }

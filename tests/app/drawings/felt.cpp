@@ -3,12 +3,15 @@
 #include "app/decode/opening.h"
 #include "app/trace/page_views.h"
 #include "app/trace/tracing.h"
+#include "tests/app/decode/encoders.h"
+#include "tests/vision/pictures/effects.h"
 #include "vision/simplify/detail_limits.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -112,6 +115,20 @@ Result<Page> first_view(std::span<const std::byte> file) {
     return view_count(*page) > 1 ? view_of(*page, 1) : std::move(*page);
 }
 
+cv::Mat pixels_of(Page& page) {
+    return {page.picture.height, page.picture.width, CV_8UC3, page.picture.bgr.data()};
+}
+
+void reduce(Page& page, double most_pixels) {
+    const cv::Mat pixels = pixels_of(page);
+    const double scale = std::sqrt(most_pixels / static_cast<double>(pixels.total()));
+    if (scale >= 1.0) return;
+    cv::Mat small;
+    cv::resize(pixels, small, {}, scale, scale, cv::INTER_AREA);
+    page.picture = {small.cols, small.rows, {small.data, small.data + 3 * small.total()}};
+    page.answer.reset();
+}
+
 void judge_seen(const std::vector<SeenLine>& lines, const Marks& seen, const Marks& felt,
                 const DetailLimits& limits, double tolerance_mm, Felt& out) {
     for (const SeenLine& line : lines) {
@@ -160,9 +177,14 @@ Counted& Counted::operator+=(const Counted& other) {
 }
 
 Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm) {
+    return felt_of(drawing, detail, tolerance_mm, std::numeric_limits<double>::infinity());
+}
+
+Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, double most_pixels) {
     const auto begin = std::chrono::steady_clock::now();
-    const auto page = first_view(std::as_bytes(std::span(drawing.file)));
+    auto page = first_view(std::as_bytes(std::span(drawing.file)));
     if (!page) return tl::unexpected(page.error());
+    reduce(*page, most_pixels);
     TraceRequest request;
     request.options.detail = detail;
     const auto traced = trace_page(*page, request);
@@ -186,6 +208,21 @@ Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm) {
     judge_seen(lines, seen, felt, limits, tolerance_mm, out);
     judge_felt(drawing, felt_lines, seen, limits, tolerance_mm, out);
     return out;
+}
+
+Result<Drawing> scanned(const Drawing& drawing, int seed) {
+    auto page = first_view(std::as_bytes(std::span(drawing.file)));
+    if (!page) return tl::unexpected(page.error());
+    const cv::Mat seen_pixels = seen(pixels_of(*page), {0.8, 3.0, 0.15, 80, seed});
+    const std::vector<std::byte> png =
+        encoders::png({seen_pixels.cols,
+                       seen_pixels.rows,
+                       {seen_pixels.data, seen_pixels.data + 3 * seen_pixels.total()}});
+    Drawing scan = drawing;
+    scan.name += ", scanned";
+    scan.file.clear();
+    for (const std::byte byte : png) scan.file.push_back(static_cast<char>(byte));
+    return scan;
 }
 
 cv::Mat sheet_of(const Drawing& drawing, const Felt& felt) {

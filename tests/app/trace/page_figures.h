@@ -14,7 +14,7 @@ struct PagePoint {
 };
 
 /// A line that is to be seen: the middle of a stroke, or the border of an area.
-struct SeenLine {
+struct VisibleLine {
     std::vector<PagePoint> points;
     std::string kind;  // of the figure that it belongs to
     int figure = 0;    // on its page
@@ -22,7 +22,7 @@ struct SeenLine {
 
 struct FiguresPage {
     std::string pdf;
-    std::vector<SeenLine> lines;
+    std::vector<VisibleLine> lines;
 };
 
 /// The pages have the drawing area's shape: a point is 0.2 mm under the hand.

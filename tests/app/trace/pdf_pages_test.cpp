@@ -31,8 +31,8 @@ using testing::Nearby;
 using testing::PagePoint;
 using testing::Sample;
 using testing::samples_of;
-using testing::SeenLine;
 using testing::Share;
+using testing::VisibleLine;
 
 constexpr double least_line_mm = 3.0;
 
@@ -52,7 +52,7 @@ const std::string& kind_at(const FiguresPage& page, const PagePoint& p) {
     const int column = std::clamp(static_cast<int>(3.0 * p.x / 116.0), 0, 2);
     const int row = std::clamp(static_cast<int>(2.0 * p.y / 84.0), 0, 1);
     static const std::string none = "none";
-    for (const SeenLine& line : page.lines)
+    for (const VisibleLine& line : page.lines)
         if (line.figure == 3 * row + column) return line.kind;
     return none;
 }
@@ -61,9 +61,9 @@ Score score_of(const FiguresPage& page, const TactileMap& map) {
     Nearby felt;
     Nearby seen;
     for (const Outline& outline : map.outlines) felt.add(samples_of(felt_line(outline, map.area)));
-    for (const SeenLine& line : page.lines) seen.add(samples_of(under_the_hand(line.points)));
+    for (const VisibleLine& line : page.lines) seen.add(samples_of(under_the_hand(line.points)));
     Score score;
-    for (const SeenLine& line : page.lines) {
+    for (const VisibleLine& line : page.lines) {
         const auto points = under_the_hand(line.points);
         if (length_mm(points) >= least_line_mm)
             score.seen_is_felt[line.kind].add(samples_of(points), felt);

@@ -39,3 +39,14 @@ set key top right box opaque
 plot results . '/sizes.csv' using 4:3 skip 1 with linespoints ls 1 title 'Hausdorff distance', \
      '' using 4:2 skip 1 with linespoints ls 2 title 'RMS', \
      '' using 4:3:(sprintf('%g MP', column(1))) skip 1 with labels offset 0,1 notitle
+
+set output results . '/drawings.' . format
+set title 'charts and plans, traced at several working sizes'
+set xlabel 'milliseconds a picture (from the file to the map, by the clock)'
+set ylabel 'percent of the line'
+unset logscale y
+set xrange [*:*]
+set key bottom right box opaque
+plot results . '/drawings_sizes.csv' using 4:(100 * column(2)) skip 1 with linespoints ls 1 title 'of what is seen, felt', \
+     '' using 4:(100 * column(3)) skip 1 with linespoints ls 2 title 'of what is felt, seen', \
+     '' using 4:(100 * column(2)):(sprintf('%g MP', column(1))) skip 1 with labels offset 0,1 notitle
