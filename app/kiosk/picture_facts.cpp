@@ -1,5 +1,6 @@
 #include "app/kiosk/picture_facts.h"
 
+#include "app/kiosk/part_name.h"
 #include "app/sticks/spoken_name.h"
 
 #include <algorithm>
@@ -7,20 +8,22 @@
 namespace touchline {
 namespace {
 
-std::optional<std::size_t> part_named(const std::vector<PartFacts>& parts,
-                                      const std::string& name) {
-    const auto at =
-        std::ranges::find_if(parts, [&name](const PartFacts& part) { return part.name == name; });
+/// The part of the outline with this label.
+std::optional<std::size_t> part_labelled(const TactileMap& map, const std::vector<PartFacts>& parts,
+                                         const std::string& label) {
+    const auto at = std::ranges::find_if(parts, [&](const PartFacts& part) {
+        return part.outline && map.outlines[static_cast<std::size_t>(*part.outline)].label == label;
+    });
     if (at == parts.end()) return std::nullopt;
     return static_cast<std::size_t>(at - parts.begin());
 }
 
-void add_outlines(const TactileMap& map, std::vector<PartFacts>& parts) {
+void add_outlines(const TactileMap& map, const Language& language, std::vector<PartFacts>& parts) {
     for (std::size_t i = 0; i < map.outlines.size(); ++i) {
         const Outline& outline = map.outlines[i];
-        if (outline.label.empty() || part_named(parts, outline.label)) continue;
-        parts.push_back(
-            {outline.label, outline.points.front(), outline.detail, static_cast<int>(i)});
+        if (outline.label.empty() || part_labelled(map, parts, outline.label)) continue;
+        parts.push_back({part_name(outline.label, language), outline.points.front(), outline.detail,
+                         static_cast<int>(i)});
     }
 }
 
@@ -78,7 +81,7 @@ PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file, const L
     facts.outline_count = scene.facts.outline_count;
     facts.note = scene.facts.note;
     facts.outer_outline = outer_outline(map);
-    add_outlines(map, facts.parts);
+    add_outlines(map, language, facts.parts);
     for (const Label& label : map.labels) {
         if (!label.text.empty()) facts.parts.push_back({label.text, label.place, 1, std::nullopt});
     }
@@ -91,7 +94,7 @@ std::optional<std::size_t> part_at(const TactileMap& map, const std::vector<Part
                             static_cast<std::size_t>(hand.outline) < map.outlines.size();
     if (is_on_line) {
         const auto part =
-            part_named(parts, map.outlines[static_cast<std::size_t>(hand.outline)].label);
+            part_labelled(map, parts, map.outlines[static_cast<std::size_t>(hand.outline)].label);
         if (part) return part;
     }
     return nearest_spot(parts, hand.p_WH);

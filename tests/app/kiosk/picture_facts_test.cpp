@@ -49,6 +49,26 @@ TEST(PictureFacts, NamesOfLinesOnceThenSpots) {
     EXPECT_FALSE(facts.parts[1].outline);
 }
 
+TEST(PictureFacts, LinesThatTracingNamedAreNamedInTheLanguage) {
+    const auto german = Language::load(TOUCHLINE_CATALOGUES, "de");
+    ASSERT_TRUE(german.has_value()) << german.error().line;
+    LoadedScene scene = house();
+    auto map = std::make_shared<TactileMap>(*scene.felt.map);
+    map->outlines[0].label = "dashed line 2, upper left";
+    map->outlines[1].label = "dotted line, middle";
+    map->outlines[2].label = "line, of washing";
+    scene.felt.map = map;
+    const PictureFacts facts = facts_of(scene, of_file(""), *german);
+    ASSERT_EQ(facts.parts.size(), 4U);
+    EXPECT_EQ(facts.parts[0].name, "gestrichelte Linie 2, oben links");
+    EXPECT_EQ(facts.parts[1].name, "gepunktete Linie, in der Mitte");
+    EXPECT_EQ(facts.parts[2].name, "line, of washing") << "a person's words";
+    HandState hand;
+    hand.map_version = 7;
+    hand.outline = 0;
+    EXPECT_EQ(part_at(*map, facts.parts, hand), std::optional<std::size_t>(0));
+}
+
 TEST(PictureFacts, AHandIsOnTheLineThatItTouchesElseOnASpotNearby) {
     const LoadedScene scene = house();
     const PictureFacts facts = facts_of(scene, of_file(""), Language());

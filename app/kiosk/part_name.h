@@ -1,0 +1,14 @@
+// What the lines of a traced picture are called. Threads: pure function.
+#pragma once
+
+#include "audio-cues/words/language.h"
+
+#include <string>
+
+namespace touchline {
+
+/// The label that tracing gives a line by its kind and place (vision/simplify/parts.h), "dashed
+/// line 2, upper left", in the language; any other label as it is: a person named the part.
+[[nodiscard]] std::string part_name(const std::string& label, const Language& language);
+
+}  // namespace touchline
