@@ -1,0 +1,135 @@
+#include "vision/prepare/halftone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+constexpr int kMostCrop_px = 512;
+constexpr int kLeastCrop_px = 64;
+constexpr double kWidest_px = 16.0;  // apart
+constexpr double kClosest_px = 2.5;
+constexpr int kPeak = 2;         // steps of frequency round a peak that are of it
+constexpr double kShare = 0.25;  // of the power at such frequencies, in both peaks
+constexpr double kAlike = 0.15;  // of the pitch
+constexpr double kLeastAngle = 40.0 * std::numbers::pi / 180.0;
+constexpr double kBlurOverPitch = 0.55;
+
+/// The power of each frequency of the picture's middle; the middle of the matrix is standstill.
+cv::Mat1f spectrum(const cv::Mat& picture) {
+    const int size = std::min({kMostCrop_px, picture.cols, picture.rows}) & ~1;
+    const cv::Rect middle((picture.cols - size) / 2, (picture.rows - size) / 2, size, size);
+    cv::Mat grey = picture(middle);
+    if (grey.channels() == 3) {
+        cv::cvtColor(grey, grey, cv::COLOR_BGR2GRAY);
+    }
+    cv::Mat1f values;
+    grey.convertTo(values, CV_32F);
+    values -= cv::mean(values)[0];
+    cv::Mat1f window;
+    cv::createHanningWindow(window, values.size(), CV_32F);
+    cv::Mat waves;
+    cv::dft(values.mul(window), waves, cv::DFT_COMPLEX_OUTPUT);
+    cv::Mat1f power(values.size());
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            const cv::Vec2f& wave = waves.at<cv::Vec2f>(y, x);
+            power((y + size / 2) % size, (x + size / 2) % size) = wave.dot(wave);
+        }
+    }
+    return power;
+}
+
+/// Waves that are as fast as dots.
+class Waves {
+  public:
+    explicit Waves(cv::Mat1f power) : power_(std::move(power)) {
+        for (int y = 0; y < size(); ++y) {
+            for (int x = 0; x < size(); ++x) {
+                if (!is_fast(of({x, y}))) {
+                    power_(y, x) = 0.0F;
+                }
+            }
+        }
+        whole_ = cv::sum(power_)[0];
+    }
+
+    [[nodiscard]] double whole() const { return whole_; }
+
+    /// Waves per picture, across and down.
+    [[nodiscard]] cv::Point2d strongest() const {
+        cv::Point at;
+        cv::minMaxLoc(power_, nullptr, nullptr, nullptr, &at);
+        return of(at);
+    }
+
+    /// Takes a peak out, and its mirror image: how strong both were.
+    double taken(const cv::Point2d& wave) {
+        double sum = 0.0;
+        for (const double sign : {1.0, -1.0}) {
+            const cv::Rect around(cvRound(sign * wave.x) + size() / 2 - kPeak,
+                                  cvRound(sign * wave.y) + size() / 2 - kPeak, 2 * kPeak + 1,
+                                  2 * kPeak + 1);
+            cv::Mat1f peak = power_(around & cv::Rect({}, power_.size()));
+            sum += cv::sum(peak)[0];
+            peak = 0.0F;
+        }
+        return sum;
+    }
+
+    [[nodiscard]] double pitch_px(const cv::Point2d& wave) const { return size() / cv::norm(wave); }
+
+  private:
+    [[nodiscard]] int size() const { return power_.rows; }
+
+    [[nodiscard]] cv::Point2d of(const cv::Point& at) const {
+        return cv::Point2d(at) - 0.5 * cv::Point2d(size(), size());
+    }
+
+    [[nodiscard]] bool is_fast(const cv::Point2d& wave) const {
+        return cv::norm(wave) * kWidest_px >= size();
+    }
+
+    cv::Mat1f power_;
+    double whole_ = 0.0;
+};
+
+bool are_across(const cv::Point2d& a, const cv::Point2d& b) {
+    const double angle = std::abs(std::atan2(a.cross(b), a.dot(b)));
+    return angle >= kLeastAngle && angle <= std::numbers::pi - kLeastAngle;
+}
+
+}  // namespace
+
+double dot_pitch(const cv::Mat& picture) {
+    if (std::min(picture.cols, picture.rows) < kLeastCrop_px) {
+        return 0.0;
+    }
+    Waves waves(spectrum(picture));
+    const cv::Point2d first = waves.strongest();
+    double share = waves.taken(first);
+    const cv::Point2d second = waves.strongest();
+    share += waves.taken(second);
+    const double pitch = waves.pitch_px(first);
+    const bool are_alike = std::abs(waves.pitch_px(second) / pitch - 1.0) <= kAlike;
+    const bool are_dots = are_alike && are_across(first, second) && pitch >= kClosest_px &&
+                          share >= kShare * waves.whole();
+    return are_dots ? pitch : 0.0;
+}
+
+cv::Mat without_dots(const cv::Mat& picture) {
+    const double pitch = dot_pitch(picture);
+    if (!(pitch > 0.0)) {
+        return picture;
+    }
+    cv::Mat tones;
+    cv::GaussianBlur(picture, tones, {}, kBlurOverPitch * pitch);
+    return tones;
+}
+
+}  // namespace touchline
