@@ -14,6 +14,8 @@ constexpr float kFlatStep = 0.3F;     // of the two colours' difference: less is
 constexpr float kLeastBeside = 0.3F;  // of the change at the border, on either side of it
 constexpr float kBothBeside = 1.0F;   // on both together
 constexpr double kTrue = 60.0;        // grey levels off the region's colour
+constexpr double kEven = 4.0;         // grey levels off the region's colour: of a plateau
+constexpr double kMostlyEven = 0.6;   // of its pixels; of a band in a gradient half are
 constexpr double kMostlySoft = 0.6;   // of a border
 constexpr std::size_t kMostColours = 256;
 constexpr int kReach_px = 4;
@@ -43,12 +45,30 @@ class Fading {
     }
 
     void join() {
+        find_plateaus();
         find_contacts();
         join_soft_ones();
         paint();
     }
 
   private:
+    /// Regions that are of one colour, but for their rims.
+    void find_plateaus() {
+        is_plateau_.assign(runs_.size(), false);
+        std::vector<int> pixels(runs_.size(), 0);
+        std::vector<int> even(runs_.size(), 0);
+        for (const Run& run : runs_) {
+            const cv::Vec3f& colour = palette_[map_(run.row, run.from)];
+            pixels[run.region] += run.to - run.from;
+            for (int x = run.from; x < run.to; ++x) {
+                even[run.region] += cv::norm(lab_(run.row, x) - colour) < kEven ? 1 : 0;
+            }
+        }
+        for (std::size_t i = 0; i < runs_.size(); ++i) {
+            is_plateau_[i] = pixels[i] > 0 && even[i] >= kMostlyEven * pixels[i];
+        }
+    }
+
     void find_contacts() {
         for (int y = 0; y < map_.rows; ++y) {
             for (int x = 0; x < map_.cols; ++x) {
@@ -114,7 +134,8 @@ class Fading {
         for (const auto& [contact, regions] : soft) {
             const std::size_t a = first_of(regions.first);
             const std::size_t b = first_of(regions.second);
-            if (a != b && contacts_.at(both(a, b)).is_soft()) {
+            const bool are_plateaus = is_plateau_[a] && is_plateau_[b];  // a blurred step
+            if (a != b && !are_plateaus && contacts_.at(both(a, b)).is_soft()) {
                 take_in(a, b);
             }
         }
@@ -130,6 +151,7 @@ class Fading {
     /// The second becomes part of the first, its borders too.
     void take_in(std::size_t whole, std::size_t part) {
         part_of_[part] = whole;
+        is_plateau_[whole] = is_plateau_[whole] || is_plateau_[part];
         std::vector<std::pair<std::size_t, Contact>> others;
         std::erase_if(contacts_, [&](const auto& entry) {
             const auto& [regions, contact] = entry;
@@ -196,6 +218,7 @@ class Fading {
     const LabPicture& lab_;
     std::vector<Run> runs_;
     cv::Mat1i region_;
+    std::vector<bool> is_plateau_;  // of regions, and of what has taken them in
     std::map<Regions, Contact> contacts_;
     std::map<std::size_t, std::size_t> part_of_;
 };
@@ -203,7 +226,7 @@ class Fading {
 }  // namespace
 
 void join_fading(cv::Mat1b& map, std::vector<cv::Vec3f>& palette, const LabPicture& lab) {
-    if (palette.size() > 2) {  // of two colours neither fades into a third
+    if (palette.size() > 1) {
         Fading(map, palette, lab).join();
     }
 }

@@ -10,7 +10,8 @@ namespace touchline {
 
 /// Regions of the map whose common border is no step, but part of a slow change of colour, become
 /// one, with a colour of its own at the end of the palette; the ground keeps its colour. Not where
-/// the two meet in a step elsewhere: a shape that fades into the ground on one side stays whole.
+/// both are of one even colour each, for a step may be blurred, nor where the two meet in a step
+/// elsewhere: a shape that fades into the ground on one side stays whole.
 /// At most 256 colours; what is beyond stays apart. O(pixels + regions squared).
 void join_fading(cv::Mat1b& map, std::vector<cv::Vec3f>& palette, const LabPicture& lab);
 

@@ -1,6 +1,7 @@
 #include "vision/prepare/halftone.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -14,9 +15,10 @@ constexpr int kMostCrop_px = 512;
 constexpr int kLeastCrop_px = 64;
 constexpr double kWidest_px = 16.0;  // apart
 constexpr double kClosest_px = 2.5;
-constexpr int kPeak = 2;         // steps of frequency round a peak that are of it
-constexpr double kShare = 0.25;  // of the power at such frequencies, in both peaks
-constexpr double kAlike = 0.15;  // of the pitch
+constexpr int kPeak = 2;           // steps of frequency round a peak that are of it
+constexpr double kShare = 0.25;    // of the power at such frequencies, in both peaks
+constexpr double kOvertone = 0.3;  // of its power: more at a half or a third of its frequency
+constexpr double kAlike = 0.15;    // of the pitch
 constexpr double kLeastAngle = 40.0 * std::numbers::pi / 180.0;
 constexpr double kBlurOverPitch = 0.55;
 
@@ -48,7 +50,7 @@ cv::Mat1f spectrum(const cv::Mat& picture) {
 /// Waves that are as fast as dots.
 class Waves {
   public:
-    explicit Waves(cv::Mat1f power) : power_(std::move(power)) {
+    explicit Waves(const cv::Mat1f& power) : all_(power), power_(power.clone()) {
         for (int y = 0; y < size(); ++y) {
             for (int x = 0; x < size(); ++x) {
                 if (!is_fast(of({x, y}))) {
@@ -72,20 +74,32 @@ class Waves {
     double taken(const cv::Point2d& wave) {
         double sum = 0.0;
         for (const double sign : {1.0, -1.0}) {
-            const cv::Rect around(cvRound(sign * wave.x) + size() / 2 - kPeak,
-                                  cvRound(sign * wave.y) + size() / 2 - kPeak, 2 * kPeak + 1,
-                                  2 * kPeak + 1);
-            cv::Mat1f peak = power_(around & cv::Rect({}, power_.size()));
+            cv::Mat1f peak = power_(around(sign * wave));
             sum += cv::sum(peak)[0];
             peak = 0.0F;
         }
         return sum;
     }
 
+    /// Whether the wave is but the second or third of a slower one: of dots that a hand can tell
+    /// apart, or of a pattern.
+    [[nodiscard]] bool is_overtone(const cv::Point2d& wave) const {
+        const double own = cv::sum(all_(around(wave)))[0];
+        return std::ranges::any_of(std::array{2.0, 3.0}, [&](double times) {
+            return cv::sum(all_(around(wave / times)))[0] > kOvertone * own;
+        });
+    }
+
     [[nodiscard]] double pitch_px(const cv::Point2d& wave) const { return size() / cv::norm(wave); }
 
   private:
     [[nodiscard]] int size() const { return power_.rows; }
+
+    [[nodiscard]] cv::Rect around(const cv::Point2d& wave) const {
+        const cv::Rect peak(cvRound(wave.x) + size() / 2 - kPeak,
+                            cvRound(wave.y) + size() / 2 - kPeak, 2 * kPeak + 1, 2 * kPeak + 1);
+        return peak & cv::Rect({}, power_.size());
+    }
 
     [[nodiscard]] cv::Point2d of(const cv::Point& at) const {
         return cv::Point2d(at) - 0.5 * cv::Point2d(size(), size());
@@ -95,7 +109,8 @@ class Waves {
         return cv::norm(wave) * kWidest_px >= size();
     }
 
-    cv::Mat1f power_;
+    cv::Mat1f all_;
+    cv::Mat1f power_;  // of the fast ones that are left
     double whole_ = 0.0;
 };
 
@@ -118,7 +133,8 @@ double dot_pitch(const cv::Mat& picture) {
     const double pitch = waves.pitch_px(first);
     const bool are_alike = std::abs(waves.pitch_px(second) / pitch - 1.0) <= kAlike;
     const bool are_dots = are_alike && are_across(first, second) && pitch >= kClosest_px &&
-                          share >= kShare * waves.whole();
+                          share >= kShare * waves.whole() && !waves.is_overtone(first) &&
+                          !waves.is_overtone(second);
     return are_dots ? pitch : 0.0;
 }
 

@@ -32,6 +32,7 @@ constexpr double kTextured = 0.013;  // of the open parts: a photo
 constexpr double kMuchOpen = 0.3;    // less: the picture is full of edges, and less texture tells
 constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
 constexpr double kPainted = 0.95;    // of the texture: no camera made it
+constexpr double kAllOpen = 0.995;   // more: there is no shape, painted or not
 constexpr double kRestless = 0.6;    // of all pixels change: grass, not a pattern
 constexpr double kPen_part = 0.025;  // of the diagonal: the widest stroke of a pen
 constexpr double kThin = 0.7;        // of the ink: drawn with a pen
@@ -169,8 +170,9 @@ ClassDecision decided(const PictureFeatures& f) {
                 f};
     }
     const double textured = kTextured * std::min(1.0, f.open_part / kMuchOpen);
+    const bool is_painted = f.painted_part >= kPainted && f.open_part < kAllOpen;
     const bool is_textured = f.open_part >= kLeastOpen
-                                 ? f.texture > textured && f.painted_part < kPainted
+                                 ? f.texture > textured && !is_painted
                                  : (f.changing_part > kRestless && f.clearness < 2.0 * kClear);
     if (is_paper && f.thin_part >= kThin && f.clearness >= kClear &&
         (!is_textured || f.clearness >= 2.0 * kClear)) {
