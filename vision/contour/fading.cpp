@@ -10,13 +10,14 @@
 namespace touchline {
 namespace {
 
-constexpr float kFlatStep = 0.3F;     // of the two colours' difference: less is no step
-constexpr float kLeastBeside = 0.3F;  // of the change at the border, on either side of it
-constexpr float kBothBeside = 1.0F;   // on both together
-constexpr double kTrue = 60.0;        // grey levels off the region's colour
-constexpr double kEven = 4.0;         // grey levels off the region's colour: of a plateau
-constexpr double kMostlyEven = 0.6;   // of its pixels; of a band in a gradient half are
-constexpr double kMostlySoft = 0.6;   // of a border
+constexpr float kFlatStep = 0.3F;              // of the two colours' difference: less is no step
+constexpr float kLeastBeside = 0.3F;           // of the change at the border, on either side of it
+constexpr float kBothBeside = 1.0F;            // on both together
+constexpr double kTrue = 60.0;                 // grey levels off the region's colour
+constexpr double kEven = 4.0;                  // grey levels off the region's colour: of a plateau
+constexpr double kMostlyEven = 0.6;            // of its pixels; of a band in a gradient half are
+constexpr double kMostlySoft = 0.6;            // of a border
+constexpr std::ptrdiff_t kMostRegions = 1500;  // more are grain: nothing but specks
 constexpr std::size_t kMostColours = 256;
 constexpr int kReach_px = 4;
 
@@ -45,6 +46,11 @@ class Fading {
     }
 
     void join() {
+        const auto regions = std::ranges::count_if(
+            runs_, [&](const Run& run) { return &run == &runs_[run.region]; });
+        if (regions > kMostRegions) {
+            return;
+        }
         find_plateaus();
         find_contacts();
         join_soft_ones();
