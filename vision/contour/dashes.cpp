@@ -161,7 +161,7 @@ class Joiner {
     }
 
     /// Outward, as far back as the dash is straight.
-    [[nodiscard]] cv::Point2d direction(EndId end) const {
+    [[nodiscard]] cv::Point2d straight_direction(EndId end) const {
         const std::vector<EdgePoint>& way = piece(end).way;
         double straight_px = 0.0;
         for (std::size_t i = 1; i < way.size(); ++i) {
@@ -175,6 +175,8 @@ class Joiner {
         return ray_at(way, is_back(end), 0.0, std::min(straight_px, 0.5 * piece(end).length_px))
             .direction;
     }
+
+    [[nodiscard]] const cv::Point2d& direction(EndId end) const { return directions_[end]; }
 
     /// How far the ink goes beyond an end.
     [[nodiscard]] double beyond_px(EndId end) const { return 0.5 * piece(end).width_px; }
@@ -195,7 +197,9 @@ class Joiner {
         }
         const double ahead_a = (*corner - from_a.from).dot(from_a.direction);
         const double ahead_b = (*corner - from_b.from).dot(from_b.direction);
-        if (ahead_a <= -beyond_px(a) || ahead_b <= -beyond_px(b)) {
+        const double farthest_px = (kLongestDash_mm + 2.0 * kWidestGap_mm) * mm_px_;
+        if (ahead_a <= -beyond_px(a) || ahead_b <= -beyond_px(b) ||
+            ahead_a + ahead_b > farthest_px) {
             return straight;
         }
         const Gap bent{ahead_a + ahead_b - beyond_px(a) - beyond_px(b), corner, dot_at(*corner)};
@@ -256,6 +260,9 @@ class Joiner {
             return;
         }
         find_fields();
+        for (EndId end = 0; end < 2 * pieces_.size(); ++end) {
+            directions_.push_back(straight_direction(end));
+        }
         link_where(kWidestGap_mm * mm_px_, kMostTurnAtDot, [](EndId) { return true; });
         // What was begun goes on round a sharp tip of dots, or past a dash that was lost.
         link_where(usual_pitch_px(), kMostTurnAtTip,
@@ -419,7 +426,8 @@ class Joiner {
     double mm_px_;
     std::vector<Piece> pieces_;
     std::vector<bool> is_in_field_;
-    std::vector<EndId> to_;  // of each end
+    std::vector<cv::Point2d> directions_;  // of each end
+    std::vector<EndId> to_;                // of each end
 };
 
 }  // namespace

@@ -31,27 +31,48 @@ cv::Mat wholly_thin(const InkParts& parts) {
     return thin;
 }
 
-std::array<int, kMostColours> counts_of(const cv::Mat1b& map) {
-    std::array<int, kMostColours> counts{};
-    for (const uchar colour : map) {
-        ++counts[colour];
+/// How many pixels a colour has, and the box around them.
+struct ColourExtent {
+    int pixels = 0;
+    cv::Rect box;
+};
+
+std::array<ColourExtent, kMostColours> extents_of(const cv::Mat1b& map) {
+    std::array<ColourExtent, kMostColours> extents{};
+    for (int y = 0; y < map.rows; ++y) {
+        for (int x = 0; x < map.cols; ++x) {
+            ColourExtent& extent = extents[map(y, x)];
+            if (extent.pixels++ == 0) {
+                extent.box = {x, y, 1, 1};
+                continue;
+            }
+            const int left = std::min(extent.box.x, x);
+            const int right = std::max(extent.box.br().x, x + 1);
+            extent.box = {left, extent.box.y, right - left, y + 1 - extent.box.y};
+        }
     }
-    return counts;
+    return extents;
 }
 
 }  // namespace
 
 ThinParts thin_parts_of(const cv::Mat1b& map, double greatest_width_px) {
-    const auto counts = counts_of(map);
-    const auto ground = std::ranges::max_element(counts) - counts.begin();
+    const auto extents = extents_of(map);
+    const auto ground =
+        std::ranges::max_element(extents, {}, &ColourExtent::pixels) - extents.begin();
     cv::Mat thin(map.size(), CV_8U, cv::Scalar(0));
     for (int colour = 0; colour < kMostColours; ++colour) {
-        if (counts[static_cast<std::size_t>(colour)] == 0) {
+        const ColourExtent& extent = extents[static_cast<std::size_t>(colour)];
+        if (extent.pixels == 0) {
             continue;
         }
-        const cv::Mat mask = map == colour;
+        // A rim of other colours, so that the box's sides are not taken for more of the colour.
+        const cv::Rect box =
+            (extent.box + cv::Size(4, 4) - cv::Point(2, 2)) & cv::Rect({}, map.size());
+        const cv::Mat mask = map(box) == colour;
         const InkParts parts = parts_of(mask, greatest_width_px);
-        thin |= colour == ground ? wholly_thin(parts) : cv::Mat(parts.strokes);
+        cv::Mat here = thin(box);
+        here |= colour == ground ? wholly_thin(parts) : cv::Mat(parts.strokes);
     }
     ThinParts found{parts_of(thin, greatest_width_px).strokes, map.clone()};
     overgrow(found.map, found.strokes);

@@ -66,6 +66,12 @@ cv::Mat near_flat(const cv::Mat& picture) {
     return flat;
 }
 
+/// A quarter of the picture tells as much as all of it.
+cv::Rect middle_of(const cv::Mat& picture) {
+    return {picture.cols / 4, picture.rows / 4, std::max(1, picture.cols / 2),
+            std::max(1, picture.rows / 2)};
+}
+
 /// How much of what changes does so as a program paints: evenly, or beside flat colour, without the
 /// grain and spots of what a camera sees.
 double painted_part(const cv::Mat& picture, const cv::Mat& texture) {
@@ -99,7 +105,9 @@ void measure_texture(const cv::Mat& picture, const LabPicture& copy, PictureFeat
     features.open_part = part_of(open, all);
     features.texture = part_of(changing & open, cv::countNonZero(open));
     if (features.noise < kNoGrain) {  // a camera's grain answers the question at once
-        features.painted_part = painted_part(picture, changing & open);
+        const cv::Mat texture = changing & open;
+        features.painted_part =
+            painted_part(picture(middle_of(picture)), texture(middle_of(texture)));
     }
     features.changing_part =
         part_of(edges > std::max(kStill, kSignificance * gradient_noise(noise, kEdge_px)), all);
