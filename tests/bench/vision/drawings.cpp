@@ -36,7 +36,7 @@ std::vector<Group> groups() {
         }
     }
     Group charts{"charts and plans", {}};
-    Group scans{"the same, scanned", {}};
+    Group scans{"the same scanned", {}};
     for (int kind = 0; kind < testing::chart_kind_count(); ++kind) {
         for (int seed = 0; seed < kChartSeeds; ++seed) {
             charts.drawings.push_back(testing::chart_drawing(kind, seed));
