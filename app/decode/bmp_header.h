@@ -29,8 +29,8 @@ struct BmpHeader {
 /// The number of 2 or 4 bytes, lowest first; 0 beyond the end.
 [[nodiscard]] std::uint32_t little_endian(Bytes bytes, std::size_t at, std::size_t count);
 
-/// Of the file header at `at` and what follows it. Fails with one line for a header that is none,
-/// or beyond the limits. O(palette).
+/// Reads the file header at `at` and what follows it. Fails with one line for a header that is
+/// none, or beyond the limits. O(palette).
 [[nodiscard]] Result<BmpHeader> read_bmp_header(Bytes bytes, std::size_t at);
 
 }  // namespace touchline::decode

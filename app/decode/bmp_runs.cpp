@@ -58,7 +58,7 @@ class RunReader {
         return pixel;
     }
 
-    /// Of two in a byte, the upper first.
+    /// Two share a byte, the upper first.
     [[nodiscard]] Pixel part_of(const Pixel& taken, unsigned i) const {
         if (!is_4_bit_) return taken;
         return {static_cast<std::uint8_t>(i % 2 == 0 ? taken[0] >> 4U : taken[0] & 15U)};

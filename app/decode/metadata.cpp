@@ -67,7 +67,7 @@ void read_orientation(const Exiv2::Image& image, Metadata& metadata) {
     if (orientation >= 1 && orientation <= 8) metadata.orientation = static_cast<int>(orientation);
 }
 
-/// Of a rational number; 0 where it is none.
+/// The value of a rational number; 0 where it is none.
 double exif_number(const Exiv2::ExifData& exif, const char* name) {
     const auto found = exif.findKey(Exiv2::ExifKey(name));
     if (found == exif.end() || found->count() == 0) return 0.0;

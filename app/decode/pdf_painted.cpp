@@ -40,7 +40,7 @@ bool meet(const Pixels& a, const Pixels& b) {
     return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-/// From within a window.
+/// A part of a window as a part of the page.
 Pixels on_page(const Pixels& part, const Pixels& window) {
     return {part.left + window.left, part.top + window.top, part.right + window.left,
             part.bottom + window.top};
@@ -128,7 +128,7 @@ double share_as_told(const std::vector<Sample>& samples, double least_ink, doubl
     return all == 0 ? 0.0 : static_cast<double>(right) / static_cast<double>(all);
 }
 
-/// Of one channel: the letters' contrast, 0 where its pixels do not follow their shapes.
+/// What one channel tells: the letters' contrast, 0 where its pixels do not follow their shapes.
 double contrast_in(const std::vector<Sample>& samples, std::size_t channel, double most_ink) {
     constexpr double no_ink = 0.02;
     constexpr double least_share = 0.5;

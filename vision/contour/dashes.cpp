@@ -272,11 +272,15 @@ class Joiner {
     template <class Counts>
     void link_where(double widest_gap_px, double most_turn, Counts&& counts) {
         std::vector<Link> links;
-        for (EndId a = 0; a < 2 * pieces_.size(); ++a) {
-            for (EndId b = a + 1; b < 2 * pieces_.size() && counts(a); ++b) {
-                if (counts(b)) {
-                    consider(a, b, widest_gap_px, links);
-                }
+        std::vector<EndId> ends;
+        for (EndId end = 0; end < 2 * pieces_.size(); ++end) {
+            if (counts(end)) {
+                ends.push_back(end);
+            }
+        }
+        for (auto a = ends.begin(); a != ends.end(); ++a) {
+            for (auto b = a + 1; b != ends.end(); ++b) {
+                consider(*a, *b, widest_gap_px, links);
             }
         }
         std::ranges::stable_sort(links, {}, &Link::cost);

@@ -103,7 +103,10 @@ cv::Mat1b pale_pixels(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palett
 void find_regions(FlatPicture& flat, double greatest_width_px) {
     flat.map = region_map(flat.lab, flat.palette);
     const cv::Mat1b pale = pale_pixels(flat.map, flat.palette);
-    const cv::Mat1b grid = grid_of(parts_of(pale, greatest_width_px).strokes, greatest_width_px);
+    cv::Mat1b grid;
+    if (cv::countNonZero(pale) > 0) {  // most flat pictures have nothing pale to look through
+        grid = grid_of(parts_of(pale, greatest_width_px).strokes, greatest_width_px);
+    }
     if (!grid.empty()) {
         flat.lab = painted_over(flat.lab, grid);
         flat.map = region_map(flat.lab, flat.palette);
