@@ -83,11 +83,10 @@ TEST(HandCsv, ADecimalCommaIsReadRightlyOrRefused) {
 }
 
 TEST(HandCsv, OtherEncodingsAreRefusedWithWhatToDo) {
-    EXPECT_EQ(error_of(std::string("\xff\xfet\0", 4)),
-              "line 1: this is UTF-16; save it as CSV in UTF-8");
-    EXPECT_EQ(error_of(std::string("t\0_\0", 4)),
-              "line 1: this is UTF-16; save it as CSV in UTF-8");
-    EXPECT_EQ(error_of(std::string("t_s,x_m,y_m\n0,0,0\n0.1,\0,0\n", 28)),
+    using namespace std::string_literals;
+    EXPECT_EQ(error_of("\xff\xfet\0"s), "line 1: this is UTF-16; save it as CSV in UTF-8");
+    EXPECT_EQ(error_of("t\0_\0"s), "line 1: this is UTF-16; save it as CSV in UTF-8");
+    EXPECT_EQ(error_of("t_s,x_m,y_m\n0,0,0\n0.1,\0,0\n"s),
               "line 3: this is no text; save it as CSV in UTF-8");
 }
 
