@@ -16,18 +16,25 @@ namespace {
 
 constexpr double kSmallBreak_mm = 4.0;
 
-/// A drawn frame is a stroke, or has an outer and an inner edge; one ring beside the rim alone is
-/// the outer line of a thing that fills the picture.
-int drop_frames(std::vector<Chain>& lines, const cv::Rect2d& picture_mm) {
-    const auto is_around = [&](const Chain& line) { return is_frame(line, picture_mm); };
-    const auto rings = std::ranges::count_if(lines, is_around);
-    const bool is_stroke = std::ranges::any_of(
-        lines, [&](const Chain& line) { return line.width_px > 0.0 && is_around(line); });
-    if ((!is_stroke && rings < 2) || rings == static_cast<std::ptrdiff_t>(lines.size())) {
-        return 0;  // a frame around nothing is the picture
+constexpr int kLeastDetailOfFrame = 3;  // lower ones show what is in it
+
+/// Takes the frames out of the lines. A drawn frame is a stroke, or has an outer and an inner edge;
+/// one ring beside the rim alone is the outer line of a thing that fills the picture.
+std::vector<Chain> frames_of(std::vector<Chain>& lines, const cv::Rect2d& picture_mm) {
+    std::vector<Chain> inner;
+    std::vector<Chain> around;
+    for (const Chain& line : lines) {
+        (is_frame(line, picture_mm) ? around : inner).push_back(line);
     }
-    std::erase_if(lines, is_around);
-    return static_cast<int>(rings);
+    const bool is_stroke = std::ranges::any_of(
+        around, [](double width_px) { return width_px > 0.0; }, &Chain::width_px);
+    const bool is_one_with_the_rest =
+        std::ranges::any_of(around, [&](const Chain& line) { return is_met(line, inner); });
+    if ((!is_stroke && around.size() < 2) || inner.empty() || is_one_with_the_rest) {
+        return {};  // a frame around nothing is the picture, one that lines end on is a wall
+    }
+    lines = std::move(inner);
+    return around;
 }
 
 Outline outline_of(const Chain& line, const Area& area) {
@@ -88,10 +95,17 @@ Simplified simplified(const PictureLines& found, const Area& area, int detail, c
     const std::size_t in_pieces = lines.size();
     lines = with_breaks_closed(std::move(lines), kSmallBreak_mm);
     report.breaks_closed = static_cast<int>(in_pieces - lines.size());
-    report.frames_dropped =
-        drop_frames(lines, picture_in_zoom(placement, found.working, map.area, zoom));
+    std::vector<Chain> frames =
+        frames_of(lines, picture_in_zoom(placement, found.working, map.area, zoom));
     const std::vector<double> outer = outer_shares(lines, area_mm);
-    const std::vector<RankedLine> order = ranked(std::move(lines), outer, found.high);
+    std::vector<RankedLine> order = ranked(std::move(lines), outer, found.high);
+    if (detail < kLeastDetailOfFrame) {
+        report.frames_dropped = static_cast<int>(frames.size());
+    } else {
+        for (Chain& frame : frames) {  // last: nothing else gives way to it
+            order.push_back({std::move(frame), order.back().salience, 1.0});
+        }
+    }
 
     const Selection selection = selected(order, limits_for(detail, map.area), area_mm);
     fill(map, selection, order, detail);

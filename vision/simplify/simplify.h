@@ -1,6 +1,6 @@
 // Lines of a picture -> outlines that a hand can follow, at one of five details.
 //
-// in the zoom -> breaks closed -> frame dropped -> ranked -> each, the most salient first: smoothed
+// in the zoom -> breaks closed -> ranked, a frame last -> each, the most salient first: smoothed
 // at the detail's scale, loops cut off, kept a gap away from what is there -> until the detail's
 // strokes or length are used up -> TactileMap
 #pragma once
@@ -37,8 +37,8 @@ struct SimplifyReport {
     bool is_full = false;  // the detail has no room left
     int breaks_closed = 0;
     int crossings_opened = 0;
-    int frames_dropped = 0;
-    std::string words;  // for speech: sentences of at most 15 words
+    int frames_dropped = 0;  // at details 1 and 2: what stands around everything, met by no line
+    std::string words;       // for speech: sentences of at most 15 words
 };
 
 struct Simplified {

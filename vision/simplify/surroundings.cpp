@@ -79,6 +79,18 @@ bool is_frame(const Chain& line, const cv::Rect2d& picture_mm) {
            static_cast<double>(beside) >= 0.9 * static_cast<double>(line.points.size());
 }
 
+bool is_met(const Chain& line, const std::vector<Chain>& others) {
+    constexpr double kMet_mm = 1.0;
+    const auto ends_on_it = [&](const EdgePoint& end) {
+        return std::ranges::any_of(
+            line.points, [&](const EdgePoint& p) { return distance(p.at, end.at) <= kMet_mm; });
+    };
+    return std::ranges::any_of(others, [&](const Chain& other) {
+        return !other.is_closed &&
+               (ends_on_it(other.points.front()) || ends_on_it(other.points.back()));
+    });
+}
+
 double held_area(const Chain& line) {
     double twice = 0.0;
     for (std::size_t i = 0; line.is_closed && i < line.points.size(); ++i) {

@@ -19,6 +19,9 @@ namespace touchline {
 /// the picture's edges, along three of them at least.
 [[nodiscard]] bool is_frame(const Chain& line, const cv::Rect2d& picture_mm);
 
+/// Whether one of the others ends on this line, within a millimetre. O(points x others).
+[[nodiscard]] bool is_met(const Chain& line, const std::vector<Chain>& others);
+
 /// The area that a closed line holds, square millimetres; 0 for an open one. O(points).
 [[nodiscard]] double held_area(const Chain& line);
 

@@ -65,21 +65,6 @@ class Marks {
     std::vector<std::vector<Mark>> cells_ = std::vector<std::vector<Mark>>(kColumns * kRows);
 };
 
-std::vector<cv::Point2d> in_steps(const Outline& outline) {
-    std::vector<cv::Point2d> corners;
-    for (const Position& p : outline.points)
-        corners.emplace_back(1e3 * p.x + 0.5 * kSheet_mm.width, 0.5 * kSheet_mm.height - 1e3 * p.y);
-    if (outline.is_closed) corners.push_back(corners.front());
-    std::vector<cv::Point2d> out;
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-        const cv::Point2d side = corners[i] - corners[i - 1];
-        const int steps = std::max(1, static_cast<int>(std::ceil(cv::norm(side) / kStep_mm)));
-        for (int k = 0; k < steps; ++k)
-            out.push_back(corners[i - 1] + side * (static_cast<double>(k) / steps));
-    }
-    return out;
-}
-
 std::vector<Mark> marks_of(std::span<const cv::Point2d> points, std::size_t line) {
     std::vector<Mark> out;
     double along = 0.0;
@@ -168,6 +153,21 @@ void judge_felt(const Drawing& drawing, const std::vector<std::vector<cv::Point2
 
 }  // namespace
 
+std::vector<cv::Point2d> in_steps(const Outline& outline) {
+    std::vector<cv::Point2d> corners;
+    for (const Position& p : outline.points)
+        corners.emplace_back(1e3 * p.x + 0.5 * kSheet_mm.width, 0.5 * kSheet_mm.height - 1e3 * p.y);
+    if (outline.is_closed) corners.push_back(corners.front());
+    std::vector<cv::Point2d> out;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const cv::Point2d side = corners[i] - corners[i - 1];
+        const int steps = std::max(1, static_cast<int>(std::ceil(cv::norm(side) / kStep_mm)));
+        for (int k = 0; k < steps; ++k)
+            out.push_back(corners[i - 1] + side * (static_cast<double>(k) / steps));
+    }
+    return out;
+}
+
 Counted& Counted::operator+=(const Counted& other) {
     right_mm += other.right_mm;
     wrong_mm += other.wrong_mm;
@@ -180,20 +180,25 @@ Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm) {
     return felt_of(drawing, detail, tolerance_mm, std::numeric_limits<double>::infinity());
 }
 
-Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, double most_pixels) {
+Result<FirstView> first_view_of(std::string_view file, int detail, double most_pixels) {
     const auto begin = std::chrono::steady_clock::now();
-    auto page = first_view(std::as_bytes(std::span(drawing.file)));
+    auto page = first_view(std::as_bytes(std::span(file)));
     if (!page) return tl::unexpected(page.error());
     reduce(*page, most_pixels);
     TraceRequest request;
     request.options.detail = detail;
-    const auto traced = trace_page(*page, request);
+    auto traced = trace_page(*page, request);
     if (!traced) return tl::unexpected(traced.error());
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    return FirstView{std::move(*page), std::move(traced->map), took.count()};
+}
 
+Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, double most_pixels) {
+    auto view = first_view_of(drawing.file, detail, most_pixels);
+    if (!view) return tl::unexpected(view.error());
     Felt out;
-    out.map = traced->map;
-    out.milliseconds = took.count();
+    out.map = std::move(view->map);
+    out.milliseconds = view->milliseconds;
     const std::vector<SeenLine> lines = seen_lines(drawing);
     Marks seen;
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -204,7 +209,7 @@ Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, do
         felt_lines.push_back(in_steps(outline));
         for (const Mark& mark : marks_of(felt_lines.back(), felt_lines.size())) felt.add(mark);
     }
-    const DetailLimits limits = limits_for(detail, request.options.area);
+    const DetailLimits limits = limits_for(detail, TraceRequest{}.options.area);
     judge_seen(lines, seen, felt, limits, tolerance_mm, out);
     judge_felt(drawing, felt_lines, seen, limits, tolerance_mm, out);
     return out;

@@ -2,11 +2,13 @@
 // it. Threads: any, each call by itself.
 #pragma once
 
+#include "app/decode/page.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 #include "tests/app/drawings/paint.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchline::testing {
@@ -33,6 +35,21 @@ struct Felt {
     double milliseconds = 0.0;                     // file to map
     std::vector<std::vector<cv::Point2d>> missed;  // stretches of the seen lines, for a look
 };
+
+/// The view that the kiosk opens first.
+struct FirstView {
+    Page page;
+    TactileMap map;
+    double milliseconds = 0.0;  // file to map
+};
+
+/// The first view of a file at this detail, of at most so many pixels. Fails, with one line, where
+/// the kiosk shows nothing of it.
+[[nodiscard]] Result<FirstView> first_view_of(std::string_view file, int detail,
+                                              double most_pixels);
+
+/// Points of an outline in steps of at most kStep_mm, on the sheet.
+[[nodiscard]] std::vector<cv::Point2d> in_steps(const Outline& outline);
 
 /// The first view of the file at this detail, within `tolerance_mm` of what can be seen. Fails,
 /// with one line, where the kiosk shows nothing of it.

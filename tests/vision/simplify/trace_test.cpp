@@ -289,6 +289,24 @@ TEST(Trace, AThingThatFillsThePictureIsNoFrame) {
     EXPECT_GT(framed->report.simplified.frames_dropped, 0);
     EXPECT_NE(framed->report.simplified.words.find("A frame around the picture is left out."),
               std::string::npos);
+    const auto finer = trace_outlines(picture, {.area = {}, .detail = 3});
+    ASSERT_TRUE(finer);
+    EXPECT_EQ(finer->report.simplified.frames_dropped, 0);
+    ASSERT_GE(finer->map.outlines.size(), 2U);
+    const Position first = finer->map.outlines.front().points.front();  // of the circle
+    EXPECT_NEAR(std::hypot(first.x, first.y), 0.0126, 0.001);
+}
+
+TEST(Trace, WallsBesideTheRimAreNoFrame) {
+    cv::Mat3b plan(400, 560, cv::Vec3b::all(255));
+    cv::rectangle(plan, {8, 8}, {551, 391}, cv::Scalar::all(0), 4);
+    cv::line(plan, {200, 8}, {200, 250}, cv::Scalar::all(0), 4);
+    for (const int detail : {1, 3, 5}) {
+        const auto trace = trace_outlines(plan, {.area = {}, .detail = detail});
+        ASSERT_TRUE(trace);
+        EXPECT_EQ(trace->report.simplified.frames_dropped, 0) << detail;
+        EXPECT_GT(trace->report.simplified.line_mm, 300.0) << detail;
+    }
 }
 
 TEST(Trace, PartsOfAPageSayWhatTheyAre) {

@@ -1,0 +1,120 @@
+// What of somebody else's drawings reaches the hand: suite_bench FOLDER RESULTS takes each NAME.svg
+// below FOLDER that has a NAME.png beside it, painted by another program, and writes suite.csv (a
+// row for each chapter, the folders of FOLDER) and suite_drawings.csv.
+#include "app/decode/opening.h"
+#include "tests/bench/vision/picture_truth.h"
+#include "vision/simplify/detail_limits.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/ostream.h>
+
+namespace touchline::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kTolerance_mm = 0.5;
+constexpr double kBar = 0.99;
+
+struct Chapter {
+    int drawings = 0;  // with something to see, painted alike by both programs
+    int whole = 0;     // of these with both shares at the bar
+    int refused = 0;
+    int otherwise = 0;  // painted otherwise here than by the other program
+    int blank = 0;      // nothing to see
+    testing::Counted seen;
+    testing::Counted felt;
+};
+
+std::string bytes_at(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<fs::path> drawings_below(const fs::path& folder) {
+    std::vector<fs::path> out;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".svg" &&
+            fs::exists(fs::path(entry.path()).replace_extension(".png")))
+            out.push_back(entry.path());
+    std::ranges::sort(out);
+    return out;
+}
+
+cv::Mat pixels_of(Picture& picture) {
+    return {picture.height, picture.width, CV_8UC3, picture.bgr.data()};
+}
+
+/// What became of it, as one word, and the shares.
+struct Judged {
+    std::string became;
+    Shares shares;
+};
+
+Judged judged(const fs::path& drawing) {
+    auto painted = open_page_of(fs::path(drawing).replace_extension(".png").string());
+    if (!painted) return {"blank", {}};
+    const PictureTruth truth = truth_of(pixels_of(painted->picture));
+    if (truth.choices.empty()) return {"blank", {}};
+    auto view = testing::first_view_of(bytes_at(drawing), kMostDetail, 1e9);
+    if (!view) return {"refused", {}};
+    if (!are_alike(truth, truth_of(pixels_of(view->page.picture)), kTolerance_mm))
+        return {"otherwise", {}};
+    const double gap_mm = limits_for(kMostDetail, view->map.area).gap_mm;
+    const Shares shares = shares_of(truth, view->map, gap_mm, kTolerance_mm);
+    const bool is_whole = shares.seen.share() >= kBar && shares.felt.share() >= kBar;
+    return {is_whole ? "whole" : "fault", shares};
+}
+
+void count(const Judged& one, Chapter& chapter) {
+    if (one.became == "blank") ++chapter.blank;
+    if (one.became == "refused") ++chapter.refused;
+    if (one.became == "otherwise") ++chapter.otherwise;
+    if (one.became == "whole") ++chapter.whole;
+    if (one.became == "whole" || one.became == "fault") ++chapter.drawings;
+    chapter.seen += one.shares.seen;
+    chapter.felt += one.shares.felt;
+}
+
+int run(const fs::path& folder, const fs::path& results) {
+    std::map<std::string, Chapter> chapters;
+    std::ofstream each(results / "suite_drawings.csv");
+    fmt::print(each, "drawing,became,felt_share,seen_share,too_near_mm\n");
+    for (const fs::path& drawing : drawings_below(folder)) {
+        const Judged one = judged(drawing);
+        const fs::path name = fs::relative(drawing, folder);
+        fmt::print(each, "{},{},{:.4f},{:.4f},{:.1f}\n", name.string(), one.became,
+                   one.shares.seen.share(), one.shares.felt.share(), one.shares.seen.too_near_mm);
+        each.flush();
+        count(one, chapters[name.begin()->string()]);
+    }
+    std::ofstream out(results / "suite.csv");
+    fmt::print(out,
+               "chapter,drawings,whole,felt_share,seen_share,too_near_share,refused,otherwise,"
+               "blank\n");
+    for (const auto& [name, c] : chapters) {
+        const double all_mm = c.seen.right_mm + c.seen.wrong_mm + c.seen.too_near_mm;
+        fmt::print(out, "{},{},{},{:.4f},{:.4f},{:.4f},{},{},{}\n", name, c.drawings, c.whole,
+                   c.seen.share(), c.felt.share(), all_mm > 0 ? c.seen.too_near_mm / all_mm : 0.0,
+                   c.refused, c.otherwise, c.blank);
+    }
+    return each && out && !chapters.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace
+}  // namespace touchline::bench
+
+int main(int argc, char** argv) {
+    if (argc != 3) {
+        fmt::print(stderr, "usage: suite_bench FOLDER RESULTS\n");
+        return 2;
+    }
+    return touchline::bench::run(argv[1], argv[2]);
+}
