@@ -112,6 +112,26 @@ std::vector<const Place*> most_agreeing(const std::vector<Place>& places) {
     return best;
 }
 
+/// A fifth of the places or more have one colour, and lie on four fifths of the rows and columns.
+bool reach_everywhere(const std::vector<Place>& places) {
+    constexpr double kSameColour = 1.0;  // grey level
+    const auto is_enough = [&](const Place& as) {
+        std::array<bool, kPlaces> rows{};
+        std::array<bool, kPlaces> columns{};
+        std::size_t alike = 0;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (cv::norm(places[i].colour - as.colour) <= kSameColour) {
+                ++alike;
+                rows[i / kPlaces] = true;
+                columns[i % kPlaces] = true;
+            }
+        }
+        return 5 * alike >= places.size() && 5 * std::ranges::count(rows, true) >= 4 * kPlaces &&
+               5 * std::ranges::count(columns, true) >= 4 * kPlaces;
+    };
+    return std::ranges::any_of(places, is_enough);
+}
+
 }  // namespace
 
 Paper::Paper(const LabPicture& lab) : size_(lab.size()) {
@@ -123,6 +143,7 @@ Paper::Paper(const LabPicture& lab) : size_(lab.size()) {
     }
     const std::vector<const Place*> agree = most_agreeing(places);
     weights_ = fitted(agree);
+    is_evenly_lit_ = reach_everywhere(places);
     part_ = static_cast<double>(agree.size()) / static_cast<double>(places.size());
 }
 

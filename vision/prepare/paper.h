@@ -24,6 +24,10 @@ class Paper {
     /// Part of the places that agree: 0..1.
     [[nodiscard]] double part() const { return part_; }
 
+    /// Whether places of one colour, to a grey level, reach over the whole picture: no lamp leaves
+    /// them so, and what the surface follows is painted.
+    [[nodiscard]] bool is_evenly_lit() const { return is_evenly_lit_; }
+
     /// Its colours along a row of the picture it was made from.
     void fill_row(int row, std::vector<cv::Vec3f>& colours) const;
 
@@ -31,6 +35,7 @@ class Paper {
     std::array<Terms, 3> weights_{};  // by channel
     cv::Size size_;
     double part_ = 0.0;
+    bool is_evenly_lit_ = false;
 };
 
 /// The picture as it would be if the paper had the same colour everywhere as in its middle: light
