@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include <opencv2/imgproc.hpp>
+
 namespace touchline {
 namespace {
 
@@ -20,8 +22,17 @@ constexpr double kMostlySoft = 0.6;            // of a border
 constexpr std::ptrdiff_t kMostRegions = 1500;  // more are grain: nothing but specks
 constexpr std::size_t kMostColours = 256;
 constexpr int kReach_px = 4;
+constexpr int kNearby_px = 9;
+constexpr int kLeastStretch_px = 30;
 
-/// Pairs of neighbouring pixels along the border of two regions.
+/// Two neighbouring pixels of two regions.
+struct Pair {
+    cv::Point at;
+    cv::Point along;  // to the other one
+    bool is_soft = false;
+};
+
+/// Pairs along the border of two regions.
 struct Contact {
     int pairs = 0;
     int soft = 0;
@@ -35,6 +46,21 @@ Regions both(std::size_t a, std::size_t b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
+/// Without the parts that are not long either way.
+cv::Mat1b without_short_parts(const cv::Mat1b& mask) {
+    cv::Mat1i label;
+    cv::Mat1i stats;
+    cv::Mat1d centres;
+    cv::connectedComponentsWithStats(mask, label, stats, centres, 8, CV_32S);
+    cv::Mat1b kept(mask.size());
+    std::ranges::transform(label, kept.begin(), [&](int part) {
+        const int long_px =
+            std::max(stats(part, cv::CC_STAT_WIDTH), stats(part, cv::CC_STAT_HEIGHT));
+        return part > 0 && long_px >= kLeastStretch_px ? uchar{255} : uchar{0};
+    });
+    return kept;
+}
+
 class Fading {
   public:
     Fading(cv::Mat1b& map, std::vector<cv::Vec3f>& palette, const LabPicture& lab)
@@ -45,16 +71,24 @@ class Fading {
         }
     }
 
-    void join() {
+    /// Gives the borders that are left without a step.
+    cv::Mat1b join() {
         const auto regions = std::ranges::count_if(
             runs_, [&](const Run& run) { return &run == &runs_[run.region]; });
         if (regions > kMostRegions) {
-            return;
+            return cv::Mat1b(map_.size(), uchar{0});
         }
         find_plateaus();
-        find_contacts();
+        find_pairs();
+        ask_neighbours();
+        for (const Pair& pair : pairs_) {
+            Contact& contact = contacts_[both(region_at(pair.at), region_at(pair.at + pair.along))];
+            ++contact.pairs;
+            contact.soft += pair.is_soft ? 1 : 0;
+        }
         join_soft_ones();
         paint();
+        return soft_borders();
     }
 
   private:
@@ -75,7 +109,7 @@ class Fading {
         }
     }
 
-    void find_contacts() {
+    void find_pairs() {
         for (int y = 0; y < map_.rows; ++y) {
             for (int x = 0; x < map_.cols; ++x) {
                 if (x + 1 < map_.cols && map_(y, x) != map_(y, x + 1)) {
@@ -94,9 +128,34 @@ class Fading {
             !frame.contains(p + (kReach_px + 1) * along) || !is_true(p) || !is_true(p + along)) {
             return;
         }
-        Contact& contact = contacts_[both(region_at(p), region_at(p + along))];
-        ++contact.pairs;
-        contact.soft += is_soft(p, along) ? 1 : 0;
+        pairs_.push_back({p, along, is_soft(p, along)});
+    }
+
+    /// A border is soft where most of it nearby is: single pixels tell little.
+    void ask_neighbours() {
+        cv::Mat1f votes(map_.size(), 0.0F);
+        for (const Pair& pair : pairs_) {
+            votes(pair.at) += pair.is_soft ? 1.0F : -1.0F;
+        }
+        cv::boxFilter(votes, votes, CV_32F, cv::Size(kNearby_px, kNearby_px), cv::Point(-1, -1),
+                      false, cv::BORDER_CONSTANT);
+        for (Pair& pair : pairs_) {
+            pair.is_soft = votes(pair.at) > 0.0F;
+        }
+    }
+
+    /// Stretches of what is still a border, but of a blurred one between two even areas.
+    [[nodiscard]] cv::Mat1b soft_borders() const {
+        cv::Mat1b soft(map_.size(), uchar{0});
+        for (const Pair& pair : pairs_) {
+            const std::size_t a = first_of(region_at(pair.at));
+            const std::size_t b = first_of(region_at(pair.at + pair.along));
+            if (pair.is_soft && a != b && !(is_plateau_[a] && is_plateau_[b])) {
+                soft(pair.at) = soft(pair.at + pair.along) = 255;
+            }
+        }
+        cv::dilate(soft, soft, cv::Mat::ones(3, 3, CV_8U));
+        return without_short_parts(soft);
     }
 
     /// Not of a speck that something else has grown over.
@@ -225,16 +284,15 @@ class Fading {
     std::vector<Run> runs_;
     cv::Mat1i region_;
     std::vector<bool> is_plateau_;  // of regions, and of what has taken them in
+    std::vector<Pair> pairs_;
     std::map<Regions, Contact> contacts_;
     std::map<std::size_t, std::size_t> part_of_;
 };
 
 }  // namespace
 
-void join_fading(cv::Mat1b& map, std::vector<cv::Vec3f>& palette, const LabPicture& lab) {
-    if (palette.size() > 1) {
-        Fading(map, palette, lab).join();
-    }
+cv::Mat1b join_fading(cv::Mat1b& map, std::vector<cv::Vec3f>& palette, const LabPicture& lab) {
+    return palette.size() > 1 ? Fading(map, palette, lab).join() : cv::Mat1b(map.size(), uchar{0});
 }
 
 }  // namespace touchline

@@ -52,6 +52,7 @@ struct FlatPicture {
     LabPicture lab;
     std::vector<cv::Vec3f> palette;
     cv::Mat1b map;
+    cv::Mat1b soft;  // 255 on borders without a step
     double smoothing_px = 0.0;
 };
 
@@ -112,11 +113,11 @@ void find_regions(FlatPicture& flat, double greatest_width_px) {
         flat.map = region_map(flat.lab, flat.palette);
     }
     overgrow_specks(flat.map, static_cast<int>(kLeastPart * static_cast<double>(flat.lab.total())));
-    join_fading(flat.map, flat.palette, flat.lab);
+    flat.soft = join_fading(flat.map, flat.palette, flat.lab);
 }
 
 FlatPicture flat_picture(const LabPicture& lab, double noise, double greatest_width_px) {
-    FlatPicture flat{lab, {}, {}, smoothing_for_noise(noise)};
+    FlatPicture flat{lab, {}, {}, {}, smoothing_for_noise(noise)};
     if (flat.smoothing_px > 0.0) {
         cv::GaussianBlur(lab, flat.lab, cv::Size(), flat.smoothing_px);
     }
@@ -225,10 +226,11 @@ std::vector<Chain> region_lines(const LabPicture& lab, double noise, double grea
     const ThinParts thin = thin_parts_of(flat.map, greatest_width_px);
     std::vector<Chain> lines = stroke_lines(ink_of_strokes(flat, thin), greatest_width_px);
     const std::size_t strokes = lines.size();
-    cv::Mat near_strokes;
-    cv::dilate(thin.strokes, near_strokes, cv::Mat::ones(3, 3, CV_8U));
+    cv::Mat no_border;
+    cv::dilate(thin.strokes, no_border, cv::Mat::ones(3, 3, CV_8U));
+    no_border |= flat.soft;
     std::vector<Chain> borders =
-        linked(outside(region_borders(thin.map, flat.lab, flat.palette), near_strokes), lab.size(),
+        linked(outside(region_borders(thin.map, flat.lab, flat.palette), no_border), lab.size(),
                reach_of_borders())
             .chains;
     for (Chain& line : borders) {

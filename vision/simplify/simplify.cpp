@@ -18,8 +18,9 @@ constexpr double kSmallBreak_mm = 4.0;
 
 constexpr int kLeastDetailOfFrame = 3;  // lower ones show what is in it
 
-/// Takes the frames out of the lines. A drawn frame is a stroke, or has an outer and an inner edge;
-/// one ring beside the rim alone is the outer line of a thing that fills the picture.
+/// Takes the frames out of the lines, and gives the drawn ones. Such a frame is a stroke, or has an
+/// outer and an inner edge; one ring beside the rim alone is the outer line of a thing that fills
+/// the picture.
 std::vector<Chain> frames_of(std::vector<Chain>& lines, const cv::Rect2d& picture_mm) {
     std::vector<Chain> inner;
     std::vector<Chain> around;
@@ -34,6 +35,7 @@ std::vector<Chain> frames_of(std::vector<Chain>& lines, const cv::Rect2d& pictur
         return {};  // a frame around nothing is the picture, one that lines end on is a wall
     }
     lines = std::move(inner);
+    std::erase_if(around, [&](const Chain& line) { return is_rim(line, picture_mm); });
     return around;
 }
 

@@ -1,6 +1,7 @@
 #include "vision/simplify/surroundings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <opencv2/imgproc.hpp>
@@ -35,6 +36,30 @@ cv::Mat1b free_cells(const std::vector<Chain>& lines, cv::Size2d area_mm) {
     return cells;
 }
 
+/// Distances from the left, right, upper and lower edge of the picture.
+std::array<double, 4> from_edges(const cv::Point2d& at, const cv::Rect2d& picture_mm) {
+    return {at.x - picture_mm.x, picture_mm.br().x - at.x, at.y - picture_mm.y,
+            picture_mm.br().y - at.y};
+}
+
+/// The share of its points that lie so near to an edge of the picture.
+double share_beside(const Chain& line, const cv::Rect2d& picture_mm, double reach_mm) {
+    const auto beside = std::ranges::count_if(line.points, [&](const EdgePoint& p) {
+        return std::ranges::min(from_edges(p.at, picture_mm)) < reach_mm;
+    });
+    return static_cast<double>(beside) / static_cast<double>(line.points.size());
+}
+
+int sides_near(const Chain& line, const cv::Rect2d& picture_mm, double reach_mm) {
+    int sides = 0;
+    for (std::size_t side = 0; side < 4; ++side) {
+        sides += std::ranges::any_of(line.points, [&](const EdgePoint& p) {
+            return from_edges(p.at, picture_mm)[side] < reach_mm;
+        });
+    }
+    return sides;
+}
+
 }  // namespace
 
 std::vector<double> outer_shares(const std::vector<Chain>& lines, cv::Size2d area_mm) {
@@ -58,25 +83,13 @@ std::vector<double> outer_shares(const std::vector<Chain>& lines, cv::Size2d are
 
 bool is_frame(const Chain& line, const cv::Rect2d& picture_mm) {
     const double reach_mm = 0.04 * std::min(picture_mm.width, picture_mm.height);
-    std::size_t beside = 0;
-    bool left = false;
-    bool right = false;
-    bool top = false;
-    bool bottom = false;
-    for (const EdgePoint& p : line.points) {
-        const bool is_left = p.at.x - picture_mm.x < reach_mm;
-        const bool is_right = picture_mm.br().x - p.at.x < reach_mm;
-        const bool is_top = p.at.y - picture_mm.y < reach_mm;
-        const bool is_bottom = picture_mm.br().y - p.at.y < reach_mm;
-        beside += is_left || is_right || is_top || is_bottom ? 1 : 0;
-        left = left || is_left;
-        right = right || is_right;
-        top = top || is_top;
-        bottom = bottom || is_bottom;
-    }
-    const int sides = int{left} + int{right} + int{top} + int{bottom};
-    return sides >= 3 &&
-           static_cast<double>(beside) >= 0.9 * static_cast<double>(line.points.size());
+    return share_beside(line, picture_mm, reach_mm) >= 0.9 &&
+           sides_near(line, picture_mm, reach_mm) >= 3;
+}
+
+bool is_rim(const Chain& line, const cv::Rect2d& picture_mm) {
+    constexpr double kUneven_mm = 0.1;
+    return share_beside(line, picture_mm, 0.5 * line.width_px + kUneven_mm) >= 0.9;
 }
 
 bool is_met(const Chain& line, const std::vector<Chain>& others) {

@@ -19,6 +19,9 @@ namespace touchline {
 /// the picture's edges, along three of them at least.
 [[nodiscard]] bool is_frame(const Chain& line, const cv::Rect2d& picture_mm);
 
+/// Whether the ink of a frame reaches the picture's edges: the rim of its ground, or of the sheet.
+[[nodiscard]] bool is_rim(const Chain& line, const cv::Rect2d& picture_mm);
+
 /// Whether one of the others ends on this line, within a millimetre. O(points x others).
 [[nodiscard]] bool is_met(const Chain& line, const std::vector<Chain>& others);
 
