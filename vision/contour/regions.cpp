@@ -122,7 +122,7 @@ FlatPicture flat_picture(const LabPicture& lab, double noise, double greatest_wi
         cv::GaussianBlur(lab, flat.lab, cv::Size(), flat.smoothing_px);
     }
     const Paper paper(flat.lab);
-    if (paper.part() >= kLeastPaper && !paper.is_evenly_lit()) {
+    if (paper.part() >= kLeastPaper) {
         flat.lab = evenly_lit(flat.lab, paper);
     }
     flat.palette = palette_of(flat.lab, noise);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace touchline {
@@ -112,24 +113,52 @@ std::vector<const Place*> most_agreeing(const std::vector<Place>& places) {
     return best;
 }
 
-/// A fifth of the places or more have one colour, and lie on four fifths of the rows and columns.
-bool reach_everywhere(const std::vector<Place>& places) {
-    constexpr double kSameColour = 1.0;  // grey level
-    const auto is_enough = [&](const Place& as) {
-        std::array<bool, kPlaces> rows{};
-        std::array<bool, kPlaces> columns{};
-        std::size_t alike = 0;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            if (cv::norm(places[i].colour - as.colour) <= kSameColour) {
-                ++alike;
-                rows[i / kPlaces] = true;
-                columns[i % kPlaces] = true;
-            }
+/// The places that have exactly the colour of one of them.
+std::vector<const Place*> alike(const std::vector<Place>& places, const Place& as) {
+    constexpr double kSameColour = 0.1;  // grey levels
+    std::vector<const Place*> found;
+    for (const Place& place : places) {
+        if (cv::norm(place.colour - as.colour) <= kSameColour) {
+            found.push_back(&place);
         }
-        return 5 * alike >= places.size() && 5 * std::ranges::count(rows, true) >= 4 * kPlaces &&
-               5 * std::ranges::count(columns, true) >= 4 * kPlaces;
-    };
-    return std::ranges::any_of(places, is_enough);
+    }
+    return found;
+}
+
+/// A fifth of the places or more, on four fifths of the rows and columns.
+bool reach_everywhere(const std::vector<const Place*>& some, const std::vector<Place>& places) {
+    std::array<bool, kPlaces> rows{};
+    std::array<bool, kPlaces> columns{};
+    for (const Place* place : some) {
+        const auto at = static_cast<std::size_t>(place - places.data());
+        rows[at / kPlaces] = true;
+        columns[at % kPlaces] = true;
+    }
+    return 5 * some.size() >= places.size() && 5 * std::ranges::count(rows, true) >= 4 * kPlaces &&
+           5 * std::ranges::count(columns, true) >= 4 * kPlaces;
+}
+
+/// A colour that reaches over the whole picture, but that the surface mostly passes by: no lamp
+/// leaves it so, and what the surface follows is painted.
+std::optional<cv::Vec3f> passed_by(const Weights& surface, const std::vector<Place>& places) {
+    for (const Place& place : places) {
+        const std::vector<const Place*> some = alike(places, place);
+        const auto on_it = std::ranges::count_if(some, [&](const Place* each) {
+            return cv::norm(each->colour - colour_at(surface, each->terms)) < kSamePaper;
+        });
+        if (2 * static_cast<std::size_t>(on_it) < some.size() && reach_everywhere(some, places)) {
+            return place.colour;
+        }
+    }
+    return std::nullopt;
+}
+
+Weights even_surface(const cv::Vec3f& colour) {
+    Weights weights{};
+    for (int c = 0; c < 3; ++c) {
+        weights[static_cast<std::size_t>(c)][0] = static_cast<double>(colour[c]);
+    }
+    return weights;
 }
 
 }  // namespace
@@ -141,10 +170,12 @@ Paper::Paper(const LabPicture& lab) : size_(lab.size()) {
             places.push_back(place_at(lab, column, row));
         }
     }
-    const std::vector<const Place*> agree = most_agreeing(places);
-    weights_ = fitted(agree);
-    is_evenly_lit_ = reach_everywhere(places);
-    part_ = static_cast<double>(agree.size()) / static_cast<double>(places.size());
+    weights_ = fitted(most_agreeing(places));
+    if (const auto colour = passed_by(weights_, places)) {
+        weights_ = even_surface(*colour);
+    }
+    part_ =
+        static_cast<double>(agreeing(places, weights_).size()) / static_cast<double>(places.size());
 }
 
 void Paper::fill_row(int row, std::vector<cv::Vec3f>& colours) const {

@@ -17,16 +17,13 @@ class Paper {
     static constexpr int kTerms = 6;
     using Terms = cv::Vec<double, kTerms>;  // 1, x, y, x x, x y, y y; x and y run from -1 to 1
 
-    /// The surface that most places (20 x 20, each the middle of 49 pixels) agree with.
+    /// The surface that most places (20 x 20, each the middle of 49 pixels) agree with; an even one
+    /// where it passes by a colour that reaches over the whole picture.
     /// Deterministic. O(1) in the pixels: about 3 ms.
     explicit Paper(const LabPicture& lab);
 
     /// Part of the places that agree: 0..1.
     [[nodiscard]] double part() const { return part_; }
-
-    /// Whether places of one colour, to a grey level, reach over the whole picture: no lamp leaves
-    /// them so, and what the surface follows is painted.
-    [[nodiscard]] bool is_evenly_lit() const { return is_evenly_lit_; }
 
     /// Its colours along a row of the picture it was made from.
     void fill_row(int row, std::vector<cv::Vec3f>& colours) const;
@@ -35,7 +32,6 @@ class Paper {
     std::array<Terms, 3> weights_{};  // by channel
     cv::Size size_;
     double part_ = 0.0;
-    bool is_evenly_lit_ = false;
 };
 
 /// The picture as it would be if the paper had the same colour everywhere as in its middle: light
