@@ -14,7 +14,9 @@ constexpr double kLeastLine_mm = 3.0;  // shorter ones are not asked for
 // Of a Sobel filter where a step of 25 of 255 has become three pixels wide.
 constexpr double kSeenStep = 60.0;
 constexpr double kFollowedStep = 30.0;
-constexpr double kOpposite = -0.7;  // cosine between the gradients of a stroke's two sides
+constexpr int kNearCorner_px = 31;
+constexpr float kCornerBeyondMiddle = 2.0F;  // in half widths, at 60 degrees
+constexpr double kOpposite = -0.7;           // cosine between the gradients of a stroke's two sides
 
 const cv::Size kSheet(static_cast<int>(testing::kSheet_mm.width* kPixels_per_mm),
                       static_cast<int>(testing::kSheet_mm.height* kPixels_per_mm));
@@ -148,15 +150,23 @@ PictureTruth truth_of(const cv::Mat& picture) {
     truth.lines = truth.edges.clone();
     std::vector<cv::Point> points;
     cv::findNonZero(truth.edges, points);
+    cv::Mat half_widths(kSheet, CV_32F, cv::Scalar(0));
     for (const cv::Point& at : points) {
-        std::vector<cv::Point>& choices = truth.choices.emplace_back(1, at);
+        std::vector<cv::Point>& choices = truth.each.emplace_back().choices;
+        choices.push_back(at);
         const cv::Point2d across = gradient.at(at) * (1.0 / cv::norm(gradient.at(at)));
         for (const cv::Point2d& direction : {across, -across}) {
             const auto other = other_side(truth.edges, gradient, at, direction);
             if (!other) continue;
             choices.push_back((at + *other) / 2);
             truth.lines.at<uchar>(choices.back()) = 255;
+            half_widths.at<float>(at) = static_cast<float>(0.5 * cv::norm(at - *other));
         }
+    }
+    cv::dilate(half_widths, half_widths, cv::Mat::ones(kNearCorner_px, kNearCorner_px, CV_8U));
+    for (PictureTruth::Edge& edge : truth.each) {
+        if (edge.choices.size() == 1)
+            edge.beside_px = kCornerBeyondMiddle * half_widths.at<float>(edge.choices.front());
     }
     return truth;
 }
@@ -172,13 +182,14 @@ Shares shares_of(const PictureTruth& truth, const TactileMap& map, double gap_mm
     const cv::Mat to_felt = distance_to(mask_of(felt));
     Shares out;
     cv::Mat missed(kSheet, CV_8U, cv::Scalar(0));
-    for (const std::vector<cv::Point>& choices : truth.choices) {
-        if (std::ranges::any_of(choices, [&](const cv::Point& at) {
-                return to_felt.at<float>(at) <= static_cast<float>(tolerance_px);
+    for (const PictureTruth::Edge& edge : truth.each) {
+        const float near_px = static_cast<float>(tolerance_px) + edge.beside_px;
+        if (std::ranges::any_of(edge.choices, [&](const cv::Point& at) {
+                return to_felt.at<float>(at) <= near_px;
             }))
             out.seen.right_mm += 1.0 / kPixels_per_mm;
         else
-            missed.at<uchar>(choices.front()) = 255;
+            missed.at<uchar>(edge.choices.front()) = 255;
     }
     count_missed(missed, to_felt, gap_mm, out.seen);
     const cv::Mat to_line = distance_to(truth.lines);

@@ -14,9 +14,16 @@ namespace touchline::bench {
 struct PictureTruth {
     cv::Mat edges;  // where colours meet
     cv::Mat lines;  // these, and the middles of strokes up to testing::kWidestLine_mm
+
     /// Of each edge pixel where it may be felt: there, or in the middle of the stroke on either
-    /// side.
-    std::vector<std::vector<cv::Point>> choices;
+    /// side. At a stroke's corners and ends no side lies opposite: there the middle is somewhere
+    /// within `beside_px`.
+    struct Edge {
+        std::vector<cv::Point> choices;
+        float beside_px = 0.0F;
+    };
+
+    std::vector<Edge> each;
 };
 
 inline constexpr double kPixels_per_mm = 10.0;

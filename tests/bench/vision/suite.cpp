@@ -62,7 +62,7 @@ Judged judged(const fs::path& drawing) {
     auto painted = open_page_of(fs::path(drawing).replace_extension(".png").string());
     if (!painted) return {"blank", {}};
     const PictureTruth truth = truth_of(pixels_of(painted->picture));
-    if (truth.choices.empty()) return {"blank", {}};
+    if (truth.each.empty()) return {"blank", {}};
     auto view = testing::first_view_of(bytes_at(drawing), kMostDetail, 1e9);
     if (!view) return {"refused", {}};
     if (!are_alike(truth, truth_of(pixels_of(view->page.picture)), kTolerance_mm))
