@@ -18,7 +18,7 @@ constexpr float kBothBeside = 1.0F;            // on both together
 constexpr double kTrue = 60.0;                 // grey levels off the region's colour
 constexpr double kEven = 4.0;                  // grey levels off the region's colour: of a plateau
 constexpr double kMostlyEven = 0.6;            // of its pixels; of a band in a gradient half are
-constexpr double kMostlySoft = 0.85;            // of a border
+constexpr double kMostlySoft = 0.75;           // of a border
 constexpr std::ptrdiff_t kMostRegions = 1500;  // more are grain: nothing but specks
 constexpr std::size_t kMostColours = 256;
 constexpr int kReach_px = 4;
@@ -30,14 +30,18 @@ struct Pair {
     cv::Point at;
     cv::Point along;  // to the other one
     bool is_soft = false;
+    bool is_step = false;  // a blurred one at least
 };
 
 /// Pairs along the border of two regions.
 struct Contact {
     int pairs = 0;
     int soft = 0;
+    int steps = 0;
 
     [[nodiscard]] bool is_soft() const { return soft >= kMostlySoft * pairs; }
+
+    [[nodiscard]] bool is_step() const { return 2 * steps > pairs; }
 };
 
 using Regions = std::pair<std::size_t, std::size_t>;  // the lesser first
@@ -80,14 +84,15 @@ class Fading {
         }
         find_plateaus();
         find_pairs();
-        ask_neighbours();
         for (const Pair& pair : pairs_) {
             Contact& contact = contacts_[both(region_at(pair.at), region_at(pair.at + pair.along))];
             ++contact.pairs;
             contact.soft += pair.is_soft ? 1 : 0;
+            contact.steps += pair.is_step ? 1 : 0;
         }
         join_soft_ones();
         paint();
+        ask_neighbours();
         return soft_borders();
     }
 
@@ -128,7 +133,7 @@ class Fading {
             !frame.contains(p + (kReach_px + 1) * along) || !is_true(p) || !is_true(p + along)) {
             return;
         }
-        pairs_.push_back({p, along, is_soft(p, along)});
+        pairs_.push_back({p, along, is_soft(p, along), is_step(p, along)});
     }
 
     /// A border is soft where most of it nearby is: single pixels tell little.
@@ -150,7 +155,7 @@ class Fading {
         for (const Pair& pair : pairs_) {
             const std::size_t a = first_of(region_at(pair.at));
             const std::size_t b = first_of(region_at(pair.at + pair.along));
-            if (pair.is_soft && a != b && !(is_plateau_[a] && is_plateau_[b])) {
+            if (pair.is_soft && a != b && !(pair.is_step && is_plateau_[a] && is_plateau_[b])) {
                 soft(pair.at) = soft(pair.at + pair.along) = 255;
             }
         }
@@ -186,6 +191,14 @@ class Fading {
         return std::min(on, back) >= kLeastBeside * step && on + back >= kBothBeside * step;
     }
 
+    /// Whether half the difference of the two colours lies near the border.
+    [[nodiscard]] bool is_step(const cv::Point& p, const cv::Point& along) const {
+        const cv::Vec3f colours = palette_[map_(p + along)] - palette_[map_(p)];
+        const cv::Vec3f nearby =
+            lab_(p + (kReach_px + 1) * along) - lab_(p - (kReach_px - 1) * along);
+        return 2.0 * cv::norm(nearby) >= cv::norm(colours);
+    }
+
     void join_soft_ones() {
         std::vector<std::pair<Contact, Regions>> soft;
         for (const auto& [regions, contact] : contacts_) {
@@ -199,8 +212,12 @@ class Fading {
         for (const auto& [contact, regions] : soft) {
             const std::size_t a = first_of(regions.first);
             const std::size_t b = first_of(regions.second);
-            const bool are_plateaus = is_plateau_[a] && is_plateau_[b];  // a blurred step
-            if (a != b && !are_plateaus && contacts_.at(both(a, b)).is_soft()) {
+            if (a == b) {
+                continue;
+            }
+            const Contact& whole = contacts_.at(both(a, b));
+            const bool is_blurred_step = is_plateau_[a] && is_plateau_[b] && whole.is_step();
+            if (whole.is_soft() && !is_blurred_step) {
                 take_in(a, b);
             }
         }
@@ -231,6 +248,7 @@ class Fading {
                 Contact& sum = contacts_[both(whole, other)];
                 sum.pairs += contact.pairs;
                 sum.soft += contact.soft;
+                sum.steps += contact.steps;
             }
         }
     }

@@ -28,14 +28,15 @@ constexpr int kNearFlat_px = 11;       // across, round the middle of such a pat
 constexpr int kEven_px = 15;           // across: within these a computed shade has an even slope
 
 // Decisions; what lies to either side is in README.md.
-constexpr double kTextured = 0.013;  // of the open parts: a photo
-constexpr double kMuchOpen = 0.3;    // less: the picture is full of edges, and less texture tells
-constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
-constexpr double kPainted = 0.95;    // of the texture: no camera made it
-constexpr double kAllOpen = 0.995;   // more: there is no shape, painted or not
-constexpr double kRestless = 0.6;    // of all pixels change: grass, not a pattern
-constexpr double kPen_part = 0.025;  // of the diagonal: the widest stroke of a pen
-constexpr double kThin = 0.7;        // of the ink: drawn with a pen
+constexpr double kTextured = 0.013;    // of the open parts: a photo
+constexpr double kMuchOpen = 0.3;      // less: the picture is full of edges, and less texture tells
+constexpr double kLeastOpen = 0.15;    // less is too little to judge texture by
+constexpr double kPainted = 0.95;      // of the texture: no camera made it
+constexpr double kMostlyAround = 0.1;  // of the texture, in the middle: less, and all is looked at
+constexpr double kAllOpen = 0.995;     // more: there is no shape, painted or not
+constexpr double kRestless = 0.6;      // of all pixels change: grass, not a pattern
+constexpr double kPen_part = 0.025;    // of the diagonal: the widest stroke of a pen
+constexpr double kThin = 0.7;          // of the ink: drawn with a pen
 constexpr double kMuchPaper = 0.7;
 constexpr double kMuchInk = 0.3;
 constexpr double kClear = 4.0;  // ink over the paper's own spots
@@ -106,8 +107,11 @@ void measure_texture(const cv::Mat& picture, const LabPicture& copy, PictureFeat
     features.texture = part_of(changing & open, cv::countNonZero(open));
     if (features.noise < kNoGrain) {  // a camera's grain answers the question at once
         const cv::Mat texture = changing & open;
+        const bool is_in_middle = cv::countNonZero(texture(middle_of(texture))) >=
+                                  kMostlyAround * cv::countNonZero(texture);
         features.painted_part =
-            painted_part(picture(middle_of(picture)), texture(middle_of(texture)));
+            is_in_middle ? painted_part(picture(middle_of(picture)), texture(middle_of(texture)))
+                         : painted_part(picture, texture);
     }
     features.changing_part =
         part_of(edges > std::max(kStill, kSignificance * gradient_noise(noise, kEdge_px)), all);

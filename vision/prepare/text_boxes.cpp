@@ -105,30 +105,53 @@ double middle_of(std::vector<double> values) {
 
 /// Whether most marks stand on one straight line: its slope is the middle one between marks that
 /// are some way apart.
-bool stands_on_base_line(const std::vector<cv::Rect>& boxes) {
+bool stand_on_base_line(const std::vector<Mark>& marks) {
     std::vector<double> heights;
     std::vector<double> slopes;
-    for (const cv::Rect& box : boxes) {
-        heights.push_back(box.height);
+    for (const Mark& mark : marks) {
+        heights.push_back(mark.box.height);
     }
     const double height = middle_of(heights);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        for (std::size_t j = i + 1; j < boxes.size() && slopes.size() < 4000; ++j) {
-            const double run = boxes[j].x - boxes[i].x;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        for (std::size_t j = i + 1; j < marks.size() && slopes.size() < 4000; ++j) {
+            const double run = marks[j].box.x - marks[i].box.x;
             if (std::abs(run) > 3.0 * height) {
-                slopes.push_back((boxes[j].br().y - boxes[i].br().y) / run);
+                slopes.push_back((marks[j].box.br().y - marks[i].box.br().y) / run);
             }
         }
     }
     const double slope = slopes.empty() ? 0.0 : middle_of(slopes);
     std::vector<double> bases;
-    for (const cv::Rect& box : boxes) {
-        bases.push_back(box.br().y - slope * box.x);
+    for (const Mark& mark : marks) {
+        bases.push_back(mark.box.br().y - slope * mark.box.x);
     }
     const double base = middle_of(bases);
     const auto standing = std::ranges::count_if(
         bases, [&](double b) { return std::abs(b - base) <= std::max(1.01, kOffBase * height); });
-    return static_cast<double>(standing) >= kOnBase * static_cast<double>(boxes.size());
+    return static_cast<double>(standing) >= kOnBase * static_cast<double>(marks.size());
+}
+
+/// Marks of one shape in a row are dots, dashes or tiles.
+bool are_of_one_shape(const std::vector<Mark>& marks) {
+    constexpr double kSame = 0.08;
+    constexpr double kMost = 0.9;  // the rest is cut off, or touches something
+    std::vector<double> widths;
+    std::vector<double> heights;
+    std::vector<double> areas_px;
+    for (const Mark& mark : marks) {
+        widths.push_back(mark.box.width);
+        heights.push_back(mark.box.height);
+        areas_px.push_back(mark.area_px);
+    }
+    const double width = middle_of(widths);
+    const double height = middle_of(heights);
+    const double area_px = middle_of(areas_px);
+    const auto alike = std::ranges::count_if(marks, [&](const Mark& mark) {
+        return std::abs(mark.box.width - width) <= std::max(1.0, kSame * width) &&
+               std::abs(mark.box.height - height) <= std::max(1.0, kSame * height) &&
+               std::abs(mark.area_px - area_px) <= 2.0 * kSame * area_px;
+    });
+    return static_cast<double>(alike) >= kMost * static_cast<double>(marks.size());
 }
 
 void merge_overlapping(std::vector<cv::Rect>& boxes) {
@@ -160,23 +183,24 @@ PageLayout page_layout(const Ink& ink) {
         return {};
     }
     Groups groups = lines_among(letters);
-    std::vector<std::vector<cv::Rect>> rows(letters.size());
+    std::vector<std::vector<Mark>> rows(letters.size());
     for (std::size_t i = 0; i < letters.size(); ++i) {
-        rows[groups.of(i)].push_back(letters[i].box);
+        rows[groups.of(i)].push_back(letters[i]);
     }
     PageLayout layout;
-    std::vector<cv::Rect> rest;
-    for (const std::vector<cv::Rect>& row : rows) {
-        if (static_cast<int>(row.size()) >= kLeastMarks && stands_on_base_line(row)) {
-            TextLine line{row.front(), static_cast<int>(row.size())};
-            for (const cv::Rect& box : row) {
-                line.box |= box;
+    for (const std::vector<Mark>& row : rows) {
+        if (static_cast<int>(row.size()) >= kLeastMarks && stand_on_base_line(row) &&
+            !are_of_one_shape(row)) {
+            TextLine line{row.front().box, static_cast<int>(row.size())};
+            for (const Mark& mark : row) {
+                line.box |= mark.box;
             }
             layout.lines.push_back(line);
         } else {
-            rest.insert(rest.end(), row.begin(), row.end());
+            others.insert(others.end(), row.begin(), row.end());
         }
     }
+    std::vector<cv::Rect> rest;
     for (const Mark& mark : others) {
         rest.push_back(mark.box);
     }
