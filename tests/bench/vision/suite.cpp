@@ -1,6 +1,6 @@
-// What of somebody else's drawings reaches the hand: suite_bench FOLDER RESULTS takes each NAME.svg
-// below FOLDER that has a NAME.png beside it, painted by another program, and writes suite.csv (a
-// row for each chapter, the folders of FOLDER) and suite_drawings.csv.
+// What of somebody else's drawings reaches the hand: suite_bench FOLDER RESULTS EACH.csv takes each
+// NAME.svg below FOLDER that has a NAME.png beside it, painted by another program, and writes
+// RESULTS/suite.csv (a row for each chapter, the folders of FOLDER) and a row for each drawing.
 #include "app/decode/opening.h"
 #include "tests/bench/vision/picture_truth.h"
 #include "vision/simplify/detail_limits.h"
@@ -83,9 +83,9 @@ void count(const Judged& one, Chapter& chapter) {
     chapter.felt += one.shares.felt;
 }
 
-int run(const fs::path& folder, const fs::path& results) {
+int run(const fs::path& folder, const fs::path& results, const fs::path& rows) {
     std::map<std::string, Chapter> chapters;
-    std::ofstream each(results / "suite_drawings.csv");
+    std::ofstream each(rows);
     fmt::print(each, "drawing,became,felt_share,seen_share,too_near_mm\n");
     for (const fs::path& drawing : drawings_below(folder)) {
         const Judged one = judged(drawing);
@@ -112,9 +112,9 @@ int run(const fs::path& folder, const fs::path& results) {
 }  // namespace touchline::bench
 
 int main(int argc, char** argv) {
-    if (argc != 3) {
-        fmt::print(stderr, "usage: suite_bench FOLDER RESULTS\n");
+    if (argc != 4) {
+        fmt::print(stderr, "usage: suite_bench FOLDER RESULTS EACH.csv\n");
         return 2;
     }
-    return touchline::bench::run(argv[1], argv[2]);
+    return touchline::bench::run(argv[1], argv[2], argv[3]);
 }

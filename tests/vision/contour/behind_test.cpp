@@ -109,6 +109,33 @@ TEST(Behind, AShapeThatFadesIntoThePaperStaysWhole) {
     EXPECT_GT(left_side_px, 0.8 * shape.height);
 }
 
+/// White at both ends: what has a step is felt, what has none is not, and the ground stays whole,
+/// though most of the picture is the gradient.
+TEST(Behind, WhereAShapeFadesAwayItHasNoLine) {
+    const cv::Rect shape(100, 80, 700, 490);
+    for (const double darkest : {0.0, 190.0}) {
+        cv::Mat picture(kSize, CV_8UC3, kWhite);
+        for (int x = shape.x; x < shape.br().x; ++x) {
+            const double from_middle =
+                std::abs(x - shape.x - 0.5 * shape.width) / (0.5 * shape.width);
+            picture(cv::Rect(x, shape.y, 1, shape.height)) =
+                cv::Scalar::all(darkest + (255.0 - darkest) * from_middle);
+        }
+        const auto lines = flat_lines(picture);
+        double level_px = 0.0;
+        for (const Chain& line : lines) {
+            for (const EdgePoint& p : line.points) {
+                const double beside_px = std::min(std::abs(p.at.y + 0.5 - shape.y),
+                                                  std::abs(p.at.y + 0.5 - shape.br().y));
+                EXPECT_LT(beside_px, 2.5) << darkest << " " << p.at;
+            }
+            level_px += length_of(line);
+        }
+        EXPECT_EQ(lines.size(), 2U) << darkest;
+        EXPECT_GT(level_px, 2.0 * 0.6 * shape.width) << darkest;
+    }
+}
+
 void draw_grid(Canvas& canvas, double tilt_deg, bool both_ways, const cv::Scalar& ink) {
     const double tilt = std::tan(tilt_deg * std::numbers::pi / 180.0);
     for (double at = 60; at < 620; at += 70) {

@@ -49,6 +49,16 @@ TEST(PageLayout, NoTextInADrawing) {
     }
 }
 
+TEST(PageLayout, TilesInRowsAreNoText) {
+    cv::Mat tiles(600, 600, CV_8UC3, cv::Scalar::all(250));
+    for (int row = 0; row < 8; ++row) {
+        for (int column = 0; column < 8; ++column) {
+            tiles(cv::Rect(60 + 60 * column, 60 + 60 * row, 30, 30)) = cv::Scalar::all(40);
+        }
+    }
+    EXPECT_TRUE(layout_of(tiles).lines.empty());
+}
+
 TEST(PageLayout, AnEmptyPageHasNothing) {
     const PageLayout layout = layout_of(cv::Mat(100, 100, CV_8UC3, cv::Scalar::all(250)));
     EXPECT_TRUE(layout.lines.empty());

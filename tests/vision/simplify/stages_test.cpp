@@ -283,6 +283,11 @@ TEST(Surroundings, WhatARingHoldsIsInsideAndAFrameIsAFrame) {
     EXPECT_TRUE(is_frame(line({{2, 2}, {114, 2}, {114, 82}, {2, 82}}, true), picture));
     EXPECT_FALSE(is_frame(line({{12, 12}, {104, 12}, {104, 72}, {12, 72}}, true), picture));
     EXPECT_FALSE(is_frame(lines[0], picture));
+    EXPECT_FALSE(is_rim(line({{2, 2}, {114, 2}, {114, 82}, {2, 82}}, true), picture));
+    Chain rim = line({{0.5, 0.5}, {115.5, 0.5}, {115.5, 83.5}, {0.5, 83.5}}, true);
+    EXPECT_FALSE(is_rim(rim, picture));
+    rim.width_px = 1.0;  // its ink reaches the picture's edges
+    EXPECT_TRUE(is_rim(rim, picture));
 }
 
 TEST(Parts, PlacesAndWords) {
