@@ -106,13 +106,14 @@ bool is_unjudged(const Drawing& drawing, const cv::Point2d& at) {
                        [&](const cv::Rect2d& r) { return r.contains(at); });
 }
 
-Result<Page> first_view(std::span<const std::byte> file) {
+/// The view of all of it, as fine as the kiosk shows it.
+Result<Page> whole_view(std::span<const std::byte> file) {
     auto page = open_page(file);
     if (!page) return page;
-    if (auto finer =
-            finer_page(*page, 1, [&](const PageOrder& order) { return open_page(file, order); }))
+    if (auto finer = finer_page(*page, view_count(*page),
+                                [&](const PageOrder& order) { return open_page(file, order); }))
         *page = std::move(*finer);
-    return view_count(*page) > 1 ? view_of(*page, 1) : std::move(*page);
+    return page;
 }
 
 cv::Mat pixels_of(Page& page) {
@@ -182,7 +183,7 @@ Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm) {
 
 Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, double most_pixels) {
     const auto begin = std::chrono::steady_clock::now();
-    auto page = first_view(std::as_bytes(std::span(drawing.file)));
+    auto page = whole_view(std::as_bytes(std::span(drawing.file)));
     if (!page) return tl::unexpected(page.error());
     reduce(*page, most_pixels);
     TraceRequest request;
@@ -211,7 +212,7 @@ Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, do
 }
 
 Result<Drawing> scanned(const Drawing& drawing, int seed) {
-    auto page = first_view(std::as_bytes(std::span(drawing.file)));
+    auto page = whole_view(std::as_bytes(std::span(drawing.file)));
     if (!page) return tl::unexpected(page.error());
     const cv::Mat seen_pixels = seen(pixels_of(*page), {0.8, 3.0, 0.15, 80, seed});
     const std::vector<std::byte> png =

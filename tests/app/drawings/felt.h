@@ -11,6 +11,9 @@
 
 namespace touchline::testing {
 
+/// A line as near as this to another is felt as that one.
+inline constexpr double kTolerance_mm = 0.5;
+
 /// Millimetres of line, and the share of them by what became of it.
 struct Counted {
     double right_mm = 0.0;
@@ -34,7 +37,7 @@ struct Felt {
     std::vector<std::vector<cv::Point2d>> missed;  // stretches of the seen lines, for a look
 };
 
-/// The first view of the file at this detail, within `tolerance_mm` of what can be seen. Fails,
+/// The whole of the file at this detail, within `tolerance_mm` of what can be seen. Fails,
 /// with one line, where the kiosk shows nothing of it.
 [[nodiscard]] Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm);
 
