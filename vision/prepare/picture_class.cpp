@@ -66,15 +66,18 @@ cv::Mat near_flat(const cv::Mat& picture) {
     return flat;
 }
 
-/// A quarter of the picture tells as much as all of it.
-cv::Rect middle_of(const cv::Mat& picture) {
-    return {picture.cols / 4, picture.rows / 4, std::max(1, picture.cols / 2),
-            std::max(1, picture.rows / 2)};
-}
-
 /// How much of what changes does so as a program paints: evenly, or beside flat colour, without the
-/// grain and spots of what a camera sees.
-double painted_part(const cv::Mat& picture, const cv::Mat& texture) {
+/// grain and spots of what a camera sees. Wherever it is: a page may have one shaded disc in a
+/// corner.
+double painted_part(const cv::Mat& whole, const cv::Mat& whole_texture) {
+    const cv::Rect box = cv::boundingRect(whole_texture);
+    if (box.empty()) return 0.0;
+    const cv::Mat texture = whole_texture(box);
+    const double scale_x = static_cast<double>(whole.cols) / whole_texture.cols;
+    const double scale_y = static_cast<double>(whole.rows) / whole_texture.rows;
+    const cv::Mat picture =
+        whole(cv::Rect(cv::Point(cvFloor(box.x * scale_x), cvFloor(box.y * scale_y)),
+                       cv::Point(cvFloor(box.br().x * scale_x), cvFloor(box.br().y * scale_y))));
     cv::Mat values;
     cv::Mat means;
     picture.convertTo(values, CV_32F);
@@ -104,11 +107,8 @@ void measure_texture(const cv::Mat& picture, const LabPicture& copy, PictureFeat
     const auto all = static_cast<double>(half.total());
     features.open_part = part_of(open, all);
     features.texture = part_of(changing & open, cv::countNonZero(open));
-    if (features.noise < kNoGrain) {  // a camera's grain answers the question at once
-        const cv::Mat texture = changing & open;
-        features.painted_part =
-            painted_part(picture(middle_of(picture)), texture(middle_of(texture)));
-    }
+    if (features.noise < kNoGrain)  // a camera's grain answers the question at once
+        features.painted_part = painted_part(picture, changing & open);
     features.changing_part =
         part_of(edges > std::max(kStill, kSignificance * gradient_noise(noise, kEdge_px)), all);
 }
