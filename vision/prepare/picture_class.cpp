@@ -70,21 +70,23 @@ cv::Mat near_flat(const cv::Mat& picture) {
 /// grain and spots of what a camera sees. Wherever it is: a page may have one shaded disc in a
 /// corner.
 double painted_part(const cv::Mat& whole, const cv::Mat& whole_texture) {
-    const cv::Rect box = cv::boundingRect(whole_texture);
-    if (box.empty()) return 0.0;
-    const cv::Mat texture = whole_texture(box);
-    const double scale_x = static_cast<double>(whole.cols) / whole_texture.cols;
-    const double scale_y = static_cast<double>(whole.rows) / whole_texture.rows;
-    const cv::Mat picture =
-        whole(cv::Rect(cv::Point(cvFloor(box.x * scale_x), cvFloor(box.y * scale_y)),
-                       cv::Point(cvFloor(box.br().x * scale_x), cvFloor(box.br().y * scale_y))));
+    const cv::Rect changing = cv::boundingRect(whole_texture);
+    if (changing.empty()) return 0.0;
+    const cv::Point around(kEven_px, kEven_px);  // of a picture that is no smaller
+    const cv::Rect box = cv::Rect(changing.tl() - around, changing.br() + around) &
+                         cv::Rect({}, whole_texture.size());
+    const auto in_picture = [&](const cv::Point& p) {
+        return cv::Point(p.x * whole.cols / whole_texture.cols,
+                         p.y * whole.rows / whole_texture.rows);
+    };
+    const cv::Mat picture = whole(cv::Rect(in_picture(box.tl()), in_picture(box.br())));
     cv::Mat values;
     cv::Mat means;
     picture.convertTo(values, CV_32F);
     cv::blur(values, means, {kEven_px, kEven_px});
     const cv::Mat even = greatest_channel(cv::abs(values - means)) <= kGrainless;
     cv::Mat asked;
-    cv::resize(texture, asked, picture.size(), 0.0, 0.0, cv::INTER_NEAREST);
+    cv::resize(whole_texture(box), asked, picture.size(), 0.0, 0.0, cv::INTER_NEAREST);
     const auto all = static_cast<double>(cv::countNonZero(asked));
     return part_of(asked & (even | near_flat(picture)), all);
 }
