@@ -33,7 +33,7 @@ struct Mark {
 class Marks {
   public:
     void add(const Mark& mark) {
-        if (auto* cell = cell_at(mark.at)) cell->push_back(mark);
+        if (auto* cell = cell_at(cell_of(mark.at))) cell->push_back(mark);
     }
 
     [[nodiscard]] bool any_near(const cv::Point2d& at, double within_mm,
@@ -41,7 +41,8 @@ class Marks {
         const int reach = static_cast<int>(std::ceil(within_mm));
         for (int y = -reach; y <= reach; ++y)
             for (int x = -reach; x <= reach; ++x)
-                if (const auto* cell = const_cast<Marks*>(this)->cell_at(at + cv::Point2d(x, y)))
+                if (const auto* cell =
+                        const_cast<Marks*>(this)->cell_at(cell_of(at) + cv::Point(x, y)))
                     for (const Mark& mark : *cell)
                         if (cv::norm(mark.at - at) <= within_mm && counts(mark)) return true;
         return false;
@@ -55,11 +56,14 @@ class Marks {
     static constexpr int kColumns = 120;
     static constexpr int kRows = 90;
 
-    std::vector<Mark>* cell_at(const cv::Point2d& at) {
-        const int x = static_cast<int>(std::floor(at.x)) + 2;
-        const int y = static_cast<int>(std::floor(at.y)) + 3;
-        if (x < 0 || y < 0 || x >= kColumns || y >= kRows) return nullptr;
-        return &cells_[static_cast<std::size_t>(y * kColumns + x)];
+    /// A millimetre wide.
+    static cv::Point cell_of(const cv::Point2d& at) {
+        return {static_cast<int>(std::floor(at.x)) + 2, static_cast<int>(std::floor(at.y)) + 3};
+    }
+
+    std::vector<Mark>* cell_at(const cv::Point& cell) {
+        if (!cv::Rect(0, 0, kColumns, kRows).contains(cell)) return nullptr;
+        return &cells_[static_cast<std::size_t>(cell.y * kColumns + cell.x)];
     }
 
     std::vector<std::vector<Mark>> cells_ = std::vector<std::vector<Mark>>(kColumns * kRows);
