@@ -12,13 +12,14 @@
 namespace touchline {
 namespace {
 
-constexpr float kFlatStep = 0.3F;              // of the two colours' difference: less is no step
-constexpr float kLeastBeside = 0.3F;           // of the change at the border, on either side of it
-constexpr float kBothBeside = 1.0F;            // on both together
-constexpr double kTrue = 60.0;                 // grey levels off the region's colour
-constexpr double kEven = 4.0;                  // grey levels off the region's colour: of a plateau
-constexpr double kMostlyEven = 0.6;            // of its pixels; of a band in a gradient half are
-constexpr double kMostlySoft = 0.75;           // of a border
+constexpr float kFlatStep = 0.3F;       // of the two colours' difference: less is no step
+constexpr float kLeastBeside = 0.3F;    // of the change at the border, on either side of it
+constexpr float kBothBeside = 1.0F;     // on both together
+constexpr double kTrue = 60.0;          // grey levels off the region's colour
+constexpr double kEven = 4.0;           // grey levels off the region's colour: of a plateau
+constexpr double kMostlyEven = 0.6;     // of its pixels; of a band in a gradient half are
+constexpr double kMostlySoft = 0.75;    // of a border
+constexpr double kWidestBlur_px = 8.0;  // a wider band between two plateaus is no blurred step
 constexpr std::ptrdiff_t kMostRegions = 1500;  // more are grain: nothing but specks
 constexpr std::size_t kMostColours = 256;
 constexpr int kReach_px = 4;
@@ -100,28 +101,32 @@ class Fading {
     /// Regions that are of one colour, but for their rims.
     void find_plateaus() {
         is_plateau_.assign(runs_.size(), false);
-        std::vector<int> pixels(runs_.size(), 0);
+        pixels_.assign(runs_.size(), 0);
         std::vector<int> even(runs_.size(), 0);
         for (const Run& run : runs_) {
             const cv::Vec3f& colour = palette_[map_(run.row, run.from)];
-            pixels[run.region] += run.to - run.from;
+            pixels_[run.region] += run.to - run.from;
             for (int x = run.from; x < run.to; ++x) {
                 even[run.region] += cv::norm(lab_(run.row, x) - colour) < kEven ? 1 : 0;
             }
         }
         for (std::size_t i = 0; i < runs_.size(); ++i) {
-            is_plateau_[i] = pixels[i] > 0 && even[i] >= kMostlyEven * pixels[i];
+            is_plateau_[i] = pixels_[i] > 0 && even[i] >= kMostlyEven * pixels_[i];
         }
     }
 
     void find_pairs() {
+        border_.assign(runs_.size(), 0);
         for (int y = 0; y < map_.rows; ++y) {
             for (int x = 0; x < map_.cols; ++x) {
-                if (x + 1 < map_.cols && map_(y, x) != map_(y, x + 1)) {
-                    add({x, y}, {1, 0});
-                }
-                if (y + 1 < map_.rows && map_(y, x) != map_(y + 1, x)) {
-                    add({x, y}, {0, 1});
+                for (const cv::Point& along : {cv::Point(1, 0), cv::Point(0, 1)}) {
+                    const cv::Point p(x, y);
+                    const cv::Point next = p + along;
+                    if (next.x < map_.cols && next.y < map_.rows && map_(p) != map_(next)) {
+                        ++border_[region_at(p)];
+                        ++border_[region_at(next)];
+                        add(p, along);
+                    }
                 }
             }
         }
@@ -230,10 +235,22 @@ class Fading {
         return region;
     }
 
-    /// The second becomes part of the first, its borders too.
+    /// Wider than a blur: its two sides are its border.
+    [[nodiscard]] bool is_broad(std::size_t region) const {
+        return 2.0 * pixels_[region] > kWidestBlur_px * border_[region];
+    }
+
+    /// The second becomes part of the first, its borders too. A plateau and the blur of its rim are
+    /// a plateau; one that goes over into a broad slope is a part of that.
     void take_in(std::size_t whole, std::size_t part) {
         part_of_[part] = whole;
-        is_plateau_[whole] = is_plateau_[whole] || is_plateau_[part];
+        const auto stays = [this](std::size_t region) {
+            return is_plateau_[region] || !is_broad(region);
+        };
+        is_plateau_[whole] =
+            (is_plateau_[whole] || is_plateau_[part]) && stays(whole) && stays(part);
+        pixels_[whole] += pixels_[part];
+        border_[whole] += border_[part];
         std::vector<std::pair<std::size_t, Contact>> others;
         std::erase_if(contacts_, [&](const auto& entry) {
             const auto& [regions, contact] = entry;
@@ -301,8 +318,11 @@ class Fading {
     const LabPicture& lab_;
     std::vector<Run> runs_;
     cv::Mat1i region_;
-    std::vector<bool> is_plateau_;  // of regions, and of what has taken them in
     std::vector<Pair> pairs_;
+    // Of regions, and of what has taken them in.
+    std::vector<bool> is_plateau_;
+    std::vector<int> pixels_;
+    std::vector<int> border_;  // pixels beside others, all counted once for each
     std::map<Regions, Contact> contacts_;
     std::map<std::size_t, std::size_t> part_of_;
 };

@@ -1,7 +1,9 @@
 #include "vision/contour/regions.h"
 
 #include "vision/contour/corners.h"
+#include "vision/contour/dashes.h"
 #include "vision/contour/fading.h"
+#include "vision/contour/fine_marks.h"
 #include "vision/contour/grid_lines.h"
 #include "vision/contour/ink_parts.h"
 #include "vision/contour/junctions.h"
@@ -31,7 +33,8 @@ constexpr double kPictureBlur_px = 0.7;
 constexpr std::ptrdiff_t kLeastPoints = 4;  // of what a stroke leaves of a border
 constexpr double kBorderBlur_px = 1.5;
 constexpr double kBorderSpan_px = 8.0;
-constexpr double kCalm = 1.0;  // grey levels of noise that need no smoothing
+constexpr double kWidestStroke_mm = 3.0;  // the greatest width at the hand
+constexpr double kCalm = 1.0;             // grey levels of noise that need no smoothing
 
 /// Sigma that brings noise down to a grey level or two, but rounds no corner by a pixel.
 double smoothing_for_noise(double noise) {
@@ -80,21 +83,23 @@ LabPicture painted_over(const LabPicture& lab, const cv::Mat1b& mask) {
     return painted;
 }
 
-/// The colours that differ from the ground, the commonest, but much less than others.
-cv::Mat1b pale_pixels(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palette) {
+uchar commonest(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palette) {
     std::vector<int> counts(palette.size(), 0);
     for (const uchar colour : map) {
         ++counts[colour];
     }
-    const cv::Vec3f& ground =
-        palette[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
+    return static_cast<uchar>(std::ranges::max_element(counts) - counts.begin());
+}
+
+/// The colours that differ from the ground, but much less than others.
+cv::Mat1b pale_pixels(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palette, uchar ground) {
     double strongest = 0.0;
     for (const cv::Vec3f& colour : palette) {
-        strongest = std::max(strongest, cv::norm(colour - ground));
+        strongest = std::max(strongest, cv::norm(colour - palette[ground]));
     }
     cv::Mat1b pale(map.size());
     std::ranges::transform(map, pale.begin(), [&](uchar colour) {
-        const double contrast = cv::norm(palette[colour] - ground);
+        const double contrast = cv::norm(palette[colour] - palette[ground]);
         return contrast > 0.0 && contrast <= kPalest * strongest ? uchar{255} : uchar{0};
     });
     return pale;
@@ -103,12 +108,16 @@ cv::Mat1b pale_pixels(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palett
 /// The picture's regions, once a grid behind them is gone.
 void find_regions(FlatPicture& flat, double greatest_width_px) {
     flat.map = region_map(flat.lab, flat.palette);
-    const cv::Mat1b pale = pale_pixels(flat.map, flat.palette);
+    const uchar ground = commonest(flat.map, flat.palette);
+    const cv::Mat1b pale = pale_pixels(flat.map, flat.palette, ground);
     cv::Mat1b grid;
     if (cv::countNonZero(pale) > 0) {  // most flat pictures have nothing pale to look through
         grid = grid_of(parts_of(pale, greatest_width_px).strokes, greatest_width_px);
     }
     if (!grid.empty()) {
+        cv::Mat soft;  // its edges are paler still
+        cv::dilate(grid, soft, cv::Mat::ones(3, 3, CV_8U));
+        grid |= soft & (flat.map == ground);
         flat.lab = painted_over(flat.lab, grid);
         flat.map = region_map(flat.lab, flat.palette);
     }
@@ -130,20 +139,39 @@ FlatPicture flat_picture(const LabPicture& lab, double noise, double greatest_wi
     return flat;
 }
 
-/// Strokes of any colour as ink on what lies beneath them.
-Ink ink_of_strokes(const FlatPicture& flat, const ThinParts& thin) {
+/// Marks of any colour as ink on what lies beneath them.
+Ink ink_of_marks(const cv::Mat1b& mask, const cv::Mat1f& contrast) {
     Ink ink;
-    ink.mask = thin.strokes;
-    thin.strokes.convertTo(ink.darkness, CV_32F, 2.0 / 255.0);
+    ink.mask = mask;
+    ink.contrast = contrast;
+    mask.convertTo(ink.darkness, CV_32F, 2.0 / 255.0);
     cv::GaussianBlur(ink.darkness, ink.darkness, cv::Size(), kPictureBlur_px);
-    ink.contrast = cv::Mat1f(thin.map.size());
+    return ink;
+}
+
+/// Strokes with a colour of their own, and what else is drawn as thin.
+Ink ink_of_strokes(const FlatPicture& flat, const ThinParts& thin, const FineMarks& marks) {
+    Ink ink = ink_of_marks(cv::Mat1b(cv::Mat(thin.strokes | marks.lines)), marks.contrast.clone());
     for (int y = 0; y < thin.map.rows; ++y) {
         for (int x = 0; x < thin.map.cols; ++x) {
-            ink.contrast(y, x) = static_cast<float>(
+            const auto own = static_cast<float>(
                 cv::norm(flat.palette[flat.map(y, x)] - flat.palette[thin.map(y, x)]));
+            ink.contrast(y, x) = std::max(ink.contrast(y, x), own);
         }
     }
     return ink;
+}
+
+/// Dashes and dots in a row, of what is too small for an area; what is left are letters and specks.
+std::vector<Chain> broken_lines(const FineMarks& marks, double greatest_width_px) {
+    if (cv::countNonZero(marks.bits) == 0) {
+        return {};
+    }
+    std::vector<Chain> lines = with_dashes_joined(
+        stroke_lines(ink_of_marks(marks.bits, marks.contrast), greatest_width_px),
+        greatest_width_px / kWidestStroke_mm);
+    std::erase_if(lines, [](const Chain& line) { return line.of == LineOf::edge; });
+    return lines;
 }
 
 /// What of the lines lies outside a mask, in pieces; a ring that does as a whole stays one.
@@ -224,10 +252,14 @@ std::vector<Chain> joined(std::vector<Chain> lines, std::size_t strokes, cv::Siz
 std::vector<Chain> region_lines(const LabPicture& lab, double noise, double greatest_width_px) {
     const FlatPicture flat = flat_picture(lab, noise, greatest_width_px);
     const ThinParts thin = thin_parts_of(flat.map, greatest_width_px);
-    std::vector<Chain> lines = stroke_lines(ink_of_strokes(flat, thin), greatest_width_px);
+    const FineMarks marks = fine_marks(flat.lab, {thin.map, flat.palette}, thin.strokes, noise,
+                                       flat.smoothing_px, greatest_width_px);
+    const Ink ink = ink_of_strokes(flat, thin, marks);
+    std::vector<Chain> lines = stroke_lines(ink, greatest_width_px);
+    std::ranges::move(broken_lines(marks, greatest_width_px), std::back_inserter(lines));
     const std::size_t strokes = lines.size();
     cv::Mat no_border;
-    cv::dilate(thin.strokes, no_border, cv::Mat::ones(3, 3, CV_8U));
+    cv::dilate(ink.mask, no_border, cv::Mat::ones(3, 3, CV_8U));
     no_border |= flat.soft;
     std::vector<Chain> borders =
         linked(outside(region_borders(thin.map, flat.lab, flat.palette), no_border), lab.size(),

@@ -28,15 +28,14 @@ constexpr int kNearFlat_px = 11;       // across, round the middle of such a pat
 constexpr int kEven_px = 15;           // across: within these a computed shade has an even slope
 
 // Decisions; what lies to either side is in README.md.
-constexpr double kTextured = 0.013;    // of the open parts: a photo
-constexpr double kMuchOpen = 0.3;      // less: the picture is full of edges, and less texture tells
-constexpr double kLeastOpen = 0.15;    // less is too little to judge texture by
-constexpr double kPainted = 0.95;      // of the texture: no camera made it
-constexpr double kMostlyAround = 0.1;  // of the texture, in the middle: less, and all is looked at
-constexpr double kAllOpen = 0.995;     // more: there is no shape, painted or not
-constexpr double kRestless = 0.6;      // of all pixels change: grass, not a pattern
-constexpr double kPen_part = 0.025;    // of the diagonal: the widest stroke of a pen
-constexpr double kThin = 0.7;          // of the ink: drawn with a pen
+constexpr double kTextured = 0.013;  // of the open parts: a photo
+constexpr double kMuchOpen = 0.3;    // less: the picture is full of edges, and less texture tells
+constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
+constexpr double kPainted = 0.95;    // of the texture: no camera made it
+constexpr double kAllOpen = 0.995;   // more: there is no shape, painted or not
+constexpr double kRestless = 0.6;    // of all pixels change: grass, not a pattern
+constexpr double kPen_part = 0.025;  // of the diagonal: the widest stroke of a pen
+constexpr double kThin = 0.7;        // of the ink: drawn with a pen
 constexpr double kMuchPaper = 0.7;
 constexpr double kMuchInk = 0.3;
 constexpr double kClear = 4.0;  // ink over the paper's own spots
@@ -67,22 +66,27 @@ cv::Mat near_flat(const cv::Mat& picture) {
     return flat;
 }
 
-/// A quarter of the picture tells as much as all of it.
-cv::Rect middle_of(const cv::Mat& picture) {
-    return {picture.cols / 4, picture.rows / 4, std::max(1, picture.cols / 2),
-            std::max(1, picture.rows / 2)};
-}
-
 /// How much of what changes does so as a program paints: evenly, or beside flat colour, without the
-/// grain and spots of what a camera sees.
-double painted_part(const cv::Mat& picture, const cv::Mat& texture) {
+/// grain and spots of what a camera sees. Wherever it is: a page may have one shaded disc in a
+/// corner.
+double painted_part(const cv::Mat& whole, const cv::Mat& whole_texture) {
+    const cv::Rect changing = cv::boundingRect(whole_texture);
+    if (changing.empty()) return 0.0;
+    const cv::Point around(kEven_px, kEven_px);  // of a picture that is no smaller
+    const cv::Rect box = cv::Rect(changing.tl() - around, changing.br() + around) &
+                         cv::Rect({}, whole_texture.size());
+    const auto in_picture = [&](const cv::Point& p) {
+        return cv::Point(p.x * whole.cols / whole_texture.cols,
+                         p.y * whole.rows / whole_texture.rows);
+    };
+    const cv::Mat picture = whole(cv::Rect(in_picture(box.tl()), in_picture(box.br())));
     cv::Mat values;
     cv::Mat means;
     picture.convertTo(values, CV_32F);
     cv::blur(values, means, {kEven_px, kEven_px});
     const cv::Mat even = greatest_channel(cv::abs(values - means)) <= kGrainless;
     cv::Mat asked;
-    cv::resize(texture, asked, picture.size(), 0.0, 0.0, cv::INTER_NEAREST);
+    cv::resize(whole_texture(box), asked, picture.size(), 0.0, 0.0, cv::INTER_NEAREST);
     const auto all = static_cast<double>(cv::countNonZero(asked));
     return part_of(asked & (even | near_flat(picture)), all);
 }
@@ -105,14 +109,8 @@ void measure_texture(const cv::Mat& picture, const LabPicture& copy, PictureFeat
     const auto all = static_cast<double>(half.total());
     features.open_part = part_of(open, all);
     features.texture = part_of(changing & open, cv::countNonZero(open));
-    if (features.noise < kNoGrain) {  // a camera's grain answers the question at once
-        const cv::Mat texture = changing & open;
-        const bool is_in_middle = cv::countNonZero(texture(middle_of(texture))) >=
-                                  kMostlyAround * cv::countNonZero(texture);
-        features.painted_part =
-            is_in_middle ? painted_part(picture(middle_of(picture)), texture(middle_of(texture)))
-                         : painted_part(picture, texture);
-    }
+    if (features.noise < kNoGrain)  // a camera's grain answers the question at once
+        features.painted_part = painted_part(picture, changing & open);
     features.changing_part =
         part_of(edges > std::max(kStill, kSignificance * gradient_noise(noise, kEdge_px)), all);
 }

@@ -21,7 +21,6 @@ class Board {
     void stroke(const Polyline& line, double width_mm, const cv::Scalar& bgr = kBlack,
                 std::string_view more = "") {
         paints_.push_back(stroked(line, width_mm, bgr));
-        paints_.back().is_dashed = more.find("dash") != std::string_view::npos;
         body_ += fmt::format(R"(<path d="{}" fill="none" stroke="{}" stroke-width="{:.3f}" {}/>)",
                              path_of(line), css_of(bgr), width_mm, more);
     }
@@ -29,6 +28,11 @@ class Board {
     void line(const cv::Point2d& a, const cv::Point2d& b, double width_mm,
               const cv::Scalar& bgr = kBlack, std::string_view more = "") {
         stroke({{a, b}, false}, width_mm, bgr, more);
+    }
+
+    void dashed_line(const cv::Point2d& a, const cv::Point2d& b, double width_mm) {
+        line(a, b, width_mm, kBlack, R"(stroke-dasharray="3 2")");
+        paints_.back().dashes_mm = {3.0, 2.0};
     }
 
     void area(const Polyline& ring, const cv::Scalar& bgr) {
@@ -263,7 +267,7 @@ Drawing geometry(Chance& chance) {
     const cv::Point2d b(104.0, 74.0);
     const cv::Point2d top(chance.between(36.0, 80.0), chance.between(8.0, 24.0));
     board.stroke({{a, b, top}, true}, pen);
-    board.line(top, {top.x, 74.0}, pen, kBlack, R"(stroke-dasharray="3 2")");
+    board.dashed_line(top, {top.x, 74.0}, pen);
     board.text("A", {4.0, 76.0}, 4.0);
     board.text("B", {107.0, 76.0}, 4.0);
     board.text("C", {top.x + 2.0, top.y - 2.0}, 4.0);

@@ -1,16 +1,18 @@
 // Drawings beside what a hand gets of them: drawings_sheet -o SHEET.png NUMBER:SEED ... ; --files
 // FOLDER writes one file of each kind there. Numbers count the features of SVG, then the kinds of
-// charts.
+// charts; pdf:SEED is a page of PDF, and pdfNUMBER:SEED a drawing written as one.
 #include "app/decode/files.h"
 #include "app/decode/png_writer.h"
 #include "tests/app/drawings/charts.h"
 #include "tests/app/drawings/felt.h"
+#include "tests/app/drawings/pdf_drawings.h"
 #include "tests/app/drawings/svg_drawings.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,12 +31,24 @@ int write_files(const std::string& folder) {
     const int count = testing::svg_feature_count() + testing::chart_kind_count();
     for (int number = 0; number < count; ++number)
         std::ofstream(fmt::format("{}/{:02}.svg", folder, number)) << drawing_of(number, 0).file;
+    for (int page = 0; page < testing::pdf_page_count(); ++page)
+        std::ofstream(fmt::format("{}/page-{}.pdf", folder, page)) << testing::pdf_page(page).file;
     return 0;
 }
 
-cv::Mat row_of(int number, int seed) {
-    const testing::Drawing drawing = drawing_of(number, seed);
-    const auto felt = testing::felt_of(drawing, 5, 0.5);
+/// What an argument asks for.
+std::optional<testing::Drawing> asked_for(const char* argument) {
+    int number = 0;
+    int seed = 0;
+    if (std::sscanf(argument, "%d:%d", &number, &seed) == 2) return drawing_of(number, seed);
+    if (std::sscanf(argument, "pdf:%d", &seed) == 1) return testing::pdf_page(seed);
+    if (std::sscanf(argument, "pdf%d:%d", &number, &seed) == 2)
+        return testing::as_pdf(drawing_of(number, seed), seed);
+    return std::nullopt;
+}
+
+cv::Mat row_of(const testing::Drawing& drawing) {
+    const auto felt = testing::felt_of(drawing, 5, testing::kTolerance_mm);
     if (!felt) {
         fmt::print("{}: {}\n", drawing.name, felt.error().line);
         return testing::sheet_of(drawing, {});
@@ -53,12 +67,8 @@ int main(int argc, char** argv) {
     using namespace touchline;
     if (argc == 3 && std::strcmp(argv[1], "--files") == 0) return write_files(argv[2]);
     std::vector<cv::Mat> rows;
-    for (int i = 3; i < argc; ++i) {
-        int number = 0;
-        int seed = 0;
-        if (std::sscanf(argv[i], "%d:%d", &number, &seed) == 2)
-            rows.push_back(row_of(number, seed));
-    }
+    for (int i = 3; i < argc; ++i)
+        if (const auto drawing = asked_for(argv[i])) rows.push_back(row_of(*drawing));
     if (rows.empty()) return 2;
     cv::Mat sheet;
     cv::vconcat(rows, sheet);

@@ -2,6 +2,7 @@
 // TOUCHLINE_EXHAUSTIVE=1 makes more than 300 (tests/README.md).
 #include "tests/app/drawings/charts.h"
 #include "tests/app/drawings/felt.h"
+#include "tests/app/drawings/pdf_drawings.h"
 #include "tests/app/drawings/svg_drawings.h"
 #include "vision/simplify/detail_limits.h"
 
@@ -13,14 +14,13 @@
 namespace touchline {
 namespace {
 
-constexpr double kTolerance_mm = 0.5;
 constexpr double kLeastShare = 0.99;
 
 /// What became of all drawings of some kinds, in words where one is below the bar.
 class Tally {
   public:
     void add(const testing::Drawing& drawing) {
-        const auto found = testing::felt_of(drawing, kMostDetail, kTolerance_mm);
+        const auto found = testing::felt_of(drawing, kMostDetail, testing::kTolerance_mm);
         EXPECT_TRUE(found.has_value()) << drawing.name << ": " << found.error().line;
         if (!found) return;
         seen_ += found->seen;
@@ -62,6 +62,24 @@ TEST(Drawings, ChartsAndPlansAreFeltAsTheyArePainted) {
     for (int kind = 0; kind < testing::chart_kind_count(); ++kind)
         for (int seed = 0; seed < seeds(3, 30); ++seed)
             tally.add(testing::chart_drawing(kind, seed));
+    tally.judge();
+}
+
+TEST(Drawings, PagesOfPdfAreFeltAsTheyArePainted) {
+    Tally tally;
+    for (int page = 0; page < seeds(2, 28) * testing::pdf_page_count(); ++page)
+        tally.add(testing::pdf_page(page));
+    tally.judge();
+}
+
+TEST(Drawings, TheSameAsPdfIsFeltAsItIsPainted) {
+    Tally tally;
+    for (int seed = 0; seed < seeds(1, 6); ++seed) {
+        for (int feature = 0; feature < testing::svg_feature_count(); ++feature)
+            tally.add(testing::as_pdf(testing::svg_drawing(feature, seed), seed));
+        for (int kind = 0; kind < testing::chart_kind_count(); ++kind)
+            tally.add(testing::as_pdf(testing::chart_drawing(kind, seed), seed));
+    }
     tally.judge();
 }
 

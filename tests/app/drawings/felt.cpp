@@ -33,7 +33,7 @@ struct Mark {
 class Marks {
   public:
     void add(const Mark& mark) {
-        if (auto* cell = cell_at(mark.at)) cell->push_back(mark);
+        if (auto* cell = cell_at(cell_of(mark.at))) cell->push_back(mark);
     }
 
     [[nodiscard]] bool any_near(const cv::Point2d& at, double within_mm,
@@ -41,7 +41,8 @@ class Marks {
         const int reach = static_cast<int>(std::ceil(within_mm));
         for (int y = -reach; y <= reach; ++y)
             for (int x = -reach; x <= reach; ++x)
-                if (const auto* cell = const_cast<Marks*>(this)->cell_at(at + cv::Point2d(x, y)))
+                if (const auto* cell =
+                        const_cast<Marks*>(this)->cell_at(cell_of(at) + cv::Point(x, y)))
                     for (const Mark& mark : *cell)
                         if (cv::norm(mark.at - at) <= within_mm && counts(mark)) return true;
         return false;
@@ -55,11 +56,14 @@ class Marks {
     static constexpr int kColumns = 120;
     static constexpr int kRows = 90;
 
-    std::vector<Mark>* cell_at(const cv::Point2d& at) {
-        const int x = static_cast<int>(std::floor(at.x)) + 2;
-        const int y = static_cast<int>(std::floor(at.y)) + 3;
-        if (x < 0 || y < 0 || x >= kColumns || y >= kRows) return nullptr;
-        return &cells_[static_cast<std::size_t>(y * kColumns + x)];
+    /// A millimetre wide.
+    static cv::Point cell_of(const cv::Point2d& at) {
+        return {static_cast<int>(std::floor(at.x)) + 2, static_cast<int>(std::floor(at.y)) + 3};
+    }
+
+    std::vector<Mark>* cell_at(const cv::Point& cell) {
+        if (!cv::Rect(0, 0, kColumns, kRows).contains(cell)) return nullptr;
+        return &cells_[static_cast<std::size_t>(cell.y * kColumns + cell.x)];
     }
 
     std::vector<std::vector<Mark>> cells_ = std::vector<std::vector<Mark>>(kColumns * kRows);
@@ -91,13 +95,14 @@ bool is_unjudged(const Drawing& drawing, const cv::Point2d& at) {
                        [&](const cv::Rect2d& r) { return r.contains(at); });
 }
 
-Result<Page> first_view(std::span<const std::byte> file) {
+/// The view of all of it, as fine as the kiosk shows it.
+Result<Page> whole_view(std::span<const std::byte> file) {
     auto page = open_page(file);
     if (!page) return page;
-    if (auto finer =
-            finer_page(*page, 1, [&](const PageOrder& order) { return open_page(file, order); }))
+    if (auto finer = finer_page(*page, view_count(*page),
+                                [&](const PageOrder& order) { return open_page(file, order); }))
         *page = std::move(*finer);
-    return view_count(*page) > 1 ? view_of(*page, 1) : std::move(*page);
+    return page;
 }
 
 cv::Mat pixels_of(Page& page) {
@@ -180,9 +185,9 @@ Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm) {
     return felt_of(drawing, detail, tolerance_mm, std::numeric_limits<double>::infinity());
 }
 
-Result<FirstView> first_view_of(std::string_view file, int detail, double most_pixels) {
+Result<WholeView> whole_view_of(std::string_view file, int detail, double most_pixels) {
     const auto begin = std::chrono::steady_clock::now();
-    auto page = first_view(std::as_bytes(std::span(file)));
+    auto page = whole_view(std::as_bytes(std::span(file)));
     if (!page) return tl::unexpected(page.error());
     reduce(*page, most_pixels);
     TraceRequest request;
@@ -190,11 +195,11 @@ Result<FirstView> first_view_of(std::string_view file, int detail, double most_p
     auto traced = trace_page(*page, request);
     if (!traced) return tl::unexpected(traced.error());
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    return FirstView{std::move(*page), std::move(traced->map), took.count()};
+    return WholeView{std::move(*page), std::move(traced->map), took.count()};
 }
 
 Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, double most_pixels) {
-    auto view = first_view_of(drawing.file, detail, most_pixels);
+    auto view = whole_view_of(drawing.file, detail, most_pixels);
     if (!view) return tl::unexpected(view.error());
     Felt out;
     out.map = std::move(view->map);
@@ -216,7 +221,7 @@ Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, do
 }
 
 Result<Drawing> scanned(const Drawing& drawing, int seed) {
-    auto page = first_view(std::as_bytes(std::span(drawing.file)));
+    auto page = whole_view(std::as_bytes(std::span(drawing.file)));
     if (!page) return tl::unexpected(page.error());
     const cv::Mat seen_pixels = seen(pixels_of(*page), {0.8, 3.0, 0.15, 80, seed});
     const std::vector<std::byte> png =

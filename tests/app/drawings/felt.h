@@ -13,6 +13,9 @@
 
 namespace touchline::testing {
 
+/// A line as near as this to another is felt as that one.
+inline constexpr double kTolerance_mm = 0.5;
+
 /// Millimetres of line, and the share of them by what became of it.
 struct Counted {
     double right_mm = 0.0;
@@ -36,22 +39,22 @@ struct Felt {
     std::vector<std::vector<cv::Point2d>> missed;  // stretches of the seen lines, for a look
 };
 
-/// The view that the kiosk opens first.
-struct FirstView {
+/// The whole of a file: what is painted, and what is felt of it.
+struct WholeView {
     Page page;
     TactileMap map;
     double milliseconds = 0.0;  // file to map
 };
 
-/// The first view of a file at this detail, of at most so many pixels. Fails, with one line, where
+/// The whole of a file at this detail, of at most so many pixels. Fails, with one line, where
 /// the kiosk shows nothing of it.
-[[nodiscard]] Result<FirstView> first_view_of(std::string_view file, int detail,
+[[nodiscard]] Result<WholeView> whole_view_of(std::string_view file, int detail,
                                               double most_pixels);
 
 /// Points of an outline in steps of at most kStep_mm, on the sheet.
 [[nodiscard]] std::vector<cv::Point2d> in_steps(const Outline& outline);
 
-/// The first view of the file at this detail, within `tolerance_mm` of what can be seen. Fails,
+/// The whole of the file at this detail, within `tolerance_mm` of what can be seen. Fails,
 /// with one line, where the kiosk shows nothing of it.
 [[nodiscard]] Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm);
 

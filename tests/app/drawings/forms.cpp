@@ -217,4 +217,11 @@ Form open_form(Chance& chance, cv::Point2d centre, double radius) {
                         a.x, a.y, p.x, p.y, q.x, q.y, b.x, b.y)};
 }
 
+Polyline crossing_star(Chance& chance, cv::Point2d centre, double radius) {
+    Polyline line{{}, true};
+    const double turn = chance.between(0.0, 72.0);
+    for (int i = 0; i < 5; ++i) line.points.push_back(polar(centre, radius, turn + 144.0 * i));
+    return line;
+}
+
 }  // namespace touchline::testing

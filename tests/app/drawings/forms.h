@@ -31,4 +31,7 @@ inline constexpr int kFormKinds = 10;
 /// A stroke that is not closed: straight sides, a wave or an arc, from the left to the right.
 [[nodiscard]] Form open_form(Chance& chance, cv::Point2d centre, double radius);
 
+/// A star whose one line crosses itself: its middle is full or empty by the rule.
+[[nodiscard]] Polyline crossing_star(Chance& chance, cv::Point2d centre, double radius);
+
 }  // namespace touchline::testing

@@ -41,16 +41,8 @@ cv::Mat blank_mask() {
             CV_8U, cv::Scalar(0)};
 }
 
-/// How often the rings go round each pixel decides, or whether that is odd.
-cv::Mat inside_of(const std::vector<Polyline>& rings, bool is_even_odd) {
-    cv::Mat mask = blank_mask();
-    if (is_even_odd || rings.size() > 1 || rings.empty()) {
-        cv::fillPoly(mask, fixed(rings), cv::Scalar(255), cv::LINE_8, kShift);
-        return mask;
-    }
-    cv::Mat turns(mask.size(), CV_16S, cv::Scalar(0));  // Sunday's winding number, row by row
-    const Points& ring = rings.front().points;
-    for (int y = 0; y < mask.rows; ++y) {
+void add_turns(const Points& ring, cv::Mat& turns) {
+    for (int y = 0; y < turns.rows; ++y) {
         const double at = (y + 0.5) / kPixels_per_mm;
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const cv::Point2d& a = ring[i];
@@ -58,10 +50,21 @@ cv::Mat inside_of(const std::vector<Polyline>& rings, bool is_even_odd) {
             if ((a.y <= at) == (b.y <= at)) continue;
             const double x = a.x + (at - a.y) / (b.y - a.y) * (b.x - a.x);
             const int last =
-                std::clamp(static_cast<int>(std::ceil(x * kPixels_per_mm - 0.5)), 0, mask.cols);
+                std::clamp(static_cast<int>(std::ceil(x * kPixels_per_mm - 0.5)), 0, turns.cols);
             if (last > 0) turns(cv::Rect(0, y, last, 1)) += cv::Scalar(b.y > a.y ? 1 : -1);
         }
     }
+}
+
+/// How often the rings go round each pixel decides, or whether that is odd.
+cv::Mat inside_of(const std::vector<Polyline>& rings, bool is_even_odd) {
+    cv::Mat mask = blank_mask();
+    if (is_even_odd) {
+        cv::fillPoly(mask, fixed(rings), cv::Scalar(255), cv::LINE_8, kShift);
+        return mask;
+    }
+    cv::Mat turns(mask.size(), CV_16S, cv::Scalar(0));  // Sunday's winding number, row by row
+    for (const Polyline& line : rings) add_turns(line.points, turns);
     cv::compare(turns, 0, mask, cv::CMP_NE);
     return mask;
 }

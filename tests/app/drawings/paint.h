@@ -22,11 +22,10 @@ struct Paint {
     std::vector<Polyline> lines;
     double width_mm = 0.0;  // of a stroke; 0: filled
     bool is_even_odd = false;
-    bool is_dashed = false;
-    cv::Scalar colour = {0, 0, 0};  // BGR
+    std::vector<double> dashes_mm = {};  // on and off; a stroke that is broken is felt whole
+    cv::Scalar colour = {0, 0, 0};       // BGR
     double opacity = 1.0;
     std::vector<std::vector<Polyline>> clips = {};  // seen inside all of them only
-    double miter_limit = 4.0;
 };
 
 struct Drawing {

@@ -14,17 +14,6 @@ Drawing sheet(std::string_view body, std::vector<Paint> paints) {
     return {"", "", svg_sheet(body), std::move(paints)};
 }
 
-/// A star whose one line crosses itself: its middle is full or empty by the rule.
-Polyline crossing_star(Chance& chance, const cv::Point2d& c, double r) {
-    Polyline line{{}, true};
-    const double turn = chance.between(0.0, 72.0);
-    for (int i = 0; i < 5; ++i) {
-        const double a = (turn + 144.0 * i) * std::numbers::pi / 180.0;
-        line.points.push_back(c + cv::Point2d(r * std::cos(a), r * std::sin(a)));
-    }
-    return line;
-}
-
 std::string points_of(const Polyline& line) {
     std::string out;
     for (const cv::Point2d& p : line.points) out += fmt::format("{:.4f},{:.4f} ", p.x, p.y);
@@ -56,7 +45,7 @@ Drawing holes(Chance& chance) {
                         R"(0 48zM{} {}a12 12 0 1 {} 0 -24a12 12 0 1 {} 0 24z"/>)",
                         ink.css, turns_back ? "nonzero" : "evenodd", at.x, at.y + 24, at.x,
                         at.y + 12, turns_back ? 0 : 1, turns_back ? 0 : 1);
-        out.paints.push_back({{outer, inner}, 0.0, true, false, ink.bgr});
+        out.paints.push_back({{outer, inner}, 0.0, true, {}, ink.bgr});
     }
     out.file = svg_sheet(body);
     return out;
@@ -145,7 +134,7 @@ Drawing dashes(Chance& chance) {
                              ink.css, width, is_dots ? "round" : "butt", on, off,
                              chance.between(0.0, 4.0)));
         Paint paint = stroked(form.line, width, ink.bgr);
-        paint.is_dashed = true;
+        paint.dashes_mm = {on, off};
         paints.push_back(paint);
     }
     return sheet(body, paints);

@@ -16,7 +16,6 @@
 namespace touchline::bench {
 namespace {
 
-constexpr double kTolerance_mm = 0.5;
 constexpr int kSvgSeeds = 8;
 constexpr int kChartSeeds = 6;
 
@@ -64,7 +63,8 @@ struct Measured {
 Measured measured(const std::vector<testing::Drawing>& drawings, double most_pixels) {
     Measured all;
     for (const testing::Drawing& drawing : drawings) {
-        const auto felt = testing::felt_of(drawing, kMostDetail, kTolerance_mm, most_pixels);
+        const auto felt =
+            testing::felt_of(drawing, kMostDetail, testing::kTolerance_mm, most_pixels);
         if (!felt) {
             ++all.refused;
             continue;

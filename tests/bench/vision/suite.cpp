@@ -63,7 +63,7 @@ Judged judged(const fs::path& drawing) {
     if (!painted) return {"blank", {}};
     const PictureTruth truth = truth_of(pixels_of(painted->picture));
     if (truth.each.empty()) return {"blank", {}};
-    auto view = testing::first_view_of(bytes_at(drawing), kMostDetail, 1e9);
+    auto view = testing::whole_view_of(bytes_at(drawing), kMostDetail, 1e9);
     if (!view) return {"refused", {}};
     if (!are_alike(truth, truth_of(pixels_of(view->page.picture)), kTolerance_mm))
         return {"otherwise", {}};

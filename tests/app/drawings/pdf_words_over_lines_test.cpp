@@ -1,9 +1,9 @@
 // Words on a PDF's drawing take none of its lines away, be they to be seen or not.
-#include "app/decode/opening.h"
-#include "app/trace/tracing.h"
 #include "tests/app/decode/pdf_writer.h"
-#include "tests/app/trace/line_share.h"
+#include "tests/app/drawings/felt.h"
+#include "vision/simplify/detail_limits.h"
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -13,23 +13,24 @@
 namespace touchline {
 namespace {
 
-using testing::PagePoint;
-using Lines = std::vector<std::vector<PagePoint>>;
+constexpr double kPt_per_mm = 5.0;  // on a page of 580 x 420
 
-/// Points from the lower left corner of a page of 580 x 420: a house with a door, a window and a
-/// dotted path.
-const Lines& house() {
-    static const Lines lines{{{120, 80}, {460, 80}, {460, 250}, {120, 250}, {120, 80}},
-                             {{120, 250}, {290, 380}, {460, 250}},
-                             {{260, 80}, {260, 180}, {320, 180}, {320, 80}},
-                             {{160, 150}, {220, 150}, {220, 210}, {160, 210}, {160, 150}},
-                             {{360, 120}, {430, 200}},
-                             {{40, 40}, {540, 40}}};
+/// Points from the lower left corner: a house with a door, a window and a path.
+const std::vector<std::vector<cv::Point2d>>& house() {
+    static const std::vector<std::vector<cv::Point2d>> lines{
+        {{120, 80}, {460, 80}, {460, 250}, {120, 250}, {120, 80}},
+        {{120, 250}, {290, 380}, {460, 250}},
+        {{260, 80}, {260, 180}, {320, 180}, {320, 80}},
+        {{160, 150}, {220, 150}, {220, 210}, {160, 210}, {160, 150}},
+        {{360, 120}, {430, 200}},
+        {{40, 40}, {540, 40}}};
     return lines;
 }
 
+constexpr double kPen_pt = 2.5;
+
 std::string drawn() {
-    std::string content = "0 G 2.5 w ";
+    std::string content = fmt::format("0 G {} w ", kPen_pt);
     for (const auto& line : house()) {
         for (std::size_t i = 0; i < line.size(); ++i)
             content += fmt::format("{} {} {} ", line[i].x, line[i].y, i == 0 ? "m" : "l");
@@ -38,48 +39,38 @@ std::string drawn() {
     return content;
 }
 
-struct Felt {
+std::vector<testing::Paint> painted_house() {
+    std::vector<testing::Paint> paints;
+    for (const auto& line : house()) {
+        testing::Polyline on_sheet;
+        for (const cv::Point2d& p : line)
+            on_sheet.points.emplace_back(p.x / kPt_per_mm,
+                                         testing::kSheet_mm.height - p.y / kPt_per_mm);
+        paints.push_back({{on_sheet}, kPen_pt / kPt_per_mm});
+    }
+    return paints;
+}
+
+struct Found {
     double house = 0.0;  // share of its lines that are felt
     double others_mm = 0.0;
     std::vector<std::string> told;
 };
 
-Felt felt_with(const std::string& before, const std::string& after) {
-    const auto page = open_page(
-        written_pdf({{before + " " + drawn() + after, "/MediaBox [0 0 580 420]",
-                      "/Font << /F 4 0 R /D 5 0 R /W 6 0 R >> /ExtGState << /G << /ca 0.3 >> >>"}},
-                    {"<< /Type /Font /Subtype /Type1 /BaseFont /ZapfDingbats >>",
-                     "<< /Type /Font /Subtype /TrueType /BaseFont /Wingdings >>"}));
-    Felt felt;
-    EXPECT_TRUE(page.has_value()) << page.error().line;
-    if (!page) return felt;
-    TraceRequest request;
-    request.options.detail = 5;
-    const auto map = trace_page(*page, request);
-    EXPECT_TRUE(map.has_value()) << map.error().line;
-    if (!map) return felt;
-    testing::Nearby drawn_lines;
-    testing::Nearby felt_lines;
-    testing::Share house_share;
-    testing::Share felt_share;
-    Lines lines;
-    for (const auto& line : house()) {
-        lines.emplace_back();
-        for (const PagePoint& p : line)
-            lines.back().push_back(
-                {testing::mm_per_pt * p.x, testing::mm_per_pt * (testing::page_height_pt - p.y)});
-        drawn_lines.add(testing::samples_of(lines.back()));
-    }
-    for (const Outline& outline : map->map.outlines) {
-        const auto samples = testing::samples_of(testing::felt_line(outline, map->map.area));
-        felt_lines.add(samples);
-        felt_share.add(samples, drawn_lines);
-    }
-    for (const auto& line : lines) house_share.add(testing::samples_of(line), felt_lines);
-    for (const Label& label : page->told.labels) felt.told.push_back(label.text);
-    felt.house = house_share.value();
-    felt.others_mm = felt_share.all_mm - felt_share.part_mm;
-    return felt;
+Found found_with(const std::string& before, const std::string& after) {
+    testing::Drawing drawing{"", "", "", painted_house()};
+    for (const std::byte byte :
+         written_pdf({{before + " " + drawn() + after, "/MediaBox [0 0 580 420]",
+                       "/Font << /F 4 0 R /D 5 0 R /W 6 0 R >> /ExtGState << /G << /ca 0.3 >> >>"}},
+                     {"<< /Type /Font /Subtype /Type1 /BaseFont /ZapfDingbats >>",
+                      "<< /Type /Font /Subtype /TrueType /BaseFont /Wingdings >>"}))
+        drawing.file.push_back(static_cast<char>(byte));
+    const auto felt = testing::felt_of(drawing, kMostDetail, testing::kTolerance_mm);
+    EXPECT_TRUE(felt.has_value()) << felt.error().line;
+    if (!felt) return {};
+    Found found{felt->seen.share(), felt->felt.wrong_mm + felt->felt.too_near_mm, {}};
+    for (const Label& label : felt->map.labels) found.told.push_back(label.text);
+    return found;
 }
 
 using Texts = std::vector<std::string>;
@@ -141,7 +132,7 @@ std::vector<Case> cases() {
 
 TEST(PdfWordsOverLines, TakeNoLineAway) {
     for (const Case& one : cases()) {
-        const Felt felt = felt_with(one.before, one.after);
+        const Found felt = found_with(one.before, one.after);
         std::printf("%-28s %.1f %% of the house, %.1f mm of others\n", one.name.c_str(),
                     100.0 * felt.house, felt.others_mm);
         EXPECT_GE(felt.house, 0.97) << one.name;
@@ -152,8 +143,8 @@ TEST(PdfWordsOverLines, TakeNoLineAway) {
 
 TEST(PdfWordsOverLines, SignsThatDrawAreFelt) {
     // A black square and a heavy cross of Dingbats, 100 points large.
-    const Felt felt =
-        felt_with("", text("/D 100 Tf", 470, 260, "n") + text("/D 100 Tf", 20, 260, "n"));
+    const Found felt =
+        found_with("", text("/D 100 Tf", 470, 260, "n") + text("/D 100 Tf", 20, 260, "n"));
     EXPECT_GE(felt.house, 0.97);
     EXPECT_EQ(felt.told, Texts{});
     EXPECT_GE(felt.others_mm, 2 * 4 * 12.0) << "their borders";

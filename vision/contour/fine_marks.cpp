@@ -1,0 +1,179 @@
+#include "vision/contour/fine_marks.h"
+
+#include "vision/contour/ink_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+constexpr double kLeastContrast = 12.0;  // grey levels, as of ink
+constexpr double kOverNoise = 2.0;
+constexpr double kNoGrain = 0.5;         // grey levels of noise: no camera saw it
+constexpr double kOverStrongest = 0.22;  // fainter than this in a camera's picture is dirt
+constexpr int kAround_px = 9;            // where a mark's own darkest point is looked for
+constexpr double kOfItsDarkest = 0.4;    // half of it is lost where a hair lies between two pixels
+constexpr int kBeside_px = 3;            // from a border: mixtures of both colours
+constexpr double kMostUneven = 0.2;      // of an area's pixels; more, and it is no flat colour
+constexpr int kJustOutside_px = 2;
+constexpr double kFadedOut = 0.4;       // of the contrast within: less just outside of a mark
+constexpr double kMostlyCrisp = 0.6;    // of what is just outside
+constexpr double kLongOverWidth = 2.3;  // of the greatest width: longer than a dash
+
+cv::Mat square(int half_px) {
+    return cv::Mat::ones(2 * half_px + 1, 2 * half_px + 1, CV_8U);
+}
+
+cv::Mat1f contrast_to(const LabPicture& lab, const Areas& areas) {
+    cv::Mat1f contrast(lab.size());
+    for (int y = 0; y < lab.rows; ++y)
+        for (int x = 0; x < lab.cols; ++x)
+            contrast(y, x) =
+                static_cast<float>(cv::norm(lab(y, x) - areas.palette[areas.map(y, x)]));
+    return contrast;
+}
+
+/// Pixels near which another area begins.
+cv::Mat1b near_borders(const cv::Mat1b& map, int within_px) {
+    cv::Mat1b low;
+    cv::Mat1b high;
+    cv::erode(map, low, square(within_px));
+    cv::dilate(map, high, square(within_px));
+    return cv::Mat(low != high);
+}
+
+/// Pixels of areas that are of one colour, but for few of them.
+cv::Mat1b on_even_areas(const cv::Mat1b& map, const cv::Mat1b& differs) {
+    std::array<int, 256> all{};
+    std::array<int, 256> uneven{};
+    for (int y = 0; y < map.rows; ++y)
+        for (int x = 0; x < map.cols; ++x) {
+            ++all[map(y, x)];
+            uneven[map(y, x)] += differs(y, x) != 0 ? 1 : 0;
+        }
+    cv::Mat1b even(map.size());
+    std::ranges::transform(map, even.begin(), [&](uchar colour) {
+        return static_cast<double>(uneven[colour]) <= kMostUneven * all[colour] ? uchar{255}
+                                                                                : uchar{0};
+    });
+    return even;
+}
+
+double strongest_of(const Areas& areas) {
+    std::array<int, 256> pixels{};
+    for (const uchar colour : areas.map) ++pixels[colour];
+    const auto ground = static_cast<std::size_t>(std::ranges::max_element(pixels) - pixels.begin());
+    double strongest = 0.0;
+    for (const cv::Vec3f& colour : areas.palette)
+        strongest = std::max(strongest, cv::norm(colour - areas.palette[ground]));
+    return strongest;
+}
+
+/// What is known of a piece of ink.
+struct PieceOfInk {
+    cv::Point low{1 << 30, 1 << 30};
+    cv::Point high{-1, -1};
+    bool has_wide = false;
+    bool has_stroke = false;
+    int beside = 0;  // pixels just outside
+    int crisp = 0;   // of these, where the picture is as if the piece were not there
+
+    [[nodiscard]] bool is_mark() const { return !has_wide && crisp >= kMostlyCrisp * beside; }
+
+    [[nodiscard]] double extent_px() const { return cv::norm(high - low); }
+};
+
+class Finder {
+  public:
+    Finder(const cv::Mat1f& contrast, const cv::Mat1b& mask, double greatest_width_px)
+        : contrast_(contrast),
+          parts_(parts_of(mask, greatest_width_px)),
+          pieces_(static_cast<std::size_t>(parts_.pieces)),
+          long_px_(kLongOverWidth * greatest_width_px) {}
+
+    FineMarks found(const cv::Mat1b& strokes, const cv::Mat1f& strongest_around,
+                    const cv::Mat1b& mixed) {
+        measure(strokes);
+        measure_outside(strongest_around, mixed);
+        FineMarks marks{cv::Mat1b(contrast_.size(), uchar{0}),
+                        cv::Mat1b(contrast_.size(), uchar{0}), contrast_};
+        for (int y = 0; y < contrast_.rows; ++y)
+            for (int x = 0; x < contrast_.cols; ++x) {
+                const int number = parts_.piece(y, x);
+                const PieceOfInk& piece = pieces_[static_cast<std::size_t>(number)];
+                if (number == 0 || !piece.is_mark()) continue;
+                const bool is_line = piece.has_stroke || piece.extent_px() >= long_px_;
+                (is_line ? marks.lines : marks.bits)(y, x) = 255;
+            }
+        return marks;
+    }
+
+  private:
+    void measure(const cv::Mat1b& strokes) {
+        for (int y = 0; y < contrast_.rows; ++y)
+            for (int x = 0; x < contrast_.cols; ++x) {
+                PieceOfInk& piece = pieces_[static_cast<std::size_t>(parts_.piece(y, x))];
+                piece.low = {std::min(piece.low.x, x), std::min(piece.low.y, y)};
+                piece.high = {std::max(piece.high.x, x), std::max(piece.high.y, y)};
+                piece.has_wide = piece.has_wide || parts_.shapes(y, x) != 0;
+                piece.has_stroke = piece.has_stroke || strokes(y, x) != 0;
+            }
+    }
+
+    /// A shadow goes on outside, or up to what throws it; a mark ends.
+    void measure_outside(const cv::Mat1f& strongest_around, const cv::Mat1b& mixed) {
+        cv::Mat1f apart;
+        cv::Mat1i nearest;
+        const cv::Mat1b outside = cv::Mat(parts_.piece == 0);
+        cv::distanceTransform(outside, apart, nearest, cv::DIST_L2, cv::DIST_MASK_5,
+                              cv::DIST_LABEL_PIXEL);
+        std::vector<int> piece_of(contrast_.total() + 1, 0);
+        for (int y = 0; y < contrast_.rows; ++y)
+            for (int x = 0; x < contrast_.cols; ++x)
+                if (parts_.piece(y, x) != 0)
+                    piece_of[static_cast<std::size_t>(nearest(y, x))] = parts_.piece(y, x);
+        for (int y = 0; y < contrast_.rows; ++y)
+            for (int x = 0; x < contrast_.cols; ++x) {
+                if (apart(y, x) < kJustOutside_px || apart(y, x) >= kJustOutside_px + 1) continue;
+                const int number = piece_of[static_cast<std::size_t>(nearest(y, x))];
+                PieceOfInk& piece = pieces_[static_cast<std::size_t>(number)];
+                ++piece.beside;
+                const auto within = static_cast<double>(strongest_around(y, x));
+                const bool is_crisp =
+                    mixed(y, x) == 0 && static_cast<double>(contrast_(y, x)) <= kFadedOut * within;
+                piece.crisp += is_crisp ? 1 : 0;
+            }
+    }
+
+    const cv::Mat1f& contrast_;
+    InkParts parts_;
+    std::vector<PieceOfInk> pieces_;
+    double long_px_;
+};
+
+}  // namespace
+
+FineMarks fine_marks(const LabPicture& lab, const Areas& areas, const cv::Mat1b& strokes,
+                     double noise, double smoothing_px, double greatest_width_px) {
+    const double dirt = noise < kNoGrain ? 0.0 : kOverStrongest * strongest_of(areas);
+    const double floor = std::max({kLeastContrast, kOverNoise * noise, dirt});
+    cv::Mat1f contrast = contrast_to(lab, areas);
+    const cv::Mat1b mixed = near_borders(areas.map, kBeside_px + cvCeil(2.0 * smoothing_px));
+    contrast.setTo(0.0, mixed);
+    cv::Mat1f around;
+    cv::dilate(contrast, around, cv::Mat::ones(kAround_px, kAround_px, CV_8U));
+    cv::Mat1b mask = cv::Mat(contrast >= cv::max(kOfItsDarkest * around, floor));
+    mask &= on_even_areas(areas.map, cv::Mat(mask & ~strokes));
+    if (cv::countNonZero(mask & ~strokes) == 0) {
+        const cv::Mat1b none(lab.size(), uchar{0});
+        return {none, none, contrast};
+    }
+    mask |= strokes;
+    return Finder(contrast, mask, greatest_width_px).found(strokes, around, mixed);
+}
+
+}  // namespace touchline

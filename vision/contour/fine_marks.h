@@ -1,0 +1,30 @@
+// What is drawn on the areas of a flat picture and is too small for an area of its own: hair lines,
+// dashes, dots.
+// Threads: pure function.
+#pragma once
+
+#include "vision/contour/gradient.h"
+
+#include <vector>
+
+namespace touchline {
+
+struct FineMarks {
+    cv::Mat1b lines;     // 255 inside: long, or parts of the strokes that are known
+    cv::Mat1b bits;      // what else there is: dashes, dots, letters
+    cv::Mat1f contrast;  // to the area around, grey levels
+};
+
+/// An area's colours, without its strokes.
+struct Areas {
+    const cv::Mat1b& map;
+    const std::vector<cv::Vec3f>& palette;
+};
+
+/// Thin pixels of a picture that differ from their area, clearly and at once. `strokes` are those
+/// known already; the picture was smoothed by so much. O(pixels).
+[[nodiscard]] FineMarks fine_marks(const LabPicture& lab, const Areas& areas,
+                                   const cv::Mat1b& strokes, double noise, double smoothing_px,
+                                   double greatest_width_px);
+
+}  // namespace touchline
