@@ -38,8 +38,9 @@ constexpr double kPen_part = 0.025;  // of the diagonal: the widest stroke of a 
 constexpr double kThin = 0.7;        // of the ink: drawn with a pen
 constexpr double kMuchPaper = 0.7;
 constexpr double kMuchInk = 0.3;
-constexpr double kClear = 4.0;  // ink over the paper's own spots
-constexpr double kText = 0.5;   // of the ink
+constexpr double kPaleAreas = 0.05;  // of the picture, neither paper nor ink
+constexpr double kClear = 4.0;       // ink over the paper's own spots
+constexpr double kText = 0.5;        // of the ink
 constexpr int kLeastLines = 3;
 constexpr int kLeastLetters = 25;
 
@@ -184,7 +185,9 @@ ClassDecision decided(const PictureFeatures& f) {
     const bool is_textured = f.open_part >= kLeastOpen
                                  ? f.texture > textured && !is_painted
                                  : (f.changing_part > kRestless && f.clearness < 2.0 * kClear);
-    if (is_paper && f.thin_part >= kThin && f.clearness >= kClear &&
+    // In a scan it is the light; what a program painted pale is an area.
+    const bool has_pale_areas = f.noise < kNoGrain && 1.0 - f.paper_part - f.ink_part > kPaleAreas;
+    if (is_paper && !has_pale_areas && f.thin_part >= kThin && f.clearness >= kClear &&
         (!is_textured || f.clearness >= 2.0 * kClear)) {
         return {PictureClass::line_art, "This looks like a drawing: thin lines on plain paper.", f};
     }

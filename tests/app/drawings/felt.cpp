@@ -178,6 +178,7 @@ Counted& Counted::operator+=(const Counted& other) {
     wrong_mm += other.wrong_mm;
     too_near_mm += other.too_near_mm;
     too_short_mm += other.too_short_mm;
+    too_many_mm += other.too_many_mm;
     return *this;
 }
 

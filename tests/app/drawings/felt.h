@@ -23,6 +23,7 @@ struct Counted {
     double too_near_mm =
         0.0;  // another line lies within the detail's gap: the tactile rules choose one
     double too_short_mm = 0.0;  // the detail shows no line as short
+    double too_many_mm = 0.0;   // the detail shows no more lines than those that are felt
 
     [[nodiscard]] double share() const {  // of what the rules leave
         return right_mm + wrong_mm > 0.0 ? right_mm / (right_mm + wrong_mm) : 1.0;

@@ -13,7 +13,6 @@ namespace {
 constexpr double kLeastLine_mm = 3.0;  // shorter ones are not asked for
 // Of a Sobel filter where a step of 25 of 255 has become three pixels wide.
 constexpr double kSeenStep = 60.0;
-constexpr double kFollowedStep = 30.0;
 constexpr int kNearCorner_px = 31;
 constexpr float kCornerBeyondMiddle = 2.0F;  // in half widths, at 60 degrees
 constexpr double kOpposite = -0.7;           // cosine between the gradients of a stroke's two sides
@@ -72,7 +71,7 @@ Gradient gradient_of(const cv::Mat& sheet) {
 
 cv::Mat edges_of(const Gradient& gradient, const cv::Rect& picture) {
     cv::Mat everywhere, parts, sizes, middles;
-    cv::Canny(gradient.x, gradient.y, everywhere, kFollowedStep, kSeenStep, true);
+    cv::Canny(gradient.x, gradient.y, everywhere, kSeenStep, kSeenStep, true);
     cv::Mat edges(everywhere.size(), CV_8U, cv::Scalar(0));
     everywhere(picture).copyTo(edges(picture));
     const int count = cv::connectedComponentsWithStats(edges, parts, sizes, middles, 8);

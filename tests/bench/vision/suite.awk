@@ -1,4 +1,4 @@
-# chapter,drawings,whole,felt_share,seen_share,too_near_share,refused,otherwise,blank
+# chapter,drawings,whole,felt_share,seen_share,left_share,refused,otherwise,blank
 
 NR == 1 {
     print "| chapter | drawings | of these 99 % felt and 99 % seen | of what is seen, felt | of what is felt, seen | left to the tactile rules | painted otherwise | refused | nothing to see |"

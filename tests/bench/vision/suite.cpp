@@ -11,6 +11,7 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/ostream.h>
@@ -67,8 +68,10 @@ Judged judged(const fs::path& drawing) {
     if (!view) return {"refused", {}};
     if (!are_alike(truth, truth_of(pixels_of(view->page.picture)), kTolerance_mm))
         return {"otherwise", {}};
-    const double gap_mm = limits_for(kMostDetail, view->map.area).gap_mm;
-    const Shares shares = shares_of(truth, view->map, gap_mm, kTolerance_mm);
+    const DetailLimits limits = limits_for(kMostDetail, view->map.area);
+    Shares shares = shares_of(truth, view->map, limits.gap_mm, kTolerance_mm);
+    if (static_cast<int>(view->map.outlines.size()) >= limits.strokes)
+        shares.seen.too_many_mm = std::exchange(shares.seen.wrong_mm, 0.0);
     const bool is_whole = shares.seen.share() >= kBar && shares.felt.share() >= kBar;
     return {is_whole ? "whole" : "fault", shares};
 }
@@ -86,24 +89,26 @@ void count(const Judged& one, Chapter& chapter) {
 int run(const fs::path& folder, const fs::path& results, const fs::path& rows) {
     std::map<std::string, Chapter> chapters;
     std::ofstream each(rows);
-    fmt::print(each, "drawing,became,felt_share,seen_share,too_near_mm\n");
+    fmt::print(each, "drawing,became,felt_share,seen_share,too_near_mm,too_many_mm\n");
     for (const fs::path& drawing : drawings_below(folder)) {
         const Judged one = judged(drawing);
         const fs::path name = fs::relative(drawing, folder);
-        fmt::print(each, "{},{},{:.4f},{:.4f},{:.1f}\n", name.string(), one.became,
-                   one.shares.seen.share(), one.shares.felt.share(), one.shares.seen.too_near_mm);
+        fmt::print(each, "{},{},{:.4f},{:.4f},{:.1f},{:.1f}\n", name.string(), one.became,
+                   one.shares.seen.share(), one.shares.felt.share(), one.shares.seen.too_near_mm,
+                   one.shares.seen.too_many_mm);
         each.flush();
         count(one, chapters[name.begin()->string()]);
     }
     std::ofstream out(results / "suite.csv");
     fmt::print(out,
-               "chapter,drawings,whole,felt_share,seen_share,too_near_share,refused,otherwise,"
+               "chapter,drawings,whole,felt_share,seen_share,left_share,refused,otherwise,"
                "blank\n");
     for (const auto& [name, c] : chapters) {
-        const double all_mm = c.seen.right_mm + c.seen.wrong_mm + c.seen.too_near_mm;
+        const double left_mm = c.seen.too_near_mm + c.seen.too_many_mm;
+        const double all_mm = c.seen.right_mm + c.seen.wrong_mm + left_mm;
         fmt::print(out, "{},{},{},{:.4f},{:.4f},{:.4f},{},{},{}\n", name, c.drawings, c.whole,
-                   c.seen.share(), c.felt.share(), all_mm > 0 ? c.seen.too_near_mm / all_mm : 0.0,
-                   c.refused, c.otherwise, c.blank);
+                   c.seen.share(), c.felt.share(), all_mm > 0 ? left_mm / all_mm : 0.0, c.refused,
+                   c.otherwise, c.blank);
     }
     return each && out && !chapters.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
