@@ -1,6 +1,7 @@
 #include "vision/contour/fine_marks.h"
 
 #include "vision/contour/ink_parts.h"
+#include "vision/prepare/ink.h"
 
 #include <algorithm>
 #include <array>
@@ -11,14 +12,10 @@
 namespace touchline {
 namespace {
 
-constexpr double kLeastContrast = 12.0;  // grey levels, as of ink
-constexpr double kOverNoise = 2.0;
-constexpr double kNoGrain = 0.5;         // grey levels of noise: no camera saw it
-constexpr double kOverStrongest = 0.22;  // fainter than this in a camera's picture is dirt
-constexpr int kAround_px = 9;            // where a mark's own darkest point is looked for
-constexpr double kOfItsDarkest = 0.4;    // half of it is lost where a hair lies between two pixels
-constexpr int kBeside_px = 3;            // from a border: mixtures of both colours
-constexpr double kMostUneven = 0.2;      // of an area's pixels; more, and it is no flat colour
+constexpr int kAround_px = 9;          // where a mark's own darkest point is looked for
+constexpr double kOfItsDarkest = 0.4;  // half of it is lost where a hair lies between two pixels
+constexpr int kBeside_px = 3;          // from a border: mixtures of both colours
+constexpr double kMostUneven = 0.2;    // of an area's pixels; more, and it is no flat colour
 constexpr int kJustOutside_px = 2;
 constexpr double kFadedOut = 0.4;       // of the contrast within: less just outside of a mark
 constexpr double kMostlyCrisp = 0.6;    // of what is just outside
@@ -31,9 +28,10 @@ cv::Mat square(int half_px) {
 cv::Mat1f contrast_to(const LabPicture& lab, const Areas& areas) {
     cv::Mat1f contrast(lab.size());
     for (int y = 0; y < lab.rows; ++y)
-        for (int x = 0; x < lab.cols; ++x)
-            contrast(y, x) =
-                static_cast<float>(cv::norm(lab(y, x) - areas.palette[areas.map(y, x)]));
+        for (int x = 0; x < lab.cols; ++x) {
+            const cv::Vec3f d = lab(y, x) - areas.palette[areas.map(y, x)];
+            contrast(y, x) = std::sqrt(d.dot(d));
+        }
     return contrast;
 }
 
@@ -159,8 +157,8 @@ class Finder {
 
 FineMarks fine_marks(const LabPicture& lab, const Areas& areas, const cv::Mat1b& strokes,
                      double noise, double smoothing_px, double greatest_width_px) {
-    const double dirt = noise < kNoGrain ? 0.0 : kOverStrongest * strongest_of(areas);
-    const double floor = std::max({kLeastContrast, kOverNoise * noise, dirt});
+    // There is no dirt on what no camera saw.
+    const double floor = least_contrast(noise, noise < kNoGrain ? 0.0 : strongest_of(areas));
     cv::Mat1f contrast = contrast_to(lab, areas);
     const cv::Mat1b mixed = near_borders(areas.map, kBeside_px + cvCeil(2.0 * smoothing_px));
     contrast.setTo(0.0, mixed);
@@ -168,7 +166,9 @@ FineMarks fine_marks(const LabPicture& lab, const Areas& areas, const cv::Mat1b&
     cv::dilate(contrast, around, cv::Mat::ones(kAround_px, kAround_px, CV_8U));
     cv::Mat1b mask = cv::Mat(contrast >= cv::max(kOfItsDarkest * around, floor));
     mask &= on_even_areas(areas.map, cv::Mat(mask & ~strokes));
-    if (cv::countNonZero(mask & ~strokes) == 0) {
+    cv::Mat known;  // with its soft edge
+    cv::dilate(strokes, known, square(1));
+    if (cv::countNonZero(mask & ~known) == 0) {
         const cv::Mat1b none(lab.size(), uchar{0});
         return {none, none, contrast};
     }

@@ -26,6 +26,9 @@ inline constexpr float kFullColour = 2.55F;
 /// count).
 [[nodiscard]] double noise_of(const LabPicture& lab);
 
+/// With less noise than this no camera saw the picture.
+inline constexpr double kNoGrain = 0.5;
+
 /// What white noise of this size leaves in the gradient after Gaussian smoothing (one component,
 /// standard deviation): noise / (sqrt(8 pi) sigma^2).
 [[nodiscard]] double gradient_noise(double noise, double sigma_px);

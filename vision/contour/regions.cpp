@@ -33,8 +33,7 @@ constexpr double kPictureBlur_px = 0.7;
 constexpr std::ptrdiff_t kLeastPoints = 4;  // of what a stroke leaves of a border
 constexpr double kBorderBlur_px = 1.5;
 constexpr double kBorderSpan_px = 8.0;
-constexpr double kWidestStroke_mm = 3.0;  // the greatest width at the hand
-constexpr double kCalm = 1.0;             // grey levels of noise that need no smoothing
+constexpr double kCalm = 1.0;  // grey levels of noise that need no smoothing
 
 /// Sigma that brings noise down to a grey level or two, but rounds no corner by a pixel.
 double smoothing_for_noise(double noise) {

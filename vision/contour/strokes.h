@@ -8,6 +8,9 @@
 
 namespace touchline {
 
+/// Wider, and a hand feels its two edges.
+inline constexpr double kWidestStroke_mm = 3.0;
+
 /// The middle line of every stroke no wider than `greatest_width_px`, with its width (width_px),
 /// and the outline of everything wider (width_px 0) and of every dot.
 /// * Strokes stand out from the paper, whatever its colour and shade (prepare/ink.h).

@@ -32,6 +32,10 @@ cv::Mat1f contrast_to(const LabPicture& lab, const Paper& paper) {
 
 }  // namespace
 
+double least_contrast(double noise, double strongest) {
+    return std::max({kLeastContrast, kContrastOverNoise * noise, kContrastOverInk * strongest});
+}
+
 Ink ink_of(const LabPicture& lab, double noise) {
     LabPicture calm = lab;
     if (noise > 1.0) {  // before the distance: the distance of noise to the paper is never 0
@@ -42,7 +46,7 @@ Ink ink_of(const LabPicture& lab, double noise) {
     ink.paper_part = paper.part();
     ink.contrast = contrast_to(calm, paper);
     const auto strong = static_cast<double>(quantile(ink.contrast, 1.0 - kInkPart));
-    ink.floor = std::max({kLeastContrast, kContrastOverNoise * noise, kContrastOverInk * strong});
+    ink.floor = least_contrast(noise, strong);
 
     cv::Mat1f half;
     cv::dilate(ink.contrast, half, cv::Mat::ones(kAround_px, kAround_px, CV_8U));

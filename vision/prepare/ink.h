@@ -22,6 +22,10 @@ struct Ink {
     double paper_part = 0.0;
 };
 
+/// Contrast that is ink where the strongest is known, grey levels: more than grain, and than dirt
+/// and shadow, which are faint beside ink.
+[[nodiscard]] double least_contrast(double noise, double strongest);
+
 /// The paper is the colour that most places share, allowed to change slowly across the picture (a
 /// second-order surface, so a lamp's shade costs nothing and no filled shape, however large, is
 /// mistaken for shade). It may be dark: ink is what differs. Deterministic. O(pixels), about 25 ms

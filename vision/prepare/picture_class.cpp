@@ -21,7 +21,6 @@ constexpr double kEdgeOverStrongest = 0.18;
 constexpr double kStill = 1.5;         // less is flat
 constexpr double kSlow = 1.0;          // more than a lamp's shade, less than a face's roundness
 constexpr double kSignificance = 5.0;  // x gradient noise
-constexpr double kNoGrain = 0.5;       // grey levels of noise
 constexpr float kGrainless = 1.1F;     // grey levels off the mean of the pixels around: rounding
 constexpr int kFlat_px = 5;            // across: a patch of one colour
 constexpr int kNearFlat_px = 11;       // across, round the middle of such a patch

@@ -16,9 +16,8 @@
 namespace touchline {
 namespace {
 
-constexpr double kWorkingPixels = 1e6;    // 0.1 mm a pixel on a drawing area of 116 x 84 mm
-constexpr double kWidestStroke_mm = 3.0;  // wider, and a hand feels its two edges
-constexpr double kShortest_mm = 4.0;      // the smallest feature worth a finger's time
+constexpr double kWorkingPixels = 1e6;  // 0.1 mm a pixel on a drawing area of 116 x 84 mm
+constexpr double kShortest_mm = 4.0;    // the smallest feature worth a finger's time
 
 Chain box_around(const cv::Rect& box, double strength) {
     const cv::Point2d low(box.x - 0.5, box.y - 0.5);

@@ -14,7 +14,8 @@
 namespace touchline {
 namespace {
 
-constexpr double kLeastShare = 0.99;
+constexpr double kLeastShare = 0.99;   // of one drawing: less is told
+constexpr double kLeastOfAll = 0.995;  // 0.9988 and more were measured
 
 /// What became of all drawings of some kinds, in words where one is below the bar.
 class Tally {
@@ -36,8 +37,8 @@ class Tally {
             "{:.2f} m too short), {:.2f} % of what is felt is seen\n",
             100.0 * seen_.share(), 1e-3 * seen_.right_mm, 1e-3 * seen_.too_near_mm,
             1e-3 * seen_.too_short_mm, 100.0 * felt_.share());
-        EXPECT_GE(seen_.share(), kLeastShare);
-        EXPECT_GE(felt_.share(), kLeastShare);
+        EXPECT_GE(seen_.share(), kLeastOfAll);
+        EXPECT_GE(felt_.share(), kLeastOfAll);
     }
 
   private:
