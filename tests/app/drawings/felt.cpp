@@ -1,10 +1,8 @@
 #include "tests/app/drawings/felt.h"
 
-#include "app/decode/opening.h"
-#include "app/trace/page_views.h"
+#include "app/decode/words_in_picture.h"
 #include "app/trace/tracing.h"
-#include "tests/app/decode/encoders.h"
-#include "tests/vision/pictures/effects.h"
+#include "tests/app/drawings/scans.h"
 #include "vision/simplify/detail_limits.h"
 
 #include <algorithm>
@@ -106,15 +104,6 @@ bool is_unjudged(const Drawing& drawing, const cv::Point2d& at) {
                        [&](const cv::Rect2d& r) { return r.contains(at); });
 }
 
-Result<Page> first_view(std::span<const std::byte> file) {
-    auto page = open_page(file);
-    if (!page) return page;
-    if (auto finer =
-            finer_page(*page, 1, [&](const PageOrder& order) { return open_page(file, order); }))
-        *page = std::move(*finer);
-    return view_count(*page) > 1 ? view_of(*page, 1) : std::move(*page);
-}
-
 cv::Mat pixels_of(Page& page) {
     return {page.picture.height, page.picture.width, CV_8UC3, page.picture.bgr.data()};
 }
@@ -185,6 +174,10 @@ Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, do
     auto page = first_view(std::as_bytes(std::span(drawing.file)));
     if (!page) return tl::unexpected(page.error());
     reduce(*page, most_pixels);
+    if (drawing.has_words_in_pixels && needs_reading(*page)) {
+        const auto words = read_words(page->picture);
+        if (words && !words->labels.empty()) *page = with_words(std::move(*page), *words);
+    }
     TraceRequest request;
     request.options.detail = detail;
     const auto traced = trace_page(*page, request);
@@ -208,21 +201,6 @@ Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, do
     judge_seen(lines, seen, felt, limits, tolerance_mm, out);
     judge_felt(drawing, felt_lines, seen, limits, tolerance_mm, out);
     return out;
-}
-
-Result<Drawing> scanned(const Drawing& drawing, int seed) {
-    auto page = first_view(std::as_bytes(std::span(drawing.file)));
-    if (!page) return tl::unexpected(page.error());
-    const cv::Mat seen_pixels = seen(pixels_of(*page), {0.8, 3.0, 0.15, 80, seed});
-    const std::vector<std::byte> png =
-        encoders::png({seen_pixels.cols,
-                       seen_pixels.rows,
-                       {seen_pixels.data, seen_pixels.data + 3 * seen_pixels.total()}});
-    Drawing scan = drawing;
-    scan.name += ", scanned";
-    scan.file.clear();
-    for (const std::byte byte : png) scan.file.push_back(static_cast<char>(byte));
-    return scan;
 }
 
 cv::Mat sheet_of(const Drawing& drawing, const Felt& felt) {

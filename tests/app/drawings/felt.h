@@ -42,10 +42,6 @@ struct Felt {
 [[nodiscard]] Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm,
                                    double most_pixels);
 
-/// The drawing printed and scanned: softer, unevenly lit, noisy, as a JPEG; differently for each
-/// seed. Fails, with one line, where the kiosk does not open the drawing.
-[[nodiscard]] Result<Drawing> scanned(const Drawing& drawing, int seed);
-
 /// What is painted, what is seen (green where felt, red where not) and what is felt, beside each
 /// other; 8-bit BGR.
 [[nodiscard]] cv::Mat sheet_of(const Drawing& drawing, const Felt& felt);
