@@ -9,6 +9,7 @@
 #include "vision/contour/palette.h"
 #include "vision/contour/region_borders.h"
 #include "vision/contour/region_map.h"
+#include "vision/contour/specks.h"
 #include "vision/contour/strokes.h"
 #include "vision/contour/thin_parts.h"
 #include "vision/prepare/paper.h"
@@ -52,6 +53,7 @@ struct FlatPicture {
     LabPicture lab;
     std::vector<cv::Vec3f> palette;
     cv::Mat1b map;
+    cv::Mat1b slight;  // 255 where regions are that may be dashes, and else are too small
     double smoothing_px = 0.0;
 };
 
@@ -111,12 +113,14 @@ void find_regions(FlatPicture& flat, double greatest_width_px) {
         flat.lab = painted_over(flat.lab, grid);
         flat.map = region_map(flat.lab, flat.palette);
     }
-    overgrow_specks(flat.map, static_cast<int>(kLeastPart * static_cast<double>(flat.lab.total())));
+    flat.slight =
+        without_specks(flat.map, flat.palette,
+                       static_cast<int>(kLeastPart * static_cast<double>(flat.lab.total())));
     join_fading(flat.map, flat.palette, flat.lab);
 }
 
 FlatPicture flat_picture(const LabPicture& lab, double noise, double greatest_width_px) {
-    FlatPicture flat{lab, {}, {}, smoothing_for_noise(noise)};
+    FlatPicture flat{lab, {}, {}, {}, smoothing_for_noise(noise)};
     if (flat.smoothing_px > 0.0) {
         cv::GaussianBlur(lab, flat.lab, cv::Size(), flat.smoothing_px);
     }
@@ -218,6 +222,23 @@ std::vector<Chain> joined(std::vector<Chain> lines, std::size_t strokes, cv::Siz
     return junctions.assembled(std::move(lines));
 }
 
+/// Lines on what is slight are so themselves.
+void mark_slight(std::vector<Chain>& lines, const cv::Mat1b& slight) {
+    if (cv::countNonZero(slight) == 0) {
+        return;
+    }
+    cv::Mat1b near_slight;  // a border runs between two pixels
+    cv::dilate(slight, near_slight, cv::Mat::ones(3, 3, CV_8U));
+    for (Chain& line : lines) {
+        const cv::Point2d& middle = line.points[line.points.size() / 2].at;
+        const cv::Point at(std::clamp(cvRound(middle.x), 0, slight.cols - 1),
+                           std::clamp(cvRound(middle.y), 0, slight.rows - 1));
+        if (near_slight(at) != 0) {
+            line.of = LineOf::slight;
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Chain> region_lines(const LabPicture& lab, double noise, double greatest_width_px) {
@@ -234,11 +255,12 @@ std::vector<Chain> region_lines(const LabPicture& lab, double noise, double grea
     for (Chain& line : borders) {
         line = with_sharp_corners(line, std::hypot(flat.smoothing_px, kPictureBlur_px));
     }
-    if (strokes == 0) {
-        return borders;
-    }
     std::ranges::move(borders, std::back_inserter(lines));
-    return joined(std::move(lines), strokes, lab.size(), greatest_width_px);
+    if (strokes > 0) {
+        lines = joined(std::move(lines), strokes, lab.size(), greatest_width_px);
+    }
+    mark_slight(lines, flat.slight);
+    return lines;
 }
 
 }  // namespace touchline

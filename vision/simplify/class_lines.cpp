@@ -10,6 +10,7 @@
 #include "vision/prepare/text_boxes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double kWorkingPixels = 1e6;    // 0.1 mm a pixel on a drawing area of 116 x 84 mm
 constexpr double kWidestStroke_mm = 3.0;  // wider, and a hand feels its two edges
+constexpr double kLeastSlight_mm = 8.0;   // across: a thin line, and no letter that was not read
 constexpr double kShortest_mm = 4.0;      // the smallest feature worth a finger's time
 
 Chain box_around(const cv::Rect& box, double strength) {
@@ -61,6 +63,21 @@ double mean_strength(const std::vector<Chain>& lines) {
     return count == 0 ? 0.0 : sum / static_cast<double>(count);
 }
 
+/// Whether a hand would take the line for nothing: short, or slight and no part of a broken line.
+bool is_speck(const Chain& line, double px_per_mm) {
+    if (line.points.size() < 2 || length_of(line) < kShortest_mm * px_per_mm) {
+        return true;
+    }
+    if (line.of != LineOf::slight) {
+        return false;
+    }
+    const auto [left, right] =
+        std::ranges::minmax(line.points, {}, [](const EdgePoint& p) { return p.at.x; });
+    const auto [top, bottom] =
+        std::ranges::minmax(line.points, {}, [](const EdgePoint& p) { return p.at.y; });
+    return std::hypot(right.at.x - left.at.x, bottom.at.y - top.at.y) < kLeastSlight_mm * px_per_mm;
+}
+
 /// The lines of a class other than photo.
 PhotoLines drawn_lines(const cv::Mat& picture, PictureClass picture_class, double longer_side_mm) {
     const LabPicture lab = to_lab(reduced(picture, kWorkingPixels));
@@ -79,9 +96,11 @@ PhotoLines drawn_lines(const cv::Mat& picture, PictureClass picture_class, doubl
         found.chains = with_dashes_joined(std::move(found.chains), px_per_mm);
     }
     found.lines_found = static_cast<int>(found.chains.size());
-    found.specks_dropped = static_cast<int>(std::erase_if(found.chains, [&](const Chain& line) {
-        return length_of(line) < kShortest_mm * px_per_mm || line.points.size() < 2;
-    }));
+    found.specks_dropped = static_cast<int>(
+        std::erase_if(found.chains, [&](const Chain& line) { return is_speck(line, px_per_mm); }));
+    for (Chain& line : found.chains) {
+        line.of = line.of == LineOf::slight ? LineOf::edge : line.of;
+    }
     found.high = 0.5 * mean_strength(found.chains);
     found.low = found.high;
     if (!found.chains.empty()) {
