@@ -24,6 +24,8 @@ constexpr double kSignificance = 5.0;  // x gradient noise
 constexpr float kGrainless = 1.1F;     // grey levels off the mean of the pixels around: rounding
 constexpr int kFlat_px = 5;            // across: a patch of one colour
 constexpr int kNearFlat_px = 11;       // across, round the middle of such a patch
+constexpr int kRuled_px = 16;          // long: a line that was ruled
+constexpr int kBroad_px = 9;           // across: no line is as broad, and its edges
 constexpr int kEven_px = 15;           // across: within these a computed shade has an even slope
 
 // Decisions; what lies to either side is in README.md.
@@ -31,6 +33,7 @@ constexpr double kTextured = 0.013;  // of the open parts: a photo
 constexpr double kMuchOpen = 0.3;    // less: the picture is full of edges, and less texture tells
 constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
 constexpr double kPainted = 0.95;    // of the texture: no camera made it
+constexpr double kRuled = 0.65;      // of the texture: made-up photos have up to 0.59
 constexpr double kAllOpen = 0.995;   // more: there is no shape, painted or not
 constexpr double kRestless = 0.6;    // of all pixels change: grass, not a pattern
 constexpr double kPen_part = 0.025;  // of the diagonal: the widest stroke of a pen
@@ -91,6 +94,19 @@ double painted_part(const cv::Mat& whole, const cv::Mat& whole_texture) {
     return part_of(asked & (even | near_flat(picture)), all);
 }
 
+/// How much of what changes does so along level or upright lines, as the pale grid of a chart does.
+double ruled_part(const cv::Mat& texture) {
+    const auto opened = [&](int wide, int high) {
+        cv::Mat kept;
+        cv::morphologyEx(texture, kept, cv::MORPH_OPEN, cv::Mat::ones(high, wide, CV_8U));
+        return kept;
+    };
+    cv::Mat ruled = opened(kRuled_px, 1) | opened(1, kRuled_px);
+    cv::dilate(ruled, ruled, cv::Mat::ones(3, 3, CV_8U));  // leaning lines are stairs of level ones
+    ruled &= texture & ~opened(kBroad_px, kBroad_px);
+    return part_of(ruled, cv::countNonZero(texture));
+}
+
 /// What changes away from edges, how much is away from edges, and how much changes at all.
 void measure_texture(const cv::Mat& picture, const LabPicture& copy, PictureFeatures& features) {
     LabPicture half;
@@ -109,6 +125,7 @@ void measure_texture(const cv::Mat& picture, const LabPicture& copy, PictureFeat
     const auto all = static_cast<double>(half.total());
     features.open_part = part_of(open, all);
     features.texture = part_of(changing & open, cv::countNonZero(open));
+    features.ruled_part = ruled_part(changing & open);
     if (features.noise < kNoGrain)  // a camera's grain answers the question at once
         features.painted_part = painted_part(picture, changing & open);
     features.changing_part =
@@ -180,9 +197,11 @@ ClassDecision decided(const PictureFeatures& f) {
                 f};
     }
     const double textured = kTextured * std::min(1.0, f.open_part / kMuchOpen);
+    // On paper a ruled grid is no texture; elsewhere planks and blinds may be.
+    const bool is_ruled = is_paper && f.ruled_part >= kRuled;
     const bool is_painted = f.painted_part >= kPainted && f.open_part < kAllOpen;
     const bool is_textured = f.open_part >= kLeastOpen
-                                 ? f.texture > textured && !is_painted
+                                 ? f.texture > textured && !is_painted && !is_ruled
                                  : (f.changing_part > kRestless && f.clearness < 2.0 * kClear);
     // In a scan it is the light; what a program painted pale is an area.
     const bool has_pale_areas = f.noise < kNoGrain && 1.0 - f.paper_part - f.ink_part > kPaleAreas;

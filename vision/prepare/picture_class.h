@@ -22,6 +22,7 @@ struct PictureFeatures {
     double texture = 0.0;        // of that, what changes faster than a lamp's shade
     double changing_part = 0.0;  // of all, what changes so
     double painted_part = 0.0;   // of the texture, what a program paints: even shades, pale lines
+    double ruled_part = 0.0;     // of the texture, what lies along level or upright lines
     double paper_part = 0.0;     // part of the places that show the commonest colour
     double ink_part = 0.0;       // part of the pixels that stand out from it
     double thin_part = 0.0;      // of the ink, what is no wider than a pen's stroke

@@ -2,6 +2,7 @@
 
 #include "vision/contour/gradient.h"
 #include "vision/prepare/halftone.h"
+#include "vision/prepare/sheet_edge.h"
 #include "vision/simplify/class_lines.h"
 #include "vision/simplify/placement.h"
 
@@ -120,7 +121,7 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
         const double mm_per_pixel = 1000.0 / placement.picture_pixels_per_metre();
         const double longer_side_mm = mm_per_pixel * std::max(picture.cols, picture.rows);
         // Reduced once: every way of finding lines starts from at most a megapixel.
-        const cv::Mat small = without_dots(reduced(picture, kClassPixels));
+        const cv::Mat small = within_sheet(without_dots(reduced(picture, kClassPixels)));
         ClassDecision decision =
             options.picture_class
                 ? ClassDecision{*options.picture_class, "You chose the kind of picture.", {}}

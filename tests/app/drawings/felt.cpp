@@ -1,10 +1,9 @@
 #include "tests/app/drawings/felt.h"
 
 #include "app/decode/opening.h"
+#include "app/decode/words_in_picture.h"
 #include "app/trace/page_views.h"
 #include "app/trace/tracing.h"
-#include "tests/app/decode/encoders.h"
-#include "tests/vision/pictures/effects.h"
 #include "vision/simplify/detail_limits.h"
 
 #include <algorithm>
@@ -95,16 +94,6 @@ bool is_unjudged(const Drawing& drawing, const cv::Point2d& at) {
                        [&](const cv::Rect2d& r) { return r.contains(at); });
 }
 
-/// The view of all of it, as fine as the kiosk shows it.
-Result<Page> whole_view(std::span<const std::byte> file) {
-    auto page = open_page(file);
-    if (!page) return page;
-    if (auto finer = finer_page(*page, view_count(*page),
-                                [&](const PageOrder& order) { return open_page(file, order); }))
-        *page = std::move(*finer);
-    return page;
-}
-
 cv::Mat pixels_of(Page& page) {
     return {page.picture.height, page.picture.width, CV_8UC3, page.picture.bgr.data()};
 }
@@ -186,11 +175,25 @@ Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm) {
     return felt_of(drawing, detail, tolerance_mm, std::numeric_limits<double>::infinity());
 }
 
-Result<WholeView> whole_view_of(std::string_view file, int detail, double most_pixels) {
+Result<Page> whole_page(std::string_view file) {
+    const auto bytes = std::as_bytes(std::span(file));
+    auto page = open_page(bytes);
+    if (!page) return page;
+    if (auto finer = finer_page(*page, view_count(*page),
+                                [&](const PageOrder& order) { return open_page(bytes, order); }))
+        *page = std::move(*finer);
+    return page;
+}
+
+Result<WholeView> whole_view_of(const Drawing& drawing, int detail, double most_pixels) {
     const auto begin = std::chrono::steady_clock::now();
-    auto page = whole_view(std::as_bytes(std::span(file)));
+    auto page = whole_page(drawing.file);
     if (!page) return tl::unexpected(page.error());
     reduce(*page, most_pixels);
+    if (drawing.has_words_in_pixels && needs_reading(*page)) {
+        const auto words = read_words(page->picture);
+        if (words && !words->labels.empty()) *page = with_words(std::move(*page), *words);
+    }
     TraceRequest request;
     request.options.detail = detail;
     auto traced = trace_page(*page, request);
@@ -200,7 +203,7 @@ Result<WholeView> whole_view_of(std::string_view file, int detail, double most_p
 }
 
 Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, double most_pixels) {
-    auto view = whole_view_of(drawing.file, detail, most_pixels);
+    auto view = whole_view_of(drawing, detail, most_pixels);
     if (!view) return tl::unexpected(view.error());
     Felt out;
     out.map = std::move(view->map);
@@ -219,21 +222,6 @@ Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, do
     judge_seen(lines, seen, felt, limits, tolerance_mm, out);
     judge_felt(drawing, felt_lines, seen, limits, tolerance_mm, out);
     return out;
-}
-
-Result<Drawing> scanned(const Drawing& drawing, int seed) {
-    auto page = whole_view(std::as_bytes(std::span(drawing.file)));
-    if (!page) return tl::unexpected(page.error());
-    const cv::Mat seen_pixels = seen(pixels_of(*page), {0.8, 3.0, 0.15, 80, seed});
-    const std::vector<std::byte> png =
-        encoders::png({seen_pixels.cols,
-                       seen_pixels.rows,
-                       {seen_pixels.data, seen_pixels.data + 3 * seen_pixels.total()}});
-    Drawing scan = drawing;
-    scan.name += ", scanned";
-    scan.file.clear();
-    for (const std::byte byte : png) scan.file.push_back(static_cast<char>(byte));
-    return scan;
 }
 
 cv::Mat sheet_of(const Drawing& drawing, const Felt& felt) {

@@ -40,16 +40,19 @@ struct Felt {
     std::vector<std::vector<cv::Point2d>> missed;  // stretches of the seen lines, for a look
 };
 
-/// The whole of a file: what is painted, and what is felt of it.
+/// All of a file's first page, painted as finely as it is felt.
+[[nodiscard]] Result<Page> whole_page(std::string_view file);
+
+/// The whole of a drawing: what is painted, and what is felt of it.
 struct WholeView {
     Page page;
     TactileMap map;
     double milliseconds = 0.0;  // file to map
 };
 
-/// The whole of a file at this detail, of at most so many pixels. Fails, with one line, where
+/// The whole of a drawing at this detail, of at most so many pixels. Fails, with one line, where
 /// the kiosk shows nothing of it.
-[[nodiscard]] Result<WholeView> whole_view_of(std::string_view file, int detail,
+[[nodiscard]] Result<WholeView> whole_view_of(const Drawing& drawing, int detail,
                                               double most_pixels);
 
 /// Points of an outline in steps of at most kStep_mm, on the sheet.
@@ -62,10 +65,6 @@ struct WholeView {
 /// The same of a view that has at most so many pixels.
 [[nodiscard]] Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm,
                                    double most_pixels);
-
-/// The drawing printed and scanned: softer, unevenly lit, noisy, as a JPEG; differently for each
-/// seed. Fails, with one line, where the kiosk does not open the drawing.
-[[nodiscard]] Result<Drawing> scanned(const Drawing& drawing, int seed);
 
 /// What is painted, what is seen (green where felt, red where not) and what is felt, beside each
 /// other; 8-bit BGR.

@@ -35,6 +35,7 @@ struct Drawing {
     std::vector<Paint> paints;
     /// Areas of which nothing is asked: texts, patterns.
     std::vector<cv::Rect2d> unjudged = {};
+    bool has_words_in_pixels = false;  // that the kiosk reads before all is felt
 };
 
 /// A line that can be seen, in even steps of kStep_mm or less.

@@ -2,6 +2,7 @@
 // and drawings_sizes.csv there.
 #include "tests/app/drawings/charts.h"
 #include "tests/app/drawings/felt.h"
+#include "tests/app/drawings/scans.h"
 #include "tests/app/drawings/svg_drawings.h"
 #include "vision/simplify/detail_limits.h"
 

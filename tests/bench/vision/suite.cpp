@@ -2,6 +2,7 @@
 // NAME.svg below FOLDER that has a NAME.png beside it, painted by another program, and writes
 // RESULTS/suite.csv (a row for each chapter, the folders of FOLDER) and a row for each drawing.
 #include "app/decode/opening.h"
+#include "tests/app/drawings/paint.h"
 #include "tests/bench/vision/picture_truth.h"
 #include "vision/simplify/detail_limits.h"
 
@@ -34,9 +35,11 @@ struct Chapter {
     testing::Counted felt;
 };
 
-std::string bytes_at(const fs::path& path) {
+testing::Drawing drawing_at(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
+    testing::Drawing drawing;
+    drawing.file = {std::istreambuf_iterator<char>(in), {}};
+    return drawing;
 }
 
 std::vector<fs::path> drawings_below(const fs::path& folder) {
@@ -64,7 +67,7 @@ Judged judged(const fs::path& drawing) {
     if (!painted) return {"blank", {}};
     const PictureTruth truth = truth_of(pixels_of(painted->picture));
     if (truth.each.empty()) return {"blank", {}};
-    auto view = testing::whole_view_of(bytes_at(drawing), kMostDetail, 1e9);
+    auto view = testing::whole_view_of(drawing_at(drawing), kMostDetail, 1e9);
     if (!view) return {"refused", {}};
     if (!are_alike(truth, truth_of(pixels_of(view->page.picture)), kTolerance_mm))
         return {"otherwise", {}};

@@ -1,0 +1,93 @@
+#include "tests/app/drawings/pens.h"
+
+#include "tests/app/drawings/svg_features.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace touchline::testing {
+namespace {
+
+std::string path_of(const Polyline& line) {
+    std::string d;
+    for (const cv::Point2d& p : line.points)
+        d += fmt::format("{}{:.3f} {:.3f}", d.empty() ? "M" : "L", p.x, p.y);
+    return d + (line.is_closed ? "z" : "");
+}
+
+std::string css_of(const cv::Scalar& bgr) {
+    return fmt::format("rgb({:.0f},{:.0f},{:.0f})", bgr[2], bgr[1], bgr[0]);
+}
+
+Polyline wave(const cv::Point2d& from, const cv::Point2d& to, double height, double waves) {
+    Polyline line;
+    const cv::Point2d along = to - from;
+    const cv::Point2d across = cv::Point2d(-along.y, along.x) / cv::norm(along);
+    constexpr int kSteps = 120;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double t = static_cast<double>(i) / kSteps;
+        line.points.push_back(from + t * along +
+                              height * std::sin(2.0 * std::numbers::pi * waves * t) * across);
+    }
+    return line;
+}
+
+std::string stroked_path(const Polyline& line, double width_mm, const cv::Scalar& bgr,
+                         const std::string& more) {
+    return fmt::format(R"(<path d="{}" fill="none" stroke="{}" stroke-width="{:.3f}" {}/>)",
+                       path_of(line), css_of(bgr), width_mm, more);
+}
+
+}  // namespace
+
+Drawing dashed_drawing(const Dashing& dashing, int seed) {
+    Chance chance(700'000 + seed);
+    const double width = dashing.width_mm;
+    // A cap of half a width stands out of either end of a dash.
+    const double on = dashing.dash_mm > 0.0 && dashing.is_round
+                          ? std::max(0.0, dashing.dash_mm - width)
+                      : dashing.dash_mm > 0.0 ? dashing.dash_mm
+                      : dashing.is_round      ? 0.0
+                                              : width;
+    const double off = dashing.gap_mm + (dashing.is_round ? width : 0.0);
+    const std::string more = fmt::format(
+        R"(stroke-dasharray="{:.3f} {:.3f}" stroke-dashoffset="{:.2f}" stroke-linecap="{}")", on,
+        off, chance.between(0.0, 4.0), dashing.is_round ? "round" : "butt");
+    const cv::Rect2d left(6.0, 6.0, chance.between(18.0, 26.0), chance.between(14.0, 20.0));
+    const cv::Rect2d right(88.0, 58.0, chance.between(16.0, 22.0), chance.between(12.0, 18.0));
+    std::string body;
+    Drawing drawing;
+    const std::array<cv::Scalar, 2> fills{cv::Scalar(60, 200, 240), cv::Scalar(180, 119, 31)};
+    for (const auto& [r, colour] : {std::pair(left, fills[0]), std::pair(right, fills[1])}) {
+        const Polyline ring{{{r.x, r.y},
+                             {r.x + r.width, r.y},
+                             {r.x + r.width, r.y + r.height},
+                             {r.x, r.y + r.height}},
+                            true};
+        body += fmt::format(R"(<path d="{}" fill="{}"/>)", path_of(ring), css_of(colour));
+        drawing.paints.push_back(filled(ring, colour));
+    }
+    const double lean = chance.between(-6.0, 6.0);
+    const double from = chance.between(150.0, 190.0);
+    const std::array<Polyline, 4> lines{
+        Polyline{{{38.0, 12.0 + lean}, {110.0, 12.0 - lean}}, false},
+        arc({36.0, 52.0}, {22.0, 22.0}, from, from + chance.between(120.0, 200.0)),
+        wave({64.0, 30.0}, {110.0, 38.0}, chance.between(3.0, 6.0), chance.between(0.8, 1.5)),
+        Polyline{{{50.0, 76.0}, {54.0, 54.0 - lean}, {78.0, 58.0}, {76.0, 77.0}}, true}};
+    for (const Polyline& line : lines) {
+        body += stroked_path(line, width, dashing.colour, more);
+        drawing.paints.push_back(stroked(line, width, dashing.colour));
+        drawing.paints.back().dashes_mm = {dashing.dash_mm, dashing.gap_mm};
+    }
+    drawing.kind = "dashes";
+    drawing.name = fmt::format("{} mm, gap {} mm, width {} mm, {}, {}", dashing.dash_mm,
+                               dashing.gap_mm, width, dashing.is_round ? "round" : "flat", seed);
+    drawing.file = svg_sheet(body);
+    return drawing;
+}
+
+}  // namespace touchline::testing

@@ -1,0 +1,22 @@
+// Strokes made up at random, broken into dashes or dots.
+// Threads: pure functions.
+#pragma once
+
+#include "tests/app/drawings/paint.h"
+
+namespace touchline::testing {
+
+/// How a line is broken. Lengths in millimetres of ink and of paper between it.
+struct Dashing {
+    double dash_mm = 3.0;  // 0: dots
+    double gap_mm = 2.0;
+    double width_mm = 0.6;
+    bool is_round = false;  // its caps, and so its dots
+    cv::Scalar colour = {0, 0, 0};
+};
+
+/// A straight line, an arc, a wave and a polygon broken like this, beside two filled areas; the
+/// same for the same seed: an SVG. Dots' gaps and dashes' are of paper: round caps are not gaps.
+[[nodiscard]] Drawing dashed_drawing(const Dashing& dashing, int seed);
+
+}  // namespace touchline::testing

@@ -1,0 +1,76 @@
+// Strokes that come as pixels in pictures of flat colour: dashes and dots, each line felt as one.
+#include "tests/app/drawings/pens.h"
+
+#include "tests/app/drawings/felt.h"
+#include "tests/app/drawings/scans.h"
+#include "vision/simplify/detail_limits.h"
+
+#include <array>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+constexpr double kPenTolerance_mm = 0.5;
+
+double length_mm(const std::vector<cv::Point2d>& points, bool is_closed) {
+    double sum = is_closed ? cv::norm(points.front() - points.back()) : 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) sum += cv::norm(points[i] - points[i - 1]);
+    return sum;
+}
+
+double dashed_mm(const testing::Drawing& drawing) {
+    double sum = 0.0;
+    for (const testing::Paint& paint : drawing.paints)
+        for (const testing::Polyline& line : paint.lines)
+            sum += paint.dashes_mm.empty() ? 0.0 : length_mm(line.points, line.is_closed);
+    return sum;
+}
+
+double named_mm(const TactileMap& map) {
+    double sum = 0.0;
+    for (const Outline& outline : map.outlines) {
+        const bool is_named = outline.label.find("dashed") != std::string::npos ||
+                              outline.label.find("dotted") != std::string::npos;
+        std::vector<cv::Point2d> points;
+        for (const Position& p : outline.points) points.emplace_back(1e3 * p.x, 1e3 * p.y);
+        sum += is_named ? length_mm(points, outline.is_closed) : 0.0;
+    }
+    return sum;
+}
+
+TEST(Pens, ABrokenLineInAFlatPictureIsOneAndIsNamedSo) {
+    const std::array<testing::Dashing, 6> kDashings{{{1.0, 1.0, 0.4, false, {0, 0, 0}},
+                                                     {2.0, 4.0, 0.8, true, {40, 39, 214}},
+                                                     {4.0, 2.5, 0.5, false, {14, 150, 240}},
+                                                     {6.0, 4.0, 1.5, true, {0, 0, 0}},
+                                                     {0.0, 2.5, 1.0, true, {40, 39, 214}},
+                                                     {0.0, 1.5, 0.8, false, {0, 0, 0}}}};
+    testing::Counted seen;
+    testing::Counted felt;
+    double dashed = 0.0;
+    double named = 0.0;
+    for (const testing::Dashing& dashing : kDashings)
+        for (const bool is_scan : {false, true}) {
+            const testing::Drawing clean = testing::dashed_drawing(dashing, 1);
+            const auto drawing =
+                is_scan ? testing::scanned(clean, 1) : testing::as_pixels(clean, {});
+            ASSERT_TRUE(drawing.has_value()) << drawing.error().line;
+            const auto found = testing::felt_of(*drawing, kMostDetail, kPenTolerance_mm);
+            ASSERT_TRUE(found.has_value()) << drawing->name << ": " << found.error().line;
+            fmt::print("{}: {:.1f} % felt, {:.0f} of {:.0f} mm named\n", drawing->name,
+                       100.0 * found->seen.share(), named_mm(found->map), dashed_mm(clean));
+            seen += found->seen;
+            felt += found->felt;
+            dashed += dashed_mm(clean);
+            named += std::min(named_mm(found->map), dashed_mm(clean));
+        }
+    EXPECT_GE(seen.share(), 0.95);
+    EXPECT_GE(felt.share(), 0.99);
+    EXPECT_GE(named, 0.94 * dashed);
+}
+
+}  // namespace
+}  // namespace touchline
