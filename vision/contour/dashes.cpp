@@ -315,11 +315,17 @@ class Joiner {
         return std::max(widest_px, *middle);
     }
 
+    /// Short dashes may pass for dots: then they are as long as those that do not.
+    [[nodiscard]] static bool are_of_a_kind(const Piece& one, const Piece& other) {
+        return one.is_dot == other.is_dot || std::abs(one.length_px - other.length_px) <=
+                                                 kLike * std::max(one.length_px, other.length_px);
+    }
+
     void consider(EndId a, EndId b, double widest_gap_px, std::vector<Link>& links) const {
         const Piece& one = piece(a);
         const Piece& other = piece(b);
         const bool is_second_of_a_dot = (one.is_dot && is_back(a)) || (other.is_dot && is_back(b));
-        if (&one == &other || is_second_of_a_dot || one.is_dot != other.is_dot ||
+        if (&one == &other || is_second_of_a_dot || !are_of_a_kind(one, other) ||
             is_in_field_[chain_of(a)] || is_in_field_[chain_of(b)] ||
             distance(place(a), place(b)) > kLongestDash_mm * mm_px_ + 2.0 * widest_gap_px) {
             return;
@@ -379,8 +385,13 @@ class Joiner {
         return static_cast<double>(like) >= kMostAlike * static_cast<double>(values.size());
     }
 
+    [[nodiscard]] bool are_dots(const std::vector<EndId>& way) const {
+        const auto dots = std::ranges::count_if(way, [&](EndId end) { return piece(end).is_dot; });
+        return 2 * static_cast<std::size_t>(dots) >= way.size();
+    }
+
     [[nodiscard]] bool is_broken_line(const std::vector<EndId>& way) const {
-        if (way.empty() || way.size() < (piece(way.front()).is_dot ? kLeastDots : kLeastDashes)) {
+        if (way.empty() || way.size() < (are_dots(way) ? kLeastDots : kLeastDashes)) {
             return false;
         }
         std::vector<double> lengths;
@@ -397,7 +408,7 @@ class Joiner {
     [[nodiscard]] Chain line_through(const std::vector<EndId>& way, bool is_ring) const {
         Chain line;
         line.is_closed = is_ring;
-        line.of = piece(way.front()).is_dot ? LineOf::dotted : LineOf::dashed;
+        line.of = are_dots(way) ? LineOf::dotted : LineOf::dashed;
         for (std::size_t i = 0; i < way.size(); ++i) {
             const Piece& part = piece(way[i]);
             line.width_px = std::max(line.width_px, part.width_px);

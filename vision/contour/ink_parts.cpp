@@ -159,10 +159,14 @@ cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vec
     return wide;
 }
 
-/// Pieces that swell and shrink, but for the finest, are shapes, however narrow: a star of rays.
-void add_swelling(InkParts& parts, const std::vector<float>& usual, double greatest_width_px) {
+/// Strokes that swell and shrink, but for the finest, are shapes, however narrow: a star of rays.
+/// Each is asked by itself, without the wide shape that it may stand out of.
+void add_swelling(InkParts& parts, const cv::Mat1b& mask, double greatest_width_px) {
+    cv::Mat1i label;
+    const int n = cv::connectedComponents(mask & ~parts.shapes, label, 8, CV_32S);
+    const std::vector<float> usual = usual_depths(parts.depth, label, n);
     std::vector<float> deepest(usual.size(), 0.0F);
-    const auto of = [&](int y, int x) { return static_cast<std::size_t>(parts.piece(y, x)); };
+    const auto of = [&](int y, int x) { return static_cast<std::size_t>(label(y, x)); };
     for (int y = 0; y < parts.depth.rows; ++y) {
         for (int x = 0; x < parts.depth.cols; ++x) {
             deepest[of(y, x)] = std::max(deepest[of(y, x)], parts.depth(y, x));
@@ -171,9 +175,9 @@ void add_swelling(InkParts& parts, const std::vector<float>& usual, double great
     const double hair_px = std::max(1.0, 0.5 * kHair * greatest_width_px) + 0.5;
     for (int y = 0; y < parts.depth.rows; ++y) {
         for (int x = 0; x < parts.depth.cols; ++x) {
-            const std::size_t piece = of(y, x);
-            if (piece != 0 && !(usual[piece] > 0.0F) &&
-                static_cast<double>(deepest[piece]) > hair_px) {
+            const std::size_t stroke = of(y, x);
+            if (stroke != 0 && !(usual[stroke] > 0.0F) &&
+                static_cast<double>(deepest[stroke]) > hair_px) {
                 parts.shapes(y, x) = 255;
             }
         }
@@ -197,7 +201,7 @@ InkParts parts_of(const cv::Mat1b& ink, double greatest_width_px) {
     parts.pieces = cv::connectedComponents(mask, parts.piece, 8, CV_32S);
     const std::vector<float> usual = usual_depths(parts.depth, parts.piece, parts.pieces);
     parts.shapes = wide_part(mask, parts, usual, greatest_width_px);
-    add_swelling(parts, usual, greatest_width_px);
+    add_swelling(parts, mask, greatest_width_px);
     parts.strokes = cv::Mat(mask & ~parts.shapes);
     return parts;
 }

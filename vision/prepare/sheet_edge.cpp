@@ -15,7 +15,7 @@
 namespace touchline {
 namespace {
 
-constexpr double kCopyPixels = 1e5;  // a third of a millimetre of the sheet each
+constexpr double kCopyPixels = 6e4;  // four tenths of a millimetre at the hand each
 constexpr double kMostEqual = 0.8;   // of neighbouring pixels: more are painted, not seen
 constexpr double kRim = 0.12;        // of each side: there the bed may lie
 constexpr float kDark = 0.6F;        // of the lightest: no paper, however shaded

@@ -90,4 +90,34 @@ Drawing dashed_drawing(const Dashing& dashing, int seed) {
     return drawing;
 }
 
+Drawing crossing_strokes(int seed) {
+    Chance chance(800'000 + seed);
+    const bool is_black = chance.coin();
+    constexpr std::array<std::array<double, 3>, 4> kColours{
+        {{180, 119, 31}, {14, 127, 220}, {44, 140, 44}, {40, 39, 214}}};
+    const std::array<Polyline, 4> lines{
+        wave({6.0, chance.between(14.0, 30.0)}, {110.0, chance.between(14.0, 30.0)},
+             chance.between(0.0, 7.0), chance.between(0.7, 1.4)),
+        Polyline{{{6.0, chance.between(56.0, 72.0)},
+                  {chance.between(50.0, 66.0), chance.between(46.0, 74.0)},
+                  {110.0, chance.between(56.0, 72.0)}},
+                 false},
+        Polyline{{{chance.between(24.0, 40.0), 5.0}, {chance.between(24.0, 40.0), 79.0}}, false},
+        wave({chance.between(76.0, 92.0), 5.0}, {chance.between(76.0, 92.0), 79.0},
+             chance.between(0.0, 7.0), chance.between(0.7, 1.2))};
+    std::string body;
+    Drawing drawing;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const double width = chance.between(0.5, 6.0);
+        const auto& c = kColours[i];
+        const cv::Scalar colour = is_black ? cv::Scalar(0, 0, 0) : cv::Scalar(c[0], c[1], c[2]);
+        body += stroked_path(lines[i], width, colour, "");
+        drawing.paints.push_back(stroked(lines[i], width, colour));
+    }
+    drawing.kind = "crossing strokes";
+    drawing.name = fmt::format("crossing strokes {}", seed);
+    drawing.file = svg_sheet(body);
+    return drawing;
+}
+
 }  // namespace touchline::testing

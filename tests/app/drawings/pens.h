@@ -1,4 +1,4 @@
-// Strokes made up at random, broken into dashes or dots.
+// Strokes made up at random: broken into dashes or dots, and of all widths across each other.
 // Threads: pure functions.
 #pragma once
 
@@ -18,5 +18,9 @@ struct Dashing {
 /// A straight line, an arc, a wave and a polygon broken like this, beside two filled areas; the
 /// same for the same seed: an SVG. Dots' gaps and dashes' are of paper: round caps are not gaps.
 [[nodiscard]] Drawing dashed_drawing(const Dashing& dashing, int seed);
+
+/// Strokes 0.5 to 6 mm wide, straight, bent and waved, that cross each other, all black or each of
+/// its own colour; the same for the same seed: an SVG.
+[[nodiscard]] Drawing crossing_strokes(int seed);
 
 }  // namespace touchline::testing

@@ -1,4 +1,5 @@
-// Strokes that come as pixels in pictures of flat colour: dashes and dots, each line felt as one.
+// Strokes that come as pixels: dashes and dots, each line felt as one; thin and thick ones across
+// each other, each a line or an area all along.
 #include "tests/app/drawings/pens.h"
 
 #include "tests/app/drawings/felt.h"
@@ -70,6 +71,26 @@ TEST(Pens, ABrokenLineInAFlatPictureIsOneAndIsNamedSo) {
     EXPECT_GE(seen.share(), 0.95);
     EXPECT_GE(felt.share(), 0.99);
     EXPECT_GE(named, 0.94 * dashed);
+}
+
+TEST(Pens, AStrokeIsALineOrAnAreaThroughAllThatItCrosses) {
+    constexpr int kSeeds = 10;
+    testing::Counted seen;
+    testing::Counted felt;
+    for (int seed = 0; seed < kSeeds; ++seed) {
+        const testing::Drawing clean = testing::crossing_strokes(seed);
+        const auto drawing =
+            seed % 2 == 1 ? testing::scanned(clean, seed) : testing::as_pixels(clean, {});
+        ASSERT_TRUE(drawing.has_value()) << drawing.error().line;
+        const auto found = testing::felt_of(*drawing, kMostDetail, kPenTolerance_mm);
+        ASSERT_TRUE(found.has_value()) << drawing->name << ": " << found.error().line;
+        seen += found->seen;
+        felt += found->felt;
+    }
+    fmt::print("{:.2f} % of what is seen is felt, {:.2f} % of what is felt is seen\n",
+               100.0 * seen.share(), 100.0 * felt.share());
+    EXPECT_GE(seen.share(), 0.99);
+    EXPECT_GE(felt.share(), 0.995);
 }
 
 }  // namespace
