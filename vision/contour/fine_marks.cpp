@@ -19,6 +19,7 @@ constexpr double kMostUneven = 0.2;    // of an area's pixels; more, and it is n
 constexpr int kJustOutside_px = 2;
 constexpr double kFadedOut = 0.4;       // of the contrast within: less just outside of a mark
 constexpr double kMostlyCrisp = 0.6;    // of what is just outside
+constexpr int kLeastPixels = 8;         // fewer are a speck
 constexpr double kLongOverWidth = 2.3;  // of the greatest width: longer than a dash
 
 cv::Mat square(int half_px) {
@@ -75,12 +76,17 @@ double strongest_of(const Areas& areas) {
 struct PieceOfInk {
     cv::Point low{1 << 30, 1 << 30};
     cv::Point high{-1, -1};
-    bool has_wide = false;
+    int pixels = 0;
+    float deepest_px = 0.0F;  // half its greatest width
     bool has_stroke = false;
     int beside = 0;  // pixels just outside
     int crisp = 0;   // of these, where the picture is as if the piece were not there
 
-    [[nodiscard]] bool is_mark() const { return !has_wide && crisp >= kMostlyCrisp * beside; }
+    [[nodiscard]] bool is_mark(double greatest_width_px) const {
+        return pixels >= kLeastPixels &&
+               2.0F * deepest_px <= static_cast<float>(greatest_width_px) &&
+               crisp >= kMostlyCrisp * beside;
+    }
 
     [[nodiscard]] double extent_px() const { return cv::norm(high - low); }
 };
@@ -89,9 +95,9 @@ class Finder {
   public:
     Finder(const cv::Mat1f& contrast, const cv::Mat1b& mask, double greatest_width_px)
         : contrast_(contrast),
-          parts_(parts_of(mask, greatest_width_px)),
-          pieces_(static_cast<std::size_t>(parts_.pieces)),
-          long_px_(kLongOverWidth * greatest_width_px) {}
+          depth_px_(depth_of(mask)),
+          pieces_(static_cast<std::size_t>(cv::connectedComponents(mask, piece_, 8, CV_32S))),
+          greatest_width_px_(greatest_width_px) {}
 
     FineMarks found(const cv::Mat1b& strokes, const cv::Mat1f& strongest_around,
                     const cv::Mat1b& mixed) {
@@ -101,10 +107,11 @@ class Finder {
                         cv::Mat1b(contrast_.size(), uchar{0}), contrast_};
         for (int y = 0; y < contrast_.rows; ++y)
             for (int x = 0; x < contrast_.cols; ++x) {
-                const int number = parts_.piece(y, x);
+                const int number = piece_(y, x);
                 const PieceOfInk& piece = pieces_[static_cast<std::size_t>(number)];
-                if (number == 0 || !piece.is_mark()) continue;
-                const bool is_line = piece.has_stroke || piece.extent_px() >= long_px_;
+                if (number == 0 || !piece.is_mark(greatest_width_px_)) continue;
+                const bool is_line =
+                    piece.has_stroke || piece.extent_px() >= kLongOverWidth * greatest_width_px_;
                 (is_line ? marks.lines : marks.bits)(y, x) = 255;
             }
         return marks;
@@ -114,10 +121,11 @@ class Finder {
     void measure(const cv::Mat1b& strokes) {
         for (int y = 0; y < contrast_.rows; ++y)
             for (int x = 0; x < contrast_.cols; ++x) {
-                PieceOfInk& piece = pieces_[static_cast<std::size_t>(parts_.piece(y, x))];
+                PieceOfInk& piece = pieces_[static_cast<std::size_t>(piece_(y, x))];
                 piece.low = {std::min(piece.low.x, x), std::min(piece.low.y, y)};
                 piece.high = {std::max(piece.high.x, x), std::max(piece.high.y, y)};
-                piece.has_wide = piece.has_wide || parts_.shapes(y, x) != 0;
+                ++piece.pixels;
+                piece.deepest_px = std::max(piece.deepest_px, depth_px_(y, x));
                 piece.has_stroke = piece.has_stroke || strokes(y, x) != 0;
             }
     }
@@ -126,14 +134,14 @@ class Finder {
     void measure_outside(const cv::Mat1f& strongest_around, const cv::Mat1b& mixed) {
         cv::Mat1f apart;
         cv::Mat1i nearest;
-        const cv::Mat1b outside = cv::Mat(parts_.piece == 0);
+        const cv::Mat1b outside = cv::Mat(piece_ == 0);
         cv::distanceTransform(outside, apart, nearest, cv::DIST_L2, cv::DIST_MASK_5,
                               cv::DIST_LABEL_PIXEL);
         std::vector<int> piece_of(contrast_.total() + 1, 0);
         for (int y = 0; y < contrast_.rows; ++y)
             for (int x = 0; x < contrast_.cols; ++x)
-                if (parts_.piece(y, x) != 0)
-                    piece_of[static_cast<std::size_t>(nearest(y, x))] = parts_.piece(y, x);
+                if (piece_(y, x) != 0)
+                    piece_of[static_cast<std::size_t>(nearest(y, x))] = piece_(y, x);
         for (int y = 0; y < contrast_.rows; ++y)
             for (int x = 0; x < contrast_.cols; ++x) {
                 if (apart(y, x) < kJustOutside_px || apart(y, x) >= kJustOutside_px + 1) continue;
@@ -148,9 +156,10 @@ class Finder {
     }
 
     const cv::Mat1f& contrast_;
-    InkParts parts_;
+    cv::Mat1f depth_px_;
+    cv::Mat1i piece_;  // from 1; declared before what counts them
     std::vector<PieceOfInk> pieces_;
-    double long_px_;
+    double greatest_width_px_;
 };
 
 }  // namespace
