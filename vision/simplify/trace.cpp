@@ -121,13 +121,15 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
         const double mm_per_pixel = 1000.0 / placement.picture_pixels_per_metre();
         const double longer_side_mm = mm_per_pixel * std::max(picture.cols, picture.rows);
         // Reduced once: every way of finding lines starts from at most a megapixel.
-        const cv::Mat small = within_sheet(without_dots(reduced(picture, kClassPixels)));
+        const cv::Mat small = without_dots(reduced(picture, kClassPixels));
+        const cv::Mat sheet = within_sheet(small);
         ClassDecision decision =
             options.picture_class
                 ? ClassDecision{*options.picture_class, "You chose the kind of picture.", {}}
-                : class_of(small);
-        Result<ClassLines> lines =
-            class_lines(small, decision.picture_class, longer_side_mm, options.edge_model);
+                : class_of(sheet);
+        const bool is_photo = decision.picture_class == PictureClass::photo;
+        Result<ClassLines> lines = class_lines(is_photo ? small : sheet, decision.picture_class,
+                                               longer_side_mm, options.edge_model);
         if (!lines) return tl::unexpected(lines.error());
         if (lines->found.chains.empty())
             return failure(nothing_found(picture, mm_per_pixel, lines->found));
