@@ -44,6 +44,16 @@ std::string stroked_path(const Polyline& line, double width_mm, const cv::Scalar
 
 }  // namespace
 
+std::span<const Dashing> dashings() {
+    static const std::array<Dashing, 6> kDashings{{{1.0, 1.0, 0.4, false, {0, 0, 0}},
+                                                   {2.0, 4.0, 0.8, true, {40, 39, 214}},
+                                                   {4.0, 2.5, 0.5, false, {14, 150, 240}},
+                                                   {6.0, 4.0, 1.5, true, {0, 0, 0}},
+                                                   {0.0, 2.5, 1.0, true, {40, 39, 214}},
+                                                   {0.0, 1.5, 0.8, false, {0, 0, 0}}}};
+    return kDashings;
+}
+
 Drawing dashed_drawing(const Dashing& dashing, int seed) {
     Chance chance(700'000 + seed);
     const double width = dashing.width_mm;

@@ -4,6 +4,8 @@
 
 #include "tests/app/drawings/paint.h"
 
+#include <span>
+
 namespace touchline::testing {
 
 /// How a line is broken. Lengths in millimetres of ink and of paper between it.
@@ -14,6 +16,9 @@ struct Dashing {
     bool is_round = false;  // its caps, and so its dots
     cv::Scalar colour = {0, 0, 0};
 };
+
+/// Short and long dashes, thin and thick ones, round and square dots.
+[[nodiscard]] std::span<const Dashing> dashings();
 
 /// A straight line, an arc, a wave and a polygon broken like this, beside two filled areas; the
 /// same for the same seed: an SVG. Dots' gaps and dashes' are of paper: round caps are not gaps.

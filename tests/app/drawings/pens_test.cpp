@@ -6,15 +6,11 @@
 #include "tests/app/drawings/scans.h"
 #include "vision/simplify/detail_limits.h"
 
-#include <array>
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace touchline {
 namespace {
-
-constexpr double kPenTolerance_mm = 0.5;
 
 double length_mm(const std::vector<cv::Point2d>& points, bool is_closed) {
     double sum = is_closed ? cv::norm(points.front() - points.back()) : 0.0;
@@ -43,23 +39,17 @@ double named_mm(const TactileMap& map) {
 }
 
 TEST(Pens, ABrokenLineInAFlatPictureIsOneAndIsNamedSo) {
-    const std::array<testing::Dashing, 6> kDashings{{{1.0, 1.0, 0.4, false, {0, 0, 0}},
-                                                     {2.0, 4.0, 0.8, true, {40, 39, 214}},
-                                                     {4.0, 2.5, 0.5, false, {14, 150, 240}},
-                                                     {6.0, 4.0, 1.5, true, {0, 0, 0}},
-                                                     {0.0, 2.5, 1.0, true, {40, 39, 214}},
-                                                     {0.0, 1.5, 0.8, false, {0, 0, 0}}}};
     testing::Counted seen;
     testing::Counted felt;
     double dashed = 0.0;
     double named = 0.0;
-    for (const testing::Dashing& dashing : kDashings)
+    for (const testing::Dashing& dashing : testing::dashings())
         for (const bool is_scan : {false, true}) {
             const testing::Drawing clean = testing::dashed_drawing(dashing, 1);
             const auto drawing =
                 is_scan ? testing::scanned(clean, 1) : testing::as_pixels(clean, {});
             ASSERT_TRUE(drawing.has_value()) << drawing.error().line;
-            const auto found = testing::felt_of(*drawing, kMostDetail, kPenTolerance_mm);
+            const auto found = testing::felt_of(*drawing, kMostDetail, testing::kTolerance_mm);
             ASSERT_TRUE(found.has_value()) << drawing->name << ": " << found.error().line;
             fmt::print("{}: {:.1f} % felt, {:.0f} of {:.0f} mm named\n", drawing->name,
                        100.0 * found->seen.share(), named_mm(found->map), dashed_mm(clean));
@@ -82,7 +72,7 @@ TEST(Pens, AStrokeIsALineOrAnAreaThroughAllThatItCrosses) {
         const auto drawing =
             seed % 2 == 1 ? testing::scanned(clean, seed) : testing::as_pixels(clean, {});
         ASSERT_TRUE(drawing.has_value()) << drawing.error().line;
-        const auto found = testing::felt_of(*drawing, kMostDetail, kPenTolerance_mm);
+        const auto found = testing::felt_of(*drawing, kMostDetail, testing::kTolerance_mm);
         ASSERT_TRUE(found.has_value()) << drawing->name << ": " << found.error().line;
         seen += found->seen;
         felt += found->felt;

@@ -15,8 +15,6 @@
 namespace touchline {
 namespace {
 
-constexpr double kScanTolerance_mm = 0.5;
-
 int seeds_of_scans() {
     return std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr ? 5 : 1;
 }
@@ -25,7 +23,7 @@ int seeds_of_scans() {
 void add_scan(const Result<testing::Drawing>& scan, double least_share, testing::Counted& seen,
               testing::Counted& felt) {
     ASSERT_TRUE(scan.has_value()) << scan.error().line;
-    const auto found = testing::felt_of(*scan, kMostDetail, kScanTolerance_mm);
+    const auto found = testing::felt_of(*scan, kMostDetail, testing::kTolerance_mm);
     ASSERT_TRUE(found.has_value()) << scan->name << ": " << found.error().line;
     seen += found->seen;
     felt += found->felt;

@@ -2,6 +2,8 @@
 // and drawings_sizes.csv there.
 #include "tests/app/drawings/charts.h"
 #include "tests/app/drawings/felt.h"
+#include "tests/app/drawings/pdf_drawings.h"
+#include "tests/app/drawings/pens.h"
 #include "tests/app/drawings/scans.h"
 #include "tests/app/drawings/svg_drawings.h"
 #include "vision/simplify/detail_limits.h"
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -19,13 +22,20 @@ namespace {
 
 constexpr int kSvgSeeds = 8;
 constexpr int kChartSeeds = 6;
+constexpr int kPdfSeeds = 10;
+constexpr int kPenSeeds = 5;
 
 struct Group {
     std::string name;
     std::vector<testing::Drawing> drawings;
 };
 
-std::vector<Group> groups() {
+/// Adds a drawing that could be made.
+void add(Group& group, Result<testing::Drawing> drawing) {
+    if (drawing) group.drawings.push_back(std::move(*drawing));
+}
+
+std::vector<Group> svg_groups() {
     Group dashes{"SVG: dashes and dots", {}};
     Group others{"SVG: all other features", {}};
     for (int feature = 0; feature < testing::svg_feature_count(); ++feature) {
@@ -35,17 +45,41 @@ std::vector<Group> groups() {
                 .drawings.push_back(std::move(drawing));
         }
     }
+    return {dashes, others};
+}
+
+Group pdf_group() {
+    Group pages{"PDF: pages of six figures", {}};
+    for (int page = 0; page < kPdfSeeds * testing::pdf_page_count(); ++page)
+        pages.drawings.push_back(testing::pdf_page(page));
+    return pages;
+}
+
+Group chart_group() {
     Group charts{"charts and plans", {}};
-    Group scans{"the same scanned", {}};
-    for (int kind = 0; kind < testing::chart_kind_count(); ++kind) {
-        for (int seed = 0; seed < kChartSeeds; ++seed) {
+    for (int kind = 0; kind < testing::chart_kind_count(); ++kind)
+        for (int seed = 0; seed < kChartSeeds; ++seed)
             charts.drawings.push_back(testing::chart_drawing(kind, seed));
-            if (auto scan = testing::scanned(charts.drawings.back(), seed)) {
-                scans.drawings.push_back(std::move(*scan));
-            }
-        }
+    return charts;
+}
+
+std::vector<Group> pixel_groups(const Group& charts) {
+    Group scans{"charts and plans, scanned", {}};
+    Group beds{"the same on a scanner's bed", {}};
+    Group dashes{"broken lines as pixels", {}};
+    Group crossings{"thin and thick strokes, crossing", {}};
+    int seed = 0;
+    for (const testing::Drawing& chart : charts.drawings) {
+        add(scans, testing::scanned(chart, seed % kChartSeeds));
+        add(beds, testing::scanned_on_bed(chart, seed % testing::bed_kind_count(), seed));
+        ++seed;
     }
-    return {dashes, others, charts, scans};
+    for (const testing::Dashing& dashing : testing::dashings())
+        for (int i = 0; i < kPenSeeds; ++i)
+            add(dashes, testing::as_pixels(testing::dashed_drawing(dashing, i), {}));
+    for (int i = 0; i < 2 * kPenSeeds; ++i)
+        add(crossings, testing::as_pixels(testing::crossing_strokes(i), {}));
+    return {scans, beds, dashes, crossings};
 }
 
 struct Measured {
@@ -78,7 +112,11 @@ Measured measured(const std::vector<testing::Drawing>& drawings, double most_pix
 }
 
 int run(const std::string& results) {
-    const std::vector<Group> all = groups();
+    const Group charts = chart_group();
+    std::vector<Group> all = svg_groups();
+    all.push_back(pdf_group());
+    all.push_back(charts);
+    std::ranges::move(pixel_groups(charts), std::back_inserter(all));
     std::ofstream kinds(results + "/drawings.csv");
     fmt::print(
         kinds,
@@ -95,7 +133,7 @@ int run(const std::string& results) {
     std::ofstream sizes(results + "/drawings_sizes.csv");
     fmt::print(sizes, "megapixels,felt_share,seen_share,ms\n");
     for (const double megapixels : {0.03, 0.06, 0.12, 0.25, 0.5, 1.0}) {
-        const Measured m = measured(all[2].drawings, 1e6 * megapixels);
+        const Measured m = measured(charts.drawings, 1e6 * megapixels);
         fmt::print(sizes, "{},{:.4f},{:.4f},{:.0f}\n", megapixels, m.seen.share(), m.felt.share(),
                    m.median_ms());
     }

@@ -22,7 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kTolerance_mm = 0.5;
 constexpr double kBar = 0.99;
 
 struct Chapter {
@@ -69,10 +68,10 @@ Judged judged(const fs::path& drawing) {
     if (truth.each.empty()) return {"blank", {}};
     auto view = testing::whole_view_of(drawing_at(drawing), kMostDetail, 1e9);
     if (!view) return {"refused", {}};
-    if (!are_alike(truth, truth_of(pixels_of(view->page.picture)), kTolerance_mm))
+    if (!are_alike(truth, truth_of(pixels_of(view->page.picture)), testing::kTolerance_mm))
         return {"otherwise", {}};
     const DetailLimits limits = limits_for(kMostDetail, view->map.area);
-    Shares shares = shares_of(truth, view->map, limits.gap_mm, kTolerance_mm);
+    Shares shares = shares_of(truth, view->map, limits.gap_mm, testing::kTolerance_mm);
     if (static_cast<int>(view->map.outlines.size()) >= limits.strokes)
         shares.seen.too_many_mm = std::exchange(shares.seen.wrong_mm, 0.0);
     const bool is_whole = shares.seen.share() >= kBar && shares.felt.share() >= kBar;
