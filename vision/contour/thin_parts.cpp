@@ -14,20 +14,32 @@ namespace {
 
 constexpr int kMostColours = 256;
 
-/// The pieces of a mask that are strokes all over.
-cv::Mat wholly_thin(const InkParts& parts) {
-    std::vector<uchar> is_thin(static_cast<std::size_t>(parts.pieces), 255);
-    is_thin[0] = 0;
+/// The pieces of a mask that are strokes all over, but for what runs along the picture's edge: a
+/// frame leaves it over.
+cv::Mat wholly_thin(const InkParts& parts, double greatest_width_px) {
+    struct Piece {
+        int pixels = 0;
+        int on_edge = 0;
+        bool has_shape = false;
+    };
+
+    std::vector<Piece> pieces(static_cast<std::size_t>(parts.pieces));
+    const auto is_edge = [](int at, int size) { return at == 0 || at == size - 1; };
     for (int y = 0; y < parts.piece.rows; ++y) {
         for (int x = 0; x < parts.piece.cols; ++x) {
-            if (parts.shapes(y, x) != 0) {
-                is_thin[static_cast<std::size_t>(parts.piece(y, x))] = 0;
-            }
+            Piece& piece = pieces[static_cast<std::size_t>(parts.piece(y, x))];
+            ++piece.pixels;
+            piece.on_edge += is_edge(y, parts.piece.rows) || is_edge(x, parts.piece.cols) ? 1 : 0;
+            piece.has_shape = piece.has_shape || parts.shapes(y, x) != 0;
         }
     }
+    pieces.front().has_shape = true;  // what is not of the mask
     cv::Mat thin(parts.piece.size(), CV_8U);
-    std::ranges::transform(parts.piece, thin.begin<uchar>(),
-                           [&](int piece) { return is_thin[static_cast<std::size_t>(piece)]; });
+    std::ranges::transform(parts.piece, thin.begin<uchar>(), [&](int number) {
+        const Piece& piece = pieces[static_cast<std::size_t>(number)];
+        const bool is_rim = greatest_width_px * piece.on_edge >= piece.pixels;
+        return piece.has_shape || is_rim ? uchar{0} : uchar{255};
+    });
     return thin;
 }
 
@@ -72,7 +84,7 @@ ThinParts thin_parts_of(const cv::Mat1b& map, double greatest_width_px) {
         const cv::Mat mask = map(box) == colour;
         const InkParts parts = parts_of(mask, greatest_width_px);
         cv::Mat here = thin(box);
-        here |= colour == ground ? wholly_thin(parts) : cv::Mat(parts.strokes);
+        here |= colour == ground ? wholly_thin(parts, greatest_width_px) : cv::Mat(parts.strokes);
     }
     ThinParts found{parts_of(thin, greatest_width_px).strokes, map.clone()};
     overgrow(found.map, found.strokes);

@@ -15,7 +15,8 @@ constexpr double kLeastLine_mm = 3.0;  // shorter ones are not asked for
 constexpr double kSeenStep = 60.0;
 constexpr int kNearCorner_px = 31;
 constexpr float kCornerBeyondMiddle = 2.0F;  // in half widths, at 60 degrees
-constexpr double kOpposite = -0.7;           // cosine between the gradients of a stroke's two sides
+constexpr double kAlong =
+    0.7;  // cosine between the gradients of the two sides of a stroke, or more
 
 const cv::Size kSheet(static_cast<int>(testing::kSheet_mm.width* kPixels_per_mm),
                       static_cast<int>(testing::kSheet_mm.height* kPixels_per_mm));
@@ -84,18 +85,18 @@ cv::Mat edges_of(const Gradient& gradient, const cv::Rect& picture) {
     return edges;
 }
 
-/// The nearest edge in this direction whose colours go the other way; a stroke lies between.
+/// The nearest edge in this direction that runs along this one; a stroke lies between.
 std::optional<cv::Point> other_side(const cv::Mat& edges, const Gradient& gradient,
                                     const cv::Point& from, const cv::Point2d& direction) {
     const cv::Point2d own = gradient.at(from) * (1.0 / cv::norm(gradient.at(from)));
     const int furthest = static_cast<int>(testing::kWidestLine_mm * kPixels_per_mm);
-    for (int step = 2; step <= furthest; ++step) {
+    for (int step = 4; step <= furthest; ++step) {
         const cv::Point middle = cv::Point2d(from) + direction * static_cast<double>(step);
         for (const cv::Point& beside : {cv::Point(0, 0), {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
             const cv::Point at = middle + beside;
             if (!cv::Rect({}, edges.size()).contains(at) || edges.at<uchar>(at) == 0) continue;
             const cv::Point2d there = gradient.at(at);
-            if (own.dot(there) < kOpposite * cv::norm(there)) return at;
+            if (std::abs(own.dot(there)) > kAlong * cv::norm(there)) return at;
         }
     }
     return std::nullopt;

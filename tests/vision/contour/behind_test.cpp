@@ -136,6 +136,23 @@ TEST(Behind, WhereAShapeFadesAwayItHasNoLine) {
     }
 }
 
+/// What a frame leaves over of the paper is no stroke, however near to it something lies.
+TEST(Behind, AFrameIsFeltWhereItIs) {
+    const cv::Rect2d frame(6, 6, 888, 638);
+    for (const double top : {14.0, 120.0}) {
+        Canvas canvas(kSize, kWhite);
+        canvas.stroke({box(frame)}, 4.0, {0, 0, 0});
+        canvas.fill({box({400, top, 90, 90})}, kDark);
+        const auto lines = flat_lines(canvas.picture());
+        ASSERT_EQ(lines.size(), 2U) << top;
+        const auto stroke =
+            std::ranges::find_if(lines, [](const Chain& line) { return line.width_px > 0.0; });
+        ASSERT_NE(stroke, lines.end()) << top;
+        EXPECT_NEAR(stroke->width_px, 4.0, 1.0) << top;
+        EXPECT_LT(farthest_px({*stroke}, frame), 1.5) << top;
+    }
+}
+
 void draw_grid(Canvas& canvas, double tilt_deg, bool both_ways, const cv::Scalar& ink) {
     const double tilt = std::tan(tilt_deg * std::numbers::pi / 180.0);
     for (double at = 60; at < 620; at += 70) {
