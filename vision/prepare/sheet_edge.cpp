@@ -15,7 +15,7 @@
 namespace touchline {
 namespace {
 
-constexpr double kCopyPixels = 6e4;  // four tenths of a millimetre at the hand each
+constexpr double kScanPixels = 6e4;  // four tenths of a millimetre at the hand each
 constexpr double kMostEqual = 0.8;   // of neighbouring pixels: more are painted, not seen
 constexpr double kRim = 0.12;        // of each side: there the bed may lie
 constexpr float kDark = 0.6F;        // of the lightest: no paper, however shaded
@@ -28,7 +28,7 @@ constexpr double kOnEdge_px = 1.3;
 constexpr double kMostlyOnEdge = 0.7;   // of the rows: strokes may run off the sheet
 constexpr double kLeastBeyond = 0.12;   // of the rows have bed
 constexpr double kLeastDepth_px = 1.5;  // of the bed, where there is any
-constexpr int kTries = 32;              // places along a side that lines are tried through
+constexpr int kEdgeTries = 32;          // places along a side that lines are tried through
 constexpr float kGrey = 30.0F;          // levels between channels: of lids and their shadows
 constexpr double kSameBed = 60.0;       // grey levels, all channels together
 constexpr double kMargin_px = 2.0;      // inside the edge, where it is soft
@@ -145,9 +145,9 @@ std::optional<Edge> edge_of(const cv::Mat1b& paper) {
     }
     std::optional<Edge> best;
     std::ptrdiff_t most = static_cast<std::ptrdiff_t>(kMostlyOnEdge * static_cast<double>(rows));
-    const auto row_of = [&](int i) { return from + rows * (2 * i + 1) / (2 * kTries); };
-    for (int i = 0; i < kTries; ++i) {
-        for (int j = i + kTries / 4; j < kTries; ++j) {
+    const auto row_of = [&](int i) { return from + rows * (2 * i + 1) / (2 * kEdgeTries); };
+    for (int i = 0; i < kEdgeTries; ++i) {
+        for (int j = i + kEdgeTries / 4; j < kEdgeTries; ++j) {
             const auto one = depths[static_cast<std::size_t>(row_of(i))];
             const auto other = depths[static_cast<std::size_t>(row_of(j))];
             if (one.value_or(0) == 0 || other.value_or(0) == 0) {
@@ -207,7 +207,7 @@ cv::Mat3f likely_paper(const cv::Mat3f& picture) {
 class Scan {
   public:
     explicit Scan(const cv::Mat& picture) {
-        reduced(picture, kCopyPixels).convertTo(copy_, CV_32FC3);
+        reduced(picture, kScanPixels).convertTo(copy_, CV_32FC3);
         const Paper paper(likely_paper(copy_));
         part_ = paper.part();
         surface_ = cv::Mat3f(copy_.size());
