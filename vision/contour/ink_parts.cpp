@@ -17,7 +17,9 @@ constexpr double kMostAlike = 0.55;    // of the ridges
 constexpr double kHair = 0.4;          // of the greatest width: a stroke, however it swells
 constexpr double kStillAStroke = 1.1;  // of the greatest width: strokes of a piece stay strokes
 constexpr double kWhereTwoMeet = 2.05;
-constexpr double kAsWide = 0.6;              // near its end, of what it is half-way
+constexpr double kLongOverWidth = 5.0;  // what stands out of a wide shape
+constexpr double kSwollen = 1.5;        // of the usual width: the deepest place of such a stroke
+constexpr double kAsWide = 0.6;         // near its end, of what it is half-way
 constexpr double kLeastTailOverWidth = 1.0;  // what stands out of a wide shape less is its corner
 
 /// Without the pieces of a mask that are too small, by neighbours of 4 or of 8.
@@ -160,24 +162,42 @@ cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vec
 }
 
 /// Strokes that swell and shrink, but for the finest, are shapes, however narrow: a star of rays.
-/// Each is asked by itself, without the wide shape that it may stand out of.
-void add_swelling(InkParts& parts, const cv::Mat1b& mask, double greatest_width_px) {
+/// What stands out of a wide shape is asked by itself, and is a stroke where it is long and even.
+void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<float>& usual_of_piece,
+                  double greatest_width_px) {
     cv::Mat1i label;
     const int n = cv::connectedComponents(mask & ~parts.shapes, label, 8, CV_32S);
     const std::vector<float> usual = usual_depths(parts.depth, label, n);
-    std::vector<float> deepest(usual.size(), 0.0F);
+
+    struct Stroke {
+        float deepest_px = 0.0F;
+        int pixels = 0;
+        bool is_of_a_stroke = false;  // its whole piece is one
+    };
+
+    std::vector<Stroke> strokes(usual.size());
     const auto of = [&](int y, int x) { return static_cast<std::size_t>(label(y, x)); };
     for (int y = 0; y < parts.depth.rows; ++y) {
         for (int x = 0; x < parts.depth.cols; ++x) {
-            deepest[of(y, x)] = std::max(deepest[of(y, x)], parts.depth(y, x));
+            Stroke& stroke = strokes[of(y, x)];
+            stroke.deepest_px = std::max(stroke.deepest_px, parts.depth(y, x));
+            ++stroke.pixels;
+            stroke.is_of_a_stroke = usual_of_piece[static_cast<std::size_t>(parts.piece(y, x))] > 0;
         }
     }
     const double hair_px = std::max(1.0, 0.5 * kHair * greatest_width_px) + 0.5;
+    const auto is_shape = [&](std::size_t i) {
+        const double width_px = 2.0 * static_cast<double>(usual[i]);
+        const auto deepest_px = static_cast<double>(strokes[i].deepest_px);
+        const bool is_long = strokes[i].pixels >= kLongOverWidth * width_px * width_px;
+        const bool is_even = deepest_px <= 0.5 * kSwollen * width_px + 0.5;
+        const bool is_stroke =
+            width_px > 0.0 && ((is_long && is_even) || strokes[i].is_of_a_stroke);
+        return i != 0 && !is_stroke && deepest_px > hair_px;
+    };
     for (int y = 0; y < parts.depth.rows; ++y) {
         for (int x = 0; x < parts.depth.cols; ++x) {
-            const std::size_t stroke = of(y, x);
-            if (stroke != 0 && !(usual[stroke] > 0.0F) &&
-                static_cast<double>(deepest[stroke]) > hair_px) {
+            if (is_shape(of(y, x))) {
                 parts.shapes(y, x) = 255;
             }
         }
@@ -201,7 +221,7 @@ InkParts parts_of(const cv::Mat1b& ink, double greatest_width_px) {
     parts.pieces = cv::connectedComponents(mask, parts.piece, 8, CV_32S);
     const std::vector<float> usual = usual_depths(parts.depth, parts.piece, parts.pieces);
     parts.shapes = wide_part(mask, parts, usual, greatest_width_px);
-    add_swelling(parts, mask, greatest_width_px);
+    add_swelling(parts, mask, usual, greatest_width_px);
     parts.strokes = cv::Mat(mask & ~parts.shapes);
     return parts;
 }
