@@ -317,8 +317,9 @@ class Joiner {
 
     /// Short dashes may pass for dots: then they are as long as those that do not.
     [[nodiscard]] static bool are_of_a_kind(const Piece& one, const Piece& other) {
+        constexpr double kAsLong = 0.2;
         return one.is_dot == other.is_dot || std::abs(one.length_px - other.length_px) <=
-                                                 kLike * std::max(one.length_px, other.length_px);
+                                                 kAsLong * std::max(one.length_px, other.length_px);
     }
 
     void consider(EndId a, EndId b, double widest_gap_px, std::vector<Link>& links) const {
