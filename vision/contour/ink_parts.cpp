@@ -213,10 +213,13 @@ cv::Mat1f depth_of(const cv::Mat& mask) {
 }
 
 InkParts parts_of(const cv::Mat1b& ink, double greatest_width_px) {
-    InkParts parts;
     // Pinholes lie where two strokes begin to part.
     const cv::Mat paper = ~without_specks(ink, 8);
-    const cv::Mat1b mask = cv::Mat(~without_specks(paper, 4));
+    return parts_of_clean(cv::Mat(~without_specks(paper, 4)), greatest_width_px);
+}
+
+InkParts parts_of_clean(const cv::Mat1b& mask, double greatest_width_px) {
+    InkParts parts;
     parts.depth = depth_of(mask);
     parts.pieces = cv::connectedComponents(mask, parts.piece, 8, CV_32S);
     const std::vector<float> usual = usual_depths(parts.depth, parts.piece, parts.pieces);

@@ -21,6 +21,9 @@ struct InkParts {
 /// of fewer than 8 pixels are left out. O(pixels).
 [[nodiscard]] InkParts parts_of(const cv::Mat1b& ink, double greatest_width_px);
 
+/// The same of a mask in which nothing is as small as a speck or a pinhole.
+[[nodiscard]] InkParts parts_of_clean(const cv::Mat1b& mask, double greatest_width_px);
+
 /// Distance of each pixel of the mask to the nearest one outside, pixels.
 [[nodiscard]] cv::Mat1f depth_of(const cv::Mat& mask);
 

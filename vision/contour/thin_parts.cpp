@@ -82,7 +82,7 @@ ThinParts thin_parts_of(const cv::Mat1b& map, double greatest_width_px) {
         const cv::Rect box =
             (extent.box + cv::Size(4, 4) - cv::Point(2, 2)) & cv::Rect({}, map.size());
         const cv::Mat mask = map(box) == colour;
-        const InkParts parts = parts_of(mask, greatest_width_px);
+        const InkParts parts = parts_of_clean(mask, greatest_width_px);
         cv::Mat here = thin(box);
         here |= colour == ground ? wholly_thin(parts, greatest_width_px) : cv::Mat(parts.strokes);
     }
