@@ -1,0 +1,13 @@
+// Holes that a punch made in a scanned sheet.
+// Threads: pure function.
+#pragma once
+
+#include "vision/prepare/sheet_sides.h"
+
+namespace touchline {
+
+/// 255 where holes are: two to six discs that are alike, in a row beside one side of the sheet,
+/// even about its middle. `ink`: what is neither paper nor beyond the sheet. O(pixels).
+[[nodiscard]] cv::Mat1b punched_holes(const cv::Mat1b& ink, const SheetEdges& edges);
+
+}  // namespace touchline
