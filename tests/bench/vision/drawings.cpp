@@ -64,10 +64,10 @@ Group chart_group() {
 }
 
 std::vector<Group> pixel_groups(const Group& charts) {
-    Group scans{"charts and plans, scanned", {}};
+    Group scans{"scanned charts and plans", {}};
     Group beds{"the same on a scanner's bed", {}};
     Group dashes{"broken lines as pixels", {}};
-    Group crossings{"thin and thick strokes, crossing", {}};
+    Group crossings{"thin and thick strokes that cross", {}};
     int seed = 0;
     for (const testing::Drawing& chart : charts.drawings) {
         add(scans, testing::scanned(chart, seed % kChartSeeds));
