@@ -123,7 +123,10 @@ def _home(kiosk, board):
             board.order(f'hear {told}')
         return followed and 'It works again' in words
     kiosk.to_choose()
-    wait_for(is_over, LONGEST_S, f'homing is over; followed: {followed}')
+    try:
+        wait_for(is_over, LONGEST_S, 'homing is over')
+    except Fault as fault:
+        raise Fault(f'{fault}; followed: {followed}') from fault
     return len(followed)
 
 
