@@ -13,6 +13,7 @@
 #include "vision/contour/region_map.h"
 #include "vision/contour/strokes.h"
 #include "vision/contour/thin_parts.h"
+#include "vision/prepare/painted_over.h"
 #include "vision/prepare/paper.h"
 
 #include <algorithm>
@@ -57,30 +58,6 @@ struct FlatPicture {
     cv::Mat1b soft;  // 255 on borders without a step
     double smoothing_px = 0.0;
 };
-
-/// Each pixel of the mask in the colour of the nearest one outside.
-LabPicture painted_over(const LabPicture& lab, const cv::Mat1b& mask) {
-    cv::Mat1f apart;
-    cv::Mat1i nearest;  // the same number for all that are nearest to one pixel outside
-    cv::distanceTransform(mask, apart, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
-    std::vector<cv::Vec3f> colours(lab.total() + 1);
-    for (int y = 0; y < mask.rows; ++y) {
-        for (int x = 0; x < mask.cols; ++x) {
-            if (mask(y, x) == 0) {
-                colours[static_cast<std::size_t>(nearest(y, x))] = lab(y, x);
-            }
-        }
-    }
-    LabPicture painted = lab.clone();
-    for (int y = 0; y < mask.rows; ++y) {
-        for (int x = 0; x < mask.cols; ++x) {
-            if (mask(y, x) != 0) {
-                painted(y, x) = colours[static_cast<std::size_t>(nearest(y, x))];
-            }
-        }
-    }
-    return painted;
-}
 
 uchar commonest(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palette) {
     std::vector<int> counts(palette.size(), 0);

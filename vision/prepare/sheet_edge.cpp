@@ -1,6 +1,7 @@
 #include "vision/prepare/sheet_edge.h"
 
 #include "vision/contour/gradient.h"
+#include "vision/prepare/painted_over.h"
 #include "vision/prepare/paper.h"
 #include "vision/prepare/punched_holes.h"
 #include "vision/prepare/sheet_sides.h"
@@ -102,22 +103,7 @@ class Scan {
     /// The paper's colour, of the nearest place of the sheet where it is beyond: no surface is
     /// known there.
     [[nodiscard]] cv::Mat3f paper_beside(const cv::Mat1b& beyond) const {
-        cv::Mat1f apart;
-        cv::Mat1i nearest;
-        cv::distanceTransform(beyond, apart, nearest, cv::DIST_L2, cv::DIST_MASK_5,
-                              cv::DIST_LABEL_PIXEL);
-        std::vector<cv::Vec3f> colours(beyond.total() + 1);
-        for (int y = 0; y < beyond.rows; ++y) {
-            for (int x = 0; x < beyond.cols; ++x) {
-                if (beyond(y, x) == 0) {
-                    colours[static_cast<std::size_t>(nearest(y, x))] = surface_(y, x);
-                }
-            }
-        }
-        cv::Mat3f paper(beyond.size());
-        std::ranges::transform(nearest, paper.begin(),
-                               [&](int place) { return colours[static_cast<std::size_t>(place)]; });
-        return paper;
+        return painted_over(surface_, beyond);
     }
 
     /// What is not of the sheet, 255; empty where all is.

@@ -1,0 +1,12 @@
+// What lies beneath a part of a picture, guessed from what lies beside it.
+// Threads: pure function.
+#pragma once
+
+#include "vision/contour/gradient.h"
+
+namespace touchline {
+
+/// The picture with each pixel of the mask in the colour of the nearest one outside. O(pixels).
+[[nodiscard]] cv::Mat3f painted_over(const cv::Mat3f& picture, const cv::Mat1b& mask);
+
+}  // namespace touchline
