@@ -165,8 +165,12 @@ cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vec
 /// What stands out of a wide shape is asked by itself, and is a stroke where it is long and even.
 void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<float>& usual_of_piece,
                   double greatest_width_px) {
+    const cv::Mat rest = mask & ~parts.shapes;
+    if (cv::countNonZero(rest) == 0) {
+        return;
+    }
     cv::Mat1i label;
-    const int n = cv::connectedComponents(mask & ~parts.shapes, label, 8, CV_32S);
+    const int n = cv::connectedComponents(rest, label, 8, CV_32S);
     const std::vector<float> usual = usual_depths(parts.depth, label, n);
 
     struct Stroke {
@@ -186,20 +190,19 @@ void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<floa
         }
     }
     const double hair_px = std::max(1.0, 0.5 * kHair * greatest_width_px) + 0.5;
-    const auto is_shape = [&](std::size_t i) {
+    std::vector<uchar> shape(strokes.size(), 0);
+    for (std::size_t i = 1; i < strokes.size(); ++i) {
         const double width_px = 2.0 * static_cast<double>(usual[i]);
         const auto deepest_px = static_cast<double>(strokes[i].deepest_px);
         const bool is_long = strokes[i].pixels >= kLongOverWidth * width_px * width_px;
         const bool is_even = deepest_px <= 0.5 * kSwollen * width_px + 0.5;
         const bool is_stroke =
             width_px > 0.0 && ((is_long && is_even) || strokes[i].is_of_a_stroke);
-        return i != 0 && !is_stroke && deepest_px > hair_px;
-    };
+        shape[i] = !is_stroke && deepest_px > hair_px ? 255 : 0;
+    }
     for (int y = 0; y < parts.depth.rows; ++y) {
         for (int x = 0; x < parts.depth.cols; ++x) {
-            if (is_shape(of(y, x))) {
-                parts.shapes(y, x) = 255;
-            }
+            parts.shapes(y, x) |= shape[of(y, x)];
         }
     }
 }
