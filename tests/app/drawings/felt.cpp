@@ -94,12 +94,8 @@ bool is_unjudged(const Drawing& drawing, const cv::Point2d& at) {
                        [&](const cv::Rect2d& r) { return r.contains(at); });
 }
 
-cv::Mat pixels_of(Page& page) {
-    return {page.picture.height, page.picture.width, CV_8UC3, page.picture.bgr.data()};
-}
-
 void reduce(Page& page, double most_pixels) {
-    const cv::Mat pixels = pixels_of(page);
+    const cv::Mat pixels = pixels_of(page.picture);
     const double scale = std::sqrt(most_pixels / static_cast<double>(pixels.total()));
     if (scale >= 1.0) return;
     cv::Mat small;
@@ -173,6 +169,10 @@ Counted& Counted::operator+=(const Counted& other) {
 
 Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm) {
     return felt_of(drawing, detail, tolerance_mm, std::numeric_limits<double>::infinity());
+}
+
+cv::Mat pixels_of(Picture& picture) {
+    return {picture.height, picture.width, CV_8UC3, picture.bgr.data()};
 }
 
 Result<Page> whole_page(std::string_view file) {

@@ -40,6 +40,9 @@ struct Felt {
     std::vector<std::vector<cv::Point2d>> missed;  // stretches of the seen lines, for a look
 };
 
+/// The picture's own pixels: 8-bit BGR.
+[[nodiscard]] cv::Mat pixels_of(Picture& picture);
+
 /// All of a file's first page, painted as finely as it is felt.
 [[nodiscard]] Result<Page> whole_page(std::string_view file);
 

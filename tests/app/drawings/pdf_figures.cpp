@@ -159,7 +159,7 @@ void tiled_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
         sheet.know(stroked(moved(triangle(), corner + tile), paint.width_mm, paint.colour));
 }
 
-/// From one dark colour to another, along or outwards.
+/// Shaded: one dark colour goes over into another, along or outwards.
 void shaded_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
     const Form form = any_form(chance, at, kFigure_mm);
     const std::string way =

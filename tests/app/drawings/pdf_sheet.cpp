@@ -10,8 +10,8 @@
 namespace touchline::testing {
 namespace {
 
-/// From the sheet to a page with this many points for a millimetre, which a viewer turns clockwise
-/// by so many quarters.
+/// Leads from the sheet to a page with this many points for a millimetre, which a viewer turns
+/// clockwise by so many quarters.
 Matrix page_matrix(double k, int quarter_turns) {
     const double width = k * kSheet_mm.width;
     const double height = k * kSheet_mm.height;

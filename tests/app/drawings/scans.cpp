@@ -19,11 +19,10 @@ namespace {
 
 constexpr Effects kScanner{0.8, 3.0, 0.15, 80};
 
-Result<cv::Mat> pixels_of(const Drawing& drawing) {
+Result<cv::Mat> painted_pixels(const Drawing& drawing) {
     auto page = whole_page(drawing.file);
     if (!page) return tl::unexpected(page.error());
-    return cv::Mat(page->picture.height, page->picture.width, CV_8UC3, page->picture.bgr.data())
-        .clone();
+    return pixels_of(page->picture).clone();
 }
 
 Drawing with_file(const Drawing& drawing, const cv::Mat& bgr, std::string_view what) {
@@ -64,7 +63,7 @@ constexpr std::array<Bed, 10> kBeds{{
     {"rounded, on a dark bed", true, 0.06, 0.06, 0.06, 0.06, 3.0, 0.0, 5.0},
 }};
 
-/// From millimetres of the sheet to those of the picture.
+/// Leads from millimetres of the sheet to those of the picture.
 class Placing {
   public:
     Placing(const Bed& bed, double turn_deg)
@@ -178,14 +177,14 @@ cv::Mat on_bed(const cv::Mat& sheet, const Bed& bed, const Placing& placing, Cha
 }  // namespace
 
 Result<Drawing> as_pixels(const Drawing& drawing, const Effects& effects) {
-    return pixels_of(drawing).map(
+    return painted_pixels(drawing).map(
         [&](const cv::Mat& bgr) { return with_file(drawing, seen(bgr, effects), "as pixels"); });
 }
 
 Result<Drawing> scanned(const Drawing& drawing, int seed) {
     Effects effects = kScanner;
     effects.seed = seed;
-    return pixels_of(drawing).map(
+    return painted_pixels(drawing).map(
         [&](const cv::Mat& bgr) { return with_file(drawing, seen(bgr, effects), "scanned"); });
 }
 
@@ -206,7 +205,7 @@ Result<Drawing> scanned_on_bed(const Drawing& drawing, int kind, int seed) {
     for (cv::Rect2d& rect : moved.unjudged) rect = placing.around(rect);
     Effects effects = kScanner;
     effects.seed = seed;
-    return pixels_of(drawing).map([&](const cv::Mat& bgr) {
+    return painted_pixels(drawing).map([&](const cv::Mat& bgr) {
         return with_file(moved, seen(on_bed(bgr, bed, placing, chance), effects), bed.name);
     });
 }

@@ -11,7 +11,7 @@ namespace touchline::bench {
 namespace {
 
 constexpr double kLeastLine_mm = 3.0;  // shorter ones are not asked for
-// Of a Sobel filter where a step of 25 of 255 has become three pixels wide.
+// What a Sobel filter gives where a step of 25 of 255 has become three pixels wide.
 constexpr double kSeenStep = 60.0;
 constexpr int kNearCorner_px = 31;
 constexpr float kCornerBeyondMiddle = 2.0F;  // in half widths, at 60 degrees
@@ -43,7 +43,7 @@ Fitted on_sheet(const cv::Mat& picture) {
     return {sheet, {{left, top}, fitted.size()}};
 }
 
-/// At each pixel the gradient of the channel that changes most.
+/// The gradient of the channel that changes most, pixel by pixel.
 struct Gradient {
     cv::Mat x, y;  // 16-bit
 

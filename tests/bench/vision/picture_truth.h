@@ -15,9 +15,9 @@ struct PictureTruth {
     cv::Mat edges;  // where colours meet
     cv::Mat lines;  // these, and the middles of strokes up to testing::kWidestLine_mm
 
-    /// Of each edge pixel where it may be felt: there, or in the middle of the stroke on either
-    /// side. At a stroke's corners and ends no side lies opposite: there the middle is somewhere
-    /// within `beside_px`.
+    /// Where an edge pixel may be felt: there, or in the middle of the stroke on either side. At a
+    /// stroke's corners and ends no side lies opposite: there the middle is somewhere within
+    /// `beside_px`.
     struct Edge {
         std::vector<cv::Point> choices;
         float beside_px = 0.0F;
@@ -28,11 +28,11 @@ struct PictureTruth {
 
 inline constexpr double kPixels_per_mm = 10.0;
 
-/// Of an 8-bit picture of 3 channels, fitted on the sheet. Its own border is no
-/// edge. O(pixels).
+/// The truth of an 8-bit picture of 3 channels, fitted on the sheet. Its own border is no edge.
+/// O(pixels).
 [[nodiscard]] PictureTruth truth_of(const cv::Mat& picture);
 
-/// Of the edges the share that is felt within the tolerance, and of the felt lines the share that
+/// The share of the edges that is felt within the tolerance, and the share of the felt lines that
 /// is seen. Edges beside each other, within `gap_mm`, count once one of them is felt.
 struct Shares {
     testing::Counted seen;

@@ -51,10 +51,6 @@ std::vector<fs::path> drawings_below(const fs::path& folder) {
     return out;
 }
 
-cv::Mat pixels_of(Picture& picture) {
-    return {picture.height, picture.width, CV_8UC3, picture.bgr.data()};
-}
-
 /// What became of it, as one word, and the shares.
 struct Judged {
     std::string became;
@@ -64,11 +60,11 @@ struct Judged {
 Judged judged(const fs::path& drawing) {
     auto painted = open_page_of(fs::path(drawing).replace_extension(".png").string());
     if (!painted) return {"blank", {}};
-    const PictureTruth truth = truth_of(pixels_of(painted->picture));
+    const PictureTruth truth = truth_of(testing::pixels_of(painted->picture));
     if (truth.each.empty()) return {"blank", {}};
     auto view = testing::whole_view_of(drawing_at(drawing), kMostDetail, 1e9);
     if (!view) return {"refused", {}};
-    if (!are_alike(truth, truth_of(pixels_of(view->page.picture)), testing::kTolerance_mm))
+    if (!are_alike(truth, truth_of(testing::pixels_of(view->page.picture)), testing::kTolerance_mm))
         return {"otherwise", {}};
     const DetailLimits limits = limits_for(kMostDetail, view->map.area);
     Shares shares = shares_of(truth, view->map, limits.gap_mm, testing::kTolerance_mm);
