@@ -22,6 +22,7 @@ void ServoLine::connect(std::shared_ptr<const Connection> connection) {
 void ServoLine::disconnect() {
     const std::lock_guard lock(mutex_);
     connection_.reset();
+    has_ended_ = true;
 }
 
 void ServoLine::note(const std::string& line) {
@@ -85,6 +86,7 @@ void ServoLine::update(ServoReport& report, std::int64_t now_ns) {
     if (!connection_) {
         report.hand.force = {};
         report.force = {};
+        if (has_ended_ && words_.empty()) report.force.fault = Fault::device_lost;
         return;
     }
     ServoChannel& channel = connection_->region.channel();

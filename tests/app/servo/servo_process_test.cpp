@@ -4,6 +4,7 @@
 
 #include "app/process/child.h"
 #include "app/servo/messages.h"
+#include "app/servo/servo_line.h"
 #include "app/servo/servo_peer.h"
 #include "app/servo/shared_region.h"
 #include "config/types/map_bytes.h"
@@ -87,6 +88,42 @@ TEST_F(ServoProcess, WhyThereIsNoServoStaysToBeReadWhileTheNextIsTried) {
     EXPECT_EQ(silences, 0);
     EXPECT_EQ(tiers, 0);
     board_.owner = 0;
+}
+
+/// Between a servo whose board was unplugged and the next, which finds none, it was said to work.
+TEST(ServoLine, TheDeviceIsLostFromAServosEndUntilMoreIsSaidOrTheNextReports) {
+    ServoLine line;
+    ServoReport report;
+    const auto fault = [&] {
+        line.update(report, steady_now_ns());
+        return report.force.fault;
+    };
+    const auto connect = [&] {
+        auto connection = std::make_shared<const Connection>(
+            Connection{SharedRegion::create().value(), Descriptor()});
+        line.connect(connection);
+        return connection;
+    };
+    EXPECT_EQ(fault(), Fault::none);  // not yet begun
+    const auto first = connect();
+    ServoReport told;
+    told.force.fault = Fault::device_lost;
+    first->region.channel().reports.write(told);
+    EXPECT_EQ(fault(), Fault::device_lost);
+    line.disconnect();
+    EXPECT_EQ(fault(), Fault::device_lost);
+    const auto second = connect();
+    EXPECT_EQ(fault(), Fault::device_lost);  // it has told nothing yet
+    line.say("No board is plugged in.");
+    line.disconnect();
+    EXPECT_EQ(fault(), Fault::none);  // the words stand for it
+    const auto third = connect();
+    line.say("");
+    line.disconnect();
+    EXPECT_EQ(fault(), Fault::device_lost);
+    const auto fourth = connect();
+    fourth->region.channel().reports.write({});
+    EXPECT_EQ(fault(), Fault::none);
 }
 
 /// Of a board that nobody has named the kind of; zeroed until it confirmed that once.
