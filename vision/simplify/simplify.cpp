@@ -6,6 +6,7 @@
 #include "vision/simplify/placement.h"
 #include "vision/simplify/ranking.h"
 #include "vision/simplify/selection.h"
+#include "vision/simplify/silhouettes.h"
 #include "vision/simplify/surroundings.h"
 
 #include <algorithm>
@@ -99,8 +100,10 @@ Simplified simplified(const PictureLines& found, const Area& area, int detail, c
     report.breaks_closed = static_cast<int>(in_pieces - lines.size());
     std::vector<Chain> frames =
         frames_of(lines, picture_in_zoom(placement, found.working, map.area, zoom));
-    const std::vector<double> outer = outer_shares(lines, area_mm);
-    std::vector<RankedLine> order = ranked(std::move(lines), outer, found.high);
+    const Outside outside(lines, area_mm);
+    lines = with_silhouettes_joined(std::move(lines), outside);
+    const std::vector<double> shares = outside.shares_of(lines);
+    std::vector<RankedLine> order = ranked(std::move(lines), shares, found.high);
     if (detail < kLeastDetailOfFrame) {
         report.frames_dropped = static_cast<int>(frames.size());
     } else {

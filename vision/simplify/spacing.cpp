@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <utility>
+
+#include <opencv2/imgproc.hpp>
 
 namespace touchline {
 namespace {
@@ -14,12 +17,21 @@ constexpr double kOpening_mm = 2.5;  // each side of a crossing
 constexpr double kSamePlace_mm = 1e-9;
 constexpr double kSmallBreak_mm = 4.0;  // a groove must not end by accident
 constexpr double kShort_mm = 1e-3;      // a thousand times the grid of a map; no finger feels it
+constexpr double kTwoShapes_mm = 3.2;   // the least at which a finger finds two of them
 
 /// In the order in which they lie along their line.
 void sort_along(const std::vector<EdgePoint>& line, std::vector<LineFoot>& feet) {
     std::ranges::stable_sort(feet, {}, [&](const LineFoot& foot) {
         return std::pair(foot.index, distance(foot.at, line[foot.index].at));
     });
+}
+
+bool holds(const Chain& ring, cv::Point2d p) {
+    std::vector<cv::Point2f> points;
+    for (const EdgePoint& point : ring.points) {
+        points.emplace_back(point.at);
+    }
+    return cv::pointPolygonTest(points, p, false) > 0.0;
 }
 
 }  // namespace
@@ -63,13 +75,32 @@ std::optional<OwnStretch> SpacedLines::longest(const std::vector<EdgePoint>& poi
     return best && best->length_mm > 0.0 ? best : std::nullopt;
 }
 
+/// Whether a ring and all that is near it are shapes beside one another that a finger can tell
+/// apart.
+bool SpacedLines::stands_beside(const Chain& ring) const {
+    double least_mm = std::numeric_limits<double>::infinity();
+    std::set<std::size_t> neighbours;
+    for (const EdgePoint& p : ring.points) {
+        grid_.near(p.at, p.at, scale_.clearance_mm(), [&](const LineSegment& segment) {
+            least_mm = std::min(least_mm, distance(nearest_on(segment, p.at), p.at));
+            neighbours.insert(segment.line);
+        });
+    }
+    return least_mm > kTwoShapes_mm + 0.5 * scale_.step_mm &&
+           std::ranges::all_of(neighbours, [&](std::size_t number) {
+               const Chain& other = lines_[number];
+               return other.is_closed && !holds(other, ring.points[0].at) &&
+                      !holds(ring, other.points[0].at);
+           });
+}
+
 /// A ring cut open at its first point that something is in the way of; nothing: it is clear.
 std::optional<Candidate> SpacedLines::opened(const Chain& ring) const {
     std::vector<EdgePoint> points = ring.points;
     const auto blocked = std::ranges::find_if(points, [&](const EdgePoint& p) {
         return nearest(p.at, scale_.clearance_mm()).has_value();
     });
-    if (blocked != points.end()) {
+    if (blocked != points.end() && !stands_beside(ring)) {
         std::ranges::rotate(points, blocked);
     } else if (const auto own = too_near_itself(ring, scale_)) {
         std::ranges::rotate(points, points.begin() + static_cast<std::ptrdiff_t>(*own));

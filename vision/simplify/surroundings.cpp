@@ -62,23 +62,44 @@ int sides_near(const Chain& line, const cv::Rect2d& picture_mm, double reach_mm)
 
 }  // namespace
 
-std::vector<double> outer_shares(const std::vector<Chain>& lines, cv::Size2d area_mm) {
+Outside::Outside(const std::vector<Chain>& lines, cv::Size2d area_mm) {
     cv::Mat1f to_line;
     cv::distanceTransform(free_cells(lines, area_mm), to_line, cv::DIST_L2, 5);
     cv::Mat passable = to_line > kDisc_mm / kCell_mm;
     constexpr uchar kOutside = 128;
     cv::floodFill(passable, cv::Point(0, 0), cv::Scalar(kOutside), nullptr, {}, {}, 8);
-    cv::Mat1f to_outside;
-    cv::distanceTransform(passable != kOutside, to_outside, cv::DIST_L2, 5);
+    cv::distanceTransform(passable != kOutside, to_outside_, cv::DIST_L2, 5);
+}
+
+double Outside::share_of(const Chain& line) const {
     constexpr float kReached = static_cast<float>(kDisc_mm / kCell_mm + 1.5);
-    std::vector<double> shares;
-    shares.reserve(lines.size());
-    for (const Chain& line : lines) {
-        const auto reached = std::ranges::count_if(
-            line.points, [&](const EdgePoint& p) { return to_outside(cell_of(p.at)) < kReached; });
-        shares.push_back(static_cast<double>(reached) / static_cast<double>(line.points.size()));
-    }
+    const auto reached = std::ranges::count_if(
+        line.points, [&](const EdgePoint& p) { return to_outside_(cell_of(p.at)) < kReached; });
+    return static_cast<double>(reached) / static_cast<double>(line.points.size());
+}
+
+std::vector<double> Outside::shares_of(const std::vector<Chain>& lines) const {
+    std::vector<double> shares(lines.size());
+    std::ranges::transform(lines, shares.begin(),
+                           [&](const Chain& line) { return share_of(line); });
     return shares;
+}
+
+double Outside::share_on_both_sides(const Chain& line) const {
+    constexpr double kBeside_mm = 2.0;
+    const auto is_out = [&](cv::Point2d p) {
+        const cv::Point cell = cell_of(p);
+        return !cv::Rect({}, to_outside_.size()).contains(cell) || to_outside_(cell) <= 0.0F;
+    };
+    std::size_t both = 0;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const cv::Point2d at = line.points[i].at;
+        const cv::Point2d along = at - line.points[i - 1].at;
+        const cv::Point2d beside =
+            kBeside_mm / std::max(1e-9, cv::norm(along)) * cv::Point2d(-along.y, along.x);
+        both += is_out(at + beside) && is_out(at - beside) ? 1U : 0U;
+    }
+    return static_cast<double>(both) / static_cast<double>(line.points.size());
 }
 
 bool is_frame(const Chain& line, const cv::Rect2d& picture_mm) {

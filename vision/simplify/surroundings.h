@@ -10,10 +10,24 @@
 
 namespace touchline {
 
-/// For each line the share of its points, 0..1, that can be reached from outside the area by a disc
-/// of 1.5 mm (a smaller break in the outer line does not let it in). Lines under 15 mm hide
-/// nothing. O(area / 0.25 mm^2 + points).
-[[nodiscard]] std::vector<double> outer_shares(const std::vector<Chain>& lines, cv::Size2d area_mm);
+/// What can be reached from outside the area by a disc of 1.5 mm: a smaller break in the outer line
+/// does not let it in. Lines under 15 mm hide nothing. O(area / 0.25 mm^2 + points).
+class Outside {
+  public:
+    Outside(const std::vector<Chain>& lines, cv::Size2d area_mm);
+
+    /// The share of a line's points, 0..1, that it reaches. O(points).
+    [[nodiscard]] double share_of(const Chain& line) const;
+
+    [[nodiscard]] std::vector<double> shares_of(const std::vector<Chain>& lines) const;
+
+    /// The share of them that it reaches from either side: of a line that stands out by itself,
+    /// where one that goes round a thing has it on one side. O(points).
+    [[nodiscard]] double share_on_both_sides(const Chain& line) const;
+
+  private:
+    cv::Mat1f to_outside_;  // cells
+};
 
 /// Whether a line is the picture's own frame: nine tenths of it within 4 % of the shorter side of
 /// the picture's edges, along three of them at least.

@@ -5,6 +5,7 @@
 #include "vision/simplify/loops.h"
 #include "vision/simplify/parts.h"
 #include "vision/simplify/shaping.h"
+#include "vision/simplify/silhouettes.h"
 #include "vision/simplify/spacing.h"
 #include "vision/simplify/surroundings.h"
 
@@ -272,9 +273,60 @@ TEST(Spacing, ALineThatEndsWellBeforeAnotherKeepsItsDistance) {
     EXPECT_FALSE(spaced.fit({line({{10, 44}, {100, 44}})}));  // beside it all the way
 }
 
+TEST(Spacing, TwoShapesBesideEachOtherStayTwoDownToWhatAFingerTellsApart) {
+    const auto second = [](const Chain& first, const Chain& other) {
+        SpacedLines spaced(size_mm, 12.0, 0.25);
+        spaced.add(*spaced.fit({first}));
+        return spaced.fit({other});
+    };
+    const Chain left = ring({30, 40}, 20.0);
+    const auto apart = second(left, ring({74, 40}, 20.0));
+    ASSERT_TRUE(apart);
+    EXPECT_TRUE(apart->line.is_closed);  // 4 mm
+    const auto touching = second(left, ring({73, 40}, 20.0));
+    ASSERT_TRUE(touching);
+    EXPECT_FALSE(touching->line.is_closed);  // 3 mm
+    EXPECT_TRUE(touching->front && touching->back);
+    EXPECT_FALSE(second(left, ring({30, 40}, 14.0)));  // within it
+    EXPECT_FALSE(second(left, ring({30, 40}, 26.0)));  // around it
+    const auto line_beside = second(left, line({{54, 10}, {54, 70}}));
+    ASSERT_TRUE(line_beside);  // no shape: kept the gap
+    EXPECT_LT(length_of(line_beside->line), 60.0);
+}
+
+TEST(Silhouettes, TheSidesOfAThingAreOneRingWhateverLineLedIntoIt) {
+    const std::vector<Chain> lines{line({{20, 20}, {90, 20}, {90, 70}, {55, 70}}),
+                                   line({{55, 70}, {20, 70}, {20, 40}, {55, 40}}),  // and into it
+                                   line({{20, 40}, {20, 20}}), line({{55, 40}, {55, 70}})};
+    const std::vector<Chain> joined = with_silhouettes_joined(lines, Outside(lines, size_mm));
+    ASSERT_EQ(joined.size(), 3U);
+    const auto ring = std::ranges::find_if(joined, &Chain::is_closed);
+    ASSERT_NE(ring, joined.end());
+    EXPECT_NEAR(held_area(*ring), 70.0 * 50.0, 1e-6);
+    double length_mm = 0.0;
+    for (const Chain& line : joined) length_mm += line.is_closed ? 0.0 : length_of(line);
+    EXPECT_NEAR(length_mm, 35.0 + 30.0, 1e-6);
+}
+
+TEST(Silhouettes, WhereALineStandsOutOrTwoThingsTouchAllStaysAsItIs) {
+    // Two bars on an axis, which stays one line.
+    const std::vector<Chain> bars{line({{10, 70}, {110, 70}}),
+                                  line({{20, 70}, {20, 30}, {40, 30}, {40, 70}}),
+                                  line({{60, 70}, {60, 50}, {80, 50}, {80, 70}})};
+    std::vector<Chain> with_feet = bars;
+    with_feet[0] = line({{10, 70}, {20, 70}, {40, 70}, {60, 70}, {80, 70}, {110, 70}});
+    const std::vector<Chain> joined = with_silhouettes_joined(with_feet, Outside(bars, size_mm));
+    ASSERT_EQ(joined.size(), 3U);
+    for (const Chain& line : joined)
+        EXPECT_NEAR(length_of(line), line.points[0].at.x == 60 ? 60 : 100, 1e-6);
+    const std::vector<Chain> touching{line({{50, 40}, {20, 20}, {20, 60}, {50, 40}}),
+                                      line({{50, 40}, {90, 20}, {90, 60}, {50, 40}})};
+    EXPECT_EQ(with_silhouettes_joined(touching, Outside(touching, size_mm)).size(), 2U);
+}
+
 TEST(Surroundings, WhatARingHoldsIsInsideAndAFrameIsAFrame) {
     const std::vector<Chain> lines{ring({58, 42}, 35.0), ring({58, 42}, 12.0), ring({10, 10}, 6.0)};
-    const std::vector<double> shares = outer_shares(lines, size_mm);
+    const std::vector<double> shares = Outside(lines, size_mm).shares_of(lines);
     EXPECT_GT(shares[0], 0.95);
     EXPECT_LT(shares[1], 0.05);
     EXPECT_GT(shares[2], 0.95);

@@ -99,6 +99,24 @@ bool are_sides_of_a_corner(const Place& a, const Place& b, const std::vector<Pla
     });
 }
 
+bool holds(const std::vector<Position>& ring, Position p) {
+    bool is_inside = false;
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+        const Position a = ring[i];
+        const Position b = ring[i + 1];
+        is_inside ^=
+            (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+    }
+    return is_inside;
+}
+
+/// Two rings, neither within the other: a finger finds both 3.2 mm apart.
+bool are_beside(const Outline& a, const Outline& b) {
+    const auto first_mm = [](const Outline& outline) { return 1000.0 * outline.points.front(); };
+    return &a != &b && a.is_closed && b.is_closed && !holds(in_mm(a), first_mm(b)) &&
+           !holds(in_mm(b), first_mm(a));
+}
+
 /// Where spacing does not count: ends on or just short of a line, and corners.
 std::vector<Position> exempt(const TactileMap& map, double gap_mm) {
     std::vector<Position> centres;
@@ -145,6 +163,7 @@ void judge_spacing(const TactileMap& map, const TouchRules& rules,
             }
             const double apart_mm = norm(a.at - b.at);
             if (along_mm > 4.0 * rules.gap_mm && apart_mm < rules.gap_mm - 1e-6 &&
+                !(apart_mm > 3.2 && are_beside(map.outlines[a.outline], map.outlines[b.outline])) &&
                 !(a.outline == b.outline &&
                   are_sides_of_a_corner(a, b, corners[a.outline], lengths[a.outline]))) {
                 faults.push_back(

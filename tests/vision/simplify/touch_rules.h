@@ -26,7 +26,7 @@ struct TouchRules {
 /// * spacing: places 0.3 mm apart on two outlines, or more than four gaps apart along one, are a
 ///   gap apart, save within a gap (and `bridge_mm`) of a place where one outline ends on another,
 ///   of an end that a crossing left open (2.5 mm from the other line) or of a corner (turn of 40
-///   degrees over 1 mm);
+///   degrees over 1 mm); two rings, neither within the other, 3.2 mm apart;
 /// * no two segments cross.
 [[nodiscard]] std::vector<std::string> faults_of(const TactileMap& map, const TouchRules& rules);
 

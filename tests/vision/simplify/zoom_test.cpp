@@ -68,8 +68,8 @@ TEST(Zoom, WhatLeavesTheAreaIsCutOnItsRim) {
 
 TEST(Zoom, DetailAppliesToWhatIsThere) {
     cv::Mat picture(336, 464, CV_8UC1, cv::Scalar(255));
-    for (int i = 0; i < 12; ++i) {  // two by two squares in each corner, 4 mm apart, and more
-        const cv::Rect square(10 + 34 * (i % 4), 10 + 34 * (i / 4), 18, 18);
+    for (int i = 0; i < 12; ++i) {  // squares in three rows, 2.5 mm apart
+        const cv::Rect square(10 + 28 * (i % 4), 10 + 28 * (i / 4), 18, 18);
         picture(square).setTo(cv::Scalar::all(0));
     }
     const auto found = find_lines(picture, {.area = {}, .picture_class = PictureClass::diagram});
@@ -81,7 +81,7 @@ TEST(Zoom, DetailAppliesToWhatIsThere) {
     const auto closed = [](const TactileMap& map) {
         return std::ranges::count_if(map.outlines, &Outline::is_closed);
     };
-    EXPECT_LT(closed(whole->map), 4);  // 4 mm between them: too near
+    EXPECT_LT(closed(whole->map), 4);  // 2.5 mm between them: too near
     EXPECT_GE(closed(near->map), 8);
 }
 
