@@ -22,6 +22,7 @@ void ServoLine::connect(std::shared_ptr<const Connection> connection) {
 void ServoLine::disconnect() {
     const std::lock_guard lock(mutex_);
     connection_.reset();
+    has_told_ = false;
     has_ended_ = true;
 }
 
@@ -83,17 +84,16 @@ void ServoLine::send_scene() {
 void ServoLine::update(ServoReport& report, std::int64_t now_ns) {
     asked_ns_.store(now_ns, std::memory_order_relaxed);
     const std::lock_guard lock(mutex_);
-    if (!connection_) {
-        report.hand.force = {};
-        report.force = {};
-        if (has_ended_ && words_.empty()) report.force.fault = Fault::device_lost;
-        return;
+    if (connection_ && connection_->region.channel().reports.update()) {
+        const ServoReport told = connection_->region.channel().reports.value();
+        std::atomic_signal_fence(std::memory_order_acq_rel);  // copied, then judged
+        if (is_sound(told)) report = told;
+        has_told_ = true;
     }
-    ServoChannel& channel = connection_->region.channel();
-    if (!channel.reports.update()) return;
-    const ServoReport told = channel.reports.value();
-    std::atomic_signal_fence(std::memory_order_acq_rel);  // copied, then judged
-    if (is_sound(told)) report = told;
+    if (has_told_) return;
+    report.hand.force = {};
+    report.force = {};
+    if (has_ended_ && words_.empty()) report.force.fault = Fault::device_lost;
 }
 
 std::optional<ContactEvent> ServoLine::next_event() {

@@ -41,9 +41,9 @@ class ServoLine {
     void feel(const FeltPicture& picture);
     /// hold, keep or forget: what is to become of the last minute.
     void ask_recorder(MessageKind wish);
-    /// The newest report, if it is sound; without force while there is no servo, and with the device
-    /// lost from a servo's end until words tell more or the next one reports: nothing works again
-    /// because nobody is left to say that it does not.
+    /// The newest report, if it is sound; without force while no servo has told one, and with the
+    /// device lost from a servo's end until words tell more or the next one reports: nothing works
+    /// again because nobody is left to say that it does not.
     void update(ServoReport& report, std::int64_t now_ns);
     [[nodiscard]] std::optional<ContactEvent> next_event();
     [[nodiscard]] std::optional<RealTimeTier> tier() const;
@@ -63,6 +63,7 @@ class ServoLine {
     std::string gallery_file_;
     std::string notice_;
     std::string words_;
+    bool has_told_ = false;   // the servo that runs, a report
     bool has_ended_ = false;  // a servo
     std::atomic<std::int64_t> asked_ns_{0};
 };

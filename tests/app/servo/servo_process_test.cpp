@@ -122,6 +122,9 @@ TEST(ServoLine, TheDeviceIsLostFromAServosEndUntilMoreIsSaidOrTheNextReports) {
     line.disconnect();
     EXPECT_EQ(fault(), Fault::device_lost);
     const auto fourth = connect();
+    EXPECT_EQ(fault(), Fault::device_lost);
+    line.say("Move the handle to the left.");
+    EXPECT_EQ(fault(), Fault::none);  // it is homed: the words count
     fourth->region.channel().reports.write({});
     EXPECT_EQ(fault(), Fault::none);
 }
