@@ -176,8 +176,6 @@ class CommandLine {
             ->check([this](const std::string& text) {
                 return parse_class(text, trace_.trace.picture_class);
             });
-        trace_command_->add_option("--edge-model", trace_.edge_model,
-                                   "FILE.onnx, a network that tells boundaries");
     }
 
     void add_curve() {

@@ -10,12 +10,11 @@
 namespace touchline {
 
 struct TraceCommandOptions {
-    std::string input;       // a picture, whatever its name
-    std::string output;      // MAP.svg
-    std::string report;      // REPORT.json; empty: none
-    std::string edges;       // STRENGTH.png; empty: none
-    std::string edge_model;  // FILE.onnx; empty: none
-    int view = 1;            // of the first page, in the kiosk's order
+    std::string input;   // a picture, whatever its name
+    std::string output;  // MAP.svg
+    std::string report;  // REPORT.json; empty: none
+    std::string edges;   // STRENGTH.png; empty: none
+    int view = 1;        // of the first page, in the kiosk's order
     TraceOptions trace;
 };
 

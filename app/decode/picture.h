@@ -19,6 +19,13 @@ struct Picture {
     double scale = 1.0;  // pixels here per pixel of the file; < 1: a large one, made smaller
 };
 
+/// One byte a place, rows from the top; no pixels: there is none.
+struct GreyPicture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> grey;
+};
+
 /// A header that claims more is refused before anything is allocated for it.
 constexpr std::uint64_t max_picture_pixels = std::uint64_t{40} << 20U;
 constexpr std::uint64_t max_picture_side_px = 10'000;

@@ -235,10 +235,7 @@ std::vector<RecordedText> recorded_texts(const LibraryPicture& picture, const La
 
 std::string library_folder() {
     if (const std::string chosen = environment("TOUCHLINE_LIBRARY"); !chosen.empty()) return chosen;
-    if (const std::string data = environment("XDG_DATA_HOME"); !data.empty())
-        return data + "/touchline/packs";
-    const std::string home = environment("HOME");
-    return home.empty() ? "/var/lib/touchline/packs" : home + "/.local/share/touchline/packs";
+    return (user_data_folder() / "touchline" / "packs").string();
 }
 
 }  // namespace touchline

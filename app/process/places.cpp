@@ -33,6 +33,14 @@ std::filesystem::path user_settings_folder() {
     return home.empty() ? std::filesystem::path("/etc") : std::filesystem::path(home) / ".config";
 }
 
+std::filesystem::path user_data_folder() {
+    const std::string chosen = environment("XDG_DATA_HOME");
+    if (!chosen.empty()) return chosen;
+    const std::string home = environment("HOME");
+    return home.empty() ? std::filesystem::path("/var/lib")
+                        : std::filesystem::path(home) / ".local" / "share";
+}
+
 std::string companion(const std::string& name) {
     const std::string chosen = environment("TOUCHLINE_PROGRAMS");
     return ((chosen.empty() ? own_folder() : std::filesystem::path(chosen)) / name).string();

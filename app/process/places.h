@@ -22,6 +22,9 @@ namespace touchline {
 /// XDG_CONFIG_HOME, else .config of the user's home, else /etc.
 [[nodiscard]] std::filesystem::path user_settings_folder();
 
+/// XDG_DATA_HOME, else .local/share of the user's home, else /var/lib.
+[[nodiscard]] std::filesystem::path user_data_folder();
+
 /// Another program of Touchline: in TOUCHLINE_PROGRAMS where that is set, else beside this one.
 [[nodiscard]] std::string companion(const std::string& name);
 

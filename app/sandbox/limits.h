@@ -10,9 +10,9 @@ namespace touchline {
 /// raster: one picture. film: one picture of a film's codec (HEIC, AVIF), which has threads and
 /// waits for them for ever where it gets none. document: SVG and PDF. ocr: words in a picture.
 /// speech: one text to sound, for as long as somebody listens. pack: an archive, a recording or a
-/// map of a picture pack. trace: the lines of a picture. network: the same by a network of the
-/// user's own, which is slow on one thread.
-enum class WorkerKind : std::uint8_t { raster, film, document, ocr, speech, pack, trace, network };
+/// map of a picture pack. trace: the lines of a picture. figure: what a photograph shows, by
+/// a network.
+enum class WorkerKind : std::uint8_t { raster, film, document, ocr, speech, pack, trace, figure };
 
 inline constexpr int worker_kind_count = 8;
 
@@ -79,12 +79,13 @@ inline constexpr unsigned most_worker_threads = 64;
                     .file_bytes = 200 * MiB,
                     .deadline_s = 10.0,
                     .has_threads = true};
-        case WorkerKind::network:
-            return {.input_bytes = 512 * MiB,
-                    .address_space_bytes = 4096 * MiB,
-                    .cpu_s = 120,
-                    .file_bytes = 200 * MiB,
-                    .deadline_s = 150.0};
+        case WorkerKind::figure:
+            return {.input_bytes = 320 * MiB,
+                    .address_space_bytes = 2048 * MiB,
+                    .cpu_s = 60,
+                    .file_bytes = 16 * MiB,
+                    .deadline_s = 60.0,
+                    .has_threads = true};
     }
     return {};
 }

@@ -181,7 +181,7 @@ Result<Found> found_of(std::span<const std::byte> bytes) {
         const auto head = reader.next<ChainHead>();
         points += head.points;
         const bool is_right = points <= header.points &&
-                              head.of <= static_cast<std::uint16_t>(LineOf::dotted) &&
+                              head.of <= static_cast<std::uint16_t>(LineOf::background) &&
                               are_finite({head.width_px});
         if (!is_right) return damaged();
         Chain chain{{}, head.is_closed != 0, head.width_px, static_cast<LineOf>(head.of)};

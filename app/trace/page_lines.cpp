@@ -1,6 +1,7 @@
 #include "app/trace/page_lines.h"
 
 #include "app/decode/answer_parts.h"
+#include "app/trace/page_pixels.h"
 
 #include <algorithm>
 #include <array>
@@ -55,12 +56,6 @@ cv::Vec3b colour_around(const cv::Mat& bgr, const cv::Rect& box) {
         middle[channel] = *half;
     }
     return middle;
-}
-
-/// A view of pixels that nobody may write to: only what takes a constant matrix may be given it.
-cv::Mat view_of(const decode::AnswerParts& page) {
-    return {static_cast<int>(page.header.height), static_cast<int>(page.header.width), CV_8UC3,
-            const_cast<std::byte*>(page.pixels.data())};
 }
 
 /// Pixels that differ from a colour by more than so many levels in one channel.
@@ -184,7 +179,8 @@ void paint_over(cv::Mat& bgr, std::span<const WordBox> words) {
 
 }  // namespace
 
-Result<Found> find_lines_of_page(std::span<const std::byte> page, const TraceOptions& options) {
+Result<Found> find_lines_of_page(std::span<const std::byte> page, const TraceOptions& options,
+                                 const cv::Mat1b& main_things) {
     const auto parts = decode::parts_of(page);
     if (!parts) return tl::unexpected(parts.error());
     if (parts->header.kind != AnswerKind::page)
@@ -195,7 +191,7 @@ Result<Found> find_lines_of_page(std::span<const std::byte> page, const TraceOpt
         bgr = bgr.clone();
         paint_over(bgr, words);
     }
-    return find_lines(bgr, options);
+    return find_lines(bgr, options, main_things);
 }
 
 }  // namespace touchline

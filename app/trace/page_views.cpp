@@ -37,6 +37,25 @@ Picture cut(const Picture& whole, const WordBox& box) {
     return part;
 }
 
+/// The part of a mask over a whole picture that lies over the box. Its pixels are larger than the
+/// picture's: the part is the whole ones that the box touches least.
+GreyPicture cut(const GreyPicture& whole, const WordBox& box, const Picture& picture) {
+    if (whole.grey.empty()) return {};
+    const auto place = [](double at_px, int size_px, int mask_px) {
+        return static_cast<int>(std::lround(at_px * mask_px / size_px));
+    };
+    const int left = std::min(place(box.left, picture.width, whole.width), whole.width - 1);
+    const int top = std::min(place(box.top, picture.height, whole.height), whole.height - 1);
+    const int right = std::max(left + 1, place(box.right, picture.width, whole.width));
+    const int bottom = std::max(top + 1, place(box.bottom, picture.height, whole.height));
+    GreyPicture part{right - left, bottom - top, {}};
+    for (int y = top; y < bottom; ++y) {
+        const auto row = whole.grey.begin() + std::ptrdiff_t{y} * whole.width;
+        part.grey.insert(part.grey.end(), row + left, row + right);
+    }
+    return part;
+}
+
 /// What of the word lies in the box, seen from its corner.
 std::optional<WordBox> within(const WordBox& word, const WordBox& box) {
     const int left = std::max(word.left, box.left);
@@ -98,6 +117,7 @@ Page view_of(const Page& page, int view) {
     const double m_per_px = page.told.area.width_m / page.picture.width;
     Page part;
     part.picture = cut(page.picture, figure->box);
+    part.main_things = cut(page.main_things, figure->box, page.picture);
     part.told.area = {m_per_px * part.picture.width, m_per_px * part.picture.height};
     part.told.title = figure->text.empty() || figure->text.size() > longest_title_bytes
                           ? page.told.title

@@ -8,7 +8,7 @@ namespace touchline {
 namespace {
 
 constexpr int any_class = -1;
-constexpr std::size_t number_count = 13;
+constexpr std::size_t number_count = 14;
 
 /// The shortest text that reads back to the same bits.
 std::string text_of(double number) {
@@ -41,6 +41,7 @@ std::vector<std::string> arguments_of(const TraceWork& work) {
         options.zoom.factor,
         options.picture_class ? static_cast<double>(*options.picture_class) : any_class,
         work.wants_edges ? 1.0 : 0.0,
+        work.has_main_things ? 1.0 : 0.0,
         work.cut.left,
         work.cut.right,
         work.cut.top,
@@ -55,10 +56,11 @@ Result<TraceWork> trace_work_in(std::span<const std::string> arguments) {
     bool is_read = arguments.size() == number_count;
     for (std::size_t i = 0; is_read && i < number_count; ++i)
         is_read = read_number(arguments[i], numbers[i]);
-    const auto [step, width_m, height_m, detail, x_m, y_m, factor, class_number, edges, left, right,
-                top, bottom] = numbers;
+    const auto [step, width_m, height_m, detail, x_m, y_m, factor, class_number, edges, things,
+                left, right, top, bottom] = numbers;
     const bool are_choices = is_choice(step, 0, 2) && is_choice(detail, -1000, 1000) &&
-                             is_choice(class_number, any_class, 3) && is_choice(edges, 0, 1);
+                             is_choice(class_number, any_class, 3) && is_choice(edges, 0, 1) &&
+                             is_choice(things, 0, 1);
     if (!is_read || !are_choices) return failure("not what the kiosk starts it with");
     TraceWork work;
     work.step = static_cast<TraceStep>(step);
@@ -68,6 +70,7 @@ Result<TraceWork> trace_work_in(std::span<const std::string> arguments) {
     if (class_number != any_class)
         work.options.picture_class = static_cast<PictureClass>(class_number);
     work.wants_edges = edges == 1.0;
+    work.has_main_things = things == 1.0;
     work.cut = {left, right, top, bottom};
     return work;
 }

@@ -18,8 +18,9 @@ enum class TraceStep : std::uint8_t { photo, lines, map };
 
 struct TraceWork {
     TraceStep step = TraceStep::lines;
-    TraceOptions options;      // without boundaries: a network crosses with the input
-    bool wants_edges = false;  // the picture of the edges' strengths as well
+    TraceOptions options;
+    bool wants_edges = false;      // the picture of the edges' strengths as well
+    bool has_main_things = false;  // a mask comes before the page (two_parts.h)
     PhotoCut cut;
 };
 

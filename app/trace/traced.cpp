@@ -2,7 +2,6 @@
 
 #include "app/decode/answer_parts.h"
 #include "app/decode/one_line.h"
-#include "app/decode/picture.h"
 #include "config/types/map_bytes.h"
 
 #include <algorithm>
@@ -16,6 +15,7 @@ namespace {
 
 struct Header {
     std::uint32_t magic = 0;
+    std::uint32_t is_photo = 0;
     std::uint32_t refusal = 0;
     std::uint32_t map = 0;
     std::uint32_t warning = 0;
@@ -25,7 +25,7 @@ struct Header {
     std::uint32_t lines = 0;
 };
 
-constexpr std::uint32_t traced_magic = 0x31545254;  // "TRT1"
+constexpr std::uint32_t traced_magic = 0x32545254;  // "TRT2"
 constexpr std::size_t longest_sentence = 400;
 
 tl::unexpected<Error> unsafe() {
@@ -46,7 +46,8 @@ std::optional<Header> header_of(std::span<const std::byte> bytes) {
          {header.refusal, header.map, header.warning, header.report, header.lines})
         sum += size;
     const bool has_edges = header.width != 0 || header.height != 0;
-    const bool is_sound = header.magic == traced_magic && sum == bytes.size() &&
+    const bool is_sound = header.magic == traced_magic && header.is_photo <= 1 &&
+                          sum == bytes.size() &&
                           (!has_edges || fits_a_picture(header.width, header.height));
     return is_sound ? std::optional(header) : std::nullopt;
 }
@@ -95,6 +96,7 @@ Result<std::vector<std::byte>> bytes_of(const Result<TracedMap>& traced,
     if (!outlines) return outlines;
     const auto size = [](const auto& part) { return static_cast<std::uint32_t>(part.size()); };
     const Header header{traced_magic,
+                        what.is_photo ? 1U : 0U,
                         size(why),
                         size(*outlines),
                         size(what.warning),
@@ -121,6 +123,7 @@ Result<Traced> traced_of(std::span<const std::byte> bytes) {
     const std::string why = one_spaced(parts.text(header->refusal), longest_sentence);
     auto outlines = map_of(parts.next(header->map));
     TracedMap what;
+    what.is_photo = header->is_photo == 1;
     what.warning = one_spaced(parts.text(header->warning), longest_sentence);
     what.report = parts.text(header->report);
     const auto grey = parts.next(edge_bytes(*header));

@@ -14,6 +14,7 @@
 // Little-endian. No offsets: one size fits a given header. Threads: pure functions.
 #pragma once
 
+#include "app/decode/picture.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 
@@ -25,20 +26,15 @@
 
 namespace touchline {
 
-/// How strong each candidate for a line is (vision/contour/photo_lines.h); no pixels where nobody
-/// asked for it.
-struct EdgePicture {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint8_t> grey;
-};
-
 /// What of a picture is felt at one detail and zoom.
 struct TracedMap {
     TactileMap map;
-    std::string warning;  // one sentence where a visitor should expect little, else empty
-    std::string report;   // what was chosen, found and left out, as JSON (trace_report.h)
-    EdgePicture edges;
+    bool is_photo = false;  // what may have a main thing
+    std::string warning;    // one sentence where a visitor should expect little, else empty
+    std::string report;     // what was chosen, found and left out, as JSON (trace_report.h)
+    /// How strong each candidate for a line is (vision/contour/photo_lines.h), where somebody
+    /// asked.
+    GreyPicture edges;
 };
 
 struct Traced {

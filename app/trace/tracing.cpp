@@ -5,7 +5,8 @@
 #include "app/process/places.h"
 #include "app/sandbox/worker.h"
 #include "app/trace/frame_bytes.h"
-#include "app/trace/network_input.h"
+#include "app/trace/grey_bytes.h"
+#include "app/trace/sealed_page.h"
 #include "app/trace/trace_work.h"
 
 #include <algorithm>
@@ -15,8 +16,6 @@
 
 namespace touchline {
 namespace {
-
-using Sealed = std::shared_ptr<const Descriptor>;
 
 std::string words_of(WorkerEnd end) {
     switch (end) {
@@ -35,29 +34,16 @@ std::string words_of(WorkerEnd end) {
     return {};
 }
 
-Result<Sealed> shared(Result<Descriptor> memory) {
-    if (!memory) return tl::unexpected(memory.error());
-    return std::make_shared<const Descriptor>(std::move(*memory));
-}
-
-/// The page as its worker answered it, without a copy, where nothing was changed in it since.
-Result<Sealed> sealed(const Page& page) {
-    if (page.answer) return page.answer;
-    return shared(answer_of(page).and_then(
-        [](const std::vector<std::byte>& bytes) { return sealed_copy(bytes); }));
-}
-
-Result<Sealed> with_network(const Sealed& page, std::span<const std::byte> network) {
-    const auto picture = map_sealed(*page, limits_of(WorkerKind::trace).input_bytes);
-    if (!picture) return tl::unexpected(picture.error());
-    return shared(sealed_copy(bytes_of(NetworkInput{network, picture->bytes()})));
+/// What finds a page's lines looks at: the mask of its main things, where it has one, and the page.
+Result<Sealed> input_of(const Page& page) {
+    return page.main_things.grey.empty() ? sealed(page)
+                                         : sealed_behind(bytes_of(page.main_things), page);
 }
 
 /// The worker's answer, sealed.
-Result<Sealed> worked(const TraceWork& work, const Descriptor& input, WorkerKind kind) {
-    const std::string program =
-        kind == WorkerKind::network ? "touchline-trace-network" : "touchline-trace";
-    auto outcome = run_worker({companion(program), arguments_of(work), kind}, input);
+Result<Sealed> worked(const TraceWork& work, const Descriptor& input) {
+    auto outcome =
+        run_worker({companion("touchline-trace"), arguments_of(work), WorkerKind::trace}, input);
     if (outcome.end != WorkerEnd::done) return failure(words_of(outcome.end));
     return std::make_shared<const Descriptor>(std::move(outcome.output));
 }
@@ -83,11 +69,10 @@ struct Answer {
     Traced traced;
 };
 
-Result<Answer> traced_by(const TraceWork& work, const Descriptor& input, const Page& page,
-                         WorkerKind kind = WorkerKind::trace) {
-    const auto answer = worked(work, input, kind);
+Result<Answer> traced_by(const TraceWork& work, const Descriptor& input, const Page& page) {
+    const auto answer = worked(work, input);
     if (!answer) return tl::unexpected(answer.error());
-    const auto mapped = map_sealed(**answer, limits_of(kind).file_bytes);
+    const auto mapped = map_sealed(**answer, limits_of(WorkerKind::trace).file_bytes);
     if (!mapped) return failure(words_of(WorkerEnd::no_answer));
     auto traced = traced_of(mapped->bytes());
     if (!traced) return tl::unexpected(traced.error());
@@ -98,12 +83,13 @@ Result<Answer> traced_by(const TraceWork& work, const Descriptor& input, const P
 }  // namespace
 
 Result<FirstTrace> find_page_lines(const Page& page, const TraceRequest& request) {
-    const bool has_network = !request.network.empty();
-    auto input = sealed(page);
-    if (input && has_network) input = with_network(*input, request.network);
+    const auto input = input_of(page);
     if (!input) return tl::unexpected(input.error());
-    auto answer = traced_by({TraceStep::lines, request.options, request.wants_edges, {}}, **input,
-                            page, has_network ? WorkerKind::network : WorkerKind::trace);
+    TraceWork work;
+    work.options = request.options;
+    work.wants_edges = request.wants_edges;
+    work.has_main_things = !page.main_things.grey.empty();
+    auto answer = traced_by(work, **input, page);
     if (!answer) return tl::unexpected(answer.error());
     Traced& traced = answer->traced;
     if (!traced.has_lines)
@@ -113,8 +99,12 @@ Result<FirstTrace> find_page_lines(const Page& page, const TraceRequest& request
 
 Result<TracedMap> trace_page_lines(const Page& page, const FoundLines& lines,
                                    const TraceOptions& options) {
-    return traced_by({TraceStep::map, options, false, {}}, *lines.memory, page)
-        .and_then([](Answer answer) { return std::move(answer.traced.map); });
+    TraceWork work;
+    work.step = TraceStep::map;
+    work.options = options;
+    return traced_by(work, *lines.memory, page).and_then([](Answer answer) {
+        return std::move(answer.traced.map);
+    });
 }
 
 Result<TracedMap> trace_page(const Page& page, const TraceRequest& request) {
@@ -129,7 +119,7 @@ Result<Page> page_of_photo(const CameraFrame& frame, const PhotoCut& cut) {
     TraceWork work;
     work.step = TraceStep::photo;
     work.cut = cut;
-    const auto answer = worked(work, *input, WorkerKind::trace);
+    const auto answer = worked(work, *input);
     if (!answer) return tl::unexpected(answer.error());
     return page_in(*answer);
 }

@@ -28,9 +28,8 @@ struct FirstTrace {
 };
 
 struct TraceRequest {
-    TraceOptions options = {};                // without boundaries
-    bool wants_edges = false;                 // with the first map
-    std::span<const std::byte> network = {};  // an ONNX file that tells the boundaries; empty: none
+    TraceOptions options = {};
+    bool wants_edges = false;  // with the first map
 };
 
 /// The lines of the page's pixels, its words left out, and a first map of them. Fails, with one

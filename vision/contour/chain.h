@@ -18,8 +18,9 @@ struct EdgePoint {
 };
 
 /// What a line is of: an edge or a stroke; the many short lines inside it; letters in a row; a
-/// picture on a page of text; dashes or dots in a row.
-enum class LineOf { edge, texture, text, figure, dashed, dotted };
+/// picture on a page of text; dashes or dots in a row; the main thing of a photograph, and what
+/// lies behind it.
+enum class LineOf { edge, texture, text, figure, dashed, dotted, ring, background };
 
 /// Closed: the last point joins the first, which is not repeated.
 struct Chain {

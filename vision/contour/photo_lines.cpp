@@ -5,7 +5,6 @@
 #include "vision/contour/edge_lines.h"
 #include "vision/contour/edge_strength.h"
 #include "vision/contour/linking.h"
-#include "vision/contour/ridges.h"
 #include "vision/contour/scale.h"
 #include "vision/contour/texture.h"
 
@@ -45,10 +44,7 @@ Working measured(const cv::Mat& picture) {
     return working;
 }
 
-Working prepared(const cv::Mat& picture, bool has_model) {
-    if (has_model) {
-        return measured(reduced(picture, kPhotoPixels));
-    }
+Working prepared(const cv::Mat& picture) {
     const cv::Mat small = reduced(picture, kWorkingPixels);
     Working working = measured(small);
     if (working.smoothing_px >= kPhotoSmoothing_px &&
@@ -72,24 +68,6 @@ Reach reach_for(cv::Size size, double smoothing_px, double shortest_px) {
 int drop_specks(std::vector<Chain>& chains, double shortest_px) {
     return static_cast<int>(
         std::erase_if(chains, [&](const Chain& c) { return length_of(c) < shortest_px; }));
-}
-
-/// Where lines may run, and how strong they must be.
-struct Evidence {
-    GradientField field;
-    Hysteresis limits;
-    double smoothing_px = 0.0;
-};
-
-Result<Evidence> evidence_of(const Working& working, const Boundaries& model) {
-    if (!model) {
-        GradientField field = colour_gradient(working.lab, working.smoothing_px);
-        const Hysteresis limits = thresholds_for(field, working.noise, working.smoothing_px);
-        return Evidence{std::move(field), limits, working.smoothing_px};
-    }
-    return model(working.picture).map([](const cv::Mat1f& boundaries) {
-        return Evidence{ridges_of(boundaries), kRidgeLimits, kPhotoSmoothing_px};
-    });
 }
 
 /// What is too narrow or too crowded for a hand, as one line.
@@ -128,21 +106,17 @@ void find(const GradientField& field, const Hysteresis& limits, double px_per_mm
 
 }  // namespace
 
-Result<PhotoLines> photo_lines(const cv::Mat& picture, double longer_side_mm,
-                               const Boundaries& model) {
-    const Working working = prepared(picture, static_cast<bool>(model));
-    const Result<Evidence> evidence = evidence_of(working, model);
-    if (!evidence) {
-        return tl::unexpected(evidence.error());
-    }
+PhotoLines photo_lines(const cv::Mat& picture, double longer_side_mm) {
+    const Working working = prepared(picture);
+    const GradientField field = colour_gradient(working.lab, working.smoothing_px);
     PhotoLines found;
     found.size = working.lab.size();
     found.noise = working.noise;
-    found.smoothing_px = evidence->smoothing_px;
+    found.smoothing_px = working.smoothing_px;
     const double px_per_mm = std::max(found.size.width, found.size.height) / longer_side_mm;
-    find(evidence->field, evidence->limits, px_per_mm, found);
-    if (found.chains.empty() && working.noise >= kGrain && !model) {
-        find(evidence->field, grain_thresholds(evidence->field), px_per_mm, found);
+    find(field, thresholds_for(field, working.noise, working.smoothing_px), px_per_mm, found);
+    if (found.chains.empty() && working.noise >= kGrain) {
+        find(field, grain_thresholds(field), px_per_mm, found);
         found.is_grain = true;
     }
     return found;

@@ -1,6 +1,6 @@
 // The lines of a picture that is taken as it comes: edges, linked, corners put back.
 //
-// picture -> at most 1 megapixel -> Lab -> Gaussian -> colour gradient (or a network's boundaries)
+// picture -> at most 1 megapixel -> Lab -> Gaussian -> colour gradient
 // -> lines of greatest strength (sub-pixel) with hysteresis -> junctions, gaps, closing -> stripes,
 // textures -> corners.
 #pragma once
@@ -35,18 +35,11 @@ struct PhotoLines {
     cv::Mat edge_strength;
 };
 
-/// Tells where the boundaries of an 8-bit picture, BGR or grey, are: 0 to 1 at each of its pixels.
-/// Empty: nobody does, and the picture's own gradient is taken. edge_model.h has one that is a
-/// network.
-using Boundaries = std::function<Result<cv::Mat1f>(const cv::Mat& picture)>;
-
 /// The lines of an 8-bit picture, BGR or grey, whose longer side will be `longer_side_mm` long at
 /// the handle; arms of a junction share their point bit for bit. Lines shorter than 4 mm (and 8
 /// working pixels) are specks. In photos stripes narrower than 3.2 mm become one line and textures
-/// one outline. `model`, where given, tells the boundaries; it is the only cause of an error. Empty
-/// chains: nothing was found. Throws cv::Exception without memory. Deterministic. Threads: pure
-/// function but for the model (OpenCV may use its own threads inside). O(pixels).
-[[nodiscard]] Result<PhotoLines> photo_lines(const cv::Mat& picture, double longer_side_mm,
-                                             const Boundaries& model = {});
+/// one outline. Empty chains: nothing was found. Throws cv::Exception without memory.
+/// Deterministic. Threads: pure function (OpenCV may use its own threads inside). O(pixels).
+[[nodiscard]] PhotoLines photo_lines(const cv::Mat& picture, double longer_side_mm);
 
 }  // namespace touchline

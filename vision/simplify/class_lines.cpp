@@ -6,6 +6,7 @@
 #include "vision/contour/main_shape.h"
 #include "vision/contour/regions.h"
 #include "vision/contour/strokes.h"
+#include "vision/figure/figure_lines.h"
 #include "vision/prepare/ink.h"
 #include "vision/prepare/text_boxes.h"
 
@@ -105,24 +106,25 @@ void add_main_shape(const cv::Mat& picture, PhotoLines& found) {
 
 }  // namespace
 
-Result<ClassLines> class_lines(const cv::Mat& picture, PictureClass picture_class,
-                               double longer_side_mm, const Boundaries& model) {
-    if (picture_class != PictureClass::photo && !model) {
+ClassLines class_lines(const cv::Mat& picture, PictureClass picture_class, double longer_side_mm,
+                       const cv::Mat1b& figure) {
+    if (picture_class != PictureClass::photo) {
         PhotoLines found = drawn_lines(picture, picture_class, longer_side_mm);
         constexpr std::size_t kMostSpecks = 50;
         constexpr double kGrain = 40.0;  // grey levels of noise: no drawing shows through
         if (!found.chains.empty() && found.noise < kGrain &&
             static_cast<std::size_t>(found.specks_dropped) < kMostSpecks * found.chains.size()) {
-            return ClassLines{picture_class, std::move(found)};
+            return {picture_class, std::move(found)};
         }
     }
-    return photo_lines(picture, longer_side_mm, model).map([&](PhotoLines found) {
-        if (picture_class == PictureClass::photo && !found.is_grain && !found.chains.empty() &&
-            picture.channels() == 3) {
-            add_main_shape(picture, found);
-        }
-        return ClassLines{PictureClass::photo, std::move(found)};
-    });
+    PhotoLines found = photo_lines(picture, longer_side_mm);
+    const bool is_photo = picture_class == PictureClass::photo;
+    if (is_photo && !figure.empty()) {
+        found = with_figure(std::move(found), picture, figure, longer_side_mm);
+    } else if (is_photo && !found.is_grain && !found.chains.empty() && picture.channels() == 3) {
+        add_main_shape(picture, found);
+    }
+    return {PictureClass::photo, std::move(found)};
 }
 
 }  // namespace touchline

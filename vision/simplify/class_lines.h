@@ -1,7 +1,6 @@
 // The lines of a picture, found the way that suits its class.
 #pragma once
 
-#include "config/types/result.h"
 #include "vision/contour/photo_lines.h"
 #include "vision/prepare/picture_class.h"
 
@@ -19,10 +18,10 @@ struct ClassLines {
 /// around each figure (letters are not felt). Where the way of its class finds nothing, or fifty
 /// times more specks than lines, the picture is taken as a photo. For classes other than photo
 /// `high` is half the mean strength of the lines. `longer_side_mm`: how long the picture's longer
-/// side will be at the handle. `model`, where given, tells a photo's boundaries; it is the only
-/// cause of an error. Throws cv::Exception without memory. Deterministic. Threads: pure function
-/// but for the model. O(pixels).
-[[nodiscard]] Result<ClassLines> class_lines(const cv::Mat& picture, PictureClass picture_class,
-                                             double longer_side_mm, const Boundaries& model);
+/// side will be at the handle. `figure`: the mask of a photo's main things (vision/figure), instead
+/// of its main shape; empty: none. Throws cv::Exception without memory. Deterministic. Threads:
+/// pure function. O(pixels).
+[[nodiscard]] ClassLines class_lines(const cv::Mat& picture, PictureClass picture_class,
+                                     double longer_side_mm, const cv::Mat1b& figure = {});
 
 }  // namespace touchline

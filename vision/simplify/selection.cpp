@@ -30,6 +30,17 @@ std::vector<Candidate> narrow_as_lines(const Chain& ring, double gap_mm, Narrow 
     return result;
 }
 
+/// A figure is known by its limbs.
+DetailLimits for_rings(DetailLimits limits) {
+    constexpr double kGap_mm = 3.2;
+    constexpr double kTolerance_mm = 0.7;
+    constexpr double kFeature_mm = 6.0;
+    limits.gap_mm = std::min(limits.gap_mm, kGap_mm);
+    limits.tolerance_mm = std::min(limits.tolerance_mm, kTolerance_mm);
+    limits.least_feature_mm = std::min(limits.least_feature_mm, kFeature_mm);
+    return limits;
+}
+
 /// What is to be added as line `number`, with a point where its end meets itself.
 Chain with_own_foot(const Fit& fit, std::size_t number) {
     Chain line = fit.line;
@@ -49,6 +60,13 @@ Selection::Selection(const DetailLimits& limits, cv::Size2d area_mm)
              limits.tolerance_mm, limits.least_feature_mm},
       spaced_(area_mm, limits.gap_mm, scale_.step_mm) {}
 
+void Selection::go_on_with(const DetailLimits& limits) {
+    limits_ = limits;
+    scale_.tolerance_mm = limits.tolerance_mm;
+    scale_.least_feature_mm = limits.least_feature_mm;
+    spaced_.set_gap(limits.gap_mm);
+}
+
 bool Selection::is_full() const {
     return static_cast<int>(strokes_.size()) >= limits_.strokes ||
            line_mm_ + limits_.least_stroke_mm > limits_.line_mm;
@@ -65,7 +83,7 @@ void Selection::add(const RankedLine& ranked, std::size_t number) {
 }
 
 bool Selection::may_be_shown(const RankedLine& ranked) const {
-    const bool is_outer = ranked.outer_share >= kOuterShare;
+    const bool is_outer = ranked.outer_share >= kOuterShare || ranked.line.of == LineOf::ring;
     switch (limits_.inner) {
         case InnerLines::none:
             return is_outer;
@@ -171,8 +189,13 @@ bool Selection::add_longest(const Candidate& candidate, std::size_t number,
 
 Selection selected(const std::vector<RankedLine>& order, DetailLimits limits, cv::Size2d area_mm) {
     for (int attempts = 0;; ++attempts) {
-        Selection selection(limits, area_mm);
-        for (std::size_t i = 0; i < order.size() && !selection.is_full(); ++i) {
+        Selection selection(for_rings(limits), area_mm);
+        std::size_t i = 0;
+        for (; i < order.size() && order[i].line.of == LineOf::ring; ++i) {
+            selection.add(order[i], i);
+        }
+        selection.go_on_with(limits);
+        for (; i < order.size() && !selection.is_full(); ++i) {
             selection.add(order[i], i);
         }
         constexpr int kMostAttempts = 9;

@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kSmallBreak_mm = 4.0;
 
-constexpr int kLeastDetailOfFrame = 3;  // lower ones show what is in it
+constexpr int kLeastDetailOfFrame = 3;       // lower ones show what is in it
+constexpr int kLeastDetailOfBackground = 4;  // lower ones show what lies before it
 
 /// Takes the frames out of the lines, and gives the drawn ones. Such a frame is a stroke, or has an
 /// outer and an inner edge; one ring beside the rim alone is the outer line of a thing that fills
@@ -38,6 +39,17 @@ std::vector<Chain> frames_of(std::vector<Chain>& lines, const cv::Rect2d& pictur
     lines = std::move(inner);
     std::erase_if(around, [&](const Chain& line) { return is_rim(line, picture_mm); });
     return around;
+}
+
+/// The rings of a photograph's figure come first, what lies behind it last, and from detail 4 on.
+void put_figure_first(std::vector<RankedLine>& order, int detail) {
+    const auto place = [](const RankedLine& ranked) {
+        return ranked.line.of == LineOf::ring ? 0 : ranked.line.of == LineOf::background ? 2 : 1;
+    };
+    std::ranges::stable_sort(order, {}, place);
+    if (detail < kLeastDetailOfBackground && !order.empty() && place(order.front()) == 0) {
+        std::erase_if(order, [&](const RankedLine& ranked) { return place(ranked) == 2; });
+    }
 }
 
 Outline outline_of(const Chain& line, const Area& area) {
@@ -104,6 +116,7 @@ Simplified simplified(const PictureLines& found, const Area& area, int detail, c
     lines = with_silhouettes_joined(std::move(lines), outside);
     const std::vector<double> shares = outside.shares_of(lines);
     std::vector<RankedLine> order = ranked(std::move(lines), shares, found.high);
+    put_figure_first(order, detail);
     if (detail < kLeastDetailOfFrame) {
         report.frames_dropped = static_cast<int>(frames.size());
     } else {

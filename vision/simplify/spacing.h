@@ -53,6 +53,9 @@ class SpacedLines {
 
     void add(Fit fit);
 
+    /// Lines added from here on keep this gap.
+    void set_gap(double gap_mm) { scale_.gap_mm = gap_mm; }
+
     /// Whether a line comes nearer than `reach_mm` to a place.
     [[nodiscard]] bool has_near(cv::Point2d p, double reach_mm) const {
         return nearest(p, reach_mm).has_value();

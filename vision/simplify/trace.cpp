@@ -113,7 +113,8 @@ bool is_usable(const Area& area) {
     return is_size(area.width_m) && is_size(area.height_m);
 }
 
-Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
+Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options,
+                         const cv::Mat1b& figure) {
     if (const Result<void> usable = check(picture); !usable) return tl::unexpected(usable.error());
     if (const Result<void> usable = check(options); !usable) return tl::unexpected(usable.error());
     try {
@@ -128,18 +129,14 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options) {
                 ? ClassDecision{*options.picture_class, "You chose the kind of picture.", {}}
                 : class_of(sheet);
         const bool is_photo = decision.picture_class == PictureClass::photo;
-        Result<ClassLines> lines = class_lines(is_photo ? small : sheet, decision.picture_class,
-                                               longer_side_mm, options.edge_model);
-        if (!lines) return tl::unexpected(lines.error());
-        if (lines->found.chains.empty())
-            return failure(nothing_found(picture, mm_per_pixel, lines->found));
-        if (lines->picture_class != decision.picture_class) {
-            decision.picture_class = lines->picture_class;
-            decision.reason = options.edge_model
-                                  ? "The network that was given told its lines, as of a photo."
-                                  : "It could only be taken as a photo.";
-        }
-        PhotoLines& found = lines->found;
+        ClassLines lines =
+            class_lines(is_photo ? small : sheet, decision.picture_class, longer_side_mm, figure);
+        if (lines.found.chains.empty())
+            return failure(nothing_found(picture, mm_per_pixel, lines.found));
+        if (lines.picture_class != decision.picture_class)
+            decision = {lines.picture_class, "It could only be taken as a photo.",
+                        decision.features};
+        PhotoLines& found = lines.found;
         std::vector<Chain> chains = std::exchange(found.chains, {});
         return Found{{std::move(chains), found.size, picture.size(), found.high},
                      decision,
@@ -175,8 +172,9 @@ Result<Trace> trace_lines(const Found& found, const TraceOptions& options) {
     return trace;
 }
 
-Result<Trace> trace_outlines(const cv::Mat& picture, const TraceOptions& options) {
-    return find_lines(picture, options).and_then([&](const Found& found) {
+Result<Trace> trace_outlines(const cv::Mat& picture, const TraceOptions& options,
+                             const cv::Mat1b& figure) {
+    return find_lines(picture, options, figure).and_then([&](const Found& found) {
         return trace_lines(found, options);
     });
 }

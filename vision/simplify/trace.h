@@ -20,7 +20,6 @@ struct TraceOptions {
     int detail = 3;  // 1 silhouette ... 5 all
     Zoom zoom = {};
     std::optional<PictureClass> picture_class = std::nullopt;  // instead of what it looks like
-    Boundaries edge_model = {};  // tells a photo's boundaries, instead of its gradient
 };
 
 /// What the tracer chose, found and left out.
@@ -51,11 +50,13 @@ struct Found {
 [[nodiscard]] bool is_usable(const Area& area);
 
 /// Decides what kind of picture it is, unless the options do, and finds its lines. 8-bit, BGR or
-/// grey, already composed over white; of the options only area, class and model count.
-/// Errors: an empty or unsupported matrix, an area out of range, no line found, a model that fails.
-/// Deterministic. Threads: pure function but for the model (OpenCV may use its own threads inside).
+/// grey, already composed over white; of the options only area and class count.
+/// `figure`: the mask of a photo's main things (vision/figure); empty: none, or none that is sure.
+/// Errors: an empty or unsupported matrix, an area out of range, no line found.
+/// Deterministic. Threads: pure function (OpenCV may use its own threads inside).
 /// About 0.2 s a megapixel.
-[[nodiscard]] Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options);
+[[nodiscard]] Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options,
+                                       const cv::Mat1b& figure = {});
 
 /// The map of one detail and zoom. Errors: area, detail or zoom out of range, no line there.
 [[nodiscard]] Result<Trace> trace_lines(const Found& found, const TraceOptions& options);
@@ -63,6 +64,7 @@ struct Found {
 /// Both. The whole picture (zoom factor 1) is centred in the area, as large as fits, aspect kept,
 /// row down = W y down: W = ((x - cols/2), (rows/2 - y)) / pixels_per_metre, x and y in pixels from
 /// the upper left corner of the upper left pixel.
-[[nodiscard]] Result<Trace> trace_outlines(const cv::Mat& picture, const TraceOptions& options);
+[[nodiscard]] Result<Trace> trace_outlines(const cv::Mat& picture, const TraceOptions& options,
+                                           const cv::Mat1b& figure = {});
 
 }  // namespace touchline

@@ -396,17 +396,6 @@ TEST_F(Cli, TraceWritesMapReportAndEdges) {
     EXPECT_EQ(edges->width, 160);
 }
 
-TEST_F(Cli, AnEdgeModelThatIsNoneIsStatusOneAndOneLine) {
-    write_disc();
-    write("model.onnx", "not a network");
-    for (const std::string name : {"model.onnx", "missing.onnx"}) {
-        EXPECT_EQ(run({"trace", "@disc.png", "-o", "@out.svg", "--edge-model", "@" + name}), 1);
-        EXPECT_EQ(lines_of_err(), 1) << err();
-        EXPECT_NE(err().find(name + ": "), std::string::npos) << err();
-        EXPECT_FALSE(exists("out.svg"));
-    }
-}
-
 TEST_F(Cli, TraceSaysWhyThereIsNothingToFeel) {
     ASSERT_TRUE(
         write_png(path("white.png"), Picture{40, 30, std::vector<std::uint8_t>(40 * 30 * 3, 255)}));

@@ -103,8 +103,6 @@ const Call calls[] = {
     {"TraceOverAFolder", {"trace", "@map.svg", "-o", "@pack"}},
     {"TraceNoReport", {"trace", "@map.svg", "-o", "@out.svg", "--json", "@none/report.json"}},
     {"TraceNoEdges", {"trace", "@map.svg", "-o", "@out.svg", "--edges", "@none/edges.png"}},
-    {"TraceNoModel", {"trace", "@map.svg", "-o", "@out.svg", "--edge-model", "@none.onnx"}},
-    {"TraceBrokenModel", {"trace", "@map.svg", "-o", "@out.svg", "--edge-model", "@there.svg"}},
     {"TraceArea", {"trace", "@map.svg", "-o", "@out.svg", "--area", "@"}},
     {"TraceClass", {"trace", "@map.svg", "-o", "@out.svg", "--class", "@"}},
     {"TraceDetail", {"trace", "@map.svg", "-o", "@out.svg", "--detail", "@"}},

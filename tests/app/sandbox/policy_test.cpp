@@ -27,7 +27,7 @@ using Arguments = std::array<std::uint64_t, 6>;
 
 constexpr std::array all_kinds{WorkerKind::raster, WorkerKind::film,   WorkerKind::document,
                                WorkerKind::ocr,    WorkerKind::speech, WorkerKind::pack,
-                               WorkerKind::trace,  WorkerKind::network};
+                               WorkerKind::trace,  WorkerKind::figure};
 
 const std::string killed = "killed";
 const std::string allowed = "allowed";
@@ -287,15 +287,14 @@ TEST(SandboxPolicy, WhatEachKindMayTakeOfTheMachine) {
         bool has_threads, reads_fonts;
     };
 
-    constexpr std::array<Row, 8> rows{
-        {{WorkerKind::raster, 200, 1024, 8, 200, 10.0, false, false},
-         {WorkerKind::film, 64, 1536, 12, 200, 15.0, true, false},
-         {WorkerKind::document, 128, 1024, 8, 200, 10.0, true, true},
-         {WorkerKind::ocr, 200, 1024, 30, 16, 40.0, false, false},
-         {WorkerKind::speech, 1, 256, 0, 0, 0.0, false, false},
-         {WorkerKind::pack, 64, 512, 6, 112, 8.0, false, false},
-         {WorkerKind::trace, 256, 1024, 8, 200, 10.0, true, false},
-         {WorkerKind::network, 512, 4096, 120, 200, 150.0, false, false}}};
+    constexpr std::array<Row, 8> rows{{{WorkerKind::raster, 200, 1024, 8, 200, 10.0, false, false},
+                                       {WorkerKind::film, 64, 1536, 12, 200, 15.0, true, false},
+                                       {WorkerKind::document, 128, 1024, 8, 200, 10.0, true, true},
+                                       {WorkerKind::ocr, 200, 1024, 30, 16, 40.0, false, false},
+                                       {WorkerKind::speech, 1, 256, 0, 0, 0.0, false, false},
+                                       {WorkerKind::pack, 64, 512, 6, 112, 8.0, false, false},
+                                       {WorkerKind::trace, 256, 1024, 8, 200, 10.0, true, false},
+                                       {WorkerKind::figure, 320, 2048, 60, 16, 60.0, true, false}}};
     static_assert(rows.size() == worker_kind_count);
     for (const Row& row : rows) {
         const WorkerLimits limits = limits_of(row.kind);

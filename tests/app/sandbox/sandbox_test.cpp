@@ -131,7 +131,7 @@ TEST_P(Sandbox, LandlockAloneDeniesEveryActOnFiles) {
 INSTANTIATE_TEST_SUITE_P(Kinds, Sandbox,
                          testing::Values(WorkerKind::raster, WorkerKind::film, WorkerKind::document,
                                          WorkerKind::ocr, WorkerKind::speech, WorkerKind::pack,
-                                         WorkerKind::trace, WorkerKind::network));
+                                         WorkerKind::trace, WorkerKind::figure));
 
 TEST_F(SandboxAlone, WhileLibrariesArePreparedOnlyTheSystemIsRead) {
     for (const Act& act : acts()) {

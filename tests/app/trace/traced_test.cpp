@@ -77,8 +77,9 @@ TEST(Traced, AMapWithoutOutlinesIsNone) {
 
 TEST(Traced, EverySizeThatIsWrongIsRefused) {
     const Bytes right = bytes_of(felt(), line_bytes).value();
-    for (std::size_t field = 0; field < 8; ++field) {
+    for (std::size_t field = 0; field < 9; ++field) {
         for (const std::uint32_t wrong : {0x7fffffffU, 0xffffffffU, 1U}) {
+            if (field == 1 && wrong == 1U) continue;  // a photograph
             Bytes bytes = right;
             std::memcpy(&bytes[4 * field], &wrong, sizeof wrong);
             EXPECT_FALSE(why_refused(bytes).empty()) << field << " " << wrong;

@@ -5,7 +5,6 @@
 #include "tests/app/decode/encoders.h"
 #include "tests/app/decode/liar_in_place.h"
 #include "tests/app/decode/same_maps.h"
-#include "tests/vision/contour/onnx_writer.h"
 #include "tests/vision/pictures/scenes.h"
 
 #include <cmath>
@@ -103,19 +102,6 @@ TEST(Tracing, EdgesComeWhereTheyAreWanted) {
     EXPECT_EQ(without->edges.width, 0);
     EXPECT_EQ(with->edges.width, 320);
     EXPECT_EQ(with->edges.grey.size(), std::size_t{320} * 240);
-}
-
-TEST(Tracing, ANetworkOfTheUsersOwnTellsTheLines) {
-    cv::Mat picture(240, 300, CV_8UC3, cv::Scalar::all(200));
-    cv::circle(picture, {150, 120}, 70, cv::Scalar::all(40), cv::FILLED);
-    const std::vector<std::byte> network = testing::written(testing::contrast_network(0.1F));
-    const auto traced = trace_page(page_of(picture), {.network = network});
-    ASSERT_TRUE(traced.has_value()) << traced.error().line;
-    EXPECT_EQ(traced->map.outlines.size(), 1U);
-    EXPECT_NE(traced->report.find("The network that was given"), std::string::npos);
-    const auto refused = trace_page(page_of(picture), {.network = std::span(network).first(40)});
-    ASSERT_FALSE(refused.has_value());
-    EXPECT_EQ(refused.error().line.find("the edge model cannot be used"), 0U);
 }
 
 TEST(Tracing, NothingToFeelIsTheAlgorithmsOwnLine) {

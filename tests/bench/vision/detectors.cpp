@@ -109,7 +109,7 @@ Detector reduced_by(double factor) {
     const auto find = [=](const cv::Mat& picture) -> cv::Mat1b {
         cv::Mat small;
         cv::resize(picture, small, {}, factor, factor, cv::INTER_AREA);
-        const cv::Mat strength = photo_lines(small, kShown_mm)->edge_strength;
+        const cv::Mat strength = photo_lines(small, kShown_mm).edge_strength;
         cv::Mat1b large;
         cv::resize(strength, large, picture.size(), 0.0, 0.0, cv::INTER_NEAREST);
         return large;
@@ -120,7 +120,7 @@ Detector reduced_by(double factor) {
 /// All of photo_lines.
 Detector whole() {
     const auto find = [](const cv::Mat& picture) -> cv::Mat1b {
-        return photo_lines(picture, kShown_mm)->edge_strength;
+        return photo_lines(picture, kShown_mm).edge_strength;
     };
     return {"Touchline lines", "as built", find, find};
 }

@@ -74,7 +74,7 @@ void score_repeats(const std::string& set, const std::vector<MarkedPicture>& pic
     std::vector<std::pair<std::string, BoundaryCounts>> counts;
     for (const MarkedPicture& marked : pictures) {
         const auto lines = [](const cv::Mat& picture) {
-            return cv::Mat1b(photo_lines(picture, 116.0)->edge_strength);
+            return cv::Mat1b(photo_lines(picture, 116.0).edge_strength);
         };
         const std::vector<cv::Mat1b> before{testing::thinned(
             cv::Mat1b(cv::Mat(lines(marked.picture) >= BoundarySweep::kAutomatic)))};
@@ -107,18 +107,18 @@ void score_sizes(std::ofstream& csv) {
             const cv::Mat photo =
                 testing::seen(canvas.picture(), {.blur_px = 2.0, .noise_levels = 6.0});
             cv::Mat small;
-            Result<PhotoLines> found = failure("");
+            PhotoLines found;
             times.push_back(ms_of([&] {
                 small = reduced(photo, 1e6 * megapixels);
                 found = photo_lines(small, kShown_mm);
             }));
             const double scale = static_cast<double>(full.width) / small.cols;
-            for (Chain& chain : found->chains) {
+            for (Chain& chain : found.chains) {
                 for (EdgePoint& p : chain.points) {
                     p.at = scale * (p.at + cv::Point2d(0.5, 0.5));
                 }
             }
-            const testing::LineAccuracy accuracy = accuracy_of(found->chains, truth);
+            const testing::LineAccuracy accuracy = accuracy_of(found.chains, truth);
             mean.rms_px += accuracy.rms_px / n;
             mean.greatest_px += accuracy.greatest_px / n;
         }

@@ -67,16 +67,15 @@ TEST(LineGate, LettersAreTracedWithinAQuarterOfAPixel) {
             Effects effects = condition.effects;
             effects.seed = static_cast<int>(i);
             const auto found = photo_lines(seen(drawn(truth), effects), 84.0);
-            ASSERT_TRUE(found.has_value());
             for (Polyline& ring : truth) {
                 ring = placed(ring, {-0.5, -0.5}, 1.0, 0.0);
             }
-            const LineAccuracy accuracy = accuracy_of(found->chains, truth);
+            const LineAccuracy accuracy = accuracy_of(found.chains, truth);
             mean.rms_px += accuracy.rms_px / n;
             mean.p99_px += accuracy.p99_px / n;
             mean.missing += accuracy.missing / n;
             mean.spurious += accuracy.spurious / n;
-            EXPECT_EQ(found->chains.size(), truth.size()) << letters()[i] << ", " << condition.name;
+            EXPECT_EQ(found.chains.size(), truth.size()) << letters()[i] << ", " << condition.name;
         }
         const std::string name = condition.name;
         EXPECT_LE(mean.rms_px, 0.25) << name;

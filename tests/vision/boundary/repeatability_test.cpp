@@ -18,12 +18,12 @@ TEST(Repeatability, TheSameLinesUnderOtherLightNoiseBlurAndJpeg) {
     std::map<std::string, BoundaryCounts> counts;
     for (int i = 0; i < kScenes; ++i) {
         const TruthScene scene = pictogram_scene(3 * i, size);
-        const cv::Mat1b before = photo_lines(scene.picture, 116.0)->edge_strength;
+        const cv::Mat1b before = photo_lines(scene.picture, 116.0).edge_strength;
         const std::vector<cv::Mat1b> truth{
             thinned(cv::Mat1b(cv::Mat(before >= BoundarySweep::kAutomatic)))};
         ASSERT_GT(cv::countNonZero(truth[0]), 300) << i;
         for (const Degraded& version : degraded(scene.picture)) {
-            const cv::Mat1b after = photo_lines(version.picture, 116.0)->edge_strength;
+            const cv::Mat1b after = photo_lines(version.picture, 116.0).edge_strength;
             counts[version.name] += boundary_counts(after, BoundarySweep::kAutomatic, truth);
         }
     }

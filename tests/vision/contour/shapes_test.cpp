@@ -28,9 +28,7 @@ void expect_traced(const Look& look, double allowance) {
         for (const Shape& shape : test_shapes(centre, place.size_px, place.angle_deg)) {
             SCOPED_TRACE(shape.name + " at " + std::to_string(place.angle_deg) + " degrees, blur " +
                          std::to_string(look.blur_px));
-            const auto found_lines = photo_lines(drawn(shape, place.picture, look), 116.0);
-            ASSERT_TRUE(found_lines) << found_lines.error().line;
-            const PhotoLines& lines = *found_lines;
+            const PhotoLines lines = photo_lines(drawn(shape, place.picture, look), 116.0);
             EXPECT_EQ(lines.chains.size(), shape.rings.size());
             EXPECT_TRUE(std::ranges::all_of(lines.chains, &Chain::is_closed));
             const Distances found = distances(shape, lines_in_pixels(lines, place.picture));

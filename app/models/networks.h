@@ -1,0 +1,49 @@
+// The networks that Touchline knows, what each is for, and where it comes from: one table. None of
+// them ships with Touchline; without one, what needs it is left out.
+// Threads: any, each call by itself.
+#pragma once
+
+#include "config/types/result.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace touchline {
+
+struct Network {
+    std::string_view name;     // of the command line
+    std::string_view job;      // one sentence: what it does for a visitor
+    std::string_view package;  // of the npm registry
+    std::string_view version;
+    std::string_view package_sha256;
+    std::string_view licence;  // as its publisher states it
+    std::string_view note;     // what else somebody who installs it should know
+    std::string_view input;    // what it looks at
+    std::string_view file;     // as it is installed
+    std::uint64_t bytes = 0;   // of that file
+    std::string_view sha256;   // of that file
+};
+
+[[nodiscard]] std::span<const Network> networks();
+
+/// Null for a name that nobody knows.
+[[nodiscard]] const Network* network_named(std::string_view name);
+
+/// TOUCHLINE_MODELS, else touchline/models in the user's data folder.
+[[nodiscard]] std::filesystem::path models_folder();
+
+enum class NetworkState : std::uint8_t { usable, absent, damaged };
+
+/// Whether the file is there, and is what the table says. Reads all of it: 0.2 s for 44 MB.
+[[nodiscard]] NetworkState state_of(const Network& network);
+
+/// The file's bytes. Fails, with one line that says what to do, where it is absent or is not what
+/// the table says.
+[[nodiscard]] Result<std::vector<std::byte>> read_network(const Network& network);
+
+}  // namespace touchline

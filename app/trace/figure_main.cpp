@@ -1,0 +1,47 @@
+// touchline-figure: the main things of a photograph, by a network that lies before the picture.
+#include "app/decode/answer_parts.h"
+#include "app/decode/worker_program.h"
+#include "app/trace/main_things.h"
+#include "app/trace/page_pixels.h"
+#include "app/trace/two_parts.h"
+#include "vision/contour/gradient.h"
+#include "vision/figure/figure_network.h"
+
+#include <vector>
+
+#include <opencv2/core/utility.hpp>
+
+namespace {
+
+using namespace touchline;
+
+// Measured at several sizes: tests/bench/vision/photographs.md.
+constexpr int network_side_px = 768;
+constexpr double most_pixels = 1e6;
+
+Result<cv::Mat3b> picture_of(std::span<const std::byte> page) {
+    const auto parts = decode::parts_of(page);
+    if (!parts) return tl::unexpected(parts.error());
+    if (parts->header.kind != AnswerKind::page) return failure("there is no picture to look at");
+    return cv::Mat3b(view_of(*parts));
+}
+
+Result<std::vector<std::byte>> main_things(std::span<const std::byte> input) {
+    const TwoParts parts = two_parts_of(input);
+    const auto picture = picture_of(parts.second);
+    if (!picture) return tl::unexpected(picture.error());
+    auto network = FigureNetwork::from_onnx(parts.first);
+    if (!network) return tl::unexpected(network.error());
+    const cv::Mat3b small = reduced(*picture, most_pixels);
+    return network->likelihood(small, network_side_px).map([&](const cv::Mat1f& likelihood) {
+        return bytes_of(main_things_of(figures_of(likelihood, picture->size())));
+    });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 1) refuse_to_run(argv[0]);
+    cv::setNumThreads(cv::getNumberOfCPUs());
+    run_worker_program({WorkerKind::figure, nullptr, main_things});
+}

@@ -1,0 +1,141 @@
+#include "vision/figure/figure_lines.h"
+
+#include "vision/contour/gradient.h"
+#include "vision/contour/iso_rings.h"
+#include "vision/contour/ring_snap.h"
+#include "vision/contour/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+constexpr float kLimit = 127.5F;
+constexpr double kReach_mm = 1.5;   // the edge of a thing may lie off its mask
+constexpr double kBeside_mm = 3.2;  // nearer to a ring a line is felt as one with it
+constexpr double kSmoothing_px = 1.5;
+constexpr double kShortest_mm = 4.0;
+
+/// The mask at the lines' size, with edges as smooth as the picture's.
+cv::Mat1f fitted(const cv::Mat1b& mask, cv::Size size) {
+    cv::Mat1f soft;
+    mask.convertTo(soft, CV_32F);
+    cv::resize(soft, soft, size, 0.0, 0.0,
+               mask.cols > size.width ? cv::INTER_AREA : cv::INTER_LINEAR);
+    cv::GaussianBlur(soft, soft, cv::Size(), 1.0);
+    return soft;
+}
+
+std::vector<Chain> rings_of(const cv::Mat1f& soft, const cv::Mat1f& strength, double reach_px,
+                            double shortest_px, double high) {
+    std::vector<Chain> rings;
+    for (const Chain& line : iso_rings(soft, kLimit)) {
+        if (length_of(line) < shortest_px) {
+            continue;
+        }
+        Chain ring = resampled(line, 1.0);
+        snap(ring, strength, reach_px);
+        ring = resampled(ring, 1.0);
+        ring.of = LineOf::ring;
+        for (EdgePoint& p : ring.points) {
+            p.strength = std::max(high, static_cast<double>(strength_at(strength, p.at)));
+        }
+        rings.push_back(std::move(ring));
+    }
+    return rings;
+}
+
+/// Distance of each pixel to the nearest ring.
+cv::Mat1f to_rings(const std::vector<Chain>& rings, cv::Size size) {
+    cv::Mat1b free(size, uchar{255});
+    for (const Chain& ring : rings) {
+        std::vector<cv::Point> points;
+        for (const EdgePoint& p : ring.points) {
+            points.emplace_back(cvRound(p.at.x), cvRound(p.at.y));
+        }
+        cv::polylines(free, points, true, cv::Scalar(0));
+    }
+    cv::Mat1f distance;
+    cv::distanceTransform(free, distance, cv::DIST_L2, 5);
+    return distance;
+}
+
+enum class Place { on_ring, inside, outside };
+
+/// The stretches of a line that lie in one place each, those on a ring left out.
+template <class PlaceOf, class Add>
+void cut_by_place(const Chain& line, PlaceOf place_of, Add add) {
+    std::vector<EdgePoint> points = line.points;
+    const auto is_first = [&](std::size_t i) {
+        return place_of(points[i]) != place_of(points[(i + points.size() - 1) % points.size()]);
+    };
+    if (line.is_closed) {
+        std::size_t start = 0;
+        while (start < points.size() && !is_first(start)) {
+            ++start;
+        }
+        if (start == points.size()) {
+            return add(line, place_of(points.front()));
+        }
+        std::ranges::rotate(points, points.begin() + static_cast<std::ptrdiff_t>(start));
+    }
+    for (std::size_t first = 0; first < points.size();) {
+        std::size_t last = first;
+        while (last + 1 < points.size() && place_of(points[last + 1]) == place_of(points[first])) {
+            ++last;
+        }
+        const auto at = [&](std::size_t i) {
+            return points.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        add(Chain{{at(first), at(last + 1)}, false, line.width_px, line.of},
+            place_of(points[first]));
+        first = last + 1;
+    }
+}
+
+}  // namespace
+
+PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b& mask,
+                       double longer_side_mm) {
+    const double px_per_mm = std::max(lines.size.width, lines.size.height) / longer_side_mm;
+    const double shortest_px = kShortest_mm * px_per_mm;
+    cv::Mat small;
+    cv::resize(picture, small, lines.size, 0.0, 0.0, cv::INTER_AREA);
+    const cv::Mat1f strength = colour_gradient(to_lab(small), kSmoothing_px).strength;
+    const cv::Mat1f soft = fitted(mask, lines.size);
+    std::vector<Chain> rings =
+        rings_of(soft, strength, kReach_mm * px_per_mm, shortest_px, lines.high);
+    if (rings.empty()) {
+        return lines;
+    }
+    const cv::Mat1f distance = to_rings(rings, lines.size);
+    const auto beside_px = static_cast<float>(kBeside_mm * px_per_mm);
+    const auto place_of = [&](const EdgePoint& p) {
+        const cv::Point at(std::clamp(cvRound(p.at.x), 0, soft.cols - 1),
+                           std::clamp(cvRound(p.at.y), 0, soft.rows - 1));
+        if (distance(at) < beside_px) {
+            return Place::on_ring;
+        }
+        return soft(at) > kLimit ? Place::inside : Place::outside;
+    };
+    const std::vector<Chain> all = std::exchange(lines.chains, std::move(rings));
+    for (const Chain& line : all) {
+        cut_by_place(line, place_of, [&](Chain part, Place place) {
+            if (place == Place::on_ring || length_of(part) < shortest_px) {
+                return;
+            }
+            if (place == Place::outside) {
+                part.of = LineOf::background;
+            }
+            lines.chains.push_back(std::move(part));
+        });
+    }
+    return lines;
+}
+
+}  // namespace touchline

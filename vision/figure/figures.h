@@ -1,0 +1,33 @@
+// What a photograph shows: its main things, from the likelihood that a network gives each place.
+// Threads: pure functions.
+#pragma once
+
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace touchline {
+
+/// What the rule of sureness looks at.
+struct FigureSigns {
+    double area = 0.0;      // of the figures, of the picture, 0..1
+    double unsure = 0.0;    // of what may be figure, that may as well not be, 0..1
+    double greatest = 0.0;  // likelihood
+    double on_frame = 0.0;  // of the picture's frame that figures lie on, 0..1
+};
+
+/// The figures of one picture, all in one mask.
+struct Figures {
+    cv::Mat1b mask;               // of the picture's proportions; 128 and more: figure; soft edges
+    std::vector<cv::Rect> boxes;  // in the mask, of each figure, the largest first
+    FigureSigns signs;
+    bool is_sure = false;  // else a visitor is told that there is no clear main thing
+};
+
+/// `likelihood`: 0..1 over the whole picture, stretched to a square or not; `picture`: its size. A
+/// place is figure from a likelihood of 0.3 on. A part counts from 5 % of all of them and 0.2 % of
+/// the picture on; a hole in it from 0.4 % of the picture on, smaller ones are filled. The mask has
+/// a megapixel at most. Without figures: no boxes, and not sure. O(pixels).
+[[nodiscard]] Figures figures_of(const cv::Mat1f& likelihood, cv::Size picture);
+
+}  // namespace touchline
