@@ -43,9 +43,9 @@ bool is_map_name(const std::string& path) {
                       });
 }
 
-Result<TracedMap> trace_picture(const std::string& path, const TraceRequest& request, int view) {
+Result<Page> open_view(const std::string& path, int view) {
     auto page = open_page_of(path);
-    if (!page) return tl::unexpected(page.error());
+    if (!page) return page;
     const int views = view_count(*page);
     if (view > views)
         return tl::unexpected(
@@ -53,19 +53,20 @@ Result<TracedMap> trace_picture(const std::string& path, const TraceRequest& req
                                        views == 1 ? "one view" : fmt::format("{} views", views))}));
     const auto open = [&path](const PageOrder& order) { return open_page_of(path, order); };
     if (auto finer = finer_page(*page, view, open)) page = std::move(*finer);
-    const Page seen = view < views ? view_of(*page, view) : std::move(*page);
+    return view < views ? view_of(*page, view) : std::move(page);
+}
+
+Result<TracedMap> trace_picture(const std::string& path, const TraceRequest& request, int view) {
+    const auto seen = open_view(path, view);
+    if (!seen) return tl::unexpected(seen.error());
     const auto felt =
-        is_own_map(seen) ? own_map(seen, request.options.detail) : trace_page(seen, request);
+        is_own_map(*seen) ? own_map(*seen, request.options.detail) : trace_page(*seen, request);
     return felt.map_error([&path](const Error& error) { return of_file(path, error); });
 }
 
 Result<TactileMap> load_map(const std::string& path, bool as_picture) {
     if (is_map_name(path) && !as_picture) return read_map_svg(path);
-    const auto page = open_page_of(path);
-    if (!page) return tl::unexpected(page.error());
-    return trace_page(*page, {})
-        .map([](TracedMap found) { return std::move(found.map); })
-        .map_error([&path](const Error& error) { return of_file(path, error); });
+    return trace_picture(path, {}).map([](TracedMap found) { return std::move(found.map); });
 }
 
 Result<TactileMap> load_drawing(const std::string& path, int detail) {

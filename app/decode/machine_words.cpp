@@ -308,9 +308,9 @@ bool is_a_token(std::string_view text) {
     if (text.starts_with("http://") || text.starts_with("https://") || text.starts_with("www."))
         return true;
     constexpr auto endings = std::to_array<std::string_view>(
-        {".jpg", ".jpeg", ".png",  ".gif", ".tif", ".tiff", ".heic", ".webp", ".svg",
-         ".pdf", ".doc",  ".docx", ".odt", ".ppt", ".pptx", ".xls",  ".xlsx", ".ai",
-         ".eps", ".psd",  ".indd", ".dwg", ".dxf", ".cdr",  ".vsd",  ".bmp",  ".raw"});
+        {".jpg", ".jpeg", ".png",  ".gif", ".tif", ".tiff", ".heic", ".webp", ".svg", ".svgz",
+         ".pdf", ".doc",  ".docx", ".odt", ".ppt", ".pptx", ".xls",  ".xlsx", ".ai",  ".eps",
+         ".psd", ".indd", ".dwg",  ".dxf", ".cdr", ".vsd",  ".bmp",  ".raw"});
     const bool is_file =
         std::ranges::any_of(endings, [text](std::string_view end) { return text.ends_with(end); });
     constexpr std::size_t long_token = 24;

@@ -24,7 +24,7 @@ bool is_one_of(std::string_view name, const std::array<std::string_view, count>&
 constexpr std::array<std::string_view, 20> pictures{
     "png", "apng", "jpg", "jpeg", "jpe", "jfif", "webp", "gif",  "bmp",  "dib",
     "pnm", "pbm",  "pgm", "ppm",  "tif", "tiff", "heic", "heif", "avif", "hif"};
-constexpr std::array<std::string_view, 2> documents{"svg", "pdf"};
+constexpr std::array<std::string_view, 3> documents{"svg", "svgz", "pdf"};
 constexpr std::array<std::string_view, 15> office_files{"doc", "docx", "docm",    "odt",   "rtf",
                                                         "ppt", "pptx", "odp",     "xls",   "xlsx",
                                                         "ods", "odg",  "numbers", "pages", "key"};

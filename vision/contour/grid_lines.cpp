@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -18,6 +20,7 @@ constexpr double kLongEnough = 0.25;  // of the longest line: others are broken 
 constexpr std::size_t kLeastLines = 3;
 constexpr double kEven = 0.2;         // of the spacing
 constexpr double kMostlyEven = 0.7;   // of the gaps
+constexpr double kOnSpacing = 0.05;   // of the spacing: where a line that is broken belongs to it
 constexpr double kMostlyGrid = 0.55;  // of all that is as pale
 constexpr int kEdge_px = 2;           // beside a line, what is left of it
 
@@ -57,13 +60,14 @@ class Counts {
         return sum;
     }
 
-    /// Stretches of places that hold enough.
-    [[nodiscard]] std::vector<Band> bands() const {
-        const int most = *std::ranges::max_element(counts_);
+    [[nodiscard]] int most() const { return *std::ranges::max_element(counts_); }
+
+    /// Stretches of places that hold more pixels than these.
+    [[nodiscard]] std::vector<Band> bands(double few) const {
         std::vector<Band> bands;
         for (std::size_t i = 0; i < counts_.size();) {
             Band band{static_cast<double>(i) + low_, 0.0, 0};
-            for (; i < counts_.size() && counts_[i] > kLongEnough * most; ++i) {
+            for (; i < counts_.size() && counts_[i] > few; ++i) {
                 band.pixels += counts_[i];
                 band.to = static_cast<double>(i) + low_;
             }
@@ -95,16 +99,39 @@ Bundle best_tilted(const std::vector<cv::Point>& points, bool is_level, cv::Size
     return best;
 }
 
-/// Each gap a multiple of the least, near enough.
-bool are_even(const std::vector<Band>& bands) {
+std::vector<double> gaps_of(const std::vector<Band>& bands) {
     std::vector<double> gaps;
     for (std::size_t i = 1; i < bands.size(); ++i) {
         gaps.push_back(bands[i].middle() - bands[i - 1].middle());
     }
+    return gaps;
+}
+
+bool is_multiple(double gap, double spacing, double tolerance) {
+    return std::abs(gap / spacing - std::round(gap / spacing)) <= tolerance;
+}
+
+/// Each gap a multiple of the least, near enough.
+bool are_even(const std::vector<double>& gaps) {
     const double least = *std::ranges::min_element(gaps);
-    const auto even = std::ranges::count_if(
-        gaps, [&](double gap) { return std::abs(gap / least - std::round(gap / least)) <= kEven; });
+    const auto even =
+        std::ranges::count_if(gaps, [&](double gap) { return is_multiple(gap, least, kEven); });
     return static_cast<double>(even) >= kMostlyEven * static_cast<double>(gaps.size());
+}
+
+/// Of all that is straight what lies as far from the nearest line as lines do from each other, or a
+/// multiple: between high bars there is little to be seen of a line, and yet it is one of them.
+std::vector<Band> on_spacing(const std::vector<Band>& all, const std::vector<Band>& lines) {
+    const double spacing = std::ranges::min(gaps_of(lines));
+    std::vector<Band> found;
+    std::ranges::copy_if(all, std::back_inserter(found), [&](const Band& one) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Band& line : lines) {
+            nearest = std::min(nearest, std::abs(one.middle() - line.middle()));
+        }
+        return nearest > 0.5 * spacing && is_multiple(nearest, spacing, kOnSpacing);
+    });
+    return found;
 }
 
 /// What of the pale strokes lies on evenly spaced lines of one direction.
@@ -120,12 +147,14 @@ cv::Mat1b on_even_lines(const cv::Mat1b& pale, bool is_level, double greatest_wi
         return found;
     }
     const Bundle bundle = best_tilted(points, is_level, pale.size());
-    const std::vector<Band> bands = Counts(points, bundle, pale.size()).bands();
-    const bool are_thin = std::ranges::all_of(
-        bands, [&](const Band& band) { return band.to - band.from < greatest_width_px; });
-    if (bands.size() < kLeastLines || !are_thin || !are_even(bands)) {
+    const Counts counts(points, bundle, pale.size());
+    std::vector<Band> bands = counts.bands(kLongEnough * counts.most());
+    const auto is_thin = [&](const Band& band) { return band.to - band.from < greatest_width_px; };
+    if (bands.size() < kLeastLines || !std::ranges::all_of(bands, is_thin) ||
+        !are_even(gaps_of(bands))) {
         return found;
     }
+    std::ranges::copy_if(on_spacing(counts.bands(0.0), bands), std::back_inserter(bands), is_thin);
     std::vector<cv::Point> all;
     cv::findNonZero(pale, all);
     for (const cv::Point& p : all) {

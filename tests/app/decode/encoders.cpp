@@ -196,12 +196,12 @@ Bytes moving_webp(const Picture& picture) {
     return out;
 }
 
-Bytes tiff(int width, int height, const TiffForm& form, const std::vector<std::uint8_t>& samples) {
-    const std::string path =
-        testing::TempDir() + "touchline-" + std::to_string(::getpid()) + ".tiff";
-    TIFF* file = TIFFOpen(path.c_str(), "w");
-    if (file == nullptr) throw std::runtime_error("no room for " + path);
+namespace {
+
+void write_pages(TIFF* file, const TiffDirectory& directory) {
+    const auto& [width, height, form, samples] = directory;
     for (int page = 0; page < form.pages; ++page) {
+        TIFFSetField(file, TIFFTAG_SUBFILETYPE, form.subfile_type);
         TIFFSetField(file, TIFFTAG_IMAGEWIDTH, width);
         TIFFSetField(file, TIFFTAG_IMAGELENGTH, height);
         TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, form.samples_per_pixel);
@@ -230,10 +230,24 @@ Bytes tiff(int width, int height, const TiffForm& form, const std::vector<std::u
         }
         TIFFWriteDirectory(file);
     }
+}
+
+}  // namespace
+
+Bytes tiff(const std::vector<TiffDirectory>& directories) {
+    const std::string path =
+        testing::TempDir() + "touchline-" + std::to_string(::getpid()) + ".tiff";
+    TIFF* file = TIFFOpen(path.c_str(), "w");
+    if (file == nullptr) throw std::runtime_error("no room for " + path);
+    for (const TiffDirectory& directory : directories) write_pages(file, directory);
     TIFFClose(file);
     auto bytes = read_file(path);
     ::unlink(path.c_str());
     return bytes.value();
+}
+
+Bytes tiff(int width, int height, const TiffForm& form, const std::vector<std::uint8_t>& samples) {
+    return tiff({{width, height, form, samples}});
 }
 
 Bytes tiff(const Picture& picture, int orientation) {

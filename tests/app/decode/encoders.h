@@ -51,11 +51,21 @@ struct TiffForm {
     int extra_sample = -1;                     // EXTRASAMPLE_... of the last sample
     std::vector<std::uint16_t> palette_rgb{};  // all reds, all greens, all blues; 256 each
     int pages = 1;
+    std::uint32_t subfile_type = 0;  // FILETYPE_..., what it is of another picture
 };
 
 /// `samples`: width x height x samples_per_pixel, 16-bit ones in the machine's order.
 Bytes tiff(int width, int height, const TiffForm& form, const std::vector<std::uint8_t>& samples);
 Bytes tiff(const Picture& picture, int orientation = 1);
+
+struct TiffDirectory {
+    int width;
+    int height;
+    TiffForm form;
+    std::vector<std::uint8_t> samples;
+};
+
+Bytes tiff(const std::vector<TiffDirectory>& directories);
 
 struct HeifForm {
     bool is_avif = false;

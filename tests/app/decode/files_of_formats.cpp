@@ -38,6 +38,15 @@ void put_little_endian(Bytes& bytes, std::size_t at, std::uint32_t value, std::s
 
 }  // namespace
 
+/// As its box "ispe" says it: behind the name and four bytes.
+void put_heif_size(Bytes& bytes, std::uint32_t width, std::uint32_t height) {
+    const Bytes name = encoders::bytes_of("ispe");
+    const auto found = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
+    const auto at = static_cast<std::size_t>(found - bytes.begin()) + 8;
+    put_big_endian(bytes, at, width, 4);
+    put_big_endian(bytes, at + 4, height, 4);
+}
+
 Bytes tagged_pdf(const std::vector<std::string>& texts, const std::string& alt) {
     // Numbers follow from the order: catalogue 1, tree 2, pages 3, font 4, then four a page.
     const auto first_of = [](std::size_t page) { return 5 + 5 * static_cast<int>(page); };
@@ -144,6 +153,12 @@ std::vector<NamedFile> bombs() {
     const Bytes frame{std::byte{0xff}, std::byte{0xc0}};
     const auto found = std::search(jpeg.begin(), jpeg.end(), frame.begin(), frame.end());
     put_big_endian(jpeg, static_cast<std::size_t>(found - jpeg.begin()) + 5, 0xf000f000U, 4);
+    Bytes heic = encoders::heif(picture, {});
+    put_heif_size(heic, 20'000, 20'000);
+    encoders::HeifForm avif_form;
+    avif_form.is_avif = true;
+    Bytes avif = encoders::heif(picture, avif_form);
+    put_heif_size(avif, 20'000, 20'000);
     std::string svg = R"(<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><g id="a">)"
                       R"(<path d="M0 0h9"/></g>)";
     for (char id = 'b'; id <= 'z'; ++id) {
@@ -165,6 +180,8 @@ std::vector<NamedFile> bombs() {
             {"BMP of 3600 megapixels", bmp},
             {"WebP of 268 megapixels", webp},
             {"JPEG of 3774 megapixels", jpeg},
+            {"HEIC of 400 megapixels", heic},
+            {"AVIF of 400 megapixels", avif},
             {"PPM of 3600 megapixels", encoders::bytes_of("P6 60000 60000 255\n")},
             {"SVG of 10^25 uses", encoders::bytes_of(svg + "</svg>")},
             {"SVG of 10^25 entities", encoders::bytes_of(laughs)}};

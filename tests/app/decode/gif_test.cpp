@@ -97,10 +97,12 @@ struct Frame {
     bool is_interlaced = false;
     bool is_kept_when_full = false;
     std::uint8_t green = 0;  // of its own colours, which are else (i, 0, 255 - i)
+    bool is_grey = false;    // or (i, i, i)
 };
 
 /// Colour i of a frame.
 std::array<std::uint8_t, 3> bgr_of(const Frame& frame, std::uint8_t i) {
+    if (frame.is_grey) return {i, i, i};
     return {static_cast<std::uint8_t>(255 - i), frame.green, i};
 }
 
@@ -315,6 +317,20 @@ TEST(GifReader, TheShapeOfItsPixelsIsKept) {
     EXPECT_EQ(high.width, 4);
     EXPECT_EQ(high.height, 8);
     EXPECT_EQ(decoded(gif({4, 4, false, 49}, {plain_frame(0, 0, 4, 4, 10)})).width, 4);
+}
+
+TEST(GifReader, InkOnNothingLiesOnTheGroundThatShowsIt) {
+    for (const std::uint8_t ink : {std::uint8_t{255}, std::uint8_t{0}}) {
+        Frame frame = plain_frame(0, 0, 24, 24, 9);
+        frame.transparent = 9;
+        frame.is_grey = true;
+        for (std::size_t y = 8; y < 16; ++y)
+            std::fill_n(frame.indices.begin() + static_cast<std::ptrdiff_t>(24 * y + 8), 8, ink);
+        const Picture picture = decoded(gif({24, 24}, {frame}));
+        const auto ground = static_cast<std::uint8_t>(255 - ink);
+        EXPECT_TRUE(is(picture, 12, 12, {ink, ink, ink}));
+        EXPECT_TRUE(is(picture, 2, 2, {ground, ground, ground}));
+    }
 }
 
 }  // namespace

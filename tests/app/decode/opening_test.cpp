@@ -1,6 +1,8 @@
 // Real files through the real worker.
 #include "app/decode/opening.h"
 
+#include "app/decode/files.h"
+#include "app/decode/side_car.h"
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/encoders.h"
 
@@ -15,6 +17,7 @@
 
 #include <gtest/gtest.h>
 #include <png.h>
+#include <unistd.h>
 
 namespace touchline {
 namespace {
@@ -77,6 +80,62 @@ TEST(Opening, WithoutTheProgramItSaysSo) {
     EXPECT_NE(page.error().line.find("installed anew"), std::string::npos);
 }
 
+/// A folder of its own, gone with its owner.
+class Folder {
+  public:
+    Folder() { std::filesystem::create_directories(path_); }
+
+    ~Folder() { std::filesystem::remove_all(path_); }
+
+    Folder(const Folder&) = delete;
+    Folder(Folder&&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    Folder& operator=(Folder&&) = delete;
+
+    [[nodiscard]] std::string write(const std::string& name,
+                                    const std::vector<std::byte>& bytes) const {
+        const std::string path = (path_ / name).string();
+        EXPECT_TRUE(write_whole_file(path, bytes).has_value());
+        return path;
+    }
+
+  private:
+    std::filesystem::path path_ = std::filesystem::path(testing::TempDir()) /
+                                  ("touchline-opening-" + std::to_string(::getpid()));
+};
+
+TEST(Opening, ATextBesideThePictureTellsOfIt) {
+    const Folder folder;
+    const std::string fish = folder.write("fish.png", encoders::png(encoders::test_picture()));
+    EXPECT_EQ(open_page_of(fish)->told.title, "");
+    for (const char* name : {"fish.png.txt", "Fish2.txt"})
+        (void)folder.write(name, encoders::bytes_of("Of another\none"));
+    EXPECT_EQ(open_page_of(fish)->told.title, "") << "no text has its name";
+    (void)folder.write("fish.txt", encoders::bytes_of("The fish\nIt swims to the left.\n"));
+    const auto told = open_page_of(fish);
+    ASSERT_TRUE(told.has_value()) << told.error().line;
+    EXPECT_EQ(told->told.title, "The fish");
+    EXPECT_EQ(told->told.description, "It swims to the left.");
+    EXPECT_EQ(told->picture.bgr, open_page(encoders::png(encoders::test_picture()))->picture.bgr);
+    (void)folder.write("fish.txt", encoders::bytes_of(std::string(max_side_car_bytes + 1, 'a')));
+    EXPECT_EQ(open_page_of(fish)->told.description, "") << "too long to be read";
+    const std::string alone = folder.write("text.txt", encoders::bytes_of("no picture"));
+    EXPECT_EQ(open_page_of(alone).error().line.find(alone + ": "), 0U);
+}
+
+/// What the text says goes before what the file says of itself.
+TEST(Opening, ATextBesideTheDrawingGoesBeforeItsOwnTitle) {
+    const Folder folder;
+    const std::string drawing = folder.write(
+        "map.svg", encoders::bytes_of("<svg xmlns='http://www.w3.org/2000/svg' width='9' "
+                                      "height='9'><title>Plan</title><rect width='5' "
+                                      "height='5'/></svg>"));
+    EXPECT_EQ(open_page_of(drawing)->told.title, "Plan");
+    (void)folder.write("map.txt", encoders::bytes_of("The square\nAt the upper left."));
+    EXPECT_EQ(open_page_of(drawing)->told.title, "The square");
+    EXPECT_EQ(open_page_of(drawing)->told.description, "At the upper left.");
+}
+
 /// White, but for the middle ninth, which is black.
 bool is_dark_at(int x, int y, int width, int height) {
     return x >= width / 3 && x < 2 * width / 3 && y >= height / 3 && y < 2 * height / 3;
@@ -130,15 +189,53 @@ Picture with_dark_middle(int width, int height) {
     return picture;
 }
 
-/// As telephones make them; encoding takes most of the time.
+/// As telephones have them.
+constexpr int large_width = 8'064;
+constexpr int large_height = 6'048;
+
+void expect_half_as_large(const encoders::Bytes& bytes, int width = large_width,
+                          int height = large_height) {
+    const auto page = open_page(bytes);
+    ASSERT_TRUE(page.has_value()) << page.error().line;
+    EXPECT_EQ(page->picture.width, width / 2);
+    EXPECT_EQ(page->picture.height, height / 2);
+    EXPECT_EQ(page->picture.scale, 0.5);
+    expect_dark_middle(page->picture);
+}
+
+/// Encoding takes most of the time.
 TEST(Opening, AHeicOfFortyEightMegapixelsIsMadeSmaller) {
     encoders::HeifForm form;
     form.quality = 40;
-    const auto page = open_page(encoders::heif(with_dark_middle(8'064, 6'048), form));
-    ASSERT_TRUE(page.has_value()) << page.error().line;
-    EXPECT_EQ(page->picture.width, 4'032);
-    EXPECT_EQ(page->picture.height, 3'024);
-    expect_dark_middle(page->picture);
+    expect_half_as_large(encoders::heif(with_dark_middle(large_width, large_height), form));
+}
+
+/// Of 48 megapixels with TOUCHLINE_EXHAUSTIVE, else of 27: the encoder takes a quarter of a minute.
+TEST(Opening, AnAvifOfManyMegapixelsIsMadeSmaller) {
+    const bool is_exhaustive = std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr;
+    const int width = is_exhaustive ? large_width : 6'048;
+    const int height = is_exhaustive ? large_height : 4'536;
+    encoders::HeifForm form;
+    form.is_avif = true;
+    form.quality = 40;
+    expect_half_as_large(encoders::heif(with_dark_middle(width, height), form), width, height);
+}
+
+TEST(Opening, ATiffOfFortyEightMegapixelsIsMadeSmaller) {
+    expect_half_as_large(encoders::tiff(with_dark_middle(large_width, large_height)));
+}
+
+TEST(Opening, AWebpOfFortyEightMegapixelsIsMadeSmaller) {
+    expect_half_as_large(encoders::lossy_webp(with_dark_middle(large_width, large_height)));
+}
+
+TEST(Opening, ALosslessWebpOfFortyEightMegapixelsIsMadeSmaller) {
+    const Picture picture = with_dark_middle(large_width, large_height);
+    std::vector<std::uint8_t> bgra;
+    bgra.reserve(picture.bgr.size() / 3 * 4);
+    for (std::size_t i = 0; i < picture.bgr.size(); i += 3)
+        bgra.insert(bgra.end(), {picture.bgr[i], picture.bgr[i], picture.bgr[i], 255});
+    expect_half_as_large(encoders::lossless_webp(large_width, large_height, bgra));
 }
 
 /// A filter that any renderer works at for minutes. How long is the sandbox's business

@@ -287,6 +287,34 @@ TEST(TiffReader, TheFirstPageIsTaken) {
         picture);
 }
 
+encoders::TiffDirectory directory_of(const Picture& picture, std::uint32_t subfile_type) {
+    encoders::TiffForm form{PHOTOMETRIC_RGB, 3};
+    form.subfile_type = subfile_type;
+    return {picture.width, picture.height, form, encoders::rgb_of(picture)};
+}
+
+/// What a scanner or an editor writes before the picture: a small copy of it, or where it is solid.
+TEST(TiffReader, APreviewOrAMaskBeforeThePictureIsNotTaken) {
+    const Picture picture = encoders::test_picture(64, 48);
+    const auto whole = directory_of(picture, 0);
+    const auto preview = directory_of(encoders::test_picture(16, 12), FILETYPE_REDUCEDIMAGE);
+    encoders::TiffForm mask_form{PHOTOMETRIC_MASK, 1, 1};
+    mask_form.subfile_type = FILETYPE_MASK;
+    const encoders::TiffDirectory mask{64, 48, mask_form, std::vector<std::uint8_t>(8 * 48, 0xf0)};
+    expect_same(decoded(encoders::tiff({preview, whole})), picture);
+    expect_same(decoded(encoders::tiff({mask, whole})), picture);
+    expect_same(decoded(encoders::tiff({preview, mask, whole, preview})), picture);
+    expect_same(decoded(encoders::tiff({directory_of(picture, FILETYPE_PAGE), preview})), picture);
+}
+
+TEST(TiffReader, OfPreviewsAloneTheFirstIsTaken) {
+    const Picture first = encoders::test_picture(16, 12);
+    expect_same(decoded(encoders::tiff(
+                    {directory_of(first, FILETYPE_REDUCEDIMAGE),
+                     directory_of(encoders::test_picture(64, 48), FILETYPE_REDUCEDIMAGE)})),
+                first);
+}
+
 TEST(WebpReader, LosslessComesBackExactlyAndLossyClosely) {
     const Picture picture = encoders::test_picture(64, 48);
     std::vector<std::uint8_t> bgra;
@@ -331,6 +359,57 @@ TEST(SvgPicture, OpensNoOtherFile) {
     ::unlink(path.c_str());
     EXPECT_TRUE(std::all_of(picture.bgr.begin(), picture.bgr.end(),
                             [](std::uint8_t byte) { return byte == 255; }));
+}
+
+constexpr int icon_px = 24;
+
+bool is_ink(int x, int y) {
+    return x >= 8 && x < 16 && y >= 8 && y < 16;
+}
+
+/// A square of ink in the middle of nothing: `channels` of ink a pixel, then alpha.
+std::vector<std::uint8_t> icon(std::uint8_t ink, std::size_t channels) {
+    std::vector<std::uint8_t> samples;
+    for (int y = 0; y < icon_px; ++y)
+        for (int x = 0; x < icon_px; ++x) {
+            samples.insert(samples.end(), channels, ink);
+            samples.push_back(is_ink(x, y) ? 255 : 0);
+        }
+    return samples;
+}
+
+void expect_on_ground(const Picture& picture, std::uint8_t ink) {
+    ASSERT_EQ(picture.width, icon_px);
+    ASSERT_EQ(picture.height, icon_px);
+    for (int y = 0; y < icon_px; ++y)
+        for (int x = 0; x < icon_px; ++x) {
+            const int wanted = is_ink(x, y) ? ink : 255 - ink;
+            ASSERT_EQ(picture.bgr[static_cast<std::size_t>(3 * (y * icon_px + x))], wanted)
+                << x << ' ' << y;
+        }
+}
+
+TEST(TransparentPicture, LiesOnTheGroundThatShowsItsInk) {
+    for (const std::uint8_t ink : {std::uint8_t{255}, std::uint8_t{0}}) {
+        SCOPED_TRACE(int{ink});
+        const auto rgba = icon(ink, 3);
+        const auto png_of = [](const encoders::PngForm& form,
+                               const std::vector<std::uint8_t>& samples) {
+            return decoded(encoders::png(icon_px, icon_px, form, samples));
+        };
+        expect_on_ground(png_of({PNG_COLOR_TYPE_RGB_ALPHA, 8}, rgba), ink);
+        expect_on_ground(png_of({PNG_COLOR_TYPE_RGB_ALPHA, 8, true}, rgba), ink);
+        expect_on_ground(png_of({PNG_COLOR_TYPE_GRAY_ALPHA, 8}, icon(ink, 1)), ink);
+        std::vector<std::uint8_t> indices = icon(0, 0);
+        for (std::uint8_t& index : indices) index = index > 0 ? 1 : 0;
+        const encoders::PngForm palette{
+            PNG_COLOR_TYPE_PALETTE, 8, false, {9, 9, 9, ink, ink, ink}, {0, 255}};
+        expect_on_ground(png_of(palette, indices), ink);
+        expect_on_ground(decoded(encoders::lossless_webp(icon_px, icon_px, rgba)), ink);
+        encoders::TiffForm form{PHOTOMETRIC_RGB, 4};
+        form.extra_sample = EXTRASAMPLE_UNASSALPHA;
+        expect_on_ground(decoded(encoders::tiff(icon_px, icon_px, form, rgba)), ink);
+    }
 }
 
 TEST(PngWriter, WhatIsWrittenReadsBack) {

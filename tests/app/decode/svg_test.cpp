@@ -6,6 +6,8 @@
 #include "tests/app/decode/encoders.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -79,9 +81,17 @@ TEST(Svg, IsKnownHoweverItIsWritten) {
         R"(<!DOCTYPE svg [<!ENTITY black "fill:#000">]>)" +
         at_size(R"(<circle cx="120" cy="150" r="70" style="fill:none;stroke:#000;stroke-width:3"/>)"
                 R"(<rect x="230" y="70" width="120" height="160" style="&black;"/>)");
+    // A public name, an address, and what the document itself declares.
+    const std::string of_an_old_editor =
+        R"(<?xml version="1.0" encoding="utf-8"?><!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.0//EN" )"
+        R"("http://www.w3.org/TR/2001/REC-SVG-20010904/DTD/svg10.dtd" [)"
+        R"(<!ENTITY ns_svg "http://www.w3.org/2000/svg"><!ENTITY black "fill:#000">]>)"
+        R"(<svg xmlns="&ns_svg;" width="400" height="300" viewBox="0 0 400 300">)"
+        R"(<circle cx="120" cy="150" r="70" style="fill:none;stroke:#000;stroke-width:3"/>)"
+        R"(<rect x="230" y="70" width="120" height="160" style="&black;"/></svg>)";
     for (const std::string& text :
          {plain, "\xef\xbb\xbf" + plain, "<!-- " + comment + " -->\n" + plain,
-          in_utf16(utf16, false), in_utf16(utf16, true), packed(plain), entity})
+          in_utf16(utf16, false), in_utf16(utf16, true), packed(plain), entity, of_an_old_editor})
         expect_circle_and_box(page_of(text));
 }
 
@@ -134,6 +144,29 @@ TEST(Svg, TextsAreLabelsWhereTheyArePainted) {
     EXPECT_NEAR(page.words[1].bottom, 260 * px, 4 * px);
     EXPECT_GT(page.told.labels[1].place.x, 0.0);
     EXPECT_LT(page.told.labels[1].place.y, 0.0);
+}
+
+struct PlacedText {
+    const char* text;
+    double x, y;
+};
+
+/// As plotting programs letter their axes: two or three pixels of the screen a stroke.
+TEST(Svg, TinyTextsBesideAStyleSheetAreLabelsWhereTheyArePainted) {
+    const Page page = page_of(at_size(
+        "<style>.tick{font-size:8px;fill:#333} path{stroke:#000}</style><path d='M40 20V250H380'/>"
+        "<text class='tick' x='20' y='60'>0.8</text><text x='20' y='160' font-size='8'>0.4</text>"
+        "<text class='tick' x='200' y='262'>day</text>"));
+    ASSERT_EQ(page.told.labels.size(), 3U);
+    ASSERT_EQ(page.words.size(), 3U);
+    const double px = page.picture.width / 400.0;
+    const std::array<PlacedText, 3> wanted{{{"0.8", 20, 60}, {"0.4", 20, 160}, {"day", 200, 262}}};
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const auto& [text, x, y] = wanted[i];
+        EXPECT_EQ(page.told.labels[i].text, text);
+        EXPECT_NEAR(page.words[i].left, x * px, 2 * px) << text;
+        EXPECT_NEAR(page.words[i].bottom, y * px, 2 * px) << text;
+    }
 }
 
 TEST(Svg, WhiteOnNothingHasADarkGround) {

@@ -6,6 +6,7 @@
 #include "app/trace/tracing.h"
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/files_of_formats.h"
+#include "tests/app/decode/pdf_writer.h"
 #include "tests/app/decode/with_metadata.h"
 
 #include <filesystem>
@@ -96,6 +97,29 @@ TEST(Told, SvgTitleAndDescription) {
     EXPECT_EQ(told.title, "Fish");
     EXPECT_EQ(told.description, "A fish");
     EXPECT_TRUE(told.outlines.empty());  // one covers the other
+}
+
+TactileMap told_of_svg(const std::string& title, const std::string& description) {
+    return told_of(encoders::bytes_of(fmt::format(
+        R"(<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><title>{}</title>)"
+        R"(<desc>{}</desc><rect width="5" height="5"/></svg>)",
+        title, description)));
+}
+
+/// Of a page without a heading: what the document says of itself.
+TactileMap told_of_pdf(const std::string& title) {
+    return told_of(written_pdf({{"100 100 300 200 re S"}},
+                               {fmt::format("<< /Title ({}) >>", title)}, "", "/Info 5 0 R"));
+}
+
+TEST(Told, ATitleThatAProgramWroteIsNone) {
+    for (const char* title : {"untitled", "Microsoft Word - x"})
+        EXPECT_EQ(told_of_pdf(title).title, "") << title;
+    EXPECT_EQ(told_of_pdf("Plan of the hall").title, "Plan of the hall");
+    EXPECT_EQ(told_of_svg("Slice 1", "Created with Sketch.").title, "");
+    EXPECT_EQ(told_of_svg("Slice 1", "Created with Sketch.").description, "");
+    EXPECT_EQ(told_of_svg("A slice of bread", "With butter").title, "A slice of bread");
+    EXPECT_EQ(told_of_svg("A slice of bread", "With butter").description, "With butter");
 }
 
 TEST(Told, TaggedPdfGivesHeadingFigureAndWordsOfEachPage) {

@@ -14,6 +14,7 @@ namespace touchline::testing {
 namespace {
 
 const cv::Scalar kBlack(0, 0, 0);
+const cv::Scalar kWhite(255, 255, 255);
 
 /// Writes each thing into the file and into what is known of it.
 class Board {
@@ -228,6 +229,7 @@ Drawing floor_plan(Chance& chance) {
 
 Drawing tactile_map(Chance& chance) {
     Board board;
+    board.bar({0.0, 0.0, kSheet_mm.width, kSheet_mm.height}, kWhite);  // no line of the map
     const cv::Scalar road(119, 119, 119);
     const double width = chance.between(1.2, 2.4);
     const double y = chance.between(36.0, 48.0);

@@ -78,6 +78,11 @@ std::vector<Mark> marks_of(std::span<const cv::Point2d> points, std::size_t line
     return out;
 }
 
+/// As OpenCV measures them.
+std::vector<cv::Point2f> in_floats(const std::vector<cv::Point2d>& points) {
+    return {points.begin(), points.end()};
+}
+
 /// Two lines, or one that comes back, lie within the gap: one of them is chosen, or led to the
 /// other.
 bool is_crowded(const Marks& seen, const cv::Point2d& at, double gap_mm) {
@@ -210,12 +215,15 @@ Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, do
     out.milliseconds = view->milliseconds;
     const std::vector<SeenLine> lines = seen_lines(drawing);
     Marks seen;
-    for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        out.seen_mm += cv::arcLength(in_floats(lines[i].points), lines[i].is_closed);
         for (const Mark& mark : marks_of(lines[i].points, i)) seen.add(mark);
+    }
     std::vector<std::vector<cv::Point2d>> felt_lines;
     Marks felt;
     for (const Outline& outline : out.map.outlines) {
         felt_lines.push_back(in_steps(outline));
+        out.felt_mm += cv::arcLength(in_floats(felt_lines.back()), outline.is_closed);
         for (const Mark& mark : marks_of(felt_lines.back(), felt_lines.size())) felt.add(mark);
     }
     const DetailLimits limits = limits_for(detail, TraceRequest{}.options.area);

@@ -33,8 +33,10 @@ struct Counted {
 };
 
 struct Felt {
-    Counted seen;  // of what can be seen: felt or not
-    Counted felt;  // of what is felt: seen or not
+    Counted seen;          // of what can be seen: felt or not
+    Counted felt;          // of what is felt: seen or not
+    double seen_mm = 0.0;  // length of all lines that can be seen
+    double felt_mm = 0.0;  // and of all that are felt
     TactileMap map;
     double milliseconds = 0.0;                     // file to map
     std::vector<std::vector<cv::Point2d>> missed;  // stretches of the seen lines, for a look

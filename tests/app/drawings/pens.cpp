@@ -2,10 +2,13 @@
 
 #include "tests/app/drawings/svg_features.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +20,12 @@ std::string path_of(const Polyline& line) {
     for (const cv::Point2d& p : line.points)
         d += fmt::format("{}{:.3f} {:.3f}", d.empty() ? "M" : "L", p.x, p.y);
     return d + (line.is_closed ? "z" : "");
+}
+
+Polyline box(const cv::Rect2d& r) {
+    return {
+        {{r.x, r.y}, {r.x + r.width, r.y}, {r.x + r.width, r.y + r.height}, {r.x, r.y + r.height}},
+        true};
 }
 
 std::string css_of(const cv::Scalar& bgr) {
@@ -73,11 +82,7 @@ Drawing dashed_drawing(const Dashing& dashing, int seed) {
     Drawing drawing;
     const std::array<cv::Scalar, 2> fills{cv::Scalar(60, 200, 240), cv::Scalar(180, 119, 31)};
     for (const auto& [r, colour] : {std::pair(left, fills[0]), std::pair(right, fills[1])}) {
-        const Polyline ring{{{r.x, r.y},
-                             {r.x + r.width, r.y},
-                             {r.x + r.width, r.y + r.height},
-                             {r.x, r.y + r.height}},
-                            true};
+        const Polyline ring = box(r);
         body += fmt::format(R"(<path d="{}" fill="{}"/>)", path_of(ring), css_of(colour));
         drawing.paints.push_back(filled(ring, colour));
     }
@@ -96,6 +101,65 @@ Drawing dashed_drawing(const Dashing& dashing, int seed) {
     drawing.kind = "dashes";
     drawing.name = fmt::format("{} mm, gap {} mm, width {} mm, {}, {}", dashing.dash_mm,
                                dashing.gap_mm, width, dashing.is_round ? "round" : "flat", seed);
+    drawing.file = svg_sheet(body);
+    return drawing;
+}
+
+std::vector<Drawing> broken_line_art() {
+    struct Art {
+        std::string_view name;
+        Polyline broken;
+        std::vector<double> dashes_mm;
+        std::string_view more;
+        double width_mm;
+    };
+
+    const std::array<Art, 4> arts{
+        {{"box of dashes", box({23.0, 17.0, 70.0, 49.0}), {2.6, 2.1}, "2.6 2.1", 0.46},
+         {"circle of dots", arc({58.0, 42.0}, {26.7, 26.7}), {0.0, 1.6}, "0 2.8", 1.2},
+         {"circle of dashes", arc({58.0, 42.0}, {29.0, 29.0}), {2.5, 2.0}, "2.5 2.0", 0.46},
+         {"axis", {{{12.0, 52.0}, {104.0, 52.0}}, false}, {2.6, 2.1}, "2.6 2.1", 0.46}}};
+    std::vector<Drawing> drawings;
+    for (const Art& art : arts) {
+        Drawing drawing{"broken line art", std::string(art.name), {}, {}};
+        const std::string cap = art.dashes_mm[0] > 0.0 ? "butt" : "round";
+        std::string body = stroked_path(
+            art.broken, art.width_mm, {0, 0, 0},
+            fmt::format(R"(stroke-dasharray="{}" stroke-linecap="{}")", art.more, cap));
+        drawing.paints.push_back(stroked(art.broken, art.width_mm, {0, 0, 0}));
+        drawing.paints.back().dashes_mm = art.dashes_mm;
+        if (!art.broken.is_closed) {
+            const Polyline whole = box({23.0, 14.0, 70.0, 21.0});
+            body += stroked_path(whole, art.width_mm, {0, 0, 0}, "");
+            drawing.paints.push_back(stroked(whole, art.width_mm, {0, 0, 0}));
+        }
+        drawing.file = svg_sheet(body);
+        drawings.push_back(std::move(drawing));
+    }
+    return drawings;
+}
+
+Drawing thin_fills(double width_mm, bool is_even_odd) {
+    const double half = 0.5 * width_mm;
+    const auto grown = [](const cv::Rect2d& r, double by) {
+        return box({r.x - by, r.y - by, r.width + 2.0 * by, r.height + 2.0 * by});
+    };
+    const cv::Rect2d frame(66.0, 18.0, 40.0, 50.0);
+    std::string body;
+    Drawing drawing;
+    for (const auto& [outer, inner] : {std::pair(arc({32.0, 42.0}, {22.0 + half, 22.0 + half}),
+                                                 arc({32.0, 42.0}, {22.0 - half, 22.0 - half})),
+                                       std::pair(grown(frame, half), grown(frame, -half))}) {
+        Polyline hole = inner;
+        if (!is_even_odd) std::reverse(hole.points.begin(), hole.points.end());
+        body += fmt::format(R"(<path d="{}{}" fill-rule="{}"/>)", path_of(outer), path_of(hole),
+                            is_even_odd ? "evenodd" : "nonzero");
+    }
+    drawing.paints.push_back(stroked(arc({32.0, 42.0}, {22.0, 22.0}), width_mm, {0, 0, 0}));
+    drawing.paints.push_back(stroked(grown(frame, 0.0), width_mm, {0, 0, 0}));
+    drawing.kind = "thin fills";
+    drawing.name =
+        fmt::format("fills of {} mm, {}", width_mm, is_even_odd ? "even-odd" : "nonzero");
     drawing.file = svg_sheet(body);
     return drawing;
 }

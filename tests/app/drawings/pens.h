@@ -5,6 +5,7 @@
 #include "tests/app/drawings/paint.h"
 
 #include <span>
+#include <vector>
 
 namespace touchline::testing {
 
@@ -23,6 +24,14 @@ struct Dashing {
 /// A straight line, an arc, a wave and a polygon broken like this, beside two filled areas; the
 /// same for the same seed: an SVG. Dots' gaps and dashes' are of paper: round caps are not gaps.
 [[nodiscard]] Drawing dashed_drawing(const Dashing& dashing, int seed);
+
+/// Line art that is broken lines alone, or but for a box beside: a box of dashes, a circle of dots,
+/// a circle of dashes, a dashed axis below a whole box; an SVG.
+[[nodiscard]] std::vector<Drawing> broken_line_art();
+
+/// What a program makes of strokes that it traced: a ring and a frame, each filled between two
+/// outlines this far apart; an SVG. Without the even-odd rule the inner outlines run the other way.
+[[nodiscard]] Drawing thin_fills(double width_mm, bool is_even_odd);
 
 /// Strokes 0.5 to 6 mm wide, straight, bent and waved, that cross each other, all black or each of
 /// its own colour; the same for the same seed: an SVG.

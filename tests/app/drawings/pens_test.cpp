@@ -6,6 +6,8 @@
 #include "tests/app/drawings/scans.h"
 #include "vision/simplify/detail_limits.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -81,6 +83,59 @@ TEST(Pens, AStrokeIsALineOrAnAreaThroughAllThatItCrosses) {
                100.0 * seen.share(), 100.0 * felt.share());
     EXPECT_GE(seen.share(), 0.99);
     EXPECT_GE(felt.share(), 0.995);
+}
+
+TEST(Pens, BrokenLinesAloneAreFeltAndNamed) {
+    for (const testing::Drawing& clean : testing::broken_line_art())
+        for (const bool is_pixels : {false, true}) {
+            const auto drawing = is_pixels ? testing::as_pixels(clean, {}) : clean;
+            ASSERT_TRUE(drawing.has_value()) << drawing.error().line;
+            for (const int detail : {3, kMostDetail}) {
+                const auto found = testing::felt_of(*drawing, detail, testing::kTolerance_mm);
+                ASSERT_TRUE(found.has_value()) << drawing->name << ": " << found.error().line;
+                const double named = named_mm(found->map) / dashed_mm(clean);
+                fmt::print("{}, detail {}: {:.1f} % felt, {:.1f} % named\n", drawing->name, detail,
+                           100.0 * found->seen.share(), 100.0 * named);
+                EXPECT_GE(found->seen.share(), 0.7) << drawing->name << ", detail " << detail;
+                EXPECT_GE(named, 0.7) << drawing->name << ", detail " << detail;
+            }
+        }
+}
+
+/// A stroke, and not its two sides.
+TEST(Pens, AThinFilledOutlineIsOneLine) {
+    for (const double width_mm : {0.6, 2.0})
+        for (const bool is_even_odd : {true, false})
+            for (const int detail : {3, kMostDetail}) {
+                const testing::Drawing drawing = testing::thin_fills(width_mm, is_even_odd);
+                SCOPED_TRACE(fmt::format("{}, detail {}", drawing.name, detail));
+                const auto found = testing::felt_of(drawing, detail, testing::kTolerance_mm);
+                ASSERT_TRUE(found.has_value()) << found.error().line;
+                ASSERT_EQ(found->map.outlines.size(), 2U);
+                for (const Outline& outline : found->map.outlines) EXPECT_TRUE(outline.is_closed);
+                EXPECT_GE(found->seen.share(), 0.99);
+                EXPECT_GE(found->felt.share(), 0.99);
+            }
+}
+
+/// Strokes of no length are painted where their caps are round.
+TEST(Pens, ADotOfARoundCapAloneIsARing) {
+    testing::Drawing drawing;
+    drawing.file = R"(<svg xmlns="http://www.w3.org/2000/svg" width="400" height="300">)"
+                   R"(<g stroke="#000" stroke-width="30" stroke-linecap="round">)"
+                   R"(<path d="M260 150h0"/><path d="M140 150h0"/></g></svg>)";
+    for (const int detail : {3, kMostDetail}) {
+        const auto view = testing::whole_view_of(drawing, detail, 1e12);
+        ASSERT_TRUE(view.has_value()) << view.error().line;
+        ASSERT_EQ(view->map.outlines.size(), 2U) << detail;
+        for (const Outline& outline : view->map.outlines) {
+            EXPECT_TRUE(outline.is_closed);
+            const double side = outline.points.front().x > 0.0 ? 1.0 : -1.0;
+            for (const Position& p : outline.points)  // 400 x 300 on 84 mm: 0.28 mm a unit
+                EXPECT_NEAR(std::hypot(1e3 * p.x - side * 0.28 * 60.0, 1e3 * p.y), 0.28 * 15.0,
+                            0.5);
+        }
+    }
 }
 
 }  // namespace

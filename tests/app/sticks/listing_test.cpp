@@ -17,7 +17,7 @@ using namespace std::string_literals;
 TEST(StickFileKind, IsToldByTheEnding) {
     for (const char* name : {"a.png", "a.JPG", "b.c.jpeg", "IMG_1.HEIC", "a.tif", "a.pnm", "a.gif"})
         EXPECT_EQ(kind_of_name(name), StickFileKind::picture) << name;
-    for (const char* name : {"a.pdf", "a.SVG"})
+    for (const char* name : {"a.pdf", "a.SVG", "a.svgz", "a.SVGZ"})
         EXPECT_EQ(kind_of_name(name), StickFileKind::document) << name;
     for (const char* name : {"a.docx", "a.PPTX", "a.odt", "a.pages"})
         EXPECT_EQ(kind_of_name(name), StickFileKind::office) << name;

@@ -92,6 +92,21 @@ TEST(StickScan, HostileNamesAreListedAsTheyAre) {
     EXPECT_TRUE(listing_of(bytes_of(listing)).has_value());
 }
 
+/// One name for the eye, two for the file system, which keeps both: letters with marks written as
+/// one character and as two.
+TEST(StickScan, NamesOfEveryLanguageAreListedByTheirBytes) {
+    const StickFolder stick;
+    const Paths names{"Fu\u00df b\u00e4r.png", "Fu\u00df ba\u0308r.png",
+                      "\u05e9\u05dc\u05d5\u05dd.png"};
+    for (const std::string& name : names) stick.file(name);
+    for (const char* name : {"y.png.", "z.png "}) stick.file(name);
+    Paths listed = paths_of(scan(stick));
+    std::sort(listed.begin(), listed.end());
+    Paths wanted = names;
+    std::sort(wanted.begin(), wanted.end());
+    EXPECT_EQ(listed, wanted);
+}
+
 TEST(StickScan, ShowsTheFirstTenThousandAndCountsTheRest) {
     const StickFolder stick("/dev/shm");
     stick.files("f", most_listed + 200);

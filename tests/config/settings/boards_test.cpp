@@ -57,6 +57,7 @@ TEST(Boards, UdevRulesOpenEveryBoardOfTheTable) {
         EXPECT_NE(rest.find("TAG+=\"uaccess\", GROUP=\"touchline\", MODE=\"0660\""),
                   std::string::npos)
             << rest;
+        EXPECT_NE(rest.find("ENV{ID_MM_DEVICE_IGNORE}=\"1\""), std::string::npos) << rest;
     }
 }
 

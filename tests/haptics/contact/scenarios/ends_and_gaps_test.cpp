@@ -1,4 +1,5 @@
 // S10 to S13: ends of lines, doubled lines, very many very short pieces, gaps.
+#include "app/session/proxy_radius.h"
 #include "tests/haptics/contact/scenarios/runner.h"
 
 #include <algorithm>
@@ -95,6 +96,34 @@ TEST(Scenario, S13GapsNarrowerThanTheProxyAreClosed) {
         const ScenarioRun felt = run(scene, through({{0, 0, 10}, {.3, 0, -6}, {.8, 0, -6}}), 1.0);
         EXPECT_EQ(felt.proxy.back().y < 0.0, gap.is_open) << gap.width_mm << " mm";
         expect_sound(felt.watch);
+    }
+}
+
+/// The kiosk's proxy, as a visitor presses it: into the corner of a box whose sides stop short of
+/// it, and shaken there.
+TEST(Scenario, S13SidesThatEndShortOfTheirCornerHoldTheKiosksProxy) {
+    CommonSetUp set_up;
+    set_up.contact.radius_m = proxy_radius_m;
+    for (const double short_mm : {0.0, 1e-3, 0.1, 0.5, 1.0}) {
+        SCOPED_TRACE(fmt::format("{} mm short", short_mm));
+        const Scene scene = scene_of({{{{-20.0, -20.0}, {20.0 - short_mm, -20.0}}},
+                                      {{{20.0, 20.0}, {20.0, -20.0 + short_mm}}},
+                                      {{{-20.0, 20.0}, {20.0, 20.0}}},
+                                      {{{-20.0, 20.0}, {-20.0, -20.0}}}},
+                                     set_up.contact.radius_m);
+        WatchedMachine machine(scene, set_up, {0.0, 0.0});
+        double most_out_m = -1.0;
+        Force last;
+        for (int k = 1; k <= 3000; ++k) {
+            const double pressed_m = 30 * mm * std::min(1.0, k / 1500.0);
+            const double shaken_m = k > 1500 ? 1.5 * mm * std::sin(k / 40.0) : 0.0;
+            const ContactReport report = machine.step({pressed_m + shaken_m, -pressed_m});
+            most_out_m = std::max({most_out_m, report.p_WP.x - 20 * mm, -20 * mm - report.p_WP.y});
+            last = report.force;
+        }
+        EXPECT_LT(most_out_m, 0.0);
+        EXPECT_GT(norm(last), 1.0) << "it is pressed against them";
+        expect_sound(machine.watch());
     }
 }
 
