@@ -163,14 +163,21 @@ class CommandLine {
         trace_command_->add_option("--detail", trace_.trace.detail, "1 silhouette ... 5 all")
             ->check(CLI::Range(1, 5));
         trace_command_
-            ->add_option("--view", trace_.view,
-                         "Which picture of the page, in the kiosk's order; the last is all of it")
-            ->check(CLI::Range(1, 101));
+            ->add_option("--view", view_,
+                         "whole, figure (a photograph's main thing), or a number in the kiosk's "
+                         "order; else its first")
+            ->check([this](const std::string& text) {
+                const auto view = view_choice_of(text);
+                if (view) trace_.view = *view;
+                return view ? "" : text + " is no view: whole, figure, or a number from 1 to 101";
+            });
         trace_command_->add_option("--area", area_, "Drawing area in millimetres, like 116x84")
             ->check(
                 [this](const std::string& text) { return parse_area(text, trace_.trace.area); });
         trace_command_->add_option("--json", trace_.report, "REPORT.json");
         trace_command_->add_option("--edges", trace_.edges, "STRENGTH.png");
+        trace_command_->add_option("--figure", trace_.figure,
+                                   "MASK.png: 128 and more is the main thing, sure or not");
         trace_command_
             ->add_option("--class", class_, "photo, diagram, drawing or text-page; else decided")
             ->check([this](const std::string& text) {
@@ -389,6 +396,7 @@ class CommandLine {
     PackCommandOptions pack_;
     ReplayOptions replay_;
     std::string area_;
+    std::string view_;
     std::string class_;
     std::string level_;
     std::string mode_;

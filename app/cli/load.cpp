@@ -3,12 +3,16 @@
 #include "app/cli/json.h"
 #include "app/decode/map_svg.h"
 #include "app/decode/opening.h"
+#include "app/models/networks.h"
 #include "app/trace/own_map.h"
 #include "app/trace/page_views.h"
 #include "config/types/map_limits.h"
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -32,6 +36,41 @@ Result<TracedMap> own_map(const Page& page, int detail) {
     });
 }
 
+/// Whether a picture is a photograph is known once its lines are.
+bool is_photo(const Page& page) {
+    if (is_own_map(page) || !page.figures.empty()) return false;
+    const auto traced = trace_page(page, {});
+    return traced && traced->is_photo;
+}
+
+/// Fails only where somebody wants them; else why there are none is a note, if it is worth one.
+Result<void> look_for_things(bool are_wanted, SeenView& seen) {
+    const Network& network = *network_named("figure");
+    if (!are_wanted && (!is_installed(network) || !is_photo(seen.page))) return {};
+    auto things = read_network(network).and_then([&seen](const std::vector<std::byte>& bytes) {
+        return find_main_things(seen.page, bytes);
+    });
+    if (!things) {
+        if (are_wanted) return tl::unexpected(things.error());
+        seen.note = things.error().line;
+        return {};
+    }
+    seen.things = std::move(*things);
+    if (!seen.things->is_sure)
+        seen.note = "no clear main thing was found";
+    else if (seen.page.figures.empty())
+        seen.page = with_main_things(std::move(seen.page), *seen.things);
+    return {};
+}
+
+std::string no_figure(const SeenView& seen) {
+    if (!is_installed(*network_named("figure")))
+        return "its main thing cannot be found here; 'touchline models get figure' brings what "
+               "finds it";
+    return seen.note.empty() ? "it is no photograph, and is felt as a whole; choose --view whole"
+                             : seen.note + "; choose --view whole";
+}
+
 }  // namespace
 
 bool is_map_name(const std::string& path) {
@@ -43,30 +82,51 @@ bool is_map_name(const std::string& path) {
                       });
 }
 
-Result<Page> open_view(const std::string& path, int view) {
+std::optional<ViewChoice> view_choice_of(const std::string& text) {
+    constexpr int most_views = 101;
+    if (text == "whole") return ViewChoice{ViewChoice::Kind::whole, 1};
+    if (text == "figure") return ViewChoice{ViewChoice::Kind::figure, 1};
+    int number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [read, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc() || read != end || number < 1 || number > most_views)
+        return std::nullopt;
+    return ViewChoice{ViewChoice::Kind::numbered, number};
+}
+
+Result<SeenView> open_view(const std::string& path, const ViewChoice& view, bool wants_things) {
     auto page = open_page_of(path);
-    if (!page) return page;
-    const int views = view_count(*page);
-    if (view > views)
+    if (!page) return tl::unexpected(page.error());
+    SeenView seen{std::move(*page), std::nullopt};
+    const Result<void> looked = look_for_things(wants_things, seen);
+    if (!looked) return tl::unexpected(of_file(path, looked.error()));
+    const bool has_things = !seen.page.main_things.grey.empty();
+    if (view.kind == ViewChoice::Kind::figure && !has_things)
+        return tl::unexpected(of_file(path, {no_figure(seen)}));
+    const int views = view_count(seen.page);
+    const int number = view.kind == ViewChoice::Kind::whole ? views : view.number;
+    if (number > views)
         return tl::unexpected(
             of_file(path, {fmt::format("it has {} to feel; choose one of them",
                                        views == 1 ? "one view" : fmt::format("{} views", views))}));
     const auto open = [&path](const PageOrder& order) { return open_page_of(path, order); };
-    if (auto finer = finer_page(*page, view, open)) page = std::move(*finer);
-    return view < views ? view_of(*page, view) : std::move(page);
+    if (auto finer = finer_page(seen.page, number, open)) seen.page = std::move(*finer);
+    if (number < views) seen.page = view_of(seen.page, number);
+    return seen;
 }
 
-Result<TracedMap> trace_picture(const std::string& path, const TraceRequest& request, int view) {
-    const auto seen = open_view(path, view);
-    if (!seen) return tl::unexpected(seen.error());
-    const auto felt =
-        is_own_map(*seen) ? own_map(*seen, request.options.detail) : trace_page(*seen, request);
-    return felt.map_error([&path](const Error& error) { return of_file(path, error); });
+Result<TracedMap> trace_view(const SeenView& view, const TraceRequest& request) {
+    return is_own_map(view.page) ? own_map(view.page, request.options.detail)
+                                 : trace_page(view.page, request);
 }
 
 Result<TactileMap> load_map(const std::string& path, bool as_picture) {
     if (is_map_name(path) && !as_picture) return read_map_svg(path);
-    return trace_picture(path, {}).map([](TracedMap found) { return std::move(found.map); });
+    const auto seen = open_view(path);
+    if (!seen) return tl::unexpected(seen.error());
+    return trace_view(*seen, {})
+        .map([](TracedMap found) { return std::move(found.map); })
+        .map_error([&path](const Error& error) { return of_file(path, error); });
 }
 
 Result<TactileMap> load_drawing(const std::string& path, int detail) {

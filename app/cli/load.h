@@ -2,10 +2,13 @@
 // Threads: any, each call by itself.
 #pragma once
 
+#include "app/trace/finding_things.h"
 #include "app/trace/tracing.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace touchline {
@@ -13,15 +16,35 @@ namespace touchline {
 /// True for a name that ends in .svg, which is a map to every command but `trace`.
 [[nodiscard]] bool is_map_name(const std::string& path);
 
-/// The view number `view` (1 ..., app/trace/page_views.h) of a file's first page, as the kiosk
-/// opens and draws it.
-[[nodiscard]] Result<Page> open_view(const std::string& path, int view = 1);
+/// Which view of a page: the kiosk's first, all of it, the main thing of a photograph, or one by
+/// its number (1 ..., app/trace/page_views.h).
+struct ViewChoice {
+    enum class Kind : std::uint8_t { first, whole, figure, numbered };
 
-/// What the kiosk lets a hand feel of that view: its lines; a map of Touchline's own as it is.
-[[nodiscard]] Result<TracedMap> trace_picture(const std::string& path, const TraceRequest& request,
-                                              int view = 1);
+    Kind kind = Kind::first;
+    int number = 1;
+};
 
-/// The map of a file: an .svg read as it is, another one as trace_picture() gives it by default.
+/// "whole", "figure" or a number from 1 to 101; nothing for anything else.
+[[nodiscard]] std::optional<ViewChoice> view_choice_of(const std::string& text);
+
+/// A view as the kiosk opens and draws it.
+struct SeenView {
+    Page page;
+    std::optional<MainThings> things;  // of a photograph, where the network is installed; also
+                                       // those that it is not sure of
+    std::string note = {};  // one sentence worth telling the user; may be empty
+};
+
+/// A view of a file's first page. A photograph's main things are looked for; `wants_things`: in
+/// every picture, and it is an error where they cannot be.
+[[nodiscard]] Result<SeenView> open_view(const std::string& path, const ViewChoice& view = {},
+                                         bool wants_things = false);
+
+/// What the kiosk lets a hand feel of a view: its lines; a map of Touchline's own as it is.
+[[nodiscard]] Result<TracedMap> trace_view(const SeenView& view, const TraceRequest& request);
+
+/// The map of a file: an .svg read as it is, of another one the first view, traced.
 /// `as_picture` makes an .svg a picture.
 [[nodiscard]] Result<TactileMap> load_map(const std::string& path, bool as_picture);
 

@@ -137,7 +137,7 @@ Result<void> run_tour(const TourArguments& arguments) {
     Result<TactileMap> map = load_map(arguments.input, arguments.as_picture);
     if (!map) return tl::unexpected(map.error());
     map->version = 1;
-    const Result<Page> seen = open_view(arguments.input);
+    const Result<SeenView> seen = open_view(arguments.input);
     if (!seen) return tl::unexpected(seen.error());
     const Result<Scene> scene = build_scene(*map, felt_order(default_profile()));
     if (!scene) return failure(fmt::format("{}: {}", arguments.input, scene.error().line));
@@ -145,7 +145,8 @@ Result<void> run_tour(const TourArguments& arguments) {
     const TourRun run = take_tour(*map, *scene);
     const std::vector<std::string> lines = describe_tour(run);
     const TourFigure figure{title_of(*map, arguments.input), lines, way_of(run), forces_of(run)};
-    const Canvas canvas = paint_tour(figure, *scene, canvas_of(seen->picture, longest_picture_px));
+    const Canvas canvas =
+        paint_tour(figure, *scene, canvas_of(seen->page.picture, longest_picture_px));
     auto written = write_png(arguments.output, picture_of(canvas));
     if (!written) return written;
     fmt::print("{}\n", plain_line(figure.title));

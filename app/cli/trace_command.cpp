@@ -1,9 +1,11 @@
 #include "app/cli/trace_command.h"
 
-#include "app/cli/load.h"
+#include "app/cli/json.h"
 #include "app/decode/files.h"
 #include "app/decode/map_svg.h"
 #include "app/decode/png_writer.h"
+
+#include <fmt/format.h>
 
 namespace touchline {
 namespace {
@@ -12,20 +14,50 @@ GreyView view_of(const GreyPicture& picture) {
     return {picture.width, picture.height, picture.grey};
 }
 
+std::string json_of(const ThingBox& box) {
+    return fmt::format(R"({{"left": {}, "top": {}, "right": {}, "bottom": {}}})",
+                       json_number(box.left), json_number(box.top), json_number(box.right),
+                       json_number(box.bottom));
+}
+
+/// The report of the lines, and what was found of the main things: their places as shares of the
+/// picture's width and height, the largest first.
+std::string report_of(const TracedMap& felt, const std::optional<MainThings>& things) {
+    const std::string lines = felt.report.substr(0, felt.report.rfind("\n}"));
+    if (!things) return lines + ",\n  \"figure\": null\n}\n";
+    std::string boxes;
+    for (const ThingBox& box : things->boxes) boxes += (boxes.empty() ? "" : ", ") + json_of(box);
+    const FigureSigns& signs = things->signs;
+    return fmt::format(
+        "{},\n  \"figure\": {{\"is_sure\": {}, \"area\": {}, \"unsure\": {}, \"greatest\": {}, "
+        "\"on_frame\": {},\n    \"things\": [{}]}}\n}}\n",
+        lines, things->is_sure, json_number(signs.area), json_number(signs.unsure),
+        json_number(signs.greatest), json_number(signs.on_frame), boxes);
+}
+
+/// Both sentences, or the one that there is.
+std::string told(const std::string& first, const std::string& second) {
+    return first.empty() || second.empty() ? first + second : first + "; " + second;
+}
+
 }  // namespace
 
 Result<std::string> run_trace(const TraceCommandOptions& options) {
-    const auto found =
-        trace_picture(options.input, {options.trace, !options.edges.empty()}, options.view);
-    if (!found) return tl::unexpected(found.error());
+    const auto seen = open_view(options.input, options.view, !options.figure.empty());
+    if (!seen) return tl::unexpected(seen.error());
+    const auto found = trace_view(*seen, {options.trace, !options.edges.empty()});
+    if (!found) return failure(options.input + ": " + found.error().line);
     Result<void> written = write_whole_file(options.output, format_map_svg(found->map));
     if (written && !options.report.empty()) {
-        written = write_whole_file(options.report, found->report);
+        written = write_whole_file(options.report, report_of(*found, seen->things));
     }
     if (written && !options.edges.empty()) {
         written = write_png(options.edges, view_of(found->edges));
     }
-    return written.map([&found] { return found->warning; });
+    if (written && !options.figure.empty()) {
+        written = write_png(options.figure, view_of(seen->things->mask));
+    }
+    return written.map([&] { return told(seen->note, found->warning); });
 }
 
 }  // namespace touchline

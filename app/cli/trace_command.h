@@ -2,6 +2,7 @@
 // Threads: one.
 #pragma once
 
+#include "app/cli/load.h"
 #include "config/types/result.h"
 #include "vision/simplify/trace.h"
 
@@ -14,7 +15,8 @@ struct TraceCommandOptions {
     std::string output;  // MAP.svg
     std::string report;  // REPORT.json; empty: none
     std::string edges;   // STRENGTH.png; empty: none
-    int view = 1;        // of the first page, in the kiosk's order
+    std::string figure;  // MASK.png; empty: none
+    ViewChoice view;     // of the first page
     TraceOptions trace;
 };
 

@@ -62,20 +62,19 @@ std::filesystem::path models_folder() {
                           : std::filesystem::path(chosen);
 }
 
-NetworkState state_of(const Network& network) {
+bool is_installed(const Network& network) {
     std::error_code error;
-    if (!std::filesystem::exists(place_of(network), error)) return NetworkState::absent;
-    return read_network(network) ? NetworkState::usable : NetworkState::damaged;
+    return std::filesystem::exists(place_of(network), error);
 }
 
 Result<std::vector<std::byte>> read_network(const Network& network) {
     const std::string path = place_of(network).string();
-    std::error_code error;
-    if (!std::filesystem::exists(path, error))
+    if (!is_installed(network))
         return failure(
             fmt::format("the network \"{0}\" is not installed here; 'touchline models get {0}' "
                         "says what it is and brings it",
                         network.name));
+    std::error_code error;
     if (std::filesystem::file_size(path, error) == network.bytes) {
         auto bytes = read_file(path);
         if (bytes && is_as_told(network, *bytes)) return bytes;

@@ -37,13 +37,11 @@ struct Network {
 /// TOUCHLINE_MODELS, else touchline/models in the user's data folder.
 [[nodiscard]] std::filesystem::path models_folder();
 
-enum class NetworkState : std::uint8_t { usable, absent, damaged };
-
-/// Whether the file is there, and is what the table says. Reads all of it: 0.2 s for 44 MB.
-[[nodiscard]] NetworkState state_of(const Network& network);
+/// Whether its file is there; whether it is whole is known to who reads it.
+[[nodiscard]] bool is_installed(const Network& network);
 
 /// The file's bytes. Fails, with one line that says what to do, where it is absent or is not what
-/// the table says.
+/// the table says (0.2 s for 44 MB).
 [[nodiscard]] Result<std::vector<std::byte>> read_network(const Network& network);
 
 }  // namespace touchline

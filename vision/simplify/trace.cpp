@@ -64,6 +64,14 @@ std::string sentence_for(const std::exception& e) {
                        "foreseen; try another one";
 }
 
+/// A part of a photograph, cut out round its main thing, may look like a drawing.
+ClassDecision decided(const cv::Mat& sheet, const TraceOptions& options, bool has_figure) {
+    if (options.picture_class)
+        return {*options.picture_class, "You chose the kind of picture.", {}};
+    if (has_figure) return {PictureClass::photo, "This looks like a photo, with a main thing.", {}};
+    return class_of(sheet);
+}
+
 std::string nothing_found(const cv::Mat& picture, double mm_per_pixel, const PhotoLines& found) {
     if (picture.total() <= 64) {
         return "no outline found, because the picture is only " + size_of(picture) +
@@ -124,10 +132,7 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options,
         // Reduced once: every way of finding lines starts from at most a megapixel.
         const cv::Mat small = without_dots(reduced(picture, kClassPixels));
         const cv::Mat sheet = within_sheet(small);
-        ClassDecision decision =
-            options.picture_class
-                ? ClassDecision{*options.picture_class, "You chose the kind of picture.", {}}
-                : class_of(sheet);
+        ClassDecision decision = decided(sheet, options, !figure.empty());
         const bool is_photo = decision.picture_class == PictureClass::photo;
         ClassLines lines =
             class_lines(is_photo ? small : sheet, decision.picture_class, longer_side_mm, figure);
