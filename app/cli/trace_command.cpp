@@ -27,12 +27,11 @@ std::string report_of(const TracedMap& felt, const std::optional<MainThings>& th
     if (!things) return lines + ",\n  \"figure\": null\n}\n";
     std::string boxes;
     for (const ThingBox& box : things->boxes) boxes += (boxes.empty() ? "" : ", ") + json_of(box);
-    const FigureSigns& signs = things->signs;
     return fmt::format(
-        "{},\n  \"figure\": {{\"is_sure\": {}, \"area\": {}, \"unsure\": {}, \"greatest\": {}, "
-        "\"on_frame\": {},\n    \"things\": [{}]}}\n}}\n",
-        lines, things->is_sure, json_number(signs.area), json_number(signs.unsure),
-        json_number(signs.greatest), json_number(signs.on_frame), boxes);
+        "{},\n  \"figure\": {{\"is_sure\": {}, \"area\": {}, \"steadiness\": {}, \"things\": "
+        "[{}]}}\n}}\n",
+        lines, things->is_sure, json_number(things->signs.area),
+        json_number(things->signs.steadiness), boxes);
 }
 
 /// Both sentences, or the one that there is.

@@ -37,8 +37,7 @@ bool is_sound(const ThingBox& box) {
 bool is_sound(const Header& header, std::size_t bytes) {
     const FigureSigns& signs = header.signs;
     return header.magic == things_magic && header.is_sure <= 1 && header.boxes <= most_things &&
-           is_share(signs.area) && is_share(signs.unsure) && is_share(signs.greatest) &&
-           is_share(signs.on_frame) &&
+           is_share(signs.area) && is_share(signs.steadiness) &&
            sizeof header + std::size_t{header.boxes} * sizeof(ThingBox) + header.mask == bytes;
 }
 

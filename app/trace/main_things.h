@@ -1,7 +1,7 @@
 // What a worker answers that looked for the main things of a photograph. Nobody who reads it trusts
 // it.
 //
-//   header  magic u32, is_sure u32, boxes u32, bytes of the mask u32, four numbers (FigureSigns)
+//   header  magic u32, is_sure u32, boxes u32, bytes of the mask u32, two numbers (FigureSigns)
 //   boxes   four f64 each
 //   mask    grey_bytes.h
 //

@@ -101,31 +101,21 @@ std::vector<cv::Rect> boxes_of(const cv::Mat1b& mask) {
     return boxes;
 }
 
-/// The share of the frame's pixels that are figure.
-double share_on_frame(const cv::Mat& is_figure) {
-    const int figure =
-        cv::countNonZero(is_figure.row(0)) + cv::countNonZero(is_figure.row(is_figure.rows - 1)) +
-        cv::countNonZero(is_figure.col(0)) + cv::countNonZero(is_figure.col(is_figure.cols - 1));
-    return figure / (2.0 * (is_figure.rows + is_figure.cols));
-}
-
 FigureSigns signs_of(const cv::Mat1f& likelihood, const cv::Mat1b& mask) {
-    constexpr float kSurelyNot = 0.1F;
-    constexpr float kSurely = 0.9F;
-    const cv::Mat is_figure = mask >= kLimit;
-    FigureSigns signs;
-    signs.area = cv::countNonZero(is_figure) / static_cast<double>(mask.total());
-    const int may_be = cv::countNonZero(likelihood > kSurelyNot);
+    constexpr float kMayBe = 0.2F;
+    constexpr float kSurely = 0.8F;
+    const int may_be = cv::countNonZero(likelihood > kMayBe);
     const int surely = cv::countNonZero(likelihood >= kSurely);
-    signs.unsure = may_be == 0 ? 1.0 : 1.0 - static_cast<double>(surely) / may_be;
-    cv::minMaxLoc(likelihood, nullptr, &signs.greatest);
-    signs.on_frame = share_on_frame(is_figure);
-    return signs;
+    const int figure = cv::countNonZero(mask >= kLimit);
+    return {figure / static_cast<double>(mask.total()),
+            surely / static_cast<double>(std::max(1, may_be))};
 }
 
+/// Told from pictures that somebody looked at, and which of their masks are a thing.
 bool is_sure_of(const FigureSigns& signs) {
-    return signs.area >= 0.01 && signs.area <= 0.8 && signs.unsure <= 0.4 &&
-           signs.greatest >= 0.9 && signs.on_frame <= 0.5;
+    constexpr double kSteady = 0.65;
+    constexpr double kLeastSeen = 0.003;
+    return signs.steadiness >= kSteady && signs.area >= kLeastSeen;
 }
 
 }  // namespace
