@@ -3,6 +3,7 @@
 #include "app/cli/curve.h"
 #include "app/cli/device.h"
 #include "app/cli/feel.h"
+#include "app/cli/models_command.h"
 #include "app/cli/pack_command.h"
 #include "app/cli/replay_command.h"
 #include "app/cli/settings_command.h"
@@ -135,6 +136,7 @@ class CommandLine {
         add_device();
         add_settings();
         add_pack();
+        add_models();
     }
 
     int run(const std::vector<std::string>& arguments, const Programs& programs, std::ostream& out,
@@ -313,6 +315,23 @@ class CommandLine {
             });
     }
 
+    void add_models() {
+        models_command_ = app_.add_subcommand(
+            "models", "The networks that Touchline can use; none comes with it");
+        models_command_->require_subcommand(1);
+        const auto add = [this](const char* name, ModelsAction action, const char* what) {
+            auto* command = models_command_->add_subcommand(name, what);
+            command->callback([this, action] { models_.action = action; });
+            return command;
+        };
+        add("list", ModelsAction::list, "What there is, under which licence, and what is here");
+        add("check", ModelsAction::check, "Whether those that are here are whole");
+        auto* got =
+            add("get", ModelsAction::get, "One from its publisher; shows its licence first");
+        got->add_option("name", models_.name, "As the list tells it")->required();
+        got->add_flag("--yes", models_.is_agreed, "You agree to its licence: nothing is asked");
+    }
+
     int start(const Programs& programs, std::ostream& out, std::ostream& err) {
         if (trace_command_->parsed()) {
             return finish(run_trace(trace_).map([&err](const std::string& warning) {
@@ -329,6 +348,7 @@ class CommandLine {
         if (device_command_->parsed()) return start_device(out, err);
         if (settings_command_->parsed()) return start_settings(out, err);
         if (pack_command_->parsed()) return finish(run_pack(pack_, out), err);
+        if (models_command_->parsed()) return finish(run_models(models_, std::cin, out), err);
         return programs.kiosk(kiosk_);
     }
 
@@ -386,6 +406,7 @@ class CommandLine {
     CLI::App* device_command_ = nullptr;
     CLI::App* settings_command_ = nullptr;
     CLI::App* pack_command_ = nullptr;
+    CLI::App* models_command_ = nullptr;
     KioskArguments kiosk_;
     TourArguments tour_;
     TraceCommandOptions trace_;
@@ -394,6 +415,7 @@ class CommandLine {
     DeviceCommandOptions device_;
     SettingsCommandOptions settings_;
     PackCommandOptions pack_;
+    ModelsCommandOptions models_;
     ReplayOptions replay_;
     std::string area_;
     std::string view_;

@@ -24,6 +24,7 @@ constexpr std::array known{Network{
         "The pictures that it was trained on are for non-commercial use; its authors say nothing "
         "of the trained weights.",
     .input = "768 x 768 pixels",
+    .converter = "figure.py",
     .file = "figure.onnx",
     .bytes = 44386507,
     .sha256 = "94165dca050dc1add08176c226c94bcada43fe1efada7893283fff74975e909d",
@@ -39,10 +40,6 @@ std::string sha256_of(std::span<const std::byte> bytes) {
 
 std::filesystem::path place_of(const Network& network) {
     return models_folder() / network.file;
-}
-
-bool is_as_told(const Network& network, std::span<const std::byte> bytes) {
-    return bytes.size() == network.bytes && sha256_of(bytes) == network.sha256;
 }
 
 }  // namespace
@@ -68,21 +65,24 @@ bool is_installed(const Network& network) {
 }
 
 Result<std::vector<std::byte>> read_network(const Network& network) {
-    const std::string path = place_of(network).string();
-    if (!is_installed(network))
-        return failure(
-            fmt::format("the network \"{0}\" is not installed here; 'touchline models get {0}' "
-                        "says what it is and brings it",
-                        network.name));
+    if (is_installed(network)) return read_network(network, place_of(network));
+    return failure(
+        fmt::format("the network \"{0}\" is not installed here; 'touchline models get {0}' "
+                    "says what it is and brings it",
+                    network.name));
+}
+
+Result<std::vector<std::byte>> read_network(const Network& network,
+                                            const std::filesystem::path& file) {
     std::error_code error;
-    if (std::filesystem::file_size(path, error) == network.bytes) {
-        auto bytes = read_file(path);
-        if (bytes && is_as_told(network, *bytes)) return bytes;
+    if (std::filesystem::file_size(file, error) == network.bytes) {
+        auto bytes = read_file(file.string());
+        if (bytes && sha256_of(*bytes) == network.sha256) return bytes;
     }
     return failure(
-        fmt::format("{}: the network is damaged, or of another version; 'touchline models get {}' "
-                    "brings it anew",
-                    path, network.name));
+        fmt::format("{}: the network is damaged, or of another version; 'touchline models "
+                    "get {}' brings it anew",
+                    file.string(), network.name));
 }
 
 }  // namespace touchline

