@@ -100,8 +100,7 @@ Result<SeenView> open_view(const std::string& path, const ViewChoice& view, bool
     SeenView seen{std::move(*page), std::nullopt};
     const Result<void> looked = look_for_things(wants_things, seen);
     if (!looked) return tl::unexpected(of_file(path, looked.error()));
-    const bool has_things = !seen.page.main_things.grey.empty();
-    if (view.kind == ViewChoice::Kind::figure && !has_things)
+    if (view.kind == ViewChoice::Kind::figure && !has_main_things(seen.page))
         return tl::unexpected(of_file(path, {no_figure(seen)}));
     const int views = view_count(seen.page);
     const int number = view.kind == ViewChoice::Kind::whole ? views : view.number;

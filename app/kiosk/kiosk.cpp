@@ -310,6 +310,8 @@ void Kiosk::follow_stick(std::int64_t now_ns) {
 
 void Kiosk::follow_loader() {
     for (Delivery& delivery : loader_->poll()) take(std::move(delivery));
+    if (const auto things = loader_->take_things())
+        happen(ThingsLookedFor{things->request, things->place});
 }
 
 void Kiosk::take(Delivery delivery) {

@@ -51,6 +51,7 @@ Result<FoundPtr> found_in(PagePtr view, const PagePlace& place, const FeltPart& 
         auto traced = find_page_lines(*view, {options_for(part)});
         if (!traced) return tl::unexpected(traced.error());
         found.lines = std::move(traced->lines);
+        found.is_photo = traced->map && traced->map->is_photo && !has_main_things(*view);
         found.first = TracedPart{part, std::move(traced->map)};
     }
     found.picture = std::make_shared<const Canvas>(canvas_of(view->picture, longest_picture_px));
@@ -112,8 +113,8 @@ std::shared_ptr<const Canvas> enlarged_picture(const std::shared_ptr<const Canva
 
 }  // namespace
 
-KioskStages::KioskStages(DeviceProfile profile, PageReader reader)
-    : profile_(std::move(profile)), reader_(std::move(reader)) {}
+KioskStages::KioskStages(DeviceProfile profile, PageReader reader, ThingFinder finder)
+    : profile_(std::move(profile)), reader_(std::move(reader)), finder_(std::move(finder)) {}
 
 Result<PagePtr> KioskStages::open(const PictureFile& file, int page) const {
     auto opened = file.open({page, PageOrder{}.dpi});
@@ -128,7 +129,8 @@ Result<FoundPtr> KioskStages::find(const PictureFile& file, const PagePtr& page,
     const int views = view_count(*page);
     const PagePtr fine = fine_page(file, page, view);
     const PagePtr cut = view < views ? std::make_shared<const Page>(view_of(*fine, view)) : fine;
-    const PagePlace place{page->number, page->count, view, views};
+    const PagePlace place{page->number, page->count, view, views,
+                          has_main_things(*page) ? ThingSearch::found : ThingSearch::none};
     return found_in(cut, place, part).map_error([&](const Error& error) {
         return of_page(file, place, error);
     });
@@ -147,6 +149,8 @@ Result<LoadedScene> KioskStages::build(const PictureFile& file, const FoundView&
     result.facts = {map.title.empty() ? file.title : map.title,
                     static_cast<int>(map.outlines.size()), scene->curves.coarsest(),
                     std::move(felt->warning), found.place};
+    if (found.is_photo)
+        result.facts.place.things = finder_ ? ThingSearch::under_way : ThingSearch::impossible;
     result.shown = {std::make_shared<const Scene>(std::move(*scene)),
                     enlarged_picture(found.picture, map.area, part.zoom)};
     const bool is_whole = part.zoom == Zoom{};
@@ -155,6 +159,15 @@ Result<LoadedScene> KioskStages::build(const PictureFile& file, const FoundView&
     result.felt = {result.shown.scene, std::make_shared<const TactileMap>(std::move(map)), order,
                    recorded};
     return result;
+}
+
+bool KioskStages::has_looking() const {
+    return static_cast<bool>(finder_);
+}
+
+PagePtr KioskStages::look(const PagePtr& page) const {
+    auto seen = finder_(*page);
+    return seen ? std::make_shared<const Page>(std::move(*seen)) : nullptr;
 }
 
 bool KioskStages::has_reading() const {

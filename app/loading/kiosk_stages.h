@@ -15,22 +15,29 @@ namespace touchline {
 /// are none. Takes seconds. From any thread, one call at a time.
 using PageReader = std::function<std::optional<Page>(const Page&)>;
 
+/// A photograph's page with its main things; nothing where none is clear. Takes seconds. From any
+/// thread, one call at a time.
+using ThingFinder = std::function<std::optional<Page>(const Page&)>;
+
 class KioskStages final : public Stages {
   public:
-    /// `reader` may be empty: then nothing is read.
-    explicit KioskStages(DeviceProfile profile, PageReader reader = {});
+    /// Without a reader nothing is read, without a finder no main thing is found, which is told.
+    explicit KioskStages(DeviceProfile profile, PageReader reader = {}, ThingFinder finder = {});
 
     [[nodiscard]] Result<PagePtr> open(const PictureFile& file, int page) const override;
     [[nodiscard]] Result<FoundPtr> find(const PictureFile& file, const PagePtr& page, int view,
                                         const FeltPart& part) const override;
     [[nodiscard]] Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
                                             const FeltPart& part) const override;
+    [[nodiscard]] bool has_looking() const override;
+    [[nodiscard]] PagePtr look(const PagePtr& page) const override;
     [[nodiscard]] bool has_reading() const override;
     [[nodiscard]] FoundPtr reread(const FoundView& found) const override;
 
   private:
     DeviceProfile profile_;
     PageReader reader_;
+    ThingFinder finder_;
 };
 
 /// An empty picture: after a visit nothing of it stays with the servo.

@@ -7,14 +7,14 @@
 
 namespace touchline {
 
-LoadPlan::LoadPlan(bool has_reading, PlanLimits limits)
-    : has_reading_(has_reading), limits_(limits) {}
+LoadPlan::LoadPlan(SecondLooks looks, PlanLimits limits) : looks_(looks), limits_(limits) {}
 
 void LoadPlan::want(std::uint64_t request, const ViewOrder& order) {
     wanted_ = order;
     request_ = request;
     is_owed_ = true;
     is_felt_ = false;
+    things_.reset();
     tried_.clear();
     std::stable_partition(kept_.begin(), kept_.end(), [&order](const Kept& kept) {
         return is_page_of(kept, order) || is_view_of(kept, order);
@@ -44,6 +44,10 @@ std::optional<Delivery> LoadPlan::finish(std::uint64_t number, JobOutcome outcom
     if (auto* const scene = std::get_if<Result<LoadedScene>>(&outcome))
         return answer(job, std::move(*scene));
     if (const auto* const page = std::get_if<Result<PagePtr>>(&outcome)) {
+        if (job.kind == JobKind::look) {
+            keep_things(job, page->value_or(nullptr));
+            return std::nullopt;
+        }
         if (!*page) return refuse(job, page->error());
         keep({job.order.file, job.order.page, **page, nullptr});
         return std::nullopt;
@@ -61,6 +65,7 @@ std::optional<Delivery> LoadPlan::finish(std::uint64_t number, JobOutcome outcom
 void LoadPlan::forget() {
     wanted_.reset();
     is_owed_ = false;
+    things_.reset();
     tried_.clear();
     kept_.clear();
     forgotten_number_ = last_number_;
@@ -73,7 +78,7 @@ std::size_t LoadPlan::kept_bytes() const {
 }
 
 LoadPlan::Step LoadPlan::step_of(const LoadJob& job) {
-    const bool is_of_page = job.kind == JobKind::open;
+    const bool is_of_page = job.kind == JobKind::open || job.kind == JobKind::look;
     return {job.kind, job.order.file, job.order.page, is_of_page ? 0 : job.order.view};
 }
 
@@ -104,7 +109,8 @@ PagePlace LoadPlan::place_of(const ViewOrder& order) const {
     const Kept* const page = page_of(order);
     if (page == nullptr) return {order.page, 0, order.view, 0};
     const int views = view_count(*page->page);
-    return {order.page, page->page->count, std::min(order.view, views), views};
+    return {order.page, page->page->count, std::min(order.view, views), views,
+            has_main_things(*page->page) ? ThingSearch::found : ThingSearch::none};
 }
 
 /// On the way to the scene of an order, from what is kept.
@@ -131,6 +137,8 @@ std::vector<ViewOrder> LoadPlan::likely_next() const {
     };
     std::vector<ViewOrder> orders;
     if (place.view < place.view_count) orders.push_back(order(place.page, place.view + 1));
+    if (place.things == ThingSearch::found && place.view == place.view_count)
+        orders.push_back(order(place.page, 1));
     if (place.page < place.page_count) orders.push_back(order(place.page + 1, 1));
     return orders;
 }
@@ -145,14 +153,30 @@ std::optional<LoadJob> LoadPlan::next_job() {
     return running_.empty() ? background_job() : std::nullopt;
 }
 
+/// Of a photograph that is felt as a whole, and that nobody has looked at.
+std::optional<LoadJob> LoadPlan::look_job() {
+    if (!looks_.for_things || !is_felt_) return std::nullopt;
+    const Kept* const view = view_of(*wanted_);
+    const Kept* const page = page_of(*wanted_);
+    if (view == nullptr || !view->found->is_photo || page == nullptr || page->is_looked_at)
+        return std::nullopt;
+    LoadJob job;
+    job.kind = JobKind::look;
+    job.order = *wanted_;
+    job.page = page->page;
+    return untried(std::move(job));
+}
+
 std::optional<LoadJob> LoadPlan::background_job() {
+    if (auto look = look_job()) return look;
     for (const ViewOrder& order : likely_next()) {
         LoadJob job = next_step(order);
         if (job.kind == JobKind::build) continue;
         if (auto first = untried(std::move(job))) return first;
     }
     const Kept* const present = view_of(*wanted_);
-    if (!has_reading_ || !is_felt_ || present == nullptr || present->is_reread) return std::nullopt;
+    if (!looks_.for_words || !is_felt_ || present == nullptr || present->is_reread)
+        return std::nullopt;
     LoadJob job = next_step(*wanted_);
     job.kind = JobKind::reread;
     job.request = 0;
@@ -197,6 +221,25 @@ std::optional<Delivery> LoadPlan::answer(const LoadJob& job, Result<LoadedScene>
 void LoadPlan::keep(Kept kept) {
     kept_.push_front(std::move(kept));
     forget_old();
+}
+
+/// The views that are kept had other numbers; what is felt is the last of the new ones.
+void LoadPlan::keep_things(const LoadJob& job, const PagePtr& page) {
+    const auto at = std::find_if(kept_.begin(), kept_.end(),
+                                 [&job](const Kept& kept) { return kept.page == job.page; });
+    if (at == kept_.end()) return;
+    at->is_looked_at = true;
+    if (page) {
+        at->page = page;
+        kept_.remove_if([&job](const Kept& kept) {
+            return kept.found && kept.file == job.order.file && kept.number == job.order.page;
+        });
+    }
+    const bool is_felt = wanted_ && is_felt_ && is_page_of(*at, *wanted_);
+    if (!is_felt) return;
+    if (page) wanted_->view = view_count(*page);
+    things_ = ThingsFound{request_, place_of(*wanted_)};
+    if (!page) things_->place.things = ThingSearch::unclear;
 }
 
 void LoadPlan::keep_reread(const LoadJob& job, const FoundPtr& found) {

@@ -5,6 +5,8 @@
 //               │              │  kept: a change of detail goes on from here
 //               └──────────────┴─ of the next view and the next page, once the present one is felt
 //
+// A photograph is felt as a whole first; then its main things are looked for, and are views of it.
+//
 // Threads: one.
 #pragma once
 
@@ -14,6 +16,7 @@
 #include <cstdint>
 #include <list>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -26,7 +29,7 @@ struct ViewOrder {
     FeltPart part = {};
 };
 
-enum class JobKind : std::uint8_t { open, find, build, reread };
+enum class JobKind : std::uint8_t { open, find, build, look, reread };
 
 /// Work that can be done by itself, with all that it needs.
 struct LoadJob {
@@ -48,6 +51,18 @@ struct Delivery {
     bool is_better = false;
 };
 
+/// What a second look at a photograph came to.
+struct ThingsFound {
+    std::uint64_t request = 0;  // that is felt
+    PagePlace place;            // of what is felt
+};
+
+/// What can look a second time.
+struct SecondLooks {
+    bool for_things = false;
+    bool for_words = false;
+};
+
 struct PlanLimits {
     std::size_t jobs = 2;                              // at a time; one of them for what is wanted
     std::size_t kept_bytes = std::size_t{192} << 20U;  // beyond the present page and view
@@ -55,7 +70,7 @@ struct PlanLimits {
 
 class LoadPlan {
   public:
-    LoadPlan(bool has_reading, PlanLimits limits);
+    LoadPlan(SecondLooks looks, PlanLimits limits);
 
     /// Takes the place of what was wanted before. `request`: a new number.
     void want(std::uint64_t request, const ViewOrder& order);
@@ -65,6 +80,9 @@ class LoadPlan {
 
     /// How the job ended. Nothing where nobody waits for it.
     [[nodiscard]] std::optional<Delivery> finish(std::uint64_t job, JobOutcome outcome);
+
+    /// What became known since this was last asked.
+    [[nodiscard]] std::optional<ThingsFound> take_things() { return std::exchange(things_, {}); }
 
     /// Nothing is wanted or kept any more, and nothing comes of the jobs that run.
     void forget();
@@ -79,6 +97,7 @@ class LoadPlan {
         PagePtr page;
         FoundPtr found;
         bool is_reread = false;
+        bool is_looked_at = false;
     };
 
     using KeptList = std::list<Kept>;
@@ -109,17 +128,20 @@ class LoadPlan {
     std::optional<Delivery> refuse(const LoadJob& job, const Error& error);
     std::optional<Delivery> answer(const LoadJob& job, Result<LoadedScene> scene);
     void keep(Kept kept);
+    [[nodiscard]] std::optional<LoadJob> look_job();
+    void keep_things(const LoadJob& job, const PagePtr& page);
     void keep_reread(const LoadJob& job, const FoundPtr& found);
     void forget_old();
 
-    bool has_reading_;
+    SecondLooks looks_;
     PlanLimits limits_;
     std::uint64_t last_number_ = 0;
     std::uint64_t forgotten_number_ = 0;  // of jobs up to this one nothing is wanted
     std::optional<ViewOrder> wanted_;
     std::uint64_t request_ = 0;
-    bool is_owed_ = false;     // an answer, or a better one
-    bool is_felt_ = false;     // the request has its first answer
+    bool is_owed_ = false;  // an answer, or a better one
+    bool is_felt_ = false;  // the request has its first answer
+    std::optional<ThingsFound> things_;
     std::vector<Step> tried_;  // in the background, since the request
     std::vector<LoadJob> running_;
     KeptList kept_;  // the last used first

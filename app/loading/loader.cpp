@@ -16,6 +16,8 @@ JobOutcome done(const Stages& stages, const LoadJob& job) {
             return stages.find(file, job.page, job.order.view, job.order.part);
         case JobKind::build:
             return stages.build(file, *job.found, job.order.part);
+        case JobKind::look:
+            return Result<PagePtr>(stages.look(job.page));
         case JobKind::reread:
             return Result<FoundPtr>(stages.reread(*job.found));
     }
@@ -25,6 +27,7 @@ JobOutcome done(const Stages& stages, const LoadJob& job) {
 JobOutcome refused(JobKind kind, std::string line) {
     switch (kind) {
         case JobKind::open:
+        case JobKind::look:
             return Result<PagePtr>(failure(std::move(line)));
         case JobKind::find:
         case JobKind::reread:
@@ -50,7 +53,7 @@ JobOutcome safely_done(const Stages& stages, const LoadJob& job) {
 Loader::Loader(std::shared_ptr<const Stages> stages, std::unique_ptr<Executor> executor,
                PlanLimits limits)
     : stages_(std::move(stages)),
-      plan_(stages_->has_reading(), limits),
+      plan_({stages_->has_looking(), stages_->has_reading()}, limits),
       executor_(std::move(executor)) {}
 
 void Loader::want(std::uint64_t request, const ViewOrder& order) {

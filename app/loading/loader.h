@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace touchline {
@@ -22,6 +23,9 @@ class Loader {
 
     /// What became ready; to be called often, for it starts what comes next too.
     [[nodiscard]] std::vector<Delivery> poll();
+
+    /// As LoadPlan::take_things(); to be asked after poll().
+    [[nodiscard]] std::optional<ThingsFound> take_things() { return plan_.take_things(); }
 
     /// As LoadPlan::forget().
     void forget() { plan_.forget(); }

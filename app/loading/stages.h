@@ -57,6 +57,7 @@ struct FoundView {
         first;  // of these lines: of the part that was wanted when they were found
     std::shared_ptr<const Canvas> picture;
     PagePlace place;        // all of it known
+    bool is_photo = false;  // that nobody has looked for main things in
     std::size_t bytes = 0;  // about what it holds
 };
 
@@ -90,6 +91,13 @@ class Stages {
     /// one.
     [[nodiscard]] virtual Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
                                                     const FeltPart& part) const = 0;
+
+    /// False: look() would find nothing, ever.
+    [[nodiscard]] virtual bool has_looking() const = 0;
+
+    /// A second look at a photograph: its page with its main things, each a view. Null where none
+    /// is clear. Waits for a worker, some seconds.
+    [[nodiscard]] virtual PagePtr look(const PagePtr& page) const = 0;
 
     /// False: reread() would find nothing, ever.
     [[nodiscard]] virtual bool has_reading() const = 0;

@@ -7,6 +7,7 @@
 #include "app/kiosk/stick_shelf.h"
 #include "app/loading/kiosk_stages.h"
 #include "app/loading/page_reader.h"
+#include "app/loading/thing_finder.h"
 #include "app/loading/thread_executor.h"
 #include "app/main/kiosk_servo.h"
 #include "app/main/life_signs.h"
@@ -179,10 +180,10 @@ class KioskWindow {
         parts.profile = servo->profile;
         parts.hand_words = servo->hand_words;
         parts.reading_language = std::make_shared<std::atomic<WrittenLanguage>>();
-        parts.loader =
-            std::make_unique<Loader>(std::make_shared<const KioskStages>(
-                                         servo->profile, page_reader(parts.reading_language)),
-                                     std::make_unique<ThreadExecutor>(loading_threads));
+        parts.loader = std::make_unique<Loader>(
+            std::make_shared<const KioskStages>(servo->profile, page_reader(parts.reading_language),
+                                                thing_finder()),
+            std::make_unique<ThreadExecutor>(loading_threads));
         parts.sound = std::make_unique<Sound>(
             std::move(sound_), [client = servo->client.get()] { return client->next_event(); });
         parts.shelf = std::make_unique<StickShelf>(open_stick_port(settings_.watched_folder),

@@ -2,14 +2,22 @@
 // Threads: a value.
 #pragma once
 
+#include <cstdint>
+
 namespace touchline {
 
-/// Views of a page are its pictures in reading order, then the page as a whole.
+/// What is known of a photograph's main things; none: of what is no photograph. found: they are the
+/// views before the whole.
+enum class ThingSearch : std::uint8_t { none, under_way, unclear, impossible, found };
+
+/// Views of a page are its pictures in reading order, or the main things of a photograph, the
+/// largest first; then the page as a whole.
 struct PagePlace {
     int page = 1;        // 1 ... page_count
     int page_count = 0;  // 0: not known yet
     int view = 1;        // 1 ... view_count; beyond it the last is meant
     int view_count = 0;  // 0: not known yet
+    ThingSearch things = ThingSearch::none;
 
     friend bool operator==(const PagePlace&, const PagePlace&) = default;
 };

@@ -19,7 +19,11 @@ constexpr std::array<std::string_view, 5> details{"silhouette", "main parts", "p
 std::string page_words(const PagePlace& place) {
     const std::string page = fmt::format("{} of {}", place.page, place.page_count);
     if (place.view_count <= 1) return place.page_count > 1 ? page : "";
-    if (place.view == place.view_count) return page + ", the whole page";
+    const bool is_of_things = place.things == ThingSearch::found;
+    if (place.view == place.view_count)
+        return page + (is_of_things ? ", the whole photograph" : ", the whole page");
+    if (is_of_things)
+        return fmt::format("{}, main thing {} of {}", page, place.view, place.view_count - 1);
     return fmt::format("{}, picture {} of {}", page, place.view, place.view_count - 1);
 }
 

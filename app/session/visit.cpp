@@ -185,6 +185,8 @@ struct Take {
 
     void operator()(const PictureReady& ready) { take_ready(work, ready); }
 
+    void operator()(const ThingsLookedFor& looked) { take_things(work, looked); }
+
     void operator()(const PictureFailed& failed) { take_failed(work, failed); }
 
     void operator()(const CameraChanged& change) { camera_changed(work, change.is_there); }

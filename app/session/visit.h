@@ -154,7 +154,15 @@ struct KnownPicture {
 
 /// Why a loading job is under way: what is said when it ends. unasked: nothing is, for the visitor
 /// did not order it; it is the same picture in another language, or in the operator's detail.
-enum class LoadReason : std::uint8_t { other_picture, other_view, detail, zoom, unasked };
+/// main_thing: of a photograph that was not touched yet.
+enum class LoadReason : std::uint8_t {
+    other_picture,
+    other_view,
+    detail,
+    zoom,
+    main_thing,
+    unasked
+};
 
 struct Loading {
     LoadPicture order;
@@ -222,6 +230,7 @@ struct Visitor {
     HandleSeen handle;
     double part_since_s = 0.0;  // on the part, or on none
     std::optional<std::size_t> part_said;
+    bool has_touched = false;        // a line of what is felt
     double active_s = 0.0;           // last key or motion
     double key_s = 0.0;              // last key
     double entered_s = 0.0;          // the screen that is open

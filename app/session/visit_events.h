@@ -92,6 +92,12 @@ struct PictureReady {
     PictureFacts facts;
 };
 
+/// A second look at what is felt by that request: where it stands among its views now.
+struct ThingsLookedFor {
+    std::uint64_t request = 0;
+    PagePlace place;
+};
+
 /// What was felt before stays. `sentence`: what, why and what to do.
 struct PictureFailed {
     std::uint64_t request = 0;
@@ -145,10 +151,10 @@ struct SettingsChanged {
 /// Somebody came.
 struct StaffCalledOff {};
 
-using VisitEvent =
-    std::variant<Tick, KeyPressed, SpeechKeyPressed, DeadKeyPressed, KnobTurned, HandleSeen,
-                 HeadphonesChanged, StickArriving, StickCame, StickGone, PictureReady,
-                 PictureFailed, CameraChanged, CameraCaptured, CameraFailed, GuidanceEnded,
-                 TroubleBegan, TroubleEnded, OpeningChanged, SettingsChanged, StaffCalledOff>;
+using VisitEvent = std::variant<Tick, KeyPressed, SpeechKeyPressed, DeadKeyPressed, KnobTurned,
+                                HandleSeen, HeadphonesChanged, StickArriving, StickCame, StickGone,
+                                PictureReady, ThingsLookedFor, PictureFailed, CameraChanged,
+                                CameraCaptured, CameraFailed, GuidanceEnded, TroubleBegan,
+                                TroubleEnded, OpeningChanged, SettingsChanged, StaffCalledOff>;
 
 }  // namespace touchline

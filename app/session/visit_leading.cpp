@@ -63,6 +63,7 @@ void follow_handle(VisitWork& work, const HandleSeen& handle) {
     Visitor& visitor = work.visitor;
     if (handle.part != visitor.handle.part) visitor.part_since_s = work.house.now_s;
     visitor.handle = handle;
+    visitor.has_touched = visitor.has_touched || handle.part.has_value();
     const bool is_hand = handle.has_moved && !handle.is_led;
     if (is_hand) visitor.active_s = work.house.now_s;
     const VisitScreen screen = open_screen(work);

@@ -24,6 +24,7 @@ void stay_with_felt(VisitWork& work, LoadReason wanted) {
     Visitor& visitor = work.visitor;
     if (!visitor.felt) return;
     const LoadPicture& felt = visitor.felt->order;
+    if (wanted == LoadReason::main_thing) return;
     if (wanted == LoadReason::detail || wanted == LoadReason::unasked) {
         visitor.detail = felt.detail;
     } else if (felt.detail != visitor.detail || felt.language != visitor.sound.language) {
@@ -62,6 +63,7 @@ std::string told_change(const VisitWork& work, LoadReason reason) {
                          {language.number(felt.order.zoom.factor, 0),
                           words_of(place_of(felt.order.zoom.centre, CueArea{}), language)});
         case LoadReason::other_view:
+        case LoadReason::main_thing:
         case LoadReason::other_picture:
         case LoadReason::unasked:
             break;
@@ -138,6 +140,7 @@ void take_ready(VisitWork& work, const PictureReady& ready) {
         visitor.felt = KnownPicture{done.order, ready.facts};
         visitor.handle.part.reset();
         visitor.part_said.reset();
+        visitor.has_touched = false;
         if (done.reason == LoadReason::unasked) return;
         cue(work, ScreenEvent::picture_ready);
         leave_opening(work);
@@ -156,13 +159,33 @@ void take_ready(VisitWork& work, const PictureReady& ready) {
         SpeechPriority::hint);
 }
 
+/// A hand that has found a line keeps it: it is told, and the main thing is felt when it is wanted.
+void take_things(VisitWork& work, const ThingsLookedFor& looked) {
+    Visitor& visitor = work.visitor;
+    if (!visitor.felt || visitor.felt->order.request != looked.request) return;
+    visitor.felt->facts.place = looked.place;
+    if (looked.place.things != ThingSearch::found)
+        return say(work, words(work, "No clear main thing was found."), SpeechPriority::hint);
+    if (visitor.loading) return;
+    if (visitor.has_touched) {
+        cue(work, ScreenEvent::news);
+        return say(work, words(work, "The main thing was found. Main things leads to it."),
+                   SpeechPriority::hint);
+    }
+    LoadPicture wanted = visitor.felt->order;
+    wanted.page = looked.place.page;
+    wanted.view = 1;
+    wanted.zoom = {};
+    load(work, {wanted, LoadReason::main_thing, visitor.felt->facts.title});
+}
+
 void take_failed(VisitWork& work, const PictureFailed& failed) {
     Visitor& visitor = work.visitor;
     if (!visitor.loading || visitor.loading->order.request != failed.request) return;
     const LoadReason reason = visitor.loading->reason;
     visitor.loading.reset();
     stay_with_felt(work, reason);
-    if (reason == LoadReason::unasked) return;
+    if (reason == LoadReason::unasked || reason == LoadReason::main_thing) return;
     leave_opening(work);
     const std::string sentence =
         failed.sentence.empty()

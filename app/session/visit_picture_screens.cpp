@@ -5,6 +5,25 @@
 namespace touchline {
 namespace {
 
+/// What of a photograph is felt, or why it is all of it.
+std::string told_thing(const PagePlace& place, const Language& language) {
+    switch (place.things) {
+        case ThingSearch::under_way:
+            return language.text("page", "Its main thing is being looked for");
+        case ThingSearch::unclear:
+            return language.text("page", "It has no clear main thing");
+        case ThingSearch::impossible:
+            return language.text("page", "Its main thing cannot be found here");
+        case ThingSearch::none:
+        case ThingSearch::found:
+            break;
+    }
+    if (place.view >= place.view_count) return language.text("page", "The whole photograph");
+    if (place.view_count == 2) return language.text("page", "The main thing of the photograph");
+    return language.text("page", "Thing {0} of {1} in the photograph",
+                         {std::to_string(place.view), std::to_string(place.view_count - 1)});
+}
+
 /// "Page 2 of 10. Picture 1 of 3 on it"; empty for what has one page and one picture.
 std::string told_page(const PagePlace& place, const Language& language) {
     std::string text;
@@ -13,7 +32,9 @@ std::string told_page(const PagePlace& place, const Language& language) {
                      language.text("page", "Page {0} of {1}",
                                    {std::to_string(place.page), std::to_string(place.page_count)}));
     }
-    if (place.view_count > 1) {
+    if (place.things != ThingSearch::none) {
+        add_sentence(text, told_thing(place, language));
+    } else if (place.view_count > 1) {
         const bool is_whole = place.view >= place.view_count;
         add_sentence(text, is_whole ? language.text("page", "The whole page")
                                     : language.text("page", "Picture {0} of {1} on it",
@@ -70,7 +91,12 @@ void put_picture(VisitSheet& sheet) {
     sheet.setting(VisitItem::firmness);
     if (sheet.world.settings.offers_shapes && facts.outline_count > 0) put_shape(sheet);
     const std::string page = told_page(facts.place, sheet.language);
-    if (!page.empty()) sheet.item(VisitItem::pages, "Pages", page);
+    const bool is_of_things = facts.place.things == ThingSearch::found;
+    if (is_of_things) {
+        sheet.item(VisitItem::pages, "Main things", page);
+    } else if (facts.place.page_count > 1 || facts.place.view_count > 1) {
+        sheet.item(VisitItem::pages, "Pages", page);
+    }
     sheet.item(VisitItem::another_picture, "Another picture");
     sheet.back();
 }
@@ -114,13 +140,20 @@ void put_zoom(VisitSheet& sheet) {
 
 void put_pages(VisitSheet& sheet) {
     const PagePlace& place = sheet.visit.visitor.felt->facts.place;
-    sheet.title("Pages");
+    const bool is_of_things = place.things == ThingSearch::found;
+    sheet.title(is_of_things ? "Main things" : "Pages");
     sheet.told(told_page(place, sheet.language));
     if (place.view + 1 < place.view_count) {
-        sheet.item(VisitItem::next_view, "Next picture of the page");
+        sheet.item(VisitItem::next_view,
+                   is_of_things ? "The next thing" : "Next picture of the page");
     }
-    if (place.view + 1 == place.view_count) sheet.item(VisitItem::next_view, "The whole page");
-    if (place.view > 1) sheet.item(VisitItem::view_before, "The picture before");
+    if (place.view + 1 == place.view_count) {
+        sheet.item(VisitItem::next_view, is_of_things ? "The whole photograph" : "The whole page");
+    }
+    if (place.view > 1) {
+        sheet.item(VisitItem::view_before,
+                   is_of_things ? "The thing before" : "The picture before");
+    }
     if (place.page < place.page_count) sheet.item(VisitItem::next_page, "Next page");
     if (place.page > 1) sheet.item(VisitItem::page_before, "The page before");
     sheet.back();

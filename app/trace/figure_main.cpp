@@ -4,12 +4,15 @@
 #include "app/trace/main_things.h"
 #include "app/trace/page_pixels.h"
 #include "app/trace/two_parts.h"
+#include "haptics/servo/processors.h"
 #include "vision/contour/gradient.h"
 #include "vision/figure/figure_network.h"
 
 #include <vector>
 
 #include <opencv2/core/utility.hpp>
+#include <sched.h>
+#include <sys/resource.h>
 
 namespace {
 
@@ -38,10 +41,22 @@ Result<std::vector<std::byte>> main_things(std::span<const std::byte> input) {
     });
 }
 
+/// Long work that nobody may feel: everything else comes first, and the servo's processor is left
+/// alone where there is another. Both may be refused; then it is slower, or in somebody's way.
+void step_back() {
+    constexpr int least_priority = 19;
+    (void)setpriority(PRIO_PROCESS, 0, least_priority);
+    cpu_set_t allowed;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0 || CPU_COUNT(&allowed) < 2) return;
+    CPU_CLR(servos_processor(allowed), &allowed);
+    (void)sched_setaffinity(0, sizeof allowed, &allowed);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     if (argc != 1) refuse_to_run(argv[0]);
+    step_back();
     cv::setNumThreads(cv::getNumberOfCPUs());
     run_worker_program({WorkerKind::figure, nullptr, main_things});
 }

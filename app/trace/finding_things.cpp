@@ -1,5 +1,6 @@
 #include "app/trace/finding_things.h"
 
+#include "app/process/free_memory.h"
 #include "app/process/memory.h"
 #include "app/process/places.h"
 #include "app/sandbox/worker.h"
@@ -14,6 +15,7 @@
 namespace touchline {
 namespace {
 
+constexpr std::uint64_t least_free_bytes = 2'000'000'000;
 constexpr double margin = 0.07;  // of a thing's longer side
 
 std::string words_of(WorkerEnd end) {
@@ -60,6 +62,8 @@ WordBox box_of(const ThingBox& thing, const Picture& picture) {
 }  // namespace
 
 Result<MainThings> find_main_things(const Page& page, std::span<const std::byte> network) {
+    if (free_memory_bytes() < least_free_bytes)
+        return failure("finding its main thing needs 2 GB of free memory");
     const auto input = sealed_behind(network, page);
     if (!input) return tl::unexpected(input.error());
     auto outcome = run_worker({companion("touchline-figure"), {}, WorkerKind::figure}, **input);

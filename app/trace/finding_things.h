@@ -12,7 +12,7 @@
 namespace touchline {
 
 /// What the network (app/models, "figure") makes of a page's pixels. Fails, with one line, where it
-/// cannot be run, or the worker does not end well. Some seconds.
+/// cannot be run, the worker does not end well, or less than 2 GB of memory are free. Some seconds.
 [[nodiscard]] Result<MainThings> find_main_things(const Page& page,
                                                   std::span<const std::byte> network);
 

@@ -92,6 +92,10 @@ std::size_t bytes_of(const Page& page) {
     return page.picture.bgr.size() * (page.answer ? 2U : 1U);
 }
 
+bool has_main_things(const Page& page) {
+    return !page.main_things.grey.empty();
+}
+
 int view_count(const Page& page) {
     return static_cast<int>(page.figures.size()) + 1;
 }
@@ -122,7 +126,7 @@ Page view_of(const Page& page, int view) {
     part.told.title = figure->text.empty() || figure->text.size() > longest_title_bytes
                           ? page.told.title
                           : figure->text;
-    part.told.description = figure->text;
+    part.told.description = has_main_things(page) ? page.told.description : figure->text;
     part.told.labels = labels_in(page, *figure, m_per_px);
     for (const WordBox& word : page.words)
         if (const auto inside = within(word, figure->box)) part.words.push_back(*inside);

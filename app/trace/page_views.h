@@ -18,6 +18,9 @@ inline constexpr int most_view_dpi = 600;
 /// What the page holds of the machine's memory: its pixels, and its worker's answer.
 [[nodiscard]] std::size_t bytes_of(const Page& page);
 
+/// The figures are a photograph's main things.
+[[nodiscard]] bool has_main_things(const Page& page);
+
 /// Figures and the whole; 1 for a page without figures.
 [[nodiscard]] int view_count(const Page& page);
 

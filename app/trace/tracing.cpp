@@ -6,6 +6,7 @@
 #include "app/sandbox/worker.h"
 #include "app/trace/frame_bytes.h"
 #include "app/trace/grey_bytes.h"
+#include "app/trace/page_views.h"
 #include "app/trace/sealed_page.h"
 #include "app/trace/trace_work.h"
 
@@ -36,8 +37,7 @@ std::string words_of(WorkerEnd end) {
 
 /// What finds a page's lines looks at: the mask of its main things, where it has one, and the page.
 Result<Sealed> input_of(const Page& page) {
-    return page.main_things.grey.empty() ? sealed(page)
-                                         : sealed_behind(bytes_of(page.main_things), page);
+    return has_main_things(page) ? sealed_behind(bytes_of(page.main_things), page) : sealed(page);
 }
 
 /// The worker's answer, sealed.
@@ -88,7 +88,7 @@ Result<FirstTrace> find_page_lines(const Page& page, const TraceRequest& request
     TraceWork work;
     work.options = request.options;
     work.wants_edges = request.wants_edges;
-    work.has_main_things = !page.main_things.grey.empty();
+    work.has_main_things = has_main_things(page);
     auto answer = traced_by(work, **input, page);
     if (!answer) return tl::unexpected(answer.error());
     Traced& traced = answer->traced;

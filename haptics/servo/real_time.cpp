@@ -1,5 +1,7 @@
 #include "haptics/servo/real_time.h"
 
+#include "haptics/servo/processors.h"
+
 #include <array>
 #include <cstddef>
 #include <fstream>
@@ -33,16 +35,13 @@ bool lock_memory(MemoryLock lock) {
     return mlockall(MCL_CURRENT | MCL_FUTURE | on_fault) == 0;
 }
 
-// The last processor that this process may use: interrupts and windows live on the first.
 void take_a_processor() {
     cpu_set_t allowed;
     if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
     if (CPU_COUNT(&allowed) < enough_processors) return;
-    std::size_t last = CPU_SETSIZE - 1;
-    while (!CPU_ISSET(last, &allowed)) --last;
     cpu_set_t own;
     CPU_ZERO(&own);
-    CPU_SET(last, &own);
+    CPU_SET(servos_processor(allowed), &own);
     (void)pthread_setaffinity_np(pthread_self(), sizeof own, &own);
 }
 

@@ -46,8 +46,10 @@ class HeldJobs final : public Executor {
 /// A loader, its jobs and everything that it delivered.
 struct World {
     explicit World(std::vector<MadeUpDocument> documents,
-                   std::optional<MadeUpStages::Places> with_words = {}, PlanLimits limits = {})
-        : stages(std::make_shared<MadeUpStages>(std::move(documents), std::move(with_words))),
+                   std::optional<MadeUpStages::Places> with_words = {}, PlanLimits limits = {},
+                   bool finds_things = false)
+        : stages(std::make_shared<MadeUpStages>(std::move(documents), std::move(with_words),
+                                                finds_things)),
           jobs(new HeldJobs),
           loader(stages, std::unique_ptr<Executor>(jobs), limits) {}
 
@@ -226,6 +228,59 @@ TEST(Loading, WordsThatAreReadLaterTakeThePlaceOfTheFirstResult) {
     EXPECT_EQ(world.last(), "0 1 1 5+");
     EXPECT_EQ(world.delivered.size(), 3U);  // once read is read
     EXPECT_EQ(world.stages->reread_count, 1);
+}
+
+/// One photograph with so many main things, felt as a whole; nobody has looked at it yet.
+World photograph(int things) {
+    World world({MadeUpDocument{.figures = {0}, .photos = {{1, things}}}}, {}, {}, true);
+    world.want(1, 1);
+    world.until_felt();
+    return world;
+}
+
+TEST(Loading, APhotographIsFeltAtOnceAndItsMainThingsAreViewsOfItLater) {
+    World world = photograph(2);
+    EXPECT_EQ(world.last(), "0 1 1 3");
+    EXPECT_FALSE(world.loader.take_things());
+    world.until_idle();
+    const auto things = world.loader.take_things();
+    ASSERT_TRUE(things);
+    EXPECT_EQ(things->request, 1U);
+    EXPECT_EQ(things->place, (PagePlace{1, 1, 3, 3, ThingSearch::found}));
+    EXPECT_EQ(world.delivered.size(), 1U) << "nothing is taken from under a hand";
+    const int found = world.stages->found;
+    world.want(1, 1);
+    world.until_felt();
+    EXPECT_EQ(world.last(), "0 1 1 3");
+    EXPECT_EQ(world.delivered.back().place, (PagePlace{1, 1, 1, 3, ThingSearch::found}));
+    EXPECT_EQ(world.stages->found, found) << "its first thing was traced meanwhile";
+    world.want(1, 3);
+    world.until_felt();
+    EXPECT_EQ(world.last(), "0 1 3 3");
+    world.until_idle();
+    EXPECT_EQ(world.stages->looked_count, 1);
+    EXPECT_FALSE(world.loader.take_things());
+}
+
+TEST(Loading, APhotographWithoutAClearThingIsToldSoOnce) {
+    World world = photograph(0);
+    world.until_idle();
+    const auto things = world.loader.take_things();
+    ASSERT_TRUE(things);
+    EXPECT_EQ(things->place, (PagePlace{1, 1, 1, 1, ThingSearch::unclear}));
+    world.want(1, 1, 5);
+    world.until_idle();
+    EXPECT_EQ(world.stages->looked_count, 1);
+    EXPECT_EQ(world.last(), "0 1 1 5");
+}
+
+TEST(Loading, WhatWasFoundOfAPhotographThatNobodyFeelsAnyMoreIsNotTold) {
+    World world = photograph(1);
+    ASSERT_EQ(world.jobs->held(), 1U);  // looking
+    world.loader.forget();
+    world.until_idle();
+    EXPECT_FALSE(world.loader.take_things());
+    EXPECT_EQ(world.loader.kept_bytes(), 0U);
 }
 
 TEST(Loading, NobodyWaitsForWordsToBeRead) {

@@ -21,6 +21,7 @@ struct MadeUpDocument {
     int page_px = 4;
     std::set<int> torn_pages = {};
     std::set<std::pair<int, int>> empty_views = {};  // page, view
+    std::map<int, int> photos = {};                  // page, its main things
 };
 
 class MadeUpStages final : public Stages {
@@ -29,8 +30,8 @@ class MadeUpStages final : public Stages {
     using Places = std::set<std::pair<int, int>>;
 
     explicit MadeUpStages(std::vector<MadeUpDocument> documents,
-                          std::optional<Places> with_words = {})
-        : with_words_(std::move(with_words)) {
+                          std::optional<Places> with_words = {}, bool finds_things = false)
+        : with_words_(std::move(with_words)), finds_things_(finds_things) {
         for (MadeUpDocument& document : documents) {
             files_.push_back(std::make_shared<const PictureFile>(
                 PictureFile{std::to_string(files_.size()), "", "", false, {}}));
@@ -66,6 +67,9 @@ class MadeUpStages final : public Stages {
         FoundView result;
         result.view = page;
         result.place = {page->number, page->count, view, view_count(*page)};
+        result.is_photo =
+            documents_.at(&file).photos.contains(page->number) && page->main_things.grey.empty();
+        if (!page->main_things.grey.empty()) result.place.things = ThingSearch::found;
         result.bytes = page->picture.bgr.size();
         return std::make_shared<const FoundView>(std::move(result));
     }
@@ -86,6 +90,19 @@ class MadeUpStages final : public Stages {
                std::to_string(detail);
     }
 
+    [[nodiscard]] bool has_looking() const override { return finds_things_; }
+
+    /// Of the first document.
+    [[nodiscard]] PagePtr look(const PagePtr& page) const override {
+        ++looked_count;
+        const int things = document(files_.front()).photos.at(page->number);
+        if (things == 0) return nullptr;
+        Page seen = *page;
+        seen.figures.resize(static_cast<std::size_t>(things), {{0, 0, 2, 2}, ""});
+        seen.main_things = {1, 1, {255}};
+        return std::make_shared<const Page>(std::move(seen));
+    }
+
     [[nodiscard]] bool has_reading() const override { return with_words_.has_value(); }
 
     [[nodiscard]] FoundPtr reread(const FoundView& view) const override {
@@ -101,10 +118,12 @@ class MadeUpStages final : public Stages {
     mutable std::atomic<int> opened{0};
     mutable std::atomic<int> found{0};
     mutable std::atomic<int> built{0};
+    mutable std::atomic<int> looked_count{0};
     mutable std::atomic<int> reread_count{0};
 
   private:
     std::optional<Places> with_words_;
+    bool finds_things_;
     std::vector<FilePtr> files_;
     std::map<const PictureFile*, MadeUpDocument> documents_;
 };

@@ -355,6 +355,61 @@ TEST(Visit, PagesAndTheirPicturesAreWalkedThrough) {
     EXPECT_TRUE(house.find("The page before"));
 }
 
+ThingsLookedFor looked_for(const FakeHouse& house, int things) {
+    const ThingSearch search = things > 0 ? ThingSearch::found : ThingSearch::unclear;
+    return {house.visit.visitor.felt->order.request, {1, 1, things + 1, things + 1, search}};
+}
+
+TEST(Visit, APhotographsMainThingTakesItsPlaceBeforeAHandHasTouchedIt) {
+    FakeHouse house;
+    to_picture(house);
+    const std::uint64_t whole = house.visit.visitor.felt->order.request;
+    house.happen(looked_for(house, 2));
+    const LoadPicture wanted = house.last<LoadPicture>()[0];
+    EXPECT_NE(wanted.request, whole);
+    EXPECT_EQ(wanted.view, 1);
+    PictureFacts facts = house.visit.visitor.felt->facts;
+    facts.place = {1, 1, 1, 3, ThingSearch::found};
+    house.happen(PictureReady{wanted.request, facts});
+    EXPECT_TRUE(house.has_said("Thing 1 of 2 in the photograph", 0)) << house.last_said();
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    ASSERT_TRUE(house.choose("Main things"));
+    EXPECT_FALSE(house.find("The thing before"));
+    ASSERT_TRUE(house.choose("The next thing"));
+    EXPECT_EQ(house.last<LoadPicture>()[0].view, 2);
+}
+
+TEST(Visit, AHandThatHasFoundALineKeepsItAndIsToldOfTheMainThing) {
+    FakeHouse house;
+    to_picture(house);
+    HandleSeen handle;
+    handle.part = 0;
+    house.happen(handle);
+    handle.part.reset();
+    house.happen(handle);
+    const std::uint64_t whole = house.visit.visitor.felt->order.request;
+    house.happen(looked_for(house, 1));
+    EXPECT_EQ(house.visit.house.request, whole) << "nothing else is opened";
+    EXPECT_EQ(house.last_said(), "The main thing was found. Main things leads to it.");
+    EXPECT_EQ(house.last<Utterance>()[0].priority, SpeechPriority::hint);
+    ASSERT_TRUE(house.choose("Main things"));
+    ASSERT_TRUE(house.choose("The thing before"));
+    EXPECT_EQ(house.last<LoadPicture>()[0].view, 1);
+}
+
+TEST(Visit, WhereNothingIsClearAPhotographStaysAndThatIsTold) {
+    FakeHouse house;
+    to_picture(house);
+    house.happen(looked_for(house, 0));
+    EXPECT_EQ(house.last_said(), "No clear main thing was found.");
+    EXPECT_FALSE(house.find("Main things"));
+    EXPECT_FALSE(house.find("Pages"));
+    ThingsLookedFor old = looked_for(house, 1);
+    old.request += 7;
+    house.happen(old);
+    EXPECT_EQ(house.visit.visitor.felt->facts.place.things, ThingSearch::unclear);
+}
+
 TEST(Visit, LaterFactsOfTheSamePictureAreTaken) {
     FakeHouse house;
     to_picture(house);

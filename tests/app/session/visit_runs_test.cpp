@@ -209,7 +209,7 @@ StickCame stick_of(unsigned count, bool is_whole) {
 /// Anything that can happen, by chance; keys more often than all else.
 VisitEvent rude_event(std::mt19937& random, FakeHouse& house) {
     const auto upto = [&random](unsigned count) { return static_cast<unsigned>(random()) % count; };
-    switch (upto(24)) {
+    switch (upto(25)) {
         case 0:
             return DeadKeyPressed{};
         case 1:
@@ -243,6 +243,9 @@ VisitEvent rude_event(std::mt19937& random, FakeHouse& house) {
         case 15:
             if (upto(20) == 0) return OpeningChanged{static_cast<HouseOpening>(upto(3))};
             return OpeningChanged{HouseOpening::open};
+        case 17:
+            return ThingsLookedFor{house.visit.house.request - upto(3),
+                                   {1, 1, 2, 2, static_cast<ThingSearch>(3 + upto(2))}};
         case 16: {
             HandleSeen handle;
             handle.place_W = {0.0001 * upto(500), -0.0001 * upto(400)};

@@ -40,6 +40,17 @@ plot results . '/sizes.csv' using 4:3 skip 1 with linespoints ls 1 title 'Hausdo
      '' using 4:2 skip 1 with linespoints ls 2 title 'RMS', \
      '' using 4:3:(sprintf('%g MP', column(1))) skip 1 with labels offset 0,1 notitle
 
+set output results . '/figures.' . format
+set title 'main things of 22 photographs, at several sizes of the picture that the network sees'
+set xlabel 'milliseconds a picture (by the clock, two processors)'
+set ylabel 'overlap with people'
+unset logscale y
+set xrange [*:*]
+set key bottom right box opaque
+plot results . '/figures.csv' using 8:3 skip 1 with linespoints ls 1 title 'mean', \
+     '' using 8:4 skip 1 with linespoints ls 2 title 'median', \
+     '' using 8:3:(sprintf('%d', column(1))) skip 1 with labels offset 0,1 notitle
+
 set output results . '/drawings.' . format
 set title 'charts and plans, traced at several working sizes'
 set xlabel 'milliseconds a picture (from the file to the map, by the clock)'

@@ -22,4 +22,14 @@ struct MarkedPicture {
 /// A folder of NAME.jpg, each with NAME-human1.png ..., by name.
 [[nodiscard]] Result<std::vector<MarkedPicture>> pictures_in(const std::string& folder);
 
+/// A photograph whose main thing somebody has marked.
+struct FigurePicture {
+    MarkedPicture marked;
+    cv::Mat1b truth;  // of the picture's size; 128 and more: the thing
+};
+
+/// Those of a folder that have a mask of the same name in another: TRUTHS/NAME.png.
+[[nodiscard]] Result<std::vector<FigurePicture>> pictures_in(const std::string& folder,
+                                                             const std::string& truths);
+
 }  // namespace touchline::bench

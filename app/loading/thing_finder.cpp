@@ -1,0 +1,22 @@
+#include "app/loading/thing_finder.h"
+
+#include "app/models/networks.h"
+#include "app/trace/finding_things.h"
+
+#include <utility>
+
+namespace touchline {
+
+ThingFinder thing_finder() {
+    const Network& network = *network_named("figure");
+    if (!is_installed(network)) return {};
+    return [&network](const Page& page) -> std::optional<Page> {
+        const auto bytes = read_network(network);
+        if (!bytes) return std::nullopt;
+        auto things = find_main_things(page, *bytes);
+        if (!things || !things->is_sure) return std::nullopt;
+        return with_main_things(page, std::move(*things));
+    };
+}
+
+}  // namespace touchline
