@@ -1,0 +1,106 @@
+// Main things by way of their worker: a network made by hand takes what is red for the thing.
+#include "app/trace/finding_things.h"
+
+#include "app/trace/page_views.h"
+#include "app/trace/tracing.h"
+#include "tests/app/decode/encoders.h"
+#include "tests/vision/figure/onnx_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+/// A red disc and a smaller one, 700 x 500 pixels.
+Page red_discs() {
+    cv::Mat bgr(500, 700, CV_8UC3, cv::Scalar(120, 130, 110));
+    cv::circle(bgr, {200, 250}, 120, cv::Scalar(20, 20, 230), cv::FILLED);
+    cv::circle(bgr, {560, 120}, 60, cv::Scalar(20, 20, 230), cv::FILLED);
+    Page page;
+    page.picture = picture_of(bgr);
+    page.told.area = {0.07, 0.05};
+    page.told.title = "Balls";
+    page.told.description = "On a lawn.";
+    return page;
+}
+
+std::vector<std::byte> network() {
+    return testing::written(testing::red_network());
+}
+
+TEST(FindingThings, TheThingsOfAPageAreItsViewsTheLargestFirst) {
+    const Page page = red_discs();
+    auto things = find_main_things(page, network());
+    ASSERT_TRUE(things) << things.error().line;
+    EXPECT_TRUE(things->is_sure);
+    ASSERT_EQ(things->boxes.size(), 2U);
+    EXPECT_NEAR(things->boxes[0].left, 80.0 / 700, 0.01);
+    EXPECT_NEAR(things->boxes[0].bottom, 370.0 / 500, 0.01);
+    const Page seen = with_main_things(page, std::move(*things));
+    EXPECT_TRUE(has_main_things(seen));
+    ASSERT_EQ(view_count(seen), 3);
+    const Page first = view_of(seen, 1);
+    EXPECT_NEAR(first.picture.width, 241 + 2 * 0.07 * 241, 6);
+    EXPECT_EQ(first.told.title, "Balls");
+    EXPECT_EQ(first.told.description, "On a lawn.");
+    const auto map = trace_page(first, {.options = {.area = {}, .detail = 1}});
+    ASSERT_TRUE(map) << map.error().line;
+    ASSERT_EQ(map->map.outlines.size(), 1U);
+    const Outline& ring = map->map.outlines.front();
+    EXPECT_TRUE(ring.is_closed);
+    EXPECT_NE(ring.label.find("main thing"), std::string::npos) << ring.label;
+    for (const Position& p : ring.points) EXPECT_NEAR(norm(p), 0.0368, 0.0012);
+}
+
+TEST(FindingThings, WhereNothingStandsOutItIsNotSure) {
+    Page page = red_discs();
+    std::ranges::fill(page.picture.bgr, std::uint8_t{90});
+    const auto things = find_main_things(page, network());
+    ASSERT_TRUE(things) << things.error().line;
+    EXPECT_FALSE(things->is_sure);
+    EXPECT_EQ(view_count(with_main_things(page, *things)), 1);
+}
+
+TEST(FindingThings, ANetworkThatIsNoneIsOneLine) {
+    const std::vector<std::byte> whole = network();
+    for (const std::size_t size : {std::size_t{0}, whole.size() / 2}) {
+        const auto things = find_main_things(red_discs(), std::span(whole).first(size));
+        ASSERT_FALSE(things);
+        EXPECT_NE(things.error().line.find("cannot be used"), std::string::npos)
+            << things.error().line;
+        EXPECT_EQ(things.error().line.find('\n'), std::string::npos);
+    }
+}
+
+TEST(FindingThings, WhatAWorkerAnswersIsNotBelieved) {
+    MainThings things;
+    things.mask = {2, 2, {0, 128, 255, 0}};
+    things.boxes = {{0.0, 0.0, 0.5, 1.0}};
+    things.signs = {0.5, 0.9};
+    things.is_sure = true;
+    const std::vector<std::byte> right = bytes_of(things);
+    const auto back = main_things_of(right);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->boxes, things.boxes);
+    EXPECT_EQ(back->mask.grey, things.mask.grey);
+    EXPECT_TRUE(back->is_sure);
+    for (std::size_t size = 0; size < right.size(); ++size)
+        EXPECT_FALSE(main_things_of(std::span(right).first(size))) << size;
+    std::vector<std::byte> longer = right;
+    longer.push_back({});
+    EXPECT_FALSE(main_things_of(longer));
+    for (const ThingBox& box : {ThingBox{0.5, 0.0, 0.5, 1.0}, ThingBox{-0.1, 0.0, 0.5, 1.0},
+                                ThingBox{0.0, 0.0, 0.5, std::nan("")}}) {
+        things.boxes = {box};
+        EXPECT_FALSE(main_things_of(bytes_of(things)));
+    }
+}
+
+}  // namespace
+}  // namespace touchline
