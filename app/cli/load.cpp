@@ -46,7 +46,9 @@ bool is_photo(const Page& page) {
 /// Fails only where somebody wants them; else why there are none is a note, if it is worth one.
 Result<void> look_for_things(bool are_wanted, SeenView& seen) {
     const Network& network = *network_named("figure");
-    if (!are_wanted && (!is_installed(network) || !is_photo(seen.page))) return {};
+    if (!are_wanted && !is_installed(network)) return {};
+    const bool has_views = is_photo(seen.page);
+    if (!are_wanted && !has_views) return {};
     auto things = read_network(network).and_then([&seen](const std::vector<std::byte>& bytes) {
         return find_main_things(seen.page, bytes);
     });
@@ -58,7 +60,7 @@ Result<void> look_for_things(bool are_wanted, SeenView& seen) {
     seen.things = std::move(*things);
     if (!seen.things->is_sure)
         seen.note = "no clear main thing was found";
-    else if (seen.page.figures.empty())
+    else if (has_views)
         seen.page = with_main_things(std::move(seen.page), *seen.things);
     return {};
 }

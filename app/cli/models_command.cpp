@@ -55,6 +55,10 @@ Result<void> get(const ModelsCommandOptions& options, std::istream& in, std::ost
     if (network == nullptr)
         return failure(options.name +
                        ": there is no such network; 'touchline models list' says which there are");
+    if (read_network(*network)) {
+        fmt::print(out, "{} is installed already.\n", network->name);
+        return {};
+    }
     tell(*network, out);
     if (!options.is_agreed && !agrees(in, out))
         return failure("nothing was got; everything else works without it");

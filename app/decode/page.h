@@ -57,8 +57,8 @@ struct Page {
     int number = 1;               // 1 ... count
     int count = 1;
     int dpi = 0;  // 0: not known
-    /// Of a photograph whose main things were found: 128 and more where they are, over the whole
-    /// page, in fewer pixels than it has.
+    /// Where the main things of a photograph are, once they were found: 128 and more, over the
+    /// whole page, in fewer pixels than it has.
     GreyPicture main_things = {};
     /// The worker's answer that this is, sealed, for the worker that finds its lines. Null where
     /// the page was made in another way, or its pixels or words were changed since.

@@ -51,7 +51,7 @@ Result<FoundPtr> found_in(PagePtr view, const PagePlace& place, const FeltPart& 
         auto traced = find_page_lines(*view, {options_for(part)});
         if (!traced) return tl::unexpected(traced.error());
         found.lines = std::move(traced->lines);
-        found.is_photo = traced->map && traced->map->is_photo && !has_main_things(*view);
+        found.is_photo = place.view_count == 1 && traced->map && traced->map->is_photo;
         found.first = TracedPart{part, std::move(traced->map)};
     }
     found.picture = std::make_shared<const Canvas>(canvas_of(view->picture, longest_picture_px));

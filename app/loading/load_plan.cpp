@@ -6,6 +6,14 @@
 #include <utility>
 
 namespace touchline {
+namespace {
+
+/// A picture that was looked at is built again without knowing it.
+void without_search(PagePlace& place) {
+    if (place.things == ThingSearch::under_way) place.things = ThingSearch::unclear;
+}
+
+}  // namespace
 
 LoadPlan::LoadPlan(SecondLooks looks, PlanLimits limits) : looks_(looks), limits_(limits) {}
 
@@ -153,7 +161,7 @@ std::optional<LoadJob> LoadPlan::next_job() {
     return running_.empty() ? background_job() : std::nullopt;
 }
 
-/// Of a photograph that is felt as a whole, and that nobody has looked at.
+/// A photograph that is felt as a whole, and that nobody has looked at.
 std::optional<LoadJob> LoadPlan::look_job() {
     if (!looks_.for_things || !is_felt_) return std::nullopt;
     const Kept* const view = view_of(*wanted_);
@@ -215,6 +223,8 @@ std::optional<Delivery> LoadPlan::answer(const LoadJob& job, Result<LoadedScene>
     if (is_newest || !scene) is_owed_ = false;
     if (!scene && was_felt) return std::nullopt;
     is_felt_ = scene.has_value();
+    const Kept* const page = page_of(*wanted_);
+    if (scene && page != nullptr && page->is_looked_at) without_search(scene->facts.place);
     return Delivery{request_, std::move(scene), job.found->place, was_felt};
 }
 
@@ -228,6 +238,10 @@ void LoadPlan::keep_things(const LoadJob& job, const PagePtr& page) {
     const auto at = std::find_if(kept_.begin(), kept_.end(),
                                  [&job](const Kept& kept) { return kept.page == job.page; });
     if (at == kept_.end()) return;
+    if (wanted_ && is_owed_ && is_page_of(*at, *wanted_)) {  // nothing is renumbered under an order
+        std::erase(tried_, step_of(job));
+        return;
+    }
     at->is_looked_at = true;
     if (page) {
         at->page = page;
@@ -239,7 +253,7 @@ void LoadPlan::keep_things(const LoadJob& job, const PagePtr& page) {
     if (!is_felt) return;
     if (page) wanted_->view = view_count(*page);
     things_ = ThingsFound{request_, place_of(*wanted_)};
-    if (!page) things_->place.things = ThingSearch::unclear;
+    if (!page) things_->place.things = ThingSearch::unclear;  // nobody looks again
 }
 
 void LoadPlan::keep_reread(const LoadJob& job, const FoundPtr& found) {

@@ -59,11 +59,23 @@ void name_part(VisitWork& work) {
         is_asked_for ? SpeechPriority::text : SpeechPriority::hint);
 }
 
+/// The main thing that is being opened by itself would be drawn from under the hand.
+void keep_what_is_touched(VisitWork& work) {
+    Visitor& visitor = work.visitor;
+    const bool is_drawn_away =
+        visitor.has_touched && visitor.loading && visitor.loading->reason == LoadReason::main_thing;
+    if (!is_drawn_away) return;
+    order(work, CancelLoad{visitor.loading->order.request});
+    visitor.loading.reset();
+    tell_things(work);
+}
+
 void follow_handle(VisitWork& work, const HandleSeen& handle) {
     Visitor& visitor = work.visitor;
     if (handle.part != visitor.handle.part) visitor.part_since_s = work.house.now_s;
     visitor.handle = handle;
     visitor.has_touched = visitor.has_touched || handle.part.has_value();
+    keep_what_is_touched(work);
     const bool is_hand = handle.has_moved && !handle.is_led;
     if (is_hand) visitor.active_s = work.house.now_s;
     const VisitScreen screen = open_screen(work);

@@ -24,7 +24,6 @@ void stay_with_felt(VisitWork& work, LoadReason wanted) {
     Visitor& visitor = work.visitor;
     if (!visitor.felt) return;
     const LoadPicture& felt = visitor.felt->order;
-    if (wanted == LoadReason::main_thing) return;
     if (wanted == LoadReason::detail || wanted == LoadReason::unasked) {
         visitor.detail = felt.detail;
     } else if (felt.detail != visitor.detail || felt.language != visitor.sound.language) {
@@ -48,6 +47,11 @@ void arrive_at_picture(VisitWork& work) {
     go_to(work, is_practice ? VisitScreen::practice : VisitScreen::picture);
     if (visitor.over) return say(work, told_picture(work), SpeechPriority::hint);
     say_screen(work);
+}
+
+bool is_of_what_was_felt(LoadReason reason) {
+    return reason == LoadReason::detail || reason == LoadReason::zoom ||
+           reason == LoadReason::unasked;
 }
 
 std::string told_change(const VisitWork& work, LoadReason reason) {
@@ -140,7 +144,7 @@ void take_ready(VisitWork& work, const PictureReady& ready) {
         visitor.felt = KnownPicture{done.order, ready.facts};
         visitor.handle.part.reset();
         visitor.part_said.reset();
-        visitor.has_touched = false;
+        visitor.has_touched = visitor.has_touched && is_of_what_was_felt(done.reason);
         if (done.reason == LoadReason::unasked) return;
         cue(work, ScreenEvent::picture_ready);
         leave_opening(work);
@@ -159,21 +163,26 @@ void take_ready(VisitWork& work, const PictureReady& ready) {
         SpeechPriority::hint);
 }
 
+void tell_things(VisitWork& work) {
+    cue(work, ScreenEvent::news);
+    say(work, words(work, "The main thing was found. Main things leads to it."),
+        SpeechPriority::hint);
+}
+
 /// A hand that has found a line keeps it: it is told, and the main thing is felt when it is wanted.
 void take_things(VisitWork& work, const ThingsLookedFor& looked) {
     Visitor& visitor = work.visitor;
     if (!visitor.felt || visitor.felt->order.request != looked.request) return;
     visitor.felt->facts.place = looked.place;
+    visitor.felt->order.page = looked.place.page;
+    visitor.felt->order.view = looked.place.view;
     if (looked.place.things != ThingSearch::found)
         return say(work, words(work, "No clear main thing was found."), SpeechPriority::hint);
-    if (visitor.loading) return;
-    if (visitor.has_touched) {
-        cue(work, ScreenEvent::news);
-        return say(work, words(work, "The main thing was found. Main things leads to it."),
-                   SpeechPriority::hint);
-    }
+    const bool is_waiting = !visitor.has_touched && !visitor.loading && !visitor.is_capturing &&
+                            visitor.felt->order.zoom.factor <= 1.0 &&
+                            visitor.path.back().screen == VisitScreen::picture;
+    if (!is_waiting) return tell_things(work);
     LoadPicture wanted = visitor.felt->order;
-    wanted.page = looked.place.page;
     wanted.view = 1;
     wanted.zoom = {};
     load(work, {wanted, LoadReason::main_thing, visitor.felt->facts.title});

@@ -91,6 +91,7 @@ void open_again(VisitWork& work, LoadPicture wanted, LoadReason reason);
 void open_unasked(VisitWork& work);
 void cancel_loading(VisitWork& work);
 void take_ready(VisitWork& work, const PictureReady& ready);
+void tell_things(VisitWork& work);
 void take_things(VisitWork& work, const ThingsLookedFor& looked);
 void take_failed(VisitWork& work, const PictureFailed& failed);
 

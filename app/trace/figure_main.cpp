@@ -8,6 +8,7 @@
 #include "vision/contour/gradient.h"
 #include "vision/figure/figure_network.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <opencv2/core/utility.hpp>
@@ -21,6 +22,7 @@ using namespace touchline;
 // Measured at several sizes: tests/bench/vision/photographs.md.
 constexpr int network_side_px = 768;
 constexpr double most_pixels = 1e6;
+constexpr int most_threads = 8;  // each has a stack of its own
 
 Result<cv::Mat3b> picture_of(std::span<const std::byte> page) {
     const auto parts = decode::parts_of(page);
@@ -57,6 +59,6 @@ void step_back() {
 int main(int argc, char** argv) {
     if (argc != 1) refuse_to_run(argv[0]);
     step_back();
-    cv::setNumThreads(cv::getNumberOfCPUs());
+    cv::setNumThreads(std::min(cv::getNumberOfCPUs(), most_threads));
     run_worker_program({WorkerKind::figure, nullptr, main_things});
 }

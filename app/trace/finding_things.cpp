@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t least_free_bytes = 2'000'000'000;
 constexpr double margin = 0.07;  // of a thing's longer side
 
-std::string words_of(WorkerEnd end) {
+std::string why_none(WorkerEnd end) {
     switch (end) {
         case WorkerEnd::not_started:
             return "the part of Touchline that finds main things cannot be started safely here; "
@@ -67,9 +67,9 @@ Result<MainThings> find_main_things(const Page& page, std::span<const std::byte>
     const auto input = sealed_behind(network, page);
     if (!input) return tl::unexpected(input.error());
     auto outcome = run_worker({companion("touchline-figure"), {}, WorkerKind::figure}, **input);
-    if (outcome.end != WorkerEnd::done) return failure(words_of(outcome.end));
+    if (outcome.end != WorkerEnd::done) return failure(why_none(outcome.end));
     const auto answer = map_sealed(outcome.output, limits_of(WorkerKind::figure).file_bytes);
-    if (!answer) return failure(words_of(WorkerEnd::no_answer));
+    if (!answer) return failure(why_none(WorkerEnd::no_answer));
     return things_in(answer->bytes());
 }
 

@@ -3,14 +3,13 @@
 #include "app/trace/grey_bytes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 
 namespace touchline {
 namespace {
 
-struct Header {
+struct ThingsHeader {
     std::uint32_t magic = 0;
     std::uint32_t is_sure = 0;
     std::uint32_t boxes = 0;
@@ -21,7 +20,7 @@ struct Header {
 constexpr std::uint32_t things_magic = 0x31474946;  // "FIG1"
 constexpr std::uint32_t most_things = 20;           // none is smaller than a twentieth of all
 
-tl::unexpected<Error> unsafe() {
+tl::unexpected<Error> not_safe() {
     return failure("its main thing could not be found safely");
 }
 
@@ -34,7 +33,7 @@ bool is_sound(const ThingBox& box) {
            box.left < box.right && box.top < box.bottom;
 }
 
-bool is_sound(const Header& header, std::size_t bytes) {
+bool is_sound(const ThingsHeader& header, std::size_t bytes) {
     const FigureSigns& signs = header.signs;
     return header.magic == things_magic && header.is_sure <= 1 && header.boxes <= most_things &&
            is_share(signs.area) && is_share(signs.steadiness) &&
@@ -60,9 +59,9 @@ MainThings main_things_of(const Figures& figures) {
 
 std::vector<std::byte> bytes_of(const MainThings& things) {
     const std::vector<std::byte> mask = bytes_of(things.mask);
-    const Header header{things_magic, things.is_sure ? 1U : 0U,
-                        static_cast<std::uint32_t>(things.boxes.size()),
-                        static_cast<std::uint32_t>(mask.size()), things.signs};
+    const ThingsHeader header{things_magic, things.is_sure ? 1U : 0U,
+                              static_cast<std::uint32_t>(things.boxes.size()),
+                              static_cast<std::uint32_t>(mask.size()), things.signs};
     std::vector<std::byte> bytes;
     for (const auto part :
          {std::as_bytes(std::span(&header, 1)), std::as_bytes(std::span(things.boxes)),
@@ -72,10 +71,10 @@ std::vector<std::byte> bytes_of(const MainThings& things) {
 }
 
 Result<MainThings> main_things_of(std::span<const std::byte> bytes) {
-    Header header;
-    if (bytes.size() < sizeof header) return unsafe();
+    ThingsHeader header;
+    if (bytes.size() < sizeof header) return not_safe();
     std::memcpy(&header, bytes.data(), sizeof header);
-    if (!is_sound(header, bytes.size())) return unsafe();
+    if (!is_sound(header, bytes.size())) return not_safe();
     MainThings things;
     things.boxes.resize(header.boxes);
     const auto boxes = bytes.subspan(sizeof header, things.boxes.size() * sizeof(ThingBox));
@@ -83,7 +82,7 @@ Result<MainThings> main_things_of(std::span<const std::byte> bytes) {
     auto mask = grey_of(bytes.last(header.mask));
     const bool are_sound =
         std::ranges::all_of(things.boxes, [](const ThingBox& box) { return is_sound(box); });
-    if (!mask || !are_sound) return unsafe();
+    if (!mask || !are_sound) return not_safe();
     things.mask = std::move(*mask);
     things.signs = header.signs;
     things.is_sure = header.is_sure == 1 && !things.boxes.empty();

@@ -16,7 +16,7 @@ using Sealed = std::shared_ptr<const Descriptor>;
 /// As its own worker answered it, without a copy, where nothing was changed in it since.
 [[nodiscard]] Result<Sealed> sealed(const Page& page);
 
-/// With something that lies before it (two_parts.h): a copy of both.
+/// The same behind something else (two_parts.h): a copy of both.
 [[nodiscard]] Result<Sealed> sealed_behind(std::span<const std::byte> first, const Page& page);
 
 }  // namespace touchline

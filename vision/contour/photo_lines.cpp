@@ -29,7 +29,6 @@ constexpr double kPictureBlur_px = 0.8;  // sigma, of lens and sampling
 
 /// The picture at working size, with what it says about itself.
 struct Working {
-    cv::Mat picture;
     LabPicture lab;
     double noise = 0.0;
     double smoothing_px = 0.0;
@@ -37,7 +36,6 @@ struct Working {
 
 Working measured(const cv::Mat& picture) {
     Working working;
-    working.picture = picture;
     working.lab = to_lab(picture, kFullColour);
     working.noise = noise_of(working.lab);
     working.smoothing_px = smoothing_for(working.lab, working.noise);

@@ -5,10 +5,8 @@
 // textures -> corners.
 #pragma once
 
-#include "config/types/result.h"
 #include "vision/contour/chain.h"
 
-#include <functional>
 #include <vector>
 
 #include <opencv2/core.hpp>

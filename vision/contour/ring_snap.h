@@ -11,10 +11,10 @@ namespace touchline {
 /// the gradient, at pixel centres; the ring's points about a pixel apart. O(points x reach).
 void snap(Chain& ring, const cv::Mat1f& strength, double reach_px);
 
-/// At the nearest pixel; 0 outside.
+/// The strength at the nearest pixel; 0 outside.
 [[nodiscard]] float strength_at(const cv::Mat1f& strength, const cv::Point2d& at);
 
-/// Within a pixel of the picture's frame, or beyond it.
+/// Whether a place is within a pixel of the picture's frame, or beyond it.
 [[nodiscard]] bool is_on_frame(const cv::Point2d& at, cv::Size size);
 
 }  // namespace touchline

@@ -6,8 +6,6 @@
 #include "vision/contour/sampling.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <opencv2/imgproc.hpp>
@@ -15,7 +13,7 @@
 namespace touchline {
 namespace {
 
-constexpr float kLimit = 127.5F;
+constexpr float kFigureLevel = 127.5F;
 constexpr double kReach_mm = 1.5;   // the edge of a thing may lie off its mask
 constexpr double kBeside_mm = 3.2;  // nearer to a ring a line is felt as one with it
 constexpr double kSmoothing_px = 1.5;
@@ -34,7 +32,7 @@ cv::Mat1f fitted(const cv::Mat1b& mask, cv::Size size) {
 std::vector<Chain> rings_of(const cv::Mat1f& soft, const cv::Mat1f& strength, double reach_px,
                             double shortest_px, double high) {
     std::vector<Chain> rings;
-    for (const Chain& line : iso_rings(soft, kLimit)) {
+    for (const Chain& line : iso_rings(soft, kFigureLevel)) {
         if (length_of(line) < shortest_px) {
             continue;
         }
@@ -121,7 +119,7 @@ PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b
         if (distance(at) < beside_px) {
             return Place::on_ring;
         }
-        return soft(at) > kLimit ? Place::inside : Place::outside;
+        return soft(at) > kFigureLevel ? Place::inside : Place::outside;
     };
     const std::vector<Chain> all = std::exchange(lines.chains, std::move(rings));
     for (const Chain& line : all) {

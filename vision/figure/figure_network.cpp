@@ -1,6 +1,7 @@
 #include "vision/figure/figure_network.h"
 
 #include <algorithm>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -19,6 +20,11 @@ tl::unexpected<Error> unusable(const std::string& why) {
 /// The first line of what OpenCV says, without its file and line number.
 std::string reason(const cv::Exception& e) {
     return e.err.substr(0, e.err.find('\n'));
+}
+
+/// Lack of memory is no fault of the network's.
+void no_lack_of_memory(const cv::Exception& e) {
+    if (e.code == cv::Error::StsNoMem) throw std::bad_alloc();
 }
 
 /// OpenCV's importer tells its troubles to stderr as well; they come back as exceptions.
@@ -69,6 +75,7 @@ Result<FigureNetwork> FigureNetwork::from_onnx(std::span<const std::byte> model)
         network->net =
             cv::dnn::readNetFromONNX(reinterpret_cast<const char*>(model.data()), model.size());
     } catch (const cv::Exception& e) {
+        no_lack_of_memory(e);
         return unusable("it cannot be built (" + reason(e) + ")");
     }
     return FigureNetwork(std::move(network));
@@ -87,6 +94,7 @@ Result<cv::Mat1f> FigureNetwork::likelihood(const cv::Mat3b& picture, int side_p
             return unusable("its output is no likelihood");
         return map;
     } catch (const cv::Exception& e) {
+        no_lack_of_memory(e);
         return unusable("it cannot be run (" + reason(e) + ")");
     }
 }

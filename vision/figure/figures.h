@@ -26,8 +26,8 @@ struct Figures {
 /// `likelihood`: 0..1 over the whole picture, stretched to a square or not; `picture`: its size. A
 /// place is figure from a likelihood of 0.3 on. A part counts from 5 % of all of them and 0.2 % of
 /// the picture on; a hole in it from 0.4 % of the picture on, smaller ones are filled. The mask has
-/// a megapixel at most. It is sure of
-/// a steadiness from 0.65 on, and 0.3 % of the picture. Without figures: no boxes. O(pixels).
+/// a megapixel at most. It is sure of a steadiness from 0.65 on, and of 0.3 % of the picture at
+/// least. Without figures: no boxes. O(pixels).
 [[nodiscard]] Figures figures_of(const cv::Mat1f& likelihood, cv::Size picture);
 
 }  // namespace touchline

@@ -274,6 +274,32 @@ TEST(Loading, APhotographWithoutAClearThingIsToldSoOnce) {
     EXPECT_EQ(world.last(), "0 1 1 5");
 }
 
+TEST(Loading, NothingIsRenumberedUnderAnOrder) {
+    World world = photograph(2);
+    ASSERT_EQ(world.jobs->held(), 1U);  // looking
+    world.want(1, 1, 5);
+    world.end(0);  // it was looked at before the other detail is built
+    EXPECT_FALSE(world.loader.take_things());
+    world.until_felt();
+    EXPECT_EQ(world.last(), "0 1 1 5");
+    EXPECT_EQ(world.delivered.back().place.view_count, 1);
+    world.until_idle();
+    EXPECT_EQ(world.stages->looked_count, 2) << "and looked at again";
+    const auto things = world.loader.take_things();
+    ASSERT_TRUE(things);
+    EXPECT_EQ(things->request, 2U);
+    EXPECT_EQ(things->place.view, 3);
+}
+
+TEST(Loading, APhotographThatWasLookedAtIsNotSaidToBeLookedForAgain) {
+    World world = photograph(0);
+    EXPECT_EQ(world.delivered.back().scene->facts.place.things, ThingSearch::under_way);
+    world.until_idle();
+    world.want(1, 1, 5);
+    world.until_idle();
+    EXPECT_EQ(world.delivered.back().scene->facts.place.things, ThingSearch::unclear);
+}
+
 TEST(Loading, WhatWasFoundOfAPhotographThatNobodyFeelsAnyMoreIsNotTold) {
     World world = photograph(1);
     ASSERT_EQ(world.jobs->held(), 1U);  // looking

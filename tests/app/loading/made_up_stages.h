@@ -82,6 +82,7 @@ class MadeUpStages final : public Stages {
         scene.facts.title = title(file.name, view.place.page, view.place.view, part.detail) +
                             (view.view->words.empty() ? "" : "+");
         scene.facts.place = view.place;
+        if (view.is_photo) scene.facts.place.things = ThingSearch::under_way;
         return scene;
     }
 
@@ -92,7 +93,7 @@ class MadeUpStages final : public Stages {
 
     [[nodiscard]] bool has_looking() const override { return finds_things_; }
 
-    /// Of the first document.
+    /// Only the first document has photographs.
     [[nodiscard]] PagePtr look(const PagePtr& page) const override {
         ++looked_count;
         const int things = document(files_.front()).photos.at(page->number);

@@ -397,6 +397,32 @@ TEST(Visit, AHandThatHasFoundALineKeepsItAndIsToldOfTheMainThing) {
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 1);
 }
 
+TEST(Visit, WhatAHandTouchesWhileTheMainThingIsOpenedStays) {
+    FakeHouse house;
+    to_picture(house);
+    const std::uint64_t whole = house.visit.visitor.felt->order.request;
+    house.happen(looked_for(house, 1));
+    const std::uint64_t main_thing = house.last<LoadPicture>()[0].request;
+    HandleSeen handle;
+    handle.part = 0;
+    house.happen(handle);
+    EXPECT_EQ(house.last<CancelLoad>()[0].request, main_thing);
+    EXPECT_EQ(house.visit.visitor.felt->order.request, whole);
+    EXPECT_EQ(house.visit.visitor.felt->order.view, 2) << "another detail is of the whole";
+    EXPECT_EQ(house.last_said(), "The main thing was found. Main things leads to it.");
+}
+
+TEST(Visit, WhoHasEnlargedAPlaceKeepsIt) {
+    FakeHouse house;
+    to_picture(house);
+    ASSERT_TRUE(house.choose("Zoom"));
+    ASSERT_TRUE(house.choose("Tail en"));
+    house.wait(0.5);
+    const std::uint64_t enlarged = house.visit.visitor.felt->order.request;
+    house.happen(looked_for(house, 1));
+    EXPECT_EQ(house.visit.house.request, enlarged);
+}
+
 TEST(Visit, WhereNothingIsClearAPhotographStaysAndThatIsTold) {
     FakeHouse house;
     to_picture(house);
