@@ -12,16 +12,16 @@
 namespace touchline {
 namespace {
 
-void tell(const Network& network, std::ostream& out) {
+void describe(const Network& network, std::ostream& out) {
     fmt::print(out,
                "{}: {}\n  from the npm package {} {}, licence {}\n  {}\n  looks at {}; {} MB\n",
                network.name, network.job, network.package, network.version, network.licence,
                network.note, network.input, network.bytes / 1'000'000);
 }
 
-Result<void> list(std::ostream& out) {
+Result<void> list_networks(std::ostream& out) {
     for (const Network& network : networks()) {
-        tell(network, out);
+        describe(network, out);
         fmt::print(out, "  {}\n",
                    is_installed(network)
                        ? "installed here"
@@ -30,7 +30,7 @@ Result<void> list(std::ostream& out) {
     return {};
 }
 
-Result<void> check(std::ostream& out) {
+Result<void> check_networks(std::ostream& out) {
     for (const Network& network : networks()) {
         if (!is_installed(network)) {
             fmt::print(out, "{}: not installed here\n", network.name);
@@ -50,7 +50,7 @@ bool agrees(std::istream& in, std::ostream& out) {
     return answer == "yes";
 }
 
-Result<void> get(const ModelsCommandOptions& options, std::istream& in, std::ostream& out) {
+Result<void> get_one(const ModelsCommandOptions& options, std::istream& in, std::ostream& out) {
     const Network* const network = network_named(options.name);
     if (network == nullptr)
         return failure(options.name +
@@ -59,7 +59,7 @@ Result<void> get(const ModelsCommandOptions& options, std::istream& in, std::ost
         fmt::print(out, "{} is installed already.\n", network->name);
         return {};
     }
-    tell(*network, out);
+    describe(*network, out);
     if (!options.is_agreed && !agrees(in, out))
         return failure("nothing was got; everything else works without it");
     return get_network(*network).map(
@@ -71,11 +71,11 @@ Result<void> get(const ModelsCommandOptions& options, std::istream& in, std::ost
 Result<void> run_models(const ModelsCommandOptions& options, std::istream& in, std::ostream& out) {
     switch (options.action) {
         case ModelsAction::list:
-            return list(out);
+            return list_networks(out);
         case ModelsAction::check:
-            return check(out);
+            return check_networks(out);
         case ModelsAction::get:
-            return get(options, in, out);
+            return get_one(options, in, out);
     }
     return {};
 }
