@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """figure.py PACKAGE OUT.onnx: the figure network of the unpacked npm package, as OpenCV reads it, in 44 MB.
 
 The publisher's graph holds half floats, casts and sizes that are computed while it runs; Debian's OpenCV reads none of
