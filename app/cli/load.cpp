@@ -99,7 +99,7 @@ std::optional<ViewChoice> view_choice_of(const std::string& text) {
 Result<SeenView> open_view(const std::string& path, const ViewChoice& view, bool wants_things) {
     auto page = open_page_of(path);
     if (!page) return tl::unexpected(page.error());
-    SeenView seen{std::move(*page), std::nullopt};
+    SeenView seen{path, std::move(*page), std::nullopt};
     const Result<void> looked = look_for_things(wants_things, seen);
     if (!looked) return tl::unexpected(of_file(path, looked.error()));
     if (view.kind == ViewChoice::Kind::figure && !has_main_things(seen.page))
@@ -117,17 +117,18 @@ Result<SeenView> open_view(const std::string& path, const ViewChoice& view, bool
 }
 
 Result<TracedMap> trace_view(const SeenView& view, const TraceRequest& request) {
-    return is_own_map(view.page) ? own_map(view.page, request.options.detail)
-                                 : trace_page(view.page, request);
+    const auto felt = is_own_map(view.page) ? own_map(view.page, request.options.detail)
+                                            : trace_page(view.page, request);
+    return felt.map_error([&view](const Error& error) { return of_file(view.path, error); });
+}
+
+Result<TactileMap> map_of(const SeenView& view) {
+    return trace_view(view, {}).map([](TracedMap felt) { return std::move(felt.map); });
 }
 
 Result<TactileMap> load_map(const std::string& path, bool as_picture) {
     if (is_map_name(path) && !as_picture) return read_map_svg(path);
-    const auto seen = open_view(path);
-    if (!seen) return tl::unexpected(seen.error());
-    return trace_view(*seen, {})
-        .map([](TracedMap found) { return std::move(found.map); })
-        .map_error([&path](const Error& error) { return of_file(path, error); });
+    return open_view(path).and_then(map_of);
 }
 
 Result<TactileMap> load_drawing(const std::string& path, int detail) {

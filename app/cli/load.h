@@ -30,6 +30,7 @@ struct ViewChoice {
 
 /// A view as the kiosk opens and draws it.
 struct SeenView {
+    std::string path;  // of its file
     Page page;
     std::optional<MainThings> things;  // of a photograph, where the network is installed; also
                                        // those that it is not sure of
@@ -41,8 +42,12 @@ struct SeenView {
 [[nodiscard]] Result<SeenView> open_view(const std::string& path, const ViewChoice& view = {},
                                          bool wants_things = false);
 
-/// What the kiosk lets a hand feel of a view: its lines; a map of Touchline's own as it is.
+/// What the kiosk lets a hand feel of a view: its lines; a map of Touchline's own as it is. Errors
+/// start with the file.
 [[nodiscard]] Result<TracedMap> trace_view(const SeenView& view, const TraceRequest& request);
+
+/// The same with the defaults of `trace`.
+[[nodiscard]] Result<TactileMap> map_of(const SeenView& view);
 
 /// The map of a file: an .svg read as it is, of another one the first view, traced.
 /// `as_picture` makes an .svg a picture.

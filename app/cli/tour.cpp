@@ -133,12 +133,19 @@ std::vector<std::string> describe_tour(const TourRun& run) {
                     run.mean_force_N, run.largest_force_N)};
 }
 
+/// A map is felt as it is; a picture is opened once, to be felt and to be painted.
+Result<TactileMap> explored_map(const TourArguments& arguments, const Result<SeenView>& seen) {
+    if (is_map_name(arguments.input) && !arguments.as_picture)
+        return load_map(arguments.input, false);
+    return seen.and_then(map_of);
+}
+
 Result<void> run_tour(const TourArguments& arguments) {
-    Result<TactileMap> map = load_map(arguments.input, arguments.as_picture);
-    if (!map) return tl::unexpected(map.error());
-    map->version = 1;
     const Result<SeenView> seen = open_view(arguments.input);
+    Result<TactileMap> map = explored_map(arguments, seen);
+    if (!map) return tl::unexpected(map.error());
     if (!seen) return tl::unexpected(seen.error());
+    map->version = 1;
     const Result<Scene> scene = build_scene(*map, felt_order(default_profile()));
     if (!scene) return failure(fmt::format("{}: {}", arguments.input, scene.error().line));
 

@@ -45,7 +45,7 @@ Result<std::string> run_trace(const TraceCommandOptions& options) {
     const auto seen = open_view(options.input, options.view, !options.figure.empty());
     if (!seen) return tl::unexpected(seen.error());
     const auto found = trace_view(*seen, {options.trace, !options.edges.empty()});
-    if (!found) return failure(options.input + ": " + found.error().line);
+    if (!found) return tl::unexpected(found.error());
     Result<void> written = write_whole_file(options.output, format_map_svg(found->map));
     if (written && !options.report.empty()) {
         written = write_whole_file(options.report, report_of(*found, seen->things));

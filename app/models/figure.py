@@ -13,7 +13,6 @@ import onnx
 from onnx import TensorProto, helper, numpy_helper
 
 MODEL = '/models/medium'
-COMPUTED = ('Cast', 'Shape', 'Slice', 'Constant')  # what becomes constant or goes
 KEPT = ('Conv', 'Relu', 'MaxPool', 'Resize', 'Concat', 'Add', 'Sigmoid')
 
 

@@ -4,22 +4,15 @@
 #include "app/process/child.h"
 #include "app/process/places.h"
 
+#include <limits>
 #include <string>
 #include <system_error>
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <unistd.h>
 
 namespace touchline {
 namespace {
-
-ChildEnd end_of(Child child) {
-    pollfd dead{child.pidfd().number(), POLLIN, 0};
-    while (::poll(&dead, 1, -1) < 0) {
-    }
-    return child.reap();
-}
 
 Result<std::filesystem::path> made_folder() {
     const std::filesystem::path folder = models_folder();
@@ -39,7 +32,8 @@ Result<void> write_as_told(const Network& network, const std::filesystem::path& 
          std::string(network.package_sha256), std::string(network.converter), out.string()},
         {});
     if (!child) return tl::unexpected(child.error());
-    if (end_of(std::move(*child)).is_good()) return {};
+    const bool has_ended = child->ends_within(std::numeric_limits<double>::infinity());
+    if (has_ended && child->reap().is_good()) return {};
     return failure(fmt::format("the network \"{}\" was not got", network.name));
 }
 

@@ -1,11 +1,17 @@
 #include "app/process/child.h"
 
+#include "config/types/steady_clock.h"
+
 #include <algorithm>
+#include <cerrno>
+#include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <string_view>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sched.h>
 #include <signal.h>
 #include <spawn.h>
@@ -128,6 +134,20 @@ Result<Child> Child::start(const std::string& program, const std::vector<std::st
         return failure("this kernel is too old to watch over a process: it lacks pidfd");
     }
     return Child(pid, std::move(pidfd));
+}
+
+bool Child::ends_within(double seconds) const {
+    const std::int64_t start_ns = steady_now_ns();
+    pollfd dead{pidfd_.number(), POLLIN, 0};
+    for (;;) {
+        const double left_ms =
+            1e3 * seconds - 1e-6 * static_cast<double>(steady_now_ns() - start_ns);
+        const int wait_ms =
+            std::isinf(seconds) ? -1 : static_cast<int>(std::max(0.0, std::ceil(left_ms)));
+        const int found = ::poll(&dead, 1, wait_ms);
+        if (found > 0) return true;
+        if (found == 0 || errno != EINTR) return false;
+    }
 }
 
 ChildEnd Child::reap() {

@@ -47,6 +47,9 @@ class Child {
     /// Readable as soon as the child is dead, its descriptors closed.
     [[nodiscard]] const Descriptor& pidfd() const { return pidfd_; }
 
+    /// Waits until it is dead, so long at most; false when the time is up. Infinity: no end.
+    [[nodiscard]] bool ends_within(double seconds) const;
+
     /// Once it is dead.
     [[nodiscard]] ChildEnd reap();
 

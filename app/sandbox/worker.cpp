@@ -2,32 +2,15 @@
 
 #include "app/process/child.h"
 #include "app/process/memory.h"
-#include "config/types/steady_clock.h"
 
-#include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cmath>
 #include <csignal>
+#include <limits>
 
-#include <poll.h>
 #include <sys/stat.h>
 
 namespace touchline {
 namespace {
-
-/// False when the time is up.
-bool wait_for_end(const Child& child, double deadline_s) {
-    const std::int64_t end_ns = steady_now_ns() + std::llround(1e9 * deadline_s);
-    pollfd dead{child.pidfd().number(), POLLIN, 0};
-    for (;;) {
-        const double left_ms = 1e-6 * static_cast<double>(end_ns - steady_now_ns());
-        const int wait_ms = deadline_s > 0.0 ? static_cast<int>(std::max(0.0, left_ms)) : -1;
-        const int found = ::poll(&dead, 1, wait_ms);
-        if (found > 0) return true;
-        if (found == 0 || errno != EINTR) return false;
-    }
-}
 
 WorkerEnd end_of(const ChildEnd& end) {
     if (end.signal == SIGXCPU || end.signal == SIGKILL) return WorkerEnd::out_of_time;
@@ -62,7 +45,9 @@ WorkerOutcome run_worker(const WorkerOrder& order, const Descriptor& input) {
     auto child = Child::start(order.program, order.arguments, handed, StandardStreams::nothing,
                               {worker_environment.begin(), worker_environment.end()});
     if (!child) return {WorkerEnd::not_started, Descriptor{}};
-    const bool has_ended = wait_for_end(*child, limits_of(order.kind).deadline_s);
+    const double deadline_s = limits_of(order.kind).deadline_s;
+    const bool has_ended =
+        child->ends_within(deadline_s > 0.0 ? deadline_s : std::numeric_limits<double>::infinity());
     if (!has_ended) child->kill();
     const ChildEnd how = child->reap();
     const WorkerEnd end = has_ended ? end_of(how) : WorkerEnd::out_of_time;

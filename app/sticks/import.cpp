@@ -3,16 +3,12 @@
 #include "app/process/memory.h"
 #include "app/sandbox/limits.h"
 #include "app/sticks/import_program.h"
-#include "config/types/steady_clock.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
-#include <poll.h>
 #include <sys/stat.h>
 
 namespace touchline {
@@ -22,18 +18,6 @@ using Refused = tl::unexpected<StickRefusal>;
 
 /// After SIGKILL: longer than this only where the kernel itself waits for the stick.
 constexpr double killed_s = 0.5;
-
-/// False when the time is up.
-bool is_dead_within(const Child& child, double seconds) {
-    const std::int64_t end_ns = steady_now_ns() + std::llround(1e9 * seconds);
-    for (;;) {
-        pollfd dead{child.pidfd().number(), POLLIN, 0};
-        const double left_ms = 1e-6 * static_cast<double>(end_ns - steady_now_ns());
-        const int found = ::poll(&dead, 1, static_cast<int>(std::max(0.0, std::ceil(left_ms))));
-        if (found > 0) return true;
-        if (found == 0 || errno != EINTR) return false;
-    }
-}
 
 StickRefusal refusal_of_end(const ChildEnd& end) {
     const int refusal = end.status - first_refusal_status;
@@ -113,9 +97,9 @@ Result<Descriptor, StickRefusal> StickImport::run(const std::vector<std::string>
     const std::array<const Descriptor*, 1> handed{&*output};
     auto child = Child::start(program_, words, handed, StandardStreams::nothing);
     if (!child) return Refused(StickRefusal::not_started);
-    if (!is_dead_within(*child, deadline_s)) {
+    if (!child->ends_within(deadline_s)) {
         child->kill();
-        if (is_dead_within(*child, killed_s)) {
+        if (child->ends_within(killed_s)) {
             (void)child->reap();
         } else {
             left_behind_.push_back(std::move(*child));
@@ -131,7 +115,7 @@ Result<Descriptor, StickRefusal> StickImport::run(const std::vector<std::string>
 
 void StickImport::reap_dead() {
     const auto alive = std::partition(left_behind_.begin(), left_behind_.end(),
-                                      [](const Child& child) { return !is_dead_within(child, 0); });
+                                      [](const Child& child) { return !child.ends_within(0); });
     for (auto dead = alive; dead != left_behind_.end(); ++dead) (void)dead->reap();
     left_behind_.erase(alive, left_behind_.end());
 }

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace touchline {
@@ -27,6 +28,13 @@ using EndId = std::size_t;
 
 [[nodiscard]] constexpr bool is_back(EndId end) {
     return end % 2 == 1;
+}
+
+/// A point as a key: arms of a junction share theirs bit for bit.
+using Place = std::pair<double, double>;
+
+[[nodiscard]] inline Place place_of(const cv::Point2d& p) {
+    return {p.x, p.y};
 }
 
 /// The straight continuation of a line beyond an end.

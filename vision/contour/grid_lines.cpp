@@ -119,7 +119,7 @@ bool are_even(const std::vector<double>& gaps) {
     return static_cast<double>(even) >= kMostlyEven * static_cast<double>(gaps.size());
 }
 
-/// Of all that is straight what lies as far from the nearest line as lines do from each other, or a
+/// What of all that is straight lies as far from the nearest line as lines do from each other, or a
 /// multiple: between high bars there is little to be seen of a line, and yet it is one of them.
 std::vector<Band> on_spacing(const std::vector<Band>& all, const std::vector<Band>& lines) {
     const double spacing = std::ranges::min(gaps_of(lines));

@@ -4,6 +4,7 @@
 #include "vision/contour/double_edges.h"
 #include "vision/contour/edge_lines.h"
 #include "vision/contour/edge_strength.h"
+#include "vision/contour/finger.h"
 #include "vision/contour/linking.h"
 #include "vision/contour/scale.h"
 #include "vision/contour/texture.h"
@@ -18,8 +19,6 @@ namespace {
 constexpr double kWorkingPixels = 1e6;  // 0.1 mm a pixel on a drawing area of 116 x 84 mm
 constexpr double kPhotoPixels = 3e5;    // finer edges of a photo are texture, and cost
 constexpr double kPhotoSmoothing_px = 2.0;
-constexpr double kShortest_mm = 4.0;  // the smallest feature worth a finger's time
-constexpr double kGap_mm = 3.2;       // lines that lie closer are felt as one
 constexpr double kLongestTexture_mm = 20.0;
 constexpr double kSmallestTexture_mm = 20.0;
 constexpr double kShortest_px = 8.0;  // shorter lines are pixels, whatever their size on the device
@@ -70,7 +69,7 @@ int drop_specks(std::vector<Chain>& chains, double shortest_px) {
 
 /// What is too narrow or too crowded for a hand, as one line.
 std::vector<Chain> without_clutter(std::vector<Chain> chains, cv::Size size, double px_per_mm) {
-    const double gap_px = kGap_mm * px_per_mm;
+    const double gap_px = kLeastApart_mm * px_per_mm;
     return with_textures_outlined(
         with_double_edges_merged(std::move(chains), size, gap_px), size,
         {gap_px, kLongestTexture_mm * px_per_mm, kSmallestTexture_mm * px_per_mm});
@@ -84,7 +83,7 @@ void find(const GradientField& field, const Hysteresis& limits, double px_per_mm
     found.high = limits.high;
     found.lines_found = static_cast<int>(lines.size());
     found.edge_strength = edge_strength(lines, found.size, limits.high);
-    const double shortest_px = std::max(kShortest_px, kShortest_mm * px_per_mm);
+    const double shortest_px = std::max(kShortest_px, kShortestLine_mm * px_per_mm);
     Linked network = linked(std::move(lines), found.size,
                             reach_for(found.size, found.smoothing_px, shortest_px));
     found.gaps_closed = network.gaps_closed;

@@ -186,8 +186,8 @@ std::vector<Chain> joined(std::vector<Chain> lines, std::size_t strokes, cv::Siz
                           double greatest_width_px) {
     JunctionSet junctions(kBorderBlur_px, kBorderSpan_px);
     const PointGrid grid(lines, size, greatest_width_px);
-    std::set<std::pair<double, double>> met;
-    std::set<std::pair<double, double>> twice;
+    std::set<Place> met;
+    std::set<Place> twice;
     const auto end_point = [&](EndId end) {
         const std::vector<EdgePoint>& points = lines[chain_of(end)].points;
         return is_back(end) ? points.back().at : points.front().at;

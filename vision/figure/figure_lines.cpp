@@ -1,5 +1,6 @@
 #include "vision/figure/figure_lines.h"
 
+#include "vision/contour/finger.h"
 #include "vision/contour/gradient.h"
 #include "vision/contour/iso_rings.h"
 #include "vision/contour/ring_snap.h"
@@ -14,10 +15,8 @@ namespace touchline {
 namespace {
 
 constexpr float kFigureLevel = 127.5F;
-constexpr double kReach_mm = 1.5;   // the edge of a thing may lie off its mask
-constexpr double kBeside_mm = 3.2;  // nearer to a ring a line is felt as one with it
+constexpr double kReach_mm = 1.5;  // the edge of a thing may lie off its mask
 constexpr double kSmoothing_px = 1.5;
-constexpr double kShortest_mm = 4.0;
 
 /// The mask at the lines' size, with edges as smooth as the picture's.
 cv::Mat1f fitted(const cv::Mat1b& mask, cv::Size size) {
@@ -101,7 +100,7 @@ void cut_by_place(const Chain& line, PlaceOf place_of, Add add) {
 PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b& mask,
                        double longer_side_mm) {
     const double px_per_mm = std::max(lines.size.width, lines.size.height) / longer_side_mm;
-    const double shortest_px = kShortest_mm * px_per_mm;
+    const double shortest_px = kShortestLine_mm * px_per_mm;
     cv::Mat small;
     cv::resize(picture, small, lines.size, 0.0, 0.0, cv::INTER_AREA);
     const cv::Mat1f strength = colour_gradient(to_lab(small), kSmoothing_px).strength;
@@ -112,7 +111,7 @@ PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b
         return lines;
     }
     const cv::Mat1f distance = to_rings(rings, lines.size);
-    const auto beside_px = static_cast<float>(kBeside_mm * px_per_mm);
+    const auto beside_px = static_cast<float>(kLeastApart_mm * px_per_mm);
     const auto place_of = [&](const EdgePoint& p) {
         const cv::Point at(std::clamp(cvRound(p.at.x), 0, soft.cols - 1),
                            std::clamp(cvRound(p.at.y), 0, soft.rows - 1));

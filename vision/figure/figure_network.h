@@ -26,8 +26,8 @@ class FigureNetwork {
 
     /// How likely each place of an 8-bit BGR picture belongs to its main thing, 0..1, over a square
     /// of side_px (a multiple of 64) that stands for the whole picture. Fails, with one line, where
-    /// the network is of another kind, or cannot be run; throws std::bad_alloc
-    /// without memory. 0.7 s at 512 and 4 s at 1024 on two cores.
+    /// the network is of another kind, or cannot be run; throws std::bad_alloc without memory.
+    /// 0.7 s at 512 and 3.3 s at 1024 on two cores.
     [[nodiscard]] Result<cv::Mat1f> likelihood(const cv::Mat3b& picture, int side_px);
 
   private:

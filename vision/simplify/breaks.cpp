@@ -27,15 +27,11 @@ struct Join {
     double cost = 0.0;
 };
 
-std::pair<double, double> key(const cv::Point2d& p) {
-    return {p.x, p.y};
-}
-
 std::vector<FreeEnd> free_ends(const std::vector<Chain>& lines) {
-    std::map<std::pair<double, double>, int> uses;
+    std::map<Place, int> uses;
     for (const Chain& line : lines) {
         for (const EdgePoint& p : line.points) {
-            ++uses[key(p.at)];
+            ++uses[place_of(p.at)];
         }
     }
     std::vector<FreeEnd> ends;
@@ -43,7 +39,7 @@ std::vector<FreeEnd> free_ends(const std::vector<Chain>& lines) {
         for (const EndId id : {front_of(i), back_of(i)}) {
             const std::vector<EdgePoint>& points = lines[i].points;
             const cv::Point2d at = is_back(id) ? points.back().at : points.front().at;
-            if (!lines[i].is_closed && uses[key(at)] == 1) {
+            if (!lines[i].is_closed && uses[place_of(at)] == 1) {
                 ends.push_back({id, at, ray_at(points, is_back(id), kSkip_mm, kSpan_mm).direction});
             }
         }

@@ -2,6 +2,7 @@
 
 #include "vision/contour/dashes.h"
 #include "vision/contour/edge_strength.h"
+#include "vision/contour/finger.h"
 #include "vision/contour/gradient.h"
 #include "vision/contour/main_shape.h"
 #include "vision/contour/regions.h"
@@ -18,7 +19,6 @@ namespace touchline {
 namespace {
 
 constexpr double kWorkingPixels = 1e6;  // 0.1 mm a pixel on a drawing area of 116 x 84 mm
-constexpr double kShortest_mm = 4.0;    // the smallest feature worth a finger's time
 
 Chain box_around(const cv::Rect& box, double strength) {
     const cv::Point2d low(box.x - 0.5, box.y - 0.5);
@@ -80,7 +80,7 @@ PhotoLines drawn_lines(const cv::Mat& picture, PictureClass picture_class, doubl
     }
     found.lines_found = static_cast<int>(found.chains.size());
     found.specks_dropped = static_cast<int>(std::erase_if(found.chains, [&](const Chain& line) {
-        return length_of(line) < kShortest_mm * px_per_mm || line.points.size() < 2;
+        return length_of(line) < kShortestLine_mm * px_per_mm || line.points.size() < 2;
     }));
     found.high = 0.5 * mean_strength(found.chains);
     found.low = found.high;

@@ -1,5 +1,6 @@
 #include "vision/simplify/selection.h"
 
+#include "vision/contour/finger.h"
 #include "vision/simplify/loops.h"
 #include "vision/simplify/narrow_parts.h"
 #include "vision/simplify/surroundings.h"
@@ -32,10 +33,9 @@ std::vector<Candidate> narrow_as_lines(const Chain& ring, double gap_mm, Narrow 
 
 /// A figure is known by its limbs.
 DetailLimits for_rings(DetailLimits limits) {
-    constexpr double kGap_mm = 3.2;
     constexpr double kTolerance_mm = 0.7;
     constexpr double kFeature_mm = 6.0;
-    limits.gap_mm = std::min(limits.gap_mm, kGap_mm);
+    limits.gap_mm = std::min(limits.gap_mm, kLeastApart_mm);
     limits.tolerance_mm = std::min(limits.tolerance_mm, kTolerance_mm);
     limits.least_feature_mm = std::min(limits.least_feature_mm, kFeature_mm);
     return limits;

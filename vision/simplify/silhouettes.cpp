@@ -4,16 +4,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace touchline {
 namespace {
-
-using Place = std::pair<double, double>;
-
-Place place_of(const EdgePoint& point) {
-    return {point.at.x, point.at.y};
-}
 
 /// The lines cut where others end on them, and which of the ends were one line before.
 struct Arms {
@@ -22,20 +17,20 @@ struct Arms {
     std::map<Place, std::vector<std::pair<EndId, EndId>>> through;
 };
 
-std::map<Place, int> ends_at(const std::vector<Chain>& lines) {
-    std::map<Place, int> count;
+std::set<Place> ends_of(const std::vector<Chain>& lines) {
+    std::set<Place> ends;
     for (const Chain& line : lines) {
         if (!line.is_closed) {
-            ++count[place_of(line.points.front())];
-            ++count[place_of(line.points.back())];
+            ends.insert(place_of(line.points.front().at));
+            ends.insert(place_of(line.points.back().at));
         }
     }
-    return count;
+    return ends;
 }
 
 /// One line in arms: from junction to junction.
-void cut(Chain line, const std::map<Place, int>& junctions, Arms& arms) {
-    const auto is_junction = [&](const EdgePoint& p) { return junctions.contains(place_of(p)); };
+void cut(Chain line, const std::set<Place>& junctions, Arms& arms) {
+    const auto is_junction = [&](const EdgePoint& p) { return junctions.contains(place_of(p.at)); };
     if (line.is_closed) {
         const auto first = std::ranges::find_if(line.points, is_junction);
         if (first == line.points.end()) {
@@ -55,12 +50,13 @@ void cut(Chain line, const std::map<Place, int>& junctions, Arms& arms) {
         }
     }
     for (std::size_t arm = before; arm < arms.chains.size(); ++arm) {
-        arms.meeting[place_of(arms.chains[arm].points.front())].push_back(front_of(arm));
-        arms.meeting[place_of(arms.chains[arm].points.back())].push_back(back_of(arm));
+        arms.meeting[place_of(arms.chains[arm].points.front().at)].push_back(front_of(arm));
+        arms.meeting[place_of(arms.chains[arm].points.back().at)].push_back(back_of(arm));
         const bool is_last = arm + 1 == arms.chains.size();
         if (!is_last || line.is_closed) {
             const EndId next = front_of(is_last ? before : arm + 1);
-            arms.through[place_of(arms.chains[arm].points.back())].emplace_back(back_of(arm), next);
+            arms.through[place_of(arms.chains[arm].points.back().at)].emplace_back(back_of(arm),
+                                                                                   next);
         }
     }
 }
@@ -93,7 +89,7 @@ std::vector<EndId> round_at(const std::vector<EndId>& meeting, const std::vector
 }  // namespace
 
 std::vector<Chain> with_silhouettes_joined(std::vector<Chain> lines, const Outside& outside) {
-    const std::map<Place, int> junctions = ends_at(lines);
+    const std::set<Place> junctions = ends_of(lines);
     Arms arms;
     for (Chain& line : lines) {
         cut(std::move(line), junctions, arms);

@@ -1,5 +1,6 @@
 #include "vision/simplify/spacing.h"
 
+#include "vision/contour/finger.h"
 #include "vision/simplify/map_grid.h"
 
 #include <algorithm>
@@ -17,7 +18,6 @@ constexpr double kOpening_mm = 2.5;  // each side of a crossing
 constexpr double kSamePlace_mm = 1e-9;
 constexpr double kSmallBreak_mm = 4.0;  // a groove must not end by accident
 constexpr double kShort_mm = 1e-3;      // a thousand times the grid of a map; no finger feels it
-constexpr double kTwoShapes_mm = 3.2;   // the least at which a finger finds two of them
 
 /// In the order in which they lie along their line.
 void sort_along(const std::vector<EdgePoint>& line, std::vector<LineFoot>& feet) {
@@ -86,7 +86,7 @@ bool SpacedLines::stands_beside(const Chain& ring) const {
             neighbours.insert(segment.line);
         });
     }
-    return least_mm > kTwoShapes_mm + 0.5 * scale_.step_mm &&
+    return least_mm > kLeastApart_mm + 0.5 * scale_.step_mm &&
            std::ranges::all_of(neighbours, [&](std::size_t number) {
                const Chain& other = lines_[number];
                return other.is_closed && !holds(other, ring.points[0].at) &&

@@ -210,7 +210,8 @@ TEST(Opening, AHeicOfFortyEightMegapixelsIsMadeSmaller) {
     expect_half_as_large(encoders::heif(with_dark_middle(large_width, large_height), form));
 }
 
-/// Of 48 megapixels with TOUCHLINE_EXHAUSTIVE, else of 27: the encoder takes a quarter of a minute.
+/// It has 48 megapixels with TOUCHLINE_EXHAUSTIVE, else 27: the encoder takes a quarter of a
+/// minute.
 TEST(Opening, AnAvifOfManyMegapixelsIsMadeSmaller) {
     const bool is_exhaustive = std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr;
     const int width = is_exhaustive ? large_width : 6'048;

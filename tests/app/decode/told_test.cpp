@@ -106,7 +106,7 @@ TactileMap told_of_svg(const std::string& title, const std::string& description)
         title, description)));
 }
 
-/// Of a page without a heading: what the document says of itself.
+/// A page without a heading has the title that the document gives itself.
 TactileMap told_of_pdf(const std::string& title) {
     return told_of(written_pdf({{"100 100 300 200 re S"}},
                                {fmt::format("<< /Title ({}) >>", title)}, "", "/Info 5 0 R"));

@@ -94,7 +94,7 @@ TEST(Drawings, ChartsAndPlansAreFeltAsTheyArePainted) {
     tally.judge();
 }
 
-/// Of most lines of it only short pieces show between the bars.
+/// Most of its lines show in short pieces between the bars only.
 TEST(Drawings, AGridBetweenHighBarsIsNotFelt) {
     Tally tally;
     for (const int seed : {17, 28}) tally.add(testing::chart_drawing(0, seed));

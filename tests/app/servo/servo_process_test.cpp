@@ -90,7 +90,8 @@ TEST_F(ServoProcess, WhyThereIsNoServoStaysToBeReadWhileTheNextIsTried) {
     board_.owner = 0;
 }
 
-/// Between a servo whose board was unplugged and the next, which finds none, it was said to work.
+/// A board was said to work between the servo that it was pulled from and the next, which finds
+/// none.
 TEST(ServoLine, TheDeviceIsLostFromAServosEndUntilMoreIsSaidOrTheNextReports) {
     ServoLine line;
     ServoReport report;

@@ -23,7 +23,7 @@
 namespace touchline::bench {
 namespace {
 
-constexpr double kNear_px = 2.0;
+constexpr float kNear_px = 2.0F;
 
 struct Score {
     double overlap = 0.0;         // intersection over union
