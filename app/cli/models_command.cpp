@@ -24,7 +24,7 @@ Result<void> list_networks(std::ostream& out) {
         describe(network, out);
         fmt::print(out, "  {}\n",
                    is_installed(network)
-                       ? "installed here"
+                       ? fmt::format("installed here: {}", installed_file(network).string())
                        : fmt::format("not here: touchline models get {}", network.name));
     }
     return {};
@@ -38,7 +38,7 @@ Result<void> check_networks(std::ostream& out) {
         }
         const auto bytes = read_network(network);
         if (!bytes) return tl::unexpected(bytes.error());
-        fmt::print(out, "{}: whole\n", network.name);
+        fmt::print(out, "{}: whole, in {}\n", network.name, installed_file(network).string());
     }
     return {};
 }

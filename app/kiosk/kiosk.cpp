@@ -310,8 +310,11 @@ void Kiosk::follow_stick(std::int64_t now_ns) {
 
 void Kiosk::follow_loader() {
     for (Delivery& delivery : loader_->poll()) take(std::move(delivery));
-    if (const auto things = loader_->take_things())
+    if (const auto things = loader_->take_things()) {
+        if (!things->why_not.empty())
+            report("a photograph's main thing was not looked for: " + things->why_not);
         happen(ThingsLookedFor{things->request, things->place});
+    }
 }
 
 void Kiosk::take(Delivery delivery) {

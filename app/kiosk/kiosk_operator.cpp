@@ -72,7 +72,7 @@ struct Kiosk::OperatorCarrying {
 
     void operator()(const KeepPin&) const {}
 
-    void operator()(const ImportPictures&) const {}
+    void operator()(const ImportFromStick&) const {}
 
     void operator()(const ZeroCounters&) const {}
 

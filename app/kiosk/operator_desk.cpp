@@ -1,5 +1,6 @@
 #include "app/kiosk/operator_desk.h"
 
+#include "app/models/getting.h"
 #include "app/operator/backup.h"
 #include "app/operator/pin_tries_file.h"
 #include "app/operator/site_files.h"
@@ -28,14 +29,16 @@ std::string outcome(const Result<void>& done, const std::string& sentence) {
     return done ? sentence : done.error().line;
 }
 
-using PackReader = std::function<Result<Mapping, StickRefusal>()>;
+/// A file of the operator's stick.
+struct Brought {
+    std::function<Result<Mapping, StickRefusal>()> read;
+    StickFileKind kind;
+    std::string name;  // for the screen
+};
 
-/// `name`: the pack's, for the screen.
-std::string import_of(const PackReader& read, const std::string& name, const fs::path& library,
-                      const Language& language) {
-    const auto bytes = read();
-    if (!bytes) return language.text("trouble", sentence_of(bytes.error(), name));
-    auto pack = read_pack(bytes->bytes());
+std::string import_pictures(std::span<const std::byte> bytes, const std::string& name,
+                            const fs::path& library, const Language& language) {
+    auto pack = read_pack(bytes);
     if (!pack && pack.error().file.empty()) pack.error().file = name;
     if (!pack) return sentence_of(pack.error(), language);
     const auto folder = import_pack(*pack, library.string());
@@ -43,13 +46,30 @@ std::string import_of(const PackReader& read, const std::string& name, const fs:
     return language.text("operator", "The pictures are there when the kiosk starts again.");
 }
 
+std::string import_network(std::span<const std::byte> bytes, const std::string& name,
+                           const Language& language) {
+    const Network* const network = network_of(bytes);
+    if (network == nullptr)
+        return language.text("operator",
+                             "{0} is damaged, or made for another version of Touchline. Copy it "
+                             "to the stick again.",
+                             {name});
+    return outcome(install_network(*network, bytes),
+                   language.text("operator",
+                                 "Main things of photographs are found when the kiosk starts "
+                                 "again."));
+}
+
 /// Waits for the stick and for workers: beside the screen's thread.
-std::string imported(const PackReader& read, const std::string& name, const fs::path& library,
-                     const Language& language) {
+std::string imported(const Brought& file, const fs::path& library, const Language& language) {
     try {
-        return import_of(read, name, library, language);
+        const auto bytes = file.read();
+        if (!bytes) return language.text("trouble", sentence_of(bytes.error(), file.name));
+        return file.kind == StickFileKind::network
+                   ? import_network(bytes->bytes(), file.name, language)
+                   : import_pictures(bytes->bytes(), file.name, library, language);
     } catch (const std::exception&) {
-        return language.text("operator", "There is not enough memory for these pictures.");
+        return language.text("operator", "There is not enough memory for this file.");
     }
 }
 
@@ -143,7 +163,9 @@ struct OperatorDesk::Office {
 
     void operator()(const ExportLog&) const { answer(desk.export_log(language)); }
 
-    void operator()(const ImportPictures& import) const { desk.import_pack(import.pack, language); }
+    void operator()(const ImportFromStick& import) const {
+        desk.import_from_stick(import.file, language);
+    }
 
     template <class Order>
     void operator()(const Order& order) const {
@@ -156,7 +178,7 @@ OperatorDesk::OperatorDesk(OperatorFiles files, const std::vector<Language>& lan
     : files_(std::move(files)),
       watch_(files_.settings.site),
       profiles_(read_profiles(files_.profiles, problems)),
-      packs_(files_.import_program) {
+      stick_(files_.import_program) {
     for (const Language& language : languages)
         languages_.push_back({language.code(), language.name()});
     read_site();
@@ -204,7 +226,7 @@ OperatorWorld OperatorDesk::world(const Language& language, double now_s) const 
                         sound_,   keys_, languages_, {},          counters_,
                         {},       live_, kind_,      bounds_,     device_words_};
     for (const Profile& profile : profiles_) world.profiles.push_back({profile.name, profile.rows});
-    world.packs = packs_.names();
+    world.on_stick = stick_.names();
     return world;
 }
 
@@ -260,14 +282,16 @@ std::string OperatorDesk::export_log(const Language& language) const {
                 : language.text("operator", "The log cannot be written. Make room on the disk.");
 }
 
-void OperatorDesk::import_pack(std::size_t pack, const Language& language) {
-    if (pack >= packs_.names().size() || import_.valid()) return;
-    import_ = std::async(std::launch::async, imported, packs_.reader_of(pack), packs_.names()[pack],
-                         files_.library, language);
+void OperatorDesk::import_from_stick(std::size_t file, const Language& language) {
+    if (file >= stick_.names().size() || import_.valid()) return;
+    import_ =
+        std::async(std::launch::async, imported,
+                   Brought{stick_.reader_of(file), stick_.kind_of(file), stick_.names()[file]},
+                   files_.library, language);
 }
 
 std::optional<std::string> OperatorDesk::poll_stick(const Language& language) {
-    const std::string problem = packs_.poll();
+    const std::string problem = stick_.poll();
     if (!problem.empty()) return language.text("trouble", problem);
     const bool has_ended =
         import_.valid() && import_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;

@@ -1,9 +1,9 @@
 // The operator's screens at work: carries out on files what they order, and remembers what they
 // tell. What concerns servo, sound and stick is the kiosk's to do (kiosk_operator.cpp).
-// Threads: one; small files are read and written in its calls, packs of pictures beside it.
+// Threads: one; small files are read and written in its calls, what a stick brings beside it.
 #pragma once
 
-#include "app/kiosk/stick_packs.h"
+#include "app/kiosk/operator_stick.h"
 #include "app/operator/counters.h"
 #include "app/operator/operator.h"
 #include "app/operator/pin_file.h"
@@ -62,9 +62,9 @@ class OperatorDesk {
     [[nodiscard]] std::vector<OperatorOrder> happen(const OperatorEvent& event,
                                                     const Language& language, double now_s);
 
-    /// The stick that is there now; empty: none. Its packs of pictures can be taken into the
+    /// The stick that is there now; empty: none. What it brings can be taken into the
     /// library by who gave the PIN, and are not even listed before.
-    void put_stick(const std::string& root) { packs_.look_at(is_inside() ? root : ""); }
+    void put_stick(const std::string& root) { stick_.look_at(is_inside() ? root : ""); }
 
     void set_live(std::vector<std::string> facts) { live_ = std::move(facts); }
 
@@ -113,7 +113,7 @@ class OperatorDesk {
     [[nodiscard]] std::string back_up(const Language& language) const;
     [[nodiscard]] std::string restore(const Language& language);
     [[nodiscard]] std::string export_log(const Language& language) const;
-    void import_pack(std::size_t pack, const Language& language);
+    void import_from_stick(std::size_t file, const Language& language);
 
     OperatorFiles files_;
     FileWatch watch_;
@@ -131,7 +131,7 @@ class OperatorDesk {
     std::optional<std::string> kind_;
     std::string device_words_;
     FeltBounds bounds_;
-    StickPacks packs_;
+    OperatorStick stick_;
     std::future<std::string> import_;
     std::vector<std::string> log_;
     std::string note_;

@@ -165,9 +165,10 @@ bool KioskStages::has_looking() const {
     return static_cast<bool>(finder_);
 }
 
-PagePtr KioskStages::look(const PagePtr& page) const {
-    auto seen = finder_(*page);
-    return seen ? std::make_shared<const Page>(std::move(*seen)) : nullptr;
+Result<PagePtr> KioskStages::look(const PagePtr& page) const {
+    return finder_(*page).map([](std::optional<Page> seen) {
+        return seen ? std::make_shared<const Page>(std::move(*seen)) : PagePtr();
+    });
 }
 
 bool KioskStages::has_reading() const {

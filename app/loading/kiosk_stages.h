@@ -15,9 +15,10 @@ namespace touchline {
 /// are none. Takes seconds. From any thread, one call at a time.
 using PageReader = std::function<std::optional<Page>(const Page&)>;
 
-/// A photograph's page with its main things; nothing where none is clear. Takes seconds. From any
-/// thread, one call at a time.
-using ThingFinder = std::function<std::optional<Page>(const Page&)>;
+/// A photograph's page with its main things; nothing where none is clear. Fails, with one line that
+/// names no file, where they cannot be looked for now. Takes seconds. From any thread, one call at
+/// a time.
+using ThingFinder = std::function<Result<std::optional<Page>>(const Page&)>;
 
 class KioskStages final : public Stages {
   public:
@@ -30,7 +31,7 @@ class KioskStages final : public Stages {
     [[nodiscard]] Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
                                             const FeltPart& part) const override;
     [[nodiscard]] bool has_looking() const override;
-    [[nodiscard]] PagePtr look(const PagePtr& page) const override;
+    [[nodiscard]] Result<PagePtr> look(const PagePtr& page) const override;
     [[nodiscard]] bool has_reading() const override;
     [[nodiscard]] FoundPtr reread(const FoundView& found) const override;
 

@@ -6,18 +6,12 @@
 #include <utility>
 
 namespace touchline {
-namespace {
-
-/// A picture that was looked at is built again without knowing it.
-void without_search(PagePlace& place) {
-    if (place.things == ThingSearch::under_way) place.things = ThingSearch::unclear;
-}
-
-}  // namespace
-
 LoadPlan::LoadPlan(SecondLooks looks, PlanLimits limits) : looks_(looks), limits_(limits) {}
 
 void LoadPlan::want(std::uint64_t request, const ViewOrder& order) {
+    const bool is_same_view = wanted_ && wanted_->file == order.file &&
+                              wanted_->page == order.page && wanted_->view == order.view;
+    if (!is_same_view) kept_.remove_if([](const Kept& kept) { return kept.is_before_look; });
     wanted_ = order;
     request_ = request;
     is_owed_ = true;
@@ -53,7 +47,7 @@ std::optional<Delivery> LoadPlan::finish(std::uint64_t number, JobOutcome outcom
         return answer(job, std::move(*scene));
     if (const auto* const page = std::get_if<Result<PagePtr>>(&outcome)) {
         if (job.kind == JobKind::look) {
-            keep_things(job, page->value_or(nullptr));
+            keep_things(job, *page);
             return std::nullopt;
         }
         if (!*page) return refuse(job, page->error());
@@ -166,7 +160,7 @@ std::optional<LoadJob> LoadPlan::look_job() {
     if (!looks_.for_things || !is_felt_) return std::nullopt;
     const Kept* const view = view_of(*wanted_);
     const Kept* const page = page_of(*wanted_);
-    if (view == nullptr || !view->found->is_photo || page == nullptr || page->is_looked_at)
+    if (view == nullptr || !view->found->is_photo || page == nullptr || page->looked_for)
         return std::nullopt;
     LoadJob job;
     job.kind = JobKind::look;
@@ -224,7 +218,9 @@ std::optional<Delivery> LoadPlan::answer(const LoadJob& job, Result<LoadedScene>
     if (!scene && was_felt) return std::nullopt;
     is_felt_ = scene.has_value();
     const Kept* const page = page_of(*wanted_);
-    if (scene && page != nullptr && page->is_looked_at) without_search(scene->facts.place);
+    if (scene && page != nullptr && page->looked_for &&
+        scene->facts.place.things == ThingSearch::under_way)
+        scene->facts.place.things = *page->looked_for;
     return Delivery{request_, std::move(scene), job.found->place, was_felt};
 }
 
@@ -233,8 +229,22 @@ void LoadPlan::keep(Kept kept) {
     forget_old();
 }
 
-/// The views that are kept had other numbers; what is felt is the last of the new ones.
-void LoadPlan::keep_things(const LoadJob& job, const PagePtr& page) {
+/// The view that was all of a photograph is its last one now. It stays as it is felt until another
+/// one is wanted.
+void LoadPlan::renumber(const ViewOrder& order, int views) {
+    for (Kept& kept : kept_) {
+        if (!kept.found || kept.file != order.file || kept.number != order.page) continue;
+        FoundView whole = *kept.found;
+        whole.place.view = views;
+        whole.place.view_count = views;
+        whole.place.things = ThingSearch::found;
+        whole.is_photo = false;
+        kept.found = std::make_shared<const FoundView>(std::move(whole));
+        kept.is_before_look = true;
+    }
+}
+
+void LoadPlan::keep_things(const LoadJob& job, const Result<PagePtr>& page) {
     const auto at = std::find_if(kept_.begin(), kept_.end(),
                                  [&job](const Kept& kept) { return kept.page == job.page; });
     if (at == kept_.end()) return;
@@ -242,18 +252,19 @@ void LoadPlan::keep_things(const LoadJob& job, const PagePtr& page) {
         std::erase(tried_, step_of(job));
         return;
     }
-    at->is_looked_at = true;
-    if (page) {
-        at->page = page;
-        kept_.remove_if([&job](const Kept& kept) {
-            return kept.found && kept.file == job.order.file && kept.number == job.order.page;
-        });
+    const bool has_things = page && *page;
+    at->looked_for = has_things ? ThingSearch::found
+                     : page     ? ThingSearch::unclear
+                                : ThingSearch::impossible;
+    if (has_things) {
+        at->page = *page;
+        renumber(job.order, view_count(**page));
     }
     const bool is_felt = wanted_ && is_felt_ && is_page_of(*at, *wanted_);
     if (!is_felt) return;
-    if (page) wanted_->view = view_count(*page);
-    things_ = ThingsFound{request_, place_of(*wanted_)};
-    if (!page) things_->place.things = ThingSearch::unclear;  // nobody looks again
+    if (has_things) wanted_->view = view_count(**page);
+    things_ = ThingsFound{request_, place_of(*wanted_), page ? "" : page.error().line};
+    things_->place.things = *at->looked_for;
 }
 
 void LoadPlan::keep_reread(const LoadJob& job, const FoundPtr& found) {

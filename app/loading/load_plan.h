@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <list>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -55,6 +56,7 @@ struct Delivery {
 struct ThingsFound {
     std::uint64_t request = 0;  // that is felt
     PagePlace place;            // of what is felt
+    std::string why_not;        // one line that names no file, where they could not be looked for
 };
 
 /// What can look a second time.
@@ -97,7 +99,8 @@ class LoadPlan {
         PagePtr page;
         FoundPtr found;
         bool is_reread = false;
-        bool is_looked_at = false;
+        std::optional<ThingSearch> looked_for = {};  // what a second look at the page came to
+        bool is_before_look = false;  // a whole photograph, traced before its things were known
     };
 
     using KeptList = std::list<Kept>;
@@ -129,7 +132,8 @@ class LoadPlan {
     std::optional<Delivery> answer(const LoadJob& job, Result<LoadedScene> scene);
     void keep(Kept kept);
     [[nodiscard]] std::optional<LoadJob> look_job();
-    void keep_things(const LoadJob& job, const PagePtr& page);
+    void keep_things(const LoadJob& job, const Result<PagePtr>& page);
+    void renumber(const ViewOrder& order, int views);
     void keep_reread(const LoadJob& job, const FoundPtr& found);
     void forget_old();
 

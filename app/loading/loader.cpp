@@ -17,7 +17,7 @@ JobOutcome done(const Stages& stages, const LoadJob& job) {
         case JobKind::build:
             return stages.build(file, *job.found, job.order.part);
         case JobKind::look:
-            return Result<PagePtr>(stages.look(job.page));
+            return stages.look(job.page);
         case JobKind::reread:
             return Result<FoundPtr>(stages.reread(*job.found));
     }

@@ -96,8 +96,8 @@ class Stages {
     [[nodiscard]] virtual bool has_looking() const = 0;
 
     /// A second look at a photograph: its page with its main things, each a view. Null where none
-    /// is clear. Waits for a worker, some seconds.
-    [[nodiscard]] virtual PagePtr look(const PagePtr& page) const = 0;
+    /// is clear. Its errors name no file. Waits for a worker, some seconds.
+    [[nodiscard]] virtual Result<PagePtr> look(const PagePtr& page) const = 0;
 
     /// False: reread() would find nothing, ever.
     [[nodiscard]] virtual bool has_reading() const = 0;

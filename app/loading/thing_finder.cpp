@@ -10,11 +10,12 @@ namespace touchline {
 ThingFinder thing_finder() {
     const Network& network = *network_named("figure");
     if (!is_installed(network)) return {};
-    return [&network](const Page& page) -> std::optional<Page> {
+    return [&network](const Page& page) -> Result<std::optional<Page>> {
         const auto bytes = read_network(network);
-        if (!bytes) return std::nullopt;
+        if (!bytes) return tl::unexpected(bytes.error());
         auto things = find_main_things(page, *bytes);
-        if (!things || !things->is_sure) return std::nullopt;
+        if (!things) return tl::unexpected(things.error());
+        if (!things->is_sure) return std::nullopt;
         return with_main_things(page, std::move(*things));
     };
 }

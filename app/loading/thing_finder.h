@@ -6,8 +6,8 @@
 
 namespace touchline {
 
-/// Empty where the network is not installed. Where it is damaged, or its worker fails, nothing is
-/// found, and the photograph stays as it was felt.
+/// Empty where the network is not installed. It fails where the network is damaged, less than 2 GB
+/// of memory are free, or its worker fails.
 [[nodiscard]] ThingFinder thing_finder();
 
 }  // namespace touchline

@@ -9,17 +9,16 @@
 #include <system_error>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace touchline {
 namespace {
 
-Result<std::filesystem::path> made_folder() {
+Result<void> make_folder() {
     const std::filesystem::path folder = models_folder();
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) return failure(folder.string() + ": " + error.message());
-    return folder;
+    return {};
 }
 
 Result<void> write_as_told(const Network& network, const std::filesystem::path& out) {
@@ -39,20 +38,19 @@ Result<void> write_as_told(const Network& network, const std::filesystem::path& 
 
 }  // namespace
 
-Result<void> take_network(const Network& network, const std::filesystem::path& file) {
-    const auto bytes = read_network(network, file);
-    if (!bytes) return tl::unexpected(bytes.error());
-    return made_folder().and_then([&](const std::filesystem::path& folder) {
-        return write_whole_file((folder / network.file).string(), *bytes);
-    });
+Result<void> install_network(const Network& network, std::span<const std::byte> bytes) {
+    return make_folder().and_then(
+        [&] { return write_whole_file(installed_file(network).string(), bytes); });
 }
 
 Result<void> get_network(const Network& network) {
-    const auto folder = made_folder();
-    if (!folder) return tl::unexpected(folder.error());
-    const std::filesystem::path part = *folder / fmt::format(".{}.{}", network.file, ::getpid());
+    // One that was killed leaves it for the next.
+    const std::filesystem::path part = models_folder() / fmt::format(".{}.part", network.file);
     const auto taken =
-        write_as_told(network, part).and_then([&] { return take_network(network, part); });
+        make_folder()
+            .and_then([&] { return write_as_told(network, part); })
+            .and_then([&] { return read_network(network, part); })
+            .and_then([&](const auto& bytes) { return install_network(network, bytes); });
     std::error_code error;
     std::filesystem::remove(part, error);
     return taken;

@@ -4,7 +4,8 @@
 #include "app/models/networks.h"
 #include "config/types/result.h"
 
-#include <filesystem>
+#include <cstddef>
+#include <span>
 
 namespace touchline {
 
@@ -13,7 +14,9 @@ namespace touchline {
 /// one line. Who calls it has shown the licence.
 [[nodiscard]] Result<void> get_network(const Network& network);
 
-/// The file of a network that somebody brought, if it is what the table says: the same by a stick.
-[[nodiscard]] Result<void> take_network(const Network& network, const std::filesystem::path& file);
+/// The bytes of a network where Touchline looks for it: whole, or as it was before. Fails with one
+/// line.
+[[nodiscard]] Result<void> install_network(const Network& network,
+                                           std::span<const std::byte> bytes);
 
 }  // namespace touchline

@@ -38,8 +38,8 @@ std::string sha256_of(std::span<const std::byte> bytes) {
     return text.get();
 }
 
-std::filesystem::path place_of(const Network& network) {
-    return models_folder() / network.file;
+bool is_of(const Network& network, std::span<const std::byte> bytes) {
+    return bytes.size() == network.bytes && sha256_of(bytes) == network.sha256;
 }
 
 }  // namespace
@@ -53,19 +53,29 @@ const Network* network_named(std::string_view name) {
     return at == known.end() ? nullptr : at;
 }
 
+const Network* network_of(std::span<const std::byte> bytes) {
+    const auto* const at = std::ranges::find_if(
+        known, [bytes](const Network& network) { return is_of(network, bytes); });
+    return at == known.end() ? nullptr : at;
+}
+
 std::filesystem::path models_folder() {
     const std::string chosen = environment("TOUCHLINE_MODELS");
     return chosen.empty() ? user_data_folder() / "touchline" / "models"
                           : std::filesystem::path(chosen);
 }
 
+std::filesystem::path installed_file(const Network& network) {
+    return models_folder() / network.file;
+}
+
 bool is_installed(const Network& network) {
     std::error_code error;
-    return std::filesystem::exists(place_of(network), error);
+    return std::filesystem::exists(installed_file(network), error);
 }
 
 Result<std::vector<std::byte>> read_network(const Network& network) {
-    if (is_installed(network)) return read_network(network, place_of(network));
+    if (is_installed(network)) return read_network(network, installed_file(network));
     return failure(
         fmt::format("the network \"{0}\" is not installed here; 'touchline models get {0}' "
                     "says what it is and brings it",
@@ -77,7 +87,7 @@ Result<std::vector<std::byte>> read_network(const Network& network,
     std::error_code error;
     if (std::filesystem::file_size(file, error) == network.bytes) {
         auto bytes = read_file(file.string());
-        if (bytes && sha256_of(*bytes) == network.sha256) return bytes;
+        if (bytes && is_of(network, *bytes)) return bytes;
     }
     return failure(
         fmt::format("{}: the network is damaged, or of another version; 'touchline models "

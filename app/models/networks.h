@@ -35,8 +35,14 @@ struct Network {
 /// Null for a name that nobody knows.
 [[nodiscard]] const Network* network_named(std::string_view name);
 
+/// Which network these bytes are, by size and checksum; null for any others.
+[[nodiscard]] const Network* network_of(std::span<const std::byte> bytes);
+
 /// TOUCHLINE_MODELS, else touchline/models in the user's data folder.
 [[nodiscard]] std::filesystem::path models_folder();
+
+/// Where its file lies, or would.
+[[nodiscard]] std::filesystem::path installed_file(const Network& network);
 
 /// Whether its file is there; whether it is whole is known to who reads it.
 [[nodiscard]] bool is_installed(const Network& network);

@@ -127,8 +127,8 @@ struct OperatorWorld {
     std::vector<OfferedLanguage> languages{};
     std::vector<OfferedProfile> profiles{};
     Counters counters{};
-    std::vector<std::string> packs{};  // on the stick: names of picture packs
-    std::vector<std::string> live{};   // facts in words: force, level, loop
+    std::vector<std::string> on_stick{};  // names of picture packs and networks
+    std::vector<std::string> live{};      // facts in words: force, level, loop
     /// The profile that the handle is taken for; empty: nobody has said. Nothing: a simulated one.
     std::optional<std::string> kind{};
     FeltBounds bounds{};
@@ -218,8 +218,8 @@ struct LockHandle {  // no force, and the keys are the operator's to ignore
     bool is_on = false;
 };
 
-struct ImportPictures {
-    std::size_t pack = 0;  // of OperatorWorld::packs
+struct ImportFromStick {
+    std::size_t file = 0;  // of OperatorWorld::on_stick
 };
 
 struct ZeroCounters {};
@@ -238,7 +238,7 @@ struct Leave {};  // back to the visitors
 
 using OperatorOrder = std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings,
                                    WriteSound, WriteKeys, FindHome, ChooseKind, ClearFault, RunTest,
-                                   StopTest, ShowLive, LockHandle, ImportPictures, ZeroCounters,
+                                   StopTest, ShowLive, LockHandle, ImportFromStick, ZeroCounters,
                                    ExportLog, SaveRecording, BackUp, Restore, CloseKiosk, Leave>;
 
 struct OperatorStep {

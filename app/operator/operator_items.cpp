@@ -210,7 +210,7 @@ struct List {
             case OperatorPlace::live:
                 return add_texts(OperatorItem::fact, ItemRole::text, world.live);
             case OperatorPlace::library:
-                return add_texts(OperatorItem::pack, ItemRole::choice, world.packs);
+                return add_texts(OperatorItem::on_stick, ItemRole::choice, world.on_stick);
             case OperatorPlace::counters:
                 return add_counters();
             case OperatorPlace::question:

@@ -23,7 +23,7 @@ enum class OperatorItem : std::uint8_t {
     kind,      // of kind_rows()
     test,      // a TestStep
     fact,      // text only
-    pack,      // of OperatorWorld::packs
+    on_stick,  // of OperatorWorld::on_stick
     no,
     yes,
 };

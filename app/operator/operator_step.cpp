@@ -85,8 +85,8 @@ void select(OperatorTurn& turn, const ScreenItem& item) {
             return do_action(turn, meaning.index);
         case OperatorItem::test:
             return begin_one_test(turn, meaning.index);
-        case OperatorItem::pack:
-            return turn.order(ImportPictures{meaning.index});
+        case OperatorItem::on_stick:
+            return turn.order(ImportFromStick{meaning.index});
         case OperatorItem::kind:
             return choose_kind(turn, meaning.index);
         case OperatorItem::no:

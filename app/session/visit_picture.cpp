@@ -176,6 +176,9 @@ void take_things(VisitWork& work, const ThingsLookedFor& looked) {
     visitor.felt->facts.place = looked.place;
     visitor.felt->order.page = looked.place.page;
     visitor.felt->order.view = looked.place.view;
+    if (looked.place.things == ThingSearch::impossible)
+        return say(work, words(work, "The main thing cannot be looked for now."),
+                   SpeechPriority::hint);
     if (looked.place.things != ThingSearch::found)
         return say(work, words(work, "No clear main thing was found."), SpeechPriority::hint);
     const bool is_waiting = !visitor.has_touched && !visitor.loading && !visitor.is_capturing &&

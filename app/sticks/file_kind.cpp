@@ -56,9 +56,11 @@ std::optional<StickFileKind> kind_of_name(std::string_view name) {
     return std::nullopt;
 }
 
-std::optional<StickFileKind> pack_of_name(std::string_view name) {
-    if (!is_same(ending_of(name), "zip")) return std::nullopt;
-    return StickFileKind::pack;
+std::optional<StickFileKind> operator_kind_of_name(std::string_view name) {
+    const std::string_view ending = ending_of(name);
+    if (is_same(ending, "zip")) return StickFileKind::pack;
+    if (is_same(ending, "onnx")) return StickFileKind::network;
+    return std::nullopt;
 }
 
 bool is_left_out(std::string_view name) {

@@ -11,16 +11,18 @@
 namespace touchline {
 
 /// picture: one image. document: pages or vectors. office: listed so that one sentence can ask for
-/// a PDF of it; it is not opened. pack: of pictures, for the operator alone.
-enum class StickFileKind : std::uint8_t { picture, document, office, pack };
+/// a PDF of it; it is not opened. For the operator alone: pack, of pictures; network, of those that
+/// Touchline knows (app/models).
+enum class StickFileKind : std::uint8_t { picture, document, office, pack, network };
 
-inline constexpr int stick_file_kind_count = 4;
+inline constexpr int stick_file_kind_count = 5;
 
-/// By the ending, of any case; none for what is not offered. Never a pack.
+/// By the ending, of any case; none for what is not offered. Never what is for the
+/// operator alone.
 [[nodiscard]] std::optional<StickFileKind> kind_of_name(std::string_view name);
 
-/// The same of what the operator is offered: packs alone.
-[[nodiscard]] std::optional<StickFileKind> pack_of_name(std::string_view name);
+/// The same of what the operator is offered.
+[[nodiscard]] std::optional<StickFileKind> operator_kind_of_name(std::string_view name);
 
 /// Hidden files and folders, and those that systems put on sticks for themselves.
 [[nodiscard]] bool is_left_out(std::string_view name);

@@ -19,6 +19,12 @@ using Refused = tl::unexpected<StickRefusal>;
 /// After SIGKILL: longer than this only where the kernel itself waits for the stick.
 constexpr double killed_s = 0.5;
 
+constexpr std::size_t most_network_bytes = std::size_t{64} << 20U;
+
+bool is_for_operator(StickFileKind kind) {
+    return kind == StickFileKind::pack || kind == StickFileKind::network;
+}
+
 StickRefusal refusal_of_end(const ChildEnd& end) {
     const int refusal = end.status - first_refusal_status;
     if (end.signal == 0 && refusal >= 0 && refusal < stick_refusal_count)
@@ -40,6 +46,8 @@ std::size_t most_bytes_of(StickFileKind kind) {
             return limits_of(WorkerKind::raster).input_bytes;
         case StickFileKind::pack:
             return limits_of(WorkerKind::pack).input_bytes;
+        case StickFileKind::network:
+            return most_network_bytes;
         case StickFileKind::document:
         case StickFileKind::office:
             break;
@@ -54,13 +62,13 @@ Result<StickListing, StickRefusal> StickImport::list(const std::string& root) {
     return listed({"list", root});
 }
 
-Result<StickListing, StickRefusal> StickImport::list_packs(const std::string& root) {
-    auto packs = listed({"packs", root});
-    if (packs)
-        std::erase_if(packs->entries, [](const StickEntry& entry) {
-            return entry.kind != StickFileKind::pack || !entry.folder.empty();
+Result<StickListing, StickRefusal> StickImport::list_operator_files(const std::string& root) {
+    auto files = listed({"operator", root});
+    if (files)
+        std::erase_if(files->entries, [](const StickEntry& entry) {
+            return !is_for_operator(entry.kind) || !entry.folder.empty();
         });
-    return packs;
+    return files;
 }
 
 Result<StickListing, StickRefusal> StickImport::listed(const std::vector<std::string>& words) {

@@ -33,8 +33,8 @@ class StickImport {
     /// What the stick with this root offers. Waits at most list_s and a moment.
     [[nodiscard]] Result<StickListing, StickRefusal> list(const std::string& root);
 
-    /// The same of the packs of pictures in its root, for the operator.
-    [[nodiscard]] Result<StickListing, StickRefusal> list_packs(const std::string& root);
+    /// What its root has for the operator: packs of pictures, networks.
+    [[nodiscard]] Result<StickListing, StickRefusal> list_operator_files(const std::string& root);
 
     /// All bytes of a file, in sealed memory. Waits at most read_s and a moment.
     [[nodiscard]] Result<Descriptor, StickRefusal> read(const std::string& root,

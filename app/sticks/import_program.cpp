@@ -66,14 +66,15 @@ Result<void> shut_in(const Descriptor& root, std::size_t most_bytes) {
 }
 
 int run_import(const std::vector<std::string>& words) {
-    const bool is_list = words.size() == 2 && (words[0] == "list" || words[0] == "packs");
+    const bool is_list = words.size() == 2 && (words[0] == "list" || words[0] == "operator");
     const bool is_read = words.size() == 5 && words[0] == "read";
     if (!is_list && !is_read) return wrong_words;
     const Descriptor output(import_output);
     const Descriptor root(::open(words[1].c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
     if (!root.is_open()) return status_of(errno == ENOENT ? StickRefusal::gone : refusal_of(errno));
     if (is_read) return read(root, output, words);
-    return list(root, output, words[0] == "packs" ? StickSearch::packs : StickSearch::pictures);
+    const bool is_operators = words[0] == "operator";
+    return list(root, output, is_operators ? StickSearch::operator_files : StickSearch::pictures);
 }
 
 }  // namespace touchline

@@ -25,9 +25,9 @@ inline constexpr int first_refusal_status = 80;
 /// output grow to `most_bytes`, and nothing else (app/sandbox). On failure it must end at once.
 [[nodiscard]] Result<void> shut_in(const Descriptor& root, std::size_t most_bytes);
 
-/// `list ROOT`, `packs ROOT` or `read ROOT FOLDER NAME MOST_BYTES`. Shuts itself in, reads, writes
-/// the listing (listing.h) or the file's bytes to import_output. Returns the exit status; the
-/// process must end with it at once.
+/// `list ROOT`, `operator ROOT` or `read ROOT FOLDER NAME MOST_BYTES`. Shuts itself in, reads,
+/// writes the listing (listing.h) or the file's bytes to import_output. Returns the exit status;
+/// the process must end with it at once.
 [[nodiscard]] int run_import(const std::vector<std::string>& words);
 
 }  // namespace touchline

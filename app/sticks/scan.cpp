@@ -142,7 +142,8 @@ class Scan {
     }
 
     [[nodiscard]] std::optional<StickFileKind> kind_of(std::string_view name) const {
-        return search_ == StickSearch::packs ? pack_of_name(name) : kind_of_name(name);
+        return search_ == StickSearch::operator_files ? operator_kind_of_name(name)
+                                                      : kind_of_name(name);
     }
 
     void add(const Descriptor& folder, const dirent64& entry, FirstNames& files,

@@ -14,9 +14,9 @@
 
 namespace touchline {
 
-/// pictures: what visitors are offered, in the root and all folders. packs: of pictures, in the
-/// root alone, for the operator.
-enum class StickSearch : std::uint8_t { pictures, packs };
+/// pictures: what visitors are offered, in the root and all folders. operator_files: what
+/// the operator is offered, in the root alone.
+enum class StickSearch : std::uint8_t { pictures, operator_files };
 
 /// What a scan may take; beyond, the listing says that it was cut short.
 struct ScanLimits {

@@ -1,9 +1,12 @@
 // The operator's desk on real files, through restarts of the kiosk.
 #include "app/kiosk/operator_desk.h"
 
+#include "app/decode/files.h"
+#include "app/models/networks.h"
 #include "app/operator/pin.h"
 #include "app/operator/pin_file.h"
 #include "app/operator/pin_tries_file.h"
+#include "app/sticks/listing.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
 #include <chrono>
@@ -153,6 +156,64 @@ TEST_F(StickOfTheOperator, IsNotEvenListedBeforeThePinIsGiven) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     EXPECT_TRUE(fs::exists(mark_));
+}
+
+/// In the place of touchline-import something that lists one network, which is none.
+class NetworkOnTheStick : public PinAndPlug {
+  protected:
+    NetworkOnTheStick() {
+        EXPECT_TRUE(keep_pin(files_.pin, "0001"));
+        const StickListing listing{{{StickFileKind::network, "", "figure.onnx"}}, {}};
+        const fs::path list = world_.folder() / "list";
+        EXPECT_TRUE(write_whole_file(list.string(), bytes_of(listing)));
+        const fs::path program = world_.folder() / "import";
+        std::ofstream(program) << "#!/bin/sh\ncase $1 in operator) cat '" << list.string()
+                               << "' >&3 ;; read) echo damaged >&3 ;; *) exit 2 ;; esac\n";
+        fs::permissions(program, fs::perms::owner_all);
+        files_.import_program = program;
+        start();
+        try_pin(1);
+    }
+
+    /// A sentence of the stick's, which has to come.
+    std::string poll() {
+        std::optional<std::string> line;
+        for (int i = 0; !line && i < 6000; ++i) {
+            desk_->put_stick("/a/stick");
+            line = desk_->poll_stick(language_);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return line.value_or("");
+    }
+
+    /// An item of the screen that is open; false where there is none of that name.
+    bool choose(const std::string& label) {
+        for (int i = 0; i < 40; ++i) {
+            const SpokenScreen screen = desk_->screen(language_);
+            if (screen.focus && screen.items.at(*screen.focus).name == label) {
+                press(KeyRole::select);
+                return true;
+            }
+            press(KeyRole::down);
+        }
+        return false;
+    }
+};
+
+TEST_F(NetworkOnTheStick, IsTakenByItsChecksumAlone) {
+    ASSERT_TRUE(choose("Upkeep"));
+    ASSERT_TRUE(choose("Copy from a stick"));
+    bool is_chosen = false;
+    for (int i = 0; i < 6000 && !is_chosen; ++i) {
+        desk_->put_stick("/a/stick");
+        (void)desk_->poll_stick(language_);
+        is_chosen = choose("figure");
+    }
+    ASSERT_TRUE(is_chosen);
+    EXPECT_EQ(poll(),
+              "figure is damaged, or made for another version of Touchline. Copy it to the stick "
+              "again.");
+    EXPECT_FALSE(is_installed(networks().front()));
 }
 
 /// However long the stick takes, a call of the desk does not wait for it.

@@ -274,6 +274,38 @@ TEST(Loading, APhotographWithoutAClearThingIsToldSoOnce) {
     EXPECT_EQ(world.last(), "0 1 1 5");
 }
 
+TEST(Loading, APhotographThatCannotBeLookedAtIsToldWithTheReason) {
+    World world = photograph(-1);
+    world.until_idle();
+    const auto things = world.loader.take_things();
+    ASSERT_TRUE(things);
+    EXPECT_EQ(things->place, (PagePlace{1, 1, 1, 1, ThingSearch::impossible}));
+    EXPECT_EQ(things->why_not, "no memory");
+    world.want(1, 1, 5);
+    world.until_idle();
+    EXPECT_EQ(world.delivered.back().scene->facts.place.things, ThingSearch::impossible);
+    EXPECT_EQ(world.stages->looked_count, 1);
+}
+
+TEST(Loading, APhotographThatStaysUnderTheHandIsReadAfterItsThingsAreKnown) {
+    World world({MadeUpDocument{.figures = {0}, .photos = {{1, 1}}}}, MadeUpStages::Places{{1, 2}},
+                {}, true);
+    world.want(1, 1);
+    world.until_idle();
+    EXPECT_EQ(world.last(), "0 1 2 3+");
+    EXPECT_TRUE(world.delivered.back().is_better);
+    EXPECT_EQ(world.delivered.back().place, (PagePlace{1, 1, 2, 2, ThingSearch::found}));
+    const int found = world.stages->found;
+    world.want(1, 2, 5);
+    world.until_felt();
+    EXPECT_EQ(world.stages->found, found) << "another detail of what is felt";
+    world.want(1, 1);
+    world.until_felt();
+    world.want(1, 2);
+    world.until_felt();
+    EXPECT_EQ(world.stages->found, found + 1) << "who comes back feels it with its things";
+}
+
 TEST(Loading, NothingIsRenumberedUnderAnOrder) {
     World world = photograph(2);
     ASSERT_EQ(world.jobs->held(), 1U);  // looking

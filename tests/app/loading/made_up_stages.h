@@ -21,7 +21,7 @@ struct MadeUpDocument {
     int page_px = 4;
     std::set<int> torn_pages = {};
     std::set<std::pair<int, int>> empty_views = {};  // page, view
-    std::map<int, int> photos = {};                  // page, its main things
+    std::map<int, int> photos = {};                  // page, its main things; -1: cannot look
 };
 
 class MadeUpStages final : public Stages {
@@ -94,10 +94,11 @@ class MadeUpStages final : public Stages {
     [[nodiscard]] bool has_looking() const override { return finds_things_; }
 
     /// Only the first document has photographs.
-    [[nodiscard]] PagePtr look(const PagePtr& page) const override {
+    [[nodiscard]] Result<PagePtr> look(const PagePtr& page) const override {
         ++looked_count;
         const int things = document(files_.front()).photos.at(page->number);
-        if (things == 0) return nullptr;
+        if (things < 0) return failure("no memory");
+        if (things == 0) return PagePtr();
         Page seen = *page;
         seen.figures.resize(static_cast<std::size_t>(things), {{0, 0, 2, 2}, ""});
         seen.main_things = {1, 1, {255}};

@@ -549,8 +549,8 @@ TEST_F(OperatorTest, UpkeepAsksBeforeItLosesAnything) {
     ASSERT_TRUE(rig.open({"Begin again from zero", "Yes"}));
     EXPECT_EQ(rig.count<ZeroCounters>(), 1);
     rig.press(R::back);
-    ASSERT_TRUE(rig.open({"Pictures from a stick", "Letters"}));
-    EXPECT_EQ(rig.count<ImportPictures>(), 1);
+    ASSERT_TRUE(rig.open({"Copy from a stick", "Letters"}));
+    EXPECT_EQ(rig.count<ImportFromStick>(), 1);
     rig.press(R::back);
     ASSERT_TRUE(rig.open({"Close the kiosk", "Close", "No"}));
     EXPECT_EQ(rig.count<CloseKiosk>(), 0);

@@ -47,7 +47,7 @@ OperatorWorld still_world(const Language& language) {
     world.keys = default_keys();
     world.languages = {{"en", "English"}, {"de", "Deutsch"}};
     world.profiles = {{"child", {0, 1}}, {"expert", {}}};
-    world.packs = {"Castles"};
+    world.on_stick = {"Castles"};
     world.live = {"0.5 N"};
     world.kind = "2diy-gen2";
     return world;

@@ -35,7 +35,7 @@ OperatorWorld busy_world(const Language& language) {
     world.languages = {{"en", "English"}, {"de", "Deutsch"}, {"fr", "Français"}, {"es", "Español"}};
     world.profiles = {{"child", {0, 1}}, {"expert", {2}}};
     world.counters = {1234, 567, 89, 10, 4321};
-    world.packs = {"shapes-and-a-boat", "animals of the forest"};
+    world.on_stick = {"shapes-and-a-boat", "animals of the forest"};
     world.live = {"Contact: on an edge", "Level: 2.5 of 6, by speed", "Force: 0.6 N"};
     return world;
 }

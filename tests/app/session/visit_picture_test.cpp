@@ -436,6 +436,15 @@ TEST(Visit, WhereNothingIsClearAPhotographStaysAndThatIsTold) {
     EXPECT_EQ(house.visit.visitor.felt->facts.place.things, ThingSearch::unclear);
 }
 
+TEST(Visit, WhereNobodyCouldLookThatIsNotCalledUnclear) {
+    FakeHouse house;
+    to_picture(house);
+    ThingsLookedFor looked = looked_for(house, 0);
+    looked.place.things = ThingSearch::impossible;
+    house.happen(looked);
+    EXPECT_EQ(house.last_said(), "The main thing cannot be looked for now.");
+}
+
 TEST(Visit, LaterFactsOfTheSamePictureAreTaken) {
     FakeHouse house;
     to_picture(house);

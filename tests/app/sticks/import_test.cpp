@@ -73,13 +73,13 @@ TEST_F(StickImportTest, ACamerasCardIsReadFolderByFolder) {
 TEST_F(StickImportTest, ListsAndReadsPacksForTheOperator) {
     stick.file("castles.zip", "a pack");
     stick.file("a.png");
-    const auto packs = import.list_packs(stick.root());
+    const auto packs = import.list_operator_files(stick.root());
     ASSERT_TRUE(packs.has_value());
     ASSERT_EQ(packs->entries.size(), 1U);
     const auto bytes = import.read(stick.root(), packs->entries[0]);
     ASSERT_TRUE(bytes.has_value());
     EXPECT_EQ(text_of(*bytes), "a pack");
-    EXPECT_EQ(import.list_packs(stick.root() + "/gone").error(), StickRefusal::gone);
+    EXPECT_EQ(import.list_operator_files(stick.root() + "/gone").error(), StickRefusal::gone);
 }
 
 TEST_F(StickImportTest, ReadsTheTextBesideAPicture) {

@@ -76,9 +76,10 @@ rc::Gen<std::string> folder_path() {
 
 rc::Gen<StickListing> listing() {
     const auto entry = rc::gen::build<StickEntry>(
-        rc::gen::set(&StickEntry::kind,
-                     rc::gen::element(StickFileKind::picture, StickFileKind::document,
-                                      StickFileKind::office, StickFileKind::pack)),
+        rc::gen::set(
+            &StickEntry::kind,
+            rc::gen::element(StickFileKind::picture, StickFileKind::document, StickFileKind::office,
+                             StickFileKind::pack, StickFileKind::network)),
         rc::gen::set(&StickEntry::folder, folder_path()),
         rc::gen::set(&StickEntry::name, file_name()));
     return rc::gen::build<StickListing>(

@@ -230,15 +230,17 @@ TEST(StickScan, ARootThatIsGoneIsRefused) {
 
 TEST(StickScan, ForTheOperatorFindsPacksInTheRootAlone) {
     const StickFolder stick;
-    for (const char* name : {"b.zip", "A.ZIP", "a.png", ".hidden.zip", "zip", "a.zip.txt"})
+    for (const char* name :
+         {"b.zip", "A.ZIP", "a.png", ".hidden.zip", "zip", "a.zip.txt", "c.onnx"})
         stick.file(name);
     stick.folder("d.zip");
     stick.folder("d");
     stick.file("d/c.zip");
     fs::create_symlink("/etc/passwd", stick.path() / "link.zip");
-    const StickListing packs = scan(stick, {}, StickSearch::packs);
-    EXPECT_EQ(paths_of(packs), (Paths{"A.ZIP", "b.zip"}));
+    const StickListing packs = scan(stick, {}, StickSearch::operator_files);
+    EXPECT_EQ(paths_of(packs), (Paths{"A.ZIP", "b.zip", "c.onnx"}));
     EXPECT_EQ(packs.entries[0].kind, StickFileKind::pack);
+    EXPECT_EQ(packs.entries[2].kind, StickFileKind::network);
     EXPECT_EQ(paths_of(scan(stick)), Paths{"a.png"}) << "visitors are offered no packs";
 }
 

@@ -1,4 +1,4 @@
-// The packs of pictures on the operator's stick: their list and their bytes through
+// What the operator's stick brings, packs of pictures and networks: list and bytes through
 // touchline-import, on a thread beside the screen's. Threads: one; no call waits.
 #pragma once
 
@@ -15,10 +15,10 @@
 
 namespace touchline {
 
-class StickPacks {
+class OperatorStick {
   public:
     /// `import_program`: the path of touchline-import.
-    explicit StickPacks(const std::string& import_program);
+    explicit OperatorStick(const std::string& import_program);
 
     /// The stick that is there; empty: none, and what was listed is forgotten. Asks nothing of a
     /// stick that is listed already.
@@ -30,9 +30,12 @@ class StickPacks {
     /// Their names for the screen, in the order of their numbers.
     [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
-    /// Reads that pack when it is called, on any thread, which waits for the stick: its bytes in
+    /// For a number below names().size().
+    [[nodiscard]] StickFileKind kind_of(std::size_t file) const { return files_.at(file).kind; }
+
+    /// Reads that file when it is called, on any thread, which waits for the stick: its bytes in
     /// sealed memory. For a number below names().size().
-    [[nodiscard]] std::function<Result<Mapping, StickRefusal>()> reader_of(std::size_t pack) const;
+    [[nodiscard]] std::function<Result<Mapping, StickRefusal>()> reader_of(std::size_t file) const;
 
   private:
     /// One at a time has it.
@@ -55,7 +58,7 @@ class StickPacks {
     std::shared_ptr<Import> import_;
     std::string root_;
     bool is_due_ = false;  // root_ is to be listed, when the list before it has ended
-    std::vector<StickEntry> packs_;
+    std::vector<StickEntry> files_;
     std::vector<std::string> names_;
     std::future<Listed> listing_;
 };

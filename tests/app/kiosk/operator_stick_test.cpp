@@ -1,5 +1,5 @@
 // The packs on the operator's stick, by the real touchline-import.
-#include "app/kiosk/stick_packs.h"
+#include "app/kiosk/operator_stick.h"
 
 #include "tests/app/sticks/stick_folder.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-class StickPacksTest : public testing::Test {
+class OperatorStickTest : public testing::Test {
   protected:
     /// Until there are so many, which has to come.
     void wait_for_names(std::size_t count) {
@@ -27,10 +27,10 @@ class StickPacksTest : public testing::Test {
     }
 
     StickFolder stick;
-    StickPacks packs{TOUCHLINE_IMPORT};
+    OperatorStick packs{TOUCHLINE_IMPORT};
 };
 
-TEST_F(StickPacksTest, AreListedByNamesThatAreSafeAndRead) {
+TEST_F(OperatorStickTest, AreListedByNamesThatAreSafeAndRead) {
     stick.file("letters.zip", "of letters");
     stick.file("castles\n\x1b[2J.zip", "of castles");
     packs.look_at(stick.root());
@@ -43,7 +43,7 @@ TEST_F(StickPacksTest, AreListedByNamesThatAreSafeAndRead) {
     EXPECT_EQ(bytes->bytes().size(), std::string("of letters").size());
 }
 
-TEST_F(StickPacksTest, AreForgottenWithTheirStick) {
+TEST_F(OperatorStickTest, AreForgottenWithTheirStick) {
     stick.file("letters.zip");
     packs.look_at(stick.root());
     ASSERT_NO_FATAL_FAILURE(wait_for_names(1));
@@ -60,7 +60,7 @@ TEST_F(StickPacksTest, AreForgottenWithTheirStick) {
     EXPECT_EQ(packs.names(), (Names{"a", "b"}));
 }
 
-TEST_F(StickPacksTest, OfAStickThatIsGoneAreOneSentence) {
+TEST_F(OperatorStickTest, OfAStickThatIsGoneAreOneSentence) {
     packs.look_at(stick.root() + "/gone");
     std::string sentence;
     for (int i = 0; i < 6000 && sentence.empty(); ++i) {

@@ -1,4 +1,4 @@
-#include "app/kiosk/stick_packs.h"
+#include "app/kiosk/operator_stick.h"
 
 #include "app/sticks/names.h"
 
@@ -9,39 +9,39 @@
 
 namespace touchline {
 
-StickPacks::StickPacks(const std::string& import_program)
+OperatorStick::OperatorStick(const std::string& import_program)
     : import_(std::make_shared<Import>(import_program)) {}
 
-void StickPacks::look_at(const std::string& root) {
+void OperatorStick::look_at(const std::string& root) {
     if (root == root_) return;
     root_ = root;
-    packs_.clear();
+    files_.clear();
     names_.clear();
     is_due_ = !root.empty();
 }
 
 /// Memory can run out anywhere; the kiosk goes on.
-StickPacks::Listed StickPacks::list(const std::shared_ptr<Import>& import,
-                                    const std::string& root) {
+OperatorStick::Listed OperatorStick::list(const std::shared_ptr<Import>& import,
+                                          const std::string& root) {
     try {
         const std::lock_guard lock(import->mutex);
-        return {root, import->import.list_packs(root)};
+        return {root, import->import.list_operator_files(root)};
     } catch (const std::exception&) {
         return {root, tl::unexpected(StickRefusal::unreadable)};
     }
 }
 
 /// A list of a stick that is gone by now, or that came again since, is dropped.
-std::string StickPacks::take(Listed listed) {
+std::string OperatorStick::take(Listed listed) {
     if (listed.root != root_ || is_due_) return {};
     if (!listed.listing) return sentence_of(listed.listing.error(), "");
-    packs_ = std::move(listed.listing->entries);
-    for (const StickEntry& pack : packs_)
-        names_.push_back(shown_name(std::filesystem::path(pack.name).stem().string()));
+    files_ = std::move(listed.listing->entries);
+    for (const StickEntry& file : files_)
+        names_.push_back(shown_name(std::filesystem::path(file.name).stem().string()));
     return {};
 }
 
-std::string StickPacks::poll() {
+std::string OperatorStick::poll() {
     std::string sentence;
     const bool has_ended =
         listing_.valid() && listing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
@@ -53,9 +53,9 @@ std::string StickPacks::poll() {
     return sentence;
 }
 
-std::function<Result<Mapping, StickRefusal>()> StickPacks::reader_of(std::size_t pack) const {
+std::function<Result<Mapping, StickRefusal>()> OperatorStick::reader_of(std::size_t file) const {
     return [import = import_, root = root_,
-            entry = packs_.at(pack)]() -> Result<Mapping, StickRefusal> {
+            entry = files_.at(file)]() -> Result<Mapping, StickRefusal> {
         const std::lock_guard lock(import->mutex);
         const auto memory = import->import.read(root, entry);
         if (!memory) return tl::unexpected(memory.error());
