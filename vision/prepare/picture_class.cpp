@@ -33,11 +33,14 @@ constexpr double kTextured = 0.013;  // of the open parts: a photo
 constexpr double kMuchOpen = 0.3;    // less: the picture is full of edges, and less texture tells
 constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
 constexpr double kPainted = 0.95;    // of the texture: no camera made it
-constexpr double kRuled = 0.65;      // of the texture: made-up photos have up to 0.59
-constexpr double kAllOpen = 0.995;   // more: there is no shape, painted or not
-constexpr double kRestless = 0.6;    // of all pixels change: grass, not a pattern
-constexpr double kPen_part = 0.025;  // of the diagonal: the widest stroke of a pen
-constexpr double kThin = 0.7;        // of the ink: drawn with a pen
+constexpr double kSpotted = 0.6;     // the same where nothing else has grain: spots of a JPEG
+constexpr double kNoGrainAtAll = 0.05;  // grey levels
+constexpr double kRuled = 0.65;         // of the texture: made-up photos have up to 0.59
+constexpr double kAllOpen = 0.995;      // more: there is no shape, painted or not
+constexpr double kRestless = 0.6;       // of all pixels change: grass, not a pattern
+constexpr double kLittlePaper = 0.45;   // less: no colour is what the others lie on
+constexpr double kPen_part = 0.025;     // of the diagonal: the widest stroke of a pen
+constexpr double kThin = 0.7;           // of the ink: drawn with a pen
 constexpr double kMuchPaper = 0.7;
 constexpr double kMuchInk = 0.3;
 constexpr double kPaleAreas = 0.05;  // of the picture, neither paper nor ink
@@ -199,10 +202,14 @@ ClassDecision decided(const PictureFeatures& f) {
     const double textured = kTextured * std::min(1.0, f.open_part / kMuchOpen);
     // On paper a ruled grid is no texture; elsewhere planks and blinds may be.
     const bool is_ruled = is_paper && f.ruled_part >= kRuled;
-    const bool is_painted = f.painted_part >= kPainted && f.open_part < kAllOpen;
-    const bool is_textured = f.open_part >= kLeastOpen
-                                 ? f.texture > textured && !is_painted && !is_ruled
-                                 : (f.changing_part > kRestless && f.clearness < 2.0 * kClear);
+    const double painted = f.noise < kNoGrainAtAll ? kSpotted : kPainted;
+    const bool is_painted = f.painted_part >= painted && f.open_part < kAllOpen;
+    // What is full of edges shows little of its paper's spots.
+    const bool is_grainy = f.noise >= kNoGrain && f.paper_part < kLittlePaper;
+    const bool is_textured =
+        f.open_part >= kLeastOpen
+            ? f.texture > textured && !is_painted && !is_ruled
+            : f.changing_part > kRestless && (f.clearness < 2.0 * kClear || is_grainy);
     // In a scan it is the light; what a program painted pale is an area.
     const bool has_pale_areas = f.noise < kNoGrain && 1.0 - f.paper_part - f.ink_part > kPaleAreas;
     if (is_paper && !has_pale_areas && f.thin_part >= kThin && f.clearness >= kClear &&
