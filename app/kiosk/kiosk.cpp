@@ -63,6 +63,7 @@ struct Kiosk::Carrying {
     void operator()(const CancelLoad&) const {
         kiosk.is_loading_ = false;
         kiosk.order_ = {};
+        kiosk.loader_->cancel();
     }
 
     void operator()(const Feel& feel) const {
@@ -203,7 +204,8 @@ void Kiosk::load(const LoadPicture& order) {
     wanted_ = file;
     is_loading_ = true;
     const Zoom zoom{order.zoom.centre, order.zoom.factor};
-    loader_->want(order.request, {file, order.page, order.view, {order.detail, zoom}});
+    loader_->want(order.request,
+                  {file, order.page, order.view, {order.detail, zoom}, order.thing_at});
 }
 
 void Kiosk::guide(const Guide& guide) {
@@ -323,9 +325,10 @@ void Kiosk::take(Delivery delivery) {
         report(wanted_->is_private ? "a visitor's picture cannot be felt"
                                    : delivery.scene.error().line);
         is_loading_ = false;
-        happen(PictureFailed{delivery.request,
-                             in_words(delivery.scene.error().line,
-                                      "This picture cannot be felt. Choose another one.")});
+        const char* const general = order_.thing_at
+                                        ? "The main thing cannot be looked for now."
+                                        : "This picture cannot be felt. Choose another one.";
+        happen(PictureFailed{delivery.request, in_words(delivery.scene.error().line, general)});
         return;
     }
     if (!std::exchange(is_loading_, false) && !delivery.is_better) return;

@@ -166,7 +166,16 @@ bool KioskStages::has_looking() const {
 }
 
 Result<PagePtr> KioskStages::look(const PagePtr& page) const {
-    return finder_(*page).map([](std::optional<Page> seen) {
+    return seen(page, std::nullopt);
+}
+
+Result<PagePtr> KioskStages::look_at(const PagePtr& page, int view, const Position& place) const {
+    return seen(page, place_in_page(*page, view, place));
+}
+
+Result<PagePtr> KioskStages::seen(const PagePtr& page,
+                                  const std::optional<PlaceInPicture>& place) const {
+    return finder_(*page, place).map([](std::optional<Page> seen) {
         return seen ? std::make_shared<const Page>(std::move(*seen)) : PagePtr();
     });
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/loading/stages.h"
+#include "app/trace/place_in_picture.h"
 #include "haptics/pantograph/profile.h"
 
 #include <functional>
@@ -15,10 +16,11 @@ namespace touchline {
 /// are none. Takes seconds. From any thread, one call at a time.
 using PageReader = std::function<std::optional<Page>(const Page&)>;
 
-/// A photograph's page with its main things; nothing where none is clear. Fails, with one line that
-/// names no file, where they cannot be looked for now. Takes seconds. From any thread, one call at
-/// a time.
-using ThingFinder = std::function<Result<std::optional<Page>>(const Page&)>;
+/// A photograph's page with its main things, or with a further one, at a place; nothing where none
+/// is clear. Fails, with one line that names no file, where they cannot be looked for now. Takes
+/// seconds. From any thread, one call at a time.
+using ThingFinder =
+    std::function<Result<std::optional<Page>>(const Page&, const std::optional<PlaceInPicture>&)>;
 
 class KioskStages final : public Stages {
   public:
@@ -32,10 +34,15 @@ class KioskStages final : public Stages {
                                             const FeltPart& part) const override;
     [[nodiscard]] bool has_looking() const override;
     [[nodiscard]] Result<PagePtr> look(const PagePtr& page) const override;
+    [[nodiscard]] Result<PagePtr> look_at(const PagePtr& page, int view,
+                                          const Position& place) const override;
     [[nodiscard]] bool has_reading() const override;
     [[nodiscard]] FoundPtr reread(const FoundView& found) const override;
 
   private:
+    [[nodiscard]] Result<PagePtr> seen(const PagePtr& page,
+                                       const std::optional<PlaceInPicture>& place) const;
+
     DeviceProfile profile_;
     PageReader reader_;
     ThingFinder finder_;

@@ -3,9 +3,16 @@
 #include "app/trace/page_views.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace touchline {
+namespace {
+
+constexpr std::string_view nothing_there = "Nothing clear lies there. Choose another place.";
+
+}  // namespace
+
 LoadPlan::LoadPlan(SecondLooks looks, PlanLimits limits) : looks_(looks), limits_(limits) {}
 
 void LoadPlan::want(std::uint64_t request, const ViewOrder& order) {
@@ -22,6 +29,18 @@ void LoadPlan::want(std::uint64_t request, const ViewOrder& order) {
         return is_page_of(kept, order) || is_view_of(kept, order);
     });
     forget_old();
+}
+
+void LoadPlan::cancel() {
+    if (wanted_ && is_owed_ && !is_felt_) stay_with_felt();
+}
+
+void LoadPlan::stay_with_felt() {
+    wanted_ = felt_;
+    request_ = felt_request_;
+    is_owed_ = false;
+    is_felt_ = felt_.has_value();
+    tried_.clear();
 }
 
 std::vector<LoadJob> LoadPlan::start() {
@@ -50,6 +69,7 @@ std::optional<Delivery> LoadPlan::finish(std::uint64_t number, JobOutcome outcom
             keep_things(job, *page);
             return std::nullopt;
         }
+        if (job.kind == JobKind::look_at) return keep_thing_at(job, *page);
         if (!*page) return refuse(job, page->error());
         keep({job.order.file, job.order.page, **page, nullptr});
         return std::nullopt;
@@ -66,6 +86,7 @@ std::optional<Delivery> LoadPlan::finish(std::uint64_t number, JobOutcome outcom
 
 void LoadPlan::forget() {
     wanted_.reset();
+    felt_.reset();
     is_owed_ = false;
     things_.reset();
     tried_.clear();
@@ -80,7 +101,8 @@ std::size_t LoadPlan::kept_bytes() const {
 }
 
 LoadPlan::Step LoadPlan::step_of(const LoadJob& job) {
-    const bool is_of_page = job.kind == JobKind::open || job.kind == JobKind::look;
+    const bool is_of_page =
+        job.kind == JobKind::open || job.kind == JobKind::look || job.kind == JobKind::look_at;
     return {job.kind, job.order.file, job.order.page, is_of_page ? 0 : job.order.view};
 }
 
@@ -119,13 +141,16 @@ PagePlace LoadPlan::place_of(const ViewOrder& order) const {
 LoadJob LoadPlan::next_step(const ViewOrder& order) const {
     LoadJob job;
     job.order = order;
-    if (const Kept* const view = view_of(order)) {
+    const Kept* const page = page_of(order);
+    const Kept* const view = order.thing_at ? nullptr : view_of(order);
+    if (view != nullptr) {
         job.kind = JobKind::build;
         job.request = request_;
         job.found = view->found;
         job.order.view = view->found->place.view;
-    } else if (const Kept* const page = page_of(order)) {
-        job.kind = JobKind::find;
+    } else if (page != nullptr) {
+        job.kind = order.thing_at ? JobKind::look_at : JobKind::find;
+        job.request = order.thing_at ? request_ : 0;
         job.page = page->page;
         job.order.view = std::min(order.view, view_count(*page->page));
     }
@@ -217,6 +242,10 @@ std::optional<Delivery> LoadPlan::answer(const LoadJob& job, Result<LoadedScene>
     if (is_newest || !scene) is_owed_ = false;
     if (!scene && was_felt) return std::nullopt;
     is_felt_ = scene.has_value();
+    if (is_felt_) {
+        felt_ = wanted_;
+        felt_request_ = request_;
+    }
     const Kept* const page = page_of(*wanted_);
     if (scene && page != nullptr && page->looked_for &&
         scene->facts.place.things == ThingSearch::under_way)
@@ -229,19 +258,39 @@ void LoadPlan::keep(Kept kept) {
     forget_old();
 }
 
-/// The view that was all of a photograph is its last one now. It stays as it is felt until another
-/// one is wanted.
+/// The page has further things, before the whole. That stays as it is felt until another view is
+/// wanted.
 void LoadPlan::renumber(const ViewOrder& order, int views) {
     for (Kept& kept : kept_) {
         if (!kept.found || kept.file != order.file || kept.number != order.page) continue;
-        FoundView whole = *kept.found;
-        whole.place.view = views;
-        whole.place.view_count = views;
-        whole.place.things = ThingSearch::found;
-        whole.is_photo = false;
-        kept.found = std::make_shared<const FoundView>(std::move(whole));
-        kept.is_before_look = true;
+        FoundView view = *kept.found;
+        const bool is_whole = view.place.view == view.place.view_count;
+        if (is_whole) view.place.view = views;
+        view.place.view_count = views;
+        view.place.things = ThingSearch::found;
+        view.is_photo = false;
+        kept.found = std::make_shared<const FoundView>(std::move(view));
+        kept.is_before_look = kept.is_before_look || is_whole;
     }
+}
+
+/// Nobody waits for it any more: then the page stays as it was.
+std::optional<Delivery> LoadPlan::keep_thing_at(const LoadJob& job, const Result<PagePtr>& page) {
+    if (!wanted_ || job.request != request_ || !is_owed_) return std::nullopt;
+    if (!page || *page == nullptr) {
+        auto refusal = refuse(job, page ? Error{std::string(nothing_there)} : page.error());
+        stay_with_felt();
+        return refusal;
+    }
+    const auto at = std::find_if(kept_.begin(), kept_.end(),
+                                 [&job](const Kept& kept) { return kept.page == job.page; });
+    if (at == kept_.end()) return std::nullopt;
+    at->page = *page;
+    at->looked_for = ThingSearch::found;
+    renumber(job.order, view_count(**page));
+    wanted_->view = view_count(**page) - 1;
+    wanted_->thing_at.reset();
+    return std::nullopt;
 }
 
 void LoadPlan::keep_things(const LoadJob& job, const Result<PagePtr>& page) {
@@ -263,6 +312,7 @@ void LoadPlan::keep_things(const LoadJob& job, const Result<PagePtr>& page) {
     const bool is_felt = wanted_ && is_felt_ && is_page_of(*at, *wanted_);
     if (!is_felt) return;
     if (has_things) wanted_->view = view_count(**page);
+    felt_ = wanted_;
     things_ = ThingsFound{request_, place_of(*wanted_), page ? "" : page.error().line};
     things_->place.things = *at->looked_for;
 }

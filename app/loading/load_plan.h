@@ -28,9 +28,12 @@ struct ViewOrder {
     int page = 1;
     int view = 1;  // beyond the last: the last
     FeltPart part = {};
+    /// The thing at this place of the view is wanted, not the view: in metres from its middle as it
+    /// is felt whole.
+    std::optional<Position> thing_at = {};
 };
 
-enum class JobKind : std::uint8_t { open, find, build, look, reread };
+enum class JobKind : std::uint8_t { open, find, build, look, look_at, reread };
 
 /// Work that can be done by itself, with all that it needs.
 struct LoadJob {
@@ -76,6 +79,9 @@ class LoadPlan {
 
     /// Takes the place of what was wanted before. `request`: a new number.
     void want(std::uint64_t request, const ViewOrder& order);
+
+    /// What was wanted last is not wanted any more; what is felt stays wanted.
+    void cancel();
 
     /// Jobs to be started now; each is to be finished once.
     [[nodiscard]] std::vector<LoadJob> start();
@@ -128,10 +134,12 @@ class LoadPlan {
     [[nodiscard]] std::optional<LoadJob> untried(LoadJob job);
     [[nodiscard]] bool is_running(const LoadJob& job) const;
     [[nodiscard]] bool is_waited_for(const LoadJob& job) const;
+    void stay_with_felt();
     std::optional<Delivery> refuse(const LoadJob& job, const Error& error);
     std::optional<Delivery> answer(const LoadJob& job, Result<LoadedScene> scene);
     void keep(Kept kept);
     [[nodiscard]] std::optional<LoadJob> look_job();
+    std::optional<Delivery> keep_thing_at(const LoadJob& job, const Result<PagePtr>& page);
     void keep_things(const LoadJob& job, const Result<PagePtr>& page);
     void renumber(const ViewOrder& order, int views);
     void keep_reread(const LoadJob& job, const FoundPtr& found);
@@ -143,6 +151,8 @@ class LoadPlan {
     std::uint64_t forgotten_number_ = 0;  // of jobs up to this one nothing is wanted
     std::optional<ViewOrder> wanted_;
     std::uint64_t request_ = 0;
+    std::optional<ViewOrder> felt_;  // of the last request that came to something
+    std::uint64_t felt_request_ = 0;
     bool is_owed_ = false;  // an answer, or a better one
     bool is_felt_ = false;  // the request has its first answer
     std::optional<ThingsFound> things_;

@@ -18,6 +18,8 @@ JobOutcome done(const Stages& stages, const LoadJob& job) {
             return stages.build(file, *job.found, job.order.part);
         case JobKind::look:
             return stages.look(job.page);
+        case JobKind::look_at:
+            return stages.look_at(job.page, job.order.view, *job.order.thing_at);
         case JobKind::reread:
             return Result<FoundPtr>(stages.reread(*job.found));
     }
@@ -28,6 +30,7 @@ JobOutcome refused(JobKind kind, std::string line) {
     switch (kind) {
         case JobKind::open:
         case JobKind::look:
+        case JobKind::look_at:
             return Result<PagePtr>(failure(std::move(line)));
         case JobKind::find:
         case JobKind::reread:

@@ -27,6 +27,9 @@ class Loader {
     /// As LoadPlan::take_things(); to be asked after poll().
     [[nodiscard]] std::optional<ThingsFound> take_things() { return plan_.take_things(); }
 
+    /// As LoadPlan::cancel().
+    void cancel() { plan_.cancel(); }
+
     /// As LoadPlan::forget().
     void forget() { plan_.forget(); }
 

@@ -92,12 +92,17 @@ class Stages {
     [[nodiscard]] virtual Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
                                                     const FeltPart& part) const = 0;
 
-    /// False: look() would find nothing, ever.
+    /// False: look() and look_at() would find nothing, ever.
     [[nodiscard]] virtual bool has_looking() const = 0;
 
     /// A second look at a photograph: its page with its main things, each a view. Null where none
     /// is clear. Its errors name no file. Waits for a worker, some seconds.
     [[nodiscard]] virtual Result<PagePtr> look(const PagePtr& page) const = 0;
+
+    /// The same of the thing at a place of a view, in metres from its middle as it is felt whole:
+    /// the page with it as the last view before the whole. Null where nothing is clear there.
+    [[nodiscard]] virtual Result<PagePtr> look_at(const PagePtr& page, int view,
+                                                  const Position& place) const = 0;
 
     /// False: reread() would find nothing, ever.
     [[nodiscard]] virtual bool has_reading() const = 0;

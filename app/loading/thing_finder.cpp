@@ -10,13 +10,15 @@ namespace touchline {
 ThingFinder thing_finder() {
     const Network& network = *network_named("figure");
     if (!is_installed(network)) return {};
-    return [&network](const Page& page) -> Result<std::optional<Page>> {
+    return [&network](const Page& page,
+                      const std::optional<PlaceInPicture>& place) -> Result<std::optional<Page>> {
         const auto bytes = read_network(network);
         if (!bytes) return tl::unexpected(bytes.error());
-        auto things = find_main_things(page, *bytes);
+        auto things = place ? find_thing_at(*place, page, *bytes) : find_main_things(page, *bytes);
         if (!things) return tl::unexpected(things.error());
         if (!things->is_sure) return std::nullopt;
-        return with_main_things(page, std::move(*things));
+        return place ? with_further_thing(page, std::move(*things))
+                     : with_main_things(page, std::move(*things));
     };
 }
 

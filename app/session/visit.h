@@ -73,6 +73,7 @@ enum class VisitItem : int {
     tell_again,
     detail,
     zoom,
+    thing_here,
     mode,
     firmness,
     held_shape,
@@ -154,13 +155,14 @@ struct KnownPicture {
 
 /// Why a loading job is under way: what is said when it ends. unasked: nothing is, for the visitor
 /// did not order it; it is the same picture in another language, or in the operator's detail.
-/// main_thing: of a photograph that was not touched yet.
+/// main_thing: of a photograph that was not touched yet. thing_here: the one under the hand.
 enum class LoadReason : std::uint8_t {
     other_picture,
     other_view,
     detail,
     zoom,
     main_thing,
+    thing_here,
     unasked
 };
 

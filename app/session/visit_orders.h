@@ -67,6 +67,8 @@ struct LoadPicture {
     int view = 1;
     int detail = 3;  // 1 ... 5
     ZoomWanted zoom;
+    /// The thing of a photograph at this place of the view, which is felt whole; nothing: the view.
+    std::optional<Position> thing_at = {};
 
     friend bool operator==(const LoadPicture&, const LoadPicture&) = default;
 };

@@ -68,6 +68,7 @@ std::string told_change(const VisitWork& work, LoadReason reason) {
                           words_of(place_of(felt.order.zoom.centre, CueArea{}), language)});
         case LoadReason::other_view:
         case LoadReason::main_thing:
+        case LoadReason::thing_here:
         case LoadReason::other_picture:
         case LoadReason::unasked:
             break;
@@ -142,6 +143,10 @@ void take_ready(VisitWork& work, const PictureReady& ready) {
         const Loading done = *visitor.loading;
         visitor.loading.reset();
         visitor.felt = KnownPicture{done.order, ready.facts};
+        if (done.reason == LoadReason::thing_here) {
+            visitor.felt->order.view = ready.facts.place.view;
+            visitor.felt->order.thing_at.reset();
+        }
         visitor.handle.part.reset();
         visitor.part_said.reset();
         visitor.has_touched = visitor.has_touched && is_of_what_was_felt(done.reason);
@@ -199,6 +204,7 @@ void take_failed(VisitWork& work, const PictureFailed& failed) {
     stay_with_felt(work, reason);
     if (reason == LoadReason::unasked || reason == LoadReason::main_thing) return;
     leave_opening(work);
+    if (reason == LoadReason::thing_here) return say_return(work, failed.sentence);
     const std::string sentence =
         failed.sentence.empty()
             ? words(work, "This picture cannot be opened. It may be damaged. Choose another one.")

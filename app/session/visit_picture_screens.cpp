@@ -97,6 +97,8 @@ void put_picture(VisitSheet& sheet) {
     } else if (facts.place.page_count > 1 || facts.place.view_count > 1) {
         sheet.item(VisitItem::pages, "Pages", page);
     }
+    const bool was_looked_at = is_of_things || facts.place.things == ThingSearch::unclear;
+    if (was_looked_at) sheet.item(VisitItem::thing_here, "Find the thing under my hand");
     sheet.item(VisitItem::another_picture, "Another picture");
     sheet.back();
 }

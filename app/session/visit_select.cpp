@@ -44,6 +44,14 @@ void step_view(VisitWork& work, VisitItem item) {
     open_again(work, wanted, LoadReason::other_view);
 }
 
+void find_thing_here(VisitWork& work) {
+    LoadPicture wanted = work.visitor.felt->order;
+    wanted.view = work.visitor.felt->facts.place.view;
+    wanted.thing_at = in_whole_picture(work, work.visitor.handle.place_W);
+    wanted.zoom = {};
+    open_again(work, wanted, LoadReason::thing_here);
+}
+
 void other_shape(VisitWork& work) {
     const std::size_t shape = work.visitor.felt->order.index == 0 ? 1 : 0;
     open_picture(work, PictureSource::practice, shape, {});
@@ -135,6 +143,8 @@ void take_picture_item(VisitWork& work, VisitItem item) {
             return zoom_around(work, hand_W, 2.0);
         case VisitItem::four_times_here:
             return zoom_around(work, hand_W, 4.0);
+        case VisitItem::thing_here:
+            return find_thing_here(work);
         case VisitItem::next_view:
         case VisitItem::view_before:
         case VisitItem::next_page:

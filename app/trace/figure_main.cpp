@@ -1,14 +1,18 @@
-// touchline-figure: the main things of a photograph, by a network that lies before the picture.
+// touchline-figure [X Y]: the main things of a photograph, or the thing at a place of it, by a
+// network that lies before the picture.
 #include "app/decode/answer_parts.h"
 #include "app/decode/worker_program.h"
 #include "app/trace/main_things.h"
 #include "app/trace/page_pixels.h"
+#include "app/trace/place_in_picture.h"
 #include "app/trace/two_parts.h"
 #include "haptics/servo/processors.h"
 #include "vision/contour/gradient.h"
 #include "vision/figure/figure_network.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <opencv2/core/utility.hpp>
@@ -31,16 +35,39 @@ Result<cv::Mat3b> picture_of(std::span<const std::byte> page) {
     return cv::Mat3b(view_of(*parts));
 }
 
-Result<std::vector<std::byte>> main_things(std::span<const std::byte> input) {
+/// The thing at a place of the picture: in half of it, or, where that shows none clearly, a
+/// quarter.
+Result<Figures> thing_at(const PlaceInPicture& place, const cv::Mat3b& picture,
+                         FigureNetwork& network) {
+    const cv::Point at(std::min(picture.cols - 1, static_cast<int>(place.x * picture.cols)),
+                       std::min(picture.rows - 1, static_cast<int>(place.y * picture.rows)));
+    Figures found;
+    for (const double share : {0.5, 0.25}) {
+        const cv::Rect part = part_around(picture.size(), at, share);
+        const auto likelihood =
+            network.likelihood(reduced(picture(part), most_pixels), network_side_px);
+        if (!likelihood) return tl::unexpected(likelihood.error());
+        found = figure_at(*likelihood, part, picture.size(), at);
+        if (found.is_sure) break;
+    }
+    return found;
+}
+
+Result<Figures> things_in(const cv::Mat3b& picture, FigureNetwork& network) {
+    return network.likelihood(reduced(picture, most_pixels), network_side_px)
+        .map([&](const cv::Mat1f& likelihood) { return figures_of(likelihood, picture.size()); });
+}
+
+Result<std::vector<std::byte>> main_things(std::span<const std::byte> input,
+                                           const std::optional<PlaceInPicture>& place) {
     const TwoParts parts = two_parts_of(input);
     const auto picture = picture_of(parts.second);
     if (!picture) return tl::unexpected(picture.error());
     auto network = FigureNetwork::from_onnx(parts.first);
     if (!network) return tl::unexpected(network.error());
-    const cv::Mat3b small = reduced(*picture, most_pixels);
-    return network->likelihood(small, network_side_px).map([&](const cv::Mat1f& likelihood) {
-        return bytes_of(main_things_of(figures_of(likelihood, picture->size())));
-    });
+    const auto figures =
+        place ? thing_at(*place, *picture, *network) : things_in(*picture, *network);
+    return figures.map([](const Figures& found) { return bytes_of(main_things_of(found)); });
 }
 
 /// Long work that nobody may feel: everything else comes first, and the servo's processor is left
@@ -57,8 +84,12 @@ void step_back() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 1) refuse_to_run(argv[0]);
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const auto place = place_of(words);
+    if (!words.empty() && !place) refuse_to_run(argv[0]);
     step_back();
     cv::setNumThreads(std::min(cv::getNumberOfCPUs(), most_threads));
-    run_worker_program({WorkerKind::figure, nullptr, main_things});
+    run_worker_program({WorkerKind::figure, nullptr, [&place](std::span<const std::byte> input) {
+                            return main_things(input, place);
+                        }});
 }

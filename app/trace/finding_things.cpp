@@ -4,6 +4,7 @@
 #include "app/process/memory.h"
 #include "app/process/places.h"
 #include "app/sandbox/worker.h"
+#include "app/trace/page_views.h"
 #include "app/trace/sealed_page.h"
 
 #include <algorithm>
@@ -59,18 +60,29 @@ WordBox box_of(const ThingBox& thing, const Picture& picture) {
             high(right_px + margin_px, picture.width), high(bottom_px + margin_px, picture.height)};
 }
 
-}  // namespace
-
-Result<MainThings> find_main_things(const Page& page, std::span<const std::byte> network) {
+Result<MainThings> found_by_worker(const Page& page, std::span<const std::byte> network,
+                                   std::vector<std::string> words) {
     if (free_memory_bytes() < least_free_bytes)
         return failure("finding its main thing needs 2 GB of free memory");
     const auto input = sealed_behind(network, page);
     if (!input) return tl::unexpected(input.error());
-    auto outcome = run_worker({companion("touchline-figure"), {}, WorkerKind::figure}, **input);
+    auto outcome =
+        run_worker({companion("touchline-figure"), std::move(words), WorkerKind::figure}, **input);
     if (outcome.end != WorkerEnd::done) return failure(why_none(outcome.end));
     const auto answer = map_sealed(outcome.output, limits_of(WorkerKind::figure).file_bytes);
     if (!answer) return failure(why_none(WorkerEnd::no_answer));
     return things_in(answer->bytes());
+}
+
+}  // namespace
+
+Result<MainThings> find_main_things(const Page& page, std::span<const std::byte> network) {
+    return found_by_worker(page, network, {});
+}
+
+Result<MainThings> find_thing_at(const PlaceInPicture& place, const Page& page,
+                                 std::span<const std::byte> network) {
+    return found_by_worker(page, network, words_of(place));
 }
 
 Page with_main_things(Page page, MainThings things) {
@@ -78,6 +90,17 @@ Page with_main_things(Page page, MainThings things) {
     for (const ThingBox& thing : things.boxes)
         page.figures.push_back({box_of(thing, page.picture), ""});
     page.main_things = std::move(things.mask);
+    return page;
+}
+
+Page with_further_thing(Page page, MainThings thing) {
+    if (!has_main_things(page)) return with_main_things(std::move(page), std::move(thing));
+    for (const ThingBox& box : thing.boxes) page.figures.push_back({box_of(box, page.picture), ""});
+    const bool are_alike = thing.mask.width == page.main_things.width &&
+                           thing.mask.grey.size() == page.main_things.grey.size();
+    if (!are_alike) return page;  // the worker's word is not taken for it
+    std::ranges::transform(page.main_things.grey, thing.mask.grey, page.main_things.grey.begin(),
+                           [](auto known, auto further) { return std::max(known, further); });
     return page;
 }
 

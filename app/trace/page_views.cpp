@@ -115,6 +115,21 @@ std::optional<Page> finer_page(const Page& page, int view, const PageOpener& ope
     return std::move(*finer);
 }
 
+PlaceInPicture place_in_page(const Page& page, int view, const Position& place) {
+    const Picture& picture = page.picture;
+    const Figure* const figure = figure_of(page, view);
+    const WordBox whole{0, 0, static_cast<std::uint16_t>(picture.width),
+                        static_cast<std::uint16_t>(picture.height)};
+    const WordBox& box = figure == nullptr ? whole : figure->box;
+    const int width_px = box.right - box.left;
+    const int height_px = box.bottom - box.top;
+    const double m_per_px = std::min(Area{}.width_m / width_px, Area{}.height_m / height_px);
+    const double x_px = 0.5 * (box.left + box.right) + place.x / m_per_px;
+    const double y_px = 0.5 * (box.top + box.bottom) - place.y / m_per_px;
+    return {std::clamp(x_px / picture.width, 0.0, 1.0),
+            std::clamp(y_px / picture.height, 0.0, 1.0)};
+}
+
 Page view_of(const Page& page, int view) {
     const Figure* const figure = figure_of(page, view);
     if (figure == nullptr) return page;

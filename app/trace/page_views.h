@@ -4,6 +4,7 @@
 
 #include "app/decode/page.h"
 #include "app/decode/page_order.h"
+#include "app/trace/place_in_picture.h"
 #include "config/types/result.h"
 
 #include <functional>
@@ -33,6 +34,10 @@ using PageOpener = std::function<Result<Page>(const PageOrder&)>;
 
 /// The page drawn as finely as the view needs; nothing where it is fine enough, or that fails.
 [[nodiscard]] std::optional<Page> finer_page(const Page& page, int view, const PageOpener& open);
+
+/// Where a place of a view (1 ... view_count), from its middle and in metres as it is felt whole,
+/// lies in the page; the nearest there is where it lies beyond.
+[[nodiscard]] PlaceInPicture place_in_page(const Page& page, int view, const Position& place);
 
 /// The view as a page of its own: pixels cut out, words and labels that lie on it moved along. What
 /// is written of a figure is its description, and its title where it is short. The last view is the

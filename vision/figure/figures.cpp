@@ -15,6 +15,8 @@ constexpr float kFigure = 0.3F;       // likelihood: measured, tests/bench/visio
 constexpr double kLeastPart = 0.05;   // of all figures
 constexpr double kLeastArea = 0.002;  // of the picture
 constexpr double kLeastHole = 0.004;  // of the picture
+constexpr double kBeside = 0.05;      // of a part: so far from a thing a hand may be that means it
+constexpr double kGround = 0.8;       // of a part
 
 cv::Size mask_size(cv::Size picture) {
     const double pixels = static_cast<double>(picture.width) * picture.height;
@@ -101,6 +103,22 @@ std::vector<cv::Rect> boxes_of(const cv::Mat1b& mask) {
     return boxes;
 }
 
+/// 0 where none is as near.
+int nearest_piece(const Pieces& pieces, cv::Point at, double reach_px) {
+    int nearest = 0;
+    double least_px = reach_px;
+    for (int y = 0; y < pieces.number.rows; ++y) {
+        for (int x = 0; x < pieces.number.cols; ++x) {
+            const double away_px = std::hypot(x - at.x, y - at.y);
+            if (pieces.number(y, x) != 0 && away_px <= least_px) {
+                nearest = pieces.number(y, x);
+                least_px = away_px;
+            }
+        }
+    }
+    return nearest;
+}
+
 FigureSigns signs_of(const cv::Mat1f& likelihood, const cv::Mat1b& mask) {
     constexpr float kMayBe = 0.2F;
     constexpr float kSurely = 0.8F;
@@ -130,6 +148,40 @@ Figures figures_of(const cv::Mat1f& likelihood, cv::Size picture) {
     figures.signs = signs_of(fitted, figures.mask);
     figures.is_sure = !figures.boxes.empty() && is_sure_of(figures.signs);
     return figures;
+}
+
+cv::Rect part_around(cv::Size picture, cv::Point place, double share) {
+    const int longer_px = std::max(picture.width, picture.height);
+    const int side_px = std::max(1, cvRound(share * longer_px));
+    const cv::Size size(std::min(side_px, picture.width), std::min(side_px, picture.height));
+    return {{std::clamp(place.x - size.width / 2, 0, picture.width - size.width),
+             std::clamp(place.y - size.height / 2, 0, picture.height - size.height)},
+            size};
+}
+
+Figures figure_at(const cv::Mat1f& likelihood, const cv::Rect& part, cv::Size picture,
+                  cv::Point place) {
+    Figures seen = figures_of(likelihood, part.size());
+    const cv::Size size = mask_size(picture);
+    const double scale_x = static_cast<double>(size.width) / picture.width;
+    const double scale_y = static_cast<double>(size.height) / picture.height;
+    const cv::Point corner(cvFloor(scale_x * part.x), cvFloor(scale_y * part.y));
+    const cv::Rect lies =
+        cv::Rect(corner, cv::Point(std::max(corner.x + 1, cvRound(scale_x * part.br().x)),
+                                   std::max(corner.y + 1, cvRound(scale_y * part.br().y)))) &
+        cv::Rect({}, size);
+    cv::Mat1b fitted;
+    cv::resize(seen.mask, fitted, lies.size(), 0.0, 0.0, cv::INTER_AREA);
+    const Pieces things(fitted >= kLimit);
+    const cv::Point at(cvFloor(scale_x * place.x) - lies.x, cvFloor(scale_y * place.y) - lies.y);
+    const int thing = nearest_piece(things, at, kBeside * std::max(lies.width, lies.height));
+    Figures found{cv::Mat1b(size, uchar{0}), {}, seen.signs, false};
+    if (thing == 0) return found;
+    fitted.copyTo(found.mask(lies), things.number == thing);
+    found.boxes.push_back(things.box(thing) + lies.tl());
+    const double share = things.area(thing) / static_cast<double>(lies.area());
+    found.is_sure = seen.is_sure && share < kGround;
+    return found;
 }
 
 }  // namespace touchline

@@ -30,4 +30,14 @@ struct Figures {
 /// least. Without figures: no boxes. O(pixels).
 [[nodiscard]] Figures figures_of(const cv::Mat1f& likelihood, cv::Size picture);
 
+/// The part of a picture in which the thing at a place is looked for: a square of that share of the
+/// longer side round it, moved and cut so that it lies in the picture.
+[[nodiscard]] cv::Rect part_around(cv::Size picture, cv::Point place, double share);
+
+/// The thing at a place, by the likelihood over a part of the picture that holds it: the one that
+/// lies there, or within a twentieth of the part's longer side. Not sure where the part shows none,
+/// or where it fills the part, as a ground does. O(pixels).
+[[nodiscard]] Figures figure_at(const cv::Mat1f& likelihood, const cv::Rect& part, cv::Size picture,
+                                cv::Point place);
+
 }  // namespace touchline

@@ -57,6 +57,11 @@ struct World {
         loader.want(++request, {stages->files().at(file), page, view, {detail}});
     }
 
+    /// The thing at a place of a view.
+    void want_thing(int view, const Position& place) {
+        loader.want(++request, {stages->files().at(0), 1, view, {3}, place});
+    }
+
     void end(std::size_t which = 0) {
         jobs->end(which);
         poll();
@@ -330,6 +335,73 @@ TEST(Loading, APhotographThatWasLookedAtIsNotSaidToBeLookedForAgain) {
     world.want(1, 1, 5);
     world.until_idle();
     EXPECT_EQ(world.delivered.back().scene->facts.place.things, ThingSearch::unclear);
+}
+
+TEST(Loading, TheThingUnderAHandIsTheLastViewBeforeTheWhole) {
+    World world = photograph(2);
+    world.until_idle();
+    (void)world.loader.take_things();
+    world.want_thing(3, {-0.01, 0.0});
+    world.until_felt();
+    EXPECT_EQ(world.last(), "0 1 3 3");
+    EXPECT_EQ(world.delivered.back().request, 2U);
+    EXPECT_EQ(world.delivered.back().place, (PagePlace{1, 1, 3, 4, ThingSearch::found}));
+    world.until_idle();
+    EXPECT_EQ(world.stages->looked_at_count, 1);
+    const int found = world.stages->found;
+    world.want(1, 1);
+    world.until_felt();
+    EXPECT_EQ(world.delivered.back().place, (PagePlace{1, 1, 1, 4, ThingSearch::found}));
+    EXPECT_EQ(world.stages->found, found) << "the other things stay known";
+    world.want(1, 4);
+    world.until_felt();
+    EXPECT_EQ(world.delivered.back().place.view, 4);
+}
+
+TEST(Loading, AThingIsFoundByHandWhereNoneWasClear) {
+    World world = photograph(0);
+    world.until_idle();
+    world.want_thing(1, {-0.01, 0.0});
+    world.until_felt();
+    EXPECT_EQ(world.delivered.back().place, (PagePlace{1, 1, 1, 2, ThingSearch::found}));
+    world.want(1, last_view);
+    world.until_felt();
+    EXPECT_EQ(world.delivered.back().place, (PagePlace{1, 1, 2, 2, ThingSearch::found}));
+}
+
+TEST(Loading, WhereNothingLiesUnderTheHandAllStaysAsItWas) {
+    World world({MadeUpDocument{.figures = {0}, .photos = {{1, 2}}}}, MadeUpStages::Places{{1, 3}},
+                {}, true);
+    world.want(1, 1);
+    world.until_felt();
+    world.end();  // looked at
+    world.want_thing(3, {0.01, 0.0});
+    world.until_felt();
+    EXPECT_EQ(world.last(), "Nothing clear lies there. Choose another place.");
+    world.want_thing(3, {0.0, 0.04});
+    world.until_felt();
+    EXPECT_EQ(world.last(), "no memory");
+    world.until_idle();
+    EXPECT_EQ(world.delivered.back().request, 1U) << "what is felt is read in";
+    EXPECT_EQ(world.last(), "0 1 3 3+");
+    world.want(1, 3, 5);
+    world.until_felt();
+    EXPECT_EQ(world.last(), "0 1 3 5+");
+    EXPECT_EQ(world.delivered.back().place.view_count, 3);
+}
+
+TEST(Loading, AThingThatIsNoLongerWantedChangesNothing) {
+    World world = photograph(2);
+    world.until_idle();
+    world.want_thing(3, {-0.01, 0.0});
+    ASSERT_EQ(world.jobs->held(), 1U);
+    world.loader.cancel();
+    const std::size_t before = world.delivered.size();
+    world.until_idle();
+    EXPECT_EQ(world.delivered.size(), before);
+    world.want(1, 3, 5);
+    world.until_felt();
+    EXPECT_EQ(world.delivered.back().place, (PagePlace{1, 1, 3, 3, ThingSearch::found}));
 }
 
 TEST(Loading, WhatWasFoundOfAPhotographThatNobodyFeelsAnyMoreIsNotTold) {

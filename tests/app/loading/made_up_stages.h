@@ -105,6 +105,18 @@ class MadeUpStages final : public Stages {
         return std::make_shared<const Page>(std::move(seen));
     }
 
+    /// To the left of the middle there is a thing, to the right nothing; far up looking fails.
+    [[nodiscard]] Result<PagePtr> look_at(const PagePtr& page, int,
+                                          const Position& place) const override {
+        ++looked_at_count;
+        if (place.y > 0.03) return failure("no memory");
+        if (place.x > 0.0) return PagePtr();
+        Page seen = *page;
+        seen.figures.push_back({{0, 0, 2, 2}, ""});
+        seen.main_things = {1, 1, {255}};
+        return std::make_shared<const Page>(std::move(seen));
+    }
+
     [[nodiscard]] bool has_reading() const override { return with_words_.has_value(); }
 
     [[nodiscard]] FoundPtr reread(const FoundView& view) const override {
@@ -121,6 +133,7 @@ class MadeUpStages final : public Stages {
     mutable std::atomic<int> found{0};
     mutable std::atomic<int> built{0};
     mutable std::atomic<int> looked_count{0};
+    mutable std::atomic<int> looked_at_count{0};
     mutable std::atomic<int> reread_count{0};
 
   private:

@@ -436,6 +436,35 @@ TEST(Visit, WhereNothingIsClearAPhotographStaysAndThatIsTold) {
     EXPECT_EQ(house.visit.visitor.felt->facts.place.things, ThingSearch::unclear);
 }
 
+TEST(Visit, TheThingUnderTheHandIsOpenedAndOtherwiseThePictureStays) {
+    FakeHouse house;
+    to_picture(house);
+    EXPECT_FALSE(house.find("Find the thing under my hand")) << "nobody has looked yet";
+    HandleSeen handle;
+    handle.part = 0;
+    handle.place_W = {0.02, -0.01};
+    house.happen(handle);
+    house.happen(looked_for(house, 1));
+    ASSERT_TRUE(house.choose("Find the thing under my hand"));
+    LoadPicture wanted = house.last<LoadPicture>()[0];
+    ASSERT_TRUE(wanted.thing_at);
+    EXPECT_EQ(wanted.view, 2);
+    EXPECT_NEAR(wanted.thing_at->x, 0.02, 1e-9);
+    const std::uint64_t whole = house.visit.visitor.felt->order.request;
+    house.happen(PictureFailed{wanted.request, "Nothing clear lies there. Choose another place."});
+    EXPECT_TRUE(house.has_said("Nothing clear lies there", 0)) << house.last_said();
+    EXPECT_EQ(house.open(), VisitScreen::picture);
+    EXPECT_EQ(house.visit.visitor.felt->order.request, whole);
+    ASSERT_TRUE(house.choose("Find the thing under my hand"));
+    wanted = house.last<LoadPicture>()[0];
+    PictureFacts facts = house.visit.visitor.felt->facts;
+    facts.place = {1, 1, 2, 3, ThingSearch::found};
+    house.happen(PictureReady{wanted.request, facts});
+    EXPECT_TRUE(house.has_said("Thing 2 of 2 in the photograph", 0)) << house.last_said();
+    EXPECT_EQ(house.visit.visitor.felt->order.view, 2);
+    EXPECT_FALSE(house.visit.visitor.felt->order.thing_at);
+}
+
 TEST(Visit, WhereNobodyCouldLookThatIsNotCalledUnclear) {
     FakeHouse house;
     to_picture(house);

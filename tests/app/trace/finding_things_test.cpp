@@ -58,6 +58,56 @@ TEST(FindingThings, TheThingsOfAPageAreItsViewsTheLargestFirst) {
     for (const Position& p : ring.points) EXPECT_NEAR(norm(p), 0.0368, 0.0012);
 }
 
+/// The small disc, as it lies under a hand that feels the whole picture or the large disc's view.
+TEST(FindingThings, TheThingUnderAHandIsFoundByItself) {
+    const Page page = red_discs();
+    const double m_per_px = 0.116 / 700;
+    const Position small_W{(560 - 350) * m_per_px, (250 - 120) * m_per_px};
+    const PlaceInPicture place = place_in_page(page, 1, small_W);
+    EXPECT_NEAR(place.x, 560.0 / 700, 1e-9);
+    EXPECT_NEAR(place.y, 120.0 / 500, 1e-9);
+    auto thing = find_thing_at(place, page, network());
+    ASSERT_TRUE(thing) << thing.error().line;
+    EXPECT_TRUE(thing->is_sure);
+    ASSERT_EQ(thing->boxes.size(), 1U);
+    EXPECT_NEAR(thing->boxes[0].left, 500.0 / 700, 0.01);
+    EXPECT_NEAR(thing->boxes[0].bottom, 180.0 / 500, 0.01);
+    const Page seen = with_further_thing(page, *thing);
+    ASSERT_EQ(view_count(seen), 2);
+    const Page twice =
+        with_further_thing(seen, std::move(*find_thing_at({0.28, 0.5}, page, network())));
+    ASSERT_EQ(view_count(twice), 3);
+    EXPECT_GE(twice.main_things.grey[120U * 700 + 560], 128);
+    EXPECT_GE(twice.main_things.grey[250U * 700 + 200], 128);
+    const PlaceInPicture in_view = place_in_page(seen, 1, {});
+    EXPECT_NEAR(in_view.x, 560.0 / 700, 0.01) << "the middle of the small disc's view";
+    const auto nothing = find_thing_at({0.6, 0.9}, page, network());
+    ASSERT_TRUE(nothing) << nothing.error().line;
+    EXPECT_FALSE(nothing->is_sure);
+}
+
+TEST(FindingThings, AMaskOfAnotherSizeIsNotTaken) {
+    const Page seen = with_main_things(red_discs(), *find_main_things(red_discs(), network()));
+    MainThings liar;
+    liar.mask = {1, 1, {255}};
+    liar.boxes = {{0.1, 0.1, 0.2, 0.2}};
+    EXPECT_EQ(with_further_thing(seen, liar).main_things.grey, seen.main_things.grey);
+}
+
+TEST(PlaceInPicture, TwoSharesAndNothingElse) {
+    EXPECT_EQ(place_of(words_of({0.25, 1.0})), (PlaceInPicture{0.25, 1.0}));
+    for (const std::vector<std::string>& words : {std::vector<std::string>{},
+                                                  {"0.5"},
+                                                  {"0.5", "0.5", "0.5"},
+                                                  {"0.5", "1.1"},
+                                                  {"-0.1", "0"},
+                                                  {"nan", "0.5"},
+                                                  {"0.5", "inf"},
+                                                  {"0.5x", "0.5"},
+                                                  {"", "0.5"}})
+        EXPECT_FALSE(place_of(words)) << words.size();
+}
+
 TEST(FindingThings, WhereNothingStandsOutItIsNotSure) {
     Page page = red_discs();
     std::ranges::fill(page.picture.bgr, std::uint8_t{90});

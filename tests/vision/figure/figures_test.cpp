@@ -18,6 +18,10 @@ class Likelihood {
 
     [[nodiscard]] Figures in(cv::Size picture) const { return figures_of(map_, picture); }
 
+    [[nodiscard]] Figures at(cv::Point place, const cv::Rect& part, cv::Size picture) const {
+        return figure_at(map_, part, picture, place);
+    }
+
   private:
     cv::Mat1f map_;
 };
@@ -68,6 +72,37 @@ TEST(Figures, OfALargePictureTheMaskHasAMegapixel) {
     EXPECT_LE(found.mask.total(), 1'010'000U);
     EXPECT_NEAR(static_cast<double>(found.mask.cols) / found.mask.rows, 8.0 / 6.0, 0.01);
     EXPECT_EQ(Likelihood().disc({128, 128}, 60).in({5000, 1}).mask.rows, 1);
+}
+
+TEST(Figures, ThePartAroundAPlaceLiesInThePicture) {
+    const cv::Size size(800, 600);
+    EXPECT_EQ(part_around(size, {400, 300}, 0.5), cv::Rect(200, 100, 400, 400));
+    EXPECT_EQ(part_around(size, {0, 599}, 0.5), cv::Rect(0, 200, 400, 400));
+    EXPECT_EQ(part_around(size, {799, 0}, 0.9), cv::Rect(80, 0, 720, 600));
+    EXPECT_EQ(part_around({1, 1}, {0, 0}, 0.25), cv::Rect(0, 0, 1, 1));
+}
+
+TEST(Figures, TheThingAtAPlaceIsFoundWhereItLiesInThePicture) {
+    const cv::Rect part(400, 100, 400, 400);
+    const Likelihood two = Likelihood().disc({64, 128}, 40).disc({200, 128}, 30);
+    // The discs' middles: 400 + 400 * 64 / 256 = 500 and 400 + 400 * 200 / 256 = 712.
+    const Figures left = two.at({505, 300}, part, {800, 600});
+    ASSERT_EQ(left.boxes.size(), 1U);
+    EXPECT_TRUE(left.is_sure);
+    EXPECT_EQ(left.mask.size(), cv::Size(800, 600));
+    EXPECT_NEAR(left.boxes[0].x, 500 - 63, 4);
+    EXPECT_NEAR(left.boxes[0].width, 126, 6);
+    EXPECT_GE(left.mask(300, 500), 128);
+    EXPECT_LT(left.mask(300, 712), 128) << "the other thing is another one";
+    EXPECT_GE(two.at({755, 300}, part, {800, 600}).mask(300, 712), 128) << "close beside it";
+    EXPECT_FALSE(two.at({590, 120}, part, {800, 600}).is_sure) << "nothing lies there";
+    EXPECT_TRUE(two.at({590, 120}, part, {800, 600}).boxes.empty());
+}
+
+TEST(Figures, WhatFillsThePartIsAGround) {
+    const Figures found =
+        Likelihood().disc({128, 128}, 200).at({300, 300}, {100, 100, 400, 400}, {800, 600});
+    EXPECT_FALSE(found.is_sure);
 }
 
 }  // namespace
