@@ -28,10 +28,10 @@ std::string report_of(const TracedMap& felt, const std::optional<MainThings>& th
     std::string boxes;
     for (const ThingBox& box : things->boxes) boxes += (boxes.empty() ? "" : ", ") + json_of(box);
     return fmt::format(
-        "{},\n  \"figure\": {{\"is_sure\": {}, \"area\": {}, \"steadiness\": {}, \"things\": "
+        "{},\n  \"figure\": {{\"is_sure\": {}, \"area\": {}, \"contrast\": {}, \"things\": "
         "[{}]}}\n}}\n",
         lines, things->is_sure, json_number(things->signs.area),
-        json_number(things->signs.steadiness), boxes);
+        json_number(things->signs.contrast), boxes);
 }
 
 /// Both sentences, or the one that there is.

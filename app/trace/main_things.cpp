@@ -36,7 +36,7 @@ bool is_sound(const ThingBox& box) {
 bool is_sound(const ThingsHeader& header, std::size_t bytes) {
     const FigureSigns& signs = header.signs;
     return header.magic == things_magic && header.is_sure <= 1 && header.boxes <= most_things &&
-           is_share(signs.area) && is_share(signs.steadiness) &&
+           is_share(signs.area) && is_share(signs.contrast) &&
            sizeof header + std::size_t{header.boxes} * sizeof(ThingBox) + header.mask == bytes;
 }
 

@@ -95,6 +95,22 @@ void cut_by_place(const Chain& line, PlaceOf place_of, Add add) {
     }
 }
 
+/// The rings without what runs along the picture's frame: a thing that the frame cuts has no edge
+/// there.
+std::vector<Chain> off_frame(const std::vector<Chain>& rings, cv::Size size, double shortest_px) {
+    std::vector<Chain> lines;
+    for (const Chain& ring : rings) {
+        cut_by_place(
+            ring, [&](const EdgePoint& p) { return is_on_frame(p.at, size); },
+            [&](Chain part, bool is_frame) {
+                if (!is_frame && length_of(part) >= shortest_px) {
+                    lines.push_back(std::move(part));
+                }
+            });
+    }
+    return lines;
+}
+
 }  // namespace
 
 PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b& mask,
@@ -105,7 +121,7 @@ PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b
     cv::resize(picture, small, lines.size, 0.0, 0.0, cv::INTER_AREA);
     const cv::Mat1f strength = colour_gradient(to_lab(small), kSmoothing_px).strength;
     const cv::Mat1f soft = fitted(mask, lines.size);
-    std::vector<Chain> rings =
+    const std::vector<Chain> rings =
         rings_of(soft, strength, kReach_mm * px_per_mm, shortest_px, lines.high);
     if (rings.empty()) {
         return lines;
@@ -120,7 +136,8 @@ PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b
         }
         return soft(at) > kFigureLevel ? Place::inside : Place::outside;
     };
-    const std::vector<Chain> all = std::exchange(lines.chains, std::move(rings));
+    const std::vector<Chain> all =
+        std::exchange(lines.chains, off_frame(rings, lines.size, shortest_px));
     for (const Chain& line : all) {
         cut_by_place(line, place_of, [&](Chain part, Place place) {
             if (place == Place::on_ring || length_of(part) < shortest_px) {

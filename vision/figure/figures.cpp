@@ -119,21 +119,29 @@ int nearest_piece(const Pieces& pieces, cv::Point at, double reach_px) {
     return nearest;
 }
 
-FigureSigns signs_of(const cv::Mat1f& likelihood, const cv::Mat1b& mask) {
-    constexpr float kMayBe = 0.2F;
-    constexpr float kSurely = 0.8F;
-    const int may_be = cv::countNonZero(likelihood > kMayBe);
-    const int surely = cv::countNonZero(likelihood >= kSurely);
-    const int figure = cv::countNonZero(mask >= kLimit);
-    return {figure / static_cast<double>(mask.total()),
-            surely / static_cast<double>(std::max(1, may_be))};
+/// What of a mask lies a little inside of its edge; of what is thinner, all.
+cv::Mat along_edge(const cv::Mat& mask) {
+    constexpr double kNearest = 0.013;  // of the picture's side
+    constexpr double kFarthest = 0.039;
+    cv::Mat1f depth_px;
+    cv::distanceTransform(mask, depth_px, cv::DIST_L2, 5);
+    cv::Mat along = (depth_px > kNearest * mask.cols) & (depth_px <= kFarthest * mask.cols);
+    return cv::countNonZero(along) > 0 ? along : mask;
+}
+
+double contrast_of(const cv::Mat1f& likelihood) {
+    const cv::Mat figure = likelihood > kFigure;
+    if (cv::countNonZero(figure) == 0) return 0.0;
+    const double inside = cv::mean(likelihood, along_edge(figure))[0];
+    const double outside = cv::mean(likelihood, along_edge(~figure))[0];
+    return inside - outside;
 }
 
 /// Told from pictures that somebody looked at, and which of their masks are a thing.
 bool is_sure_of(const FigureSigns& signs) {
-    constexpr double kSteady = 0.65;
+    constexpr double kLeastContrast = 0.67;
     constexpr double kLeastSeen = 0.003;
-    return signs.steadiness >= kSteady && signs.area >= kLeastSeen;
+    return signs.contrast >= kLeastContrast && signs.area >= kLeastSeen;
 }
 
 }  // namespace
@@ -145,7 +153,9 @@ Figures figures_of(const cv::Mat1f& likelihood, cv::Size picture) {
     figures.mask = soft_mask(fitted);
     clean(figures.mask);
     figures.boxes = boxes_of(figures.mask);
-    figures.signs = signs_of(fitted, figures.mask);
+    figures.signs = {
+        cv::countNonZero(figures.mask >= kLimit) / static_cast<double>(figures.mask.total()),
+        contrast_of(likelihood)};
     figures.is_sure = !figures.boxes.empty() && is_sure_of(figures.signs);
     return figures;
 }

@@ -8,11 +8,11 @@
 
 namespace touchline {
 
-/// What the rule of sureness looks at, 0..1: how much of the picture is figure; and how much of
-/// what may be figure (a likelihood above 0.2) surely is (0.8 and more).
+/// What the rule of sureness looks at, 0..1: how much of the picture is figure; and by how much the
+/// likelihood a little inside of its edge is greater than a little outside.
 struct FigureSigns {
     double area = 0.0;
-    double steadiness = 0.0;
+    double contrast = 0.0;
 };
 
 /// The figures of one picture, all in one mask.
@@ -26,7 +26,7 @@ struct Figures {
 /// `likelihood`: 0..1 over the whole picture, stretched to a square or not; `picture`: its size. A
 /// place is figure from a likelihood of 0.3 on. A part counts from 5 % of all of them and 0.2 % of
 /// the picture on; a hole in it from 0.4 % of the picture on, smaller ones are filled. The mask has
-/// a megapixel at most. It is sure of a steadiness from 0.65 on, and of 0.3 % of the picture at
+/// a megapixel at most. It is sure of a contrast from 0.67 on, and of 0.3 % of the picture at
 /// least. Without figures: no boxes. O(pixels).
 [[nodiscard]] Figures figures_of(const cv::Mat1f& likelihood, cv::Size picture);
 

@@ -121,6 +121,29 @@ TEST(FigureLines, WhatLiesInItComesBeforeWhatLiesBehind) {
     EXPECT_LT(spot, stripe);
 }
 
+/// Its left half is out of the picture: there is no edge where the frame cuts it.
+TEST(FigureLines, AThingThatTheFrameCutsIsOpenThere) {
+    const cv::Rect right_half(250, 0, 330, 420);
+    const cv::Mat1b mask = animal()(right_half).clone();
+    const double left_m = -0.0002 * 0.5 * right_half.width;
+    for (const int detail : {1, 3, 5}) {
+        SCOPED_TRACE(detail);
+        const auto trace = trace_outlines(
+            photo_of(animal())(right_half).clone(),
+            {.area = {}, .detail = detail, .picture_class = PictureClass::photo}, loose(mask));
+        ASSERT_TRUE(trace) << trace.error().line;
+        const Outline& thing = trace->map.outlines.front();
+        EXPECT_NE(thing.label.find("main thing"), std::string::npos) << thing.label;
+        EXPECT_FALSE(thing.is_closed);
+        for (const Outline& outline : trace->map.outlines)
+            for (std::size_t i = 1; i < outline.points.size(); ++i)
+                EXPECT_FALSE(outline.points[i - 1].x < left_m + 0.0004 &&
+                             outline.points[i].x < left_m + 0.0004 &&
+                             std::abs(outline.points[i].y) < 0.010)
+                    << "the frame is felt as its edge";
+    }
+}
+
 TEST(FigureLines, AMaskWithoutAThingChangesNothing) {
     const cv::Mat picture = photo_of(animal());
     const TraceOptions options{.area = {}, .detail = 5, .picture_class = PictureClass::diagram};
