@@ -36,11 +36,15 @@ suite_of() {
     esac
 }
 
-# packages LIST...: the names in config/packages/LIST.txt that hold here, one a line.
+# packages LIST...: the names in config/packages/LIST.txt that hold here, one a line. NAME? is left out where a command of that
+# name is there: npm also comes with packages of other archives, beside which Debian's cannot be installed.
 packages() {
-    local list
+    local list name
     for list; do sed 's/#.*//' "$root/config/packages/$list.txt"; done | tr -s '[:space:]' '\n' |
-        awk -F@ -v release="$(release_of "$os_origin")" '$1 && (NF == 1 || $2 == release) { print $1 }' | LC_ALL=C sort -u
+        awk -F@ -v release="$(release_of "$os_origin")" '$1 && (NF == 1 || $2 == release) { print $1 }' | LC_ALL=C sort -u |
+        while read -r name; do
+            [[ $name == *\? ]] && command -v "${name%\?}" >/dev/null || printf '%s\n' "${name%\?}"
+        done
 }
 
 # missing_packages LIST...: those of the names that dpkg does not have installed.
