@@ -61,9 +61,8 @@ struct Kiosk::Carrying {
 
     /// Nor does a better one of it come later.
     void operator()(const CancelLoad&) const {
-        kiosk.is_loading_ = false;
-        kiosk.order_ = {};
         kiosk.loader_->cancel();
+        kiosk.stay_with_felt();
     }
 
     void operator()(const Feel& feel) const {
@@ -208,6 +207,12 @@ void Kiosk::load(const LoadPicture& order) {
                   {file, order.page, order.view, {order.detail, zoom}, order.thing_at});
 }
 
+void Kiosk::stay_with_felt() {
+    is_loading_ = false;
+    order_ = felt_order_;
+    wanted_ = felt_file_;
+}
+
 void Kiosk::guide(const Guide& guide) {
     ++guidance_.serial;
     guidance_.kind = GuidanceKind::none;
@@ -238,6 +243,7 @@ void Kiosk::wipe() {
     map_.reset();
     parts_.clear();
     order_ = {};
+    felt_order_ = {};
     servo_->feel(nothing_to_feel(profile_));
     servo_->forget_recording();
 }
@@ -321,25 +327,30 @@ void Kiosk::follow_loader() {
 
 void Kiosk::take(Delivery delivery) {
     if (delivery.request != order_.request || !wanted_) return;
-    if (!delivery.scene) {
-        report(wanted_->is_private ? "a visitor's picture cannot be felt"
-                                   : delivery.scene.error().line);
-        is_loading_ = false;
-        const char* const general = order_.thing_at
-                                        ? "The main thing cannot be looked for now."
-                                        : "This picture cannot be felt. Choose another one.";
-        happen(PictureFailed{delivery.request, in_words(delivery.scene.error().line, general)});
-        return;
-    }
+    if (!delivery.scene) return refuse(delivery.request, delivery.scene.error().line);
     if (!std::exchange(is_loading_, false) && !delivery.is_better) return;
     shown_ = delivery.scene->shown;
     map_ = delivery.scene->felt.map;
     felt_file_ = wanted_;
+    felt_order_ = order_;
     PictureFacts facts = facts_of(*delivery.scene, *wanted_, language());
     parts_ = facts.parts;
     servo_->feel(delivery.scene->felt);
     if (operator_ && !delivery.is_better) operator_->count_picture(order_.source);
     happen(PictureReady{delivery.request, std::move(facts)});
+}
+
+void Kiosk::refuse(std::uint64_t request, const std::string& line) {
+    const bool is_answer = line == nothing_there;
+    if (!is_answer) report(wanted_->is_private ? "a visitor's picture cannot be felt" : line);
+    const std::string sentence =
+        order_.thing_at
+            ? language().text("trouble", is_answer ? line
+                                                   : "The main thing cannot be looked for "
+                                                     "now.")
+            : in_words(line, "This picture cannot be felt. Choose another one.");
+    stay_with_felt();
+    happen(PictureFailed{request, sentence});
 }
 
 void Kiosk::follow_camera(double now_s) {

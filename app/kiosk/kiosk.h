@@ -178,6 +178,8 @@ class Kiosk {
     void follow_part(Part part, bool is_there);
     void trouble(TroubleKind kind, const std::string& sentence);
     void take(Delivery delivery);
+    void refuse(std::uint64_t request, const std::string& line);
+    void stay_with_felt();
     void load(const LoadPicture& order);
     [[nodiscard]] FilePtr file_of_order(const LoadPicture& order) const;
     void guide(const Guide& guide);
@@ -234,6 +236,7 @@ class Kiosk {
     LoadPicture order_;                      // the last
     FilePtr wanted_;                         // its file
     FilePtr felt_file_;                      // of what is felt
+    LoadPicture felt_order_;                 // that brought it
     bool is_loading_ = false;
     Position last_seen_W_;  // of the handle when it was last said to have moved
     double now_s_ = 0.0;

@@ -56,8 +56,8 @@ std::string import_network(std::span<const std::byte> bytes, const std::string& 
                              {name});
     return outcome(install_network(*network, bytes),
                    language.text("operator",
-                                 "Main things of photographs are found when the kiosk starts "
-                                 "again."));
+                                 "Main things of photographs are found from the kiosk's next "
+                                 "start on."));
 }
 
 /// Waits for the stick and for workers: beside the screen's thread.

@@ -3,22 +3,13 @@
 #include "app/trace/page_views.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 namespace touchline {
-namespace {
-
-constexpr std::string_view nothing_there = "Nothing clear lies there. Choose another place.";
-
-}  // namespace
-
 LoadPlan::LoadPlan(SecondLooks looks, PlanLimits limits) : looks_(looks), limits_(limits) {}
 
 void LoadPlan::want(std::uint64_t request, const ViewOrder& order) {
-    const bool is_same_view = wanted_ && wanted_->file == order.file &&
-                              wanted_->page == order.page && wanted_->view == order.view;
-    if (!is_same_view) kept_.remove_if([](const Kept& kept) { return kept.is_before_look; });
+    drop_aside();
     wanted_ = order;
     request_ = request;
     is_owed_ = true;
@@ -36,6 +27,7 @@ void LoadPlan::cancel() {
 }
 
 void LoadPlan::stay_with_felt() {
+    drop_aside();
     wanted_ = felt_;
     request_ = felt_request_;
     is_owed_ = false;
@@ -78,7 +70,7 @@ std::optional<Delivery> LoadPlan::finish(std::uint64_t number, JobOutcome outcom
     if (!found) return refuse(job, found.error());
     if (job.kind == JobKind::reread) {
         keep_reread(job, *found);
-    } else {
+    } else if (is_of_known_page(job)) {
         keep({job.order.file, job.order.page, nullptr, *found});
     }
     return std::nullopt;
@@ -87,6 +79,7 @@ std::optional<Delivery> LoadPlan::finish(std::uint64_t number, JobOutcome outcom
 void LoadPlan::forget() {
     wanted_.reset();
     felt_.reset();
+    aside_.reset();
     is_owed_ = false;
     things_.reset();
     tried_.clear();
@@ -117,15 +110,49 @@ bool LoadPlan::is_view_of(const Kept& kept, const ViewOrder& order) {
 }
 
 const LoadPlan::Kept* LoadPlan::page_of(const ViewOrder& order) const {
+    if (aside_ && is_page_of(*aside_, order)) return &*aside_;
     const auto at = std::find_if(kept_.begin(), kept_.end(),
                                  [&](const Kept& kept) { return is_page_of(kept, order); });
     return at == kept_.end() ? nullptr : &*at;
 }
 
 const LoadPlan::Kept* LoadPlan::view_of(const ViewOrder& order) const {
-    const auto at = std::find_if(kept_.begin(), kept_.end(),
-                                 [&](const Kept& kept) { return is_view_of(kept, order); });
+    // Beside a page that is aside its other views have their old numbers.
+    const bool is_aside = aside_ && is_page_of(*aside_, order);
+    const auto at = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
+        return is_view_of(kept, order) && (!is_aside || is_numbered_as(kept, *aside_));
+    });
     return at == kept_.end() ? nullptr : &*at;
+}
+
+bool LoadPlan::is_numbered_as(const Kept& view, const Kept& page) {
+    return view.found && view.file == page.file && view.number == page.number &&
+           view.found->place.view_count == view_count(*page.page);
+}
+
+/// Whether the lines are of the page as it is known by now.
+bool LoadPlan::is_of_known_page(const LoadJob& job) const {
+    const Kept* const page = page_of(job.order);
+    return page == nullptr || page->page == job.page;
+}
+
+/// Nothing of it was felt.
+void LoadPlan::drop_aside() {
+    if (!aside_) return;
+    kept_.remove_if([this](const Kept& kept) { return is_numbered_as(kept, *aside_); });
+    aside_.reset();
+}
+
+/// It is felt, and so its views are numbered anew.
+void LoadPlan::keep_aside() {
+    if (!aside_) return;
+    const Kept further = std::move(*aside_);
+    aside_.reset();
+    kept_.remove_if([&further](const Kept& kept) {
+        return kept.page && kept.file == further.file && kept.number == further.number;
+    });
+    kept_.push_front(further);
+    renumber(further);
 }
 
 PagePlace LoadPlan::place_of(const ViewOrder& order) const {
@@ -174,7 +201,8 @@ std::optional<LoadJob> LoadPlan::next_job() {
     if (!wanted_) return std::nullopt;
     if (is_owed_) {
         LoadJob job = next_step(*wanted_);
-        return is_running(job) ? std::nullopt : std::optional(std::move(job));
+        const bool is_waiting = is_running(job) || (job.kind == JobKind::look_at && is_looking());
+        return is_waiting ? std::nullopt : std::optional(std::move(job));
     }
     // In the background one at a time, so that what is wanted next finds a free place.
     return running_.empty() ? background_job() : std::nullopt;
@@ -217,6 +245,13 @@ std::optional<LoadJob> LoadPlan::untried(LoadJob job) {
     return job;
 }
 
+/// One network at a time.
+bool LoadPlan::is_looking() const {
+    return std::any_of(running_.begin(), running_.end(), [](const LoadJob& job) {
+        return job.kind == JobKind::look || job.kind == JobKind::look_at;
+    });
+}
+
 bool LoadPlan::is_running(const LoadJob& job) const {
     return std::any_of(running_.begin(), running_.end(), [&job](const LoadJob& other) {
         return step_of(other) == step_of(job) && other.request == job.request;
@@ -231,7 +266,9 @@ bool LoadPlan::is_waited_for(const LoadJob& job) const {
 std::optional<Delivery> LoadPlan::refuse(const LoadJob& job, const Error& error) {
     if (!is_waited_for(job)) return std::nullopt;
     is_owed_ = false;
-    return Delivery{request_, tl::unexpected(error), place_of(*wanted_)};
+    Delivery refused{request_, tl::unexpected(error), place_of(*wanted_)};
+    if (!is_felt_) stay_with_felt();
+    return refused;
 }
 
 std::optional<Delivery> LoadPlan::answer(const LoadJob& job, Result<LoadedScene> scene) {
@@ -242,15 +279,25 @@ std::optional<Delivery> LoadPlan::answer(const LoadJob& job, Result<LoadedScene>
     if (is_newest || !scene) is_owed_ = false;
     if (!scene && was_felt) return std::nullopt;
     is_felt_ = scene.has_value();
-    if (is_felt_) {
-        felt_ = wanted_;
-        felt_request_ = request_;
-    }
+    if (is_felt_) settle(job);
     const Kept* const page = page_of(*wanted_);
     if (scene && page != nullptr && page->looked_for &&
         scene->facts.place.things == ThingSearch::under_way)
         scene->facts.place.things = *page->looked_for;
-    return Delivery{request_, std::move(scene), job.found->place, was_felt};
+    Delivery answered{request_, std::move(scene), job.found->place, was_felt};
+    if (!is_felt_) stay_with_felt();
+    return answered;
+}
+
+/// What was wanted is felt now.
+void LoadPlan::settle(const LoadJob& job) {
+    felt_ = wanted_;
+    felt_request_ = request_;
+    keep_aside();
+    const bool is_before_look = std::any_of(kept_.begin(), kept_.end(), [&job](const Kept& kept) {
+        return kept.found == job.found && kept.is_before_look;
+    });
+    if (!is_before_look) kept_.remove_if([](const Kept& kept) { return kept.is_before_look; });
 }
 
 void LoadPlan::keep(Kept kept) {
@@ -259,10 +306,12 @@ void LoadPlan::keep(Kept kept) {
 }
 
 /// The page has further things, before the whole. That stays as it is felt until another view is
-/// wanted.
-void LoadPlan::renumber(const ViewOrder& order, int views) {
+/// felt.
+void LoadPlan::renumber(const Kept& page) {
+    const int views = view_count(*page.page);
     for (Kept& kept : kept_) {
-        if (!kept.found || kept.file != order.file || kept.number != order.page) continue;
+        const bool is_of_page = kept.found && kept.file == page.file && kept.number == page.number;
+        if (!is_of_page || is_numbered_as(kept, page)) continue;
         FoundView view = *kept.found;
         const bool is_whole = view.place.view == view.place.view_count;
         if (is_whole) view.place.view = views;
@@ -274,20 +323,14 @@ void LoadPlan::renumber(const ViewOrder& order, int views) {
     }
 }
 
-/// Nobody waits for it any more: then the page stays as it was.
+/// Nobody waits for it any more: then the page stays as it was. Else the page with the thing is
+/// aside until that is felt.
 std::optional<Delivery> LoadPlan::keep_thing_at(const LoadJob& job, const Result<PagePtr>& page) {
     if (!wanted_ || job.request != request_ || !is_owed_) return std::nullopt;
-    if (!page || *page == nullptr) {
-        auto refusal = refuse(job, page ? Error{std::string(nothing_there)} : page.error());
-        stay_with_felt();
-        return refusal;
-    }
-    const auto at = std::find_if(kept_.begin(), kept_.end(),
-                                 [&job](const Kept& kept) { return kept.page == job.page; });
-    if (at == kept_.end()) return std::nullopt;
-    at->page = *page;
-    at->looked_for = ThingSearch::found;
-    renumber(job.order, view_count(**page));
+    if (!page) return refuse(job, page.error());
+    if (*page == nullptr) return refuse(job, Error{std::string(nothing_there)});
+    aside_ = Kept{job.order.file, job.order.page, *page, nullptr};
+    aside_->looked_for = ThingSearch::found;
     wanted_->view = view_count(**page) - 1;
     wanted_->thing_at.reset();
     return std::nullopt;
@@ -297,7 +340,9 @@ void LoadPlan::keep_things(const LoadJob& job, const Result<PagePtr>& page) {
     const auto at = std::find_if(kept_.begin(), kept_.end(),
                                  [&job](const Kept& kept) { return kept.page == job.page; });
     if (at == kept_.end()) return;
-    if (wanted_ && is_owed_ && is_page_of(*at, *wanted_)) {  // nothing is renumbered under an order
+    const bool is_in_use =
+        wanted_ && (is_page_of(*at, *wanted_) || (felt_ && is_page_of(*at, *felt_)));
+    if (is_owed_ && is_in_use) {  // nothing is renumbered under an order
         std::erase(tried_, step_of(job));
         return;
     }
@@ -307,7 +352,7 @@ void LoadPlan::keep_things(const LoadJob& job, const Result<PagePtr>& page) {
                                 : ThingSearch::impossible;
     if (has_things) {
         at->page = *page;
-        renumber(job.order, view_count(**page));
+        renumber(*at);
     }
     const bool is_felt = wanted_ && is_felt_ && is_page_of(*at, *wanted_);
     if (!is_felt) return;

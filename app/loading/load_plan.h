@@ -6,6 +6,9 @@
 //               └──────────────┴─ of the next view and the next page, once the present one is felt
 //
 // A photograph is felt as a whole first; then its main things are looked for, and are views of it.
+// A thing that a visitor points at is looked for before it is traced: want ──> look at ──> find.
+// Its page takes the place of the old one when the thing is felt. What fails or is cancelled leaves
+// wanted what is felt.
 //
 // Threads: one.
 #pragma once
@@ -17,6 +20,7 @@
 #include <list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -61,6 +65,9 @@ struct ThingsFound {
     PagePlace place;            // of what is felt
     std::string why_not;        // one line that names no file, where they could not be looked for
 };
+
+/// The line of a delivery where no clear thing lies at the place that was asked for.
+inline constexpr std::string_view nothing_there = "Nothing clear lies there. Choose another place.";
 
 /// What can look a second time.
 struct SecondLooks {
@@ -133,6 +140,7 @@ class LoadPlan {
     [[nodiscard]] std::optional<LoadJob> background_job();
     [[nodiscard]] std::optional<LoadJob> untried(LoadJob job);
     [[nodiscard]] bool is_running(const LoadJob& job) const;
+    [[nodiscard]] bool is_looking() const;
     [[nodiscard]] bool is_waited_for(const LoadJob& job) const;
     void stay_with_felt();
     std::optional<Delivery> refuse(const LoadJob& job, const Error& error);
@@ -141,7 +149,12 @@ class LoadPlan {
     [[nodiscard]] std::optional<LoadJob> look_job();
     std::optional<Delivery> keep_thing_at(const LoadJob& job, const Result<PagePtr>& page);
     void keep_things(const LoadJob& job, const Result<PagePtr>& page);
-    void renumber(const ViewOrder& order, int views);
+    void renumber(const Kept& page);
+    [[nodiscard]] static bool is_numbered_as(const Kept& view, const Kept& page);
+    [[nodiscard]] bool is_of_known_page(const LoadJob& job) const;
+    void drop_aside();
+    void keep_aside();
+    void settle(const LoadJob& job);
     void keep_reread(const LoadJob& job, const FoundPtr& found);
     void forget_old();
 
@@ -153,8 +166,9 @@ class LoadPlan {
     std::uint64_t request_ = 0;
     std::optional<ViewOrder> felt_;  // of the last request that came to something
     std::uint64_t felt_request_ = 0;
-    bool is_owed_ = false;  // an answer, or a better one
-    bool is_felt_ = false;  // the request has its first answer
+    bool is_owed_ = false;       // an answer, or a better one
+    bool is_felt_ = false;       // the request has its first answer
+    std::optional<Kept> aside_;  // what is wanted is a thing of this page that nobody has felt yet
     std::optional<ThingsFound> things_;
     std::vector<Step> tried_;  // in the background, since the request
     std::vector<LoadJob> running_;

@@ -46,8 +46,11 @@ JobOutcome safely_done(const Stages& stages, const LoadJob& job) {
     try {
         return done(stages, job);
     } catch (const std::exception&) {
-        return refused(job.kind, job.order.file->name +
-                                     ": there is not enough memory for it now; choose another one");
+        const bool is_look = job.kind == JobKind::look || job.kind == JobKind::look_at;
+        return refused(job.kind, is_look ? "there is not enough memory for it now"
+                                         : job.order.file->name +
+                                               ": there is not enough memory for it now; choose "
+                                               "another one");
     }
 }
 

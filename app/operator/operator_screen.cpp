@@ -18,8 +18,9 @@ std::string own_text(const Operator& state, const OperatorWorld& world) {
     std::string text = words(row_of(state.place).text);
     if (state.place == OperatorPlace::question) text = words(words_of(state.question));
     if (state.place == OperatorPlace::library && world.on_stick.empty())
-        text =
-            words("Put in a stick with packs of pictures. Touchline's networks can be on it too.");
+        text = words(
+            "Put in a stick with packs of pictures. A network file for Touchline can be on it "
+            "too.");
     return text;
 }
 

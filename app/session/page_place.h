@@ -11,7 +11,7 @@ namespace touchline {
 enum class ThingSearch : std::uint8_t { none, under_way, unclear, impossible, found };
 
 /// Views of a page are its pictures in reading order, or the main things of a photograph, the
-/// largest first; then the page as a whole.
+/// largest first, and then those that a visitor has found; then the page as a whole.
 struct PagePlace {
     int page = 1;        // 1 ... page_count
     int page_count = 0;  // 0: not known yet

@@ -35,14 +35,14 @@ Result<cv::Mat3b> picture_of(std::span<const std::byte> page) {
     return cv::Mat3b(view_of(*parts));
 }
 
-/// The thing at a place of the picture: in half of it, or, where that shows none clearly, a
-/// quarter.
+/// The thing at a place of the picture: in half of it; where that cuts it or shows none clearly, in
+/// all of it, and in a quarter.
 Result<Figures> thing_at(const PlaceInPicture& place, const cv::Mat3b& picture,
                          FigureNetwork& network) {
     const cv::Point at(std::min(picture.cols - 1, static_cast<int>(place.x * picture.cols)),
                        std::min(picture.rows - 1, static_cast<int>(place.y * picture.rows)));
     Figures found;
-    for (const double share : {0.5, 0.25}) {
+    for (const double share : {0.5, 1.0, 0.25}) {
         const cv::Rect part = part_around(picture.size(), at, share);
         const auto likelihood =
             network.likelihood(reduced(picture(part), most_pixels), network_side_px);

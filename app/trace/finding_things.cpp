@@ -82,7 +82,9 @@ Result<MainThings> find_main_things(const Page& page, std::span<const std::byte>
 
 Result<MainThings> find_thing_at(const PlaceInPicture& place, const Page& page,
                                  std::span<const std::byte> network) {
-    return found_by_worker(page, network, words_of(place));
+    auto found = found_by_worker(page, network, words_of(place));
+    if (found) found->is_sure = found->is_sure && found->boxes.size() == 1;
+    return found;
 }
 
 Page with_main_things(Page page, MainThings things) {

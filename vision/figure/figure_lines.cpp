@@ -55,7 +55,7 @@ cv::Mat1f to_rings(const std::vector<Chain>& rings, cv::Size size) {
         for (const EdgePoint& p : ring.points) {
             points.emplace_back(cvRound(p.at.x), cvRound(p.at.y));
         }
-        cv::polylines(free, points, true, cv::Scalar(0));
+        cv::polylines(free, points, ring.is_closed, cv::Scalar(0));
     }
     cv::Mat1f distance;
     cv::distanceTransform(free, distance, cv::DIST_L2, 5);
@@ -126,7 +126,8 @@ PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b
     if (rings.empty()) {
         return lines;
     }
-    const cv::Mat1f distance = to_rings(rings, lines.size);
+    std::vector<Chain> felt = off_frame(rings, lines.size, shortest_px);
+    const cv::Mat1f distance = to_rings(felt, lines.size);
     const auto beside_px = static_cast<float>(kLeastApart_mm * px_per_mm);
     const auto place_of = [&](const EdgePoint& p) {
         const cv::Point at(std::clamp(cvRound(p.at.x), 0, soft.cols - 1),
@@ -136,8 +137,7 @@ PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture, const cv::Mat1b
         }
         return soft(at) > kFigureLevel ? Place::inside : Place::outside;
     };
-    const std::vector<Chain> all =
-        std::exchange(lines.chains, off_frame(rings, lines.size, shortest_px));
+    const std::vector<Chain> all = std::exchange(lines.chains, std::move(felt));
     for (const Chain& line : all) {
         cut_by_place(line, place_of, [&](Chain part, Place place) {
             if (place == Place::on_ring || length_of(part) < shortest_px) {

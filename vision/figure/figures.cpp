@@ -59,6 +59,13 @@ bool touches_frame(const cv::Rect& box, cv::Size size) {
     return box.x == 0 || box.y == 0 || box.br().x == size.width || box.br().y == size.height;
 }
 
+/// Whether a box reaches a side of a part that is not the picture's own frame.
+bool is_cut(const cv::Rect& box, const cv::Rect& part, cv::Size size) {
+    return (box.x == part.x && part.x > 0) || (box.y == part.y && part.y > 0) ||
+           (box.br().x == part.br().x && part.br().x < size.width) ||
+           (box.br().y == part.br().y && part.br().y < size.height);
+}
+
 /// The pieces that `is_out` says go to the other side of the limit, all of their pixels to `value`.
 template <class IsOut>
 void change(const Pieces& pieces, uchar value, IsOut is_out, cv::Mat1b& mask) {
@@ -132,9 +139,10 @@ cv::Mat along_edge(const cv::Mat& mask) {
 double contrast_of(const cv::Mat1f& likelihood) {
     const cv::Mat figure = likelihood > kFigure;
     if (cv::countNonZero(figure) == 0) return 0.0;
-    const double inside = cv::mean(likelihood, along_edge(figure))[0];
-    const double outside = cv::mean(likelihood, along_edge(~figure))[0];
-    return inside - outside;
+    const cv::Mat ground = ~figure;
+    if (cv::countNonZero(ground) == 0) return 0.0;
+    return cv::mean(likelihood, along_edge(figure))[0] -
+           cv::mean(likelihood, along_edge(ground))[0];
 }
 
 /// Told from pictures that somebody looked at, and which of their masks are a thing.
@@ -187,10 +195,11 @@ Figures figure_at(const cv::Mat1f& likelihood, const cv::Rect& part, cv::Size pi
     const int thing = nearest_piece(things, at, kBeside * std::max(lies.width, lies.height));
     Figures found{cv::Mat1b(size, uchar{0}), {}, seen.signs, false};
     if (thing == 0) return found;
-    fitted.copyTo(found.mask(lies), things.number == thing);
+    fitted.setTo(0, (things.number != thing) & (things.number != 0));
+    fitted.copyTo(found.mask(lies));
     found.boxes.push_back(things.box(thing) + lies.tl());
     const double share = things.area(thing) / static_cast<double>(lies.area());
-    found.is_sure = seen.is_sure && share < kGround;
+    found.is_sure = seen.is_sure && share < kGround && !is_cut(found.boxes.front(), lies, size);
     return found;
 }
 

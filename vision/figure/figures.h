@@ -36,7 +36,7 @@ struct Figures {
 
 /// The thing at a place, by the likelihood over a part of the picture that holds it: the one that
 /// lies there, or within a twentieth of the part's longer side. Not sure where the part shows none,
-/// or where it fills the part, as a ground does. O(pixels).
+/// cuts it, or is filled by it, as by a ground. O(pixels).
 [[nodiscard]] Figures figure_at(const cv::Mat1f& likelihood, const cv::Rect& part, cv::Size picture,
                                 cv::Point place);
 

@@ -99,6 +99,17 @@ TEST(Figures, TheThingAtAPlaceIsFoundWhereItLiesInThePicture) {
     EXPECT_TRUE(two.at({590, 120}, part, {800, 600}).boxes.empty());
 }
 
+TEST(Figures, AThingThatThePartCutsIsNotFoundInIt) {
+    const Likelihood wide = Likelihood().disc({128, 60}, 100);
+    EXPECT_FALSE(wide.at({300, 200}, {100, 100, 400, 400}, {800, 600}).is_sure) << "at its top";
+    EXPECT_TRUE(wide.at({300, 100}, {100, 0, 400, 400}, {800, 600}).is_sure)
+        << "the picture's frame may cut it";
+}
+
+TEST(Figures, AllOfAPictureIsNoThing) {
+    EXPECT_FALSE(Likelihood().disc({128, 128}, 400).in({640, 480}).is_sure);
+}
+
 TEST(Figures, WhatFillsThePartIsAGround) {
     const Figures found =
         Likelihood().disc({128, 128}, 200).at({300, 300}, {100, 100, 400, 400}, {800, 600});
