@@ -53,10 +53,10 @@ const Network* network_named(std::string_view name) {
     return at == known.end() ? nullptr : at;
 }
 
-const Network* network_of(std::span<const std::byte> bytes) {
-    const auto* const at = std::ranges::find_if(
-        known, [bytes](const Network& network) { return is_of(network, bytes); });
-    return at == known.end() ? nullptr : at;
+const Network* network_of(std::span<const std::byte> bytes, std::span<const Network> among) {
+    const auto at = std::ranges::find_if(
+        among, [bytes](const Network& network) { return is_of(network, bytes); });
+    return at == among.end() ? nullptr : &*at;
 }
 
 std::filesystem::path models_folder() {

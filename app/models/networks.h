@@ -35,8 +35,9 @@ struct Network {
 /// Null for a name that nobody knows.
 [[nodiscard]] const Network* network_named(std::string_view name);
 
-/// Which network these bytes are, by size and checksum; null for any others.
-[[nodiscard]] const Network* network_of(std::span<const std::byte> bytes);
+/// Which of these networks the bytes are, by size and checksum; null for any others.
+[[nodiscard]] const Network* network_of(std::span<const std::byte> bytes,
+                                        std::span<const Network> among = networks());
 
 /// TOUCHLINE_MODELS, else touchline/models in the user's data folder.
 [[nodiscard]] std::filesystem::path models_folder();

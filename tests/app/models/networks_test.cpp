@@ -82,6 +82,8 @@ TEST_F(Networks, OneThatIsAbsentDamagedOrOfAnotherVersionIsOneLine) {
 TEST_F(Networks, AFileThatSomebodyBringsIsTakenByItsSum) {
     const std::array<std::byte, 3> abc{std::byte{'a'}, std::byte{'b'}, std::byte{'c'}};
     EXPECT_EQ(network_of(abc), nullptr);
+    EXPECT_EQ(network_of(abc, {&small_, 1}), &small_);
+    EXPECT_EQ(network_of(std::span(abc).first(2), {&small_, 1}), nullptr);
     EXPECT_EQ(network_of(std::vector<std::byte>(networks().front().bytes)), nullptr);
     ASSERT_TRUE(install_network(small_, abc));
     EXPECT_EQ(*read_network(small_), std::vector(abc.begin(), abc.end()));
