@@ -1,7 +1,6 @@
 #include "tests/app/kiosk/kiosk_world.h"
 
 #include "app/kiosk/stick_shelf.h"
-#include "app/loading/kiosk_stages.h"
 #include "app/process/places.h"
 #include "app/sticks/open_stick_port.h"
 #include "tests/sim/kiosk/due_jobs.h"
@@ -36,7 +35,8 @@ fs::path own_folder_of_test() {
 
 }  // namespace
 
-KioskWorld::KioskWorld(bool is_in_window, Gallery gallery) : folder_(own_folder_of_test()) {
+KioskWorld::KioskWorld(bool is_in_window, Gallery gallery, ThingFinder finder)
+    : folder_(own_folder_of_test()) {
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "camera");
     auto servo = std::make_unique<SteppedServo>();
@@ -47,8 +47,9 @@ KioskWorld::KioskWorld(bool is_in_window, Gallery gallery) : folder_(own_folder_
     parts.servo = std::move(servo);
     parts.sound = std::make_unique<HeardSound>(heard_);
     parts.profile = default_profile();
-    parts.loader = std::make_unique<Loader>(std::make_shared<const KioskStages>(parts.profile),
-                                            std::make_unique<DueJobs>(now_s_));
+    parts.loader = std::make_unique<Loader>(
+        std::make_shared<const KioskStages>(parts.profile, PageReader(), std::move(finder)),
+        std::make_unique<DueJobs>(now_s_));
     parts.shelf = std::make_unique<StickShelf>(open_stick_port((folder_ / "stick").string()),
                                                companion("touchline-import"));
     parts.photos =

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/kiosk/kiosk.h"
+#include "app/loading/kiosk_stages.h"
 #include "tests/app/kiosk/stepped_servo.h"
 #include "tests/sim/kiosk/heard.h"
 #include "tests/sim/kiosk/house.h"
@@ -17,9 +18,9 @@ namespace touchline {
 class KioskWorld {
   public:
     /// English, German, French and Spanish. `is_in_window`: of somebody's desktop. `gallery`: in
-    /// these languages.
-    explicit KioskWorld(bool is_in_window = false,
-                        Gallery gallery = whole_gallery(all_languages()));
+    /// these languages. `finder`: of main things; empty: there is no network.
+    explicit KioskWorld(bool is_in_window = false, Gallery gallery = whole_gallery(all_languages()),
+                        ThingFinder finder = {});
     ~KioskWorld();
     KioskWorld(const KioskWorld&) = delete;
     KioskWorld& operator=(const KioskWorld&) = delete;
