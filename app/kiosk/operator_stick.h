@@ -30,7 +30,7 @@ class OperatorStick {
     /// Their names for the screen, in the order of their numbers.
     [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
-    /// For a number below names().size().
+    /// The number must be below names().size().
     [[nodiscard]] StickFileKind kind_of(std::size_t file) const { return files_.at(file).kind; }
 
     /// Reads that file when it is called, on any thread, which waits for the stick: its bytes in

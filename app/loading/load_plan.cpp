@@ -94,8 +94,7 @@ std::size_t LoadPlan::kept_bytes() const {
 }
 
 LoadPlan::Step LoadPlan::step_of(const LoadJob& job) {
-    const bool is_of_page =
-        job.kind == JobKind::open || job.kind == JobKind::look || job.kind == JobKind::look_at;
+    const bool is_of_page = job.kind == JobKind::open || is_look(job.kind);
     return {job.kind, job.order.file, job.order.page, is_of_page ? 0 : job.order.view};
 }
 
@@ -125,8 +124,12 @@ const LoadPlan::Kept* LoadPlan::view_of(const ViewOrder& order) const {
     return at == kept_.end() ? nullptr : &*at;
 }
 
+bool LoadPlan::are_of_one_page(const Kept& one, const Kept& other) {
+    return one.file == other.file && one.number == other.number;
+}
+
 bool LoadPlan::is_numbered_as(const Kept& view, const Kept& page) {
-    return view.found && view.file == page.file && view.number == page.number &&
+    return view.found && are_of_one_page(view, page) &&
            view.found->place.view_count == view_count(*page.page);
 }
 
@@ -148,9 +151,8 @@ void LoadPlan::keep_aside() {
     if (!aside_) return;
     const Kept further = std::move(*aside_);
     aside_.reset();
-    kept_.remove_if([&further](const Kept& kept) {
-        return kept.page && kept.file == further.file && kept.number == further.number;
-    });
+    kept_.remove_if(
+        [&further](const Kept& kept) { return kept.page && are_of_one_page(kept, further); });
     kept_.push_front(further);
     renumber(further);
 }
@@ -247,9 +249,8 @@ std::optional<LoadJob> LoadPlan::untried(LoadJob job) {
 
 /// One network at a time.
 bool LoadPlan::is_looking() const {
-    return std::any_of(running_.begin(), running_.end(), [](const LoadJob& job) {
-        return job.kind == JobKind::look || job.kind == JobKind::look_at;
-    });
+    return std::any_of(running_.begin(), running_.end(),
+                       [](const LoadJob& job) { return is_look(job.kind); });
 }
 
 bool LoadPlan::is_running(const LoadJob& job) const {
@@ -310,8 +311,8 @@ void LoadPlan::keep(Kept kept) {
 void LoadPlan::renumber(const Kept& page) {
     const int views = view_count(*page.page);
     for (Kept& kept : kept_) {
-        const bool is_of_page = kept.found && kept.file == page.file && kept.number == page.number;
-        if (!is_of_page || is_numbered_as(kept, page)) continue;
+        const bool is_view_of_it = kept.found && are_of_one_page(kept, page);
+        if (!is_view_of_it || is_numbered_as(kept, page)) continue;
         FoundView view = *kept.found;
         const bool is_whole = view.place.view == view.place.view_count;
         if (is_whole) view.place.view = views;

@@ -39,6 +39,11 @@ struct ViewOrder {
 
 enum class JobKind : std::uint8_t { open, find, build, look, look_at, reread };
 
+/// Whether a network looks at a photograph.
+[[nodiscard]] constexpr bool is_look(JobKind kind) {
+    return kind == JobKind::look || kind == JobKind::look_at;
+}
+
 /// Work that can be done by itself, with all that it needs.
 struct LoadJob {
     std::uint64_t number = 0;
@@ -150,6 +155,7 @@ class LoadPlan {
     std::optional<Delivery> keep_thing_at(const LoadJob& job, const Result<PagePtr>& page);
     void keep_things(const LoadJob& job, const Result<PagePtr>& page);
     void renumber(const Kept& page);
+    [[nodiscard]] static bool are_of_one_page(const Kept& one, const Kept& other);
     [[nodiscard]] static bool is_numbered_as(const Kept& view, const Kept& page);
     [[nodiscard]] bool is_of_known_page(const LoadJob& job) const;
     void drop_aside();

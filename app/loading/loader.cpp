@@ -46,11 +46,10 @@ JobOutcome safely_done(const Stages& stages, const LoadJob& job) {
     try {
         return done(stages, job);
     } catch (const std::exception&) {
-        const bool is_look = job.kind == JobKind::look || job.kind == JobKind::look_at;
-        return refused(job.kind, is_look ? "there is not enough memory for it now"
-                                         : job.order.file->name +
-                                               ": there is not enough memory for it now; choose "
-                                               "another one");
+        const std::string line = "there is not enough memory for it now";
+        return refused(job.kind, is_look(job.kind)
+                                     ? line
+                                     : job.order.file->name + ": " + line + "; choose another one");
     }
 }
 

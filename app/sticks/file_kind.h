@@ -17,8 +17,8 @@ enum class StickFileKind : std::uint8_t { picture, document, office, pack, netwo
 
 inline constexpr int stick_file_kind_count = 5;
 
-/// By the ending, of any case; none for what is not offered. Never what is for the
-/// operator alone.
+/// The ending decides, of any case; none for what is not offered. What is for the operator alone is
+/// never among it.
 [[nodiscard]] std::optional<StickFileKind> kind_of_name(std::string_view name);
 
 /// The same of what the operator is offered.

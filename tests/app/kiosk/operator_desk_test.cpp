@@ -37,6 +37,16 @@ class PinAndPlug : public testing::Test {
         (void)desk_->happen(MomentPassed{}, language_, now_s_);
     }
 
+    /// A kiosk of the PIN 0001 that reads sticks by this script instead of touchline-import.
+    void start_with_import(const std::string& script) {
+        EXPECT_TRUE(keep_pin(files_.pin, "0001"));
+        const fs::path program = world_.folder() / "import";
+        std::ofstream(program) << "#!/bin/sh\n" << script << '\n';
+        fs::permissions(program, fs::perms::owner_all);
+        files_.import_program = program;
+        start();
+    }
+
     void press(KeyRole role) {
         now_s_ += 0.1;
         const auto left =
@@ -120,17 +130,11 @@ TEST_F(PinAndPlug, WhereNothingCanBeNotedEachWrongOneCostsTime) {
     EXPECT_TRUE(desk_->is_inside()) << said_;
 }
 
-/// In the place of touchline-import something that leaves a mark and then hangs.
+/// What stands in for touchline-import leaves a mark and then hangs.
 class StickOfTheOperator : public PinAndPlug {
   protected:
     StickOfTheOperator() {
-        EXPECT_TRUE(keep_pin(files_.pin, "0001"));
-        const fs::path program = world_.folder() / "import";
-        std::ofstream(program) << "#!/bin/sh\necho \"$1\" >'" << mark_.string()
-                               << "'\nexec sleep 1\n";
-        fs::permissions(program, fs::perms::owner_all);
-        files_.import_program = program;
-        start();
+        start_with_import("echo \"$1\" >'" + mark_.string() + "'\nexec sleep 1");
     }
 
     void follow() {
@@ -158,20 +162,15 @@ TEST_F(StickOfTheOperator, IsNotEvenListedBeforeThePinIsGiven) {
     EXPECT_TRUE(fs::exists(mark_));
 }
 
-/// In the place of touchline-import something that lists one network, which is none.
+/// What stands in for touchline-import lists one network, which is none.
 class NetworkOnTheStick : public PinAndPlug {
   protected:
     NetworkOnTheStick() {
-        EXPECT_TRUE(keep_pin(files_.pin, "0001"));
         const StickListing listing{{{StickFileKind::network, "", "figure.onnx"}}, {}};
         const fs::path list = world_.folder() / "list";
         EXPECT_TRUE(write_whole_file(list.string(), bytes_of(listing)));
-        const fs::path program = world_.folder() / "import";
-        std::ofstream(program) << "#!/bin/sh\ncase $1 in operator) cat '" << list.string()
-                               << "' >&3 ;; read) echo damaged >&3 ;; *) exit 2 ;; esac\n";
-        fs::permissions(program, fs::perms::owner_all);
-        files_.import_program = program;
-        start();
+        start_with_import("case $1 in operator) cat '" + list.string() +
+                          "' >&3 ;; read) echo damaged >&3 ;; *) exit 2 ;; esac");
         try_pin(1);
     }
 

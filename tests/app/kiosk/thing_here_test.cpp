@@ -36,7 +36,7 @@ void write_photograph(const std::filesystem::path& file) {
     }
 }
 
-/// At a place: nothing, then a failure, then the middle of the picture.
+/// Who asks for a place gets nothing, then a failure, then the middle of the picture.
 ThingFinder made_up_finder(std::shared_ptr<int> looks) {
     return [looks](const Page& page,
                    const std::optional<PlaceInPicture>& place) -> Result<std::optional<Page>> {
