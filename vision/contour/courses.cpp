@@ -57,32 +57,40 @@ std::pair<Ray, double> fitted(const Chain& arm, EndId end, double from_px, doubl
 
 }  // namespace
 
+std::vector<float> depths_of(const Chain& arm, const cv::Mat1f& depth) {
+    std::vector<float> depths;
+    for (const EdgePoint& point : arm.points) {
+        const cv::Point at(std::clamp(cvRound(point.at.x), 0, depth.cols - 1),
+                           std::clamp(cvRound(point.at.y), 0, depth.rows - 1));
+        depths.push_back(depth(at));
+    }
+    return depths;
+}
+
+double stroke_depth_px(const std::vector<float>& depths) {
+    return quantile_of(depths, kOwnPart);
+}
+
+double flowed_depth_px(double stroke_depth_px) {
+    return kDeep * stroke_depth_px + kDeepSlack_px;
+}
+
 Courses::Courses(const Skeleton& skeleton, const cv::Mat1f& depth,
                  std::vector<double> usual_depth_px)
-    : skeleton_(skeleton), depth_(depth), own_depth_px_(std::move(usual_depth_px)) {
+    : skeleton_(skeleton), own_depth_px_(std::move(usual_depth_px)) {
     for (std::size_t arm = 0; arm < skeleton.arms.size(); ++arm) {
-        depths_.push_back(depths_of(skeleton.arms[arm]));
-        const double own_px = quantile_of(depths_[arm], kOwnPart);
+        depths_.push_back(depths_of(skeleton.arms[arm], depth));
+        const double own_px = stroke_depth_px(depths_[arm]);
         if (length_of(skeleton.arms[arm]) > kLongOverDepth * own_px) own_depth_px_[arm] = own_px;
     }
     for (EndId end = 0; end < 2 * skeleton.arms.size(); ++end) courses_.push_back(course_at(end));
-}
-
-std::vector<float> Courses::depths_of(const Chain& arm) const {
-    std::vector<float> depths;
-    for (const EdgePoint& point : arm.points) {
-        const cv::Point at(std::clamp(cvRound(point.at.x), 0, depth_.cols - 1),
-                           std::clamp(cvRound(point.at.y), 0, depth_.rows - 1));
-        depths.push_back(depth_(at));
-    }
-    return depths;
 }
 
 /// Where the ink is that of one stroke; half of the arm at most, for the other end has its own.
 double Courses::flowed_px(EndId end) const {
     const std::vector<EdgePoint>& points = skeleton_.arms[chain_of(end)].points;
     const std::vector<float>& depths = depths_[chain_of(end)];
-    const double limit = kDeep * depth_px(end) + kDeepSlack_px;
+    const double limit = flowed_depth_px(depth_px(end));
     const double needed_px = std::max(2.0, depth_px(end));
     const std::size_t n = points.size();
     const auto index = [&](std::size_t i) { return is_back(end) ? n - 1 - i : i; };

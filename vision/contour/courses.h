@@ -17,7 +17,16 @@ struct Course {
     double from_px = 0.0;  // along the arm from the end
 };
 
-/// Of every end of a skeleton. Refers to the skeleton and the depths it was made from.
+/// How deep the ink is at each point of an arm.
+[[nodiscard]] std::vector<float> depths_of(const Chain& arm, const cv::Mat1f& depth);
+
+/// Half the width of the stroke that an arm with such depths is of.
+[[nodiscard]] double stroke_depth_px(const std::vector<float>& depths);
+
+/// Deeper, and the ink is not that of one such stroke.
+[[nodiscard]] double flowed_depth_px(double stroke_depth_px);
+
+/// Of every end of a skeleton. Refers to the skeleton it was made from.
 class Courses {
   public:
     /// As joints_of() of joints.h. O(points of the arms).
@@ -33,12 +42,10 @@ class Courses {
     [[nodiscard]] const std::vector<float>& depths(std::size_t arm) const { return depths_[arm]; }
 
   private:
-    [[nodiscard]] std::vector<float> depths_of(const Chain& arm) const;
     [[nodiscard]] double flowed_px(EndId end) const;
     [[nodiscard]] std::optional<Course> course_at(EndId end) const;
 
     const Skeleton& skeleton_;
-    const cv::Mat1f& depth_;
     std::vector<std::vector<float>> depths_;
     std::vector<double> own_depth_px_;
     std::vector<std::optional<Course>> courses_;

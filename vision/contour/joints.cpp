@@ -17,6 +17,8 @@ constexpr double kTurn = 35.0 * std::numbers::pi / 180.0;  // less is a bend, no
 const double kSharpest = std::pow(std::sin(8.0 * std::numbers::pi / 180.0), 2);  // below: parallel
 constexpr double kBesideOverDepth =
     1.2;  // a place on the way of an arm, or a course through a crossing
+constexpr double kBluntOverDepth = 2.0;  // a place ahead of the skeleton's end in a blunt join
+constexpr double kCourse_px = 0.4;       // so far aside a course may be: more, along a sharp tip
 constexpr double kBeside_px = 1.0;
 constexpr double kTipSlack = 1.25;    // times the length of a mitre
 constexpr double kTapered = 0.78;     // of the stroke's depth, on average: a mitre, not a stroke
@@ -249,9 +251,13 @@ class Solver {
                 sharpest = std::min(sharpest, angle_between(courses_.at(others[i])->ray.direction,
                                                             courses_.at(others[j])->ray.direction));
         }
-        const double mitre_px = depth_px / std::sin(0.5 * std::max(sharpest, kSharpest));
+        const double sine = std::sin(0.5 * std::max(sharpest, kSharpest));
+        const double mitre_px = depth_px / sine;
         const Beyond beyond = beyond_of(tip, *at);
-        if (beyond.aside_px > kBesideOverDepth * depth_px + kBeside_px) return false;
+        const double most_aside_px = beyond.is_ahead
+                                         ? kBluntOverDepth * depth_px + kCourse_px / sine
+                                         : kBesideOverDepth * depth_px + kBeside_px;
+        if (beyond.aside_px > most_aside_px) return false;
         if (beyond.length_px > kTipSlack * mitre_px + 2.0) return false;
         return beyond.length_px <= 2.0 * depth_px + kNoStroke_px ||
                beyond.mean_depth_px <= kTapered * depth_px + 0.3;
@@ -262,6 +268,7 @@ class Solver {
         double aside_px = 0.0;
         double length_px = 0.0;
         double mean_depth_px = 0.0;
+        bool is_ahead = false;  // the place is nearest to the arm's end
     };
 
     [[nodiscard]] Beyond beyond_of(EndId tip, const cv::Point2d& at) const {
@@ -269,7 +276,7 @@ class Solver {
         const std::vector<float>& depths = courses_.depths(chain_of(tip));
         const std::size_t n = line.size();
         const auto index = [&](std::size_t i) { return is_back(tip) ? n - 1 - i : i; };
-        Beyond beyond{std::numeric_limits<double>::infinity(), 0.0, 0.0};
+        Beyond beyond{std::numeric_limits<double>::infinity(), 0.0, 0.0, false};
         std::size_t nearest = 0;
         for (std::size_t i = 0; i < n; ++i) {
             const double aside_px = distance(line[index(i)].at, at);
@@ -284,6 +291,7 @@ class Solver {
             if (i > nearest) beyond.length_px += distance(line[index(i - 1)].at, line[index(i)].at);
         }
         beyond.mean_depth_px = sum / static_cast<double>(n - nearest);
+        beyond.is_ahead = nearest + 1 == n;
         return beyond;
     }
 

@@ -3,6 +3,7 @@
 #include "vision/contour/centring.h"
 #include "vision/contour/corners.h"
 #include "vision/contour/grid_lines.h"
+#include "vision/contour/hairpins.h"
 #include "vision/contour/ink_parts.h"
 #include "vision/contour/joints.h"
 #include "vision/contour/junctions.h"
@@ -61,7 +62,8 @@ class StrokeTracer {
         : ink_(ink), parts_(parts_of(ink.mask, greatest_width_px)) {}
 
     std::vector<Chain> run() {
-        skeleton_ = skeleton_of(thinned(parts_.strokes, depth_of(parts_.strokes)), parts_.depth);
+        const cv::Mat1b thin = thinned(parts_.strokes, depth_of(parts_.strokes));
+        skeleton_ = with_hairpins_parted(skeleton_of(thin, parts_.depth), parts_.depth);
         std::vector<Piece> pieces = sorted_into_pieces();
         solve_joints(pieces);
         dots_become_shapes(pieces);
