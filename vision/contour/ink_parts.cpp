@@ -22,21 +22,27 @@ constexpr double kSwollen = 1.5;        // of the usual width: the deepest place
 constexpr double kAsWide = 0.6;         // near its end, of what it is half-way
 constexpr double kLeastTailOverWidth = 1.0;  // what stands out of a wide shape less is its corner
 
-/// Without the pieces of a mask that are too small, by neighbours of 4 or of 8.
-cv::Mat without_specks(const cv::Mat& mask, int neighbours) {
+/// The part of a picture that holds all of a mask, and a rim of what is not.
+cv::Rect part_with(const cv::Mat1b& mask) {
+    constexpr int kRim_px = 2;
+    const cv::Rect box = cv::boundingRect(mask);
+    const cv::Rect around(box.tl() - cv::Point(kRim_px, kRim_px),
+                          box.size() + cv::Size(2 * kRim_px, 2 * kRim_px));
+    return box.empty() ? cv::Rect() : around & cv::Rect({}, mask.size());
+}
+
+/// Takes the pieces out of a mask that are too small, by neighbours of 4 or of 8.
+void drop_specks(cv::Mat1b& mask, int neighbours) {
     cv::Mat1i label;
     cv::Mat1i stats;
     cv::Mat1d centres;
-    cv::connectedComponentsWithStats(mask, label, stats, centres, neighbours, CV_32S);
-    cv::Mat kept = mask.clone();
-    for (int y = 0; y < mask.rows; ++y) {
-        for (int x = 0; x < mask.cols; ++x) {
-            if (stats(label(y, x), cv::CC_STAT_AREA) < kLeastArea_px) {
-                kept.at<uchar>(y, x) = 0;
-            }
-        }
+    const int n = cv::connectedComponentsWithStats(mask, label, stats, centres, neighbours, CV_32S);
+    for (int i = 1; i < n; ++i) {
+        if (stats(i, cv::CC_STAT_AREA) >= kLeastArea_px) continue;
+        const cv::Rect box(stats(i, cv::CC_STAT_LEFT), stats(i, cv::CC_STAT_TOP),
+                           stats(i, cv::CC_STAT_WIDTH), stats(i, cv::CC_STAT_HEIGHT));
+        mask(box).setTo(0, label(box) == i);
     }
-    return kept;
 }
 
 /// Half the width of the strokes of each piece: the middle one of the depths along its ridges; 0
@@ -126,15 +132,18 @@ cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vec
     const cv::Mat1f from_core = depth_of(~core);
     const double half_px = 0.5 * greatest_width_px;
     cv::Mat wide = (from_core <= half_px + 1.0) & mask;
+    const cv::Mat1b rest = cv::Mat(mask & ~wide);
+    const cv::Rect part = part_with(rest);
+    if (part.empty()) return wide;
     cv::Mat1i label;
-    const cv::Mat rest = mask & ~wide;
-    const int n = cv::connectedComponents(rest, label, 8, CV_32S);
+    const int n = cv::connectedComponents(rest(part), label, 8, CV_32S);
     std::vector<Tail> tails(static_cast<std::size_t>(n));
     const auto for_each = [&](auto&& visit) {
-        for (int y = 0; y < mask.rows; ++y) {
-            for (int x = 0; x < mask.cols; ++x) {
-                if (label(y, x) != 0) {
-                    visit(cv::Point(x, y), tails[static_cast<std::size_t>(label(y, x))]);
+        for (int y = 0; y < label.rows; ++y) {
+            const int* row = label[y];
+            for (int x = 0; x < label.cols; ++x) {
+                if (row[x] != 0) {
+                    visit(part.tl() + cv::Point(x, y), tails[static_cast<std::size_t>(row[x])]);
                 }
             }
         }
@@ -143,12 +152,12 @@ cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vec
         tail.reach_px = std::max(tail.reach_px, static_cast<double>(from_core(p)));
     });
     for_each([&](const cv::Point& p, Tail& tail) {
-        const double part =
+        const double along =
             (static_cast<double>(from_core(p)) - half_px) / (tail.reach_px - half_px);
         const auto depth_px = static_cast<double>(parts.depth(p));
-        if (part > 0.4 && part < 0.6) {
+        if (along > 0.4 && along < 0.6) {
             tail.middle_px = std::max(tail.middle_px, depth_px);
-        } else if (part > 0.75 && part < 0.9) {
+        } else if (along > 0.75 && along < 0.9) {
             tail.far_px = std::max(tail.far_px, depth_px);
         }
     });
@@ -165,13 +174,17 @@ cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vec
 /// What stands out of a wide shape is asked by itself, and is a stroke where it is long and even.
 void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<float>& usual_of_piece,
                   double greatest_width_px) {
-    const cv::Mat rest = mask & ~parts.shapes;
-    if (cv::countNonZero(rest) == 0) {
+    const cv::Mat1b rest = cv::Mat(mask & ~parts.shapes);
+    const cv::Rect part = part_with(rest);
+    if (part.empty()) {
         return;
     }
+    const cv::Mat1f depth = parts.depth(part);
+    const cv::Mat1i piece = parts.piece(part);
+    cv::Mat1b shapes = parts.shapes(part);
     cv::Mat1i label;
-    const int n = cv::connectedComponents(rest, label, 8, CV_32S);
-    const std::vector<float> usual = usual_depths(parts.depth, label, n);
+    const int n = cv::connectedComponents(rest(part), label, 8, CV_32S);
+    const std::vector<float> usual = usual_depths(depth, label, n);
 
     struct Stroke {
         float deepest_px = 0.0F;
@@ -181,12 +194,12 @@ void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<floa
 
     std::vector<Stroke> strokes(usual.size());
     const auto of = [&](int y, int x) { return static_cast<std::size_t>(label(y, x)); };
-    for (int y = 0; y < parts.depth.rows; ++y) {
-        for (int x = 0; x < parts.depth.cols; ++x) {
+    for (int y = 0; y < depth.rows; ++y) {
+        for (int x = 0; x < depth.cols; ++x) {
             Stroke& stroke = strokes[of(y, x)];
-            stroke.deepest_px = std::max(stroke.deepest_px, parts.depth(y, x));
+            stroke.deepest_px = std::max(stroke.deepest_px, depth(y, x));
             ++stroke.pixels;
-            stroke.is_of_a_stroke = usual_of_piece[static_cast<std::size_t>(parts.piece(y, x))] > 0;
+            stroke.is_of_a_stroke = usual_of_piece[static_cast<std::size_t>(piece(y, x))] > 0;
         }
     }
     const double hair_px = std::max(1.0, 0.5 * kHair * greatest_width_px) + 0.5;
@@ -200,9 +213,9 @@ void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<floa
             width_px > 0.0 && ((is_long && is_even) || strokes[i].is_of_a_stroke);
         shape[i] = !is_stroke && deepest_px > hair_px ? 255 : 0;
     }
-    for (int y = 0; y < parts.depth.rows; ++y) {
-        for (int x = 0; x < parts.depth.cols; ++x) {
-            parts.shapes(y, x) |= shape[of(y, x)];
+    for (int y = 0; y < depth.rows; ++y) {
+        for (int x = 0; x < depth.cols; ++x) {
+            shapes(y, x) |= shape[of(y, x)];
         }
     }
 }
@@ -216,9 +229,21 @@ cv::Mat1f depth_of(const cv::Mat& mask) {
 }
 
 InkParts parts_of(const cv::Mat1b& ink, double greatest_width_px) {
-    // Pinholes lie where two strokes begin to part.
-    const cv::Mat paper = ~without_specks(ink, 8);
-    return parts_of_clean(cv::Mat(~without_specks(paper, 4)), greatest_width_px);
+    const cv::Rect box = part_with(ink);
+    InkParts parts{cv::Mat1b(ink.size(), uchar{0}), cv::Mat1b(ink.size(), uchar{0}),
+                   cv::Mat1f(ink.size(), 0.0F), cv::Mat1i(ink.size(), 0), 1};
+    if (box.empty()) return parts;
+    cv::Mat1b mask = ink(box).clone();
+    drop_specks(mask, 8);
+    cv::Mat1b paper = cv::Mat(~mask);
+    drop_specks(paper, 4);  // pinholes lie where two strokes begin to part
+    const InkParts inside = parts_of_clean(cv::Mat(~paper), greatest_width_px);
+    inside.strokes.copyTo(parts.strokes(box));
+    inside.shapes.copyTo(parts.shapes(box));
+    inside.depth.copyTo(parts.depth(box));
+    inside.piece.copyTo(parts.piece(box));
+    parts.pieces = inside.pieces;
+    return parts;
 }
 
 InkParts parts_of_clean(const cv::Mat1b& mask, double greatest_width_px) {

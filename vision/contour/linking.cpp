@@ -13,7 +13,9 @@
 namespace touchline {
 namespace {
 
-constexpr double kSpan_px = 6.0;            // of a line, to know its direction
+constexpr double kLeastCell_px =
+    4.0;                          // of the grid of points: smaller ones cost more than they save
+constexpr double kSpan_px = 6.0;  // of a line, to know its direction
 constexpr double kOwnGapOverLength = 0.05;  // a ring with a break is still a ring
 constexpr double kCone =
     70.0 * std::numbers::pi / 180.0;  // where a line may meet another, off its course
@@ -36,7 +38,8 @@ class Linker {
 
     Linked run() {
         lead_to_frame();
-        const PointGrid grid(lines_, picture_, std::max(reach_.gap_px, reach_.junction_px));
+        const PointGrid grid(lines_, picture_,
+                             std::max({reach_.gap_px, reach_.junction_px, kLeastCell_px}));
         JunctionSet junctions(reach_.blur_px, kSpan_px);
         meet_ends(grid, junctions);
         const std::vector<std::optional<Meeting>> meetings = nearest_meetings(grid);
