@@ -92,10 +92,11 @@ bool VoiceProcess::take_pieces(double now_s, std::vector<float>& samples) {
 
 void VoiceProcess::count_death() {
     end_process();
-    is_ahead_ = false;
-    if (is_done_) return;  // it only waited
+    ++deaths_;
+    is_ahead_ = is_ahead_ && deaths_ < most_deaths;
+    if (is_done_) return;  // it only waited, and another one is to
     ++restarts_;
-    if (++deaths_ < most_deaths) return;
+    if (deaths_ < most_deaths) return;
     ++given_up_;
     is_done_ = true;
 }

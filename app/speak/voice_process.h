@@ -33,8 +33,9 @@ class VoiceProcess {
 
     /// Appends the samples that came (at frame_rate_Hz). Never waits. A process that died, or was
     /// silent for `patience_s` (twice that after every death: the machine may be busy), is started
-    /// anew and goes on where it was: the same text gives the same samples. After three deaths the
-    /// text is given up.
+    /// anew and goes on where it was: the same text gives the same samples. One that died while it
+    /// waited for the next text is started anew as well. After three deaths the text is given up,
+    /// and nothing waits for the next one.
     void receive(double now_s, std::vector<float>& samples);
 
     /// Nothing more comes of what was begun, or nothing was.
@@ -65,8 +66,8 @@ class VoiceProcess {
     std::string wanted_voice_;
     SpeakOrder order_;
     bool is_done_ = true;
-    bool is_sent_ = false;   // the process has its order
-    bool is_ahead_ = false;  // the next process may be started in advance: the last one was sound
+    bool is_sent_ = false;      // the process has its order
+    bool is_ahead_ = false;     // a process may wait for the next text: the last one was sound
     std::size_t received_ = 0;  // samples of the order
     std::size_t again_ = 0;     // of them to come once more after a death
     double heard_s_ = 0.0;      // when the process last gave a sign

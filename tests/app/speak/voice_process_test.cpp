@@ -134,6 +134,25 @@ TEST(VoiceProcess, DiedWhileIdleItIsStartedForTheNextText) {
     EXPECT_EQ(all_of(voice), expected("en", "Two.", slow));
 }
 
+TEST(VoiceProcess, DiedWhileIdleAnotherOneWaits) {
+    VoiceProcess voice(TOUCHLINE_SPEAK);
+    voice.begin("en", "One.", slow);
+    std::vector<float> samples = all_of(voice);
+    std::vector<bool> waits;
+    for (int death = 0; death < 4; ++death) {
+        voice.receive(0.0, samples);
+        waits.push_back(voice.pid() > 0);
+        if (voice.pid() < 0) break;
+        const pid_t dead = voice.pid();
+        kill(dead, SIGKILL);
+        while (voice.pid() == dead) voice.receive(0.0, samples);
+    }
+    EXPECT_EQ(waits, (std::vector{true, true, true, false}));
+    EXPECT_EQ(voice.restarts(), 0);
+    voice.begin("en", "Two.", slow);
+    EXPECT_EQ(all_of(voice), expected("en", "Two.", slow));
+}
+
 TEST(VoiceProcess, WhatAlwaysDiesIsGivenUpAfterThreeTimes) {
     for (const char* program : {"/bin/false", "/no/such/program"}) {
         VoiceProcess voice(program);
