@@ -210,9 +210,14 @@ Result<WholeView> whole_view_of(const Drawing& drawing, int detail, double most_
 Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm, double most_pixels) {
     auto view = whole_view_of(drawing, detail, most_pixels);
     if (!view) return tl::unexpected(view.error());
-    Felt out;
-    out.map = std::move(view->map);
+    Felt out = felt_by(std::move(view->map), drawing, detail, tolerance_mm);
     out.milliseconds = view->milliseconds;
+    return out;
+}
+
+Felt felt_by(TactileMap map, const Drawing& drawing, int detail, double tolerance_mm) {
+    Felt out;
+    out.map = std::move(map);
     const std::vector<SeenLine> lines = seen_lines(drawing);
     Marks seen;
     for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -71,6 +71,9 @@ struct WholeView {
 [[nodiscard]] Result<Felt> felt_of(const Drawing& drawing, int detail, double tolerance_mm,
                                    double most_pixels);
 
+/// What is felt by a map of that detail, beside what can be seen of the drawing; no milliseconds.
+[[nodiscard]] Felt felt_by(TactileMap map, const Drawing& drawing, int detail, double tolerance_mm);
+
 /// What is painted, what is seen (green where felt, red where not) and what is felt, beside each
 /// other; 8-bit BGR.
 [[nodiscard]] cv::Mat sheet_of(const Drawing& drawing, const Felt& felt);

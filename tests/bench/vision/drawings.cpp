@@ -1,5 +1,8 @@
 // What of drawings reaches the hand, and in what time: drawings_bench RESULTS writes drawings.csv
-// and drawings_sizes.csv there.
+// and drawings_sizes.csv there; drawings_bench RESULTS PROGRAM what the maps of another touchline
+// program show of them, drawings_before.csv.
+#include "app/decode/map_svg.h"
+#include "app/process/child.h"
 #include "tests/app/drawings/charts.h"
 #include "tests/app/drawings/felt.h"
 #include "tests/app/drawings/pdf_drawings.h"
@@ -9,13 +12,17 @@
 #include "vision/simplify/detail_limits.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <vector>
 
 #include <fmt/ostream.h>
+#include <unistd.h>
 
 namespace touchline::bench {
 namespace {
@@ -95,11 +102,53 @@ struct Measured {
     }
 };
 
-Measured measured(const std::vector<testing::Drawing>& drawings, double most_pixels) {
+/// From a drawing to what is felt of it.
+using Way = std::function<Result<testing::Felt>(const testing::Drawing&)>;
+
+Way way_of_at_most(double most_pixels) {
+    return [most_pixels](const testing::Drawing& drawing) {
+        return testing::felt_of(drawing, kMostDetail, testing::kTolerance_mm, most_pixels);
+    };
+}
+
+/// By the map that another touchline program makes of the file, with its own workers.
+Result<TactileMap> map_by(const std::string& program, const testing::Drawing& drawing) {
+    constexpr double kPatience_s = 60.0;
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / fmt::format("touchline-drawing-{}", getpid());
+    std::filesystem::create_directories(folder);
+    const std::string file = folder / "drawing";
+    const std::string map = folder / "map.svg";
+    std::ofstream(file, std::ios::binary) << drawing.file;
+    auto child = Child::start(
+        program, {"trace", file, "-o", map, "--detail", std::to_string(kMostDetail)}, {},
+        StandardStreams::nothing,
+        {"TOUCHLINE_PROGRAMS=" + std::filesystem::path(program).parent_path().string()});
+    if (!child) return tl::unexpected(child.error());
+    if (!child->ends_within(kPatience_s)) child->kill();
+    auto read = child->reap().is_good() ? read_map_svg(map) : failure("it made no map");
+    std::filesystem::remove_all(folder);
+    return read;
+}
+
+Way way_of_program(const std::string& program) {
+    return [program](const testing::Drawing& drawing) -> Result<testing::Felt> {
+        const auto begin = std::chrono::steady_clock::now();
+        auto map = map_by(program, drawing);
+        const std::chrono::duration<double, std::milli> took =
+            std::chrono::steady_clock::now() - begin;
+        if (!map) return tl::unexpected(map.error());
+        testing::Felt felt =
+            testing::felt_by(std::move(*map), drawing, kMostDetail, testing::kTolerance_mm);
+        felt.milliseconds = took.count();
+        return felt;
+    };
+}
+
+Measured measured(const std::vector<testing::Drawing>& drawings, const Way& way) {
     Measured all;
     for (const testing::Drawing& drawing : drawings) {
-        const auto felt =
-            testing::felt_of(drawing, kMostDetail, testing::kTolerance_mm, most_pixels);
+        const auto felt = way(drawing);
         if (!felt) {
             ++all.refused;
             continue;
@@ -111,18 +160,17 @@ Measured measured(const std::vector<testing::Drawing>& drawings, double most_pix
     return all;
 }
 
-int run(const std::string& results) {
-    const Group charts = chart_group();
+bool write_kinds(const std::string& path, const Group& charts, const Way& way) {
     std::vector<Group> all = svg_groups();
     all.push_back(pdf_group());
     all.push_back(charts);
     std::ranges::move(pixel_groups(charts), std::back_inserter(all));
-    std::ofstream kinds(results + "/drawings.csv");
+    std::ofstream kinds(path);
     fmt::print(
         kinds,
         "kind,drawings,refused,seen_m,felt_share,too_near_share,too_short_share,seen_share,ms\n");
     for (const Group& group : all) {
-        const Measured m = measured(group.drawings, 1e9);
+        const Measured m = measured(group.drawings, way);
         const double whole_mm =
             m.seen.right_mm + m.seen.wrong_mm + m.seen.too_near_mm + m.seen.too_short_mm;
         fmt::print(kinds, "{},{},{},{:.2f},{:.4f},{:.4f},{:.4f},{:.4f},{:.0f}\n", group.name,
@@ -130,23 +178,34 @@ int run(const std::string& results) {
                    m.seen.too_near_mm / whole_mm, m.seen.too_short_mm / whole_mm, m.felt.share(),
                    m.median_ms());
     }
-    std::ofstream sizes(results + "/drawings_sizes.csv");
+    return kinds.good();
+}
+
+bool write_sizes(const std::string& path, const Group& charts) {
+    std::ofstream sizes(path);
     fmt::print(sizes, "megapixels,felt_share,seen_share,ms\n");
     for (const double megapixels : {0.03, 0.06, 0.12, 0.25, 0.5, 1.0}) {
-        const Measured m = measured(charts.drawings, 1e6 * megapixels);
+        const Measured m = measured(charts.drawings, way_of_at_most(1e6 * megapixels));
         fmt::print(sizes, "{},{:.4f},{:.4f},{:.0f}\n", megapixels, m.seen.share(), m.felt.share(),
                    m.median_ms());
     }
-    return kinds && sizes ? EXIT_SUCCESS : EXIT_FAILURE;
+    return sizes.good();
 }
 
 }  // namespace
 }  // namespace touchline::bench
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        fmt::print(stderr, "usage: drawings_bench RESULTS\n");
+    using namespace touchline::bench;
+    if (argc != 2 && argc != 3) {
+        fmt::print(stderr, "usage: drawings_bench RESULTS [PROGRAM]\n");
         return 2;
     }
-    return touchline::bench::run(argv[1]);
+    const std::string results = argv[1];
+    const Group charts = chart_group();
+    const bool is_written =
+        argc == 3 ? write_kinds(results + "/drawings_before.csv", charts, way_of_program(argv[2]))
+                  : write_kinds(results + "/drawings.csv", charts, way_of_at_most(1e9)) &&
+                        write_sizes(results + "/drawings_sizes.csv", charts);
+    return is_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }
