@@ -26,7 +26,7 @@ struct Course {
 /// Deeper, and the ink is not that of one such stroke.
 [[nodiscard]] double flowed_depth_px(double stroke_depth_px);
 
-/// Of every end of a skeleton. Refers to the skeleton it was made from.
+/// The courses of all ends of a skeleton. Refers to the skeleton it was made from.
 class Courses {
   public:
     /// As joints_of() of joints.h. O(points of the arms).

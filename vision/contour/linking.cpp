@@ -13,9 +13,8 @@
 namespace touchline {
 namespace {
 
-constexpr double kLeastCell_px =
-    4.0;                          // of the grid of points: smaller ones cost more than they save
-constexpr double kSpan_px = 6.0;  // of a line, to know its direction
+constexpr double kLeastCell_px = 4.0;       // a grid of smaller cells costs more than it saves
+constexpr double kSpan_px = 6.0;            // of a line, to know its direction
 constexpr double kOwnGapOverLength = 0.05;  // a ring with a break is still a ring
 constexpr double kCone =
     70.0 * std::numbers::pi / 180.0;  // where a line may meet another, off its course

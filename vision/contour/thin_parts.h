@@ -1,5 +1,5 @@
 // Which areas of a map of colours are strokes.
-// Threads: pure function.
+// Threads: pure function (OpenCV uses its own inside).
 #pragma once
 
 #include <opencv2/core.hpp>

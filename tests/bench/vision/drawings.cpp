@@ -102,7 +102,7 @@ struct Measured {
     }
 };
 
-/// From a drawing to what is felt of it.
+/// A way from a drawing to what is felt of it.
 using Way = std::function<Result<testing::Felt>(const testing::Drawing&)>;
 
 Way way_of_at_most(double most_pixels) {
@@ -111,7 +111,7 @@ Way way_of_at_most(double most_pixels) {
     };
 }
 
-/// By the map that another touchline program makes of the file, with its own workers.
+/// The map that another touchline program makes of the file, with its own workers.
 Result<TactileMap> map_by(const std::string& program, const testing::Drawing& drawing) {
     constexpr double kPatience_s = 60.0;
     const std::filesystem::path folder =
