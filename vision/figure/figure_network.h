@@ -2,13 +2,7 @@
 // Threads: one object, one thread at a time (OpenCV uses its own inside).
 #pragma once
 
-#include "config/types/result.h"
-
-#include <cstddef>
-#include <memory>
-#include <span>
-
-#include <opencv2/core.hpp>
+#include "vision/network/trained_network.h"
 
 namespace touchline {
 
@@ -20,10 +14,6 @@ class FigureNetwork {
     /// Fails with one line where OpenCV cannot build it.
     [[nodiscard]] static Result<FigureNetwork> from_onnx(std::span<const std::byte> model);
 
-    FigureNetwork(FigureNetwork&&) noexcept;
-    FigureNetwork& operator=(FigureNetwork&&) noexcept;
-    ~FigureNetwork();
-
     /// How likely each place of an 8-bit BGR picture belongs to its main thing, 0..1, over a square
     /// of side_px (a multiple of 64) that stands for the whole picture. Fails, with one line, where
     /// the network is of another kind, or cannot be run; throws std::bad_alloc without memory.
@@ -31,9 +21,9 @@ class FigureNetwork {
     [[nodiscard]] Result<cv::Mat1f> likelihood(const cv::Mat3b& picture, int side_px);
 
   private:
-    struct Network;
-    explicit FigureNetwork(std::unique_ptr<Network> network);
-    std::unique_ptr<Network> network_;
+    explicit FigureNetwork(TrainedNetwork network) : network_(std::move(network)) {}
+
+    TrainedNetwork network_;
 };
 
 }  // namespace touchline

@@ -54,7 +54,7 @@ TEST(FigureNetwork, OneThatIsDamagedOrOfAnotherKindIsOneLine) {
     unbounded.nodes.pop_back();
     unbounded.outputs = {{"redder", {1, 1, 0, 0}}};
     for (const auto& [graph, why] :
-         {std::pair(two_maps, "no map of the picture"), std::pair(unbounded, "no likelihood")}) {
+         {std::pair(two_maps, "answers in another form"), std::pair(unbounded, "no likelihood")}) {
         auto network = FigureNetwork::from_onnx(written(graph));
         ASSERT_TRUE(network) << network.error().line;
         const auto map = network->likelihood(cv::Mat3b(64, 64, cv::Vec3b(0, 0, 255)), 64);

@@ -1,0 +1,44 @@
+// A trained network as an ONNX file, run by OpenCV.
+// Threads: one object, one thread at a time (OpenCV uses its own inside).
+#pragma once
+
+#include "config/types/result.h"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace touchline {
+
+class TrainedNetwork {
+  public:
+    /// `job`: what it does, as it goes on after "the network that". Fails with one line where
+    /// OpenCV cannot build it.
+    [[nodiscard]] static Result<TrainedNetwork> from_onnx(std::span<const std::byte> model,
+                                                          std::string job);
+
+    TrainedNetwork(TrainedNetwork&&) noexcept;
+    TrainedNetwork& operator=(TrainedNetwork&&) noexcept;
+    ~TrainedNetwork();
+
+    /// What it makes of an input of four dimensions: its outputs of these shapes, which differ, in
+    /// their order; each as one row for every place of all dimensions but the last. All numbers are
+    /// finite. Fails, with one line, where it cannot be run or has no such output; throws
+    /// std::bad_alloc without memory.
+    [[nodiscard]] Result<std::vector<cv::Mat1f>> outputs(const cv::Mat& input,
+                                                         std::span<const std::vector<int>> shapes);
+
+    /// The line of whoever finds the numbers of an answer wrong.
+    [[nodiscard]] tl::unexpected<Error> unusable(const std::string& why) const;
+
+  private:
+    struct Run;
+    explicit TrainedNetwork(std::unique_ptr<Run> run);
+    std::unique_ptr<Run> run_;
+};
+
+}  // namespace touchline
