@@ -83,18 +83,18 @@ bool VoiceProcess::take_pieces(double now_s, std::vector<float>& samples) {
         received_ += piece.count - old;
         if (piece.is_last == 0) continue;
         is_done_ = true;
-        is_ahead_ = true;
         end_process();
         return true;
     }
     return true;
 }
 
-void VoiceProcess::count_death() {
+void VoiceProcess::count_death(double now_s) {
     end_process();
+    const bool had_waited = is_done_ && now_s - heard_s_ > patience_s;
+    if (had_waited) return;  // it was sound, and so will the next one be
     ++deaths_;
-    is_ahead_ = is_ahead_ && deaths_ < most_deaths;
-    if (is_done_) return;  // it only waited, and another one is to
+    if (is_done_) return;
     ++restarts_;
     if (deaths_ < most_deaths) return;
     ++given_up_;
@@ -102,12 +102,16 @@ void VoiceProcess::count_death() {
 }
 
 void VoiceProcess::receive(double now_s, std::vector<float>& samples) {
-    if (!child_ && is_done_ && !is_ahead_) return;
-    if (!child_ && !start_process()) return count_death();
+    const bool may_wait = !wanted_voice_.empty() && deaths_ < most_deaths;
+    if (!child_ && is_done_ && !may_wait) return;
+    if (!child_) {
+        heard_s_ = now_s;
+        if (!start_process()) return count_death(now_s);
+    }
     if (!is_done_ && !is_sent_) send_order(now_s);
     const bool lives = take_pieces(now_s, samples);
     const bool is_silent = !is_done_ && now_s - heard_s_ > patience_s * std::exp2(deaths_);
-    if (!lives || is_silent) count_death();
+    if (!lives || is_silent) count_death(now_s);
 }
 
 }  // namespace touchline

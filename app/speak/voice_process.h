@@ -35,7 +35,7 @@ class VoiceProcess {
     /// silent for `patience_s` (twice that after every death: the machine may be busy), is started
     /// anew and goes on where it was: the same text gives the same samples. One that died while it
     /// waited for the next text is started anew as well. After three deaths the text is given up,
-    /// and nothing waits for the next one.
+    /// and nothing waits for the next one; one that had waited for `patience_s` does not count.
     void receive(double now_s, std::vector<float>& samples);
 
     /// Nothing more comes of what was begun, or nothing was.
@@ -57,7 +57,7 @@ class VoiceProcess {
     void end_process();
     void send_order(double now_s);
     bool take_pieces(double now_s, std::vector<float>& samples);
-    void count_death();
+    void count_death(double now_s);
 
     std::string program_;
     std::string voice_;  // of the process that runs
@@ -67,10 +67,9 @@ class VoiceProcess {
     SpeakOrder order_;
     bool is_done_ = true;
     bool is_sent_ = false;      // the process has its order
-    bool is_ahead_ = false;     // a process may wait for the next text: the last one was sound
     std::size_t received_ = 0;  // samples of the order
     std::size_t again_ = 0;     // of them to come once more after a death
-    double heard_s_ = 0.0;      // when the process last gave a sign
+    double heard_s_ = 0.0;      // when the process was started or last gave a sign
     int deaths_ = 0;            // over this order
     int restarts_ = 0;
     int given_up_ = 0;

@@ -134,23 +134,48 @@ TEST(VoiceProcess, DiedWhileIdleItIsStartedForTheNextText) {
     EXPECT_EQ(all_of(voice), expected("en", "Two.", slow));
 }
 
-TEST(VoiceProcess, DiedWhileIdleAnotherOneWaits) {
-    VoiceProcess voice(TOUCHLINE_SPEAK);
-    voice.begin("en", "One.", slow);
-    std::vector<float> samples = all_of(voice);
+/// Kills the process that waits, over and over, each after it waited so long; whether one waited
+/// before each kill.
+std::vector<bool> waits_before_kills(VoiceProcess& voice, int kills, double waited_s) {
+    std::vector<float> samples;
     std::vector<bool> waits;
-    for (int death = 0; death < 4; ++death) {
-        voice.receive(0.0, samples);
+    double now_s = 0.0;
+    for (int i = 0; i < kills; ++i) {
+        voice.receive(now_s, samples);
         waits.push_back(voice.pid() > 0);
         if (voice.pid() < 0) break;
         const pid_t dead = voice.pid();
         kill(dead, SIGKILL);
-        while (voice.pid() == dead) voice.receive(0.0, samples);
+        now_s += waited_s;
+        while (voice.pid() == dead) voice.receive(now_s, samples);
     }
-    EXPECT_EQ(waits, (std::vector{true, true, true, false}));
-    EXPECT_EQ(voice.restarts(), 0);
-    voice.begin("en", "Two.", slow);
-    EXPECT_EQ(all_of(voice), expected("en", "Two.", slow));
+    return waits;
+}
+
+TEST(VoiceProcess, DiedWhileIdleAnotherOneWaits) {
+    for (const bool had_waited : {false, true}) {
+        VoiceProcess voice(TOUCHLINE_SPEAK);
+        voice.begin("en", "One.", slow);
+        (void)all_of(voice);
+        const double waited_s = had_waited ? 1.1 * VoiceProcess::patience_s : 0.0;
+        const std::vector<bool> waits =
+            had_waited ? std::vector<bool>(5, true) : std::vector{true, true, true, false};
+        EXPECT_EQ(waits_before_kills(voice, 5, waited_s), waits);
+        EXPECT_EQ(voice.restarts(), 0);
+        voice.begin("en", "Two.", slow);
+        EXPECT_EQ(all_of(voice), expected("en", "Two.", slow));
+    }
+}
+
+TEST(VoiceProcess, AfterATextThatWasStoppedAnotherOneWaits) {
+    VoiceProcess voice(TOUCHLINE_SPEAK);
+    std::vector<float> samples;
+    voice.receive(0.0, samples);
+    EXPECT_EQ(voice.pid(), -1) << "nothing was ever said";
+    voice.begin("en", long_text(), quick);
+    voice.receive(0.0, samples);
+    voice.stop();
+    EXPECT_EQ(waits_before_kills(voice, 2, 0.0), (std::vector{true, true}));
 }
 
 TEST(VoiceProcess, WhatAlwaysDiesIsGivenUpAfterThreeTimes) {
