@@ -57,7 +57,8 @@ set xlabel 'milliseconds a picture (from the file to the map, by the clock)'
 set ylabel 'percent of the line'
 unset logscale y
 set xrange [*:*]
+set offsets 0, 0, graph 0.3, graph 0.2
 set key bottom right box opaque
 plot results . '/drawings_sizes.csv' using 4:(100 * column(2)) skip 1 with linespoints ls 1 title 'of what is seen, felt', \
      '' using 4:(100 * column(3)) skip 1 with linespoints ls 2 title 'of what is felt, seen', \
-     '' using 4:(100 * column(2)):(sprintf('%g MP', column(1))) skip 1 with labels offset 0,1 notitle
+     '' using 4:(100 * column(2)):(sprintf('%g MP', column(1))) skip 1 with labels rotate by 60 left offset 0,0.6 notitle
