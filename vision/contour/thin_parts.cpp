@@ -13,7 +13,6 @@ namespace touchline {
 namespace {
 
 constexpr int kMostColours = 256;
-constexpr double kAtOnce = 4.0;  // colours: each takes some 30 bytes a pixel meanwhile
 
 /// The pieces of a mask that are strokes all over, but for what runs along the picture's edge: a
 /// frame leaves it over.
@@ -73,32 +72,17 @@ ThinParts thin_parts_of(const cv::Mat1b& map, double greatest_width_px) {
     const auto extents = extents_of(map);
     const auto ground =
         std::ranges::max_element(extents, {}, &ColourExtent::pixels) - extents.begin();
-    std::vector<int> colours;
-    for (int colour = 0; colour < kMostColours; ++colour) {
-        if (extents[static_cast<std::size_t>(colour)].pixels > 0) colours.push_back(colour);
-    }
-    const auto box_of = [&](int colour) {
-        // A rim of other colours, so that the box's sides are not taken for more of the colour.
-        return (extents[static_cast<std::size_t>(colour)].box + cv::Size(4, 4) - cv::Point(2, 2)) &
-               cv::Rect({}, map.size());
-    };
-    std::vector<cv::Mat> thin_of(colours.size());
-    cv::parallel_for_(
-        {0, static_cast<int>(colours.size())},
-        [&](const cv::Range& range) {
-            for (int i = range.start; i < range.end; ++i) {
-                const auto at = static_cast<std::size_t>(i);
-                const cv::Mat mask = map(box_of(colours[at])) == colours[at];
-                const InkParts parts = parts_of_clean(mask, greatest_width_px);
-                thin_of[at] = colours[at] == ground ? wholly_thin(parts, greatest_width_px)
-                                                    : cv::Mat(parts.strokes);
-            }
-        },
-        kAtOnce);
     cv::Mat thin(map.size(), CV_8U, cv::Scalar(0));
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-        cv::Mat here = thin(box_of(colours[i]));
-        here |= thin_of[i];
+    for (int colour = 0; colour < kMostColours; ++colour) {
+        const ColourExtent& extent = extents[static_cast<std::size_t>(colour)];
+        if (extent.pixels == 0) continue;
+        // A rim of other colours, so that the box's sides are not taken for more of the colour.
+        const cv::Rect box =
+            (extent.box + cv::Size(4, 4) - cv::Point(2, 2)) & cv::Rect({}, map.size());
+        const cv::Mat mask = map(box) == colour;
+        const InkParts parts = parts_of_clean(mask, greatest_width_px);
+        cv::Mat here = thin(box);
+        here |= colour == ground ? wholly_thin(parts, greatest_width_px) : cv::Mat(parts.strokes);
     }
     ThinParts found{parts_of(thin, greatest_width_px).strokes, map.clone()};
     overgrow(found.map, found.strokes);
