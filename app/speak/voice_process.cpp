@@ -89,10 +89,8 @@ bool VoiceProcess::take_pieces(double now_s, std::vector<float>& samples) {
     return true;
 }
 
-void VoiceProcess::count_death(double now_s) {
+void VoiceProcess::count_death() {
     end_process();
-    const bool had_waited = is_done_ && now_s - heard_s_ > patience_s;
-    if (had_waited) return;  // it was sound, and so will the next one be
     ++deaths_;
     if (is_done_) return;
     ++restarts_;
@@ -102,16 +100,17 @@ void VoiceProcess::count_death(double now_s) {
 }
 
 void VoiceProcess::receive(double now_s, std::vector<float>& samples) {
-    const bool may_wait = !wanted_voice_.empty() && deaths_ < most_deaths;
+    const bool may_start = deaths_ < most_deaths || now_s - heard_s_ > patience_s;
+    const bool may_wait = !wanted_voice_.empty() && may_start;
     if (!child_ && is_done_ && !may_wait) return;
     if (!child_) {
         heard_s_ = now_s;
-        if (!start_process()) return count_death(now_s);
+        if (!start_process()) return count_death();
     }
     if (!is_done_ && !is_sent_) send_order(now_s);
     const bool lives = take_pieces(now_s, samples);
     const bool is_silent = !is_done_ && now_s - heard_s_ > patience_s * std::exp2(deaths_);
-    if (!lives || is_silent) count_death(now_s);
+    if (!lives || is_silent) count_death();
 }
 
 }  // namespace touchline

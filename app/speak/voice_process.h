@@ -35,7 +35,7 @@ class VoiceProcess {
     /// silent for `patience_s` (twice that after every death: the machine may be busy), is started
     /// anew and goes on where it was: the same text gives the same samples. One that died while it
     /// waited for the next text is started anew as well. After three deaths the text is given up,
-    /// and nothing waits for the next one; one that had waited for `patience_s` does not count.
+    /// and a process to wait for the next one is started every `patience_s` at most.
     void receive(double now_s, std::vector<float>& samples);
 
     /// Nothing more comes of what was begun, or nothing was.
@@ -57,7 +57,7 @@ class VoiceProcess {
     void end_process();
     void send_order(double now_s);
     bool take_pieces(double now_s, std::vector<float>& samples);
-    void count_death(double now_s);
+    void count_death();
 
     std::string program_;
     std::string voice_;  // of the process that runs
