@@ -317,7 +317,7 @@ class CommandLine {
 
     void add_models() {
         models_command_ = app_.add_subcommand(
-            "models", "The networks that Touchline can use; none comes with it");
+            "models", "The networks that Touchline can use, and which of them come with it");
         models_command_->require_subcommand(1);
         const auto add = [this](const char* name, ModelsAction action, const char* what) {
             auto* command = models_command_->add_subcommand(name, what);

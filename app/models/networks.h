@@ -1,6 +1,6 @@
-// The networks that Touchline knows, what each is for, and where it comes from: one table. None of
-// them ships with Touchline; without one, what needs it is left out.
-// Threads: any, each call by itself.
+// The networks that Touchline knows, what each is for, and where it comes from: one table. Some
+// ship with Touchline; without one of the others, what needs it is left out. Threads: any, each
+// call by itself.
 #pragma once
 
 #include "config/types/result.h"
@@ -25,6 +25,7 @@ struct Network {
     std::string_view note = {};       // what else somebody who installs it should know
     std::string_view input = {};      // what it looks at
     std::string_view converter = {};  // beside app/models/get
+    bool ships = false;               // with Touchline: nobody gets or brings it
     std::string_view file = {};       // as it is installed
     std::uint64_t bytes = 0;          // of that file
     std::string_view sha256 = {};     // of that file
@@ -35,12 +36,18 @@ struct Network {
 /// Null for a name that nobody knows.
 [[nodiscard]] const Network* network_named(std::string_view name);
 
-/// Which of these networks the bytes are, by size and checksum; null for any others.
+/// Which of these networks the bytes are, by size and checksum; null for any others, those that
+/// ship among them.
 [[nodiscard]] const Network* network_of(std::span<const std::byte> bytes,
                                         std::span<const Network> among = networks());
 
-/// TOUCHLINE_MODELS, else touchline/models in the user's data folder.
+/// Where networks lie that somebody got or brought: TOUCHLINE_MODELS, else touchline/models in the
+/// user's data folder.
 [[nodiscard]] std::filesystem::path models_folder();
+
+/// What is installed with the program: `get`, what rewrites, and in `shipped` the networks that
+/// ship.
+[[nodiscard]] std::filesystem::path models_of_program();
 
 /// Where its file lies, or would.
 [[nodiscard]] std::filesystem::path installed_file(const Network& network);

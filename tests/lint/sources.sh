@@ -14,10 +14,10 @@ done
 # cpp_sources: every C++ file, ended by NUL, in a fixed order.
 cpp_sources() { find "${folders[@]}" -type f \( -name '*.h' -o -name '*.cpp' \) -print0 | LC_ALL=C sort -z; }
 
-# texts: every file that people write, ended by NUL: all but pictures, data, what fuzzers found and catalogues of words.
+# texts: every file that people write, ended by NUL: all but pictures, networks, data, what fuzzers found and catalogues of words.
 texts() {
     find "${folders[@]}" .ci -type f ! -path 'tests/data/*' ! -path 'tests/fuzz/corpus/*' \
-        ! -name '*.svg' ! -name '*.png' ! -name '*.csv' ! -name '*.json' ! -name '*.po' ! -name '*.pot' -print0 2>/dev/null
+        ! -name '*.svg' ! -name '*.png' ! -name '*.csv' ! -name '*.json' ! -name '*.po' ! -name '*.pot' ! -name '*.onnx' -print0 2>/dev/null
     find . -maxdepth 1 -type f ! -name LICENSE ! -name compile_commands.json ! -name .git -printf '%P\0'
 }
 

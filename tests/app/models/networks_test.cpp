@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -65,6 +66,40 @@ TEST_F(Networks, TheTableNamesEachOnceWithItsLicenceAndSums) {
         EXPECT_TRUE(fs::exists(fs::path(TOUCHLINE_SOURCE_DIR) / "app/models" / network.converter));
     }
     EXPECT_EQ(network_named("nobody"), nullptr);
+}
+
+TEST_F(Networks, WhatShipsIsWholeAndItsPageTellsWhereItComesFrom) {
+    const fs::path folder = fs::path(TOUCHLINE_SOURCE_DIR) / "app/models/shipped";
+    std::ifstream file(folder / "README.md");
+    const std::string page(std::istreambuf_iterator<char>(file), {});
+    std::set<std::string_view> shipped;
+    for (const Network& network : networks()) {
+        if (!network.ships) continue;
+        shipped.insert(network.name);
+        EXPECT_TRUE(fs::equivalent(installed_file(network), folder / network.file));
+        const auto bytes = read_network(network);
+        ASSERT_TRUE(bytes) << bytes.error().line;
+        EXPECT_EQ(network_of(*bytes), nullptr) << "nobody brings " << network.name;
+        for (const std::string_view told : {network.file, network.package, network.version,
+                                            network.package_sha256, network.licence})
+            EXPECT_NE(page.find(told), std::string::npos) << told;
+    }
+    EXPECT_EQ(shipped, (std::set<std::string_view>{"blazeface", "facemesh", "nanodet", "selfie"}));
+}
+
+TEST_F(Networks, OneThatShipsAndIsAbsentOrDamagedIsForWhoeverInstalls) {
+    Network network = *network_named("selfie");
+    network.sha256 = small_.sha256;
+    const auto damaged = read_network(network);
+    ASSERT_FALSE(damaged);
+    EXPECT_EQ(damaged.error().line,
+              installed_file(network).string() +
+                  ": the network is damaged, or of another version; install Touchline anew");
+    network.file = "absent.onnx";
+    const auto absent = read_network(network);
+    ASSERT_FALSE(absent);
+    EXPECT_EQ(absent.error().line,
+              "the network \"selfie\" is not installed here; install Touchline anew");
 }
 
 TEST_F(Networks, OneThatIsAbsentDamagedOrOfAnotherVersionIsOneLine) {
