@@ -4,9 +4,9 @@
 #include "vision/network/trained_network.h"
 
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include <opencv2/core.hpp>
 
@@ -108,6 +108,7 @@ std::string text_of(const std::vector<int>& shape) {
     return text;
 }
 
+/// Of a matrix that lies in one piece, as a network's answer does.
 std::vector<double> numbers_of(const cv::Mat1f& output) {
     constexpr std::size_t places = 16;
     std::vector<double> numbers{cv::norm(output, cv::NORM_INF), cv::mean(output)[0]};
@@ -117,7 +118,6 @@ std::vector<double> numbers_of(const cv::Mat1f& output) {
     return numbers;
 }
 
-/// Of a matrix that lies in one piece, as a network's answer does.
 template <class T>
 T value_of(Result<T> result) {
     if (!result) throw std::runtime_error(result.error().line);
