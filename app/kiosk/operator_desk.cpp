@@ -55,9 +55,7 @@ std::string import_network(std::span<const std::byte> bytes, const std::string& 
                              "to the stick again.",
                              {name});
     return outcome(install_network(*network, bytes),
-                   language.text("operator",
-                                 "Main things of photographs are found from the kiosk's next "
-                                 "start on."));
+                   language.text("operator", "Main things of photographs are found from now on."));
 }
 
 /// Waits for the stick and for workers: beside the screen's thread.

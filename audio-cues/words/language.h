@@ -51,7 +51,7 @@ class Language {
     std::locale words_;
 };
 
-/// Codes of the catalogues in a folder, sorted, English first: a file more is a language more. A
+/// Codes of the catalogues in a folder, sorted, English first: another file is another language. A
 /// folder that cannot be read: one line.
 [[nodiscard]] Result<std::vector<std::string>> languages_in(const std::string& folder);
 

@@ -5,6 +5,7 @@
 #include "vision/contour/iso_rings.h"
 #include "vision/contour/ring_snap.h"
 #include "vision/contour/sampling.h"
+#include "vision/contour/stretches.h"
 
 #include <algorithm>
 #include <utility>
@@ -63,37 +64,6 @@ cv::Mat1f to_rings(const std::vector<Chain>& rings, cv::Size size) {
 }
 
 enum class Place { on_ring, inside, outside };
-
-/// The stretches of a line that lie in one place each, those on a ring left out.
-template <class PlaceOf, class Add>
-void cut_by_place(const Chain& line, PlaceOf place_of, Add add) {
-    std::vector<EdgePoint> points = line.points;
-    const auto is_first = [&](std::size_t i) {
-        return place_of(points[i]) != place_of(points[(i + points.size() - 1) % points.size()]);
-    };
-    if (line.is_closed) {
-        std::size_t start = 0;
-        while (start < points.size() && !is_first(start)) {
-            ++start;
-        }
-        if (start == points.size()) {
-            return add(line, place_of(points.front()));
-        }
-        std::ranges::rotate(points, points.begin() + static_cast<std::ptrdiff_t>(start));
-    }
-    for (std::size_t first = 0; first < points.size();) {
-        std::size_t last = first;
-        while (last + 1 < points.size() && place_of(points[last + 1]) == place_of(points[first])) {
-            ++last;
-        }
-        const auto at = [&](std::size_t i) {
-            return points.begin() + static_cast<std::ptrdiff_t>(i);
-        };
-        add(Chain{{at(first), at(last + 1)}, false, line.width_px, line.of},
-            place_of(points[first]));
-        first = last + 1;
-    }
-}
 
 /// The rings without what runs along the picture's frame: a thing that the frame cuts has no edge
 /// there.

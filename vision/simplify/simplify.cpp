@@ -2,6 +2,7 @@
 
 #include "config/types/map_frame.h"
 #include "vision/simplify/breaks.h"
+#include "vision/simplify/map_outline.h"
 #include "vision/simplify/parts.h"
 #include "vision/simplify/placement.h"
 #include "vision/simplify/ranking.h"
@@ -50,21 +51,6 @@ void put_figure_first(std::vector<RankedLine>& order, int detail) {
     if (detail < kLeastDetailOfBackground && !order.empty() && place(order.front()) == 0) {
         std::erase_if(order, [&](const RankedLine& ranked) { return place(ranked) == 2; });
     }
-}
-
-Outline outline_of(const Chain& line, const Area& area) {
-    Outline outline;
-    outline.is_closed = line.is_closed;
-    for (const EdgePoint& point : line.points) {
-        const Position p = canonical_point(point.at.x, point.at.y, area);
-        if (outline.points.empty() || !(outline.points.back() == p)) {
-            outline.points.push_back(p);
-        }
-    }
-    if (outline.is_closed && outline.points.front() == outline.points.back()) {
-        outline.points.pop_back();
-    }
-    return outline;
 }
 
 /// The lowest detail, from `detail` down, whose number and length of strokes hold these.

@@ -1,0 +1,231 @@
+#include "vision/face/face_map.h"
+
+#include "config/types/map_limits.h"
+#include "tests/vision/face/made_face.h"
+#include "tests/vision/simplify/touch_rules.h"
+
+#include <cmath>
+#include <optional>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace touchline::testing {
+namespace {
+
+/// Lines lie as far apart as a finger tells; number and length are free.
+constexpr TouchRules kFaceRules{60, 1e9, 3.9, 3.2};
+
+/// The map has no outline of the person where `hair` is 0.
+FaceMap map_of(const MadeFace& face, double hair, const Area& area = {}) {
+    const FaceMesh mesh = face.mesh();
+    std::vector<PartLine> lines = face_lines(mesh);
+    if (hair > 0.0)
+        std::ranges::move(person_outline(made_person(face, hair), mesh), std::back_inserter(lines));
+    return face_map(box_of(mesh), lines, area);
+}
+
+/// Finds the middle of a part's outlines, millimetres, y away from the user.
+std::optional<Position> middle_of(const FaceMap& face, FacePart part) {
+    Position sum;
+    double points = 0.0;
+    for (std::size_t i = 0; i < face.parts.size(); ++i) {
+        if (face.parts[i] != part) continue;
+        for (const Position& p : face.map.outlines[i].points) sum += 1000.0 * p;
+        points += static_cast<double>(face.map.outlines[i].points.size());
+    }
+    if (points == 0.0) return std::nullopt;
+    return (1.0 / points) * sum;
+}
+
+std::size_t count(const FaceMap& face, FacePart part) {
+    return static_cast<std::size_t>(std::ranges::count(face.parts, part));
+}
+
+/// The first outline of a part that the map has.
+const Outline& outline_of(const FaceMap& face, FacePart part) {
+    const auto at = std::ranges::find(face.parts, part) - face.parts.begin();
+    return face.map.outlines[static_cast<std::size_t>(at)];
+}
+
+TEST(FaceMap, AFaceFromTheFrontHasAllItsPartsInTheirPlaces) {
+    const FaceMap face = map_of({}, 1.3);
+    ASSERT_EQ(face.parts.size(), face.map.outlines.size());
+    for (std::size_t number = 0; number < face_part_ids.size(); ++number) {
+        EXPECT_EQ(count(face, static_cast<FacePart>(number)), 1U) << face_part_ids[number];
+    }
+    const auto at = [&](FacePart part) { return *middle_of(face, part); };
+    EXPECT_LT(at(FacePart::left_eye).x, at(FacePart::nose).x);
+    EXPECT_LT(at(FacePart::nose).x, at(FacePart::right_eye).x);
+    EXPECT_GT(at(FacePart::left_brow).y, at(FacePart::left_eye).y);
+    EXPECT_GT(at(FacePart::right_brow).y, at(FacePart::right_eye).y);
+    EXPECT_GT(at(FacePart::left_eye).y, at(FacePart::nostrils).y);
+    EXPECT_GT(at(FacePart::nostrils).y, at(FacePart::mouth).y);
+}
+
+TEST(FaceMap, WhatAHandNeedsFirstComesFirst) {
+    const FaceMap face = map_of({}, 1.3);
+    int before = 1;
+    double weight = 2.0;
+    for (std::size_t i = 0; i < face.parts.size(); ++i) {
+        const Outline& outline = face.map.outlines[i];
+        EXPECT_GE(outline.detail, before);
+        EXPECT_LT(outline.weight, weight);
+        before = outline.detail;
+        weight = outline.weight;
+        const bool is_silhouette =
+            face.parts[i] == FacePart::person || face.parts[i] == FacePart::face;
+        EXPECT_EQ(outline.detail == 1, is_silhouette);
+    }
+}
+
+TEST(FaceMap, TheHeadFillsTheHeightOfTheArea) {
+    for (const double hair : {1.15, 1.6}) {
+        const FaceMap face = map_of({}, hair);
+        double low_mm = 84.0;
+        double high_mm = -84.0;
+        for (const Outline& outline : face.map.outlines) {
+            for (const Position& p : outline.points) {
+                low_mm = std::min(low_mm, 1000.0 * p.y);
+                high_mm = std::max(high_mm, 1000.0 * p.y);
+            }
+        }
+        EXPECT_GT(high_mm - low_mm, 70.0) << hair;
+        EXPECT_LT(high_mm, 42.0 - 1.0) << "a finger goes round the head";
+    }
+}
+
+TEST(FaceMap, EveryPoseKeepsTheSpacingTheAreaAndTheOrder) {
+    std::mt19937 random(7);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    int eyes = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        const MadeFace made{between(-1.5, 1.5),
+                            between(-0.6, 0.6),
+                            between(-0.8, 0.8),
+                            between(12.0, 90.0),
+                            {between(150.0, 490.0), between(100.0, 380.0)},
+                            trial % 2 == 0 ? 0.0 : between(0.0, 1.0),
+                            trial % 7 == 0 ? 0.0 : between(0.3, 1.0),
+                            between(-0.2, 0.2),
+                            between(0.8, 1.3)};
+        const Area area = trial % 5 == 0 ? Area{0.2, 0.15} : Area{};
+        const double hair = trial % 9 == 0 ? 0.0 : between(0.9, 1.8);
+        const FaceMap face = map_of(made, hair, area);
+        SCOPED_TRACE(made.words());
+        EXPECT_EQ(fault_of(face.map), "");
+        EXPECT_EQ(faults_of(face.map, kFaceRules), std::vector<std::string>{});
+        for (const Outline& outline : face.map.outlines) {
+            for (const Position& p : outline.points) {
+                EXPECT_LE(std::abs(p.x), 0.5 * area.width_m + 1e-9);
+                EXPECT_LE(std::abs(p.y), 0.5 * area.height_m + 1e-9);
+            }
+        }
+        const Position up{std::sin(made.tilt_rad), std::cos(made.tilt_rad)};
+        const Position right{up.y, -up.x};
+        const auto left_eye = middle_of(face, FacePart::left_eye);
+        const auto right_eye = middle_of(face, FacePart::right_eye);
+        const auto mouth = middle_of(face, FacePart::mouth);
+        const bool is_profile = std::abs(made.turn_rad) > 1.2;  // where the eyes lie on each other
+        if (left_eye && right_eye && !is_profile) {
+            EXPECT_LT(dot(right, *left_eye), dot(right, *right_eye));
+            ++eyes;
+        }
+        for (const auto& eye : {left_eye, right_eye}) {
+            const bool is_judged = eye && mouth && std::abs(made.skew) < 0.1 && !is_profile;
+            EXPECT_TRUE(!is_judged || dot(up, *eye) > dot(up, *mouth));
+        }
+        if (HasFailure()) break;
+    }
+    EXPECT_GT(eyes, 100);
+}
+
+TEST(FaceMap, ATurnedPictureGivesATurnedMap) {
+    MadeFace made;
+    made.turn_rad = 0.3;
+    const FaceMap upright = map_of(made, 0.0);
+    made.tilt_rad = 0.5;
+    const FaceMap tilted = map_of(made, 0.0);
+    ASSERT_EQ(upright.parts, tilted.parts);
+    const auto way = [](const FaceMap& face) {
+        const Position across =
+            *middle_of(face, FacePart::right_eye) - *middle_of(face, FacePart::left_eye);
+        return std::atan2(across.y, across.x);
+    };
+    EXPECT_NEAR(way(upright) - way(tilted), 0.5, 0.05);
+}
+
+TEST(FaceMap, AnOpenEyeIsWideEnoughForAFinger) {
+    MadeFace made;
+    made.eyes_open = 0.5;
+    const FaceMap face = map_of(made, 1.3);
+    ASSERT_EQ(count(face, FacePart::left_eye), 1U);
+    const Outline& eye = outline_of(face, FacePart::left_eye);
+    const auto [low, high] = std::ranges::minmax(eye.points, {}, &Position::y);
+    EXPECT_GT(1000.0 * (high.y - low.y), 3.2);
+    EXPECT_TRUE(eye.is_closed);
+}
+
+/// The lines of a face with a round mouth and, close below it, a line that leaves its ring no room.
+std::vector<PartLine> crowded(const FaceMesh& mesh) {
+    std::vector<PartLine> lines = face_lines(mesh);
+    const cv::Point2d below = mesh[14] + cv::Point2d(0.0, 6.0);
+    Chain scarf;
+    for (double x = -80.0; x <= 80.0; x += 2.0) {
+        scarf.points.push_back({below + cv::Point2d(x, 0.0)});
+    }
+    lines.push_back({FacePart::person, scarf});
+    return lines;
+}
+
+TEST(FaceMap, ARoundMouthIsARingAndWithoutRoomOneLine) {
+    const FaceMesh mesh = with_round_mouth(MadeFace().mesh());
+    const FaceMap free = face_map(box_of(mesh), face_lines(mesh), {});
+    ASSERT_EQ(count(free, FacePart::mouth), 1U);
+    EXPECT_TRUE(outline_of(free, FacePart::mouth).is_closed);
+    const FaceMap face = face_map(box_of(mesh), crowded(mesh), {});
+    ASSERT_EQ(count(face, FacePart::mouth), 1U);
+    const Outline& mouth = outline_of(face, FacePart::mouth);
+    EXPECT_FALSE(mouth.is_closed);
+    const auto [low, high] = std::ranges::minmax(mouth.points, {}, &Position::y);
+    EXPECT_LT(1000.0 * (high.y - low.y), 0.2 * length_of(mouth)) << "it is no hook";
+}
+
+TEST(FaceMap, ARingWithoutCornersAndRoomIsLeftOut) {
+    const FaceMesh mesh = with_round_mouth(MadeFace().mesh());
+    std::vector<PartLine> lines = crowded(mesh);
+    const auto mouth = std::ranges::find(lines, FacePart::mouth, &PartLine::part);
+    for (EdgePoint& p : mouth->line.points) p.is_fixed = false;
+    EXPECT_EQ(count(face_map(box_of(mesh), lines, {}), FacePart::mouth), 0U);
+}
+
+TEST(FaceMap, TheOvalGivesWayToTheOutlineWhereTheyRunTogether) {
+    const FaceMap bald = map_of({}, 1.02);
+    EXPECT_EQ(count(bald, FacePart::person), 1U);
+    double oval_mm = 0.0;
+    for (std::size_t i = 0; i < bald.parts.size(); ++i) {
+        if (bald.parts[i] == FacePart::face) oval_mm += length_of(bald.map.outlines[i]);
+    }
+    EXPECT_LT(oval_mm, 60.0) << "but for the chin between the shoulders";
+}
+
+TEST(FaceMap, WhatIsNoFaceGivesNoOutlinesAndDoesNoHarm) {
+    EXPECT_TRUE(face_map({}, {}, {}).map.outlines.empty());
+    EXPECT_TRUE(face_map({0.0, 0.0, -5.0, 10.0}, {}, {}).map.outlines.empty());
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> anywhere(-900.0, 1500.0);
+    for (int trial = 0; trial < 200; ++trial) {
+        FaceMesh mesh;
+        for (cv::Point2d& p : mesh) {
+            p = trial % 10 == 0 ? cv::Point2d(7.0, 7.0)
+                                : cv::Point2d(anywhere(random), anywhere(random));
+        }
+        const FaceMap face = face_map(box_of(mesh), face_lines(mesh), {});
+        EXPECT_EQ(fault_of(face.map), "");
+    }
+}
+
+}  // namespace
+}  // namespace touchline::testing

@@ -1,0 +1,149 @@
+#include "vision/face/face_network.h"
+
+#include "app/decode/files.h"
+#include "tests/vision/face/made_face.h"
+#include "vision/face/person_network.h"
+
+#include <limits>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+namespace touchline::testing {
+namespace {
+
+std::vector<std::byte> shipped(const std::string& name) {
+    return read_file(TOUCHLINE_SHIPPED_NETWORKS "/" + name + ".onnx").value();
+}
+
+class FaceNetworks : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        auto made = FaceNetwork::from_onnx(shipped("blazeface"), shipped("facemesh"));
+        ASSERT_TRUE(made) << made.error().line;
+        network_ = std::make_unique<FaceNetwork>(std::move(*made));
+    }
+
+    std::vector<FaceMesh> faces(const cv::Mat3b& picture, const std::vector<cv::Rect2d>& persons) {
+        auto found = network_->faces(picture, persons);
+        EXPECT_TRUE(found) << found.error().line;
+        return found ? *found : std::vector<FaceMesh>{};
+    }
+
+    std::unique_ptr<FaceNetwork> network_;
+};
+
+const std::vector<cv::Rect2d> kAll{{0.0, 0.0, 640.0, 480.0}};
+
+TEST_F(FaceNetworks, APaintedFaceIsFoundWhereItIs) {
+    const MadeFace face;
+    const std::vector<FaceMesh> found = faces(portrait_of(face), kAll);
+    ASSERT_EQ(found.size(), 1U);
+    const double unit = box_of(face.mesh()).width;
+    for (const std::size_t i :
+         {std::size_t{152}, std::size_t{33}, std::size_t{263}, std::size_t{13}}) {
+        EXPECT_LT(cv::norm(found[0][i] - face.mesh()[i]), 0.15 * unit) << i;
+    }
+}
+
+TEST_F(FaceNetworks, ATurnedPictureTurnsTheFace) {
+    const cv::Mat3b upright = portrait_of({});
+    for (const double degrees : {-35.0, 20.0, 40.0}) {
+        const cv::Mat turn = cv::getRotationMatrix2D({300.0F, 220.0F}, degrees, 1.0);
+        cv::Mat3b turned;
+        cv::warpAffine(upright, turned, turn, upright.size(), cv::INTER_LINEAR,
+                       cv::BORDER_REPLICATE);
+        const std::vector<FaceMesh> found = faces(turned, kAll);
+        ASSERT_EQ(found.size(), 1U) << degrees;
+        EXPECT_NEAR(tilt_of(found[0]) * 180.0 / CV_PI, -degrees, 4.0);
+    }
+}
+
+TEST_F(FaceNetworks, AFaceIsOneOnlyInThePersonThatHasIt) {
+    const cv::Mat3b picture = portrait_of({});
+    EXPECT_TRUE(faces(picture, {}).empty());
+    EXPECT_TRUE(faces(picture, {{0.0, 0.0, 150.0, 480.0}}).empty());
+    EXPECT_EQ(faces(picture, {{200.0, 100.0, 220.0, 380.0}, kAll[0]}).size(), 1U) << "once";
+}
+
+/// A large picture with a face of 120 times `scale` pixels in it.
+cv::Mat3b with_small_head(double scale) {
+    cv::Mat3b small;
+    cv::resize(portrait_of({}), small, {}, scale, scale, cv::INTER_AREA);
+    cv::Mat3b picture(1200, 1600, cv::Vec3b(150, 140, 120));
+    small.copyTo(picture(cv::Rect({900, 400}, small.size())));
+    return picture;
+}
+
+TEST_F(FaceNetworks, ASmallHeadIsFoundInItsPerson) {
+    EXPECT_EQ(faces(with_small_head(0.33), {{920.0, 400.0, 150.0, 400.0}}).size(), 1U);
+}
+
+TEST_F(FaceNetworks, AHeadTooSmallToBeDrawnIsNone) {
+    EXPECT_TRUE(faces(with_small_head(0.2), {{920.0, 400.0, 90.0, 400.0}}).empty());
+}
+
+TEST_F(FaceNetworks, NothingAndNoiseAreNoFace) {
+    cv::RNG random(3);
+    for (int trial = 0; trial < 12; ++trial) {
+        cv::Mat3b picture(480, 640, cv::Vec3b(20, 20, 20) * (trial % 4));
+        if (trial >= 4) random.fill(picture, cv::RNG::UNIFORM, 0, 256);
+        if (trial >= 8) cv::GaussianBlur(picture, picture, {}, trial);
+        EXPECT_TRUE(faces(picture, kAll).empty()) << trial;
+    }
+    EXPECT_TRUE(faces({}, kAll).empty());
+}
+
+TEST_F(FaceNetworks, BoxesThatLieNowhereDoNoHarm) {
+    const double endless = std::numeric_limits<double>::infinity();
+    const double no_number = std::numeric_limits<double>::quiet_NaN();
+    const cv::Mat3b picture = portrait_of({});
+    for (const cv::Rect2d& box :
+         {cv::Rect2d(-9e5, -9e5, 10, 10), cv::Rect2d(9e12, 0, 1, 1), cv::Rect2d(10, 10, -5, -5),
+          cv::Rect2d(no_number, 0, 10, no_number)}) {
+        EXPECT_TRUE(faces(picture, {box}).empty()) << box;
+    }
+    EXPECT_EQ(faces(picture, {{0, 0, endless, endless}}).size(), 1U) << "it holds the picture";
+    EXPECT_TRUE(faces(cv::Mat3b(1, 1, cv::Vec3b(9, 9, 9)), kAll).empty());
+    EXPECT_TRUE(faces(cv::Mat3b(3, 4000, cv::Vec3b(9, 9, 9)), {{0.0, 0.0, 4000.0, 3.0}}).empty());
+}
+
+TEST(FaceNetwork, OneOfAnotherKindIsOneLine) {
+    EXPECT_FALSE(FaceNetwork::from_onnx({}, shipped("facemesh")));
+    auto swapped = FaceNetwork::from_onnx(shipped("facemesh"), shipped("blazeface"));
+    ASSERT_TRUE(swapped);
+    const auto found = swapped->faces(portrait_of({}), kAll);
+    ASSERT_FALSE(found);
+    EXPECT_EQ(found.error().line.find("the network that finds faces cannot be used"), 0U);
+    EXPECT_EQ(found.error().line.find('\n'), std::string::npos);
+}
+
+TEST(PersonNetwork, TellsAPaintedPersonFromTheGround) {
+    auto network = PersonNetwork::from_onnx(shipped("selfie"));
+    ASSERT_TRUE(network) << network.error().line;
+    const MadeFace face;
+    const cv::Mat3b picture = portrait_of(face);
+    const cv::Rect part = head_and_shoulders(face.mesh(), picture.size());
+    const auto mask = network->mask_of(picture, part);
+    ASSERT_TRUE(mask) << mask.error().line;
+    ASSERT_EQ(mask->size(), cv::Size(256, 256));
+    const cv::Point2d middle = face.middle - cv::Point2d(part.tl());
+    EXPECT_GE(
+        (*mask)(cvRound(256.0 * middle.y / part.height), cvRound(256.0 * middle.x / part.width)),
+        128);
+    EXPECT_LT((*mask)(8, 8), 128);
+}
+
+TEST(PersonNetwork, OneOfAnotherKindIsOneLine) {
+    EXPECT_FALSE(PersonNetwork::from_onnx({}));
+    auto other = PersonNetwork::from_onnx(shipped("blazeface"));
+    ASSERT_TRUE(other);
+    const auto mask = other->mask_of(cv::Mat3b(40, 40, cv::Vec3b(9, 9, 9)), {0, 0, 40, 40});
+    ASSERT_FALSE(mask);
+    EXPECT_NE(mask.error().line.find("answers in another form"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace touchline::testing

@@ -1,0 +1,289 @@
+#include "vision/face/face_map.h"
+
+#include "config/types/map_frame.h"
+#include "vision/contour/finger.h"
+#include "vision/contour/stretches.h"
+#include "vision/face/slit_rings.h"
+#include "vision/simplify/breaks.h"
+#include "vision/simplify/loops.h"
+#include "vision/simplify/map_outline.h"
+#include "vision/simplify/shaping.h"
+#include "vision/simplify/spacing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace touchline {
+namespace {
+
+constexpr double kMargin_mm = 2.0;  // above the head: a finger goes round it
+constexpr double kStep_mm = 0.25;
+constexpr double kClear_mm = kLeastApart_mm + 0.5 * kStep_mm;  // of points
+constexpr double kSmallBreak_mm = 4.0;
+constexpr double kMostMoved_mm = 3.0;
+constexpr double kLeastShown = 0.4;  // of a part that is shown at all
+
+constexpr ShapingScale kOutlineScale{kStep_mm, 0.7, 6.0};
+constexpr ShapingScale kPartScale{kStep_mm, 0.3, 2.0};
+
+int detail_of(FacePart part) {
+    switch (part) {
+        case FacePart::person:
+        case FacePart::face:
+            return 1;
+        case FacePart::left_eye:
+        case FacePart::right_eye:
+        case FacePart::mouth:
+            return 2;
+        case FacePart::nose:
+        case FacePart::left_brow:
+        case FacePart::right_brow:
+            return 3;
+        case FacePart::nostrils:
+            break;
+    }
+    return 4;
+}
+
+bool is_eye(FacePart part) {
+    return part == FacePart::left_eye || part == FacePart::right_eye;
+}
+
+/// The top of hair or hat, above the face.
+double top_of(const cv::Rect2d& face, const std::vector<PartLine>& lines) {
+    constexpr double kBeside = 0.75;  // of the face's width, from its middle
+    constexpr double kHighest = 1.0;  // of its height, above it
+    double top = face.y;
+    for (const PartLine& line : lines) {
+        if (line.part != FacePart::person) continue;
+        for (const EdgePoint& p : line.line.points) {
+            const bool is_above =
+                std::abs(p.at.x - face.x - 0.5 * face.width) < kBeside * face.width;
+            if (is_above) top = std::min(top, p.at.y);
+        }
+    }
+    return std::max(top, face.y - kHighest * face.height);
+}
+
+/// What of the picture fills the area.
+cv::Rect2d part_shown(const cv::Rect2d& face, const std::vector<PartLine>& lines,
+                      cv::Size2d area_mm) {
+    constexpr double kShoulders = 0.35;  // of the face's height, below the chin
+    constexpr double kBeside = 0.2;      // of its width, on either side
+    const double top = top_of(face, lines);
+    const double height = face.br().y + kShoulders * face.height - top;
+    const double mm_per_px =
+        std::min((area_mm.height - kMargin_mm) / height,
+                 (area_mm.width - 2.0 * kMargin_mm) / ((1.0 + 2.0 * kBeside) * face.width));
+    const cv::Size2d size(area_mm.width / mm_per_px, area_mm.height / mm_per_px);
+    return {face.x + 0.5 * (face.width - size.width), top - kMargin_mm / mm_per_px, size.width,
+            size.height};
+}
+
+/// The way that leads along the line through eyes and mouth, or through what there is of them, to
+/// the right of an upright face.
+cv::Point2d across_face(const std::vector<PartLine>& lines) {
+    cv::Point2d across;
+    for (const PartLine& line : lines) {
+        if (!is_eye(line.part) && line.part != FacePart::mouth) continue;
+        const std::vector<EdgePoint>& points = line.line.points;
+        if (points.empty()) continue;
+        const auto corner =
+            std::ranges::find(points.begin() + 1, points.end(), true, &EdgePoint::is_fixed);
+        across += (corner == points.end() ? points.back() : *corner).at - points.front().at;
+    }
+    const double length = cv::norm(across);
+    return length > 0.0 ? across / length : cv::Point2d(1.0, 0.0);
+}
+
+/// The way along which, there or back, a part may be moved from what is there: eyes and mouth
+/// across the face, from its sides; brows and nostrils up, from what lies below them.
+cv::Point2d way_out(FacePart part, cv::Point2d across) {
+    switch (part) {
+        case FacePart::left_eye:
+        case FacePart::mouth:
+            return across;
+        case FacePart::right_eye:
+            return -across;
+        case FacePart::left_brow:
+        case FacePart::right_brow:
+        case FacePart::nostrils:
+            return {across.y, -across.x};
+        default:
+            return {};
+    }
+}
+
+/// The face's lines on the area.
+class FaceDrawing {
+  public:
+    explicit FaceDrawing(cv::Size2d area_mm)
+        : area_mm_(area_mm), spaced_(area_mm, kLeastApart_mm, kStep_mm) {}
+
+    /// What of a line lies in the area.
+    void add_outline(FacePart part, const Chain& line) {
+        const auto is_within = [&](const EdgePoint& p) {
+            return p.at.x >= 0.0 && p.at.y >= 0.0 && p.at.x <= area_mm_.width &&
+                   p.at.y <= area_mm_.height;
+        };
+        cut_by_place(shaped(line, kOutlineScale), is_within, [&](const Chain& stretch, bool is_in) {
+            if (!is_in || stretch.points.size() < 2) return;
+            for (const Chain& simple : without_self_crossings(stretch, kShortestLine_mm)) {
+                add_spaced(part, {simple, false, false});
+            }
+        });
+    }
+
+    /// A part by itself, moved a little if that keeps it clear; it touches nothing. A ring is shown
+    /// whole, or as one line; one without corners, which has no middle, not at all.
+    void add_part(FacePart part, const Chain& whole, cv::Point2d way) {
+        Chain line = clear_of_others(shaped(whole, kPartScale), way);
+        if (line.is_closed && !(is_clear(line) && !too_near_itself(line, spaced_.scale()))) {
+            line = middle_of(whole);
+            if (line.is_closed) return;
+            line = clear_of_others(shaped(line, kPartScale), way);
+        }
+        std::optional<Chain> longest;
+        cut_by_place(
+            line, [&](const EdgePoint& p) { return has_room(p); },
+            [&](const Chain& stretch, bool has_room) {
+                if (has_room && (!longest || length_of(stretch) > length_of(*longest)))
+                    longest = stretch;
+            });
+        if (!longest || crosses_itself_in_map(*longest)) return;
+        const double least_mm = std::max(kShortestLine_mm, kLeastShown * length_of(line));
+        if (length_of(*longest) >= least_mm) keep(part, {std::move(*longest), {}, {}, 0, {}});
+    }
+
+    [[nodiscard]] const std::vector<FacePart>& parts() const { return parts_; }
+
+    [[nodiscard]] std::vector<Chain> lines() const { return spaced_.lines(); }
+
+  private:
+    [[nodiscard]] bool has_room(const EdgePoint& p) const {
+        return p.at.x >= 0.0 && p.at.y >= 0.0 && p.at.x <= area_mm_.width &&
+               p.at.y <= area_mm_.height && !spaced_.has_near(p.at, kClear_mm);
+    }
+
+    [[nodiscard]] bool is_clear(const Chain& line) const {
+        return std::ranges::all_of(line.points, [&](const EdgePoint& p) { return has_room(p); });
+    }
+
+    /// Moved as little as it needs; as it is, where that is too far.
+    [[nodiscard]] Chain clear_of_others(const Chain& line, cv::Point2d way) const {
+        if (way == cv::Point2d() || is_clear(line)) return line;
+        for (double by_mm = kStep_mm; by_mm <= kMostMoved_mm; by_mm += kStep_mm) {
+            for (const double sign : {1.0, -1.0}) {
+                Chain moved = line;
+                for (EdgePoint& p : moved.points) p.at += sign * by_mm * way;
+                if (is_clear(moved)) return moved;
+            }
+        }
+        return line;
+    }
+
+    /// Whether a line goes along others all the way: a hand that follows them misses nothing of it.
+    [[nodiscard]] bool runs_beside(const Chain& line) const {
+        return std::ranges::all_of(line.points, [&](const EdgePoint& p) {
+            return spaced_.has_near(p.at, 2.0 * kLeastApart_mm);
+        });
+    }
+
+    /// All of a line that is clear of the others; where it is not, it meets them.
+    void add_spaced(FacePart part, Candidate candidate) {
+        std::vector<Candidate> open{std::move(candidate)};
+        while (!open.empty()) {
+            auto fit = spaced_.fit(open.back());
+            open.pop_back();
+            if (!fit) continue;
+            std::ranges::move(fit->rest, std::back_inserter(open));
+            const bool is_felt = length_of(fit->line) >= kShortestLine_mm &&
+                                 (part == FacePart::person || !runs_beside(fit->line));
+            if (is_felt) keep(part, std::move(*fit));
+        }
+    }
+
+    void keep(FacePart part, Fit fit) {
+        spaced_.add(std::move(fit));
+        parts_.push_back(part);
+    }
+
+    cv::Size2d area_mm_;
+    SpacedLines spaced_;
+    std::vector<FacePart> parts_;
+};
+
+/// The lower end of the ridge goes where the nostrils are nearer than a finger can tell.
+void shorten_ridge(std::vector<PartLine>& lines) {
+    const auto nose = std::ranges::find(lines, FacePart::nose, &PartLine::part);
+    const auto nostrils = std::ranges::find(lines, FacePart::nostrils, &PartLine::part);
+    if (nose == lines.end() || nostrils == lines.end()) return;
+    std::vector<EdgePoint>& ridge = nose->line.points;
+    const auto is_near = [&](const EdgePoint& p) {
+        return std::ranges::any_of(nostrils->line.points, [&](const EdgePoint& other) {
+            return distance(p.at, other.at) < kClear_mm + kStep_mm;
+        });
+    };
+    ridge.erase(std::ranges::find_if(ridge, is_near), ridge.end());
+    if (ridge.size() < 2) lines.erase(nose);
+}
+
+std::vector<PartLine> on_area(const std::vector<PartLine>& lines, const cv::Rect2d& shown,
+                              cv::Size2d area_mm) {
+    const double mm_per_px = area_mm.width / shown.width;
+    std::vector<PartLine> placed;
+    std::vector<Chain> outlines;
+    for (auto [part, line] : lines) {
+        for (EdgePoint& p : line.points) p.at = (p.at - shown.tl()) * mm_per_px;
+        if (part == FacePart::person) {
+            outlines.push_back(std::move(line));
+        } else {
+            const SpacingScale scale{area_mm, kLeastApart_mm, kStep_mm};
+            placed.push_back({part, opened_for_finger(line, scale)});
+        }
+    }
+    for (Chain& line : with_breaks_closed(std::move(outlines), kSmallBreak_mm)) {
+        placed.push_back({FacePart::person, std::move(line)});
+    }
+    std::ranges::stable_sort(placed, {}, [](const PartLine& line) {
+        return line.part == FacePart::person ? 0 : detail_of(line.part);
+    });
+    shorten_ridge(placed);
+    return placed;
+}
+
+}  // namespace
+
+FaceMap face_map(const cv::Rect2d& face, const std::vector<PartLine>& lines, const Area& area) {
+    FaceMap result;
+    result.map.area = area_of(view_box_of(area));
+    const cv::Size2d area_mm(1000.0 * result.map.area.width_m, 1000.0 * result.map.area.height_m);
+    if (!(face.width > 0.0 && face.height > 0.0)) return result;
+    result.shown = part_shown(face, lines, area_mm);
+    const std::vector<PartLine> placed = on_area(lines, result.shown, area_mm);
+    const cv::Point2d across = across_face(placed);
+    FaceDrawing drawing(area_mm);
+    for (const auto& [part, line] : placed) {
+        if (line.points.size() < 2 || !(length_of(line) > 0.0)) continue;
+        if (part == FacePart::person || part == FacePart::face) {
+            drawing.add_outline(part, line);
+        } else {
+            drawing.add_part(part, line, way_out(part, across));
+        }
+    }
+    result.parts = drawing.parts();
+    for (const Chain& line : drawing.lines()) {
+        Outline outline = outline_of(line, result.map.area);
+        const std::size_t number = result.map.outlines.size();
+        outline.id = "outline-" + std::to_string(number + 1);
+        outline.weight = 1.0 / static_cast<double>(number + 1);
+        outline.detail = detail_of(result.parts[number]);
+        result.map.outlines.push_back(std::move(outline));
+    }
+    return result;
+}
+
+}  // namespace touchline

@@ -1,0 +1,232 @@
+#include "vision/face/face_network.h"
+
+#include "vision/face/picture_part.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <opencv2/dnn.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace touchline {
+namespace {
+
+constexpr int kMesh_px = 192;       // side of its input
+constexpr double kAround = 1.5;     // side of what the mesh's network sees, in sides of the face
+constexpr double kLeastSure = 0.9;  // measured: tests/bench/vision/faces_and_names.md
+constexpr std::size_t kMostPersons = 8;
+constexpr std::size_t kMostFaces = 8;
+
+/// An upright square that a face lies in as if it were upright itself.
+struct Window {
+    cv::Point2d centre;  // pixels of the picture
+    double side_px = 0.0;
+    double tilt_rad = 0.0;
+};
+
+/// Where the network of the mesh looks, from a box and the eyes in it.
+Window window_of(const FaceBox& found) {
+    const cv::Point2d across = found.right_eye - found.left_eye;
+    const cv::Rect2d& box = found.box;
+    return {centre_of(box), kAround * std::max(box.width, box.height),
+            std::atan2(across.y, across.x)};
+}
+
+/// The same from a mesh that lies about right.
+Window window_of(const FaceMesh& mesh) {
+    const double tilt_rad = tilt_of(mesh);
+    const double c = std::cos(tilt_rad);
+    const double s = std::sin(tilt_rad);
+    FaceMesh upright = mesh;
+    for (cv::Point2d& p : upright) p = {c * p.x + s * p.y, c * p.y - s * p.x};
+    const cv::Rect2d box = box_of(upright);
+    const cv::Point2d centre = centre_of(box);
+    return {{c * centre.x - s * centre.y, s * centre.x + c * centre.y},
+            kAround * std::max(box.width, box.height),
+            tilt_rad};
+}
+
+/// Maps pixels of the window's square to pixels of the picture.
+cv::Matx23d from_window(const Window& window) {
+    const double scale = window.side_px / kMesh_px;
+    const double c = scale * std::cos(window.tilt_rad);
+    const double s = scale * std::sin(window.tilt_rad);
+    const double half = 0.5 * kMesh_px;
+    return {c, -s, window.centre.x - c * half + s * half,
+            s, c,  window.centre.y - s * half - c * half};
+}
+
+/// What lies in the window; beyond the picture its rim goes on. A picture much finer than the
+/// window's square is reduced first, by means. Empty, where the window lies beside the picture.
+cv::Mat3b seen_in(const cv::Mat3b& picture, const Window& window) {
+    constexpr double kReach = 0.75;  // of the side: half of the diagonal, and a little
+    const cv::Point2d reach(kReach * window.side_px, kReach * window.side_px);
+    const cv::Rect part =
+        part_within({window.centre - reach, window.centre + reach}, picture.size());
+    if (part.empty()) return {};
+    const double scale = std::min(1.0, 2.0 * kMesh_px / window.side_px);
+    cv::Mat3b reduced = picture(part);
+    const cv::Size size(std::max(1, cvRound(scale * part.width)),
+                        std::max(1, cvRound(scale * part.height)));
+    if (scale < 1.0) cv::resize(picture(part), reduced, size, 0.0, 0.0, cv::INTER_AREA);
+    cv::Matx23d way = from_window(window);
+    for (int k = 0; k < 3; ++k) {
+        way(0, k) = (way(0, k) - (k == 2 ? part.x : 0)) * reduced.cols / part.width;
+        way(1, k) = (way(1, k) - (k == 2 ? part.y : 0)) * reduced.rows / part.height;
+    }
+    cv::Mat3b seen;
+    cv::warpAffine(reduced, seen, way, {kMesh_px, kMesh_px},
+                   cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
+    return seen;
+}
+
+/// The mesh in the picture; nothing where its points lie nowhere near the window, or in one place.
+std::optional<FaceMesh> mesh_of(const cv::Mat1f& answer, const Window& window) {
+    constexpr double kLeastMesh = 0.1;  // of the window's side
+    const cv::Matx23d way = from_window(window);
+    FaceMesh mesh;
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+        const auto k = static_cast<int>(3 * i);  // the third is a depth
+        const double x = static_cast<double>(answer(0, k));
+        const double y = static_cast<double>(answer(0, k + 1));
+        if (!(std::max(std::abs(x), std::abs(y)) <= 2.0 * kMesh_px)) return std::nullopt;
+        mesh[i] = way * cv::Vec3d(x, y, 1.0);
+    }
+    const cv::Rect2d box = box_of(mesh);
+    if (!(std::min(box.width, box.height) >= kLeastMesh * window.side_px)) return std::nullopt;
+    return mesh;
+}
+
+/// Whether a face is the head of one of the persons, and wide enough.
+bool counts(const FaceMesh& mesh, std::span<const cv::Rect2d> persons) {
+    constexpr double kWidest = 1.2;  // in widths of the person: boxes of heads are tight
+    const cv::Rect2d face = box_of(mesh);
+    if (!(face.width >= kLeastFace_px)) return false;
+    return std::ranges::any_of(persons, [&](const cv::Rect2d& person) {
+        return person.contains(centre_of(face)) && face.width <= kWidest * person.width;
+    });
+}
+
+/// The first of the boxes, as far as they lie in the picture; those that do not are left out.
+std::vector<cv::Rect2d> boxes_within(std::span<const cv::Rect2d> boxes, cv::Size picture) {
+    std::vector<cv::Rect2d> within;
+    for (const cv::Rect2d& box : boxes.first(std::min(boxes.size(), kMostPersons))) {
+        const cv::Rect2d part = box_within(box, picture);
+        if (!part.empty()) within.push_back(part);
+    }
+    return within;
+}
+
+/// The upper end of a person, where the head is.
+cv::Rect head_part(const cv::Rect2d& person, cv::Size picture) {
+    constexpr double kLeastPart_px = 40.0;
+    constexpr double kSide = 0.9;   // of the person's width
+    constexpr double kAbove = 0.1;  // of the side: hair above the box
+    const double side_px = std::max(kLeastPart_px, kSide * person.width);
+    return part_within(
+        {person.x + 0.5 * (person.width - side_px), person.y - kAbove * side_px, side_px, side_px},
+        picture);
+}
+
+void add_unless_there(const FaceMesh& mesh, std::vector<FaceMesh>& faces) {
+    constexpr double kShared = 0.4;  // of the smaller box, where both are the same face
+    const cv::Rect2d box = box_of(mesh);
+    const bool is_there = std::ranges::any_of(faces, [&](const FaceMesh& other) {
+        return (box & box_of(other)).area() >= kShared * std::min(box.area(), box_of(other).area());
+    });
+    if (!is_there) faces.push_back(mesh);
+}
+
+}  // namespace
+
+Result<FaceNetwork> FaceNetwork::from_onnx(std::span<const std::byte> finder,
+                                           std::span<const std::byte> mesh) {
+    auto finds = TrainedNetwork::from_onnx(finder, "finds faces");
+    if (!finds) return tl::unexpected(finds.error());
+    auto lays = TrainedNetwork::from_onnx(mesh, "finds the parts of a face");
+    if (!lays) return tl::unexpected(lays.error());
+    return FaceNetwork(std::move(*finds), std::move(*lays));
+}
+
+/// The part lies in the upper left of the input, as large as it fits; the rest is black.
+Result<std::vector<FaceBox>> FaceNetwork::boxes_in(const cv::Mat3b& picture, cv::Rect part) {
+    const double scale = static_cast<double>(kFaceInput_px) / std::max(part.width, part.height);
+    const cv::Size size(std::clamp(cvRound(scale * part.width), 1, kFaceInput_px),
+                        std::clamp(cvRound(scale * part.height), 1, kFaceInput_px));
+    cv::Mat3b square(kFaceInput_px, kFaceInput_px, cv::Vec3b(0, 0, 0));
+    cv::Mat3b fitted = square(cv::Rect({}, size));
+    cv::resize(picture(part), fitted, size, 0.0, 0.0,
+               scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+    const cv::Mat input =
+        cv::dnn::blobFromImage(square, 1.0 / 127.5, {}, cv::Scalar::all(127.5), true, false);
+    const std::array<std::vector<int>, 4> shapes{
+        {{1, 512, 1}, {1, 384, 1}, {1, 512, 16}, {1, 384, 16}}};
+    const auto found = finder_.outputs(input, shapes);
+    if (!found) return tl::unexpected(found.error());
+    cv::Mat1f scores;
+    cv::Mat1f places;
+    cv::vconcat((*found)[0], (*found)[1], scores);
+    cv::vconcat((*found)[2], (*found)[3], places);
+    std::vector<FaceBox> boxes = face_boxes(scores, places);
+    const auto in_picture = [&](cv::Point2d p) {
+        return cv::Point2d(part.tl()) + p * (1.0 / scale);
+    };
+    for (FaceBox& box : boxes) {
+        box = {{in_picture(box.box.tl()), in_picture(box.box.br())},
+               in_picture(box.left_eye),
+               in_picture(box.right_eye),
+               box.likelihood};
+    }
+    return boxes;
+}
+
+/// Lays the mesh twice: the second time where the first lies.
+Result<std::optional<FaceNetwork::Laid>> FaceNetwork::laid_on(const cv::Mat3b& picture,
+                                                              const FaceBox& box) {
+    const std::array<std::vector<int>, 2> shapes{{{1, 1404}, {1, 1}}};
+    Window window = window_of(box);
+    std::optional<Laid> laid;
+    for (int pass = 0; pass < 2; ++pass) {
+        const cv::Mat3b seen = seen_in(picture, window);
+        if (seen.empty()) return std::optional<Laid>();
+        const auto answer =
+            mesh_.outputs(cv::dnn::blobFromImage(seen, 1.0 / 255.0, {}, {}, true, false), shapes);
+        if (!answer) return tl::unexpected(answer.error());
+        const auto mesh = mesh_of((*answer)[0], window);
+        if (!mesh) return std::optional<Laid>();
+        laid = Laid{*mesh, static_cast<double>((*answer)[1](0, 0))};
+        window = window_of(*mesh);
+    }
+    return laid;
+}
+
+Result<std::vector<FaceMesh>> FaceNetwork::faces(const cv::Mat3b& picture,
+                                                 std::span<const cv::Rect2d> persons) {
+    const std::vector<cv::Rect2d> within = boxes_within(persons, picture.size());
+    std::vector<FaceMesh> faces;
+    if (within.empty()) return faces;
+    std::vector<cv::Rect> parts{cv::Rect({}, picture.size())};
+    for (const cv::Rect2d& person : within) parts.push_back(head_part(person, picture.size()));
+    std::vector<FaceBox> boxes;
+    for (const cv::Rect& part : parts) {
+        if (part.empty()) continue;
+        const auto more = boxes_in(picture, part);
+        if (!more) return tl::unexpected(more.error());
+        add_apart(*more, boxes);
+    }
+    for (const FaceBox& box : boxes) {
+        const auto laid = laid_on(picture, box);
+        if (!laid) return tl::unexpected(laid.error());
+        if (*laid && (*laid)->sure > kLeastSure && counts((*laid)->mesh, within))
+            add_unless_there((*laid)->mesh, faces);
+    }
+    std::ranges::stable_sort(faces, std::ranges::greater{},
+                             [](const FaceMesh& mesh) { return box_of(mesh).width; });
+    if (faces.size() > kMostFaces) faces.resize(kMostFaces);
+    return faces;
+}
+
+}  // namespace touchline

@@ -1,0 +1,56 @@
+// What NanoDet answers about a picture, read as things in boxes.
+// Threads: pure functions.
+#pragma once
+
+#include "config/types/thing_box.h"
+
+#include <span>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace touchline {
+
+/// The side of the square that the network looks at, in pixels.
+inline constexpr int names_side_px = 416;
+
+/// How many kinds of things it knows, and into how many steps it divides a distance.
+inline constexpr int known_kinds = 80;
+inline constexpr int distance_steps = 11;
+
+/// Its answer on a grid of side x side cells over that square: a row for each cell, row by row.
+struct GridAnswer {
+    int side = 0;
+    cv::Mat1f likelihoods;  // known_kinds columns, 0..1: the middle of such a thing is here
+    cv::Mat1f distances;    // 4 x distance_steps columns: how likely its left, upper, right, lower
+                            // side is k cells from the cell's middle, as logits; all finite
+};
+
+/// Where in that square the picture lies, in pixels; the rest is black.
+struct Letterbox {
+    cv::Rect part;
+};
+
+/// The whole picture, as large as fits, in the middle.
+[[nodiscard]] Letterbox letterbox_of(cv::Size picture);
+
+struct Detection {
+    int kind = 0;             // by COCO's order, 0 a person
+    double likelihood = 0.0;  // from detected_from on
+    ThingBox box;             // sound
+};
+
+/// Less likely ones are left out.
+inline constexpr double detected_from = 0.35;
+
+/// The mean of what was answered about the square and about its mirror image.
+[[nodiscard]] GridAnswer mean_of(const GridAnswer& upright, const GridAnswer& mirrored);
+
+/// A cell stands for its likeliest kind, with the mean distances as a box, as far as it lies in the
+/// picture. Of boxes of one kind that overlap by more than a half, and of any that overlap by more
+/// than 0.7, the likeliest stays. The likeliest first. O(cells squared) at worst: 3549 cells take
+/// 60 ms. Source: Li et al. 2020 (generalized focal loss); RangiLyu's NanoDet.
+[[nodiscard]] std::vector<Detection> detections_of(std::span<const GridAnswer> answers,
+                                                   const Letterbox& letterbox);
+
+}  // namespace touchline
