@@ -4,6 +4,7 @@
 #include "app/decode/map_svg.h"
 #include "app/decode/opening.h"
 #include "app/models/networks.h"
+#include "app/models/picture_network_files.h"
 #include "app/trace/own_map.h"
 #include "app/trace/page_views.h"
 #include "config/types/map_limits.h"
@@ -24,12 +25,14 @@ Error of_file(const std::string& path, const Error& error) {
 }
 
 /// As it is, with a report that says so.
-Result<TracedMap> own_map(const Page& page, int detail) {
-    return shown_at(page.told, detail).map([](TactileMap map) {
+Result<TracedMap> own_map(const SeenView& view, int detail) {
+    return shown_at(view.page.told, detail).map([&view](TactileMap map) {
         TracedMap felt;
         felt.report = fmt::format(
-            "{{\n  \"class\": \"map\", \"reason\": {},\n  \"outlines\": {}, \"points\": {}\n}}\n",
-            json_string("This is a map of Touchline's own: it is felt as it is."),
+            "{{\n  \"class\": \"{}\", \"reason\": {},\n  \"outlines\": {}, \"points\": {}\n}}\n",
+            view.is_face ? "face" : "map",
+            json_string(view.is_face ? "This is a face, drawn in lines."
+                                     : "This is a map of Touchline's own: it is felt as it is."),
             map.outlines.size(), point_count(map));
         felt.map = std::move(map);
         return felt;
@@ -43,25 +46,33 @@ bool is_photo(const Page& page) {
     return traced && traced->is_photo;
 }
 
+/// Looks with the networks for which there is memory. Fails without the figure's where somebody
+/// wants it.
+Result<void> look_with(const PictureNetworkFiles& files, bool is_figure_wanted, SeenView& seen) {
+    const auto networks = with_room(files.networks());
+    if (!networks) return tl::unexpected(networks.error());
+    if (networks->figure.empty() && !files.figure.empty())
+        seen.note = "finding its main thing needs 2 GB of free memory";
+    if (is_figure_wanted && !seen.note.empty()) return failure(seen.note);
+    return find_main_things(seen.page, *networks).map([&](MainThings things) {
+        seen.things = std::move(things);
+        if (!seen.things->is_sure && !networks->figure.empty())
+            seen.note = "no clear main thing was found";
+    });
+}
+
 /// Fails only where somebody wants them; else why there are none is a note, if it is worth one.
 Result<void> look_for_things(bool are_wanted, SeenView& seen) {
-    const Network& network = *network_named("figure");
-    if (!are_wanted && !is_installed(network)) return {};
     const bool has_views = is_photo(seen.page);
     if (!are_wanted && !has_views) return {};
-    auto things = read_network(network).and_then([&seen](const std::vector<std::byte>& bytes) {
-        return find_main_things(seen.page, bytes);
-    });
-    if (!things) {
-        if (are_wanted) return tl::unexpected(things.error());
-        seen.note = things.error().line;
-        return {};
-    }
-    seen.things = std::move(*things);
-    if (!seen.things->is_sure)
-        seen.note = "no clear main thing was found";
-    else if (has_views)
-        seen.page = with_main_things(std::move(seen.page), *seen.things);
+    auto files = read_picture_networks();
+    if (files && are_wanted && files->figure.empty())
+        files = tl::unexpected(read_network(*network_named("figure")).error());
+    const Result<void> looked = files.and_then(
+        [&](const PictureNetworkFiles& read) { return look_with(read, are_wanted, seen); });
+    if (!looked && are_wanted) return looked;
+    if (!looked) seen.note = looked.error().line;
+    if (seen.things && has_views) seen.page = with_main_things(std::move(seen.page), *seen.things);
     return {};
 }
 
@@ -112,12 +123,13 @@ Result<SeenView> open_view(const std::string& path, const ViewChoice& view, bool
                                        views == 1 ? "one view" : fmt::format("{} views", views))}));
     const auto open = [&path](const PageOrder& order) { return open_page_of(path, order); };
     if (auto finer = finer_page(seen.page, number, open)) seen.page = std::move(*finer);
+    seen.is_face = is_face(seen.page, number);
     if (number < views) seen.page = view_of(seen.page, number);
     return seen;
 }
 
 Result<TracedMap> trace_view(const SeenView& view, const TraceRequest& request) {
-    const auto felt = is_own_map(view.page) ? own_map(view.page, request.options.detail)
+    const auto felt = is_own_map(view.page) ? own_map(view, request.options.detail)
                                             : trace_page(view.page, request);
     return felt.map_error([&view](const Error& error) { return of_file(view.path, error); });
 }

@@ -35,6 +35,7 @@ struct SeenView {
     std::optional<MainThings> things;  // of a photograph, where the network is installed; also
                                        // those that it is not sure of
     std::string note = {};             // one sentence worth telling the user; may be empty
+    bool is_face = false;              // drawn in lines
 };
 
 /// A view of a file's first page. A photograph's main things are looked for; `wants_things`: in

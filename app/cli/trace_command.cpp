@@ -4,6 +4,7 @@
 #include "app/decode/files.h"
 #include "app/decode/map_svg.h"
 #include "app/decode/png_writer.h"
+#include "app/trace/own_map.h"
 
 #include <fmt/format.h>
 
@@ -20,18 +21,36 @@ std::string json_of(const ThingBox& box) {
                        json_number(box.bottom));
 }
 
-/// The report of the lines, and what was found of the main things: their places as shares of the
-/// picture's width and height, the largest first.
+std::string json_of(const NamedThing& thing) {
+    return fmt::format(R"({{"name": "{}", "likelihood": {}, "place": {}}})", id_of(thing.name),
+                       json_number(thing.likelihood), json_of(thing.box));
+}
+
+std::string json_of(const DrawnFace& face) {
+    std::string parts;
+    for (const Outline& outline : face.map.outlines)
+        parts += (parts.empty() ? "" : ", ") + json_string(outline.label);
+    return fmt::format(R"({{"parts": [{}], "place": {}}})", parts, json_of(face.part));
+}
+
+template <class Thing>
+std::string json_list(const std::vector<Thing>& things) {
+    std::string list;
+    for (const Thing& thing : things) list += (list.empty() ? "" : ", ") + json_of(thing);
+    return "[" + list + "]";
+}
+
+/// The report of the lines, and what was found of the main things, of what they are taken for and
+/// of faces: their places as shares of the picture's width and height, the largest first.
 std::string report_of(const TracedMap& felt, const std::optional<MainThings>& things) {
     const std::string lines = felt.report.substr(0, felt.report.rfind("\n}"));
-    if (!things) return lines + ",\n  \"figure\": null\n}\n";
-    std::string boxes;
-    for (const ThingBox& box : things->boxes) boxes += (boxes.empty() ? "" : ", ") + json_of(box);
+    if (!things) return lines + ",\n  \"figure\": null,\n  \"names\": [],\n  \"faces\": []\n}\n";
     return fmt::format(
-        "{},\n  \"figure\": {{\"is_sure\": {}, \"area\": {}, \"contrast\": {}, \"things\": "
-        "[{}]}}\n}}\n",
+        "{},\n  \"figure\": {{\"is_sure\": {}, \"area\": {}, \"contrast\": {}, \"things\": {}}},\n"
+        "  \"names\": {},\n  \"faces\": {}\n}}\n",
         lines, things->is_sure, json_number(things->signs.area),
-        json_number(things->signs.contrast), boxes);
+        json_number(things->signs.contrast), json_list(things->boxes), json_list(things->names),
+        json_list(things->faces));
 }
 
 /// Both sentences, or the one that there is.
@@ -44,6 +63,10 @@ std::string told(const std::string& first, const std::string& second) {
 Result<std::string> run_trace(const TraceCommandOptions& options) {
     const auto seen = open_view(options.input, options.view, !options.figure.empty());
     if (!seen) return tl::unexpected(seen.error());
+    if (is_own_map(seen->page) && !options.edges.empty())
+        return failure(options.input +
+                       ": its lines were drawn, not traced, and have no edges; choose "
+                       "--view whole");
     const auto found = trace_view(*seen, {options.trace, !options.edges.empty()});
     if (!found) return tl::unexpected(found.error());
     Result<void> written = write_whole_file(options.output, format_map_svg(found->map));

@@ -19,6 +19,7 @@
 #include "app/process/descriptor.h"
 #include "config/types/result.h"
 #include "config/types/tactile_map.h"
+#include "config/types/thing_name.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -39,10 +40,20 @@ struct WordBox {
     friend bool operator==(const WordBox&, const WordBox&) = default;
 };
 
-/// A picture on a page that holds other things too.
+/// A part of a page that was drawn in lines, which are felt as they are: a face.
+struct DrawnPart {
+    int left_px = 0;  // of the page's pixels, beyond which it may reach
+    int top_px = 0;
+    int right_px = 0;  // > left_px
+    int bottom_px = 0;
+    TactileMap map;  // its area is that part
+};
+
+/// A picture on a page that holds other things too, or a thing in a photograph.
 struct Figure {
     WordBox box;
     std::string text;  // its author's, for those who cannot see it; may be empty
+    std::shared_ptr<const DrawnPart> drawn = {};  // null: its lines are those of the pixels
 
     friend bool operator==(const Figure&, const Figure&) = default;
 };
@@ -60,6 +71,8 @@ struct Page {
     /// Where the main things of a photograph are, once they were found: 128 and more, over the
     /// whole page, in fewer pixels than it has.
     GreyPicture main_things = {};
+    std::vector<NamedThing> names = {};  // what the things of a photograph are taken for
+    bool was_searched = false;           // for main things of every kind, not for people alone
     /// The worker's answer that this is, sealed, for the worker that finds its lines. Null where
     /// the page was made in another way, or its pixels or words were changed since.
     std::shared_ptr<const Descriptor> answer;

@@ -321,7 +321,7 @@ void Kiosk::follow_loader() {
     if (const auto things = loader_->take_things()) {
         if (!things->why_not.empty())
             report("a photograph's main thing was not looked for: " + things->why_not);
-        happen(ThingsLookedFor{things->request, things->place});
+        happen(ThingsLookedFor{things->request, things->place, things->names});
     }
 }
 

@@ -1,5 +1,7 @@
 #include "app/kiosk/part_name.h"
 
+#include "config/types/face_part.h"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -7,8 +9,15 @@
 namespace touchline {
 namespace {
 
-constexpr std::array<std::string_view, 7> kKinds{
-    "closed line", "line", "dashed line", "dotted line", "rough area", "line of text", "figure"};
+constexpr std::array<std::string_view, 9> kKinds{"closed line",
+                                                 "line",
+                                                 "dashed line",
+                                                 "dotted line",
+                                                 "rough area",
+                                                 "line of text",
+                                                 "figure",
+                                                 "outline of the main thing",
+                                                 "part of the main thing's outline"};
 constexpr std::array<std::string_view, 9> kPlaces{"upper left", "top",    "upper right",
                                                   "left",       "middle", "right",
                                                   "lower left", "bottom", "lower right"};
@@ -22,6 +31,7 @@ bool is_among(const std::array<std::string_view, n>& words, std::string_view wor
 
 std::string part_name(const std::string& label, const Language& language) {
     constexpr std::string_view kDigits = "0123456789";
+    if (is_among(face_part_ids, label)) return language.text("part", label);
     const std::size_t comma = label.rfind(", ");
     if (comma == std::string::npos) return label;
     const std::string place = label.substr(comma + 2);

@@ -8,7 +8,8 @@
 namespace touchline {
 
 /// The label that tracing gives a line by its kind and place (vision/simplify/parts.h), "dashed
-/// line 2, upper left", in the language; any other label as it is: a person named the part.
+/// line 2, upper left", or that of a face's part, in the language; any other label as it is: a
+/// person named the part.
 [[nodiscard]] std::string part_name(const std::string& label, const Language& language);
 
 }  // namespace touchline

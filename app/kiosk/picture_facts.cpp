@@ -80,6 +80,7 @@ PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file, const L
     facts.place = scene.facts.place;
     facts.outline_count = scene.facts.outline_count;
     facts.note = scene.facts.note;
+    facts.names = scene.facts.names;
     facts.outer_outline = outer_outline(map);
     add_outlines(map, language, facts.parts);
     for (const Label& label : map.labels) {

@@ -129,8 +129,12 @@ Result<FoundPtr> KioskStages::find(const PictureFile& file, const PagePtr& page,
     const int views = view_count(*page);
     const PagePtr fine = fine_page(file, page, view);
     const PagePtr cut = view < views ? std::make_shared<const Page>(view_of(*fine, view)) : fine;
-    const PagePlace place{page->number, page->count, view, views,
-                          has_main_things(*page) ? ThingSearch::found : ThingSearch::none};
+    const PagePlace place{page->number,
+                          page->count,
+                          view,
+                          views,
+                          has_main_things(*page) ? ThingSearch::found : ThingSearch::none,
+                          is_face(*page, view)};
     return found_in(cut, place, part).map_error([&](const Error& error) {
         return of_page(file, place, error);
     });
@@ -147,8 +151,11 @@ Result<LoadedScene> KioskStages::build(const PictureFile& file, const FoundView&
     if (!scene) return tl::unexpected(of_page(file, found.place, scene.error()));
     LoadedScene result;
     result.facts = {map.title.empty() ? file.title : map.title,
-                    static_cast<int>(map.outlines.size()), scene->curves.coarsest(),
-                    std::move(felt->warning), found.place};
+                    static_cast<int>(map.outlines.size()),
+                    scene->curves.coarsest(),
+                    std::move(felt->warning),
+                    found.place,
+                    {}};
     if (found.is_photo)
         result.facts.place.things = finder_ ? ThingSearch::under_way : ThingSearch::impossible;
     result.shown = {std::make_shared<const Scene>(std::move(*scene)),
@@ -166,7 +173,9 @@ bool KioskStages::has_looking() const {
 }
 
 Result<PagePtr> KioskStages::look(const PagePtr& page) const {
-    return seen(page, std::nullopt);
+    return seen(page, std::nullopt).map([&page](PagePtr looked_at) {
+        return looked_at ? std::move(looked_at) : page;
+    });
 }
 
 Result<PagePtr> KioskStages::look_at(const PagePtr& page, int view, const Position& place) const {

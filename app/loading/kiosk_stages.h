@@ -16,9 +16,9 @@ namespace touchline {
 /// are none. Takes seconds. From any thread, one call at a time.
 using PageReader = std::function<std::optional<Page>(const Page&)>;
 
-/// A photograph's page with its main things, or with a further one, at a place; nothing where none
-/// is clear. Fails, with one line that names no file, where they cannot be looked for now. Takes
-/// seconds. From any thread, one call at a time.
+/// A photograph's page with its main things, its faces and what they are taken for, or with a
+/// further thing, at a place; nothing where none is clear there. Fails, with one line that names no
+/// file, where they cannot be looked for now. Takes seconds. From any thread, one call at a time.
 using ThingFinder =
     std::function<Result<std::optional<Page>>(const Page&, const std::optional<PlaceInPicture>&)>;
 

@@ -162,8 +162,12 @@ PagePlace LoadPlan::place_of(const ViewOrder& order) const {
     const Kept* const page = page_of(order);
     if (page == nullptr) return {order.page, 0, order.view, 0};
     const int views = view_count(*page->page);
-    return {order.page, page->page->count, std::min(order.view, views), views,
-            has_main_things(*page->page) ? ThingSearch::found : ThingSearch::none};
+    return {order.page,
+            page->page->count,
+            std::min(order.view, views),
+            views,
+            has_main_things(*page->page) ? ThingSearch::found : ThingSearch::none,
+            is_face(*page->page, std::min(order.view, views))};
 }
 
 /// On the way to the scene of an order, from what is kept.
@@ -285,6 +289,8 @@ std::optional<Delivery> LoadPlan::answer(const LoadJob& job, Result<LoadedScene>
     if (scene && page != nullptr && page->looked_for &&
         scene->facts.place.things == ThingSearch::under_way)
         scene->facts.place.things = *page->looked_for;
+    if (scene && page != nullptr)
+        scene->facts.names = names_told(*page->page, job.found->place.view);
     Delivery answered{request_, std::move(scene), job.found->place, was_felt};
     if (!is_felt_) stay_with_felt();
     return answered;
@@ -347,19 +353,20 @@ void LoadPlan::keep_things(const LoadJob& job, const Result<PagePtr>& page) {
         std::erase(tried_, step_of(job));
         return;
     }
-    const bool has_things = page && *page;
-    at->looked_for = has_things ? ThingSearch::found
-                     : page     ? ThingSearch::unclear
-                                : ThingSearch::impossible;
-    if (has_things) {
-        at->page = *page;
-        renumber(*at);
-    }
+    const bool has_things = page && has_main_things(**page);
+    at->looked_for = has_things              ? ThingSearch::found
+                     : !page                 ? ThingSearch::impossible
+                     : (*page)->was_searched ? ThingSearch::unclear
+                                             : ThingSearch::absent;
+    if (page && (has_things || !(*page)->names.empty())) at->page = *page;
+    if (has_things) renumber(*at);
     const bool is_felt = wanted_ && is_felt_ && is_page_of(*at, *wanted_);
     if (!is_felt) return;
     if (has_things) wanted_->view = view_count(**page);
     felt_ = wanted_;
-    things_ = ThingsFound{request_, place_of(*wanted_), page ? "" : page.error().line};
+    things_ = ThingsFound{request_, place_of(*wanted_),
+                          page ? names_told(**page, wanted_->view) : std::vector<NamedThing>(),
+                          page ? "" : page.error().line};
     things_->place.things = *at->looked_for;
 }
 

@@ -66,9 +66,10 @@ struct Delivery {
 
 /// What a second look at a photograph came to.
 struct ThingsFound {
-    std::uint64_t request = 0;  // that is felt
-    PagePlace place;            // of what is felt
-    std::string why_not;        // one line that names no file, where they could not be looked for
+    std::uint64_t request = 0;      // that is felt
+    PagePlace place;                // of what is felt
+    std::vector<NamedThing> names;  // of what is felt
+    std::string why_not;  // one line that names no file, where they could not be looked for
 };
 
 /// The line of a delivery where no clear thing lies at the place that was asked for.

@@ -95,8 +95,9 @@ class Stages {
     /// False: look() and look_at() would find nothing, ever.
     [[nodiscard]] virtual bool has_looking() const = 0;
 
-    /// A second look at a photograph: its page with its main things, each a view. Null where none
-    /// is clear. Its errors name no file. Waits for a worker, some seconds.
+    /// A second look at a photograph: its page with its main things and faces, each a view, and
+    /// with what they are taken for. Never null. Its errors name no file. Waits for a worker, some
+    /// seconds.
     [[nodiscard]] virtual Result<PagePtr> look(const PagePtr& page) const = 0;
 
     /// The same of the thing at a place of a view, in metres from its middle as it is felt whole:

@@ -1,6 +1,6 @@
 #include "app/loading/thing_finder.h"
 
-#include "app/models/networks.h"
+#include "app/models/picture_network_files.h"
 #include "app/trace/finding_things.h"
 
 #include <cstddef>
@@ -14,18 +14,21 @@ constexpr std::size_t most_things = 50;  // a list that nobody goes through
 }  // namespace
 
 ThingFinder thing_finder() {
-    const Network& network = *network_named("figure");
-    if (!is_installed(network)) return {};
-    return [&network](const Page& page,
-                      const std::optional<PlaceInPicture>& place) -> Result<std::optional<Page>> {
+    return [](const Page& page,
+              const std::optional<PlaceInPicture>& place) -> Result<std::optional<Page>> {
         if (place && page.figures.size() >= most_things) return std::nullopt;
-        const auto bytes = read_network(network);
-        if (!bytes) return tl::unexpected(bytes.error());
-        auto things = place ? find_thing_at(*place, page, *bytes) : find_main_things(page, *bytes);
+        const auto files = read_picture_networks();
+        if (!files) return tl::unexpected(files.error());
+        const auto networks = with_room(files->networks());
+        if (!networks) return tl::unexpected(networks.error());
+        auto things =
+            place ? find_thing_at(*place, page, *networks) : find_main_things(page, *networks);
         if (!things) return tl::unexpected(things.error());
-        if (!things->is_sure) return std::nullopt;
-        return place ? with_further_thing(page, std::move(*things))
-                     : with_main_things(page, std::move(*things));
+        if (place && !things->is_sure) return std::nullopt;
+        if (place) return with_further_thing(page, std::move(*things));
+        Page seen = with_main_things(page, std::move(*things));
+        seen.was_searched = !networks->figure.empty();
+        return seen;
     };
 }
 

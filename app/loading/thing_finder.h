@@ -1,4 +1,4 @@
-// What finds the main things of a photograph for the kiosk: the network "figure" in its worker.
+// What looks at a photograph for the kiosk: networks in their worker.
 // Threads: the finder is called from any, one call at a time.
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace touchline {
 
-/// Empty where the network is not installed. It fails where the network is damaged, less than 2 GB
-/// of memory are free, or its worker fails.
+/// Without the figure's network where that is not installed, or less than 2 GB of memory are free.
+/// It fails where a network is damaged or its worker fails.
 [[nodiscard]] ThingFinder thing_finder();
 
 }  // namespace touchline

@@ -7,6 +7,7 @@
 #include "app/session/visit_orders.h"
 #include "app/sticks/listing.h"
 #include "config/settings/settings.h"
+#include "config/types/thing_name.h"
 #include "config/types/vec2.h"
 
 #include <cstddef>
@@ -82,8 +83,9 @@ struct PictureFacts {
     std::vector<PartFacts> parts;
     PagePlace place = {1, 1, 1, 1};
     int outline_count = 0;
-    int outer_outline = 0;  // index in the map: what a first tour goes round
-    std::string note;       // one sentence worth telling; may be empty
+    int outer_outline = 0;               // index in the map: what a first tour goes round
+    std::string note;                    // one sentence worth telling; may be empty
+    std::vector<NamedThing> names = {};  // what the things of a photograph are taken for
 };
 
 /// A second one for the same request is better than the first (labels found later).
@@ -96,6 +98,7 @@ struct PictureReady {
 struct ThingsLookedFor {
     std::uint64_t request = 0;
     PagePlace place;
+    std::vector<NamedThing> names = {};
 };
 
 /// What was felt before stays. `sentence`: what, why and what to do.

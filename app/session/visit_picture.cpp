@@ -1,6 +1,7 @@
 // The picture: how it is opened, opened again in another way, and told.
 #include "app/session/visit_work.h"
 #include "audio-cues/words/guidance_words.h"
+#include "audio-cues/words/thing_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,10 +169,16 @@ void take_ready(VisitWork& work, const PictureReady& ready) {
         SpeechPriority::hint);
 }
 
+/// What the things of the photograph are taken for, and then the news; says nothing without both.
+void tell_names(VisitWork& work, const std::string& news = {}) {
+    std::string text = words_of(work.visitor.felt->facts.names, language_of(work));
+    if (!news.empty()) add_sentence(text, words(work, news));
+    if (!text.empty()) say(work, text, SpeechPriority::hint);
+}
+
 void tell_things(VisitWork& work) {
     cue(work, ScreenEvent::news);
-    say(work, words(work, "The main thing was found. Main things leads to it."),
-        SpeechPriority::hint);
+    tell_names(work, "The main thing was found. Main things leads to it.");
 }
 
 /// A hand that has found a line keeps it: it is told, and the main thing is felt when it is wanted.
@@ -179,13 +186,16 @@ void take_things(VisitWork& work, const ThingsLookedFor& looked) {
     Visitor& visitor = work.visitor;
     if (!visitor.felt || visitor.felt->order.request != looked.request) return;
     visitor.felt->facts.place = looked.place;
+    visitor.felt->facts.names = looked.names;
     visitor.felt->order.page = looked.place.page;
     visitor.felt->order.view = looked.place.view;
     if (looked.place.things == ThingSearch::impossible)
         return say(work, words(work, "The main thing cannot be looked for now."),
                    SpeechPriority::hint);
+    if (looked.place.things == ThingSearch::absent)
+        return tell_names(work, "The main thing cannot be found here.");
     if (looked.place.things != ThingSearch::found)
-        return say(work, words(work, "No clear main thing was found."), SpeechPriority::hint);
+        return tell_names(work, "No clear main thing was found.");
     const bool is_waiting = !visitor.has_touched && !visitor.loading && !visitor.is_capturing &&
                             visitor.felt->order.zoom.factor <= 1.0 &&
                             visitor.path.back().screen == VisitScreen::picture;
@@ -202,7 +212,8 @@ void take_failed(VisitWork& work, const PictureFailed& failed) {
     const LoadReason reason = visitor.loading->reason;
     visitor.loading.reset();
     stay_with_felt(work, reason);
-    if (reason == LoadReason::unasked || reason == LoadReason::main_thing) return;
+    if (reason == LoadReason::main_thing) return tell_names(work);
+    if (reason == LoadReason::unasked) return;
     leave_opening(work);
     if (reason == LoadReason::thing_here) return say_return(work, failed.sentence);
     const std::string sentence =

@@ -1,6 +1,7 @@
 // The screens of a picture that is felt, in words.
 #include "app/session/visit_sheet.h"
 #include "audio-cues/words/guidance_words.h"
+#include "audio-cues/words/thing_words.h"
 
 namespace touchline {
 namespace {
@@ -13,13 +14,21 @@ std::string told_thing(const PagePlace& place, const Language& language) {
         case ThingSearch::unclear:
             return language.text("page", "It has no clear main thing");
         case ThingSearch::impossible:
+        case ThingSearch::absent:
             return language.text("page", "Its main thing cannot be found here");
         case ThingSearch::none:
         case ThingSearch::found:
             break;
     }
     if (place.view >= place.view_count) return language.text("page", "The whole photograph");
-    if (place.view_count == 2) return language.text("page", "The main thing of the photograph");
+    if (place.view_count == 2) {
+        return language.text("page", place.is_face ? "A face in the photograph"
+                                                   : "The main thing of the photograph");
+    }
+    if (place.is_face) {
+        return language.text("page", "Thing {0} of {1} in the photograph, a face",
+                             {std::to_string(place.view), std::to_string(place.view_count - 1)});
+    }
     return language.text("page", "Thing {0} of {1} in the photograph",
                          {std::to_string(place.view), std::to_string(place.view_count - 1)});
 }
@@ -55,6 +64,7 @@ std::string told_zoom(const VisitSheet& sheet) {
 void put_told(VisitSheet& sheet) {
     const PictureFacts& facts = sheet.visit.visitor.felt->facts;
     sheet.told(facts.description);
+    sheet.told(words_of(facts.names, sheet.language));
     sheet.told(sheet.language.counted("count", "{0} outline", "{0} outlines", facts.outline_count));
     sheet.told(told_page(facts.place, sheet.language));
     sheet.told(facts.note);

@@ -1,14 +1,10 @@
-// touchline-figure [X Y]: the main things of a photograph, or the thing at a place of it, by a
-// network that lies before the picture.
+// touchline-figure [X Y]: what networks that lie before a photograph see in it, or at a place of
+// it.
 #include "app/decode/answer_parts.h"
 #include "app/decode/worker_program.h"
-#include "app/trace/main_things.h"
 #include "app/trace/page_pixels.h"
-#include "app/trace/place_in_picture.h"
-#include "app/trace/two_parts.h"
+#include "app/trace/picture_seen.h"
 #include "haptics/servo/processors.h"
-#include "vision/contour/gradient.h"
-#include "vision/figure/figure_network.h"
 
 #include <algorithm>
 #include <optional>
@@ -23,9 +19,6 @@ namespace {
 
 using namespace touchline;
 
-// Measured at several sizes: tests/bench/vision/photographs.md.
-constexpr int network_side_px = 768;
-constexpr double most_pixels = 1e6;
 constexpr int most_threads = 8;  // each has a stack of its own
 
 Result<cv::Mat3b> picture_of(std::span<const std::byte> page) {
@@ -35,39 +28,15 @@ Result<cv::Mat3b> picture_of(std::span<const std::byte> page) {
     return cv::Mat3b(view_of(*parts));
 }
 
-/// The thing at a place of the picture: in half of it; where that cuts it or shows none clearly, in
-/// all of it, and in a quarter.
-Result<Figures> thing_at(const PlaceInPicture& place, const cv::Mat3b& picture,
-                         FigureNetwork& network) {
-    const cv::Point at(std::min(picture.cols - 1, static_cast<int>(place.x * picture.cols)),
-                       std::min(picture.rows - 1, static_cast<int>(place.y * picture.rows)));
-    Figures found;
-    for (const double share : {0.5, 1.0, 0.25}) {
-        const cv::Rect part = part_around(picture.size(), at, share);
-        const auto likelihood =
-            network.likelihood(reduced(picture(part), most_pixels), network_side_px);
-        if (!likelihood) return tl::unexpected(likelihood.error());
-        found = figure_at(*likelihood, part, picture.size(), at);
-        if (found.is_sure) break;
-    }
-    return found;
-}
-
-Result<Figures> things_in(const cv::Mat3b& picture, FigureNetwork& network) {
-    return network.likelihood(reduced(picture, most_pixels), network_side_px)
-        .map([&](const cv::Mat1f& likelihood) { return figures_of(likelihood, picture.size()); });
-}
-
-Result<std::vector<std::byte>> main_things(std::span<const std::byte> input,
-                                           const std::optional<PlaceInPicture>& place) {
-    const TwoParts parts = two_parts_of(input);
-    const auto picture = picture_of(parts.second);
-    if (!picture) return tl::unexpected(picture.error());
-    auto network = FigureNetwork::from_onnx(parts.first);
-    if (!network) return tl::unexpected(network.error());
-    const auto figures =
-        place ? thing_at(*place, *picture, *network) : things_in(*picture, *network);
-    return figures.map([](const Figures& found) { return bytes_of(main_things_of(found)); });
+Result<std::vector<std::byte>> seen_in(std::span<const std::byte> input,
+                                       const std::optional<PlaceInPicture>& place) {
+    const ThingsInBytes parts = parted(input, picture_network_count + 1);
+    if (parts.empty()) return failure("there is no picture to look at");
+    return picture_of(parts.back())
+        .and_then([&](const cv::Mat3b& picture) {
+            return things_seen(picture, networks_in(parts), place);
+        })
+        .and_then([](const MainThings& things) { return bytes_of(things); });
 }
 
 /// Long work that nobody may feel: everything else comes first, and the servo's processor is left
@@ -90,6 +59,6 @@ int main(int argc, char** argv) {
     step_back();
     cv::setNumThreads(std::min(cv::getNumberOfCPUs(), most_threads));
     run_worker_program({WorkerKind::figure, nullptr, [&place](std::span<const std::byte> input) {
-                            return main_things(input, place);
+                            return seen_in(input, place);
                         }});
 }

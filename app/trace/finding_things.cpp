@@ -16,8 +16,11 @@
 namespace touchline {
 namespace {
 
-constexpr std::uint64_t least_free_bytes = 2'000'000'000;
-constexpr double margin = 0.07;  // of a thing's longer side
+constexpr std::uint64_t least_free_bytes = 400'000'000;  // the small networks take 103 MB
+constexpr std::uint64_t least_free_for_figure_bytes = 2'000'000'000;
+constexpr double margin = 0.07;        // of a thing's longer side
+constexpr double most_of_thing = 0.6;  // of a portrait's main thing
+constexpr double much_of_shown = 0.3;  // of what is shown with a portrait's face
 
 std::string why_none(WorkerEnd end) {
     switch (end) {
@@ -60,11 +63,38 @@ WordBox box_of(const ThingBox& thing, const Picture& picture) {
             high(right_px + margin_px, picture.width), high(bottom_px + margin_px, picture.height)};
 }
 
-Result<MainThings> found_by_worker(const Page& page, std::span<const std::byte> network,
+/// What of the part lies in the picture.
+ThingBox within_picture(const ThingBox& part) {
+    return {std::max(part.left, 0.0), std::max(part.top, 0.0), std::min(part.right, 1.0),
+            std::min(part.bottom, 1.0)};
+}
+
+/// Most of the main thing is shown with the face, and it is much of what is shown: the same person.
+bool is_portrait(const ThingBox& thing, const ThingBox& part) {
+    const ThingBox shown = within_picture(part);
+    const double width = std::min(thing.right, shown.right) - std::max(thing.left, shown.left);
+    const double height = std::min(thing.bottom, shown.bottom) - std::max(thing.top, shown.top);
+    const double both = std::max(width, 0.0) * std::max(height, 0.0);
+    return both >= most_of_thing * area_of(thing) && both >= much_of_shown * area_of(shown);
+}
+
+Figure figure_of(DrawnFace face, const Picture& picture) {
+    const auto px = [](double share, int size_px) {
+        return static_cast<int>(std::lround(share * size_px));
+    };
+    const ThingBox& part = face.part;
+    DrawnPart drawn{px(part.left, picture.width), px(part.top, picture.height),
+                    px(part.right, picture.width), px(part.bottom, picture.height),
+                    std::move(face.map)};
+    drawn.right_px = std::max(drawn.right_px, drawn.left_px + 1);
+    drawn.bottom_px = std::max(drawn.bottom_px, drawn.top_px + 1);
+    return {box_of(within_picture(part), picture), "",
+            std::make_shared<const DrawnPart>(std::move(drawn))};
+}
+
+Result<MainThings> found_by_worker(const Page& page, const PictureNetworks& networks,
                                    std::vector<std::string> words) {
-    if (free_memory_bytes() < least_free_bytes)
-        return failure("finding its main thing needs 2 GB of free memory");
-    const auto input = sealed_behind(network, page);
+    const auto input = sealed_behind(things_of(networks), page);
     if (!input) return tl::unexpected(input.error());
     auto outcome =
         run_worker({companion("touchline-figure"), std::move(words), WorkerKind::figure}, **input);
@@ -76,33 +106,56 @@ Result<MainThings> found_by_worker(const Page& page, std::span<const std::byte> 
 
 }  // namespace
 
-Result<MainThings> find_main_things(const Page& page, std::span<const std::byte> network) {
-    return found_by_worker(page, network, {});
+Result<PictureNetworks> with_room(PictureNetworks networks) {
+    const std::uint64_t free_bytes = free_memory_bytes();
+    if (free_bytes < least_free_bytes)
+        return failure("looking at a photograph needs 400 MB of free memory");
+    if (free_bytes < least_free_for_figure_bytes) networks.figure = {};
+    return networks;
+}
+
+Result<MainThings> find_main_things(const Page& page, const PictureNetworks& networks) {
+    return found_by_worker(page, networks, {});
 }
 
 Result<MainThings> find_thing_at(const PlaceInPicture& place, const Page& page,
-                                 std::span<const std::byte> network) {
-    auto found = found_by_worker(page, network, words_of(place));
+                                 const PictureNetworks& networks) {
+    auto found = found_by_worker(page, networks, words_of(place));
     if (found) found->is_sure = found->is_sure && found->boxes.size() == 1;
     return found;
 }
 
 Page with_main_things(Page page, MainThings things) {
     page.figures.clear();
-    for (const ThingBox& thing : things.boxes)
-        page.figures.push_back({box_of(thing, page.picture), ""});
-    page.main_things = std::move(things.mask);
+    page.names = std::move(things.names);
+    std::vector<DrawnFace>& faces = things.faces;
+    for (const ThingBox& thing : things.is_sure ? things.boxes : std::vector<ThingBox>()) {
+        const auto face = std::ranges::find_if(
+            faces, [&thing](const DrawnFace& drawn) { return is_portrait(thing, drawn.part); });
+        if (face == faces.end()) {
+            page.figures.push_back({box_of(thing, page.picture), ""});
+        } else {
+            page.figures.push_back(figure_of(std::move(*face), page.picture));
+            faces.erase(face);
+        }
+    }
+    for (DrawnFace& face : faces) page.figures.push_back(figure_of(std::move(face), page.picture));
+    if (things.is_sure) page.main_things = std::move(things.mask);
     return page;
 }
 
 Page with_further_thing(Page page, MainThings thing) {
-    if (!has_main_things(page)) return with_main_things(std::move(page), std::move(thing));
     for (const ThingBox& box : thing.boxes) page.figures.push_back({box_of(box, page.picture), ""});
-    const bool are_alike = thing.mask.width == page.main_things.width &&
-                           thing.mask.grey.size() == page.main_things.grey.size();
+    std::vector<std::uint8_t>& known = page.main_things.grey;
+    if (known.empty()) {
+        page.main_things = std::move(thing.mask);
+        return page;
+    }
+    const bool are_alike =
+        thing.mask.width == page.main_things.width && thing.mask.grey.size() == known.size();
     if (!are_alike) return page;  // the worker's word is not taken for it
-    std::ranges::transform(page.main_things.grey, thing.mask.grey, page.main_things.grey.begin(),
-                           [](auto known, auto further) { return std::max(known, further); });
+    std::ranges::transform(known, thing.mask.grey, known.begin(),
+                           [](auto one, auto other) { return std::max(one, other); });
     return page;
 }
 

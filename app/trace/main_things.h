@@ -1,15 +1,18 @@
-// What a worker answers that looked for the main things of a photograph. Nobody who reads it trusts
-// it.
+// What a worker answers that looked at a photograph: its main things, what they are taken for, and
+// its faces. Nobody who reads it trusts it.
 //
-//   header  magic u32, is_sure u32, boxes u32, bytes of the mask u32, two numbers (FigureSigns)
-//   boxes   four f64 each
-//   mask    grey_bytes.h
+//   header  magic u32, is_sure u32, then u32 each: boxes, names, faces, nothing; two numbers
+//           (FigureSigns)//   boxes   four f64 each, of the main things and then of the faces
+//   names   number u32, four bytes of nothing, likelihood f64, box
+//   rest    joined.h: the mask (grey_bytes.h) and the map of each face (map_bytes.h)
 //
 // Threads: pure functions.
 #pragma once
 
 #include "app/decode/picture.h"
 #include "config/types/result.h"
+#include "config/types/tactile_map.h"
+#include "config/types/thing_name.h"
 #include "vision/figure/figures.h"
 
 #include <cstddef>
@@ -18,26 +21,30 @@
 
 namespace touchline {
 
-/// A thing's place, as shares of the picture's width and height from its upper left corner.
-struct ThingBox {
-    double left = 0.0;
-    double top = 0.0;
-    double right = 0.0;
-    double bottom = 0.0;
-
-    friend bool operator==(const ThingBox&, const ThingBox&) = default;
+/// A face drawn in lines, and the part of the picture that fills the map's area: it may reach
+/// beyond the picture (can_be_shown()). Labels are those of config/types/face_part.h; the map has
+/// no other text.
+struct DrawnFace {
+    ThingBox part;
+    TactileMap map;
 };
+
+/// Whether the part reaches into the picture, is not empty, and lies at most four pictures off.
+[[nodiscard]] bool can_be_shown(const ThingBox& part);
 
 struct MainThings {
     GreyPicture mask;             // of the picture's proportions; 128 and more: a thing
     std::vector<ThingBox> boxes;  // the largest thing first
     FigureSigns signs;
     bool is_sure = false;
+    std::vector<NamedThing> names;  // the largest thing first
+    std::vector<DrawnFace> faces;   // the largest first
 };
 
 [[nodiscard]] MainThings main_things_of(const Figures& figures);
 
-[[nodiscard]] std::vector<std::byte> bytes_of(const MainThings& things);
+/// Fails as config/types/map_bytes.h does for a face's map.
+[[nodiscard]] Result<std::vector<std::byte>> bytes_of(const MainThings& things);
 
 /// Fails, with one line, unless every size and number is in its range: no box is empty.
 [[nodiscard]] Result<MainThings> main_things_of(std::span<const std::byte> bytes);

@@ -10,31 +10,56 @@ namespace touchline {
 namespace {
 
 constexpr std::size_t longest_title_bytes = 80;
+constexpr int most_shown_px = 2000;  // along a part whose lines were drawn: no screen shows more
+constexpr double like_named = 0.4;   // overlap of a thing that is named with a main thing's view
 
 const Figure* figure_of(const Page& page, int view) {
     const auto index = static_cast<std::size_t>(view - 1);
     return view >= 1 && index < page.figures.size() ? &page.figures[index] : nullptr;
 }
 
-int longer_side_px(const Page& page, int view) {
+/// Pixels from (left, top) to before (right, bottom); may reach beyond the page.
+struct PixelBox {
+    int left = 0;
+    int top = 0;
+    int right = 0;
+    int bottom = 0;
+
+    [[nodiscard]] int width() const { return right - left; }
+
+    [[nodiscard]] int height() const { return bottom - top; }
+};
+
+PixelBox part_of(const Page& page, int view) {
     const Figure* const figure = figure_of(page, view);
-    if (figure == nullptr) return std::max(page.picture.width, page.picture.height);
-    return std::max(figure->box.right - figure->box.left, figure->box.bottom - figure->box.top);
+    if (figure == nullptr) return {0, 0, page.picture.width, page.picture.height};
+    if (const DrawnPart* const drawn = figure->drawn.get())
+        return {drawn->left_px, drawn->top_px, drawn->right_px, drawn->bottom_px};
+    const WordBox& box = figure->box;
+    return {box.left, box.top, box.right, box.bottom};
 }
 
-Picture cut(const Picture& whole, const WordBox& box) {
-    Picture part;
-    part.width = box.right - box.left;
-    part.height = box.bottom - box.top;
-    part.scale = whole.scale;
-    const auto row = [&](int y) {
-        return whole.bgr.begin() + 3 * (std::ptrdiff_t{y} * whole.width + box.left);
-    };
-    part.bgr.reserve(3 * static_cast<std::size_t>(part.width) *
-                     static_cast<std::size_t>(part.height));
-    for (int y = box.top; y < box.bottom; ++y)
-        part.bgr.insert(part.bgr.end(), row(y), row(y) + std::ptrdiff_t{3} * part.width);
-    return part;
+/// White where the part reaches beyond the picture. Every `step`-th pixel each way.
+Picture cut(const Picture& whole, const PixelBox& part, int step = 1) {
+    Picture picture;
+    picture.width = (part.width() + step - 1) / step;
+    picture.height = (part.height() + step - 1) / step;
+    picture.scale = whole.scale / step;
+    picture.bgr.assign(std::size_t{3} * static_cast<std::size_t>(picture.width) *
+                           static_cast<std::size_t>(picture.height),
+                       255);
+    const auto place = [](int x, int y, int width) { return 3 * (std::ptrdiff_t{y} * width + x); };
+    for (int y = 0; y < picture.height; ++y) {
+        const int from_y = part.top + step * y;
+        if (from_y < 0 || from_y >= whole.height) continue;
+        for (int x = 0; x < picture.width; ++x) {
+            const int from_x = part.left + step * x;
+            if (from_x >= 0 && from_x < whole.width)
+                std::copy_n(whole.bgr.begin() + place(from_x, from_y, whole.width), 3,
+                            picture.bgr.begin() + place(x, y, picture.width));
+        }
+    }
+    return picture;
 }
 
 /// The part of a mask over a whole picture that lies over the box. Its pixels are larger than the
@@ -93,15 +118,39 @@ std::size_t bytes_of(const Page& page) {
 }
 
 bool has_main_things(const Page& page) {
-    return !page.main_things.grey.empty();
+    return !page.main_things.grey.empty() ||
+           std::ranges::any_of(page.figures,
+                               [](const Figure& figure) { return figure.drawn != nullptr; });
 }
 
 int view_count(const Page& page) {
     return static_cast<int>(page.figures.size()) + 1;
 }
 
+bool is_face(const Page& page, int view) {
+    const Figure* const figure = figure_of(page, view);
+    return figure != nullptr && figure->drawn != nullptr;
+}
+
+std::vector<NamedThing> names_told(const Page& page, int view) {
+    const Figure* const figure = figure_of(page, view);
+    if (figure == nullptr || view == 1) return page.names;
+    if (figure->drawn) return {};
+    const double width = page.picture.width;
+    const double height = page.picture.height;
+    const ThingBox box{figure->box.left / width, figure->box.top / height,
+                       figure->box.right / width, figure->box.bottom / height};
+    std::vector<NamedThing> names;
+    for (const NamedThing& thing : page.names) {
+        if (overlap_of(thing.box, box) < like_named) continue;
+        names.push_back({thing.name, {0.0, 0.0, 1.0, 1.0}, thing.likelihood});
+    }
+    return names;
+}
+
 int dpi_for(const Page& page, int view) {
-    const int longer_px = longer_side_px(page, view);
+    const PixelBox part = part_of(page, view);
+    const int longer_px = std::max(part.width(), part.height());
     if (page.dpi <= 0 || longer_px <= 0 || longer_px >= least_view_px) return page.dpi;
     const double wanted = std::ceil(static_cast<double>(page.dpi) * least_view_px / longer_px);
     return static_cast<int>(std::min<double>(wanted, most_view_dpi));
@@ -117,15 +166,11 @@ std::optional<Page> finer_page(const Page& page, int view, const PageOpener& ope
 
 PlaceInPicture place_in_page(const Page& page, int view, const Position& place) {
     const Picture& picture = page.picture;
-    const Figure* const figure = figure_of(page, view);
-    const WordBox whole{0, 0, static_cast<std::uint16_t>(picture.width),
-                        static_cast<std::uint16_t>(picture.height)};
-    const WordBox& box = figure == nullptr ? whole : figure->box;
-    const int width_px = box.right - box.left;
-    const int height_px = box.bottom - box.top;
-    const double m_per_px = std::min(Area{}.width_m / width_px, Area{}.height_m / height_px);
-    const double x_px = 0.5 * (box.left + box.right) + place.x / m_per_px;
-    const double y_px = 0.5 * (box.top + box.bottom) - place.y / m_per_px;
+    const PixelBox part = part_of(page, view);
+    const double m_per_px =
+        std::min(Area{}.width_m / part.width(), Area{}.height_m / part.height());
+    const double x_px = 0.5 * (part.left + part.right) + place.x / m_per_px;
+    const double y_px = 0.5 * (part.top + part.bottom) - place.y / m_per_px;
     return {std::clamp(x_px / picture.width, 0.0, 1.0),
             std::clamp(y_px / picture.height, 0.0, 1.0)};
 }
@@ -135,7 +180,17 @@ Page view_of(const Page& page, int view) {
     if (figure == nullptr) return page;
     const double m_per_px = page.told.area.width_m / page.picture.width;
     Page part;
-    part.picture = cut(page.picture, figure->box);
+    const PixelBox box = part_of(page, view);
+    const int step = figure->drawn ? 1 + std::max(box.width(), box.height()) / most_shown_px : 1;
+    part.picture = cut(page.picture, box, step);
+    if (figure->drawn) {
+        part.told = figure->drawn->map;
+        part.told.title = page.told.title;
+        part.told.description = page.told.description;
+        part.number = page.number;
+        part.count = page.count;
+        return part;
+    }
     part.main_things = cut(page.main_things, figure->box, page.picture);
     part.told.area = {m_per_px * part.picture.width, m_per_px * part.picture.height};
     part.told.title = figure->text.empty() || figure->text.size() > longest_title_bytes

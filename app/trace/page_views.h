@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace touchline {
 
@@ -19,11 +20,18 @@ inline constexpr int most_view_dpi = 600;
 /// What the page holds of the machine's memory: its pixels, and its worker's answer.
 [[nodiscard]] std::size_t bytes_of(const Page& page);
 
-/// The figures are a photograph's main things.
+/// The figures are a photograph's main things and faces.
 [[nodiscard]] bool has_main_things(const Page& page);
 
 /// Figures and the whole; 1 for a page without figures.
 [[nodiscard]] int view_count(const Page& page);
+
+/// Whether a view (1 ... view_count) is a face that was drawn in lines.
+[[nodiscard]] bool is_face(const Page& page, int view);
+
+/// What is told of a view to be named in it: all of the page's, at their places in it, where it is
+/// the first that a visitor meets or the whole; else what lies in about its box, all over it.
+[[nodiscard]] std::vector<NamedThing> names_told(const Page& page, int view);
 
 /// At which the page is to be drawn for this view (1 ... view_count): page.dpi where that is fine
 /// enough, 0 where the page has pixels of its own only. The worker may give less.
@@ -40,8 +48,10 @@ using PageOpener = std::function<Result<Page>(const PageOrder&)>;
 [[nodiscard]] PlaceInPicture place_in_page(const Page& page, int view, const Position& place);
 
 /// The view as a page of its own: pixels cut out, words and labels that lie on it moved along. What
-/// is written of a figure is its description, and its title where it is short. The last view is the
-/// page as it is. O(pixels).
+/// is written of a figure is its description, and its title where it is short. A part that was
+/// drawn in lines has these as its outlines, and white where it reaches beyond the page;
+/// it is shown only, and has 2000 pixels along each side at most. The last
+/// view is the page as it is. O(pixels).
 [[nodiscard]] Page view_of(const Page& page, int view);
 
 }  // namespace touchline

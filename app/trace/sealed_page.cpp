@@ -2,7 +2,6 @@
 
 #include "app/process/memory.h"
 #include "app/sandbox/limits.h"
-#include "app/trace/two_parts.h"
 
 #include <utility>
 #include <vector>
@@ -23,12 +22,13 @@ Result<Sealed> sealed(const Page& page) {
         [](const std::vector<std::byte>& bytes) { return sealed_copy(bytes); }));
 }
 
-Result<Sealed> sealed_behind(std::span<const std::byte> first, const Page& page) {
+Result<Sealed> sealed_behind(ThingsInBytes things, const Page& page) {
     const auto answer = sealed(page);
     if (!answer) return answer;
     const auto bytes = map_sealed(**answer, limits_of(WorkerKind::trace).input_bytes);
     if (!bytes) return tl::unexpected(bytes.error());
-    return shared(sealed_copy(bytes_of(TwoParts{first, bytes->bytes()})));
+    things.push_back(bytes->bytes());
+    return shared(sealed_copy(joined(things)));
 }
 
 }  // namespace touchline

@@ -3,11 +3,10 @@
 
 #include "app/decode/page.h"
 #include "app/process/descriptor.h"
+#include "app/trace/joined.h"
 #include "config/types/result.h"
 
-#include <cstddef>
 #include <memory>
-#include <span>
 
 namespace touchline {
 
@@ -16,7 +15,7 @@ using Sealed = std::shared_ptr<const Descriptor>;
 /// As its own worker answered it, without a copy, where nothing was changed in it since.
 [[nodiscard]] Result<Sealed> sealed(const Page& page);
 
-/// The same behind something else (two_parts.h): a copy of both.
-[[nodiscard]] Result<Sealed> sealed_behind(std::span<const std::byte> first, const Page& page);
+/// The same behind other things (joined.h): a copy of all.
+[[nodiscard]] Result<Sealed> sealed_behind(ThingsInBytes things, const Page& page);
 
 }  // namespace touchline

@@ -3,13 +3,13 @@
 #include "app/decode/worker_program.h"
 #include "app/trace/frame_bytes.h"
 #include "app/trace/grey_bytes.h"
+#include "app/trace/joined.h"
 #include "app/trace/lines_bytes.h"
 #include "app/trace/page_lines.h"
 #include "app/trace/photo_page.h"
 #include "app/trace/trace_report.h"
 #include "app/trace/trace_work.h"
 #include "app/trace/traced.h"
-#include "app/trace/two_parts.h"
 
 #include <span>
 #include <string>
@@ -47,9 +47,10 @@ struct PageInput {
 
 Result<PageInput> page_input(std::span<const std::byte> input, const TraceWork& work) {
     if (!work.has_main_things) return PageInput{input, {}};
-    const TwoParts parts = two_parts_of(input);
-    return grey_of(parts.first).map([&parts](const GreyPicture& mask) {
-        return PageInput{parts.second, cv::Mat1b(mask.grey, true).reshape(1, mask.height)};
+    const ThingsInBytes parts = parted(input, 2);
+    if (parts.empty()) return failure("there is no page to find lines in");
+    return grey_of(parts[0]).map([&parts](const GreyPicture& mask) {
+        return PageInput{parts[1], cv::Mat1b(mask.grey, true).reshape(1, mask.height)};
     });
 }
 

@@ -20,7 +20,7 @@ struct TraceWork {
     TraceStep step = TraceStep::lines;
     TraceOptions options;
     bool wants_edges = false;      // the picture of the edges' strengths as well
-    bool has_main_things = false;  // a mask comes before the page (two_parts.h)
+    bool has_main_things = false;  // a mask comes before the page (joined.h)
     PhotoCut cut;
 };
 

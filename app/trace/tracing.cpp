@@ -37,7 +37,9 @@ std::string words_of(WorkerEnd end) {
 
 /// What finds a page's lines looks at: the mask of its main things, where it has one, and the page.
 Result<Sealed> input_of(const Page& page) {
-    return has_main_things(page) ? sealed_behind(bytes_of(page.main_things), page) : sealed(page);
+    if (page.main_things.grey.empty()) return sealed(page);
+    const std::vector<std::byte> mask = bytes_of(page.main_things);
+    return sealed_behind({mask}, page);
 }
 
 /// The worker's answer, sealed.
@@ -88,7 +90,7 @@ Result<FirstTrace> find_page_lines(const Page& page, const TraceRequest& request
     TraceWork work;
     work.options = request.options;
     work.wants_edges = request.wants_edges;
-    work.has_main_things = has_main_things(page);
+    work.has_main_things = !page.main_things.grey.empty();
     auto answer = traced_by(work, **input, page);
     if (!answer) return tl::unexpected(answer.error());
     Traced& traced = answer->traced;

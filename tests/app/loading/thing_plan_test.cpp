@@ -44,10 +44,26 @@ TEST(Loading, APhotographWithoutAClearThingIsToldSoOnce) {
     const auto things = world.loader.take_things();
     ASSERT_TRUE(things);
     EXPECT_EQ(things->place, (PagePlace{1, 1, 1, 1, ThingSearch::unclear}));
+    ASSERT_EQ(things->names.size(), 1U) << "what it is taken for is told all the same";
     world.want(1, 1, 5);
     world.until_idle();
     EXPECT_EQ(world.stages->looked_count, 1);
     EXPECT_EQ(world.last(), "0 1 1 5");
+}
+
+TEST(Loading, WithoutTheNetworkOfMainThingsItIsToldWhatNamesItHas) {
+    World world = photograph(-2);
+    EXPECT_TRUE(world.delivered.back().scene->facts.names.empty());
+    world.until_idle();
+    const auto things = world.loader.take_things();
+    ASSERT_TRUE(things);
+    EXPECT_EQ(things->place, (PagePlace{1, 1, 1, 1, ThingSearch::absent}));
+    EXPECT_EQ(things->names.size(), 1U);
+    world.want(1, 1, 5);
+    world.until_felt();
+    const LoadedFacts& facts = world.delivered.back().scene->facts;
+    EXPECT_EQ(facts.place.things, ThingSearch::absent);
+    EXPECT_EQ(facts.names.size(), 1U);
 }
 
 TEST(Loading, APhotographThatCannotBeLookedAtIsToldWithTheReason) {

@@ -436,6 +436,43 @@ TEST(Visit, WhereNothingIsClearAPhotographStaysAndThatIsTold) {
     EXPECT_EQ(house.visit.visitor.felt->facts.place.things, ThingSearch::unclear);
 }
 
+TEST(Visit, WhatAPhotographIsTakenForIsToldAsAGuess) {
+    const NamedThing dog{ThingName::dog, {0.0, 0.4, 0.3, 0.7}, 0.9};
+    FakeHouse house;
+    to_picture(house);
+    ThingsLookedFor looked = looked_for(house, 0);
+    looked.names = {dog};
+    house.happen(looked);
+    EXPECT_EQ(house.last_said(), "Probably a dog, on the left. No clear main thing was found.");
+    ASSERT_TRUE(house.choose("Tell me again"));
+    const std::string told = house.last_said();
+    EXPECT_LT(told.find("From the side"), told.find("Probably a dog, on the left."))
+        << "what somebody wrote goes before a guess: " << told;
+}
+
+TEST(Visit, WithoutTheNetworkOfMainThingsNamesAreToldAndThatItIsAbsent) {
+    FakeHouse house;
+    to_picture(house);
+    ThingsLookedFor looked = looked_for(house, 0);
+    looked.place.things = ThingSearch::absent;
+    house.happen(looked);
+    EXPECT_EQ(house.last_said(), "The main thing cannot be found here.");
+    looked.names = {{ThingName::animal, {0.0, 0.0, 1.0, 1.0}, 0.5}};
+    house.happen(looked);
+    EXPECT_EQ(house.last_said(),
+              "Probably an animal, in most of the picture. The main thing cannot be found here.");
+}
+
+TEST(Visit, AFaceIsToldAsOne) {
+    FakeHouse house;
+    to_picture(house);
+    house.happen(looked_for(house, 2));
+    PictureFacts facts = house.visit.visitor.felt->facts;
+    facts.place = {1, 1, 1, 3, ThingSearch::found, true};
+    house.happen(PictureReady{house.last<LoadPicture>()[0].request, facts});
+    EXPECT_TRUE(house.has_said("Thing 1 of 2 in the photograph, a face", 0)) << house.last_said();
+}
+
 TEST(Visit, TheThingUnderTheHandIsOpenedAndOtherwiseThePictureStays) {
     FakeHouse house;
     to_picture(house);
