@@ -51,6 +51,20 @@ plot results . '/figures.csv' using 8:3 skip 1 with linespoints ls 1 title 'mean
      '' using 8:4 skip 1 with linespoints ls 2 title 'median', \
      '' using 8:3:(sprintf('%d', column(1))) skip 1 with labels offset 0,1 notitle
 
+set output results . '/names.' . format
+set title 'names of things, with all limits moved up and down together'
+set xlabel 'percent of the pictures with a nameable thing that are named'
+set ylabel 'wrong words in 100 pictures'
+unset logscale
+set xrange [*:*]
+set key top left box opaque
+of_looks(looks) = sprintf("< awk -F, 'NR > 1 && $2 == %d { all[$3] += $4; able[$3] += $5; wrong[$3] += $9; named[$3] += $10 } \
+    END { for (h in all) print h \",\" 100 * named[h] / able[h] \",\" 100 * wrong[h] / all[h] }' %s/names.csv | sort -t, -g", looks, results)
+plot of_looks(1) using 2:3 with linespoints ls 2 title 'one look', \
+     of_looks(2) using 2:3 with linespoints ls 1 title 'two looks, the second in a mirror', \
+     '' using (column(1) == 0 ? column(2) : NaN):3 with points pt 6 ps 2.5 lc rgb '#000000' title 'as it ships'
+set logscale x
+
 set output results . '/drawings.' . format
 set title 'charts and plans, traced at several working sizes'
 set xlabel 'milliseconds a picture (from the file to the map, by the clock)'

@@ -14,16 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<cv::Mat> read(const std::string& path) {
-    return read_picture(path).map([](const Picture& picture) {
-        cv::Mat bgr(picture.height, picture.width, CV_8UC3);
-        std::copy(picture.bgr.begin(), picture.bgr.end(), bgr.ptr());
-        return bgr;
-    });
-}
-
 Result<cv::Mat1b> read_grey(const std::string& path) {
-    return read(path).map([](const cv::Mat& picture) {
+    return pixels_of(path).map([](const cv::Mat& picture) {
         cv::Mat1b grey;
         cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
         return grey;
@@ -41,7 +33,7 @@ std::vector<fs::path> photos_in(const std::string& folder) {
 }
 
 Result<MarkedPicture> marked_picture(const fs::path& photo) {
-    const Result<cv::Mat> picture = read(photo.string());
+    const Result<cv::Mat> picture = pixels_of(photo.string());
     if (!picture) return tl::unexpected(picture.error());
     MarkedPicture marked{*picture, {}};
     for (int k = 1;; ++k) {
@@ -59,6 +51,14 @@ Result<MarkedPicture> marked_picture(const fs::path& photo) {
 }
 
 }  // namespace
+
+Result<cv::Mat> pixels_of(const std::string& path) {
+    return read_picture(path).map([](const Picture& picture) {
+        cv::Mat bgr(picture.height, picture.width, CV_8UC3);
+        std::copy(picture.bgr.begin(), picture.bgr.end(), bgr.ptr());
+        return bgr;
+    });
+}
 
 std::vector<MarkedPicture> made_pictures() {
     std::vector<MarkedPicture> made;

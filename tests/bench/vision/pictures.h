@@ -16,6 +16,9 @@ struct MarkedPicture {
     std::vector<cv::Mat1b> annotators;  // boundaries are not 0
 };
 
+/// A picture's pixels, 8-bit BGR.
+[[nodiscard]] Result<cv::Mat> pixels_of(const std::string& path);
+
 /// Pictograms before photo-like backgrounds, made here.
 [[nodiscard]] std::vector<MarkedPicture> made_pictures();
 
