@@ -135,7 +135,8 @@ void add_unless_there(const FaceMesh& mesh, std::vector<FaceMesh>& faces) {
     constexpr double kSameFace = 0.4;  // of the smaller box, where both are the same face
     const cv::Rect2d box = box_of(mesh);
     const bool is_there = std::ranges::any_of(faces, [&](const FaceMesh& other) {
-        return (box & box_of(other)).area() >= kSameFace * std::min(box.area(), box_of(other).area());
+        return (box & box_of(other)).area() >=
+               kSameFace * std::min(box.area(), box_of(other).area());
     });
     if (!is_there) faces.push_back(mesh);
 }
