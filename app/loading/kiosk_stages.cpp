@@ -129,12 +129,7 @@ Result<FoundPtr> KioskStages::find(const PictureFile& file, const PagePtr& page,
     const int views = view_count(*page);
     const PagePtr fine = fine_page(file, page, view);
     const PagePtr cut = view < views ? std::make_shared<const Page>(view_of(*fine, view)) : fine;
-    const PagePlace place{page->number,
-                          page->count,
-                          view,
-                          views,
-                          has_main_things(*page) ? ThingSearch::found : ThingSearch::none,
-                          is_face(*page, view)};
+    const PagePlace place = place_of(*page, view);
     return found_in(cut, place, part).map_error([&](const Error& error) {
         return of_page(file, place, error);
     });

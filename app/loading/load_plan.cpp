@@ -161,13 +161,9 @@ PagePlace LoadPlan::place_of(const ViewOrder& order) const {
     if (const Kept* const view = view_of(order)) return view->found->place;
     const Kept* const page = page_of(order);
     if (page == nullptr) return {order.page, 0, order.view, 0};
-    const int views = view_count(*page->page);
-    return {order.page,
-            page->page->count,
-            std::min(order.view, views),
-            views,
-            has_main_things(*page->page) ? ThingSearch::found : ThingSearch::none,
-            is_face(*page->page, std::min(order.view, views))};
+    PagePlace place = touchline::place_of(*page->page, order.view);
+    place.page = order.page;
+    return place;
 }
 
 /// On the way to the scene of an order, from what is kept.

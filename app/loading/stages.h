@@ -8,10 +8,12 @@
 #include "app/loading/loaded_facts.h"
 #include "app/screen/shown_scene.h"
 #include "app/servo/servo_client.h"
+#include "app/trace/page_views.h"
 #include "app/trace/tracing.h"
 #include "config/types/result.h"
 #include "vision/simplify/zoom.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -68,6 +70,18 @@ struct LoadedScene {
     FeltPicture felt;
     LoadedFacts facts;
 };
+
+/// Where a view of the page lies; one beyond the last is the last.
+[[nodiscard]] inline PagePlace place_of(const Page& page, int view) {
+    const int views = view_count(page);
+    const int shown = std::min(view, views);
+    return {page.number,
+            page.count,
+            shown,
+            views,
+            has_main_things(page) ? ThingSearch::found : ThingSearch::none,
+            is_face(page, shown)};
+}
 
 /// Each call by itself, from any thread. Errors are one line with the file's name.
 class Stages {

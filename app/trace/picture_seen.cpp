@@ -1,10 +1,9 @@
 #include "app/trace/picture_seen.h"
 
 #include "vision/contour/gradient.h"
-#include "vision/face/face_map.h"
+#include "vision/face/face_drawing.h"
 #include "vision/face/face_network.h"
 #include "vision/face/people.h"
-#include "vision/face/person_outline.h"
 #include "vision/figure/figure_network.h"
 #include "vision/name/name_network.h"
 #include "vision/name/names.h"
@@ -77,16 +76,10 @@ ThingBox in_shares(const cv::Rect2d& part, cv::Size picture) {
             part.br().y / picture.height};
 }
 
-Result<DrawnFace> drawn(const cv::Mat3b& picture, const FaceMesh& mesh, PersonNetwork& persons) {
-    const cv::Rect part = head_and_shoulders(mesh, picture.size());
-    const auto mask = persons.mask_of(picture, part);
-    if (!mask) return tl::unexpected(mask.error());
-    std::vector<PartLine> lines = face_lines(mesh, shows_eyes(picture, mesh));
-    for (PartLine& line : person_outline({*mask, part}, mesh)) lines.push_back(std::move(line));
-    FaceMap face = face_map(box_of(mesh), lines, Area{});
+DrawnFace named_parts(FaceMap face, cv::Size picture) {
     for (std::size_t i = 0; i < face.parts.size(); ++i)
         face.map.outlines[i].label = id_of(face.parts[i]);
-    return DrawnFace{in_shares(face.shown, picture.size()), std::move(face.map)};
+    return {in_shares(face.shown, picture), std::move(face.map)};
 }
 
 Result<std::vector<DrawnFace>> faces_in(const cv::Mat3b& picture,
@@ -98,10 +91,10 @@ Result<std::vector<DrawnFace>> faces_in(const cv::Mat3b& picture,
     if (!meshes) return tl::unexpected(meshes.error());
     std::vector<DrawnFace> faces;
     for (const FaceMesh& mesh : *meshes) {
-        auto face = drawn(picture, mesh, persons);
-        if (!face) return tl::unexpected(face.error());
-        if (!face->map.outlines.empty() && can_be_shown(face->part))
-            faces.push_back(std::move(*face));
+        auto drawn = drawn_face(picture, mesh, persons);
+        if (!drawn) return tl::unexpected(drawn.error());
+        DrawnFace face = named_parts(std::move(*drawn), picture.size());
+        if (!face.map.outlines.empty() && can_be_shown(face.part)) faces.push_back(std::move(face));
     }
     return faces;
 }

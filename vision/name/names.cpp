@@ -9,7 +9,7 @@
 namespace touchline {
 namespace {
 
-/// From here on "an animal" or "a vehicle" is said.
+/// The likelihoods from which "an animal" or "a vehicle" is said.
 constexpr double kAnimalFrom = 0.5;
 constexpr double kVehicleFrom = 0.6;
 /// Beside one that has a word, another of the same is likely: it counts from here on.

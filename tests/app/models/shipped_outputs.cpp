@@ -108,7 +108,7 @@ std::string text_of(const std::vector<int>& shape) {
     return text;
 }
 
-/// Of a matrix that lies in one piece, as a network's answer does.
+/// The matrix lies in one piece, as a network's answer does.
 std::vector<double> numbers_of(const cv::Mat1f& output) {
     constexpr std::size_t places = 16;
     std::vector<double> numbers{cv::norm(output, cv::NORM_INF), cv::mean(output)[0]};

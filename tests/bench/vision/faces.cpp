@@ -5,10 +5,9 @@
 #include "app/decode/map_svg.h"
 #include "app/models/networks.h"
 #include "tests/bench/vision/pictures.h"
-#include "vision/face/face_map.h"
+#include "vision/face/face_drawing.h"
 #include "vision/face/face_network.h"
 #include "vision/face/person_network.h"
-#include "vision/face/person_outline.h"
 #include "vision/name/name_network.h"
 #include "vision/name/names.h"
 
@@ -17,7 +16,6 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <sstream>
 #include <string>
@@ -100,15 +98,6 @@ Result<std::vector<cv::Rect2d>> persons_in(const cv::Mat3b& picture, NameNetwork
     return boxes;
 }
 
-Result<FaceMap> map_of(const cv::Mat3b& picture, const FaceMesh& mesh, PersonNetwork& network) {
-    std::vector<PartLine> lines = face_lines(mesh, shows_eyes(picture, mesh));
-    const cv::Rect part = head_and_shoulders(mesh, picture.size());
-    const auto mask = network.mask_of(picture, part);
-    if (!mask) return tl::unexpected(mask.error());
-    std::ranges::move(person_outline({*mask, part}, mesh), std::back_inserter(lines));
-    return face_map(box_of(mesh), lines, Area{});
-}
-
 /// What one picture gives.
 struct Measured {
     std::size_t persons = 0;
@@ -150,7 +139,7 @@ Result<Measured> measured_on(const fs::path& file, Networks& networks) {
     const double found_ms = cpu_ms();
     FaceMap map;
     if (!faces->empty()) {
-        auto made = map_of(*picture, faces->front(), networks.persons);
+        auto made = drawn_face(*picture, faces->front(), networks.persons);
         if (!made) return tl::unexpected(made.error());
         map = std::move(*made);
     }
