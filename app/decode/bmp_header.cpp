@@ -6,7 +6,6 @@
 namespace touchline::decode {
 namespace {
 
-constexpr std::size_t file_header_bytes = 14;
 constexpr std::size_t oldest_header_bytes = 12;  // OS/2: sides of 16 bits, colours of 3 bytes
 
 constexpr std::array<std::uint32_t, 4> fields_of_16{0x001f, 0x03e0, 0x7c00, 0};

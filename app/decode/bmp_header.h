@@ -11,6 +11,9 @@
 
 namespace touchline::decode {
 
+/// What stands before the header of the picture.
+inline constexpr std::size_t file_header_bytes = 14;
+
 enum class BmpPacking : std::uint8_t { none, runs_of_4, runs_of_8, runs_of_24, fields };
 
 struct BmpHeader {

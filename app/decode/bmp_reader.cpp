@@ -15,8 +15,6 @@
 namespace touchline::decode {
 namespace {
 
-constexpr std::size_t file_header_bytes = 14;
-
 tl::unexpected<Error> cut_short() {
     return damaged("BMP", "the file ends before the picture");
 }

@@ -16,23 +16,23 @@
 namespace touchline::decode {
 namespace {
 
-struct Source {
+struct GifSource {
     Bytes left;
 };
 
 int read_some(GifFileType* file, GifByteType* to, int wanted) {
-    auto& source = *static_cast<Source*>(file->UserData);
+    auto& source = *static_cast<GifSource*>(file->UserData);
     const std::size_t count = std::min(static_cast<std::size_t>(wanted), source.left.size());
     if (count > 0) std::memcpy(to, source.left.data(), count);
     source.left = source.left.subspan(count);
     return static_cast<int>(count);
 }
 
-struct Close {
+struct CloseGif {
     void operator()(GifFileType* file) const { (void)DGifCloseFile(file, nullptr); }
 };
 
-using File = std::unique_ptr<GifFileType, Close>;
+using File = std::unique_ptr<GifFileType, CloseGif>;
 
 tl::unexpected<Error> broken(int error) {
     const char* const words = GifErrorString(error);
@@ -250,7 +250,7 @@ Result<void> draw_frame(GifFileType& file, const Control& control, bool is_last,
     return {};
 }
 
-Result<File> open(Source& source) {
+Result<File> open(GifSource& source) {
     int error = 0;
     File file(DGifOpen(&source, read_some, &error));
     if (file == nullptr) return broken(error);
@@ -266,7 +266,7 @@ Resolution resolution_of(const GifFileType& file) {
 }  // namespace
 
 Result<Stored> read_gif(Bytes bytes) {
-    Source looked_at{bytes};
+    GifSource looked_at{bytes};
     const auto first = open(looked_at);
     if (!first) return tl::unexpected(first.error());
     const auto plan = plan_of(**first);
@@ -275,7 +275,7 @@ Result<Stored> read_gif(Bytes bytes) {
                                     static_cast<std::uint64_t>(plan->height));
         !fits)
         return tl::unexpected(fits.error());
-    Source source{bytes};
+    GifSource source{bytes};
     const auto file = open(source);
     if (!file) return tl::unexpected(file.error());
     Frames frames(**file);

@@ -21,12 +21,6 @@ namespace {
 
 constexpr const char* layer_mark = "data-image-layer";
 
-bool is_shape(std::string_view name) {
-    constexpr std::array<std::string_view, 7> shapes{"path", "polyline", "polygon", "line",
-                                                     "rect", "circle",   "ellipse"};
-    return std::find(shapes.begin(), shapes.end(), name) != shapes.end();
-}
-
 /// Elements in the order of the document, with how deep they lie: no recursion, whatever the depth.
 template <class Visit>
 class Walker : public pugi::xml_tree_walker {

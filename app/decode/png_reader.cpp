@@ -15,14 +15,14 @@ namespace touchline::decode {
 namespace {
 
 /// libpng reports an error by a call that must not return: we jump out of the library from it.
-struct Source {
+struct PngSource {
     Bytes left;
     std::jmp_buf way_out;
     std::array<char, 200> message;
 };
 
 [[noreturn]] void leave(png_structp reader, png_const_charp message) {
-    auto& source = *static_cast<Source*>(png_get_error_ptr(reader));
+    auto& source = *static_cast<PngSource*>(png_get_error_ptr(reader));
     std::strncpy(source.message.data(), message, source.message.size() - 1);
     std::longjmp(source.way_out, 1);  // NOLINT(cert-err52-cpp): libpng's interface
 }
@@ -30,7 +30,7 @@ struct Source {
 void drop_warning(png_structp /*reader*/, png_const_charp /*message*/) {}
 
 void read_some(png_structp reader, png_bytep to, std::size_t wanted) {
-    auto& source = *static_cast<Source*>(png_get_io_ptr(reader));
+    auto& source = *static_cast<PngSource*>(png_get_io_ptr(reader));
     if (wanted > source.left.size()) png_error(reader, "the file ends before the picture");
     std::memcpy(to, source.left.data(), wanted);
     source.left = source.left.subspan(wanted);
@@ -39,7 +39,7 @@ void read_some(png_structp reader, png_bytep to, std::size_t wanted) {
 /// Runs one step of the reader; false when libpng gave up in it. The jump ends here, so neither
 /// this function nor a step may hold an object with a destructor.
 template <class Step>
-bool run(Source& source, const Step& step) {
+bool run(PngSource& source, const Step& step) {
     if (setjmp(source.way_out) != 0) return false;  // NOLINT(cert-err52-cpp): libpng's interface
     step();
     return true;
@@ -78,7 +78,7 @@ class Reader {
         png_read_update_info(png, info);
     }
 
-    Source source;
+    PngSource source;
     png_structp png;
     png_infop info;
 };

@@ -1,6 +1,7 @@
 #include "app/decode/svg_nodes.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace touchline::decode {
@@ -20,6 +21,12 @@ std::string_view local_name(const pugi::xml_node& element) {
     const std::string_view name = element.name();
     const auto colon = name.find(':');
     return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+bool is_shape(std::string_view name) {
+    constexpr std::array<std::string_view, 7> shapes{"path", "polyline", "polygon", "line",
+                                                     "rect", "circle",   "ellipse"};
+    return std::find(shapes.begin(), shapes.end(), name) != shapes.end();
 }
 
 pugi::xml_node child_named(const pugi::xml_node& parent, std::string_view name) {

@@ -14,6 +14,9 @@ constexpr int max_nesting = 100;  // drawing programs nest groups ten deep
 /// The name without a prefix.
 [[nodiscard]] std::string_view local_name(const pugi::xml_node& element);
 
+/// Does an element of this name, without its prefix, draw a line? Texts, uses and images are none.
+[[nodiscard]] bool is_shape(std::string_view name);
+
 /// The first child element of this name; null where there is none.
 [[nodiscard]] pugi::xml_node child_named(const pugi::xml_node& parent, std::string_view name);
 

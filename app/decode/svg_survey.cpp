@@ -4,7 +4,6 @@
 #include "app/decode/svg_nodes.h"
 
 #include <algorithm>
-#include <array>
 
 #include <pugixml.hpp>
 
@@ -32,12 +31,6 @@ SaidLanguages languages_of(const pugi::xml_node& parent, std::string_view name) 
             !text_of(child).empty())
             note(said, tag_of(child));
     return said;
-}
-
-bool is_shape(std::string_view name) {
-    constexpr std::array<std::string_view, 7> shapes{"path", "polyline", "polygon", "line",
-                                                     "rect", "circle",   "ellipse"};
-    return std::find(shapes.begin(), shapes.end(), name) != shapes.end();
 }
 
 /// Lines up to places that only grow.

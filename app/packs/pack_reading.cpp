@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr double megabyte = 1 << 20U;
 
-tl::unexpected<PackFinding> refused(FindingKind kind, const std::string& file, double value = 0.0) {
+tl::unexpected<PackFinding> refused_file(FindingKind kind, const std::string& file,
+                                         double value = 0.0) {
     return refusal({kind, file, 0, "", value});
 }
 
@@ -42,17 +43,18 @@ PackResult<std::vector<std::string>> names_in(const fs::path& folder) {
         }
         const auto type = it->symlink_status(error).type();
         if (error) break;
-        if (type == fs::file_type::symlink) return refused(FindingKind::link, name);
+        if (type == fs::file_type::symlink) return refused_file(FindingKind::link, name);
         if (const auto trouble = trouble_with_name(name))
-            return refused(*trouble, name, limit_of(*trouble));
+            return refused_file(*trouble, name, limit_of(*trouble));
         if (type == fs::file_type::directory) continue;
-        if (type != fs::file_type::regular) return refused(FindingKind::no_file, name);
-        if (!seen.insert(folded(name)).second) return refused(FindingKind::twice, name);
+        if (type != fs::file_type::regular) return refused_file(FindingKind::no_file, name);
+        if (!seen.insert(folded(name)).second) return refused_file(FindingKind::twice, name);
         names.push_back(name);
         if (names.size() > pack_limits.files)
-            return refused(FindingKind::too_many_files, "", static_cast<double>(pack_limits.files));
+            return refused_file(FindingKind::too_many_files, "",
+                                static_cast<double>(pack_limits.files));
     }
-    if (error) return refused(FindingKind::unreadable, "");
+    if (error) return refused_file(FindingKind::unreadable, "");
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -65,16 +67,16 @@ PackResult<std::vector<PackFile>> files_in(const fs::path& folder) {
     for (const std::string& name : *names) {
         std::error_code error;
         const auto size = fs::file_size(folder / name, error);
-        if (error) return refused(FindingKind::unreadable, name);
+        if (error) return refused_file(FindingKind::unreadable, name);
         if (size > pack_limits.file_bytes)
-            return refused(FindingKind::file_too_large, name,
-                           static_cast<double>(pack_limits.file_bytes) / megabyte);
+            return refused_file(FindingKind::file_too_large, name,
+                                static_cast<double>(pack_limits.file_bytes) / megabyte);
         auto bytes = read_file(folder / name);
-        if (!bytes) return refused(FindingKind::unreadable, name);
+        if (!bytes) return refused_file(FindingKind::unreadable, name);
         all += bytes->size();
         if (all > pack_limits.all_bytes)
-            return refused(FindingKind::all_too_large, "",
-                           static_cast<double>(pack_limits.all_bytes) / megabyte);
+            return refused_file(FindingKind::all_too_large, "",
+                                static_cast<double>(pack_limits.all_bytes) / megabyte);
         files.push_back({name, std::move(*bytes)});
     }
     return files;
@@ -96,7 +98,7 @@ PackResult<Pack> pack_of(std::vector<PackFile> files) {
     take_out_of_single_folder(files);
     Pack pack{{}, std::move(files)};
     const PackFile* table = find_file(pack, pack_table_name);
-    if (table == nullptr) return refused(FindingKind::no_pack_toml, "");
+    if (table == nullptr) return refused_file(FindingKind::no_pack_toml, "");
     auto info =
         pack_info_of({reinterpret_cast<const char*>(table->bytes.data()), table->bytes.size()});
     if (!info) return refusal(info.error());
@@ -113,19 +115,19 @@ PackResult<Pack> pack_of(std::vector<PackFile> files) {
 PackResult<Pack> read(const std::string& path) {
     std::error_code error;
     const auto status = fs::status(path, error);
-    if (!fs::exists(status)) return refused(FindingKind::no_such_pack, path);
+    if (!fs::exists(status)) return refused_file(FindingKind::no_such_pack, path);
     if (fs::is_directory(status)) {
         auto files = files_in(path);
         if (!files) return refusal(files.error());
         return pack_of(std::move(*files));
     }
     const auto size = fs::file_size(path, error);
-    if (error || !fs::is_regular_file(status)) return refused(FindingKind::unreadable, path);
+    if (error || !fs::is_regular_file(status)) return refused_file(FindingKind::unreadable, path);
     if (size > pack_limits.zip_bytes)
-        return refused(FindingKind::zip_too_large, path,
-                       static_cast<double>(pack_limits.zip_bytes) / megabyte);
+        return refused_file(FindingKind::zip_too_large, path,
+                            static_cast<double>(pack_limits.zip_bytes) / megabyte);
     const auto bytes = read_file(path);
-    if (!bytes) return refused(FindingKind::unreadable, path);
+    if (!bytes) return refused_file(FindingKind::unreadable, path);
     return read_pack(*bytes);
 }
 
@@ -144,7 +146,7 @@ PackResult<Pack> read_pack(const std::string& path) {
             pack.error().file = fs::path(path).filename().string();
         return pack;
     } catch (const std::exception&) {
-        return refused(FindingKind::unreadable, path);
+        return refused_file(FindingKind::unreadable, path);
     }
 }
 

@@ -56,7 +56,7 @@ sf_count_t tell(void* user) {
     return memory_of(user).at;
 }
 
-struct Close {
+struct CloseSound {
     void operator()(SNDFILE* file) const { sf_close(file); }
 };
 
@@ -114,7 +114,7 @@ PackResult<ReadSound> read_sound(std::span<const std::byte> bytes) {
     Memory memory{bytes};
     SF_VIRTUAL_IO io{length, seek, read, write, tell};
     SF_INFO info{};
-    const std::unique_ptr<SNDFILE, Close> file(sf_open_virtual(&io, SFM_READ, &info, &memory));
+    const std::unique_ptr<SNDFILE, CloseSound> file(sf_open_virtual(&io, SFM_READ, &info, &memory));
     if (!file) return refused(FindingKind::sound_broken);
     const bool is_usual = info.channels >= 1 && info.channels <= 2 &&
                           info.samplerate >= least_rate_Hz && info.samplerate <= most_rate_Hz;

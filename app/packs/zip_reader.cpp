@@ -14,15 +14,11 @@
 namespace touchline {
 namespace {
 
-struct Close {
+struct CloseArchive {
     void operator()(archive* opened) const { archive_read_free(opened); }
 };
 
-using Archive = std::unique_ptr<archive, Close>;
-
-tl::unexpected<PackFinding> refused(FindingKind kind, const std::string& name = {}) {
-    return refusal({kind, name});
-}
+using Archive = std::unique_ptr<archive, CloseArchive>;
 
 /// Exactly the bytes that the list claims: one more is a lie, and the beginning of a bomb.
 PackResult<std::vector<std::byte>> contents(archive* opened, const ZipMember& member) {
@@ -30,13 +26,13 @@ PackResult<std::vector<std::byte>> contents(archive* opened, const ZipMember& me
     std::size_t got = 0;
     while (got < bytes.size()) {
         const auto count = archive_read_data(opened, bytes.data() + got, bytes.size() - got);
-        if (count <= 0) return refused(FindingKind::damaged_zip, member.name);
+        if (count <= 0) return refusal({FindingKind::damaged_zip, member.name});
         got += static_cast<std::size_t>(count);
     }
     // The sum of the bytes is looked at where they end.
     std::byte more{};
     if (archive_read_data(opened, &more, 1) != 0)
-        return refused(FindingKind::damaged_zip, member.name);
+        return refusal({FindingKind::damaged_zip, member.name});
     return bytes;
 }
 
@@ -49,12 +45,12 @@ PackResult<std::vector<PackFile>> read_members(archive* opened,
         const int status = archive_read_next_header(opened, &entry);
         if (status == ARCHIVE_EOF) return files;
         if (status != ARCHIVE_OK && status != ARCHIVE_WARN)
-            return refused(FindingKind::damaged_zip);
+            return refusal({FindingKind::damaged_zip});
         const char* const name = archive_entry_pathname(entry);
         const auto found = name == nullptr ? wanted.end() : wanted.find(name);
         if (found == wanted.end()) continue;
         if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_is_encrypted(entry) != 0)
-            return refused(FindingKind::no_file, found->first);
+            return refusal({FindingKind::no_file, found->first});
         auto bytes = contents(opened, found->second);
         if (!bytes) return refusal(bytes.error());
         files.push_back({found->first, std::move(*bytes)});
@@ -73,13 +69,13 @@ PackResult<std::vector<PackFile>> files_in_zip(std::span<const std::byte> zip) {
     const bool is_open =
         opened != nullptr && archive_read_support_format_zip_seekable(opened.get()) == ARCHIVE_OK &&
         archive_read_open_memory(opened.get(), zip.data(), zip.size()) == ARCHIVE_OK;
-    if (!is_open) return refused(FindingKind::damaged_zip);
+    if (!is_open) return refusal({FindingKind::damaged_zip});
     auto files = read_members(opened.get(), wanted);
     if (!files) return files;
-    if (!wanted.empty()) return refused(FindingKind::damaged_zip, wanted.begin()->first);
+    if (!wanted.empty()) return refusal({FindingKind::damaged_zip, wanted.begin()->first});
     for (const PackFile& file : *files)
         if (const auto trouble = trouble_with_file(file.name, file.bytes))
-            return refused(*trouble, file.name);
+            return refusal({*trouble, file.name});
     std::sort(files->begin(), files->end(),
               [](const PackFile& a, const PackFile& b) { return a.name < b.name; });
     return files;

@@ -25,13 +25,16 @@ void add(std::string& sentence, const std::string& part) {
     sentence += part;
 }
 
+}  // namespace
+
 void add_sentence(std::string& text, const std::string& sentence) {
     if (sentence.empty()) return;
-    if (!text.empty()) text += text.back() == '.' || text.back() == '?' ? " " : ". ";
+    if (!text.empty()) {
+        const char end = text.back();
+        text += end == '.' || end == '?' || end == '!' ? " " : ". ";
+    }
     text += sentence;
 }
-
-}  // namespace
 
 std::string spoken_item(const SpokenScreen& screen, std::size_t item, const Language& language) {
     const ScreenItem& shown = screen.items.at(item);

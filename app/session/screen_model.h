@@ -49,6 +49,10 @@ struct SpokenScreen {
 /// All of it, for who asks twice: title, text, how many items, the one that has the focus.
 [[nodiscard]] std::string spoken_screen(const SpokenScreen& screen, const Language& language);
 
+/// The sentence after what is there, with a full stop between where there was no stop. Nothing for
+/// an empty one.
+void add_sentence(std::string& text, const std::string& sentence);
+
 struct FocusMove {
     std::size_t focus = 0;
     bool has_wrapped = false;  // past an end: worth a sound

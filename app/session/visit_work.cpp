@@ -75,13 +75,4 @@ std::string words(const VisitWork& work, const std::string& english,
     return language_of(work).text("visit", english, values);
 }
 
-void add_sentence(std::string& text, const std::string& sentence) {
-    if (sentence.empty()) return;
-    if (!text.empty()) {
-        const char end = text.back();
-        text += end == '.' || end == '?' || end == '!' ? " " : ". ";
-    }
-    text += sentence;
-}
-
 }  // namespace touchline

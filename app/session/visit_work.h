@@ -39,7 +39,6 @@ void say_in(VisitWork& work, const Language& language, const std::string& text,
 /// A text of the context "visit" in the visitor's language.
 [[nodiscard]] std::string words(const VisitWork& work, const std::string& english,
                                 std::initializer_list<std::string_view> values = {});
-void add_sentence(std::string& text, const std::string& sentence);
 
 // Going about (visit_path.cpp). What is said begins with `first` where that is not empty.
 

@@ -7,7 +7,7 @@
 namespace touchline {
 namespace {
 
-constexpr double second_ns = 1e9;
+constexpr double ns_per_s = 1e9;
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void SoundOutput::lose(std::int64_t now_ns, std::string problem) {
 
 /// At most a second at once, should the caller have been away.
 void SoundOutput::render_to_nowhere(std::int64_t now_ns) {
-    const double since_s = static_cast<double>(now_ns - nowhere_ns_) / second_ns;
+    const double since_s = static_cast<double>(now_ns - nowhere_ns_) / ns_per_s;
     const auto due = nowhere_frame_ + static_cast<FrameTime>(since_s * frame_rate_Hz);
     std::array<StereoFrame, block_frames> frames;
     for (int i = 0; i < frame_rate_Hz / block_frames && mixer_.now() + block_frames <= due; ++i) {
@@ -55,7 +55,7 @@ void SoundOutput::render_to_nowhere(std::int64_t now_ns) {
 void SoundOutput::step() {
     const std::int64_t now_ns = clock_ns_();
     const auto since_s = [now_ns](std::int64_t then_ns) {
-        return static_cast<double>(now_ns - then_ns) / second_ns;
+        return static_cast<double>(now_ns - then_ns) / ns_per_s;
     };
     if (!is_open_) {
         if (!was_tried_ || since_s(tried_ns_) >= retry_s) open(now_ns);

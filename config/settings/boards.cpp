@@ -1,9 +1,10 @@
 #include "config/settings/boards.h"
 
+#include "config/settings/text_file.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <sstream>
@@ -13,8 +14,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr std::uintmax_t largest_bytes = 1 << 20;
 
 /// Reads one table key by key; the first thing that is wrong stays in `wrong`.
 class TableReader {
@@ -240,14 +239,9 @@ Result<BoardSettings> parse_boards(std::string_view text, std::string_view name)
 }
 
 Result<BoardSettings> read_boards(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) return failure("cannot read " + file.string());
-    std::string text(largest_bytes + 1, '\0');
-    in.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(in.gcount()));
-    if (in.bad()) return failure("cannot read " + file.string());
-    if (text.size() > largest_bytes) return failure(file.string() + " is larger than 1 MB");
-    return parse_boards(text, file.string());
+    const auto text = read_settings_file(file);
+    if (!text) return tl::unexpected(text.error());
+    return parse_boards(*text, file.string());
 }
 
 std::string units_text(const std::vector<UnitSettings>& units) {

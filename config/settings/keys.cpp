@@ -1,5 +1,7 @@
 #include "config/settings/keys.h"
 
+#include "config/settings/text_file.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -10,7 +12,6 @@
 namespace touchline {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 20U;
 constexpr std::size_t most_keys = 64;  // of a role
 
 struct NamedKey {
@@ -271,7 +272,7 @@ std::optional<KeyRole> role_without_key(const KeyTable& table) {
 }
 
 Result<KeyTable> parse_keys(std::string_view text, std::string_view name) {
-    if (text.size() > most_bytes)
+    if (text.size() > largest_settings_bytes)
         return failure(std::string(name) + ": is larger than 1 MB; no table of keys is");
     try {
         return Reader{name, {}}.read(toml::parse(text));

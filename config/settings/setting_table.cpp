@@ -17,7 +17,7 @@ constexpr Names palettes{"light on dark", "dark on light", "warm on dark", "low 
 // The names are in the order of the enumeration.
 static_assert(static_cast<int>(Mode::wall) == 0 && static_cast<int>(Mode::stay) == 3);
 
-constexpr std::array rows{
+constexpr std::array all_rows{
     SettingRow{"feel",
                "mode",
                &Settings::mode,
@@ -412,7 +412,7 @@ constexpr std::array rows{
 }  // namespace
 
 std::span<const SettingRow> setting_rows() {
-    return rows;
+    return all_rows;
 }
 
 }  // namespace touchline

@@ -2,6 +2,7 @@
 
 #include "config/settings/setting_texts.h"
 #include "config/settings/settings_syntax.h"
+#include "config/settings/text_file.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +16,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr std::size_t most_bytes = std::size_t{1} << 20U;
 
 constexpr std::size_t most_faults_told = 100;
 
@@ -140,7 +139,7 @@ class Judge {
 };
 
 std::vector<SettingFault> too_large(std::string_view text) {
-    if (text.size() <= most_bytes) return {};
+    if (text.size() <= largest_settings_bytes) return {};
     return {{0, "is larger than 1 MB; no file of settings is"}};
 }
 

@@ -1,9 +1,10 @@
 #include "config/settings/sound.h"
 
+#include "config/settings/text_file.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <sstream>
 
@@ -11,8 +12,6 @@
 
 namespace touchline {
 namespace {
-
-constexpr std::size_t largest_bytes = 1 << 20;
 
 constexpr std::array settings{
     LevelSetting{"full_scale_dB", &OutputProfile::full_scale_dB, 60.0, 140.0,
@@ -187,13 +186,9 @@ Result<SoundSettings> parse_sound(std::string_view text, std::string_view name) 
 }
 
 Result<SoundSettings> read_sound(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::string text(largest_bytes + 1, '\0');
-    in.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!in.is_open() || in.bad()) return failure("cannot read " + file.string());
-    text.resize(static_cast<std::size_t>(in.gcount()));
-    if (text.size() > largest_bytes) return failure(file.string() + " is larger than 1 MB");
-    return parse_sound(text, file.string());
+    const auto text = read_settings_file(file);
+    if (!text) return tl::unexpected(text.error());
+    return parse_sound(*text, file.string());
 }
 
 std::string sound_text(const SoundSettings& sound) {

@@ -26,10 +26,10 @@ constexpr std::array<Attempt, 7> attempts{{
     {false, 1.1, true, 0.1, Rung::lost},
 }};
 
-constexpr double set_up_s = 0.005;      // the board is busy; what comes still belongs to before
-constexpr double late_s = 0.05;         // a reply that takes longer is taken for lost
-constexpr double proof_s = 0.003;       // no second reply may follow the first within it
-constexpr double longest_send_s = 0.1;  // for the send before to end
+constexpr double set_up_s = 0.005;  // the board is busy; what comes still belongs to before
+constexpr double late_s = 0.05;     // a reply that takes longer is taken for lost
+constexpr double proof_s = 0.003;   // no second reply may follow the first within it
+constexpr double longest_end_of_send_s = 0.1;  // for the send before to end
 
 const Attempt& attempt_of(Rung rung) {
     return attempts[static_cast<std::size_t>(rung)];
@@ -65,7 +65,7 @@ ResyncAction Resync::step(const ResyncEvents& events) {
         return ResyncAction::none;
     if (stage_ == Stage::reply || stage_ == Stage::proof) return listen(events);
     if (!events.is_send_free) {
-        if (in_stage_s_ > longest_send_s) climb();
+        if (in_stage_s_ > longest_end_of_send_s) climb();
         return ResyncAction::none;
     }
     switch (stage_) {

@@ -9,7 +9,7 @@ constexpr double window_s = 0.01;
 constexpr double telling_m_per_s = 0.07;  // gain in a window: less than 1 N of guidance gives
 constexpr double explained = 0.25;        // of the gain: a light hand takes three tenths away
 constexpr double off_after_s = 0.03;
-constexpr double forget_s = 0.5;
+constexpr double neutral_longest_s = 0.5;
 constexpr double lag_s = 0.003;  // of the measured velocity and of the motors together
 constexpr double still_m = 2e-4;
 constexpr double still_N = 0.5;
@@ -54,7 +54,7 @@ void HandPresence::judge_window(Velocity gained) {
     const double expected_m_per_s = norm(expected_);
     if (!(expected_m_per_s > telling_m_per_s)) {
         neutral_s_ += window_s_;
-        if (neutral_s_ > forget_s) alone_s_ = 0.0;
+        if (neutral_s_ > neutral_longest_s) alone_s_ = 0.0;
         return;
     }
     neutral_s_ = 0.0;

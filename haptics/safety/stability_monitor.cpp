@@ -11,7 +11,7 @@ constexpr double low_Hz = 20.0;
 constexpr double high_Hz = 300.0;
 constexpr double ringing_s = 0.1;  // looked at
 constexpr double most_swings = 3.0;
-constexpr double forget_s = 1.0;  // of the energy
+constexpr double energy_forgotten_s = 1.0;  // of the energy
 constexpr double cut_s = 0.02;
 constexpr double apart_s = 0.1;
 constexpr double least_gain = 0.125;
@@ -44,7 +44,7 @@ double StabilityMonitor::step(const Tick& tick, double dt_s) {
         has_before_ = true;
     } else {
         const double work_J = dot(force_, tick.moved) + tick.turning_J + tick.stored_J - stored_J_;
-        generated_J_ = std::max(0.0, generated_J_ * std::exp(-dt_s / forget_s) + work_J);
+        generated_J_ = std::max(0.0, generated_J_ * std::exp(-dt_s / energy_forgotten_s) + work_J);
         recent_J_ = recent_J_ * std::exp(-dt_s / ringing_s) + work_J;
     }
     force_ = tick.force;

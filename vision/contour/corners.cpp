@@ -12,13 +12,13 @@
 namespace touchline {
 namespace {
 
-constexpr double kStep_px = 0.5;
+constexpr double kSample_px = 0.5;
 constexpr double kLeastTurn = 35.0 * std::numbers::pi / 180.0;
 constexpr double kGreatestTurn =
-    155.0 * std::numbers::pi / 180.0;  // beyond it, the end of a stroke
-constexpr double kLeastSpan_px = 2.5;  // of a course, to fit a line
-constexpr double kSpan_px = 7.0;
-constexpr double kStraight_px = 0.25;  // rms about the fitted line
+    155.0 * std::numbers::pi / 180.0;    // beyond it, the end of a stroke
+constexpr double kLeastCourse_px = 2.5;  // of a course, to fit a line
+constexpr double kCourseSpan_px = 7.0;
+constexpr double kCourseStraight_px = 0.25;  // rms about the fitted line
 // An ideal corner between sides at angle a, blurred by sigma, is rounded by 0.5 sigma / sin(a/2).
 constexpr double kRounding = 0.6;
 constexpr double kRoundingSlack_px = 1.2;  // noise
@@ -26,7 +26,7 @@ constexpr double kRoundingSlack_px = 1.2;  // noise
 using Accepts = std::function<bool(const cv::Point2d&, double)>;
 
 /// A line fitted to part of the chain, directed along it.
-struct Course {
+struct FittedCourse {
     cv::Point2d centre;
     cv::Point2d direction;
     double rms_px = 0.0;
@@ -45,9 +45,9 @@ class Run {
     Run(const std::vector<EdgePoint>& points, bool is_ring, double blur_px)
         : is_ring_(is_ring), blur_px_(blur_px) {
         const double length = length_of({points, false});
-        const int n = std::max(1, static_cast<int>(std::lround(length / kStep_px)));
+        const int n = std::max(1, static_cast<int>(std::lround(length / kSample_px)));
         samples_ = evenly_spaced(points, n);
-        step_px_ = length > 0.0 ? length / n : kStep_px;
+        step_px_ = length > 0.0 ? length / n : kSample_px;
         if (is_ring) {
             samples_.pop_back();
         }
@@ -138,10 +138,10 @@ class Run {
 
     /// Line through the samples `skip` ... `skip + span` away from the apex, away from its
     /// neighbour too.
-    std::optional<Course> course(int apex, int side, int room, double skip_px) const {
+    std::optional<FittedCourse> course(int apex, int side, int room, double skip_px) const {
         const int skip = std::min(samples_in(skip_px), (2 * room) / 5);
-        const int last = std::min(skip + samples_in(kSpan_px + blur_px_), room - skip);
-        if (last - skip < samples_in(kLeastSpan_px)) {
+        const int last = std::min(skip + samples_in(kCourseSpan_px + blur_px_), room - skip);
+        if (last - skip < samples_in(kLeastCourse_px)) {
             return std::nullopt;
         }
         const int first = apex + (side > 0 ? skip : -last);
@@ -150,7 +150,7 @@ class Run {
         for (int i = 0; i < n; ++i) {
             sum += sample(first + i).at;
         }
-        Course fit{sum / static_cast<double>(n), {}, 0.0};
+        FittedCourse fit{sum / static_cast<double>(n), {}, 0.0};
         double xx = 0.0;
         double yy = 0.0;
         double xy = 0.0;
@@ -180,13 +180,14 @@ class Run {
     std::optional<Corner> corner_at(int apex, int room_before, int room_after) const {
         double skip_px =
             bent_px(turn_at(apex, std::min({room_before, room_after, samples_in(8.0)})));
-        std::optional<Course> in;
-        std::optional<Course> out;
+        std::optional<FittedCourse> in;
+        std::optional<FittedCourse> out;
         double turn = 0.0;
         for (int pass = 0; pass < 2; ++pass) {  // the second knows the angle
             in = course(apex, -1, room_before, skip_px);
             out = course(apex, 1, room_after, skip_px);
-            if (!in || !out || std::max(in->rms_px, out->rms_px) > kStraight_px + 0.1 * blur_px_) {
+            if (!in || !out ||
+                std::max(in->rms_px, out->rms_px) > kCourseStraight_px + 0.1 * blur_px_) {
                 return std::nullopt;
             }
             turn = angle_between(in->direction, out->direction);
@@ -208,7 +209,7 @@ class Run {
     }
 
     /// Where the courses cross, after the first and before the second.
-    static std::optional<cv::Point2d> crossing(const Course& in, const Course& out) {
+    static std::optional<cv::Point2d> crossing(const FittedCourse& in, const FittedCourse& out) {
         const cv::Point2d between = out.centre - in.centre;
         const double sine = in.direction.cross(out.direction);
         const double ahead_px = between.cross(out.direction) / sine;
@@ -246,7 +247,7 @@ class Run {
 
     bool is_ring_;
     double blur_px_;
-    double step_px_ = kStep_px;
+    double step_px_ = kSample_px;
     std::vector<EdgePoint> samples_;
 };
 

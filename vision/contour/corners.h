@@ -8,6 +8,9 @@
 
 namespace touchline {
 
+/// The blur of a drawing's edges, by whatever painted or scanned it (Gaussian sigma).
+inline constexpr double kDrawingBlur_px = 0.7;
+
 /// Where a line turns by more than 35 degrees within the reach of the blur and its course before
 /// and after is straight, the rounded stretch is replaced by the crossing of the two courses, a
 /// fixed point. Courses are lines fitted beyond the blur. A corner that is rounder than `blur_px`

@@ -10,11 +10,11 @@ namespace {
 constexpr double kDeep = 1.12;         // times the stroke's own depth, and more: ink of two strokes
 constexpr double kDeepSlack_px = 0.8;  // whole pixels: a slanting stroke is now 2, now 2.8 deep
 constexpr double kSpanOverDepth = 12.0;  // of a course, at most: the longer, the surer
-constexpr double kSpan_px = 24.0;
-constexpr double kLeastSpan_px = 3.0;
-constexpr double kStraight_px = 0.7;    // rms about the fitted line
-constexpr double kOwnPart = 0.3;        // of an arm's depths: half the width of its stroke
-constexpr double kLongOverDepth = 6.0;  // shorter arms tell nothing of it
+constexpr double kEndSpan_px = 24.0;
+constexpr double kLeastEnd_px = 3.0;
+constexpr double kStraightEnd_px = 0.7;  // rms about the fitted line
+constexpr double kOwnPart = 0.3;         // of an arm's depths: half the width of its stroke
+constexpr double kLongOverDepth = 6.0;   // shorter arms tell nothing of it
 
 double quantile_of(std::vector<float> values, double part) {
     if (values.empty()) return 1.0;
@@ -109,10 +109,10 @@ std::optional<Course> Courses::course_at(EndId end) const {
     const double length_px = length_of(arm);
     const double from_px = flowed_px(end);
     const double room_px = length_px - from_px - flowed_px(end ^ 1U);
-    double span_px = std::min(room_px, kSpanOverDepth * depth_px(end) + kSpan_px);
-    while (span_px >= kLeastSpan_px) {
+    double span_px = std::min(room_px, kSpanOverDepth * depth_px(end) + kEndSpan_px);
+    while (span_px >= kLeastEnd_px) {
         const auto [ray, rms_px] = fitted(arm, end, from_px, span_px);
-        if (rms_px <= kStraight_px) return Course{ray, from_px};
+        if (rms_px <= kStraightEnd_px) return Course{ray, from_px};
         span_px *= 0.6;
     }
     return std::nullopt;

@@ -28,6 +28,10 @@ double angle_between(const cv::Point2d& a, const cv::Point2d& b) {
     return std::abs(std::atan2(a.cross(b), a.dot(b)));
 }
 
+double turn(const Ray& in, const Ray& out) {
+    return angle_between(in.direction, -out.direction);
+}
+
 std::optional<cv::Point2d> crossing_of(const std::vector<Ray>& rays, double least) {
     cv::Matx22d a = cv::Matx22d::zeros();
     cv::Vec2d b(0.0, 0.0);

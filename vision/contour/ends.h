@@ -5,6 +5,7 @@
 #include "vision/contour/chain.h"
 
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -50,6 +51,12 @@ struct Ray {
 
 /// Angle between two directions, 0 to pi.
 [[nodiscard]] double angle_between(const cv::Point2d& a, const cv::Point2d& b);
+
+/// Angle by which whoever comes along the one ray turns to leave along the other, 0 to pi.
+[[nodiscard]] double turn(const Ray& in, const Ray& out);
+
+/// A line that turns by less, in radians, goes straight on.
+inline constexpr double kStraightOn = 30.0 * std::numbers::pi / 180.0;
 
 /// Where the lines along some rays cross, in least squares; nothing where the determinant is below
 /// `least`: for two rays, the square of the sine between them.

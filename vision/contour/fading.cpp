@@ -16,8 +16,8 @@ constexpr float kFlatStep = 0.3F;       // of the two colours' difference: less 
 constexpr float kLeastBeside = 0.3F;    // of the change at the border, on either side of it
 constexpr float kBothBeside = 1.0F;     // on both together
 constexpr double kTrue = 60.0;          // grey levels off the region's colour
-constexpr double kEven = 4.0;           // grey levels off the region's colour: of a plateau
-constexpr double kMostlyEven = 0.6;     // of its pixels; of a band in a gradient half are
+constexpr double kPlateauSpread = 4.0;  // grey levels off the region's colour: of a plateau
+constexpr double kMostlyPlateau = 0.6;  // of its pixels; of a band in a gradient half are
 constexpr double kMostlySoft = 0.75;    // of a border
 constexpr double kWidestBlur_px = 8.0;  // a wider band between two plateaus is no blurred step
 constexpr std::ptrdiff_t kMostRegions = 1500;  // more are grain: nothing but specks
@@ -107,11 +107,11 @@ class Fading {
             const cv::Vec3f& colour = palette_[map_(run.row, run.from)];
             pixels_[run.region] += run.to - run.from;
             for (int x = run.from; x < run.to; ++x) {
-                even[run.region] += cv::norm(lab_(run.row, x) - colour) < kEven ? 1 : 0;
+                even[run.region] += cv::norm(lab_(run.row, x) - colour) < kPlateauSpread ? 1 : 0;
             }
         }
         for (std::size_t i = 0; i < runs_.size(); ++i) {
-            is_plateau_[i] = pixels_[i] > 0 && even[i] >= kMostlyEven * pixels_[i];
+            is_plateau_[i] = pixels_[i] > 0 && even[i] >= kMostlyPlateau * pixels_[i];
         }
     }
 

@@ -17,10 +17,10 @@ constexpr double kOfItsDarkest = 0.4;  // half of it is lost where a hair lies b
 constexpr int kBeside_px = 3;          // from a border: mixtures of both colours
 constexpr double kMostUneven = 0.2;    // of an area's pixels; more, and it is no flat colour
 constexpr int kJustOutside_px = 2;
-constexpr double kFadedOut = 0.4;       // of the contrast within: less just outside of a mark
-constexpr double kMostlyCrisp = 0.6;    // of what is just outside
-constexpr int kLeastPixels = 8;         // fewer are a speck
-constexpr double kLongOverWidth = 2.3;  // of the greatest width: longer than a dash
+constexpr double kFadedOut = 0.4;        // of the contrast within: less just outside of a mark
+constexpr double kMostlyCrisp = 0.6;     // of what is just outside
+constexpr int kLeastPixels = 8;          // fewer are a speck
+constexpr double kLongerThanDash = 2.3;  // of the greatest width: longer than a dash
 
 cv::Mat square(int half_px) {
     return cv::Mat::ones(2 * half_px + 1, 2 * half_px + 1, CV_8U);
@@ -111,7 +111,7 @@ class Finder {
                 const PieceOfInk& piece = pieces_[static_cast<std::size_t>(number)];
                 if (number == 0 || !piece.is_mark(greatest_width_px_)) continue;
                 const bool is_line =
-                    piece.has_stroke || piece.extent_px() >= kLongOverWidth * greatest_width_px_;
+                    piece.has_stroke || piece.extent_px() >= kLongerThanDash * greatest_width_px_;
                 (is_line ? marks.lines : marks.bits)(y, x) = 255;
             }
         return marks;

@@ -18,8 +18,8 @@ constexpr double kMostTilt_deg = 3.0;
 constexpr double kTiltStep_deg = 0.25;
 constexpr double kLongEnough = 0.25;  // of the longest line: others are broken by what lies on them
 constexpr std::size_t kLeastLines = 3;
-constexpr double kEven = 0.2;         // of the spacing
-constexpr double kMostlyEven = 0.7;   // of the gaps
+constexpr double kGapSpread = 0.2;       // of the spacing
+constexpr double kMostlyMultiple = 0.7;  // of the gaps
 constexpr double kOnSpacing = 0.05;   // of the spacing: where a line that is broken belongs to it
 constexpr double kMostlyGrid = 0.55;  // of all that is as pale
 constexpr int kEdge_px = 2;           // beside a line, what is left of it
@@ -114,9 +114,9 @@ bool is_multiple(double gap, double spacing, double tolerance) {
 /// Each gap a multiple of the least, near enough.
 bool are_even(const std::vector<double>& gaps) {
     const double least = *std::ranges::min_element(gaps);
-    const auto even =
-        std::ranges::count_if(gaps, [&](double gap) { return is_multiple(gap, least, kEven); });
-    return static_cast<double>(even) >= kMostlyEven * static_cast<double>(gaps.size());
+    const auto even = std::ranges::count_if(
+        gaps, [&](double gap) { return is_multiple(gap, least, kGapSpread); });
+    return static_cast<double>(even) >= kMostlyMultiple * static_cast<double>(gaps.size());
 }
 
 /// What of all that is straight lies as far from the nearest line as lines do from each other, or a

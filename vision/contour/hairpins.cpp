@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTurn = 145.0 * std::numbers::pi / 180.0;
 constexpr double kSpanOverDepth = 2.0;
-constexpr double kLeastSpan_px = 6.0;
+constexpr double kLeastArm_px = 6.0;
 
 /// The points of an arm and the ink at them; of a ring, the first comes after the last.
 class Way {
@@ -23,7 +23,7 @@ class Way {
         const double stroke_px = stroke_depth_px(depths_);
         limit_px_ = flowed_depth_px(stroke_px);
         bent_ = static_cast<int>(std::ceil(stroke_px));
-        span_ = static_cast<int>(std::max(kLeastSpan_px, kSpanOverDepth * stroke_px));
+        span_ = static_cast<int>(std::max(kLeastArm_px, kSpanOverDepth * stroke_px));
     }
 
     /// The middles of deep ink in which the arm turns back, in order.

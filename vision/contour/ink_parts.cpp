@@ -17,9 +17,9 @@ constexpr double kMostAlike = 0.55;    // of the ridges
 constexpr double kHair = 0.4;          // of the greatest width: a stroke, however it swells
 constexpr double kStillAStroke = 1.1;  // of the greatest width: strokes of a piece stay strokes
 constexpr double kWhereTwoMeet = 2.05;
-constexpr double kLongOverWidth = 5.0;  // what stands out of a wide shape
-constexpr double kSwollen = 1.5;        // of the usual width: the deepest place of such a stroke
-constexpr double kAsWide = 0.6;         // near its end, of what it is half-way
+constexpr double kStandsOutOverWidth = 5.0;  // what stands out of a wide shape
+constexpr double kSwollen = 1.5;  // of the usual width: the deepest place of such a stroke
+constexpr double kAsWide = 0.6;   // near its end, of what it is half-way
 constexpr double kLeastTailOverWidth = 1.0;  // what stands out of a wide shape less is its corner
 
 /// The part of a picture that holds all of a mask, and a rim of what is not.
@@ -207,7 +207,7 @@ void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<floa
     for (std::size_t i = 1; i < strokes.size(); ++i) {
         const double width_px = 2.0 * static_cast<double>(usual[i]);
         const auto deepest_px = static_cast<double>(strokes[i].deepest_px);
-        const bool is_long = strokes[i].pixels >= kLongOverWidth * width_px * width_px;
+        const bool is_long = strokes[i].pixels >= kStandsOutOverWidth * width_px * width_px;
         const bool is_even = deepest_px <= 0.5 * kSwollen * width_px + 0.5;
         const bool is_stroke =
             width_px > 0.0 && ((is_long && is_even) || strokes[i].is_of_a_stroke);

@@ -12,7 +12,6 @@
 namespace touchline {
 namespace {
 
-constexpr double kStraightOn = 30.0 * std::numbers::pi / 180.0;
 constexpr double kTurn = 35.0 * std::numbers::pi / 180.0;  // less is a bend, not a corner
 const double kSharpest = std::pow(std::sin(8.0 * std::numbers::pi / 180.0), 2);  // below: parallel
 constexpr double kBesideOverDepth =
@@ -28,11 +27,6 @@ constexpr double kParallel = 15.0 * std::numbers::pi / 180.0;
 /// Distance of a place from the line along a ray.
 double beside(const Ray& ray, const cv::Point2d& at) {
     return std::abs(ray.direction.cross(at - ray.from));
-}
-
-/// Angle by which who comes along the one ray turns to leave along the other.
-double turn(const Ray& in, const Ray& out) {
-    return angle_between(in.direction, -out.direction);
 }
 
 class Solver {

@@ -10,11 +10,6 @@ namespace touchline {
 namespace {
 
 constexpr EndId kNobody = std::numeric_limits<EndId>::max();
-constexpr double kStraightOn = 30.0 * std::numbers::pi / 180.0;
-
-double turn(const Ray& in, const Ray& out) {
-    return angle_between(in.direction, -out.direction);
-}
 
 }  // namespace
 

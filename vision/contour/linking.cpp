@@ -14,7 +14,7 @@ namespace touchline {
 namespace {
 
 constexpr double kLeastCell_px = 4.0;       // a grid of smaller cells costs more than it saves
-constexpr double kSpan_px = 6.0;            // of a line, to know its direction
+constexpr double kRaySpan_px = 6.0;         // of a line, to know its direction
 constexpr double kOwnGapOverLength = 0.05;  // a ring with a break is still a ring
 constexpr double kCone =
     70.0 * std::numbers::pi / 180.0;  // where a line may meet another, off its course
@@ -39,7 +39,7 @@ class Linker {
         lead_to_frame();
         const PointGrid grid(lines_, picture_,
                              std::max({reach_.gap_px, reach_.junction_px, kLeastCell_px}));
-        JunctionSet junctions(reach_.blur_px, kSpan_px);
+        JunctionSet junctions(reach_.blur_px, kRaySpan_px);
         meet_ends(grid, junctions);
         const std::vector<std::optional<Meeting>> meetings = nearest_meetings(grid);
         const int gaps_closed = close_gaps(grid, meetings, junctions);
@@ -75,7 +75,7 @@ class Linker {
                 if (lines_[c].is_closed) {
                     continue;
                 }
-                rays_[end] = ray_at(lines_[c].points, is_back(end), 1.0, kSpan_px);
+                rays_[end] = ray_at(lines_[c].points, is_back(end), 1.0, kRaySpan_px);
                 EdgePoint last = point_at(end);
                 const std::optional<cv::Point2d> exit =
                     exit_near(last.at, rays_[end].direction, picture_, reach_.blur_px + 2.0);

@@ -19,7 +19,7 @@ constexpr int kCoarse_px = 160;  // longer side, for GrabCut
 constexpr double kFinePixels = 1.2e5;
 constexpr int kBorder_px = 2;  // of the coarse copy: at least so wide
 constexpr int kRounds = 2;
-constexpr double kLeastPart = 0.02;  // of the picture
+constexpr double kLeastShapePart = 0.02;  // of the picture
 constexpr double kGreatestPart = 0.7;
 constexpr double kGreatestOnFrame = 0.3;    // of the outline
 constexpr double kGreatestLikeness = 0.55;  // of the colours inside and outside, 0 to 1
@@ -235,7 +235,7 @@ std::optional<Chain> main_shape(const cv::Mat& picture, std::optional<cv::Point2
     const cv::Mat1b object = cut_out(coarse, coarse_spot);
     const double part =
         object.empty() ? 0.0 : cv::countNonZero(object) / static_cast<double>(object.total());
-    if (part < kLeastPart || part > kGreatestPart ||
+    if (part < kLeastShapePart || part > kGreatestPart ||
         likeness(to_lab(coarse), object) > kGreatestLikeness) {
         return std::nullopt;
     }

@@ -15,7 +15,7 @@ constexpr float kSame = 16.0F;  // colours that are nearer are one
 constexpr std::size_t kMost = 64;
 constexpr float kNear = 45.0F;  // beside a common colour, a colour must be no ripple of it
 constexpr double kLeastOverNear = 0.006;  // of the common colour's pixels
-constexpr double kLeastPart = 0.0005;     // of the picture
+constexpr double kLeastInkPart = 0.0005;  // of the picture
 constexpr float kFlat = 6.0F;             // grey levels across two pixels
 
 struct Bin {
@@ -98,7 +98,7 @@ std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
         return {lab(lab.rows / 2, lab.cols / 2)};
     }
     std::ranges::stable_sort(filled, std::greater<>(), &Bin::count);
-    const double least = kLeastPart * static_cast<double>(lab.total());
+    const double least = kLeastInkPart * static_cast<double>(lab.total());
     std::vector<Bin> found;
     while (!filled.empty() && found.size() < kMost) {
         Bin peak = around(filled, mean_of(filled.front()));

@@ -24,7 +24,7 @@ constexpr double kSmallestTexture_mm = 20.0;
 constexpr double kShortest_px = 8.0;  // shorter lines are pixels, whatever their size on the device
 constexpr double kGrain =
     1.0;  // grey levels; more noise than that in an otherwise empty picture is its content
-constexpr double kPictureBlur_px = 0.8;  // sigma, of lens and sampling
+constexpr double kPhotoBlur_px = 0.8;  // sigma, of lens and sampling
 
 /// The picture at working size, with what it says about itself.
 struct Working {
@@ -93,7 +93,7 @@ void find(const GradientField& field, const Hysteresis& limits, double px_per_mm
         found.chains = without_clutter(std::move(found.chains), found.size, px_per_mm);
     }
     found.specks_dropped = drop_specks(found.chains, shortest_px);
-    const double blur_px = std::hypot(found.smoothing_px, kPictureBlur_px);
+    const double blur_px = std::hypot(found.smoothing_px, kPhotoBlur_px);
     for (Chain& chain : found.chains) {
         if (chain.of != LineOf::texture) {
             chain = with_sharp_corners(chain, blur_px);

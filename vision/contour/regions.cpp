@@ -28,9 +28,8 @@
 namespace touchline {
 namespace {
 
-constexpr double kLeastPart = 0.001;  // of the picture: a smaller region is a speck
-constexpr double kLeastPaper = 0.3;   // less, and the paper says nothing about the light
-constexpr double kPictureBlur_px = 0.7;
+constexpr double kSpeckPart = 0.001;        // of the picture: a smaller region is a speck
+constexpr double kLeastPaper = 0.3;         // less, and the paper says nothing about the light
 constexpr std::ptrdiff_t kLeastPoints = 4;  // of what a stroke leaves of a border
 constexpr double kBorderBlur_px = 1.5;
 constexpr double kBorderSpan_px = 8.0;
@@ -97,7 +96,7 @@ void find_regions(FlatPicture& flat, double greatest_width_px) {
         flat.lab = painted_over(flat.lab, grid);
         flat.map = region_map(flat.lab, flat.palette);
     }
-    overgrow_specks(flat.map, static_cast<int>(kLeastPart * static_cast<double>(flat.lab.total())));
+    overgrow_specks(flat.map, static_cast<int>(kSpeckPart * static_cast<double>(flat.lab.total())));
     flat.soft = join_fading(flat.map, flat.palette, flat.lab);
 }
 
@@ -121,7 +120,7 @@ Ink ink_of_marks(const cv::Mat1b& mask, const cv::Mat1f& contrast) {
     ink.mask = mask;
     ink.contrast = contrast;
     mask.convertTo(ink.darkness, CV_32F, 2.0 / 255.0);
-    cv::GaussianBlur(ink.darkness, ink.darkness, cv::Size(), kPictureBlur_px);
+    cv::GaussianBlur(ink.darkness, ink.darkness, cv::Size(), kDrawingBlur_px);
     return ink;
 }
 
@@ -242,7 +241,7 @@ std::vector<Chain> region_lines(const LabPicture& lab, double noise, double grea
                reach_of_borders())
             .chains;
     for (Chain& line : borders) {
-        line = with_sharp_corners(line, std::hypot(flat.smoothing_px, kPictureBlur_px));
+        line = with_sharp_corners(line, std::hypot(flat.smoothing_px, kDrawingBlur_px));
     }
     if (strokes == 0) {
         return borders;

@@ -22,7 +22,6 @@ namespace {
 
 constexpr double kGradientOverStep = 0.4;      // as of a step smoothed with sigma 1 px
 constexpr double kLeastLengthOverWidth = 2.5;  // with shorter arms it is a dot, or a small star
-constexpr double kPictureBlur_px = 0.7;
 // At a corner of angle a the middle of the ink is 0.25 (1 / sin(a / 2) - 1) widths inside it, over
 // half a width / tan(a / 2) of either side: what a blur of this many widths would do.
 constexpr double kRoundingOverWidth = 0.5;
@@ -242,7 +241,7 @@ class StrokeTracer {
             line = centred(line, ink_.darkness);
         }
         const double width_px = line.width_px;
-        line = with_sharp_corners(line, kPictureBlur_px + kRoundingOverWidth * width_px,
+        line = with_sharp_corners(line, kDrawingBlur_px + kRoundingOverWidth * width_px,
                                   [&](const cv::Point2d& at, double turn) {
                                       return depth_near(at) >=
                                              kDepthAtCorner * width_px * std::cos(0.5 * turn);

@@ -8,6 +8,9 @@
 
 namespace touchline {
 
+/// A break up to this long is closed: a groove must not end by accident.
+inline constexpr double kSmallBreak_mm = 4.0;
+
 /// The lines, with free ends nearer than `reach_mm` that point at each other joined, cheapest
 /// first: cost = distance x (1 + bending in radians), at most 70 degrees at each end (any bending
 /// under a quarter of the reach). A line closes on itself where it is longer than four times the

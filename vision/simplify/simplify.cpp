@@ -16,8 +16,6 @@
 namespace touchline {
 namespace {
 
-constexpr double kSmallBreak_mm = 4.0;
-
 constexpr int kLeastDetailOfFrame = 3;       // lower ones show what is in it
 constexpr int kLeastDetailOfBackground = 4;  // lower ones show what lies before it
 

@@ -1,6 +1,7 @@
 #include "vision/simplify/spacing.h"
 
 #include "vision/contour/finger.h"
+#include "vision/simplify/breaks.h"
 #include "vision/simplify/map_grid.h"
 
 #include <algorithm>
@@ -16,8 +17,7 @@ namespace {
 
 constexpr double kOpening_mm = 2.5;  // each side of a crossing
 constexpr double kSamePlace_mm = 1e-9;
-constexpr double kSmallBreak_mm = 4.0;  // a groove must not end by accident
-constexpr double kShort_mm = 1e-3;      // a thousand times the grid of a map; no finger feels it
+constexpr double kShort_mm = 1e-3;  // a thousand times the grid of a map; no finger feels it
 
 /// In the order in which they lie along their line.
 void sort_along(const std::vector<EdgePoint>& line, std::vector<LineFoot>& feet) {
