@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-constexpr std::uint32_t magic = 0x47'50'4c'54;  // "TLPG"
+constexpr std::uint32_t answer_magic = 0x47'50'4c'54;  // "TLPG"
 constexpr std::uint8_t layout = 3;
 constexpr std::size_t crc_at = 28;
 
@@ -40,7 +40,7 @@ void fields(File& file, Header& h) {
 }
 
 struct RawHeader {
-    std::uint32_t magic = touchline::magic;
+    std::uint32_t magic = answer_magic;
     std::uint8_t layout = touchline::layout;
     std::uint8_t figures = 0;
     std::uint8_t kind = 0;
@@ -118,7 +118,8 @@ Result<AnswerHeader> header_in(const AnswerHeaderBytes& bytes, std::size_t answe
     RawHeader raw;
     Reader reader(bytes);
     fields(reader, raw);
-    const bool is_ours = raw.magic == magic && raw.layout == layout && raw.crc == checksum(bytes) &&
+    const bool is_ours = raw.magic == answer_magic && raw.layout == layout &&
+                         raw.crc == checksum(bytes) &&
                          raw.kind <= static_cast<std::uint8_t>(AnswerKind::words);
     const bool is_numbered = raw.number >= 1 && raw.number <= raw.count && raw.count <= max_pages;
     const bool is_reduced = raw.reduction <= 8 && std::has_single_bit(raw.reduction);

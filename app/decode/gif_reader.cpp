@@ -169,21 +169,21 @@ Result<Plan> plan_of(GifFileType& file) {
 
 /// Rows in the order that the file has them.
 std::vector<int> row_order(int height, bool is_interlaced) {
-    struct Pass {
+    struct RowPass {
         int first;
         int step;
     };
 
-    constexpr std::array<Pass, 4> interlaced{{{0, 8}, {4, 8}, {2, 4}, {1, 2}}};
-    constexpr std::array<Pass, 1> plain{{{0, 1}}};
+    constexpr std::array<RowPass, 4> interlaced_rows{{{0, 8}, {4, 8}, {2, 4}, {1, 2}}};
+    constexpr std::array<RowPass, 1> plain_rows{{{0, 1}}};
     std::vector<int> rows;
-    const auto add = [&](const Pass& pass) {
+    const auto add = [&](const RowPass& pass) {
         for (int y = pass.first; y < height; y += pass.step) rows.push_back(y);
     };
     if (is_interlaced) {
-        for (const Pass& pass : interlaced) add(pass);
+        for (const RowPass& pass : interlaced_rows) add(pass);
     } else {
-        for (const Pass& pass : plain) add(pass);
+        for (const RowPass& pass : plain_rows) add(pass);
     }
     return rows;
 }

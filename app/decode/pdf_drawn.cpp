@@ -311,19 +311,19 @@ LetterInk ink_of(SplashBitmap& drawn) {
     return ink;
 }
 
+}  // namespace
+
 /// Whoever is first to need them makes poppler's tables, the last one takes them away.
-class Parameters {
+class PopplerParameters {
   public:
-    Parameters() : held_([](ErrorCategory, Goffset, const char*) {}) {}
+    PopplerParameters() : held_([](ErrorCategory, Goffset, const char*) {}) {}
 
   private:
     GlobalParamsIniter held_;
 };
 
-}  // namespace
-
 void prepare_pdf() {
-    static const Parameters for_good;
+    static const PopplerParameters for_good;
 }
 
 struct PdfProgram::Inside {
@@ -331,7 +331,7 @@ struct PdfProgram::Inside {
         : document(new MemStream(reinterpret_cast<const char*>(pdf.data()), 0,
                                  static_cast<Goffset>(pdf.size()), Object(objNull))) {}
 
-    Parameters parameters;
+    PopplerParameters parameters;
     PDFDoc document;
 };
 

@@ -6,11 +6,6 @@
 namespace touchline {
 namespace {
 
-void add_sentence(std::string& text, const std::string& sentence) {
-    if (sentence.empty()) return;
-    text += (text.empty() ? "" : " ") + sentence;
-}
-
 std::string own_text(const Operator& state, const OperatorWorld& world) {
     const auto words = [&](std::string_view english) {
         return english.empty() ? "" : world.language.text("operator", std::string(english));

@@ -69,7 +69,7 @@ bool is_known(std::span<const std::byte> bytes) {
     return is_wav || text.starts_with("OggS"sv) || text.starts_with("fLaC"sv);
 }
 
-tl::unexpected<PackFinding> refused(FindingKind kind) {
+tl::unexpected<PackFinding> refused_sound(FindingKind kind) {
     const double value = kind == FindingKind::sound_long ? pack_limits.sound_s : 0.0;
     return refusal({kind, "", 0, "", value});
 }
@@ -91,10 +91,10 @@ PackResult<std::vector<float>> all_samples(SNDFILE* file, const SF_INFO& info) {
             const float sample = sum / static_cast<float>(info.channels);
             mono.push_back(std::isfinite(sample) ? std::clamp(sample, -1.0F, 1.0F) : 0.0F);
         }
-        if (mono.size() > most) return refused(FindingKind::sound_long);
+        if (mono.size() > most) return refused_sound(FindingKind::sound_long);
     }
     if (mono.empty() || sf_error(file) != SF_ERR_NO_ERROR)
-        return refused(FindingKind::sound_broken);
+        return refused_sound(FindingKind::sound_broken);
     return mono;
 }
 
@@ -110,15 +110,15 @@ std::vector<std::int16_t> whole_numbers(const std::vector<float>& samples) {
 }  // namespace
 
 PackResult<ReadSound> read_sound(std::span<const std::byte> bytes) {
-    if (!is_known(bytes)) return refused(FindingKind::sound_unknown);
+    if (!is_known(bytes)) return refused_sound(FindingKind::sound_unknown);
     Memory memory{bytes};
     SF_VIRTUAL_IO io{length, seek, read, write, tell};
     SF_INFO info{};
     const std::unique_ptr<SNDFILE, CloseSound> file(sf_open_virtual(&io, SFM_READ, &info, &memory));
-    if (!file) return refused(FindingKind::sound_broken);
+    if (!file) return refused_sound(FindingKind::sound_broken);
     const bool is_usual = info.channels >= 1 && info.channels <= 2 &&
                           info.samplerate >= least_rate_Hz && info.samplerate <= most_rate_Hz;
-    if (!is_usual) return refused(FindingKind::sound_form);
+    if (!is_usual) return refused_sound(FindingKind::sound_form);
     const auto mono = all_samples(file.get(), info);
     if (!mono) return refusal(mono.error());
     ReadSound sound{whole_numbers(at_frame_rate(*mono, info.samplerate)), {}};

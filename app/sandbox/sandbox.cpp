@@ -28,7 +28,7 @@ constexpr bool is_sanitized = false;
 
 static_assert(ResourceLimit::no_limit == RLIM_INFINITY);
 
-tl::unexpected<Error> refused(const std::string& step) {
+tl::unexpected<Error> not_entered(const std::string& step) {
     return failure("the sandbox cannot be entered: " + step + ": " + std::strerror(errno));
 }
 
@@ -39,13 +39,13 @@ tl::unexpected<Error> refused(const std::string& step) {
 
 Result<void> belong_to_parent() {
     be_killed_first();
-    if (prctl(PR_SET_PDEATHSIG, SIGKILL, 0UL, 0UL, 0UL) != 0) return refused("death signal");
-    if (prctl(PR_SET_DUMPABLE, 0UL, 0UL, 0UL, 0UL) != 0) return refused("tracing");
+    if (prctl(PR_SET_PDEATHSIG, SIGKILL, 0UL, 0UL, 0UL) != 0) return not_entered("death signal");
+    if (prctl(PR_SET_DUMPABLE, 0UL, 0UL, 0UL, 0UL) != 0) return not_entered("tracing");
     return {};
 }
 
 Result<void> close_what_was_not_meant() {
-    if (close_range(worker_descriptors, ~0U, 0) != 0) return refused("descriptors");
+    if (close_range(worker_descriptors, ~0U, 0) != 0) return not_entered("descriptors");
     return {};
 }
 
@@ -57,7 +57,7 @@ Result<void> limit_resources(const WorkerLimits& limits) {
     for (const ResourceLimit& most : resource_limits(limits, !is_sanitized)) {
         const rlimit limit{most.soft, most.hard};
         if (setrlimit(static_cast<__rlimit_resource_t>(most.what), &limit) != 0)
-            return refused(most.name);
+            return not_entered(most.name);
     }
     return {};
 }

@@ -13,15 +13,9 @@
 #include <fmt/core.h>
 
 namespace touchline {
-namespace {
-
-constexpr double repeated_point_m =
-    1e-9;  // nearer points are one point: far below any device's step
-constexpr double largest_coordinate_m = 1.0;
-constexpr double most_points = 4e6;  // of a map: more than any picture gives, and within 1 GB
 
 /// A stretch of outline that becomes a piece, both its ends included.
-struct Stretch {
+struct OutlineStretch {
     std::vector<Position> line;
     int outline = 0;
     bool is_closed = false;
@@ -29,6 +23,13 @@ struct Stretch {
     bool starts_at_corner = false;
     std::size_t first_of_outline = 0;  // index of the outline's first stretch
 };
+
+namespace {
+
+constexpr double repeated_point_m =
+    1e-9;  // nearer points are one point: far below any device's step
+constexpr double largest_coordinate_m = 1.0;
+constexpr double most_points = 4e6;  // of a map: more than any picture gives, and within 1 GB
 
 bool is_repeated(Position p, Position q) {
     return dot(p - q, p - q) <= repeated_point_m * repeated_point_m;
@@ -93,7 +94,7 @@ std::vector<Position> line_between(const std::vector<Position>& points, std::siz
 
 /// `corners`: those of the pins that were found in the outline itself. Both ascend.
 void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins,
-         const std::vector<std::size_t>& corners, std::vector<Stretch>& out) {
+         const std::vector<std::size_t>& corners, std::vector<OutlineStretch>& out) {
     const std::size_t count = outline.points.size();
     const std::size_t first = out.size();
     if (count < 2) return;
@@ -147,7 +148,7 @@ class CurveSetBuilder {
         set_.reports_.resize(outlines_.size());
         if (options_.denoise_m > 0.0) denoise_stretches();
         std::vector<SpacedLine> lines;
-        for (const Stretch& stretch : stretches_) {
+        for (const OutlineStretch& stretch : stretches_) {
             lines.push_back({stretch.line, stretch.outline, stretch.is_closed});
         }
         spacing_ = choose_spacing(lines, outlines_, options_);
@@ -178,19 +179,19 @@ class CurveSetBuilder {
         return points;
     }
 
-    [[nodiscard]] double expected_split(const Stretch& stretch) const {
+    [[nodiscard]] double expected_split(const OutlineStretch& stretch) const {
         return 2.0 * polyline_length_m(stretch.line) / spacing_m(stretch) +
                static_cast<double>(stretch.line.size());
     }
 
-    [[nodiscard]] double spacing_m(const Stretch& stretch) const {
+    [[nodiscard]] double spacing_m(const OutlineStretch& stretch) const {
         return spacing_.outlines[static_cast<std::size_t>(stretch.outline)].spacing_m;
     }
 
     /// The stretches' lines become their level 0.
     void place_points() {
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
-            Stretch& stretch = stretches_[i];
+            OutlineStretch& stretch = stretches_[i];
             std::vector<Position> line = std::move(stretch.line);
             line = options_.resample ? resample(line, spacing_.segments[i])
                                      : split_edges(std::move(line), spacing_m(stretch));
@@ -204,7 +205,7 @@ class CurveSetBuilder {
 
     /// Noise is white on the data's own points: split or resampled, it would not be.
     void denoise_stretches() {
-        for (Stretch& stretch : stretches_) {
+        for (OutlineStretch& stretch : stretches_) {
             std::vector<Position> points = stretch.line;
             if (stretch.is_closed) points.pop_back();
             const std::size_t segments = stretch.line.size() - 1;
@@ -251,7 +252,7 @@ class CurveSetBuilder {
     void link() {
         store_points();
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
-            const Stretch& stretch = stretches_[i];
+            const OutlineStretch& stretch = stretches_[i];
             Piece piece;
             piece.outline = stretch.outline;
             piece.is_closed = stretch.is_closed;
@@ -359,7 +360,7 @@ class CurveSetBuilder {
 
     const std::vector<Outline>& outlines_;
     CurveOptions options_;
-    std::vector<Stretch> stretches_;
+    std::vector<OutlineStretch> stretches_;
     SpacingChoice spacing_;
     std::vector<CurveShape> shapes_;             // per stretch
     std::vector<int> halvings_;                  // per stretch
