@@ -36,10 +36,10 @@ const std::map<std::string, std::set<std::string>> unfit_words{
      {"vedere", "vede", "veda", "visto", "vista", "guarda", "guardare", "guardando", "rosso",
       "rossa", "verde", "blu", "azzurro", "giallo", "nero", "nera", "bianco", "bianca", "grigio"}}};
 
-/// What the ear takes for something else: another thing of the kiosk (its level, its handle, a USB
-/// stick, the white stick), or a word that the voice says as another one.
+/// What the ear takes for something else: the kiosk's level, the handle in the visitor's hand, the
+/// white stick; or what the voice says as another word.
 const std::map<std::string, std::set<std::string>> misheard_words{
-    {"en", {"level", "upright", "stick", "bow", "bows", "rim"}},
+    {"en", {"level", "stick", "bow", "bows"}},
     {"fr", {"dos", "roues", "ouïe", "l’est"}},
     {"de", {"griff", "stock", "taille", "kirchstraße"}},
     {"es", {"mango", "palo", "bastón"}},
