@@ -108,7 +108,7 @@ TEST(PageCatalogue, IsOfThePagesAsTheyAre) {
     }
     for (const char c : left)
         ASSERT_FALSE(std::isalnum(static_cast<unsigned char>(c)))
-            << "no catalogue has: " << left << "\npo4a app/manual/po4a.cfg brings it there";
+            << "no catalogue has: " << left << "\npo4a brings it there: app/manual/README.md";
 }
 
 TEST(PageCatalogue, CommandsFilesAndNamesStayInEveryLanguage) {
