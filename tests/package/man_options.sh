@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# man_options.sh PROGRAM PAGE.md: every command and every option that --help tells is in the man page, at its command.
+# man_options.sh PROGRAM PAGE.md: every command and every option that --help tells is in the man page, at its command. In any language:
+# commands have their own names as headings, and the options of the program are the fourth section.
 set -euo pipefail
 program=$1 page=$2
 
@@ -22,7 +23,7 @@ expect() { # HEADING WORDS...: options of these words under that heading
     done
 }
 
-expect '## OPTIONS'
+expect "$(grep '^## ' "$page" | sed -n 4p)"
 count=0
 for command in $(commands); do
     expect "### $command" "$command"

@@ -1,0 +1,25 @@
+// touchline-pages CATALOGUES CODE: a page of Markdown from the standard input, with the kiosk's own
+// words in that language filled in, on the standard output. Part of making the package; it is not
+// installed.
+#include "app/manual/page_words.h"
+#include "config/types/plain_line.h"
+
+#include <cstdio>
+#include <iostream>
+#include <iterator>
+
+int main(int argc, char** argv) {
+    using namespace touchline;
+    if (argc != 3) {
+        std::fputs("usage: touchline-pages CATALOGUES CODE\n", stderr);
+        return 2;
+    }
+    const auto language = Language::load(argv[1], argv[2]);
+    if (!language) {
+        std::fprintf(stderr, "%s\n", plain_line(language.error().line).c_str());
+        return 1;
+    }
+    const std::string page{std::istreambuf_iterator<char>(std::cin), {}};
+    std::cout << filled_page(page, *language);
+    return std::cout.flush() ? 0 : 1;
+}
