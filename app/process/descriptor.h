@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace touchline {
@@ -49,6 +50,13 @@ class Descriptor {
         bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
     return true;
+}
+
+/// A file or memory without bytes; also one that cannot be asked.
+[[nodiscard]] inline bool is_empty(const Descriptor& file) {
+    struct stat status {};
+
+    return ::fstat(file.number(), &status) != 0 || status.st_size <= 0;
 }
 
 }  // namespace touchline

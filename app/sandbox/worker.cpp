@@ -7,7 +7,6 @@
 #include <csignal>
 #include <limits>
 
-#include <sys/stat.h>
 
 namespace touchline {
 namespace {
@@ -18,12 +17,6 @@ WorkerEnd end_of(const ChildEnd& end) {
     if (end.status == worker_refused_to_start) return WorkerEnd::not_started;
     if (end.status == worker_out_of_memory) return WorkerEnd::out_of_memory;
     return end.status == 0 ? WorkerEnd::done : WorkerEnd::crashed;
-}
-
-bool is_empty(const Descriptor& memory) {
-    struct stat status {};
-
-    return ::fstat(memory.number(), &status) != 0 || status.st_size <= 0;
 }
 
 // What libraries read before `main`. Threads that a worker cannot have: OpenMP would end the

@@ -11,8 +11,8 @@ namespace touchline {
 
 namespace {
 
-constexpr double margin_caps = 0.5;
-constexpr double widest_caps = 60.0;
+constexpr double caption_margin_caps = 0.5;
+constexpr double caption_widest_caps = 60.0;
 constexpr double shape_caps = 1.8;  // width of the sign's shape with its gap
 
 /// A disc that sends out two waves.
@@ -46,9 +46,9 @@ std::vector<SheetPage> pages_of_caption(cairo_t* cr, const std::string& caption,
 CaptionLayout lay_out_caption(cairo_t* cr, const std::string& caption, const Rect& rect,
                               int screen_height_px, const TextSizes& sizes) {
     const CaptionRows rows = caption_rows(screen_height_px, sizes);
-    const double margin_px = margin_caps * sizes.cap_px;
+    const double margin_px = caption_margin_caps * sizes.cap_px;
     const double width_px =
-        std::max(std::min(rect.width - 2.0 * margin_px, widest_caps * sizes.cap_px), 1.0);
+        std::max(std::min(rect.width - 2.0 * margin_px, caption_widest_caps * sizes.cap_px), 1.0);
     const double left_px = rect.x + (rect.width - width_px) / 2.0;
     const double top_px = rect.y + 0.25 * sizes.normal_px;
     const double text_px = rows.rows * line_height_px(sizes.cap_px);

@@ -8,7 +8,7 @@ namespace touchline {
 
 namespace {
 
-constexpr const char* vertex_source = R"(#version 120
+constexpr const char* image_vertex_source = R"(#version 120
 attribute vec4 corner;  // place on the screen (-1 ... 1), place on the texture (0 ... 1)
 varying vec2 vary_place;
 
@@ -18,7 +18,7 @@ void main() {
 }
 )";
 
-constexpr const char* fragment_source = R"(#version 120
+constexpr const char* image_fragment_source = R"(#version 120
 uniform sampler2D image;
 varying vec2 vary_place;
 
@@ -55,7 +55,7 @@ void ImageLayer::upload(const Canvas& canvas, int x, int y, int screen_width, in
 }
 
 Result<ImageRenderer> ImageRenderer::make() {
-    auto program = make_program(vertex_source, fragment_source, {"corner"});
+    auto program = make_program(image_vertex_source, image_fragment_source, {"corner"});
     if (!program) return tl::unexpected(program.error());
     return ImageRenderer(std::move(*program));
 }

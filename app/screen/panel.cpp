@@ -14,7 +14,7 @@ namespace {
 
 constexpr double title_size = 1.25;       // of the cap height
 constexpr double least_column_caps = 20;  // a column holds the longest line at this width
-constexpr double gap_caps = 0.9;          // between columns and around everything
+constexpr double panel_gap_caps = 0.9;    // between columns and around everything
 constexpr double row_gap_caps = 0.25;     // below each line
 constexpr double least_cap_px = 6.0;
 
@@ -40,7 +40,7 @@ std::array<TextRun, 3> runs_of(const StatusLine& line) {
 class StatusColumns {
   public:
     StatusColumns(cairo_t* cr, const Rect& rect, const Status& status, double cap_px)
-        : cr_(cr), rect_(inset(rect, gap_caps * cap_px)), status_(status), cap_px_(cap_px) {
+        : cr_(cr), rect_(inset(rect, panel_gap_caps * cap_px)), status_(status), cap_px_(cap_px) {
         const double columns = std::floor(rect_.width / (least_column_caps * cap_px));
         columns_ = static_cast<std::size_t>(std::clamp(columns, 1.0, 4.0));
     }
@@ -49,7 +49,7 @@ class StatusColumns {
         double tallest = 0.0;
         for (std::size_t column = 0; column < columns_; ++column)
             tallest = std::max(tallest, column_height_px(column));
-        return title_height_px() + tallest + 2.0 * gap_caps * cap_px_;
+        return title_height_px() + tallest + 2.0 * panel_gap_caps * cap_px_;
     }
 
     void paint() const {
@@ -68,7 +68,7 @@ class StatusColumns {
     }
 
     [[nodiscard]] double column_width_px() const {
-        const double gaps = gap_caps * cap_px_ * static_cast<double>(columns_ - 1);
+        const double gaps = panel_gap_caps * cap_px_ * static_cast<double>(columns_ - 1);
         return (rect_.width - gaps) / static_cast<double>(columns_);
     }
 
@@ -89,7 +89,7 @@ class StatusColumns {
 
     void paint_column(std::size_t column) const {
         const double width = column_width_px();
-        PixelPoint at{rect_.x + static_cast<double>(column) * (width + gap_caps * cap_px_),
+        PixelPoint at{rect_.x + static_cast<double>(column) * (width + panel_gap_caps * cap_px_),
                       rect_.y + title_height_px()};
         for (const StatusLine& line : lines_of(column))
             at.y += paint_text(cr_, at, width, cap_px_, runs_of(line)) + row_gap_caps * cap_px_;
@@ -116,15 +116,15 @@ double paint_panel(cairo_t* cr, const Rect& rect, const Status& status, double c
 double paint_message(cairo_t* cr, const Rect& rect, const std::string& message, double cap_px) {
     const std::array<TextRun, 1> runs{TextRun{message, white_on_black.alert, true}};
     const auto height_at = [&](double cap) {
-        return text_height_px(cr, inset(rect, gap_caps * cap).width, cap, runs) +
+        return text_height_px(cr, inset(rect, panel_gap_caps * cap).width, cap, runs) +
                2.0 * row_gap_caps * cap;
     };
     cap_px = fitting_cap_px(cap_px, rect.height / 2.0, height_at);
     const double height = height_at(cap_px);
     const Rect band{rect.x, rect.y + rect.height - height, rect.width, height};
     fill(cr, band, {white_on_black.background, 0.92});
-    paint_text(cr, {band.x + gap_caps * cap_px, band.y + row_gap_caps * cap_px},
-               inset(rect, gap_caps * cap_px).width, cap_px, runs);
+    paint_text(cr, {band.x + panel_gap_caps * cap_px, band.y + row_gap_caps * cap_px},
+               inset(rect, panel_gap_caps * cap_px).width, cap_px, runs);
     return cap_px;
 }
 

@@ -8,7 +8,7 @@ namespace touchline {
 
 namespace {
 
-constexpr const char* vertex_source = R"(#version 120
+constexpr const char* stroke_vertex_source = R"(#version 120
 attribute vec2 place;   // px, y down
 attribute vec4 stroke;  // along, across, length, half width (px)
 attribute vec4 colour;
@@ -24,7 +24,7 @@ void main() {
 )";
 
 // The distance to the line between the ends decides: inside, on the smooth rim, or outside.
-constexpr const char* fragment_source = R"(#version 120
+constexpr const char* stroke_fragment_source = R"(#version 120
 varying vec4 vary_stroke;
 varying vec4 vary_colour;
 
@@ -47,7 +47,8 @@ void StrokeBuffer::upload(const Strokes& strokes) {
 }
 
 Result<StrokeRenderer> StrokeRenderer::make() {
-    auto program = make_program(vertex_source, fragment_source, {"place", "stroke", "colour"});
+    auto program =
+        make_program(stroke_vertex_source, stroke_fragment_source, {"place", "stroke", "colour"});
     if (!program) return tl::unexpected(program.error());
     return StrokeRenderer(std::move(*program));
 }

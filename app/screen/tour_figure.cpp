@@ -12,7 +12,7 @@ namespace {
 constexpr int width_px = 1600;
 constexpr double picture_height_px = 1160.0;
 constexpr double margin_px = 40.0;
-constexpr double cap_px = 20.0;
+constexpr double figure_cap_px = 20.0;
 constexpr double px_per_N = 60.0;
 
 constexpr double outline_px = 3.5;
@@ -53,14 +53,14 @@ void paint_legend(cairo_t* cr, double top_px) {
     const double column_px = (width_px - 2.0 * margin_px) / static_cast<double>(legend.size());
     PixelPoint at{margin_px, top_px};
     for (const LegendEntry& entry : legend) {
-        const PixelPoint from = at + PixelPoint{0.0, 0.8 * cap_px};
+        const PixelPoint from = at + PixelPoint{0.0, 0.8 * figure_cap_px};
         const PixelPoint to = from + PixelPoint{px_per_N, 0.0};
         if (entry.is_arrow)
             paint_arrow(cr, from, to, entry.width_px, entry.paint);
         else
             paint_stroke(cr, from, to, entry.width_px, entry.paint);
         const std::array<TextRun, 1> words{TextRun{entry.words}};
-        paint_text(cr, {to.x + 0.7 * cap_px, at.y}, column_px, 0.8 * cap_px, words);
+        paint_text(cr, {to.x + 0.7 * figure_cap_px, at.y}, column_px, 0.8 * figure_cap_px, words);
         at.x += column_px;
     }
 }
@@ -70,12 +70,12 @@ double paint_words(cairo_t* cr, const TourFigure& figure, double top_px) {
     constexpr double text_width_px = width_px - 2.0 * margin_px;
     PixelPoint at{margin_px, top_px};
     const std::array<TextRun, 1> title{TextRun{figure.title, white_on_black.name, true}};
-    at.y += paint_text(cr, at, text_width_px, 1.3 * cap_px, title) + 0.5 * cap_px;
+    at.y += paint_text(cr, at, text_width_px, 1.3 * figure_cap_px, title) + 0.5 * figure_cap_px;
     paint_legend(cr, at.y);
-    at.y += 2.5 * cap_px;
+    at.y += 2.5 * figure_cap_px;
     for (const std::string& line : figure.lines) {
         const std::array<TextRun, 1> words{TextRun{line}};
-        at.y += paint_text(cr, at, text_width_px, cap_px, words) + 0.3 * cap_px;
+        at.y += paint_text(cr, at, text_width_px, figure_cap_px, words) + 0.3 * figure_cap_px;
     }
     return at.y;
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t look_every_ns = 500'000'000;
 
-bool is_empty(const Descriptor& folder) {
+bool is_empty_folder(const Descriptor& folder) {
     alignas(dirent64) std::array<char, 4096> buffer{};
     for (;;) {
         const ssize_t got = ::getdents64(folder.number(), buffer.data(), buffer.size());
@@ -53,7 +53,7 @@ std::optional<FolderPort::Look> FolderPort::look() {
     struct stat status {};
 
     is_watching_ = folder.is_open() && ::fstat(folder.number(), &status) == 0;
-    if (!is_watching_ || is_empty(folder)) return std::nullopt;
+    if (!is_watching_ || is_empty_folder(folder)) return std::nullopt;
     return Look{status.st_dev, status.st_ino, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
 }
 

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <utility>
 
-#include <sys/stat.h>
 
 namespace touchline {
 namespace {
@@ -30,12 +29,6 @@ StickRefusal refusal_of_end(const ChildEnd& end) {
     if (end.signal == 0 && refusal >= 0 && refusal < stick_refusal_count)
         return static_cast<StickRefusal>(refusal);
     return end.status == 127 ? StickRefusal::not_started : StickRefusal::unreadable;
-}
-
-bool is_empty(const Descriptor& memory) {
-    struct stat status {};
-
-    return ::fstat(memory.number(), &status) != 0 || status.st_size <= 0;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr std::uint64_t answer_us = 30'000'000;  // a slow stick takes its time 
 constexpr const char* service = "org.freedesktop.UDisks2";
 constexpr const char* main_object = "/org/freedesktop/UDisks2";
 constexpr const char* object_manager = "org.freedesktop.DBus.ObjectManager";
-constexpr const char* file_system = "org.freedesktop.UDisks2.Filesystem";
+constexpr const char* file_system_interface = "org.freedesktop.UDisks2.Filesystem";
 constexpr const char* changes =
     "type='signal',sender='org.freedesktop.UDisks2',interface='org.freedesktop.DBus.Properties',"
     "member='PropertiesChanged'";
@@ -79,7 +79,7 @@ class UdisksPort::Bus {
     void send(const StickOrder& order) {
         auto proxy = proxy_of(*bus_, service, order.object);
         const bool is_mount = order.kind == OrderKind::mount;
-        auto message = proxy->createMethodCall(InterfaceName(file_system),
+        auto message = proxy->createMethodCall(InterfaceName(file_system_interface),
                                                MethodName(is_mount ? "Mount" : "Unmount"));
         BusProperties options{{"auth.no_user_interaction", sdbus::Variant(true)}};
         if (is_mount) {
