@@ -35,7 +35,7 @@ TEST(Language, ThreeAtOnceSayTheirOwnWordsUnderAnyLocaleOfTheProcess) {
 TEST(Language, TheContextTellsTwoWordsApart) {
     const Language german = loaded("de");
     EXPECT_EQ(german.text("force", "on"), "an");
-    EXPECT_EQ(german.text("key name", "Right"), "Rechts");
+    EXPECT_EQ(german.text("setting", "on"), "ein");
     EXPECT_EQ(german.text("place", "left"), "links");
 }
 
@@ -78,7 +78,6 @@ TEST(Language, GuidanceIsSaidInEveryLanguage) {
     EXPECT_EQ(words_of(ClockFace{7, 0}, loaded("de")), "Sie sind da.");
     EXPECT_EQ(words_of(Place::lower_right, loaded("es")), "abajo a la derecha");
     EXPECT_EQ(words_of(Place::upper_left, Language()), "upper left");
-    EXPECT_EQ(words_of(CueAmount::none, loaded("de")), "Töne: keine");
     EXPECT_EQ(words_of(Cue::touch, loaded("fr")), "toucher");
 }
 
