@@ -37,7 +37,7 @@ FaultWords words_of(Fault fault) {
 std::string announcement_of(Fault fault) {
     if (fault == Fault::none) return {};
     const FaultWords words = words_of(fault);
-    return fmt::format("{} {} {} Exploring goes on without force.", words.what, words.why,
+    return fmt::format("{} {} {} You can go on exploring without force.", words.what, words.why,
                        words.what_to_do);
 }
 

@@ -21,9 +21,9 @@ void put_attract(Sheet& sheet) {
 
 void put_language(Sheet& sheet) {
     sheet.title("Pictures to feel");
-    sheet.sentence("Find your language with Up and Down, then press Select.");
+    sheet.sentence("Choose your language with Up, Down and Select.");
     sheet.sentence("Press Help to try the keys.");
-    sheet.sentence("Press any other key to skip this.");
+    sheet.sentence("Press any key to skip.");
     for (std::size_t row = 0; row < sheet.world.languages.size(); ++row) {
         sheet.row(row, sheet.world.languages[row].name());
     }

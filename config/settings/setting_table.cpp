@@ -66,7 +66,7 @@ constexpr std::array rows{
                {},
                "Walls give way",
                "",
-               "A long push leads through a wall."},
+               "A long push opens a wall."},
     SettingRow{"feel",
                "give_way_N",
                &Settings::give_way_N,

@@ -335,7 +335,7 @@ TEST(Visit, ZoomGoesAroundAPartTwiceThenFourTimes) {
 TEST(Visit, PagesAndTheirPicturesAreWalkedThrough) {
     FakeHouse house;
     to_stick_picture(house);
-    EXPECT_TRUE(house.has_said("Page 1 of 2. Picture 1 of 2 on it", 0));
+    EXPECT_TRUE(house.has_said("Page 1 of 2. Picture 1 of 2 on this page", 0));
     ASSERT_TRUE(house.choose("Pages"));
     EXPECT_FALSE(house.find("The page before"));
     ASSERT_TRUE(house.choose("Next picture of the page"));

@@ -52,7 +52,7 @@ void expect_heard(const Listener& listener, const std::string& text) {
 void visit_all(FakeHouse& house, double every_s) {
     Listener visitor(house, every_s);
     visitor.press(KeyRole::help);  // any key begins
-    expect_heard(visitor, "Select takes it");
+    expect_heard(visitor, "Up, Down and Select");
     visitor.press(KeyRole::select);
     expect_heard(visitor, "What to feel");
     ASSERT_TRUE(visitor.listen_for("Gallery"));

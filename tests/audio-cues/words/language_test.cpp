@@ -34,9 +34,8 @@ TEST(Language, ThreeAtOnceSayTheirOwnWordsUnderAnyLocaleOfTheProcess) {
 
 TEST(Language, TheContextTellsTwoWordsApart) {
     const Language german = loaded("de");
-    EXPECT_EQ(german.text("force", "on"), "an");
-    EXPECT_EQ(german.text("setting", "on"), "ein");
-    EXPECT_EQ(german.text("place", "left"), "links");
+    EXPECT_EQ(german.text("visit", "Stopped."), "Angehalten.");
+    EXPECT_EQ(german.text("test", "Stopped."), "Abgebrochen.");
 }
 
 TEST(Language, WhatIsMissingIsSaidInEnglish) {
