@@ -310,11 +310,11 @@ TEST_F(OperatorTest, LanguagesAreSwitchedAndTheLastStays) {
 }
 
 TEST_F(OperatorTest, HoursAreTurnedByQuartersAndAreNeverNothing) {
-    ASSERT_TRUE(rig.open({"Visits", "Hours", "Opening hours from"}));
+    ASSERT_TRUE(rig.open({"Visits", "Hours", "Opening hours, from"}));
     for (int i = 0; i < 36; ++i) rig.press(R::next);
     rig.press(R::down);
     EXPECT_EQ(rig.world().settings.opening_hours, "09:00-24:00");
-    ASSERT_TRUE(rig.open({"Opening hours until"}));
+    ASSERT_TRUE(rig.open({"Opening hours, until"}));
     for (int i = 0; i < 60; ++i) rig.press(R::back);
     rig.press(R::select);
     EXPECT_EQ(rig.world().settings.opening_hours, "09:00-08:45") << "never the same as from";
@@ -475,7 +475,7 @@ TEST_F(OperatorTest, AHandleThatIsNewIsAskedForItsKindFirst) {
 
 TEST_F(OperatorTest, HowToTellAKindIsHeardBySixKeysAndChoosesNothing) {
     ASSERT_TRUE(rig.open({"Handle and tests", "Kind of handle"}));
-    EXPECT_NE(rig.heard().find("Next tells how to know each one."), std::string::npos);
+    EXPECT_NE(rig.heard().find("Press Next to hear how to know each one."), std::string::npos);
     for (const KindRow& row : kind_rows()) {
         rig.press(R::next);
         EXPECT_NE(rig.heard().find(row.hint), std::string::npos) << row.name;
