@@ -12,8 +12,8 @@ std::string words_of(StopPlace place) {
         case StopPlace::towards:
             return "Pull the handle towards you until it stops. Hold it still there.";
         case StopPlace::sideways:
-            return "Move the handle until both arms point straight out to the sides. Hold it still "
-                   "there.";
+            return "Move the handle until the device’s arms point straight to the sides. Hold it "
+                   "still there.";
     }
     return {};
 }
@@ -26,18 +26,18 @@ std::string words_of(HomingStep step, const DeviceProfile& profile) {
         case HomingStep::to_check:
             return words_of(profile.check.place);
         case HomingStep::to_left:
-            return "Now move the handle to the left, by the width of a hand. Hold it still there.";
+            return "Now move the handle to the left, by a hand’s width. Hold it still there.";
         case HomingStep::to_home_again:
             return "Now the first place once more. " + words_of(profile.home_place);
         case HomingStep::to_check_again:
             return "Now the second place once more. " + words_of(profile.check.place);
         case HomingStep::to_answer:
             return "One question. Push the handle away from you until it stops. With your other "
-                   "hand, feel the two arms next to the motors. If they lie in one straight line, "
+                   "hand, feel the two arms next to the motors. If they form one straight line, "
                    "move the handle to the left. If they do not, move it to the right. The width "
                    "of a hand is enough. Hold it still there.";
         case HomingStep::done:
-            return "The handle's position is now known.";
+            return "The handle’s position is now known.";
     }
     return {};
 }
@@ -63,8 +63,7 @@ std::string noticed(const HomingView& view) {
                 "be. Perhaps this handle is of another kind. We start again. ",
                 100.0 * view.turn_share);
         case HomingRemark::other_kind:
-            return "Then this handle is of another kind than the one that was chosen. We start "
-                   "again. ";
+            return "Then this handle is not of the kind that was chosen. We start again. ";
         case HomingRemark::lost_count:
             return "The board lost count. We start again. ";
         case HomingRemark::reversed:
@@ -131,7 +130,7 @@ std::string words_outside_the_middle(const BoardFrame& frame) {
 
 std::string words_of(NudgeVerdict verdict, const BoardFrame& frame) {
     const std::string told = what_motors_did(verdict, frame);
-    return is_wrong(verdict) ? told + " Then find the handle's home again." : told;
+    return is_wrong(verdict) ? told + " Then find the handle’s starting point again." : told;
 }
 
 }  // namespace touchline

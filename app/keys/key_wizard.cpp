@@ -44,7 +44,7 @@ WizardStep next_role(KeyWizard wizard, const std::string& said, double now_s,
     wizard.asked_s = now_s;
     const std::string lead = said.empty() ? said : said + ' ';
     if (is_done(wizard))
-        return {wizard, lead + language.text("keys", "All keys are learnt."), WizardEnd::learnt};
+        return {wizard, lead + language.text("keys", "All keys are assigned."), WizardEnd::learnt};
     return {wizard, lead + question(wizard, language), WizardEnd::none};
 }
 
@@ -88,14 +88,14 @@ WizardStep wait_for_wizard_key(const KeyWizard& wizard, double now_s, const Lang
     if (is_done(wizard) || now_s - wizard.asked_s < patience_s)
         return {wizard, "", WizardEnd::none};
     if (wizard.role >= needed_role_count) return next_role(wizard, "", now_s, language);
-    return {wizard, language.text("keys", "No key came. All keys are as they were before."),
+    return {wizard, language.text("keys", "No key was pressed. All keys are as they were before."),
             WizardEnd::given_up};
 }
 
 SpokenScreen wizard_screen(const KeyWizard& wizard, const Language& language) {
     SpokenScreen screen;
-    screen.title = language.text("keys", "Learn the keys");
-    screen.text = is_done(wizard) ? language.text("keys", "All keys are learnt.")
+    screen.title = language.text("keys", "Assign the keys");
+    screen.text = is_done(wizard) ? language.text("keys", "All keys are assigned.")
                                   : question(wizard, language) + ' ' +
                                         language.text("keys", "Wait 20 seconds to leave.");
     for (const KeyBinding& binding : wizard.learnt.bindings)

@@ -310,7 +310,7 @@ void Kiosk::follow_stick(std::int64_t now_ns) {
             change->is_read
                 ? nothing_words(change->rest, language())
                 : in_words(change->sentence,
-                           "The stick cannot be read. Put it in again, or try another one.")});
+                           "The USB stick cannot be read. Put it in again, or try another one.")});
     } else if (is_listing_ && !was_listing) {
         happen(StickArriving{});
     }
@@ -368,7 +368,7 @@ void Kiosk::follow_camera(double now_s) {
         happen(CameraCaptured{news.is_doubtful});
     }
     if (news.has_given_up)
-        happen(CameraFailed{language().text("camera", "The camera gave no picture. Try again.")});
+        happen(CameraFailed{language().text("camera", "The camera gave no photo. Try again.")});
 }
 
 std::shared_ptr<const Canvas> Kiosk::preview() const {
@@ -435,8 +435,7 @@ std::string Kiosk::device_words(const std::string& english) const {
         if (words != sentence) said += (said.empty() ? "" : " ") + words;
     }
     if (!said.empty()) return said;
-    return in_words(english,
-                    "The handle is being made ready. Follow the words, or call the staff.");
+    return in_words(english, "The handle is being made ready. Please call the staff.");
 }
 
 void Kiosk::trouble(TroubleKind kind, const std::string& sentence) {

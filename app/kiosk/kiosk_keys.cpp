@@ -36,7 +36,7 @@ void Kiosk::change_key(const KeyChange& change) {
     if (!action) return happen(DeadKeyPressed{});
     if (!is_for_operator(*action) || are_keys_free()) return act(*action);
     sound_->say({language().code(),
-                 language().text("operator", "This key is the operator's. Give the PIN first."),
+                 language().text("operator", "This key is the operator’s. Enter the PIN first."),
                  SpeechPriority::text});
 }
 

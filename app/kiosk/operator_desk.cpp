@@ -43,7 +43,7 @@ std::string import_pictures(std::span<const std::byte> bytes, const std::string&
     if (!pack) return sentence_of(pack.error(), language);
     const auto folder = import_pack(*pack, library.string());
     if (!folder) return sentence_of(folder.error(), language);
-    return language.text("operator", "The pictures are there when the kiosk starts again.");
+    return language.text("operator", "The pictures will be there when the kiosk next starts.");
 }
 
 std::string import_network(std::span<const std::byte> bytes, const std::string& name,
@@ -51,8 +51,8 @@ std::string import_network(std::span<const std::byte> bytes, const std::string& 
     const Network* const network = network_of(bytes);
     if (network == nullptr)
         return language.text("operator",
-                             "{0} is damaged, or made for another version of Touchline. Copy it "
-                             "to the stick again.",
+                             "{0} is damaged, or made for another version of Touchline. Copy it to "
+                             "the USB stick again.",
                              {name});
     return outcome(install_network(*network, bytes),
                    language.text("operator", "Main things of photographs are found from now on."));
@@ -266,7 +266,7 @@ std::string OperatorDesk::restore(const Language& language) {
                           .and_then([&] { return keep_keys(files_.keys, keys_); });
     (void)watch_.has_changed();
     hold(backup->settings);
-    return outcome(kept, language.text("operator", "All is as in the copy."));
+    return outcome(kept, language.text("operator", "All settings are as in the copy."));
 }
 
 std::string OperatorDesk::export_log(const Language& language) const {

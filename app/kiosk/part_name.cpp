@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 9> kKinds{"closed line",
                                                  "line of text",
                                                  "figure",
                                                  "outline of the main thing",
-                                                 "part of the main thing's outline"};
+                                                 "part of the main thing’s outline"};
 constexpr std::array<std::string_view, 9> kPlaces{"upper left", "top",    "upper right",
                                                   "left",       "middle", "right",
                                                   "lower left", "bottom", "lower right"};

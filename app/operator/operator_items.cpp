@@ -70,10 +70,10 @@ struct List {
                 world.language.text("setting", hours ? "on" : "off"), hint);
         if (!hours) return;
         add(OperatorItem::hours_begin, index, ItemRole::setting,
-            world.language.text("operator", "{0} from", {name}),
+            world.language.text("operator", "{0}, from", {name}),
             time_in_words(hours->begin_min, world.language), hint);
         add(OperatorItem::hours_end, index, ItemRole::setting,
-            world.language.text("operator", "{0} until", {name}),
+            world.language.text("operator", "{0}, until", {name}),
             time_in_words(hours->end_min, world.language), hint);
     }
 
@@ -114,20 +114,20 @@ struct List {
 
     void add_volumes() {
         const std::array outputs{&state.sound.headset, &state.sound.speaker};
-        const std::array volumes{"Headset at the start", "Speaker at the start"};
-        const std::array loudness{"Headset, loudest sine as measured",
-                                  "Speaker, loudest sine as measured"};
+        const std::array volumes{"Headphones at the start", "Speaker at the start"};
+        const std::array loudness{"Headphones, loudest tone as measured",
+                                  "Speaker, loudest tone as measured"};
         const auto decibels = [this](double level_dB) {
             return world.language.text("setting", "{0} decibels",
                                        {world.language.number(level_dB, 0)});
         };
         for (std::size_t i = 0; i < outputs.size(); ++i)
             add(OperatorItem::volume, i, ItemRole::setting, words(volumes[i]),
-                decibels(outputs[i]->default_dB), words("Every visit begins with it."));
+                decibels(outputs[i]->default_dB), words("Every visit begins with this volume."));
         for (std::size_t i = 0; i < outputs.size(); ++i)
             add(OperatorItem::loudness, i, ItemRole::setting, words(loudness[i]),
                 decibels(outputs[i]->full_scale_dB),
-                words("Set it by a sound meter; all levels follow it."));
+                words("Set it with a sound meter; all volumes follow it."));
     }
 
     void add_profiles() {
@@ -170,8 +170,8 @@ struct List {
         const Counters& counted = world.counters;
         const std::array facts{std::pair{"Visits", counted.sessions},
                                std::pair{"Pictures of the gallery", counted.gallery_pictures},
-                               std::pair{"Pictures of sticks", counted.stick_pictures},
-                               std::pair{"Pictures of the camera", counted.camera_pictures},
+                               std::pair{"Pictures of USB sticks", counted.stick_pictures},
+                               std::pair{"Photos of the camera", counted.camera_pictures},
                                std::pair{"Minutes of visits", counted.minutes}};
         for (std::size_t i = 0; i < facts.size(); ++i)
             add(OperatorItem::fact, i, ItemRole::text, words(facts[i].first),
@@ -184,7 +184,7 @@ struct List {
 
     void add_pin() {
         const int count = static_cast<int>(state.pin.taken.size());
-        add(OperatorItem::fact, 0, ItemRole::text, words("Taken so far"),
+        add(OperatorItem::fact, 0, ItemRole::text, words("Entered so far"),
             world.language.counted("operator", "{0} digit", "{0} digits", count));
     }
 

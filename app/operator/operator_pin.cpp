@@ -37,13 +37,13 @@ void compare_pins(OperatorTurn& turn) {
                        turn.words("The two were not the same. Choose again."));
     state.tries = {};
     turn.order(KeepPin{chosen});
-    turn.go(OperatorPlace::home, turn.words("The PIN is kept."));
+    turn.go(OperatorPlace::home, turn.words("The PIN is saved."));
 }
 
 void finish_pin(OperatorTurn& turn) {
     Operator& state = turn.state();
     if (!is_pin(state.pin.taken))
-        return turn.say(turn.words("A PIN has 4 to 8 digits. Next takes a digit."));
+        return turn.say(turn.words("A PIN has 4 to 8 digits. Press Next to accept a digit."));
     if (state.place == OperatorPlace::pin) return give_pin(turn);
     if (state.place == OperatorPlace::new_pin_again) return compare_pins(turn);
     state.chosen_pin = state.pin.taken;
@@ -70,8 +70,9 @@ void take_back(OperatorTurn& turn) {
 bool is_locked(OperatorTurn& turn) {
     const double left_s = turn.state().tries.locked_until_s - turn.world.now_s;
     if (turn.state().place != OperatorPlace::pin || left_s <= 0.0) return false;
-    turn.say(turn.world.language.text("operator", "Too many wrong PINs. Wait {0} seconds.",
-                                      {std::to_string(std::lround(std::ceil(left_s)))}));
+    turn.say(turn.world.language.counted("operator", "Too many wrong PINs. Wait {0} second.",
+                                         "Too many wrong PINs. Wait {0} seconds.",
+                                         static_cast<int>(std::lround(std::ceil(left_s)))));
     return true;
 }
 

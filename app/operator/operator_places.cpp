@@ -9,7 +9,8 @@ namespace {
 using P = OperatorPlace;
 
 constexpr std::string_view how_to_enter =
-    "Up and Down turn a digit, from zero each time. Next takes it. Select is the end.";
+    "Change the digit with Up and Down, from zero each time. Press Next to accept it, and Select "
+    "to finish.";
 
 constexpr std::array places{
     PlaceRow{P::pin, P::closed, "PIN of the operator", how_to_enter, "", false},
@@ -21,45 +22,47 @@ constexpr std::array places{
     PlaceRow{P::levels, P::touch, "Levels", "A level is how finely lines are followed.", "levels"},
     PlaceRow{P::picture, P::touch, "Detail of pictures", "", "picture"},
     PlaceRow{P::profiles, P::touch, "Profiles",
-             "What a profile sets goes before the kiosk's own settings.", ""},
+             "What a profile sets takes priority over the kiosk’s own settings.", ""},
     PlaceRow{P::ears, P::home, "Sound, speech and languages", "", ""},
     PlaceRow{P::sounds, P::ears, "Sounds and speech", "", "sound"},
     PlaceRow{P::volume, P::ears, "Volume", "Loudness at the ear, in decibels.", ""},
     PlaceRow{P::languages, P::ears, "Languages", "", "language"},
     PlaceRow{P::visits, P::home, "Visits", "", ""},
-    PlaceRow{P::times, P::visits, "Time-outs", "", "time"},
+    PlaceRow{P::times, P::visits, "Waiting times", "", "time"},
     PlaceRow{P::hours, P::visits, "Hours", "", "hours"},
     PlaceRow{P::care, P::visits, "Notices and staff", "", "care"},
     PlaceRow{P::senses, P::home, "Camera, keys and screen", "", ""},
     PlaceRow{P::camera, P::senses, "Camera", "", "camera"},
     PlaceRow{P::keys, P::senses, "Keys", "", "keys"},
-    PlaceRow{P::key_wizard, P::keys, "Learn the keys", "", "", false},
+    PlaceRow{P::key_wizard, P::keys, "Assign the keys", "", "", false},
     PlaceRow{P::screen, P::senses, "Screen", "", "screen"},
-    PlaceRow{P::sticks, P::senses, "Sticks", "Sticks with FAT and exFAT are always read.", "stick"},
+    PlaceRow{P::sticks, P::senses, "USB sticks", "USB sticks with FAT and exFAT are always read.",
+             "stick"},
     PlaceRow{P::device, P::home, "Handle and tests", "", ""},
-    PlaceRow{P::homing, P::device, "Find the handle's home",
-             "The kiosk says where to lead the handle. Force is off meanwhile.", ""},
+    PlaceRow{P::homing, P::device, "Find the handle’s starting point",
+             "The kiosk says where to move the handle. Force is off meanwhile.", ""},
     PlaceRow{P::kind, P::device, "Kind of handle",
-             "Next tells how to know each one. Select chooses it; the handle is then measured.",
+             "Press Next to hear how to know each one. Press Select to choose it; the handle is "
+             "then measured.",
              ""},
     PlaceRow{P::self_test, P::device, "Self-test", "", ""},
     PlaceRow{P::test_step, P::self_test, "Step of the self-test", "", "", false},
     PlaceRow{P::live, P::device, "What the handle does now", "", ""},
     PlaceRow{P::cleaning, P::device, "Clean the handle",
-             "Force and keys are off for a while, so that you can wipe them.", ""},
+             "Force and keys are off for a while. You can wipe the handle and the keys.", ""},
     PlaceRow{P::cleaning_lock, P::cleaning, "The handle can be cleaned",
              "Force and keys are off. They come back by themselves.", "", false},
     PlaceRow{P::upkeep, P::home, "Upkeep", "", ""},
-    PlaceRow{P::library, P::upkeep, "Copy from a stick", "Choose what to copy into this kiosk.",
+    PlaceRow{P::library, P::upkeep, "Copy from a USB stick", "Choose what to copy into this kiosk.",
              ""},
     PlaceRow{P::counters, P::upkeep, "What was counted", "People and names are never counted.", ""},
     PlaceRow{P::log, P::upkeep, "Log and recording",
-             "The log is copied beside the settings. Nothing of visitors is in it.", ""},
+             "The log is copied beside the settings. Nothing about visitors is in it.", ""},
     PlaceRow{P::backup, P::upkeep, "Backup of the settings",
-             "All settings but the PIN are copied beside them, or come back.", ""},
+             "Copies all settings except the PIN, or brings the copy back.", ""},
     PlaceRow{P::paths, P::upkeep, "Set in the file only",
-             "These are written in the kiosk's file of settings.", "operator"},
-    PlaceRow{P::close, P::upkeep, "Close the kiosk", "The program ends.", ""},
+             "These are written in the kiosk’s file of settings.", "operator"},
+    PlaceRow{P::close, P::upkeep, "Shut the kiosk down", "The program ends.", ""},
     PlaceRow{P::question, P::home, "Are you sure?", "", "", false},
 };
 
@@ -68,7 +71,7 @@ static_assert(places.size() + 1 == operator_place_count);
 using A = OperatorAction;
 
 constexpr std::array actions{
-    ActionRow{P::keys, A::learn_keys, "Learn the keys", "You press the key for each role twice."},
+    ActionRow{P::keys, A::learn_keys, "Assign the keys", "You press the key for each role twice."},
     ActionRow{P::device, A::clear_fault, "Clear what stopped the force", "Only when all is safe."},
     ActionRow{P::homing, A::find_home, "Begin", ""},
     ActionRow{P::self_test, A::run_all_tests, "All steps", "One after the other."},
@@ -76,15 +79,15 @@ constexpr std::array actions{
     ActionRow{P::counters, A::zero_counters, "Begin again from zero", ""},
     ActionRow{P::log, A::export_log, "Copy the log", ""},
     ActionRow{P::log, A::save_recording, "Save what was felt in the last minute",
-              "The file tells where the hand was. Ask the visitor before."},
+              "The file tells where the hand was. Ask the visitor first."},
     ActionRow{P::backup, A::back_up, "Copy the settings", ""},
-    ActionRow{P::backup, A::restore, "Take the settings from the copy",
+    ActionRow{P::backup, A::restore, "Bring the settings back from the copy",
               "They are checked first; wrong ones change nothing."},
-    ActionRow{P::backup, A::first_settings, "Settings as at first",
+    ActionRow{P::backup, A::first_settings, "Factory settings",
               "All settings become what they were when the kiosk was new."},
     ActionRow{P::upkeep, A::new_pin, "Change the PIN", ""},
-    ActionRow{P::close, A::close, "Close", ""},
-    ActionRow{P::home, A::leave, "Leave", "The visitors have the kiosk again."},
+    ActionRow{P::close, A::close, "Shut down", ""},
+    ActionRow{P::home, A::leave, "Leave", "The kiosk is open to visitors again."},
 };
 
 }  // namespace
@@ -108,7 +111,7 @@ std::string_view words_of(Question question) {
         case Question::ceiling:
             return "Lines may then push harder than before.";
         case Question::restore:
-            return "The settings of the stick replace those of the kiosk.";
+            return "The settings of the copy replace those of the kiosk.";
         case Question::close:
             return "The program ends, and the screen is empty.";
         case Question::zero_counters:
@@ -116,7 +119,7 @@ std::string_view words_of(Question question) {
         case Question::first_settings:
             return "All that was set is lost.";
         case Question::file_systems:
-            return "A hostile stick may then take the machine over. Allow it for a while only.";
+            return "A hostile USB stick may then take the machine over. Allow it for a while only.";
         case Question::kind:
             return "The handle is measured anew. What was measured before is lost.";
     }

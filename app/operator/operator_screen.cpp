@@ -14,7 +14,7 @@ std::string own_text(const Operator& state, const OperatorWorld& world) {
     if (state.place == OperatorPlace::question) text = words(words_of(state.question));
     if (state.place == OperatorPlace::library && world.on_stick.empty())
         text = words(
-            "Put in a stick with packs of pictures. A network file for Touchline can be on it "
+            "Put in a USB stick with packs of pictures. A network file for Touchline can be on it "
             "too.");
     return text;
 }

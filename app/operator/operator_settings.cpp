@@ -181,7 +181,7 @@ bool select_value(OperatorTurn& turn, const ItemMeaning& meaning) {
     if (switch_value(turn, meaning)) return true;
     if (!can_be_held(meaning)) return false;
     turn.state().is_held = true;
-    turn.say(turn.words("Next is more, Back is less. Select keeps it."));
+    turn.say(turn.words("Press Next for more, Back for less, Select to save it."));
     return true;
 }
 
@@ -191,7 +191,7 @@ void turn_value(OperatorTurn& turn, const ItemMeaning& meaning, bool is_up) {
         const SoundSettings sound = with_sound_turned(state.sound, meaning, is_up);
         const bool is_same = sound == state.sound;
         state.sound = sound;
-        if (is_same) turn.say(turn.words("That is the end."));
+        if (is_same) turn.say(turn.words("It goes no further."));
         return turn.say_item();
     }
     const Settings settings = turned_settings(state.settings, meaning, is_up);
@@ -199,7 +199,7 @@ void turn_value(OperatorTurn& turn, const ItemMeaning& meaning, bool is_up) {
         return turn.say(turn.words("That does not go together with another setting."));
     const bool is_same = settings == state.settings;
     state.settings = settings;
-    if (is_same) turn.say(turn.words("That is the end."));
+    if (is_same) turn.say(turn.words("It goes no further."));
     const bool waits_for_yes =
         is_ceiling(meaning) && settings.force_ceiling_N > turn.world.settings.force_ceiling_N;
     if (!is_same && !waits_for_yes) turn.order(SetSettings{settings});
@@ -221,7 +221,7 @@ bool release_value(OperatorTurn& turn) {
     } else {
         turn.order(WriteSettings{state.settings});
     }
-    turn.say(turn.words("Kept."));
+    turn.say(turn.words("Saved."));
     return true;
 }
 

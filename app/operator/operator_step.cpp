@@ -114,8 +114,8 @@ void move(OperatorTurn& turn, bool is_down) {
 
 void help(OperatorTurn& turn) {
     turn.say(spoken_screen(turn.screen(), turn.world.language) + ' ' +
-             turn.words("Up and Down move. Select chooses. Next tells more. Back leaves. "
-                        "Help says it all again."));
+             turn.words("Press Up or Down to move, Select to choose, Next for more. Press Back to "
+                        "leave, Help to hear it all again."));
 }
 
 void press_held_key(OperatorTurn& turn, KeyRole role, const ScreenItem& item) {

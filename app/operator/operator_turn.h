@@ -67,7 +67,7 @@ struct OperatorTurn {
         closed.settings = world.settings;
         closed.sound = world.sound;
         step.state = closed;
-        say(words("The operator's screens are closed."));
+        say(words("The operator’s screens are closed."));
         order(Leave{});
     }
 

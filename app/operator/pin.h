@@ -9,7 +9,7 @@ namespace touchline {
 inline constexpr std::size_t shortest_pin = 4;
 inline constexpr std::size_t longest_pin = 8;
 
-/// Up and Down turn the next digit, from 0 each time; Next takes it.
+/// Up and Down change the next digit, from 0 each time; Next accepts it.
 struct PinEntry {
     std::string taken;  // digits
     int digit = 0;      // 0 ... 9

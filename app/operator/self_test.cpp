@@ -9,17 +9,18 @@ constexpr double patience_s = 60.0;
 constexpr unsigned all_pressed = (1U << needed_role_count) - 1U;
 
 constexpr std::array<TestStepRow, test_step_count> rows{{
-    {TestStep::device, "Device", "The board of the handle is asked for an answer.", "", false},
+    {TestStep::device, "Device", "Checks whether the board of the handle answers.", "", false},
     {TestStep::motors, "Motors",
      "The motors push to both sides with at most 1 newton. Hold the handle lightly.",
      "Did the handle push to both sides?", true},
-    {TestStep::camera, "Camera", "One picture is taken and not kept.", "", false},
+    {TestStep::camera, "Camera", "One photo is taken and not kept.", "", false},
     {TestStep::sound_left, "Sound on the left", "A sound comes from the left only.",
      "Did you hear it on the left only?", true},
     {TestStep::sound_right, "Sound on the right", "A sound comes from the right only.",
      "Did you hear it on the right only?", true},
-    {TestStep::keys, "Keys", "Press each of the six keys once. Back twice stops.", "", false},
-    {TestStep::stick_port, "Stick port", "Put in a stick within a minute.", "", true},
+    {TestStep::keys, "Keys", "Press each of the six keys once. Press Back twice to stop.", "",
+     false},
+    {TestStep::stick_port, "USB slot", "Put in a USB stick within a minute.", "", true},
     {TestStep::disk, "Disk", "A small file is written, read and removed.", "", false},
 }};
 
@@ -98,7 +99,7 @@ std::string missing_keys(const SelfTest& test, const Language& language) {
     for (std::size_t i = 0; i < needed_role_count; ++i)
         if ((test.pressed & (1U << i)) == 0)
             names += (names.empty() ? "" : ", ") + role_in_words(static_cast<KeyRole>(i), language);
-    return language.text("test", "No press came from: {0}.", {names});
+    return language.text("test", "These were not pressed: {0}.", {names});
 }
 
 void add_choices(SpokenScreen& screen, const SelfTest& test, const std::string& first,

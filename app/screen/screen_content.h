@@ -22,7 +22,7 @@ struct ScreenContent {
     std::string sound_sign;
     TextSize text_size = TextSize::normal;
     PaletteName palette = PaletteName::white_on_black;
-    /// Screen off: black whatever else is here.
+    /// The visitor turned the screen off: black whatever else is here.
     bool is_curtain = false;
     /// With ScreenView::camera: show `preview`. Off, the sheet has the screen to itself.
     bool is_preview_on = true;

@@ -23,7 +23,7 @@ namespace touchline {
 
 /// What the guard itself says as device_words(), of the catalogue, context "device".
 inline constexpr std::string_view kind_wanted =
-    "This handle is new. An operator must first choose its kind.";
+    "This handle is new. The staff must first choose its kind.";
 inline constexpr std::string_view is_starting = "One moment. The handle is being started.";
 
 struct ServoProcessOptions {

@@ -11,20 +11,21 @@ namespace {
 constexpr std::array<FaultWords, fault_count> faults{{
     {},
     {"The force is off.", "The device does not answer.",
-     "Check its cable. When it answers again, words lead the handle to its home."},
+     "Please ask the staff to check its cable. Once it answers, the voice tells you where to move "
+     "the handle."},
     {"The force is off.", "The handle moved too fast.",
-     "Hold it still; force comes back by itself."},
-    {"The force is off.", "The device pushed more than it may.",
-     "Hold the handle and press Space twice."},
+     "Hold it still. The force comes back by itself."},
+    {"The force is off.", "The device pushed harder than it should.",
+     "Hold the handle and call the staff."},
     {"The force is off.", "The handle kept shaking.",
-     "Hold it firmly, choose softer outlines and press Space twice."},
-    {"The force is off.", "Nobody seems to hold the handle; the knob may have come off.",
-     "Put the knob on, hold it and press C."},
-    {"The force is off.", "The handle's position jumped.",
-     "Have the arms and the cable checked, then press C."},
-    {"The force is off.", "The device or the program gave a number that is none.",
-     "Tell the operator; press C to go on."},
-    {"The force is off.", "The emergency stop was pressed.", "When all is safe, press C."},
+     "Hold it firmly and choose softer lines. If it does not stop, call the staff."},
+    {"The force is off.", "Nobody seems to hold the handle. Its ball may have come off.",
+     "Please call the staff."},
+    {"The force is off.", "The handle’s position jumped.",
+     "Please call the staff. They check the arms of the device and its cable."},
+    {"The force is off.", "The device or the program reported an impossible number.",
+     "Please tell the staff."},
+    {"The force is off.", "The emergency stop was pressed.", "When all is safe, call the staff."},
 }};
 
 }  // namespace
@@ -36,7 +37,7 @@ FaultWords words_of(Fault fault) {
 std::string announcement_of(Fault fault) {
     if (fault == Fault::none) return {};
     const FaultWords words = words_of(fault);
-    return fmt::format("{} {} {} Exploring goes on without force.", words.what, words.why,
+    return fmt::format("{} {} {} You can go on exploring without force.", words.what, words.why,
                        words.what_to_do);
 }
 
@@ -45,9 +46,9 @@ std::string_view words_of(ForceState state) {
         case ForceState::off:
             return "off";
         case ForceState::armed:
-            return "waiting for a free hand";
+            return "waiting until the hand is clear of lines";
         case ForceState::ramp:
-            return "fading";
+            return "coming on";
         case ForceState::live:
             return "on";
         case ForceState::fault:
@@ -63,7 +64,7 @@ std::string_view words_of(Limit limit) {
         case Limit::damped:
             return "damped: it pushed too much";
         case Limit::pose:
-            return "less: the arms are nearly straight";
+            return "less: the arms of the device are nearly straight";
         case Limit::speed:
             return "only braking: the hand is fast";
         case Limit::hand:
@@ -87,7 +88,7 @@ std::string spoken_fault(Fault fault, const Language& language) {
     std::string text;
     for (const std::string_view part : {words.what, words.why, words.what_to_do})
         text += language.text("fault", std::string(part)) + ' ';
-    return text + language.text("fault", "Exploring goes on without force.");
+    return text + language.text("fault", "You can go on exploring without force.");
 }
 
 }  // namespace touchline

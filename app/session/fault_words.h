@@ -26,7 +26,7 @@ struct FaultWords {
 /// The three, and that sound goes on without force. Empty for none.
 [[nodiscard]] std::string announcement_of(Fault fault);
 
-/// A few words, like "on" or "waiting for a free hand".
+/// A few words, like "on" or "waiting until the hand is clear of lines".
 [[nodiscard]] std::string_view words_of(ForceState state);
 
 /// Why the force is less than it would be; empty where nothing worth a word reduces it.

@@ -12,7 +12,7 @@ namespace touchline {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> details{"silhouette", "main parts", "parts", "details",
+constexpr std::array<std::string_view, 5> details{"silhouette", "main parts", "parts", "fine parts",
                                                   "everything"};
 
 /// Empty where there is one page that is felt as a whole.
@@ -85,7 +85,7 @@ std::string force_words(const HandState& hand, const ForceStatus& status) {
         return fmt::format("{}, {}", force, why);
     }
     if (hand.spring_gain >= 1.0) return force;
-    return fmt::format("{}, softened to {:.0f} %: it rang", force, 100.0 * hand.spring_gain);
+    return fmt::format("{}, softened to {:.0f} %: it vibrated", force, 100.0 * hand.spring_gain);
 }
 
 /// "bar, -4.2 mN m": torque on the hand, counter-clockwise.
@@ -126,9 +126,9 @@ std::string words_of(ContactState state) {
         case ContactState::free:
             return "free";
         case ContactState::edge:
-            return "on an edge";
+            return "on a line";
         case ContactState::vertex:
-            return "in a vertex";
+            return "at a corner";
     }
     return {};
 }
@@ -154,7 +154,7 @@ std::string words_of(ContactEventKind kind) {
         case ContactEventKind::area_left:
             return "edge of the picture";
         case ContactEventKind::popped_through:
-            return "popped through";
+            return "pushed through";
     }
     return {};
 }
@@ -169,8 +169,8 @@ Status describe(const LiveFacts& facts, const HandState& hand, const ForceStatus
         {"Terms", terms_words(hand.level_terms)},
         {"Force", force_words(hand, force)},
         {"Motors", std::string(words_of(force.state))},
-        {"Mode", mode_words(hand, facts.gives_way)},
-        {"Stiffness", stiffness_words(hand)},
+        {"Kind of line", mode_words(hand, facts.gives_way)},
+        {"Firmness", stiffness_words(hand)},
         {"Detail", detail_text(facts.detail)},
         {"Hand", facts.hand_words},
     };

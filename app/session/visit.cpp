@@ -30,7 +30,8 @@ void stick_came(VisitWork& work, const StickCame& came) {
         return say_screen(work);
     }
     cue(work, ScreenEvent::news);
-    say(work, words(work, "A stick is in. You find it among what to feel."), SpeechPriority::hint);
+    say(work, words(work, "A USB stick is plugged in. You will find it in the list."),
+        SpeechPriority::hint);
 }
 
 void stick_gone(VisitWork& work, const StickGone& gone) {
@@ -43,7 +44,7 @@ void stick_gone(VisitWork& work, const StickGone& gone) {
     if (!gone.sentence.empty()) return show_trouble(work, gone.sentence, TroubleKind::stick);
     if (!had_stick) return;
     cue(work, ScreenEvent::news);
-    const std::string told = words(work, "The stick is out. What you feel stays.");
+    const std::string told = words(work, "The USB stick is out. Your picture stays.");
     if (open_screen(work) == VisitScreen::stick) return say_return(work, told);
     say(work, told, SpeechPriority::hint);
 }
@@ -78,9 +79,8 @@ void camera_captured(VisitWork& work, bool is_doubtful) {
     work.visitor.is_capturing = false;
     cue(work, ScreenEvent::shutter);
     open_picture(work, PictureSource::camera, 0, {});
-    say(work,
-        words(work, is_doubtful ? "The picture is taken. It is unclear; you can take it again."
-                                : "The picture is taken."));
+    say(work, words(work, is_doubtful ? "The photo is taken. It is unclear; you can take it again."
+                                      : "The photo is taken."));
 }
 
 void camera_failed(VisitWork& work, const std::string& sentence) {
@@ -89,7 +89,7 @@ void camera_failed(VisitWork& work, const std::string& sentence) {
     leave_screens_of_picture(work);
     show_trouble(work,
                  sentence.empty()
-                     ? words(work, "The camera gave no picture. Take it again, or tell the staff.")
+                     ? words(work, "The camera gave no photo. Try again, or tell the staff.")
                      : sentence,
                  std::nullopt);
 }
@@ -107,10 +107,11 @@ void guidance_ended(VisitWork& work, bool has_arrived) {
     const GuideKind kind = leading->guide.kind;
     leading.reset();
     work.visitor.active_s = work.house.now_s;
-    if (!has_arrived) return say(work, words(work, "The handle no longer leads."));
+    if (!has_arrived) return say(work, words(work, "The handle has stopped guiding you."));
     cue(work, ScreenEvent::label_reached);
     shake(work, HandlePattern::chosen);
-    if (kind == GuideKind::outline) return say(work, words(work, "That was once round."));
+    if (kind == GuideKind::outline)
+        return say(work, words(work, "You have gone all the way round."));
     if (kind == GuideKind::bring_back) return say(work, words(work, "You are on a line."));
     say(work, language_of(work).text("guidance", "You are there."));
 }

@@ -99,7 +99,7 @@ enum class VisitItem : int {
     speech,
     text_size,
     palette,
-    screen_off,
+    screen,
     start_over,
     reset,
     no,

@@ -18,8 +18,8 @@ constexpr std::array<RoleWords, key_role_count> roles{{
     {"Down", "To the next item."},
     {"Back", "One screen back."},
     {"Next", "Says it again. Twice, the whole screen."},
-    {"Select", "Takes the item."},
-    {"Help", "Explains the keys. Once more leaves."},
+    {"Select", "Chooses the item."},
+    {"Help", "Explains the keys. Press it again to leave."},
     {"Louder", "Raises the volume."},
     {"Softer", "Lowers the volume."},
 }};
@@ -199,7 +199,7 @@ void press_dead_key(VisitWork& work) {
     }
     if (++work.visitor.dead_keys < 3) return;
     work.visitor.dead_keys = 0;
-    say(work, words(work, "This key has no use. Help explains the keys."));
+    say(work, words(work, "This key has no use. Press Help to try the keys."));
 }
 
 }  // namespace touchline

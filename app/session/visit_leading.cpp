@@ -29,7 +29,7 @@ void lead(VisitWork& work, const Guide& guide, const std::string& announcement) 
     work.visitor.leading = Leading{guide, work.house.now_s + announcement_s(work.visitor), false};
     shake(work, HandlePattern::chosen);
     std::string text = announcement;
-    add_sentence(text, words(work, "Any key stops it."));
+    add_sentence(text, words(work, "Press any key to stop it."));
     say(work, text);
 }
 

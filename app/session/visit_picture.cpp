@@ -93,7 +93,7 @@ std::string told_place(const VisitWork& work) {
     const std::string place = words_of(place_of(visitor.handle.place_W, CueArea{}), language);
     if (!visitor.felt || !visitor.handle.part ||
         *visitor.handle.part >= visitor.felt->facts.parts.size()) {
-        return words(work, "On no line. In the picture: {0}.", {place});
+        return words(work, "Not on a line. In the picture: {0}.", {place});
     }
     return words(work, "On: {0}. In the picture: {1}.",
                  {visitor.felt->facts.parts[*visitor.handle.part].name, place});
@@ -178,7 +178,7 @@ void tell_names(VisitWork& work, const std::string& news = {}) {
 
 void tell_things(VisitWork& work) {
     cue(work, ScreenEvent::news);
-    tell_names(work, "The main thing was found. Main things leads to it.");
+    tell_names(work, "The main thing was found. You will find it under Main things.");
 }
 
 /// A hand that has found a line keeps it: it is told, and the main thing is felt when it is wanted.

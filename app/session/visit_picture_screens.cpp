@@ -46,7 +46,7 @@ std::string told_page(const PagePlace& place, const Language& language) {
     } else if (place.view_count > 1) {
         const bool is_whole = place.view >= place.view_count;
         add_sentence(text, is_whole ? language.text("page", "The whole page")
-                                    : language.text("page", "Picture {0} of {1} on it",
+                                    : language.text("page", "Picture {0} of {1} on this page",
                                                     {std::to_string(place.view),
                                                      std::to_string(place.view_count - 1)}));
     }
@@ -56,7 +56,7 @@ std::string told_page(const PagePlace& place, const Language& language) {
 std::string told_zoom(const VisitSheet& sheet) {
     const ZoomWanted& zoom = sheet.visit.visitor.felt->order.zoom;
     if (zoom.factor <= 1.0) return sheet.words("whole picture");
-    return sheet.language.text("visit", "{0} times, {1}",
+    return sheet.language.text("visit", "{0} times larger, {1}",
                                {sheet.language.number(zoom.factor, 0),
                                 words_of(place_of(zoom.centre, CueArea{}), sheet.language)});
 }
@@ -82,13 +82,13 @@ void put_picture(VisitSheet& sheet) {
     sheet.screen.title = picture_title(sheet);
     put_told(sheet);
     if (facts.outline_count > 0) {
-        sheet.item(VisitItem::lead_round, "Lead me round", {},
-                   "Select leads you round the outer line. Or move freely.");
+        sheet.item(VisitItem::lead_round, "Guide me round the outline", {},
+                   "Press Select to be guided along the outer line. Or move freely.");
     }
     if (!facts.parts.empty()) {
         sheet.item(VisitItem::parts, "Parts",
                    sheet.language.number(static_cast<double>(facts.parts.size()), 0),
-                   "Each takes your hand there.");
+                   "Choose a part, and the handle guides you there.");
     }
     sheet.item(VisitItem::explore, "Explore freely", {}, "Parts say their names.");
     if (facts.outline_count > 0) {
@@ -96,7 +96,7 @@ void put_picture(VisitSheet& sheet) {
     }
     sheet.item(VisitItem::tell_again, "Tell me again");
     sheet.setting(VisitItem::detail);
-    sheet.item(VisitItem::zoom, "Zoom", told_zoom(sheet));
+    sheet.item(VisitItem::zoom, "Enlargement", told_zoom(sheet));
     sheet.setting(VisitItem::mode);
     sheet.setting(VisitItem::firmness);
     if (sheet.world.settings.offers_shapes && facts.outline_count > 0) put_shape(sheet);
@@ -115,13 +115,13 @@ void put_picture(VisitSheet& sheet) {
 
 void put_parts(VisitSheet& sheet) {
     sheet.title("Parts");
-    sheet.sentence("Select takes your hand there.");
+    sheet.sentence("Press Select, and the handle guides you there.");
     std::vector<ListRow> rows;
     for (const PartFacts& part : sheet.visit.visitor.felt->facts.parts) {
         rows.push_back(
             {rows.size(), part.name, words_of(place_of(part.place_W, CueArea{}), sheet.language)});
     }
-    sheet.list(rows, "Select takes your hand there.");
+    sheet.list(rows, "Press Select, and the handle guides you there.");
     sheet.back();
 }
 
@@ -137,7 +137,7 @@ void put_explore(VisitSheet& sheet) {
 
 void put_zoom(VisitSheet& sheet) {
     const bool is_zoomed = sheet.visit.visitor.felt->order.zoom.factor > 1.0;
-    sheet.title("Zoom");
+    sheet.title("Enlargement");
     sheet.told(told_zoom(sheet));
     if (is_zoomed) sheet.item(VisitItem::whole_picture, "The whole picture");
     sheet.item(VisitItem::twice_here, "Twice as large, around your hand");
@@ -146,7 +146,7 @@ void put_zoom(VisitSheet& sheet) {
     for (const PartFacts& part : sheet.visit.visitor.felt->facts.parts) {
         rows.push_back({rows.size(), part.name, sheet.words("enlarged")});
     }
-    sheet.list(rows, "Select enlarges it twice, then four times.");
+    sheet.list(rows, "Press Select to enlarge it twice, then four times.");
     sheet.back();
 }
 

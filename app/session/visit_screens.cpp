@@ -21,9 +21,9 @@ void put_attract(Sheet& sheet) {
 
 void put_language(Sheet& sheet) {
     sheet.title("Pictures to feel");
-    sheet.sentence("Up and Down find your language, Select takes it.");
-    sheet.sentence("Help explains the keys.");
-    sheet.sentence("Any key skips.");
+    sheet.sentence("Choose your language with Up, Down and Select.");
+    sheet.sentence("Press Help to try the keys.");
+    sheet.sentence("Press any key to skip.");
     for (std::size_t row = 0; row < sheet.world.languages.size(); ++row) {
         sheet.row(row, sheet.world.languages[row].name());
     }
@@ -59,16 +59,16 @@ void put_choose(Sheet& sheet) {
     }
     sheet.item(VisitItem::practise, "Practice shape", {}, "A circle shows how a line feels.");
     if (!gallery_of(sheet).empty()) {
-        sheet.item(VisitItem::gallery, "Pictures of the house", {}, "The easiest come first.");
+        sheet.item(VisitItem::gallery, "Gallery", {}, "The easiest come first.");
     }
     if (rules.has_stick_port) {
         sheet.item(VisitItem::stick, "Your USB stick", stick_value(sheet),
-                   "It is read only. You can pull it out at any time.");
+                   "Nothing is written to it. You can pull it out at any time.");
     }
     if (rules.has_camera) {
         sheet.item(VisitItem::camera, "Camera",
                    sheet.visit.house.has_camera ? std::string() : sheet.words("not ready"),
-                   "Takes a picture of what lies under it.");
+                   "Takes a photo of what lies under it.");
     }
     sheet.item(VisitItem::settings, "Settings", {}, "Volume, speech, language and letters.");
     if (rules.offers_staff) {
@@ -83,7 +83,8 @@ void put_practice(Sheet& sheet) {
     sheet.told(visitor_of(sheet).felt ? visitor_of(sheet).felt->facts.title : std::string());
     sheet.sentence("Move the handle until a line holds it.");
     sheet.sentence("Then follow the line.");
-    sheet.item(VisitItem::lead_round, "Lead me round", {}, "The handle shows you the line.");
+    sheet.item(VisitItem::lead_round, "Guide me round the outline", {},
+               "The handle shows you the line.");
     sheet.item(VisitItem::other_shape, "Another shape");
     sheet.item(VisitItem::bring_back, "Bring me back to the line");
     sheet.back("Go on to the pictures");
@@ -91,7 +92,7 @@ void put_practice(Sheet& sheet) {
 
 void put_gallery(Sheet& sheet) {
     static constexpr std::array grades{"very easy", "easy", "medium", "hard", "very hard"};
-    sheet.title("Pictures of the house");
+    sheet.title("Gallery");
     std::vector<ListRow> rows;
     for (const std::size_t number : gallery_order(sheet)) {
         const GalleryTitle& picture = gallery_of(sheet)[number];
@@ -102,7 +103,7 @@ void put_gallery(Sheet& sheet) {
         }
         rows.push_back({number, picture.title, value});
     }
-    sheet.list(rows, "Select opens it.");
+    sheet.list(rows, "Press Select to open it.");
     sheet.back();
 }
 
@@ -110,19 +111,20 @@ void put_camera(Sheet& sheet) {
     sheet.title("Camera");
     sheet.screen.view = ScreenView::camera;
     if (sheet.visit.house.has_camera) {
-        sheet.sentence("Lay your picture under the camera.");
-        sheet.sentence("Nothing is taken until you press Select.");
+        sheet.sentence("Lay your picture on the tray under the camera.");
+        sheet.sentence("No photo is taken until you press Select.");
     } else {
         sheet.sentence("The camera does not answer.");
         sheet.sentence("Choose other pictures, or tell the staff.");
     }
-    sheet.item(VisitItem::take_picture, "Take the picture");
+    sheet.item(VisitItem::take_picture, "Take the photo");
     sheet.back();
 }
 
 void put_opening(Sheet& sheet) {
     const Visitor& visitor = visitor_of(sheet);
-    sheet.title(visitor.is_capturing ? "The camera is working." : "The picture is being opened.");
+    sheet.title(visitor.is_capturing ? "The photo is being taken."
+                                     : "The picture is being opened.");
     if (visitor.loading) sheet.told(visitor.loading->name);
     sheet.item(VisitItem::cancel, "Cancel");
 }
@@ -136,11 +138,11 @@ void put_settings(Sheet& sheet) {
     }
     sheet.toggle(VisitItem::mono, "The same in both ears", visitor.sound.is_mono);
     sheet.toggle(VisitItem::speech, "Speech", visitor.sound.is_speech_on,
-                 "Help turns it on again.");
+                 "Press Help to turn it on again.");
     sheet.setting(VisitItem::text_size);
     sheet.setting(VisitItem::palette);
-    sheet.toggle(VisitItem::screen_off, "Screen off", visitor.look.is_off,
-                 "Nobody can read along then.");
+    sheet.toggle(VisitItem::screen, "Screen", !visitor.look.is_off,
+                 "When it is off, nobody can read along.");
     sheet.item(VisitItem::reset, "Reset the settings");
     sheet.item(VisitItem::start_over, "Start over", {}, "Ends your visit and begins a new one.");
     sheet.back();
@@ -171,13 +173,13 @@ void put_confirm(Sheet& sheet) {
 
 void put_goodbye(Sheet& sheet) {
     sheet.title("Goodbye");
-    sheet.sentence("Take your stick and your headphones with you.");
-    sheet.sentence("Nothing of you stays here.");
+    sheet.sentence("Take your USB stick and your headphones with you.");
+    sheet.sentence("Nothing about you is kept here.");
 }
 
 void put_closed(Sheet& sheet) {
     const bool is_maintained = sheet.visit.house.opening == HouseOpening::maintenance;
-    sheet.title(is_maintained ? "This place is being maintained." : "This place is closed.");
+    sheet.title(is_maintained ? "This kiosk is being serviced." : "This kiosk is closed.");
     if (sheet.world.rules.notice.empty()) {
         sheet.sentence("Please come back later.");
     } else {
@@ -188,7 +190,7 @@ void put_closed(Sheet& sheet) {
 void put_help(Sheet& sheet) {
     sheet.title("Try the keys");
     sheet.sentence("Each key says its name and its use.");
-    sheet.sentence("Help, pressed twice, goes back.");
+    sheet.sentence("Press Help twice to go back.");
 }
 
 void put_question(Sheet& sheet) {
@@ -202,7 +204,7 @@ void put_question(Sheet& sheet) {
 void put_trouble(Sheet& sheet) {
     sheet.title("Something is wrong");
     sheet.told(visitor_of(sheet).error);
-    sheet.item(VisitItem::go_on, "Go on", {}, "Select goes on.");
+    sheet.item(VisitItem::go_on, "Go on", {}, "Press Select to go on.");
 }
 
 using Put = void (*)(Sheet&);

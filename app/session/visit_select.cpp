@@ -90,14 +90,15 @@ void confirm(VisitWork& work) {
         default:
             reset_settings(work);
             leave(work);
-            return say_return(work, words(work, "All settings are as at the start."));
+            return say_return(work,
+                              words(work, "All settings are back as they were at the start."));
     }
 }
 
 void lead_to_part(VisitWork& work, std::size_t part) {
     const PartFacts& wanted = work.visitor.felt->facts.parts[part];
     lead(work, {GuideKind::to_place, wanted.place_W, -1},
-         words(work, "The handle leads you: {0}.", {wanted.name}));
+         words(work, "The handle guides you: {0}.", {wanted.name}));
 }
 
 void take_row(VisitWork& work, std::size_t row, const std::string& name) {
@@ -129,10 +130,10 @@ void take_picture_item(VisitWork& work, VisitItem item) {
     switch (item) {
         case VisitItem::lead_round:
             return lead(work, {GuideKind::outline, {}, work.visitor.felt->facts.outer_outline},
-                        words(work, "The handle leads you round the outer line."));
+                        words(work, "The handle guides you along the outer line."));
         case VisitItem::bring_back:
             return lead(work, {GuideKind::bring_back, {}, -1},
-                        words(work, "The handle leads you back to a line."));
+                        words(work, "The handle guides you back to a line."));
         case VisitItem::tell_again:
             return say(work, told_picture(work));
         case VisitItem::where_am_i:
@@ -240,7 +241,7 @@ void take(VisitWork& work, VisitItem item) {
             return toggle(work, visitor.sound.is_mono);
         case VisitItem::speech:
             return toggle(work, visitor.sound.is_speech_on);
-        case VisitItem::screen_off:
+        case VisitItem::screen:
             return toggle(work, visitor.look.is_off);
         case VisitItem::language:
         case VisitItem::volume:

@@ -12,11 +12,11 @@ namespace {
 // In the order of their enumerations or steps.
 constexpr std::array modes{"wall", "groove", "ridge", "stay on line"};
 constexpr std::array shapes{"a point", "a disc", "a bar", "an angle", "a key"};
-constexpr std::array details{"silhouette", "main parts", "parts", "details", "everything"};
+constexpr std::array details{"silhouette", "main parts", "parts", "fine parts", "everything"};
 constexpr std::array amounts{"none of them", "short ones", "all of them"};
 constexpr std::array sizes{"ordinary", "large", "larger", "largest"};
-constexpr std::array palettes{"light letters on dark", "dark letters on light", "strong contrast",
-                              "without glare"};
+constexpr std::array palettes{"light letters on dark", "dark letters on light",
+                              "warm letters on dark", "low glare"};
 
 template <std::size_t count>
 std::vector<std::string> named(const Language& language, const char* context,
@@ -70,7 +70,7 @@ std::string name_of(VisitItem setting, const Language& language) {
         case VisitItem::volume:
             return language.text("visit", "Volume");
         case VisitItem::rate:
-            return language.text("visit", "Speech rate");
+            return language.text("visit", "Speaking speed");
         case VisitItem::sounds:
             return language.text("visit", "Sounds");
         case VisitItem::text_size:
@@ -100,7 +100,7 @@ ValueList values_of(const Visit& visit, const VisitWorld& world, VisitItem setti
             return {stepped(language, "Volume {0} of {1}", world.rules.volume_steps),
                     visitor.sound.volume};
         case VisitItem::rate:
-            return {stepped(language, "Speech rate {0} of {1}", speech_rates_per_minute.size()),
+            return {stepped(language, "Speaking speed {0} of {1}", speech_rates_per_minute.size()),
                     visitor.sound.rate};
         case VisitItem::sounds:
             return {named(language, "visit", amounts),
@@ -192,7 +192,7 @@ void change_rate(VisitWork& work, int change) {
                                                             : "This is the slowest."));
     }
     rate = change > 0 ? rate + 1 : rate - 1;
-    say(work, language.text("speech", "Speech rate {0} of {1}",
+    say(work, language.text("speech", "Speaking speed {0} of {1}",
                             {std::to_string(rate + 1), std::to_string(last + 1)}));
 }
 

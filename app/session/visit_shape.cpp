@@ -9,17 +9,19 @@ namespace touchline {
 namespace {
 
 constexpr int degrees_a_key = 15;
-constexpr const char* turn_hint = "Select turns it a little. A knob turns it too.";
+constexpr const char* turn_hint = "Press Select to turn it a little. A knob turns it too.";
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 /// As far as it is from where it began, the short way round; left is counter-clockwise.
 std::string told_turn(double turn_rad, const Language& language) {
     const int degrees =
         static_cast<int>(std::lround(std::remainder(degrees_per_radian * turn_rad, 360.0)));
-    if (degrees == 0) return language.text("visit", "as at first");
-    return language.text("visit",
-                         degrees > 0 ? "turned left by {0} degrees" : "turned right by {0} degrees",
-                         {std::to_string(std::abs(degrees))});
+    if (degrees == 0) return language.text("visit", "not turned");
+    const int turned = std::abs(degrees);
+    return degrees > 0 ? language.counted("visit", "turned left by {0} degree",
+                                          "turned left by {0} degrees", turned)
+                       : language.counted("visit", "turned right by {0} degree",
+                                          "turned right by {0} degrees", turned);
 }
 
 }  // namespace
@@ -29,11 +31,11 @@ void put_shape(VisitSheet& sheet) {
     sheet.setting(VisitItem::held_shape);
     sheet.screen.items.back().hint = sheet.words("For the curious: lines push and twist it.");
     if (feel.shape == HeldShape::none) return;
-    sheet.sentence("You hold a shape. Where a line goes through it, it waits for an empty place.");
+    sheet.sentence("You hold a shape. It works once no line goes through it.");
     const std::string turned = told_turn(feel.turn_rad, sheet.language);
     sheet.item(VisitItem::turn_left, "Turn it left", turned, turn_hint);
     sheet.item(VisitItem::turn_right, "Turn it right", turned, turn_hint);
-    sheet.item(VisitItem::turn_back, "Turn it as at first");
+    sheet.item(VisitItem::turn_back, "Turn it back");
 }
 
 void turn_shape(VisitWork& work, VisitItem item) {

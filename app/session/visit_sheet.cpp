@@ -6,9 +6,9 @@
 namespace touchline {
 namespace {
 
-constexpr const char* choice_hint = "Select takes it. Up and Down go to others.";
-constexpr const char* setting_hint = "Select offers its values.";
-constexpr const char* toggle_hint = "Select changes it.";
+constexpr const char* choice_hint = "Press Select to choose it, Up or Down for the others.";
+constexpr const char* setting_hint = "Press Select for its values.";
+constexpr const char* toggle_hint = "Press Select to change it.";
 
 }  // namespace
 
@@ -91,8 +91,8 @@ std::string told_trouble(TroubleKind kind, const std::string& sentence, const La
     switch (kind) {
         case TroubleKind::device:
             return language.text("visit",
-                                 "The handle has no force. It does not answer. Listening "
-                                 "goes on; tell the staff.");
+                                 "The handle has no force. It does not answer. You can still "
+                                 "listen; please tell the staff.");
         case TroubleKind::sound:
             return language.text("speech", "There is no sound. Please call the staff.");
         case TroubleKind::camera:
@@ -101,8 +101,7 @@ std::string told_trouble(TroubleKind kind, const std::string& sentence, const La
                                  "tell the staff.");
         case TroubleKind::stick:
             return language.text("visit",
-                                 "The stick cannot be read. Pull it out and put it in "
-                                 "again.");
+                                 "The USB stick cannot be read. Pull it out and put it in again.");
     }
     return {};
 }

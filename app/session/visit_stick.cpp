@@ -53,12 +53,12 @@ void put_stick(VisitSheet& sheet) {
     const Visitor& visitor = sheet.visit.visitor;
     sheet.title("Your USB stick");
     if (!visitor.has_stick) {
-        sheet.sentence("There is no stick.");
-        sheet.sentence("Put one into the socket; it is read only.");
+        sheet.sentence("There is no USB stick.");
+        sheet.sentence("Put one into the USB slot; nothing is written to it.");
         return sheet.back();
     }
     if (!visitor.stick_list) {
-        sheet.sentence("Your stick is being read.");
+        sheet.sentence("Your USB stick is being read.");
         return sheet.back();
     }
     const std::vector<std::string>& names = visitor.stick_list->names;
@@ -76,10 +76,10 @@ void put_stick(VisitSheet& sheet) {
             const std::size_t row = row_at(visitor, place);
             return ListRow{row, spoken_name(names[row], sheet.language), {}};
         },
-        "Select opens it.");
+        "Press Select to open it.");
     if (is_long(rows_of(visitor)))
         sheet.item(VisitItem::letters, visitor.found ? "By the next letter" : "By the first letter",
-                   {}, "Parts the list by how names begin.");
+                   {}, "Groups the files by how their names begin.");
     if (visitor.found) sheet.item(VisitItem::all_files, "All files");
     sheet.back();
 }

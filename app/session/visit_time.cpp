@@ -95,7 +95,7 @@ void mind_practice(VisitWork& work) {
     if (open.screen != VisitScreen::practice || is_told) return;
     if (work.house.now_s - work.visitor.entered_s < practice_s) return;
     open.about = 1;
-    say(work, words(work, "This is enough for practice. Back leads to the pictures."),
+    say(work, words(work, "This is enough for practice. Press Back for the pictures."),
         SpeechPriority::hint);
 }
 

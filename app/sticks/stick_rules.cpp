@@ -113,9 +113,10 @@ bool StickRules::is_mounted(const Mount& mount) const {
 }
 
 std::string StickRules::sentence_for(const Volume& volume) const {
-    if (volume.usage == "crypto") return "The stick is locked with a password. Bring one without.";
+    if (volume.usage == "crypto")
+        return "The USB stick is locked with a password. Bring one without.";
     if (volume.usage == "filesystem" && !options_for(volume))
-        return "The stick's format is not read here. Bring one formatted as FAT or exFAT.";
+        return "The USB stick’s format is not read here. Bring one formatted as FAT or exFAT.";
     return "The stick cannot be read; put it in again or try another one";
 }
 

@@ -14,7 +14,7 @@ void add_folders(std::string& text, const StickRest& rest, const Language& langu
     if (rest.has_deeper)
         say("Folders within eight others were left out. Put their files nearer to the top.");
     if (rest.has_unreadable)
-        say("Some folders could not be read. Copy their files to another stick.");
+        say("Some folders could not be read. Copy their files to another USB stick.");
     if (rest.is_cut_short)
         say("There was no time for all folders. Put other files outside of all folders.");
 }
@@ -34,7 +34,7 @@ std::string words_of(const StickRest& rest, std::size_t listed, const Language& 
 
 std::string nothing_words(const StickRest& rest, const Language& language) {
     std::string text = language.text(
-        "stick", "There is no picture or PDF on the stick. Put some on it and bring it again.");
+        "stick", "There is no picture or PDF on the USB stick. Put some on it and bring it again.");
     add_folders(text, rest, language);
     return text;
 }

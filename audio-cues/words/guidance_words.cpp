@@ -31,18 +31,6 @@ std::string words_of(const ClockFace& way, const Language& language) {
     return language.text("guidance", "{0}, at {1} o’clock", {distance, std::to_string(way.hour)});
 }
 
-std::string words_of(CueAmount amount, const Language& language) {
-    switch (amount) {
-        case CueAmount::none:
-            return language.text("sound", "Sounds: none");
-        case CueAmount::cues:
-            return language.text("sound", "Sounds: short ones");
-        case CueAmount::full:
-            return language.text("sound", "Sounds: all");
-    }
-    return {};
-}
-
 std::string words_of(Cue cue, const Language& language) {
     return language.text("sound", std::string(row_of(cue).name));
 }

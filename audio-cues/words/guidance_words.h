@@ -14,9 +14,6 @@ namespace touchline {
 /// "3 centimetres, at 2 o'clock"; below 1 cm in millimetres; "You are there." for 0.
 [[nodiscard]] std::string words_of(const ClockFace& way, const Language& language);
 
-/// "Sounds: all".
-[[nodiscard]] std::string words_of(CueAmount amount, const Language& language);
-
 /// The name of a sound, as the list of sounds says it.
 [[nodiscard]] std::string words_of(Cue cue, const Language& language);
 

@@ -31,7 +31,7 @@ constexpr std::array<ThingText, thing_name_count> kTexts{{{"a person", "{0} peop
                                                           {"an aeroplane", "{0} aeroplanes"},
                                                           {"a bus", "{0} buses"},
                                                           {"a train", "{0} trains"},
-                                                          {"a truck", "{0} trucks"},
+                                                          {"a lorry", "{0} lorries"},
                                                           {"a boat", "{0} boats"},
                                                           {"a bird", "{0} birds"},
                                                           {"a cat", "{0} cats"},

@@ -187,7 +187,7 @@ std::string_view sentence(CameraCondition condition) {
         case CameraCondition::starting:
             return "The camera is starting.";
         case CameraCondition::stopped:
-            return "The camera gives no picture. Unplug it and plug it in again.";
+            return "The camera gives no picture. Please call the staff.";
         case CameraCondition::ready:
         case CameraCondition::taking:
             return "";

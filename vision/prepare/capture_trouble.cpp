@@ -7,27 +7,27 @@ std::string_view sentence(CaptureTrouble trouble) {
         case CaptureTrouble::none:
             return "";
         case CaptureTrouble::too_dark:
-            return "It is too dark here. Turn on a lamp.";
+            return "It is too dark here. Ask the staff for more light.";
         case CaptureTrouble::too_bright:
-            return "There is too much light. Turn the lamp away.";
+            return "There is too much light. Ask the staff to turn the lamp away.";
         case CaptureTrouble::glare:
-            return "The lamp is mirrored in the page. Tilt or move it.";
+            return "The lamp is reflected in the sheet. Tilt the lamp or move it.";
         case CaptureTrouble::no_page:
-            return "No page is found. Lay it flat under the camera.";
+            return "No sheet is found. Lay it flat on the tray.";
         case CaptureTrouble::too_small:
-            return "The page is too far away. Bring it closer.";
+            return "The sheet is too far away. Bring it closer.";
         case CaptureTrouble::too_large:
-            return "The page is too close. Move it away from the camera.";
+            return "The sheet is too close. Move it away from the camera.";
         case CaptureTrouble::too_far_left:
-            return "Move the page to the right.";
+            return "Move the sheet to the right.";
         case CaptureTrouble::too_far_right:
-            return "Move the page to the left.";
+            return "Move the sheet to the left.";
         case CaptureTrouble::too_far_up:
-            return "Move the page down, towards you.";
+            return "Move the sheet down, towards you.";
         case CaptureTrouble::too_far_down:
-            return "Move the page up, away from you.";
+            return "Move the sheet up, away from you.";
         case CaptureTrouble::no_markers:
-            return "The corners of the stand are covered. Clear them and try again.";
+            return "The corners of the tray are covered. Clear them and try again.";
     }
     return "";
 }

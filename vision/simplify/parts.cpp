@@ -51,7 +51,7 @@ std::string kind_of(LineOf of, bool is_closed) {
         case LineOf::figure:
             return "figure";
         case LineOf::ring:
-            return is_closed ? "outline of the main thing" : "part of the main thing's outline";
+            return is_closed ? "outline of the main thing" : "part of the main thing’s outline";
         case LineOf::dashed:
             return "dashed line";
         case LineOf::dotted:

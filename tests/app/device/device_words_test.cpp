@@ -105,7 +105,7 @@ TEST(DeviceWords, ARemarkWithAMeasureHasASentenceWithout) {
 
 /// Nothing moves after a motor that is wrong until somebody begins anew.
 TEST(DeviceWords, EveryVerdictSaysWhatToDo) {
-    const std::string next = "Then find the handle's home again.";
+    const std::string next = "Then find the handle’s starting point again.";
     std::set<std::string> all;
     for (int i = 0; i <= static_cast<int>(NudgeVerdict::silent); ++i) {
         const auto verdict = static_cast<NudgeVerdict>(i);

@@ -55,7 +55,7 @@ TEST(KeyWizard, WithoutAKeyANeededRoleEndsItAndLouderIsPassedOver) {
     EXPECT_EQ(wait_for_wizard_key(wizard, 19.0, english).end, WizardEnd::none);
     const WizardStep over = wait_for_wizard_key(wizard, 20.0, english);
     EXPECT_EQ(over.end, WizardEnd::given_up);
-    EXPECT_EQ(over.said, "No key came. All keys are as they were before.");
+    EXPECT_EQ(over.said, "No key was pressed. All keys are as they were before.");
     KeyWizard six = wizard;
     for (std::uint32_t i = 0; i < needed_role_count; ++i) six = press_twice(six, 1 + i).wizard;
     const WizardStep without_louder = wait_for_wizard_key(six, 20.0, english);

@@ -36,7 +36,7 @@ void wait_for_ramp(KioskWorld& world) {
 void hold_stiffness(KioskWorld& world, BlindVisitor& staff) {
     ASSERT_NO_FATAL_FAILURE(open_walls(world, "A house"));
     lead_hand(world, corridor);
-    ASSERT_NO_FATAL_FAILURE(hold_setting(staff, {"How it feels", "Lines and force", "Stiffness"}));
+    ASSERT_NO_FATAL_FAILURE(hold_setting(staff, {"How it feels", "Lines and force", "Firmness"}));
 }
 
 /// In the visit that runs, each as it is turned to.
@@ -52,7 +52,7 @@ TEST(FeltStiffness, IsEveryValueThatTheOperatorCanSet) {
         EXPECT_EQ(staff.heard().find("possible"), std::string::npos) << staff.heard();
         staff.press(KeyRole::next);
     }
-    EXPECT_NE(staff.heard().find("That is the end."), std::string::npos);
+    EXPECT_NE(staff.heard().find("It goes no further."), std::string::npos);
     EXPECT_TRUE(is_visit_on(world.kiosk().visit()));
     EXPECT_EQ(world.kiosk().force().fault, Fault::none);
 }
@@ -117,12 +117,12 @@ TEST(FeltStiffness, IsWhatTheLoopAllowsAndTheScreenSaysSo) {
     ASSERT_NEAR(most_N_per_m, 440.0, 4.0);
     staff.press(KeyRole::next);
     EXPECT_NE(staff.heard().find(
-                  "Stiffness, 550 newtons per metre set, 440 possible on this loop, setting"),
+                  "Firmness, 550 newtons per metre set, 440 possible on this loop, setting"),
               std::string::npos)
         << staff.heard();
     EXPECT_NEAR(felt_N_per_m(world), most_N_per_m, tolerance * most_N_per_m);
     for (int i = 0; i < 3; ++i) staff.press(KeyRole::back);
-    EXPECT_NE(staff.heard().find("Stiffness, 400 newtons per metre, setting"), std::string::npos)
+    EXPECT_NE(staff.heard().find("Firmness, 400 newtons per metre, setting"), std::string::npos)
         << staff.heard();
     wait_for_ramp(world);
     EXPECT_NEAR(felt_N_per_m(world), 400.0, tolerance * 400.0);
@@ -137,7 +137,7 @@ TEST(FeltStiffness, IsTheShareThatTheTierLeavesAndTheScreenSaysSo) {
     EXPECT_EQ(world.kiosk().hand().stiffness_bound.share, 0.5);
     for (const int set_N_per_m : {600, 700}) {
         for (int i = 0; i < 2; ++i) staff.press(KeyRole::next);
-        const std::string told = "Stiffness, " + std::to_string(set_N_per_m) +
+        const std::string told = "Firmness, " + std::to_string(set_N_per_m) +
                                  " newtons per metre set, " + std::to_string(set_N_per_m / 2) +
                                  " possible on this loop, setting";
         EXPECT_NE(staff.heard().find(told), std::string::npos) << staff.heard();

@@ -45,12 +45,12 @@ void open_walls(KioskWorld& world, const std::string& picture) {
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
     ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
-    ASSERT_TRUE(visitor.choose("Pictures of the house")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
     while (!visitor.find(picture)) {
         ASSERT_TRUE(visitor.choose("The next ten")) << visitor.heard();
     }
     ASSERT_TRUE(visitor.choose(picture)) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Lead me round")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me round the outline")) << visitor.heard();
     world.run(1.0);
 }
 

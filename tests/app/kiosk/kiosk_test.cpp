@@ -37,7 +37,7 @@ TEST(Kiosk, ADetailOfAPictureOfAStickThatWasPulledIsOfThatPicture) {
     ASSERT_TRUE(visitor.choose("07 house"));
     const int felt = world.servo().felt_count;
     world.pull_stick();
-    ASSERT_TRUE(visitor.choose("Zoom")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Enlargement")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("Twice as large")) << visitor.heard();
     world.run(2.0);
     EXPECT_GT(world.servo().felt_count, felt) << visitor.heard();

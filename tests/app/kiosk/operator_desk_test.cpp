@@ -201,7 +201,7 @@ class NetworkOnTheStick : public PinAndPlug {
 
 TEST_F(NetworkOnTheStick, IsTakenByItsChecksumAlone) {
     ASSERT_TRUE(choose("Upkeep"));
-    ASSERT_TRUE(choose("Copy from a stick"));
+    ASSERT_TRUE(choose("Copy from a USB stick"));
     bool is_chosen = false;
     for (int i = 0; i < 6000 && !is_chosen; ++i) {
         desk_->put_stick("/a/stick");

@@ -30,7 +30,7 @@ TEST(OperatorRun, FromAFreshInstallToPinStiffnessLevelsAndACopy) {
 
     ASSERT_TRUE(staff.choose("How it feels")) << staff.heard();
     ASSERT_TRUE(staff.choose("Lines and force")) << staff.heard();
-    ASSERT_TRUE(staff.choose("Stiffness")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Firmness")) << staff.heard();
     staff.press(KeyRole::next);
     staff.press(KeyRole::select);
     const auto kept = apply_settings(Settings{}, text_of(world.site_files().settings.site), "site",
@@ -107,7 +107,7 @@ TEST(OperatorRun, AKindThatIsChosenReachesTheServoAndItsWordsTheOperator) {
     ASSERT_TRUE(staff.choose("Yes")) << staff.heard();
     EXPECT_EQ(world.servo().kinds_chosen, std::vector<std::string>{"haplet"});
     EXPECT_EQ(world.servo().homings, 0);
-    world.servo().words = "Now move the handle to the left, by the width of a hand.";
+    world.servo().words = "Now move the handle to the left, by a hand’s width.";
     world.run(0.2);
     EXPECT_TRUE(world.heard().was_said(world.servo().words));
     ASSERT_TRUE(staff.choose("Begin")) << staff.heard();
@@ -123,7 +123,7 @@ TEST(OperatorRun, AWrongPlugIsToldOnThePagesOfTheHandle) {
     BlindVisitor staff(world, 0.2);
     give_pin(staff);
     ASSERT_TRUE(staff.choose("Handle and tests")) << staff.heard();
-    ASSERT_TRUE(staff.choose("Find the handle's home")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Find the handle’s starting point")) << staff.heard();
     EXPECT_NE(staff.heard().find(world.servo().words), std::string::npos) << staff.heard();
     staff.press(KeyRole::back);
     ASSERT_TRUE(staff.choose("What the handle does now")) << staff.heard();
@@ -188,7 +188,7 @@ TEST(OperatorRun, AVisitorsKeyboardCanStopAndNeverStart) {
         BlindVisitor visitor(world, 0.2);
         strike(world, key);
         EXPECT_EQ(ordered(world), stopped) << key;
-        EXPECT_TRUE(world.heard().was_said("This key is the operator's. Give the PIN first."));
+        EXPECT_TRUE(world.heard().was_said("This key is the operator’s. Enter the PIN first."));
     }
 }
 
@@ -227,7 +227,7 @@ TEST(OperatorRun, AKeyThatIsLearnedIsNoOrder) {
     enter_pin(staff);
     ASSERT_TRUE(staff.choose("Camera, keys and screen")) << staff.heard();
     ASSERT_TRUE(staff.choose("Keys")) << staff.heard();
-    ASSERT_TRUE(staff.choose("Learn the keys")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Assign the keys")) << staff.heard();
     strike(world, 'Q');
     EXPECT_FALSE(world.kiosk().desk().is_quitting);
 }
@@ -377,7 +377,7 @@ TEST(House, CountsVisitsAndPicturesButNobody) {
     BlindVisitor visitor(world);
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.choose("English"));
-    ASSERT_TRUE(visitor.choose("Pictures of the house"));
+    ASSERT_TRUE(visitor.choose("Gallery"));
     ASSERT_TRUE(visitor.choose("A heart"));
     world.run(400.0);
     EXPECT_FALSE(is_visit_on(world.kiosk().visit()));

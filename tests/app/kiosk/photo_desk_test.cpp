@@ -131,7 +131,7 @@ TEST_F(PhotoDeskTest, InTheDarkOneSentenceSaysWhatToDo) {
     desk_.take();
     const auto page = desk_.step(0.0).photo->open({});
     ASSERT_FALSE(page.has_value());
-    EXPECT_EQ(page.error().line, "It is too dark here. Turn on a lamp.");
+    EXPECT_EQ(page.error().line, "It is too dark here. Ask the staff for more light.");
 }
 
 TEST_F(PhotoDeskTest, APhotographOfAVisitorWhoIsGoneIsNobodys) {

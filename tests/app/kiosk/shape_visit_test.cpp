@@ -14,9 +14,9 @@ void to_heart(KioskWorld& world, BlindVisitor& visitor) {
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
     ASSERT_TRUE(visitor.wait_for("What to feel")) << visitor.heard();
-    ASSERT_TRUE(visitor.choose("Pictures of the house")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("A heart")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Lead me round")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me round the outline")) << visitor.heard();
     world.run(1.0);
 }
 

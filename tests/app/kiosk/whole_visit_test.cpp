@@ -65,9 +65,9 @@ void finish(KioskWorld& world, BlindVisitor& visitor) {
 }
 
 void feel_gallery_picture(KioskWorld& world, BlindVisitor& visitor) {
-    ASSERT_TRUE(visitor.choose("Pictures of the house")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Gallery")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("A heart")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Lead me round")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me round the outline")) << visitor.heard();
     EXPECT_GT(traced_share(world), 0.9);
 }
 
@@ -81,14 +81,14 @@ TEST(WholeVisit, BlindByTheTranscriptAloneToThreePictures) {
     to_choices(visitor);
     ASSERT_TRUE(visitor.choose("Your USB stick")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("07 house")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Lead me round")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me round the outline")) << visitor.heard();
     EXPECT_GT(traced_share(world), 0.9);
 
     world.lay(TOUCHLINE_SOURCE_DIR "/tests/app/kiosk/triangle.png");
     to_choices(visitor);
     ASSERT_TRUE(visitor.choose("Camera")) << visitor.heard();
-    ASSERT_TRUE(visitor.choose("Take the picture")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Lead me round")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Take the photo")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me round the outline")) << visitor.heard();
     EXPECT_GT(traced_share(world), 0.9);
 
     EXPECT_LE(visitor.slowest_answer_s(), 0.3);
@@ -164,7 +164,7 @@ TEST(WholeVisit, WithTwoSwitches) {
     select();
     ASSERT_TRUE(move_to("English, 1"));
     select();
-    ASSERT_TRUE(move_to("Pictures of the house"));
+    ASSERT_TRUE(move_to("Gallery"));
     select();
     ASSERT_TRUE(move_to("A heart"));
     select();
@@ -231,7 +231,7 @@ TEST(WholeVisit, TI4_NothingOfAVisitorIsInAnyFileAfterwards) {
     begin(visitor);
     ASSERT_TRUE(visitor.choose("Your USB stick")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("07 house")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Lead me round")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me round the outline")) << visitor.heard();
     finish(world, visitor);
     EXPECT_EQ(files_below(world.folder() / "stick"), before) << "the stick is as it was";
     for (const auto& [file, text] : files_below(world.folder() / "site")) {

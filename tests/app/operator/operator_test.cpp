@@ -163,9 +163,9 @@ TEST_F(OperatorTest, AnAnswerThatNobodyAskedForOpensNothing) {
 }
 
 TEST_F(OperatorTest, MoreFileSystemsAreWarnedOfAndAskedFor) {
-    ASSERT_TRUE(rig.open({"Camera, keys and screen", "Sticks"}));
+    ASSERT_TRUE(rig.open({"Camera, keys and screen", "USB sticks"}));
     (void)rig.heard();
-    ASSERT_TRUE(rig.find("Read ext4 and NTFS sticks too"));
+    ASSERT_TRUE(rig.find("Read USB sticks with ext4 and NTFS too"));
     EXPECT_FALSE(rig.world().settings.more_file_systems);
     rig.press(R::next);
     EXPECT_NE(rig.heard().find("may take the machine over"), std::string::npos);
@@ -176,17 +176,17 @@ TEST_F(OperatorTest, MoreFileSystemsAreWarnedOfAndAskedFor) {
     rig.press(R::back);
     EXPECT_FALSE(rig.world().settings.more_file_systems);
     EXPECT_EQ(rig.state.place, P::sticks);
-    ASSERT_TRUE(rig.open({"Read ext4 and NTFS sticks too", "Yes"}));
+    ASSERT_TRUE(rig.open({"Read USB sticks with ext4 and NTFS too", "Yes"}));
     EXPECT_TRUE(rig.world().settings.more_file_systems);
-    ASSERT_TRUE(rig.open({"Read ext4 and NTFS sticks too"}));
+    ASSERT_TRUE(rig.open({"Read USB sticks with ext4 and NTFS too"}));
     EXPECT_FALSE(rig.world().settings.more_file_systems) << "off without a question";
 }
 
 TEST_F(OperatorTest, ASettingIsHeldTurnedAndKept) {
-    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Stiffness"}));
-    EXPECT_NE(rig.heard().find("Next is more, Back is less."), std::string::npos);
+    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Firmness"}));
+    EXPECT_NE(rig.heard().find("Press Next for more, Back for less"), std::string::npos);
     rig.press(R::back);
-    EXPECT_EQ(rig.heard(), "Stiffness, 450 newtons per metre, setting, 2 of 8\n");
+    EXPECT_EQ(rig.heard(), "Firmness, 450 newtons per metre, setting, 2 of 8\n");
     EXPECT_EQ(rig.felt.stiffness_N_per_m, 450.0) << "felt while it is turned";
     EXPECT_EQ(rig.world().settings.stiffness_N_per_m, 500.0) << "not yet on the disk";
     rig.press(R::select);
@@ -198,17 +198,17 @@ TEST_F(OperatorTest, ASettingIsHeldTurnedAndKept) {
 
 TEST_F(OperatorTest, WhatTheLoopDoesNotAllowIsSaidBesideWhatIsSet) {
     rig.bounds.stiffness = {1.0, 508.0};
-    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Stiffness"}));
+    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Firmness"}));
     (void)rig.heard();
     rig.press({R::next, R::next});
-    EXPECT_NE(rig.heard().find("Stiffness, 600 newtons per metre set, 510 possible on this loop"),
+    EXPECT_NE(rig.heard().find("Firmness, 600 newtons per metre set, 510 possible on this loop"),
               std::string::npos);
     EXPECT_EQ(rig.felt.stiffness_N_per_m, 600.0);
     rig.press({R::back, R::back});
-    EXPECT_NE(rig.heard().find("Stiffness, 500 newtons per metre, setting"), std::string::npos);
+    EXPECT_NE(rig.heard().find("Firmness, 500 newtons per metre, setting"), std::string::npos);
     rig.bounds.stiffness = {0.5, 960.0};  // without real-time priority
     rig.press({R::back});
-    EXPECT_NE(rig.heard().find("Stiffness, 450 newtons per metre set, 230 possible"),
+    EXPECT_NE(rig.heard().find("Firmness, 450 newtons per metre set, 230 possible"),
               std::string::npos);
 }
 
@@ -236,7 +236,7 @@ TEST_F(OperatorTest, MovingOnKeepsWhatWasTurned) {
 }
 
 TEST_F(OperatorTest, WhoGoesAwayWhileTurningKeepsNothing) {
-    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Stiffness"}));
+    ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Firmness"}));
     rig.press(R::next);
     EXPECT_EQ(rig.felt.stiffness_N_per_m, 550.0);
     rig.wait(301.0);
@@ -289,7 +289,7 @@ TEST_F(OperatorTest, WhatAProfileSetsIsNotTurnedBesideIt) {
     ASSERT_TRUE(rig.open({"How it feels", "Profiles", "child"}));
     EXPECT_EQ(rig.world().settings.profile, "child");
     rig.press(R::back);
-    ASSERT_TRUE(rig.open({"Lines and force", "Stiffness"}));
+    ASSERT_TRUE(rig.open({"Lines and force", "Firmness"}));
     EXPECT_NE(rig.heard().find("The profile in use sets this."), std::string::npos);
     EXPECT_FALSE(rig.state.is_held);
     ASSERT_TRUE(rig.open({"Friction"}));
@@ -310,11 +310,11 @@ TEST_F(OperatorTest, LanguagesAreSwitchedAndTheLastStays) {
 }
 
 TEST_F(OperatorTest, HoursAreTurnedByQuartersAndAreNeverNothing) {
-    ASSERT_TRUE(rig.open({"Visits", "Hours", "Opening hours from"}));
+    ASSERT_TRUE(rig.open({"Visits", "Hours", "Opening hours, from"}));
     for (int i = 0; i < 36; ++i) rig.press(R::next);
     rig.press(R::down);
     EXPECT_EQ(rig.world().settings.opening_hours, "09:00-24:00");
-    ASSERT_TRUE(rig.open({"Opening hours until"}));
+    ASSERT_TRUE(rig.open({"Opening hours, until"}));
     for (int i = 0; i < 60; ++i) rig.press(R::back);
     rig.press(R::select);
     EXPECT_EQ(rig.world().settings.opening_hours, "09:00-08:45") << "never the same as from";
@@ -323,10 +323,10 @@ TEST_F(OperatorTest, HoursAreTurnedByQuartersAndAreNeverNothing) {
 }
 
 TEST_F(OperatorTest, VolumeKeepsTheRulesOfTheOutput) {
-    ASSERT_TRUE(rig.open({"Sound, speech and languages", "Volume", "Headset at the start"}));
+    ASSERT_TRUE(rig.open({"Sound, speech and languages", "Volume", "Headphones at the start"}));
     rig.press({R::next, R::next, R::next, R::select});
     EXPECT_EQ(rig.sound.headset.default_dB, 70.0);
-    EXPECT_NE(rig.heard().find("That is the end."), std::string::npos);
+    EXPECT_NE(rig.heard().find("It goes no further."), std::string::npos);
     ASSERT_TRUE(rig.open({"Speaker at the start"}));
     rig.press({R::next, R::select});
     EXPECT_EQ(rig.sound.speaker.default_dB, 65.0) << "no louder on a speaker (VO-2)";
@@ -334,7 +334,7 @@ TEST_F(OperatorTest, VolumeKeepsTheRulesOfTheOutput) {
 }
 
 TEST_F(OperatorTest, TheWizardLearnsKeysAndKeepsTheOthers) {
-    ASSERT_TRUE(rig.open({"Camera, keys and screen", "Keys", "Learn the keys"}));
+    ASSERT_TRUE(rig.open({"Camera, keys and screen", "Keys", "Assign the keys"}));
     for (std::uint32_t i = 0; i < key_role_count; ++i)
         for (int twice = 0; twice < 2; ++twice) rig.press_key({KeySource::scancode, 200 + i});
     EXPECT_EQ(rig.state.place, P::keys);
@@ -345,7 +345,7 @@ TEST_F(OperatorTest, TheWizardLearnsKeysAndKeepsTheOthers) {
 
 TEST_F(OperatorTest, AWizardThatNobodyAnswersChangesNothing) {
     const KeyTable before = rig.keys;
-    ASSERT_TRUE(rig.open({"Camera, keys and screen", "Keys", "Learn the keys"}));
+    ASSERT_TRUE(rig.open({"Camera, keys and screen", "Keys", "Assign the keys"}));
     rig.press(R::select);
     rig.wait(21.0);
     EXPECT_EQ(rig.state.place, P::keys);
@@ -386,7 +386,8 @@ TEST_F(OperatorTest, ATestWithoutAnAnswerFailsAndIsStopped) {
     ASSERT_TRUE(rig.open({"Keys"}));
     rig.press({R::up, R::down});
     rig.wait(61.0);
-    EXPECT_NE(rig.heard().find("No press came from: Back, Next, Select, Help."), std::string::npos);
+    EXPECT_NE(rig.heard().find("These were not pressed: Back, Next, Select, Help."),
+              std::string::npos);
 }
 
 TEST_F(OperatorTest, BackStopsATest) {
@@ -428,7 +429,7 @@ TEST_F(OperatorTest, WhatIsShownLiveEndsWithItsScreen) {
 }
 
 TEST_F(OperatorTest, HomingIsFollowedOnItsPage) {
-    ASSERT_TRUE(rig.open({"Handle and tests", "Find the handle's home", "Begin"}));
+    ASSERT_TRUE(rig.open({"Handle and tests", "Find the handle’s starting point", "Begin"}));
     EXPECT_EQ(rig.count<FindHome>(), 1);
     rig.device_words = "Lead the handle to the right stop.";
     rig.wait(3.0);
@@ -451,14 +452,14 @@ TEST_F(OperatorTest, HomingIsFollowedOnItsPage) {
 TEST_F(OperatorTest, WhatTheHandleWaitsForIsSaidWhereItsHomeIsFound) {
     rig.device_words = "There is no force. Turn its plug round.";
     rig.wait(3.0);
-    ASSERT_TRUE(rig.open({"Handle and tests", "Find the handle's home"}));
+    ASSERT_TRUE(rig.open({"Handle and tests", "Find the handle’s starting point"}));
     EXPECT_NE(rig.heard().find(rig.device_words), std::string::npos);
 }
 
 /// Nobody said which kind of handle it is: that is asked before the first homing.
 TEST_F(OperatorTest, AHandleThatIsNewIsAskedForItsKindFirst) {
     rig.kind = "";
-    ASSERT_TRUE(rig.open({"Handle and tests", "Find the handle's home", "Begin"}));
+    ASSERT_TRUE(rig.open({"Handle and tests", "Find the handle’s starting point", "Begin"}));
     EXPECT_EQ(rig.count<FindHome>(), 0);
     EXPECT_EQ(rig.state.place, OperatorPlace::kind);
     EXPECT_NE(rig.heard().find("Kind of handle"), std::string::npos);
@@ -474,7 +475,7 @@ TEST_F(OperatorTest, AHandleThatIsNewIsAskedForItsKindFirst) {
 
 TEST_F(OperatorTest, HowToTellAKindIsHeardBySixKeysAndChoosesNothing) {
     ASSERT_TRUE(rig.open({"Handle and tests", "Kind of handle"}));
-    EXPECT_NE(rig.heard().find("Next tells how to know each one."), std::string::npos);
+    EXPECT_NE(rig.heard().find("Press Next to hear how to know each one."), std::string::npos);
     for (const KindRow& row : kind_rows()) {
         rig.press(R::next);
         EXPECT_NE(rig.heard().find(row.hint), std::string::npos) << row.name;
@@ -483,7 +484,7 @@ TEST_F(OperatorTest, HowToTellAKindIsHeardBySixKeysAndChoosesNothing) {
     EXPECT_EQ(rig.state.place, OperatorPlace::kind);
     EXPECT_EQ(rig.count<ChooseKind>(), 0);
     rig.press(R::help);
-    EXPECT_NE(rig.heard().find("Next tells more."), std::string::npos);
+    EXPECT_NE(rig.heard().find("Next for more."), std::string::npos);
 }
 
 /// What was measured of it would be lost.
@@ -522,7 +523,7 @@ TEST_F(OperatorTest, WhatAnActionMeansIsHeardBeforeItIsDone) {
     ASSERT_TRUE(rig.find("Save what was felt in the last minute"));
     (void)rig.heard();
     rig.press(R::next);
-    EXPECT_NE(rig.heard().find("Ask the visitor before."), std::string::npos);
+    EXPECT_NE(rig.heard().find("Ask the visitor first."), std::string::npos);
     EXPECT_EQ(rig.count<SaveRecording>(), 0);
 }
 
@@ -549,25 +550,26 @@ TEST_F(OperatorTest, UpkeepAsksBeforeItLosesAnything) {
     ASSERT_TRUE(rig.open({"Begin again from zero", "Yes"}));
     EXPECT_EQ(rig.count<ZeroCounters>(), 1);
     rig.press(R::back);
-    ASSERT_TRUE(rig.open({"Copy from a stick", "Letters"}));
+    ASSERT_TRUE(rig.open({"Copy from a USB stick", "Letters"}));
     EXPECT_EQ(rig.count<ImportFromStick>(), 1);
     rig.press(R::back);
-    ASSERT_TRUE(rig.open({"Close the kiosk", "Close", "No"}));
+    ASSERT_TRUE(rig.open({"Shut the kiosk down", "Shut down", "No"}));
     EXPECT_EQ(rig.count<CloseKiosk>(), 0);
-    ASSERT_TRUE(rig.open({"Close", "Yes"}));
+    ASSERT_TRUE(rig.open({"Shut down", "Yes"}));
     EXPECT_EQ(rig.count<CloseKiosk>(), 1);
 }
 
 TEST_F(OperatorTest, ABadBackupChangesNothingAndSaysWhy) {
     ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Friction"}));
     rig.press({R::next, R::select, R::back, R::back});
-    ASSERT_TRUE(rig.open({"Upkeep", "Backup of the settings", "Take the settings from the copy"}));
+    ASSERT_TRUE(
+        rig.open({"Upkeep", "Backup of the settings", "Bring the settings back from the copy"}));
     ASSERT_TRUE(rig.open({"Yes"}));
     EXPECT_NE(rig.heard().find(std::string(backup_name)), std::string::npos);
     EXPECT_DOUBLE_EQ(rig.world().settings.friction, 0.1);
-    ASSERT_TRUE(rig.open({"Copy the settings", "Settings as at first", "Yes"}));
+    ASSERT_TRUE(rig.open({"Copy the settings", "Factory settings", "Yes"}));
     EXPECT_EQ(rig.world().settings, Settings{});
-    ASSERT_TRUE(rig.open({"Take the settings from the copy", "Yes"}));
+    ASSERT_TRUE(rig.open({"Bring the settings back from the copy", "Yes"}));
     EXPECT_DOUBLE_EQ(rig.world().settings.friction, 0.1);
 }
 

@@ -309,20 +309,20 @@ TEST(OperatorRun, FromAFreshInstallBySixKeysInEveryLanguage) {
         kiosk.enter();
         kiosk.enter_pin("2580");
         kiosk.enter_pin("2580");
-        kiosk.go({"Camera, keys and screen", "Keys", "Learn the keys"});
+        kiosk.go({"Camera, keys and screen", "Keys", "Assign the keys"});
         for (std::uint32_t i = 0; i < key_role_count; ++i)
             for (int twice = 0; twice < 2; ++twice) kiosk.press_key({KeySource::joystick, 20 + i});
         kiosk.press({R::back, R::back});
-        kiosk.go({"Sound, speech and languages", "Volume", "Headset at the start"});
+        kiosk.go({"Sound, speech and languages", "Volume", "Headphones at the start"});
         kiosk.press({R::next, R::select, R::back, R::back});
         kiosk.go({"How it feels", "Lines and force"});
-        kiosk.set("Stiffness", -2);
+        kiosk.set("Firmness", -2);
         kiosk.press(R::back);
         kiosk.go({"Levels"});
         kiosk.set("Finest level", 2);
         kiosk.set("Coarsest level", -6);
         kiosk.press({R::back, R::back});
-        kiosk.go({"Handle and tests", "Find the handle's home", "Begin"});
+        kiosk.go({"Handle and tests", "Find the handle’s starting point", "Begin"});
         kiosk.press({R::back, R::back});
         kiosk.go({"Upkeep", "Backup of the settings", "Copy the settings"});
         kiosk.press({R::back, R::back, R::back});
@@ -419,7 +419,7 @@ TEST(OperatorRun, TenThousandRudeEvents) {
         const double ceiling_N = rig.in_memory->force_ceiling_N;
         const P place = rig.state.place;
         const bool was_asked =
-            place == P::question;  // ceiling, settings as at first, or a restored backup
+            place == P::question;  // ceiling, factory settings, or a restored backup
         const std::size_t orders = rig.orders.size();
         const OperatorEvent event = any_event(random, rig.keys);
         rig.now_s += 0.3;

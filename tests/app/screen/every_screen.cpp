@@ -36,7 +36,7 @@ OperatorWorld busy_world(const Language& language) {
     world.profiles = {{"child", {0, 1}}, {"expert", {2}}};
     world.counters = {1234, 567, 89, 10, 4321};
     world.on_stick = {"shapes-and-a-boat", "animals of the forest"};
-    world.live = {"Contact: on an edge", "Level: 2.5 of 6, by speed", "Force: 0.6 N"};
+    world.live = {"Contact: on a line", "Level: 2.5 of 6, by speed", "Force: 0.6 N"};
     return world;
 }
 

@@ -1,7 +1,8 @@
 #include "tests/app/screen/sample_screens.h"
 
-#include "app/session/keys.h"
+#include "config/settings/setting_rows.h"
 
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -24,32 +25,34 @@ ScreenItem with_value(ItemRole role, std::string name, std::string value) {
 }
 
 SpokenScreen languages_screen(const Language& language) {
-    SpokenScreen screen{language.text("key", "next language"), "", {}, 1, ScreenView::none};
+    SpokenScreen screen{language.text("visit", "Language"), "", {}, 1, ScreenView::none};
     for (const Language& each : every_language()) screen.items.push_back(choice(each.name()));
     return screen;
 }
 
 SpokenScreen fault_screen(const Language& language) {
     return {language.text("fault", "The handle kept shaking."),
-            language.text("fault", "Hold it firmly, choose softer outlines and press Space twice."),
-            {choice(language.text("key", "say it again")),
-             choice(language.text("key", "softer outlines")), choice(language.text("key", "quit"))},
+            language.text(
+                "fault",
+                "Hold it firmly and choose softer lines. If it does not stop, call the staff."),
+            {choice(language.text("visit", "Tell me again")),
+             choice(language.text("visit", "Firmness")), choice(language.text("visit", "Finish"))},
             0,
             ScreenView::none};
 }
 
 SpokenScreen settings_screen(const Language& language) {
-    return {language.text("panel", "Picture"),
+    return {language.text("visit", "Settings"),
             "",
-            {with_value(ItemRole::setting, language.text("panel", "Stiffness"),
+            {with_value(ItemRole::setting, language.text("visit", "Firmness"),
                         language.text("stiffness", "very soft")),
-             with_value(ItemRole::setting, language.text("panel", "Mode"),
+             with_value(ItemRole::setting, language.text("visit", "Kind of line"),
                         language.text("mode", "stay on line")),
-             with_value(ItemRole::setting, language.text("panel", "Detail"),
+             with_value(ItemRole::setting, language.text("visit", "Detail"),
                         language.text("detail", "silhouette")),
-             with_value(ItemRole::toggle, language.text("panel", "Sound"),
-                        language.text("force", "off")),
-             choice(language.text("key", "next picture"))},
+             with_value(ItemRole::toggle, language.text("visit", "Speech"),
+                        language.text("visit", "off")),
+             choice(language.text("visit", "Another picture"))},
             1,
             ScreenView::picture};
 }
@@ -63,26 +66,33 @@ SpokenScreen camera_screen(const Language& language) {
 }
 
 SpokenScreen keys_screen(const Language& language) {
-    SpokenScreen screen{language.text("panel", "Keys"), "", {}, 7, ScreenView::none};
-    for (const KeyRow& row : key_table())
-        screen.items.push_back(with_value(ItemRole::text,
-                                          language.text("key name", std::string(row.name)),
-                                          language.text("key", std::string(row.words))));
+    constexpr std::array keys{std::pair{"Up", "To the item before."},
+                              std::pair{"Down", "To the next item."},
+                              std::pair{"Back", "One screen back."},
+                              std::pair{"Next", "Says it again. Twice, the whole screen."},
+                              std::pair{"Select", "Chooses the item."},
+                              std::pair{"Help", "Explains the keys. Press it again to leave."},
+                              std::pair{"Louder", "Raises the volume."},
+                              std::pair{"Softer", "Lowers the volume."}};
+    SpokenScreen screen{language.text("visit", "Try the keys"), "", {}, 7, ScreenView::none};
+    for (const auto& [name, use] : keys)
+        screen.items.push_back(
+            with_value(ItemRole::text, language.text("visit", name), language.text("visit", use)));
     return screen;
 }
 
 /// Nothing to choose, and more than one page in large letters.
 SpokenScreen text_screen(const Language& language) {
     SpokenScreen screen{language.text("fault", "The force is off."), "", {}, {}, ScreenView::none};
-    for (const KeyRow& row : key_table())
-        screen.text += language.text("key", std::string(row.words)) + ". ";
+    for (const SettingRow& row : setting_rows())
+        screen.text += language.text("setting", std::string(row.help)) + ' ';
     return screen;
 }
 
 SpokenScreen long_list(const Language& language) {
     constexpr int count = 500;
     SpokenScreen screen{language.counted("count", "{0} picture", "{0} pictures", count),
-                        language.text("fault", "Exploring goes on without force."),
+                        language.text("fault", "You can go on exploring without force."),
                         {},
                         count - 3,
                         ScreenView::none};
@@ -98,12 +108,13 @@ SpokenScreen long_words(const Language& language) {
         "Rindfleischetikettierungs\xC3\xBC"
         "berwachungsaufgaben\xC3\xBC"
         "bertragungsgesetz_2024-11-23_final_final.svg";
-    return {word,
-            word + word,
-            {choice(word), with_value(ItemRole::setting, language.text("panel", "Mode"), word),
-             with_value(ItemRole::toggle, word + word + word, word)},
-            2,
-            ScreenView::picture};
+    return {
+        word,
+        word + word,
+        {choice(word), with_value(ItemRole::setting, language.text("visit", "Kind of line"), word),
+         with_value(ItemRole::toggle, word + word + word, word)},
+        2,
+        ScreenView::picture};
 }
 
 }  // namespace

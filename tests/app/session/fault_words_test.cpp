@@ -18,7 +18,7 @@ TEST(FaultWords, EveryFaultSaysWhatWhyAndWhatToDo) {
             EXPECT_EQ(sentence.back(), '.') << sentence;
         }
         reasons.insert(words.why);
-        EXPECT_NE(announcement_of(fault).find("Exploring goes on without force."),
+        EXPECT_NE(announcement_of(fault).find("You can go on exploring without force."),
                   std::string::npos);
     }
     EXPECT_EQ(reasons.size(), fault_count - 1);

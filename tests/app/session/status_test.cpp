@@ -34,10 +34,10 @@ TEST(Status, SaysContactLevelForceAndMode) {
     hand.force = {0.6, -0.8};
     const Status status = describe(shown(), hand, {});
     EXPECT_EQ(status.title, "Fish");
-    EXPECT_EQ(value_of(status, "Contact"), "in a vertex");
+    EXPECT_EQ(value_of(status, "Contact"), "at a corner");
     EXPECT_EQ(value_of(status, "Level"), "2.5 of 6, by speed");
     EXPECT_EQ(value_of(status, "Force"), "1.0 N");
-    EXPECT_EQ(value_of(status, "Mode"), "wall");
+    EXPECT_EQ(value_of(status, "Kind of line"), "wall");
     EXPECT_EQ(value_of(status, "Detail"), "3 of 5, parts");
     EXPECT_EQ(value_of(status, "Hand"), "mouse");
 }
@@ -79,9 +79,9 @@ TEST(Status, SaysThatAWallGivesWay) {
     facts.gives_way = true;
     HandState hand;
     hand.mode = Mode::groove;
-    EXPECT_EQ(value_of(describe(facts, hand, {}), "Mode"), "groove");
+    EXPECT_EQ(value_of(describe(facts, hand, {}), "Kind of line"), "groove");
     hand.mode = Mode::wall;
-    EXPECT_EQ(value_of(describe(facts, hand, {}), "Mode"), "wall, gives way to a push");
+    EXPECT_EQ(value_of(describe(facts, hand, {}), "Kind of line"), "wall, gives way to a push");
 }
 
 std::string level_words(const LevelTerms& terms, bool is_automatic) {
@@ -130,7 +130,7 @@ TEST(Status, NumbersThatLookTheSameGiveTheSameStatus) {
 TEST(Status, AStiffnessOnItsWayIsSaidAsItIsFelt) {
     HandState hand;
     hand.stiffness_N_per_m = 420.0;
-    EXPECT_EQ(value_of(describe(shown(), hand, {}), "Stiffness"), "420 N/m");
+    EXPECT_EQ(value_of(describe(shown(), hand, {}), "Firmness"), "420 N/m");
 }
 
 TEST(Status, NothingIsLeftUnnamedBeforeTheFirstPicture) {
@@ -156,10 +156,10 @@ TEST(Status, AFaultIsTheMessageAndTheStateOfTheMotorsIsSaid) {
     force = {ForceState::fault, Fault::device_lost, Limit::fault, {}};
     const Status status = describe(shown(), {}, force);
     EXPECT_EQ(value_of(status, "Motors"), "stopped");
-    EXPECT_EQ(
-        status.message,
-        "The force is off. The device does not answer. Check its cable. When it answers again, "
-        "words lead the handle to its home. Exploring goes on without force.");
+    EXPECT_EQ(status.message,
+              "The force is off. The device does not answer. Please ask the staff to check its "
+              "cable. Once it answers, the voice tells you where to move the handle. You can go on "
+              "exploring without force.");
 }
 
 TEST(Status, TheReadmeHoldsTheKeyTableAsItIs) {

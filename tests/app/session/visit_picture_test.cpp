@@ -21,10 +21,10 @@ std::size_t place_of_first(const VisitOrders& orders) {
 TEST(Visit, HA1_TheHandleLeadsOnlyAfterAKeyAndItsAnnouncement) {
     FakeHouse house;
     to_picture(house);
-    ASSERT_TRUE(house.choose("Lead me round"));
-    EXPECT_NE(house.last_said().find("The handle leads you round the outer line."),
+    ASSERT_TRUE(house.choose("Guide me round the outline"));
+    EXPECT_NE(house.last_said().find("The handle guides you along the outer line."),
               std::string::npos);
-    EXPECT_NE(house.last_said().find("Any key stops it."), std::string::npos);
+    EXPECT_NE(house.last_said().find("Press any key to stop it."), std::string::npos);
     EXPECT_TRUE(house.last<Guide>().empty());
     house.wait(1.9);
     EXPECT_FALSE(house.is_leading) << "the announcement comes first";
@@ -38,7 +38,7 @@ TEST(Visit, HA1_SlowSpeechHasTheTimeItNeeds) {
     FakeHouse house;
     to_picture(house);
     for (int i = 0; i < 3; ++i) house.happen(SpeechKeyPressed{SpeechKey::slower});
-    ASSERT_TRUE(house.choose("Lead me round"));
+    ASSERT_TRUE(house.choose("Guide me round the outline"));
     house.wait(3.9);
     EXPECT_FALSE(house.is_leading);
     house.wait(0.2);
@@ -56,7 +56,7 @@ TEST(Visit, HA1_AnyKeyStopsInTheSameStepAndDoesNothingElse) {
             FakeHouse house;
             to_picture(house);
             house.lead_s = 100.0;
-            ASSERT_TRUE(house.choose("Lead me round"));
+            ASSERT_TRUE(house.choose("Guide me round the outline"));
             house.wait(after_s);
             const auto path = house.visit.visitor.path;
             house.happen(key);
@@ -95,7 +95,7 @@ TEST(Visit, APartIsReachedAndSaid) {
     ASSERT_TRUE(house.choose("Parts"));
     EXPECT_NE(house.last_said().find("Body en, upper left, 1 of 3"), std::string::npos);
     ASSERT_TRUE(house.choose("Tail en"));
-    EXPECT_TRUE(house.last_said().starts_with("The handle leads you: Tail en."));
+    EXPECT_TRUE(house.last_said().starts_with("The handle guides you: Tail en."));
     house.wait(2.1);
     ASSERT_TRUE(house.is_leading);
     EXPECT_EQ(house.visit.visitor.leading->guide.kind, GuideKind::to_place);
@@ -192,7 +192,7 @@ TEST(Visit, TheOperatorsDetailOpensWhatIsFeltAgainWithoutAWord) {
 TEST(Visit, TheOperatorsDetailHoldsForWhatIsBeingOpened) {
     FakeHouse house;
     to_picture(house);
-    ASSERT_TRUE(house.choose("Zoom"));
+    ASSERT_TRUE(house.choose("Enlargement"));
     ASSERT_TRUE(house.choose("Twice as large, around your hand"));
     set(house, [](Settings& settings) { settings.detail = 1; });
     house.wait(0.5);
@@ -223,7 +223,7 @@ TEST(Visit, TheOperatorsDetailHoldsWhenWhatIsBeingOpenedDoesNotCome) {
         FakeHouse house;
         to_picture(house);
         const std::size_t felt = house.visit.visitor.felt->order.index;
-        ASSERT_TRUE(house.choose("Zoom"));
+        ASSERT_TRUE(house.choose("Enlargement"));
         house.loads_fail = true;
         ASSERT_TRUE(house.choose("Twice as large, around your hand"));
         set(house, [](Settings& settings) { settings.detail = 1; });
@@ -299,19 +299,19 @@ TEST(Visit, ZoomGoesAroundTheHandInThePlaceOfTheWholePicture) {
     HandleSeen handle;
     handle.place_W = {0.02, 0.01};
     house.happen(handle);
-    ASSERT_TRUE(house.choose("Zoom"));
+    ASSERT_TRUE(house.choose("Enlargement"));
     ASSERT_TRUE(house.choose("Twice as large, around your hand"));
     EXPECT_EQ(house.last<LoadPicture>()[0].zoom, (ZoomWanted{2.0, {0.02, 0.01}}));
     house.wait(0.5);
     EXPECT_TRUE(house.has_said("Enlarged 2 times: right.", 0)) << house.last_said();
     house.happen(handle);
-    ASSERT_TRUE(house.choose("Zoom"));
+    ASSERT_TRUE(house.choose("Enlargement"));
     ASSERT_TRUE(house.choose("Four times as large, around your hand"));
     const ZoomWanted zoom = house.last<LoadPicture>()[0].zoom;
     EXPECT_DOUBLE_EQ(zoom.centre.x, 0.03);
     EXPECT_DOUBLE_EQ(zoom.centre.y, 0.015);
     house.wait(0.5);
-    ASSERT_TRUE(house.choose("Zoom"));
+    ASSERT_TRUE(house.choose("Enlargement"));
     ASSERT_TRUE(house.choose("The whole picture"));
     EXPECT_EQ(house.last<LoadPicture>()[0].zoom, ZoomWanted{});
 }
@@ -319,7 +319,7 @@ TEST(Visit, ZoomGoesAroundTheHandInThePlaceOfTheWholePicture) {
 TEST(Visit, ZoomGoesAroundAPartTwiceThenFourTimes) {
     FakeHouse house;
     to_picture(house);
-    ASSERT_TRUE(house.choose("Zoom"));
+    ASSERT_TRUE(house.choose("Enlargement"));
     ASSERT_TRUE(house.choose("Tail en"));
     EXPECT_EQ(house.last<LoadPicture>()[0].zoom, (ZoomWanted{2.0, {0.04, -0.02}}));
     house.wait(0.5);
@@ -327,7 +327,7 @@ TEST(Visit, ZoomGoesAroundAPartTwiceThenFourTimes) {
     PictureFacts facts = house.visit.visitor.felt->facts;
     facts.parts[1].place_W = {};
     house.happen(PictureReady{house.visit.visitor.felt->order.request, facts});
-    ASSERT_TRUE(house.choose("Zoom"));
+    ASSERT_TRUE(house.choose("Enlargement"));
     ASSERT_TRUE(house.choose("Tail en"));
     EXPECT_EQ(house.last<LoadPicture>()[0].zoom, (ZoomWanted{4.0, {0.04, -0.02}}));
 }
@@ -335,7 +335,7 @@ TEST(Visit, ZoomGoesAroundAPartTwiceThenFourTimes) {
 TEST(Visit, PagesAndTheirPicturesAreWalkedThrough) {
     FakeHouse house;
     to_stick_picture(house);
-    EXPECT_TRUE(house.has_said("Page 1 of 2. Picture 1 of 2 on it", 0));
+    EXPECT_TRUE(house.has_said("Page 1 of 2. Picture 1 of 2 on this page", 0));
     ASSERT_TRUE(house.choose("Pages"));
     EXPECT_FALSE(house.find("The page before"));
     ASSERT_TRUE(house.choose("Next picture of the page"));
@@ -390,7 +390,7 @@ TEST(Visit, AHandThatHasFoundALineKeepsItAndIsToldOfTheMainThing) {
     const std::uint64_t whole = house.visit.visitor.felt->order.request;
     house.happen(looked_for(house, 1));
     EXPECT_EQ(house.visit.house.request, whole) << "nothing else is opened";
-    EXPECT_EQ(house.last_said(), "The main thing was found. Main things leads to it.");
+    EXPECT_EQ(house.last_said(), "The main thing was found. You will find it under Main things.");
     EXPECT_EQ(house.last<Utterance>()[0].priority, SpeechPriority::hint);
     ASSERT_TRUE(house.choose("Main things"));
     ASSERT_TRUE(house.choose("The thing before"));
@@ -409,13 +409,13 @@ TEST(Visit, WhatAHandTouchesWhileTheMainThingIsOpenedStays) {
     EXPECT_EQ(house.last<CancelLoad>()[0].request, main_thing);
     EXPECT_EQ(house.visit.visitor.felt->order.request, whole);
     EXPECT_EQ(house.visit.visitor.felt->order.view, 2) << "another detail is of the whole";
-    EXPECT_EQ(house.last_said(), "The main thing was found. Main things leads to it.");
+    EXPECT_EQ(house.last_said(), "The main thing was found. You will find it under Main things.");
 }
 
 TEST(Visit, WhoHasEnlargedAPlaceKeepsIt) {
     FakeHouse house;
     to_picture(house);
-    ASSERT_TRUE(house.choose("Zoom"));
+    ASSERT_TRUE(house.choose("Enlargement"));
     ASSERT_TRUE(house.choose("Tail en"));
     house.wait(0.5);
     const std::uint64_t enlarged = house.visit.visitor.felt->order.request;
@@ -564,14 +564,14 @@ TEST(Visit, TheFirstWordsOfAPictureAreItsTitleThenHowItIsDrawn) {
     const auto title = told.find("Thing 4 en");
     const auto drawn = told.find("From the side");
     const auto outlines = told.find("5 outlines");
-    const auto item = told.find("Lead me round");
+    const auto item = told.find("Guide me round the outline");
     EXPECT_EQ(title, 0U);
     EXPECT_LT(title, drawn);
     EXPECT_LT(drawn, outlines);
     EXPECT_LT(outlines, item);
     EXPECT_NE(item, std::string::npos);
     house.wait(2.0);
-    EXPECT_EQ(house.last_said(), "Select leads you round the outer line. Or move freely.");
+    EXPECT_EQ(house.last_said(), "Press Select to be guided along the outer line. Or move freely.");
 }
 
 TEST(Visit, OrdersOfSoundComeBeforeWhatIsSaid) {

@@ -52,18 +52,18 @@ void expect_heard(const Listener& listener, const std::string& text) {
 void visit_all(FakeHouse& house, double every_s) {
     Listener visitor(house, every_s);
     visitor.press(KeyRole::help);  // any key begins
-    expect_heard(visitor, "Select takes it");
+    expect_heard(visitor, "Up, Down and Select");
     visitor.press(KeyRole::select);
     expect_heard(visitor, "What to feel");
-    ASSERT_TRUE(visitor.listen_for("Pictures of the house"));
+    ASSERT_TRUE(visitor.listen_for("Gallery"));
     visitor.press(KeyRole::select);
     expect_heard(visitor, "1 of ");
     visitor.press(KeyRole::select);
-    expect_heard(visitor, "Lead me round");
+    expect_heard(visitor, "Guide me round the outline");
     visitor.press(KeyRole::select);
-    expect_heard(visitor, "Any key stops it.");
+    expect_heard(visitor, "Press any key to stop it.");
     house.wait(5.0);
-    EXPECT_TRUE(house.has_said("That was once round.", 0));
+    EXPECT_TRUE(house.has_said("You have gone all the way round.", 0));
     visitor.press(KeyRole::back);
     house.happen(StickCame{{"holiday", "letter"}, {}});
     ASSERT_TRUE(visitor.listen_for("Your USB stick, 2 pictures"));
@@ -74,16 +74,16 @@ void visit_all(FakeHouse& house, double every_s) {
     ASSERT_TRUE(visitor.listen_for("Parts, 2"));
     visitor.press(KeyRole::select);
     visitor.press(KeyRole::select);
-    expect_heard(visitor, "The handle leads you: Body en.");
+    expect_heard(visitor, "The handle guides you: Body en.");
     house.wait(5.0);
     visitor.press(KeyRole::back);
     visitor.press(KeyRole::back);
     ASSERT_TRUE(visitor.listen_for("Camera"));
     visitor.press(KeyRole::select);
-    expect_heard(visitor, "Take the picture");
+    expect_heard(visitor, "Take the photo");
     visitor.press(KeyRole::select);
     house.wait(1.0);
-    EXPECT_TRUE(house.has_said("The picture is taken.", 0));
+    EXPECT_TRUE(house.has_said("The photo is taken.", 0));
     EXPECT_EQ(house.visit.visitor.felt->order.source, PictureSource::camera);
     visitor.press(KeyRole::back);
     ASSERT_TRUE(visitor.listen_for("Finish", KeyRole::up));
@@ -119,7 +119,7 @@ TEST(VisitRun, TwoKeys) {
     ASSERT_TRUE(house.choose("Practice shape"));
     house.wait(0.5);
     ASSERT_TRUE(house.choose("Go on to the pictures"));
-    ASSERT_TRUE(house.choose("Pictures of the house"));
+    ASSERT_TRUE(house.choose("Gallery"));
     ASSERT_TRUE(house.choose("The next ten"));
     ASSERT_TRUE(house.choose("The ten before"));
     ASSERT_TRUE(house.choose("Picture 5 en"));
@@ -167,13 +167,13 @@ TEST(VisitRun, AllLanguages) {
         const auto item = [&](const char* english) {
             return house.choose(language.text("visit", english));
         };
-        ASSERT_TRUE(item("Pictures of the house"));
+        ASSERT_TRUE(item("Gallery"));
         house.press(KeyRole::select);
         house.wait(3.0);
         ASSERT_TRUE(item("Parts"));
         house.press({KeyRole::select, KeyRole::select});
         house.press(KeyRole::back);
-        ASSERT_TRUE(item("Zoom"));
+        ASSERT_TRUE(item("Enlargement"));
         house.press(KeyRole::select);
         house.wait(3.0);
         house.press({KeyRole::help, KeyRole::up, KeyRole::help, KeyRole::help});

@@ -157,7 +157,7 @@ void to_choose(FakeHouse& house) {
 
 void to_picture(FakeHouse& house) {
     to_choose(house);
-    ASSERT_TRUE(house.choose("Pictures of the house"));
+    ASSERT_TRUE(house.choose("Gallery"));
     house.press(KeyRole::select);
     house.wait(house.load_s + 0.1);
     ASSERT_EQ(house.open(), VisitScreen::picture);

@@ -53,7 +53,7 @@ TEST(Visit, SP2_TheFirstWordsTakeTwelveSecondsAtMost) {
                                speech_rates_per_minute[default_speech_rate];
         EXPECT_LE(seconds, 12.0) << text;
         const Language& spoken = all_languages()[language];
-        for (const char* said : {"Help explains the keys.", "Any key skips."}) {
+        for (const char* said : {"Press Help to try the keys.", "Press any key to skip."}) {
             EXPECT_NE(text.find(spoken.text("visit", said)), std::string::npos) << text;
         }
         EXPECT_EQ(house.transcript[0].language, spoken.code());
@@ -123,7 +123,7 @@ TEST(Visit, SP6_SpeechRateIsSaidAndEndsAreToo) {
     house.press({KeyRole::select, KeyRole::select});
     for (std::size_t rate = default_speech_rate + 1; rate < 7; ++rate) {
         house.happen(SpeechKeyPressed{SpeechKey::faster});
-        EXPECT_EQ(house.last_said(), "Speech rate " + std::to_string(rate + 1) + " of 7");
+        EXPECT_EQ(house.last_said(), "Speaking speed " + std::to_string(rate + 1) + " of 7");
         ASSERT_EQ(house.last<SoundWanted>().size(), 1U);
         EXPECT_EQ(house.last<SoundWanted>()[0].rate, rate);
     }
@@ -144,7 +144,7 @@ TEST(Visit, SP7_PlaceAndRoleAreSaidAndAHintAfterAPause) {
     EXPECT_EQ(house.transcript.size(), before);
     house.wait(0.2);
     ASSERT_EQ(house.transcript.size(), before + 1);
-    EXPECT_EQ(house.transcript.back().text, "Select offers its values.");
+    EXPECT_EQ(house.transcript.back().text, "Press Select for its values.");
     EXPECT_EQ(house.transcript.back().priority, SpeechPriority::hint);
     house.wait(20.0);
     EXPECT_EQ(house.transcript.size(), before + 1) << "once";
@@ -162,7 +162,7 @@ TEST(Visit, SP9_EachKeyGivesASoundADeadOneAnotherAndTheThirdTimeWords) {
         EXPECT_EQ(house.last<GiveCue>()[0].event, ScreenEvent::key_refused);
         EXPECT_EQ(house.last<Utterance>().empty(), press % 3 != 0) << press;
     }
-    EXPECT_EQ(house.last_said(), "This key has no use. Help explains the keys.");
+    EXPECT_EQ(house.last_said(), "This key has no use. Press Help to try the keys.");
 }
 
 TEST(Visit, SP10_WhatWasSaidCanBeAskedAgain) {
@@ -281,8 +281,8 @@ TEST(Visit, VI7_TheScreenCanBeDarkAndThatIsSaid) {
     FakeHouse house;
     to_choose(house);
     ASSERT_TRUE(house.choose("Settings"));
-    ASSERT_TRUE(house.choose("Screen off"));
-    EXPECT_EQ(house.last_said(), "Screen off, on, switch, 9 of 12");
+    ASSERT_TRUE(house.choose("Screen"));
+    EXPECT_EQ(house.last_said(), "Screen, off, switch, 9 of 12");
     ASSERT_EQ(house.last<LookWanted>().size(), 1U);
     EXPECT_TRUE(house.last<LookWanted>()[0].is_off);
     house.press(KeyRole::select);

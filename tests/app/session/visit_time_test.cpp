@@ -57,7 +57,7 @@ TEST(Visit, TI1_MotionCountsButNotThatOfAHandleThatLeads) {
     }
     EXPECT_EQ(house.open(), VisitScreen::picture);
     house.lead_s = 1e9;  // waits for a hand that is gone
-    ASSERT_TRUE(house.choose("Lead me round"));
+    ASSERT_TRUE(house.choose("Guide me round the outline"));
     moved.is_led = true;
     for (int i = 0; i < 420 && house.open() == VisitScreen::picture; ++i) {
         house.wait(1.0);
@@ -70,7 +70,7 @@ TEST(Visit, TI1_AHandleThatWaitsForAHandIsNobody) {
     FakeHouse house;
     to_picture(house);
     house.lead_s = 1e9;
-    ASSERT_TRUE(house.choose("Lead me round"));
+    ASSERT_TRUE(house.choose("Guide me round the outline"));
     for (int i = 0; i < 89; ++i) {
         house.wait(1.0);
         house.happen(HandleSeen{});
@@ -113,7 +113,7 @@ TEST(Visit, TI2_NothingOfAVisitorStays) {
     to_stick_picture(house);
     house.press(KeyRole::back);
     ASSERT_TRUE(house.choose("Settings"));
-    ASSERT_TRUE(house.choose("Screen off"));
+    ASSERT_TRUE(house.choose("Screen"));
     ASSERT_TRUE(house.choose("The same in both ears"));
     house.press(KeyRole::louder);
     house.press(KeyRole::back);
@@ -148,7 +148,7 @@ TEST(Visit, TI2_WhatIsBeingOpenedIsDroppedToo) {
     FakeHouse house;
     house.load_s = 1e6;
     to_choose(house);
-    ASSERT_TRUE(house.choose("Pictures of the house"));
+    ASSERT_TRUE(house.choose("Gallery"));
     house.press(KeyRole::select);
     const auto request = house.last<LoadPicture>()[0].request;
     house.happen(OpeningChanged{HouseOpening::closed});
@@ -194,14 +194,14 @@ TEST(Visit, TI5_NothingIsTakenWithoutAKeyAndTheShutterIsHeard) {
     for (const VisitOrder& order : house.all_orders) {
         EXPECT_FALSE(std::holds_alternative<Capture>(order));
     }
-    ASSERT_TRUE(house.choose("Take the picture"));
+    ASSERT_TRUE(house.choose("Take the photo"));
     EXPECT_EQ(house.last<Capture>().size(), 1U);
     EXPECT_FALSE(house.last<CameraPreview>()[0].is_on);
     const std::size_t before = house.transcript.size();
     house.happen(CameraCaptured{});
     ASSERT_FALSE(house.last<GiveCue>().empty());
     EXPECT_EQ(house.last<GiveCue>()[0].event, ScreenEvent::shutter);
-    EXPECT_TRUE(house.has_said("The picture is taken.", before));
+    EXPECT_TRUE(house.has_said("The photo is taken.", before));
     ASSERT_EQ(house.last<LoadPicture>().size(), 1U);
     EXPECT_EQ(house.last<LoadPicture>()[0].source, PictureSource::camera);
 }
@@ -210,11 +210,11 @@ TEST(Visit, AnUnclearPhotographIsSaidToBeSo) {
     FakeHouse house;
     to_choose(house);
     ASSERT_TRUE(house.choose("Camera"));
-    ASSERT_TRUE(house.choose("Take the picture"));
+    ASSERT_TRUE(house.choose("Take the photo"));
     const std::size_t before = house.transcript.size();
     house.happen(CameraCaptured{true});
     EXPECT_TRUE(
-        house.has_said("The picture is taken. It is unclear; you can take it again.", before));
+        house.has_said("The photo is taken. It is unclear; you can take it again.", before));
     EXPECT_EQ(house.last<LoadPicture>().size(), 1U) << "it can be felt all the same";
 }
 
@@ -280,7 +280,7 @@ TEST(Visit, ER2_AVisitSurvivesEveryLoss) {
     to_stick_picture(house);
     const std::size_t before = house.transcript.size();
     house.happen(StickGone{});
-    EXPECT_TRUE(house.has_said("The stick is out. What you feel stays.", before));
+    EXPECT_TRUE(house.has_said("The USB stick is out. Your picture stays.", before));
     EXPECT_TRUE(house.visit.visitor.felt);
     for (std::size_t kind = 0; kind < trouble_count; ++kind) {
         house.happen(TroubleBegan{static_cast<TroubleKind>(kind), ""});
@@ -290,20 +290,20 @@ TEST(Visit, ER2_AVisitSurvivesEveryLoss) {
         EXPECT_TRUE(house.visit.visitor.felt);
     }
     house.happen(CameraChanged{false});
-    ASSERT_TRUE(house.choose("Lead me round"));
+    ASSERT_TRUE(house.choose("Guide me round the outline"));
     EXPECT_TRUE(house.has_said("The handle has no force now.", before));
     house.press(KeyRole::back);
     ASSERT_TRUE(house.choose("Your USB stick"));
-    EXPECT_NE(house.screen().text.find("There is no stick."), std::string::npos);
+    EXPECT_NE(house.screen().text.find("There is no USB stick."), std::string::npos);
     house.press(KeyRole::back);
     ASSERT_TRUE(house.choose("Camera"));
     EXPECT_NE(house.screen().text.find("does not answer"), std::string::npos);
-    ASSERT_TRUE(house.choose("Take the picture"));
+    ASSERT_TRUE(house.choose("Take the photo"));
     EXPECT_EQ(house.last<GivePattern>().back().pattern, HandlePattern::error);
     house.happen(TroubleEnded{TroubleKind::device});
     house.press(KeyRole::back);
     ASSERT_TRUE(house.choose("Back to the picture"));
-    ASSERT_TRUE(house.choose("Lead me round"));
+    ASSERT_TRUE(house.choose("Guide me round the outline"));
     house.wait(3.0);
     EXPECT_TRUE(house.is_leading);
 }
@@ -321,7 +321,7 @@ TEST(Visit, ER2_TheCameraLostWhileItWorksIsAnError) {
     FakeHouse house;
     to_choose(house);
     ASSERT_TRUE(house.choose("Camera"));
-    ASSERT_TRUE(house.choose("Take the picture"));
+    ASSERT_TRUE(house.choose("Take the photo"));
     house.happen(CameraChanged{false});
     EXPECT_EQ(house.open(), VisitScreen::trouble);
     house.press(KeyRole::select);
@@ -332,7 +332,7 @@ TEST(Visit, ER3_LongWorkIsHeardThenSaidAndCanBeCancelled) {
     FakeHouse house;
     house.load_s = 60.0;
     to_choose(house);
-    ASSERT_TRUE(house.choose("Pictures of the house"));
+    ASSERT_TRUE(house.choose("Gallery"));
     house.press(KeyRole::select);
     const auto request = house.last<LoadPicture>()[0].request;
     const double begin_s = house.now_s;
@@ -368,7 +368,7 @@ TEST(Visit, ER3_AStickThatIsBeingReadIsHeardToo) {
     ASSERT_TRUE(house.choose("Your USB stick"));
     const std::size_t before = house.transcript.size();
     house.wait(2.5);
-    EXPECT_TRUE(house.has_said("Your stick is being read.", before));
+    EXPECT_TRUE(house.has_said("Your USB stick is being read.", before));
     house.happen(StickCame{{"boat"}, {}});
     EXPECT_TRUE(house.last_said().find("boat") != std::string::npos);
     house.all_orders.clear();

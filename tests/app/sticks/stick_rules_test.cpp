@@ -112,7 +112,7 @@ TEST_F(StickRulesTest, WhatIsNotAllowedIsRefusedWithWhatToDo) {
         EXPECT_TRUE(step.orders.empty());
         ASSERT_EQ(step.events.size(), 1U);
         EXPECT_EQ(step.events[0].sentence,
-                  "The stick's format is not read here. Bring one formatted as FAT or exFAT.");
+                  "The USB stick’s format is not read here. Bring one formatted as FAT or exFAT.");
         fresh.allow(FileSystems::more);
         EXPECT_EQ(mounts(fresh.on_volumes({stick("sdc1", "two", 20, kind)}), "sdc1"), 1U);
     }

@@ -13,11 +13,11 @@ TEST(StickWords, SayWhatIsNotInTheList) {
     EXPECT_EQ(words_of(StickRest{2345, false, false, false}, 10000, english),
               "The list has 10000 files of 12345. For others, bring fewer at a time.");
     EXPECT_EQ(words_of(StickRest{0, true, true, true}, 17, english),
-              "Folders within eight others were left out. Put their files nearer to the top. "
-              "Some folders could not be read. Copy their files to another stick. "
-              "There was no time for all folders. Put other files outside of all folders.");
+              "Folders within eight others were left out. Put their files nearer to the top. Some "
+              "folders could not be read. Copy their files to another USB stick. There was no time "
+              "for all folders. Put other files outside of all folders.");
     EXPECT_EQ(nothing_words(StickRest{}, english),
-              "There is no picture or PDF on the stick. Put some on it and bring it again.");
+              "There is no picture or PDF on the USB stick. Put some on it and bring it again.");
 }
 
 /// Every reason has its own words in every language.

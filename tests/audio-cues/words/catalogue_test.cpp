@@ -165,7 +165,7 @@ TEST(Catalogue, HasAllThatKeysPanelAndFaultsSay) {
         const FaultWords words = words_of(static_cast<Fault>(i));
         for (const auto text : {words.what, words.why, words.what_to_do}) expect("fault", text);
     }
-    expect("fault", "Exploring goes on without force.");
+    expect("fault", "You can go on exploring without force.");
     for (std::size_t i = 0; i < force_state_count; ++i) {
         expect("force", words_of(static_cast<ForceState>(i)));
     }

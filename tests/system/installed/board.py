@@ -142,7 +142,7 @@ def _feel(kiosk, board):
     kiosk.machine.wait_screen(['pantograph', 'Motors on'])
     _told(board)
     board.order(ON_THE_CIRCLE)
-    kiosk.machine.wait_screen(['pantograph', 'on an edge'])
+    kiosk.machine.wait_screen(['pantograph', 'on a line'])
     kiosk.press('v')
     told = _told(board)
     if float(told.split()[1]) == 0:

@@ -28,7 +28,7 @@ def _take(kiosk):
     kiosk.to_item('Camera')
     kiosk.press('ret')
     kiosk.machine.wait_screen(['under the camera'])
-    kiosk.to_item('Take the picture')
+    kiosk.to_item('Take the photo')
     kiosk.press('ret')
     if not kiosk.is_felt():
         raise Fault(f'no picture: {kiosk.machine.screen()}')

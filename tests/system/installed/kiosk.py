@@ -8,8 +8,8 @@ UNIT = 'touchline-kiosk.service'
 SETTINGS = '/var/lib/touchline/kiosk.toml'
 X = 'DISPLAY=:0 XAUTHORITY=/run/touchline-display/cookie'  # for those who ask the X server
 TRIES = 5
-FELT = 'Lead me round|Explore freely|Bring me back'  # some of what can be done with a picture
-TROUBLE = 'Something is wrong|Select goes on'
+FELT = 'Guide me round|Explore freely|Bring me back'  # some of what can be done with a picture
+TROUBLE = 'Something is wrong|Press Select to go on'
 STAFF = ('h', 'up', 'up', 'down', 'down', 'ret')  # Help, Up, Up, Down, Down, Select
 PIN = (1, 2, 3, 4)
 KEY_S = 1.5  # a key in an emulated machine
@@ -117,7 +117,7 @@ class Kiosk:
             for digit in PIN:
                 self.press_all(['up'] * digit + ['right'])
             self.press_all(['ret'])
-        self.machine.wait_screen(['The PIN is kept'])
+        self.machine.wait_screen(['The PIN is saved'])
 
     def to_item(self, name):
         """Down until the caption tells of it, and which of how many it is: its frame in the list hides it from tesseract.

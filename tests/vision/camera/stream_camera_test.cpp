@@ -234,8 +234,7 @@ TEST(StreamCameraTest, ADeadStreamGivesNoErrorAndIsNoticedByTime) {
     EXPECT_EQ(rig.condition, CameraCondition::ready);
     rig.run(0.4);
     EXPECT_EQ(rig.condition, CameraCondition::stopped);
-    EXPECT_EQ(sentence(rig.condition),
-              "The camera gives no picture. Unplug it and plug it in again.");
+    EXPECT_EQ(sentence(rig.condition), "The camera gives no picture. Please call the staff.");
     EXPECT_EQ(rig.count("close"), 1);
     rig.run(30.0);
     EXPECT_EQ(rig.condition, CameraCondition::stopped);

@@ -111,7 +111,7 @@ TEST(StandTest, AHiddenMarkIsSaid) {
             calibrated_stand(stand_photo(5, 0.2, hidden).bgr, {bed_width_mm, bed_height_mm});
         ASSERT_FALSE(stand);
         EXPECT_EQ(stand.error().line,
-                  "The corners of the stand are covered. Clear them and try again.");
+                  "The corners of the tray are covered. Clear them and try again.");
     }
 }
 
