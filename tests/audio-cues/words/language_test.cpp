@@ -2,6 +2,7 @@
 
 #include "audio-cues/words/guidance_words.h"
 
+#include <array>
 #include <clocale>
 #include <cstdlib>
 #include <filesystem>
@@ -62,6 +63,28 @@ TEST(Language, CountsByItsOwnRule) {
     EXPECT_EQ(outlines(loaded("fr"), 0), "0 contour");  // French: none is one
     EXPECT_EQ(outlines(loaded("fr"), 2), "2 contours");
     EXPECT_EQ(outlines(loaded("es"), 7), "7 contornos");
+}
+
+/// What the French decimal is called: the form of none, "1,5 newton"; English has the many.
+TEST(Language, MeasuresTakeTheFormOfTheirValue) {
+    const auto newtons = [](const Language& language, double value) {
+        return language.measured("unit", "{0} newton", "{0} newtons", value);
+    };
+    const auto expect = [&](const std::string& code, const std::vector<std::string>& said) {
+        const std::array values{0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 500000.0};
+        ASSERT_EQ(said.size(), values.size());
+        for (std::size_t i = 0; i < said.size(); ++i)
+            EXPECT_EQ(newtons(loaded(code), values[i]), said[i]) << code;
+    };
+    expect("en", {"0 newtons", "0.5 newtons", "1 newton", "1.5 newtons", "2 newtons", "2.5 newtons",
+                  "500000 newtons"});
+    expect("de", {"0 Newton", "0,5 Newton", "ein Newton", "1,5 Newton", "2 Newton", "2,5 Newton",
+                  "500000 Newton"});
+    expect("fr", {"0 newton", "0,5 newton", "un newton", "1,5 newton", "2 newtons", "2,5 newtons",
+                  "500000 newtons"});
+    expect("es", {"0 newtons", "0,5 newtons", "un newton", "1,5 newtons", "2 newtons",
+                  "2,5 newtons", "500000 newtons"});
+    EXPECT_EQ(newtons(loaded("fr"), -1.5), "-1,5 newton");
 }
 
 TEST(Language, NumbersHaveItsDecimalSign) {
