@@ -124,6 +124,13 @@ std::string Language::number(double value, int decimals) const {
     return with_sign(fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 6)));
 }
 
+/// In English a lone "A" is an article to the voice, unless a pause follows.
+std::string Language::respelling() const {
+    return text("respelling",
+                "letter A … = letter eh …; Letter A … = Letter eh …; A and = eh and; A or = eh or; "
+                "A … = A …; A = eh");
+}
+
 double Language::pace() const {
     const std::string percent = text("pace", "100");
     int value = 0;

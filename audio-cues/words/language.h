@@ -49,6 +49,9 @@ class Language {
     /// Of the speech engine.
     [[nodiscard]] std::string voice() const { return text("voice", "en"); }
 
+    /// How what that voice says wrong is written for it (audio-cues/speech/respelling.h).
+    [[nodiscard]] std::string respelling() const;
+
     /// Words a minute of that voice beside the English one at the same setting: 0.5 ... 2, and 1
     /// where the catalogue does not say.
     [[nodiscard]] double pace() const;
