@@ -15,6 +15,7 @@
 #include <set>
 
 #include <espeak-ng/speak_lib.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace touchline {
@@ -37,7 +38,8 @@ Voice voice_of(const std::string& code) {
     return {*language, respellings_of(language->respelling())};
 }
 
-/// As the voice gets it from the kiosk; clauses are parted by " | ".
+/// As the voice gets it from the kiosk; clauses are parted by " | ". The Spanish "rr" of "erre" is
+/// R2 since espeak-ng 1.52, ** before.
 std::string phonemes(const Voice& voice, const std::string& text) {
     const std::string spoken = respelled(text, voice.respellings);
     const void* rest = spoken.c_str();
@@ -48,6 +50,8 @@ std::string phonemes(const Voice& voice, const std::string& text) {
         said.erase(0, said.find_first_not_of(' '));
         if (!said.empty()) all += (all.empty() ? "" : " | ") + said;
     }
+    for (auto at = all.find("R2"); at != std::string::npos; at = all.find("R2"))
+        all.replace(at, 2, "**");
     return all;
 }
 
@@ -83,11 +87,20 @@ std::vector<std::string> keys_and_places(const Language& language) {
     return texts;
 }
 
+/// Every day and every month once.
+std::vector<std::string> dates(const Language& language) {
+    std::vector<std::string> texts;
+    for (int day = 1; day <= 31; ++day)
+        texts.push_back(
+            spoken_name(fmt::format("2023{:02}{:02}", (day - 1) % 12 + 1, day), language));
+    return texts;
+}
+
 std::vector<std::string> codes_and_names(const Language& language) {
-    std::vector<std::string> texts{"X Y Z A", "1, 0, 9, 6", "21:05", "1:15"};
-    for (const char* name :
-         {"IMG_2041.jpg", "DSC04512.JPG", "holiday-photo_final(2).png", "XYA.png",
-          "Scan 2024-05-11.pdf", "IMG_20240511_142233.jpg", "20230106.jpg"})
+    std::vector<std::string> texts{
+        "X Y Z A", "1, 0, 9, 6", "21:05", "1:15", "PDF", language.text("visit", "Your USB stick")};
+    for (const char* name : {"IMG_2041.jpg", "DSC04512.JPG", "holiday-photo_final(2).png",
+                             "XYA.png", "Scan 2024-05-11.pdf", "IMG_20240511_142233.jpg"})
         texts.push_back(spoken_name(name, language));
     for (const int count : {1, 2, 21}) {
         texts.push_back(language.counted("count", "{0} picture", "{0} pictures", count));
@@ -105,6 +118,7 @@ TEST(Pronunciation, IsAsSomebodyHeardIt) {
         for (const char sign : letters + digits) texts.emplace_back(1, sign);
         std::ranges::copy(keys_and_places(voice.language), std::back_inserter(texts));
         std::ranges::copy(codes_and_names(voice.language), std::back_inserter(texts));
+        std::ranges::copy(dates(voice.language), std::back_inserter(texts));
         for (const auto& [text, said] : lines) texts.push_back(text);
         for (const std::string& text : std::set<std::string>(texts.begin(), texts.end())) {
             const auto line = lines.find(text);
@@ -119,15 +133,17 @@ TEST(Pronunciation, SomebodyHasListenedToFourLanguages) {
     EXPECT_GE(heard_codes().size(), 4U);
 }
 
-/// Without marks of stress, pauses and joining, and with Spanish b, d, g as hard as soft.
+/// Without marks of stress and joining, words parted at pauses, Spanish b, d, g as hard as soft.
 std::string plainly(const std::string& phonemes) {
     std::string plain = " ";
-    for (const char c : phonemes) {
+    for (std::size_t at = 0; at < phonemes.size(); ++at) {
+        const bool is_pause = phonemes.compare(at, 2, "_!") == 0;
+        const char c = is_pause ? ' ' : phonemes[at];
         if (std::string_view("',_!|;:-2").find(c) != std::string_view::npos) continue;
         if (c != ' ' || plain.back() != ' ')
             plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
-    return plain + ' ';
+    return plain.back() == ' ' ? plain : plain + ' ';
 }
 
 /// Said as a word of its own.
@@ -143,17 +159,18 @@ TEST(Pronunciation, ALetterInARowIsTheLetterStill) {
         for (const char letter : letters) {
             const std::string one(1, letter);
             const std::string name = plainly(lines.at(one));
-            EXPECT_EQ(plainly(phonemes(voice, one + ' ' + one + " K")),
-                      name + name.substr(1) + plainly(lines.at("K")).substr(1))
-                << code << ": " << one;
+            const std::string row = plainly(phonemes(voice, one + ' ' + one + " K"));
+            EXPECT_TRUE(row.starts_with(name.substr(0, name.size() - 1)) &&
+                        row.ends_with(name + plainly(lines.at("K")).substr(1)))
+                << code << ": " << one << ": " << row;
         }
     }
 }
 
-/// The letters and digits that the English title of a picture names.
+/// The letters that the English title of a picture names: "The letters A, B and C".
 std::string signs_of(const std::string& title) {
     std::string signs;
-    for (std::size_t at = title.find("he letter"); at < title.size(); ++at) {
+    for (std::size_t at = title.find("he letters "); at < title.size(); ++at) {
         const bool is_alone =
             !std::isalnum(static_cast<unsigned char>(title[at - 1])) &&
             (at + 1 == title.size() || title[at + 1] == ',' || title[at + 1] == ' ');
@@ -207,8 +224,49 @@ TEST(Pronunciation, TheNamesOfPartsEndWithTheirLetterOrDigit) {
     }
 }
 
-/// A word that the voice takes for English is said by another alphabet's rules.
-TEST(Pronunciation, AWordThatIsWrittenTwoWaysIsSaidTwoWays) {
+/// Names of things, which are English wherever they are said.
+const std::set<std::string> english_names{"Escape", "Joystick", "Joysticks", "Mark", "Newton",
+                                          "WAV",    "newton",   "newtons",   "toml", "udisks"};
+
+/// Parted by all that is no letter, hard blanks and typographic signs too.
+std::vector<std::string> words_in(const std::string& text) {
+    std::vector<std::string> words{""};
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const auto c = static_cast<unsigned char>(text[at]);
+        const bool is_sign = c == 0xE2U || text.compare(at, 2, "\u00a0") == 0;
+        if (is_sign) at += c == 0xE2U ? 2 : 1;
+        if (!is_sign && (c >= 0x80U || std::isalpha(c))) {
+            words.back() += text[at];
+        } else {
+            words.emplace_back();
+        }
+    }
+    std::erase(words, "");
+    return words;
+}
+
+bool is_english(const std::string& phonemes) {
+    return phonemes.find("(en)") != std::string::npos;
+}
+
+/// French "dos" was DOS to the voice.
+TEST(Pronunciation, NoWordIsTakenForEnglish) {
+    const std::string folder = TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue/";
+    for (const std::string& code : heard_codes()) {
+        const Voice voice = voice_of(code);
+        for (const auto& [key, entry] : read_po(folder + code + ".po")) {
+            if (key.second.empty() || key.first == "respelling") continue;
+            for (const std::string& text : entry.said) {
+                if (!is_english(phonemes(voice, text))) continue;
+                for (const std::string& word : words_in(text))
+                    EXPECT_TRUE(english_names.contains(word) || !is_english(phonemes(voice, word)))
+                        << code << ": " << word << ": " << text;
+            }
+        }
+    }
+}
+
+TEST(Pronunciation, ARespellingChangesWhatIsSaid) {
     const Voice english = voice_of("en");
     EXPECT_EQ(phonemes(english, "The letter A is a peak."),
               phonemes(english, "The letter eh is a peak."));
@@ -218,6 +276,7 @@ TEST(Pronunciation, AWordThatIsWrittenTwoWaysIsSaidTwoWays) {
     EXPECT_TRUE(phonemes(spanish, "Y probablemente").starts_with("i "));
     const Voice french = voice_of("fr");
     EXPECT_EQ(phonemes(french, "le dos"), phonemes(french, "le dau"));
+    EXPECT_TRUE(is_english(phonemes({french.language, {}}, "le dos")));
     EXPECT_NE(phonemes(french, "signe plus"), phonemes({french.language, {}}, "signe plus"));
 }
 
