@@ -105,10 +105,11 @@ std::string said_number(std::string_view digits, const Said* before) {
                                                            : in_groups(digits);
 }
 
-/// A camera's mark, or the "P" of those that number their folders as well.
+/// A camera's mark, or the "P" of those that number their folders as well. "SAM 5" is somebody's.
 bool is_camera(const NamePart& part, const NamePart& next) {
+    constexpr std::size_t shortest = 4;
     constexpr std::size_t with_folder = 7;
-    if (part.is_digits || !next.is_digits) return false;
+    if (part.is_digits || !next.is_digits || next.text.size() < shortest) return false;
     return std::ranges::count(cameras, part.text) > 0 ||
            (part.text == "P" && next.text.size() == with_folder);
 }

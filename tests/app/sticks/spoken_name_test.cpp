@@ -59,6 +59,7 @@ TEST(SpokenName, OfACameraIsAPhoto) {
                 {"IMG.jpg", "I M G"},
                 {"IMG_dog.jpg", "I M G dog"},
                 {"my IMG 4512.jpg", "my I M G 45 12"},
+                {"SAM 5.jpg", "S A M 5"},
                 {"P12.jpg", "P 12"}},
                Language());
     const std::string name = "DSC04512.JPG";
