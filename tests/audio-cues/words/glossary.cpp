@@ -94,8 +94,15 @@ bool is_of_word(char c) {
            c == '-';
 }
 
+/// Of ASCII and Latin-1.
 std::string in_small_letters(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    bool is_latin = false;
+    for (char& letter : text) {
+        const auto c = static_cast<unsigned char>(letter);
+        if (c < 0x80U) letter = static_cast<char>(std::tolower(c));
+        if (is_latin && c < 0x9FU && c != 0x97U) letter = static_cast<char>(c + 0x20U);
+        is_latin = c == 0xC3U;
+    }
     return text;
 }
 
@@ -152,6 +159,40 @@ bool is_barred(const BarredWord& barred, std::string text, const std::string& en
     return is_there(text, word);
 }
 
+std::string first_letters(std::string_view word) {
+    constexpr int most = 5;
+    std::size_t end = 0;
+    for (int letters = 0; end < word.size(); ++end) {
+        const bool is_following = (static_cast<unsigned char>(word[end]) & 0xC0U) == 0x80U;
+        if (!is_following && ++letters > most) break;
+    }
+    return std::string(word.substr(0, end));
+}
+
+/// The first five letters of each word of a cell but its articles and what stands before ":".
+std::vector<std::string> beginnings_of(const std::string& cell) {
+    constexpr std::array<std::string_view, 9> articles{"der", "die", "das", "les", "los",
+                                                       "las", "une", "una", "gli"};
+    std::vector<std::string> beginnings;
+    std::string word;
+    for (const char c : in_small_letters(plain(cell)) + ' ') {
+        if (is_of_word(c)) {
+            word += c;
+            continue;
+        }
+        const bool is_word = word.size() > 2 && std::ranges::count(articles, word) == 0;
+        if (is_word && c != ':') beginnings.push_back(first_letters(word));
+        word.clear();
+    }
+    return beginnings;
+}
+
+bool has_term(const std::string& english, const std::string& term) {
+    const std::string text = in_small_letters(plain(english));
+    const std::string one = in_small_letters(term);
+    return is_there(text, one) || is_there(text, one + 's');
+}
+
 }  // namespace
 
 std::vector<GlossaryRow> glossary_of(std::string_view markdown) {
@@ -170,7 +211,10 @@ std::vector<GlossaryRow> glossary_of(std::string_view markdown) {
         for (std::size_t i = 0; i < std::min(cells.size(), head.size()); ++i) {
             if (const std::string code = code_in(head[i]); !code.empty()) row.said[code] = cells[i];
         }
-        row.english = row.said["en"];
+        std::string& english = row.said["en"];
+        row.is_always = english.starts_with("**");
+        std::erase(english, '*');
+        row.english = english;
         row.barred = barred_words(cells.back());
         rows.push_back(row);
     }
@@ -192,6 +236,21 @@ std::vector<std::string> barred_in(const std::vector<GlossaryRow>& glossary,
         }
     }
     return found;
+}
+
+std::vector<std::string> missing_in(const std::vector<GlossaryRow>& glossary,
+                                    const std::string& code, const std::string& text,
+                                    const std::string& english) {
+    std::vector<std::string> missing;
+    const std::string said = in_small_letters(plain(text));
+    for (const GlossaryRow& row : glossary) {
+        const auto term = row.said.find(code);
+        if (!row.is_always || term == row.said.end() || !has_term(english, row.english)) continue;
+        const auto is_said = [&said](const std::string& word) { return begins_a_word(said, word); };
+        if (!std::ranges::any_of(beginnings_of(term->second), is_said))
+            missing.push_back("\"" + row.english + "\" is \"" + term->second + '"');
+    }
+    return missing;
 }
 
 }  // namespace touchline

@@ -14,8 +14,9 @@ struct BarredWord {
 };
 
 struct GlossaryRow {
-    std::string english;                                    // the term
-    std::map<std::string, std::string> said;                // the term, by language code
+    std::string english;                      // the term
+    bool is_always = false;                   // in bold: translated so wherever it stands
+    std::map<std::string, std::string> said;  // the term, by language code
     std::map<std::string, std::vector<BarredWord>> barred;  // by language code
 };
 
@@ -28,5 +29,10 @@ struct GlossaryRow {
 [[nodiscard]] std::vector<std::string> barred_in(const std::vector<GlossaryRow>& glossary,
                                                  const std::string& code, const std::string& text,
                                                  const std::string& english);
+
+/// Every term in bold of the English text that the translation says otherwise, as barred_in().
+[[nodiscard]] std::vector<std::string> missing_in(const std::vector<GlossaryRow>& glossary,
+                                                  const std::string& code, const std::string& text,
+                                                  const std::string& english);
 
 }  // namespace touchline
