@@ -1,29 +1,31 @@
 #include "app/operator/setting_words.h"
 
+#include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace touchline {
 namespace {
 
-/// By the language's decimal sign; as many digits as the value has, six at most.
-std::string number_in_words(double value, const Language& language) {
-    std::array<char, 32> digits{};
-    (void)std::snprintf(digits.data(), digits.size(), "%.6g", value);
-    std::string text = digits.data();
-    const auto point = text.find('.');
-    if (point != std::string::npos) text.replace(point, 1, language.text("decimal", "."));
-    return text;
-}
+struct Unit {
+    const char* one;
+    const char* many;  // as a row names it
+};
 
-std::string with_unit(double value, std::string_view unit, const Language& language) {
-    const std::string number = number_in_words(value, language);
-    if (unit.empty()) return number;
-    const bool is_one = number == "1";
-    if (is_one && unit.ends_with('s') && unit.find(' ') == std::string_view::npos)
-        return language.text("setting", "{0} " + std::string(unit.substr(0, unit.size() - 1)),
-                             {number});
-    return language.text("setting", "{0} " + std::string(unit), {number});
+constexpr std::array<Unit, 8> units{{{"{0} newton", "{0} newtons"},
+                                     {"{0} newton per metre", "{0} newtons per metre"},
+                                     {"{0} millimetre", "{0} millimetres"},
+                                     {"{0} metre", "{0} metres"},
+                                     {"{0} second", "{0} seconds"},
+                                     {"{0} percent", "{0} percent"},
+                                     {"{0} inch", "{0} inches"},
+                                     {"{0} decibel", "{0} decibels"}}};
+
+/// A row without a unit has its number alone.
+std::string with_unit(double value, std::string_view name, const Language& language) {
+    const auto unit = std::ranges::find_if(
+        units, [name](const Unit& row) { return name == std::string_view(row.many).substr(4); });
+    if (unit == units.end()) return language.measured("unit", "{0}", "{0}", value);
+    return language.measured("unit", unit->one, unit->many, value);
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ void leave_letters(VisitWork& work) {
 void stick_came(VisitWork& work, const StickCame& came) {
     Visitor& visitor = work.visitor;
     visitor.has_stick = true;
-    visitor.stick_list = std::make_shared<const StickList>(StickList{came.names, came.rest});
+    visitor.stick_list = std::make_shared<const StickList>(
+        StickList{came.names, came.rest, spoken_forms(came.names)});
     leave_letters(work);
     if (!is_visit_on(visit_of(work))) return;
     if (open_screen(work) == VisitScreen::stick) {

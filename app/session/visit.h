@@ -8,6 +8,7 @@
 #include "app/session/visit_orders.h"
 #include "app/sticks/first_letters.h"
 #include "app/sticks/listing.h"
+#include "app/sticks/spoken_name.h"
 #include "config/settings/settings.h"
 
 #include <array>
@@ -208,6 +209,7 @@ struct House {
 struct StickList {
     std::vector<std::string> names;  // raw bytes: said by spoken_name() alone
     StickRest rest;
+    std::vector<NameForm> forms;  // of each name, so that no two sound alike
 };
 
 /// Of the visitor: a new one for every visit.

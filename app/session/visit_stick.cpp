@@ -25,7 +25,7 @@ std::size_t row_at(const Visitor& visitor, std::size_t place) {
 std::string name_of(const LetterGroup& group, const Language& language) {
     switch (group.kind) {
         case LetterKind::letters:
-            return spoken_name(group.beginning, language);
+            return spoken_name(group.beginning, language, {NameDetail::whole});
         case LetterKind::digits:
             return language.text("visit", "digits");
         case LetterKind::other:
@@ -74,7 +74,8 @@ void put_stick(VisitSheet& sheet) {
         rows_of(visitor),
         [&](std::size_t place) {
             const std::size_t row = row_at(visitor, place);
-            return ListRow{row, spoken_name(names[row], sheet.language), {}};
+            const NameForm& form = visitor.stick_list->forms[row];
+            return ListRow{row, spoken_name(names[row], sheet.language, form), {}};
         },
         "Press Select to open it.");
     if (is_long(rows_of(visitor)))

@@ -24,7 +24,8 @@ double now_s() {
 std::map<std::string, SpokenLanguage> spoken(const Languages& languages) {
     std::map<std::string, SpokenLanguage> all;
     for (const Language& language : languages)
-        all[language.code()] = {language.voice(), language.pace()};
+        all[language.code()] = {language.voice(), language.pace(),
+                                respellings_of(language.respelling())};
     return all;
 }
 

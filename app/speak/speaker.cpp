@@ -28,7 +28,8 @@ void Speaker::carry_out(const SpeechOrder& order) {
     }
     const auto found = languages_.find(order.begin->language);
     const SpokenLanguage spoken = found == languages_.end() ? SpokenLanguage{} : found->second;
-    voice_.begin(spoken.voice, order.begin->text, engine_rate(rate_, spoken.pace));
+    voice_.begin(spoken.voice, respelled(order.begin->text, spoken.respellings),
+                 engine_rate(rate_, spoken.pace));
 }
 
 void Speaker::say(const Utterance& utterance, double now_s) {

@@ -4,6 +4,7 @@
 
 #include "app/speak/voice_process.h"
 #include "audio-cues/speech/recorded_prompts.h"
+#include "audio-cues/speech/respelling.h"
 #include "audio-cues/speech/speech_queue.h"
 #include "audio-cues/synth/mixer.h"
 
@@ -13,10 +14,11 @@
 
 namespace touchline {
 
-/// How a language is spoken (Language::voice() and pace()).
+/// How a language is spoken (Language::voice(), pace() and respelling()).
 struct SpokenLanguage {
     std::string voice = "en";
     double pace = 1.0;
+    std::vector<Respelling> respellings{};
 };
 
 class Speaker {

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
+#include <map>
+#include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,7 +23,12 @@ constexpr std::array<const char*, 12> months{"January",   "February", "March",  
                                              "May",       "June",     "July",     "August",
                                              "September", "October",  "November", "December"};
 
-std::string words_of(const NameMoment& moment, const Language& language) {
+/// What cameras and telephones write before a number or a date.
+constexpr std::array<std::string_view, 14> cameras{"CIMG", "DSC",  "DSCF", "DSCI", "DSCN",
+                                                   "GOPR", "HPIM", "IMG",  "IMGP", "MG",
+                                                   "PICT", "PXL",  "SAM",  "WIN"};
+
+std::string words_of(const NameMoment& moment, const Language& language, bool is_precise) {
     const std::string day = language.text("day", days[static_cast<std::size_t>(moment.day) - 1]);
     const std::string month =
         language.text("month", months[static_cast<std::size_t>(moment.month) - 1]);
@@ -30,7 +37,7 @@ std::string words_of(const NameMoment& moment, const Language& language) {
     if (!moment.clock) return said;
     const auto& [hour, minute, second] = *moment.clock;
     said += fmt::format(", {}:{:02}", hour, minute);
-    if (second == 0) return said;
+    if (second == 0 || !is_precise) return said;
     return said + ' ' + language.counted("count", "and {0} second", "and {0} seconds", second);
 }
 
@@ -76,6 +83,13 @@ std::string spelled(std::string_view word) {
     return letters;
 }
 
+std::string in_capitals(std::string_view text) {
+    std::string capitals(text);
+    for (char& c : capitals)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return capitals;
+}
+
 /// What is said of one or more parts.
 struct Said {
     std::string text;
@@ -91,35 +105,78 @@ std::string said_number(std::string_view digits, const Said* before) {
                                                            : in_groups(digits);
 }
 
-std::vector<Said> said_of(std::span<const NamePart> parts, const Language& language) {
-    std::vector<Said> all;
-    while (!parts.empty()) {
-        const NamePart& part = parts.front();
-        const Said* const before = all.empty() ? nullptr : &all.back();
-        std::size_t taken = 1;
-        if (const auto moment = moment_of(parts)) {
-            all.push_back({words_of(*moment, language), true, true, false});
-            taken = moment->parts;
-        } else if (part.is_digits) {
-            all.push_back({said_number(part.text, before), false, true, false});
-        } else {
-            const bool is_by_letter = is_spelled(part.text);
-            all.push_back({is_by_letter ? spelled(part.text) : part.text, false, false,
-                           is_by_letter && part.text.size() > 1});
-        }
-        parts = parts.subspan(taken);
-    }
-    return all;
+/// A camera's mark, or the "P" of those that number their folders as well. "SAM 5" is somebody's.
+bool is_camera(const NamePart& part, const NamePart& next) {
+    constexpr std::size_t shortest = 4;
+    constexpr std::size_t with_folder = 7;
+    if (part.is_digits || !next.is_digits || next.text.size() < shortest) return false;
+    return std::ranges::count(cameras, part.text) > 0 ||
+           (part.text == "P" && next.text.size() == with_folder);
 }
 
-}  // namespace
+std::string_view without_zeros(std::string_view digits) {
+    const auto first = digits.find_first_not_of('0');
+    return first == std::string_view::npos ? digits.substr(0, 1) : digits.substr(first);
+}
 
-std::string spoken_name(std::string_view name, const Language& language) {
-    const auto parts = parts_of_name(without_ending(name), spoken_characters);
+class Saying {
+  public:
+    Saying(const Language& language, NameDetail detail) : language_(language), detail_(detail) {}
+
+    std::vector<Said> all(std::span<const NamePart> parts) {
+        const bool is_whole = detail_ == NameDetail::whole;
+        if (parts.size() > 1 && !is_whole && is_camera(parts[0], parts[1]))
+            parts = after_photo(parts.subspan(1));
+        while (!parts.empty()) parts = parts.subspan(say_first(parts));
+        return std::move(said_);
+    }
+
+  private:
+    std::string words(const NameMoment& moment) const {
+        const bool is_precise = detail_ == NameDetail::precise || detail_ == NameDetail::whole;
+        return words_of(moment, language_, is_precise);
+    }
+
+    /// "photo of 5th April 2023", "photo 45 12": what is left.
+    std::span<const NamePart> after_photo(std::span<const NamePart> parts) {
+        if (const auto moment = moment_of(parts)) {
+            const std::string taken = words(*moment);
+            said_.push_back({language_.text("file", "photo of {0}", {taken}), true, true, false});
+            return parts.subspan(moment->parts);
+        }
+        const std::string number = in_groups(without_zeros(parts[0].text));
+        said_.push_back({language_.text("file", "photo {0}", {number}), false, true, false});
+        return parts.subspan(1);
+    }
+
+    /// How many parts that took.
+    std::size_t say_first(std::span<const NamePart> parts) {
+        const NamePart& part = parts.front();
+        const Said* const before = said_.empty() ? nullptr : &said_.back();
+        if (const auto moment = moment_of(parts)) {
+            said_.push_back({words(*moment), true, true, false});
+            return moment->parts;
+        }
+        if (part.is_digits) {
+            said_.push_back({said_number(part.text, before), false, true, false});
+            return 1;
+        }
+        const bool is_by_letter = is_spelled(part.text);
+        said_.push_back({is_by_letter ? spelled(part.text) : part.text, false, false,
+                         is_by_letter && part.text.size() > 1});
+        return 1;
+    }
+
+    const Language& language_;
+    NameDetail detail_;
+    std::vector<Said> said_;
+};
+
+std::string joined(const std::vector<Said>& all) {
     std::string text;
     bool is_apart = false;
     bool is_number = false;
-    for (const Said& said : said_of(parts, language)) {
+    for (const Said& said : all) {
         const bool has_pause = is_apart || said.is_apart || (is_number && said.is_number);
         const std::string next =
             text.empty() ? said.text : text + (has_pause ? ", " : " ") + said.text;
@@ -128,8 +185,63 @@ std::string spoken_name(std::string_view name, const Language& language) {
         is_apart = said.is_apart;
         is_number = said.is_number;
     }
-    if (text.empty()) return language.text("visit", "a file without a name");
     return text;
+}
+
+/// ", J P G"
+std::string said_ending(std::string_view name) {
+    const auto ending = name.substr(without_ending(name).size());
+    return ending.empty() ? "" : ", " + spelled(in_capitals(ending.substr(1)));
+}
+
+/// Of those rows, each with its form, the ones that sound alike.
+std::vector<std::vector<std::size_t>> alike(std::span<const std::string> names,
+                                            std::span<const NameForm> forms,
+                                            std::span<const std::size_t> rows) {
+    const Language english;
+    std::map<std::string, std::vector<std::size_t>> by_sound;
+    for (const std::size_t row : rows)
+        by_sound[in_capitals(spoken_name(names[row], english, forms[row]))].push_back(row);
+    std::vector<std::vector<std::size_t>> groups;
+    for (auto& [sound, group] : by_sound)
+        if (group.size() > 1) groups.push_back(std::move(group));
+    return groups;
+}
+
+/// The plainest detail that tells all of them apart; the whole where none does.
+void tell_apart(std::span<const std::string> names, std::span<const std::size_t> rows,
+                std::vector<NameForm>& forms) {
+    for (const NameDetail detail :
+         {NameDetail::precise, NameDetail::with_ending, NameDetail::whole}) {
+        for (const std::size_t row : rows) forms[row].detail = detail;
+        if (alike(names, forms, rows).empty()) return;
+    }
+}
+
+}  // namespace
+
+std::string spoken_name(std::string_view name, const Language& language, const NameForm& form) {
+    const bool has_ending =
+        form.detail == NameDetail::with_ending || form.detail == NameDetail::whole;
+    const std::string ending = has_ending ? said_ending(name) : "";
+    const auto parts = parts_of_name(without_ending(name), spoken_characters);
+    std::string text = joined(Saying(language, form.detail).all(parts));
+    if (text.empty()) text = language.text("visit", "a file without a name");
+    text += ending;
+    if (form.number == 0) return text;
+    return language.text("file", "{0}, number {1}", {text, std::to_string(form.number)});
+}
+
+std::vector<NameForm> spoken_forms(std::span<const std::string> names) {
+    std::vector<NameForm> forms(names.size());
+    std::vector<std::size_t> rows(names.size());
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    for (const auto& group : alike(names, forms, rows)) tell_apart(names, group, forms);
+    for (const auto& group : alike(names, forms, rows)) {
+        int number = 0;
+        for (const std::size_t row : group) forms[row].number = ++number;
+    }
+    return forms;
 }
 
 }  // namespace touchline

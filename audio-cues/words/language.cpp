@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -84,24 +85,50 @@ std::string Language::text(const std::string& context, const std::string& englis
                   std::span(values.begin(), values.size()));
 }
 
-std::string Language::counted(const std::string& context, const std::string& one,
-                              const std::string& many, int count) const {
+/// What is said of `count`, its place not filled yet.
+std::string Language::form(const std::string& context, const std::string& one,
+                           const std::string& many, int count) const {
     const char* found = nullptr;
     if (std::has_facet<Messages>(words_)) {
         found = std::use_facet<Messages>(words_).get(0, context.c_str(), one.c_str(), count);
     }
-    const std::string& english = count == 1 ? one : many;
-    const std::string number = std::to_string(count);
-    const std::string_view value = number;
-    return filled(found != nullptr ? found : english.c_str(), std::span(&value, 1));
+    if (found != nullptr) return found;
+    return count == 1 ? one : many;
 }
 
-std::string Language::number(double value, int decimals) const {
-    std::string digits = fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 6));
+std::string Language::counted(const std::string& context, const std::string& one,
+                              const std::string& many, int count) const {
+    const std::string number = std::to_string(count);
+    const std::string_view value = number;
+    return filled(form(context, one, many, count), std::span(&value, 1));
+}
+
+std::string Language::measured(const std::string& context, const std::string& one,
+                               const std::string& many, double value) const {
+    const double whole = std::clamp(std::trunc(value), -1e6, 1e6);
+    const bool is_small_fraction = whole != value && std::abs(value) < 2.0;
+    const std::string number = with_sign(fmt::format("{:.6g}", value));
+    const std::string_view said = number;
+    const int count = is_small_fraction ? 0 : static_cast<int>(whole);
+    return filled(form(context, one, many, count), std::span(&said, 1));
+}
+
+std::string Language::with_sign(std::string digits) const {
     if (const auto point = digits.find('.'); point != std::string::npos) {
         digits.replace(point, 1, text("decimal", "."));
     }
     return digits;
+}
+
+std::string Language::number(double value, int decimals) const {
+    return with_sign(fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 6)));
+}
+
+/// In English a lone "A" is an article to the voice, unless a pause follows.
+std::string Language::respelling() const {
+    return text("respelling",
+                "letter A … = letter eh …; Letter A … = Letter eh …; A and = eh and; A or = eh or; "
+                "A … = A …; A = eh");
 }
 
 double Language::pace() const {

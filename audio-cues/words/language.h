@@ -27,9 +27,16 @@ class Language {
     [[nodiscard]] std::string text(const std::string& context, const std::string& english,
                                    std::initializer_list<std::string_view> values = {}) const;
 
-    /// "1 outline", "3 outlines": {0} is the count, by the language's own rule of plurals.
+    /// "an outline", "3 outlines": {0} is the count, by the language's own rule of plurals, which
+    /// may have any number of forms.
     [[nodiscard]] std::string counted(const std::string& context, const std::string& one,
                                       const std::string& many, int count) const;
+
+    /// "1.5 newtons": as counted, of a value below 1e6, with as many digits as it has, six at most.
+    /// A fraction below two has the form of none, as French needs it ("1,5 newton", "0 newton"), a
+    /// larger one that of its whole part.
+    [[nodiscard]] std::string measured(const std::string& context, const std::string& one,
+                                       const std::string& many, double value) const;
 
     /// With `decimals` (0 ... 6) digits after the language's decimal sign.
     [[nodiscard]] std::string number(double value, int decimals) const;
@@ -42,11 +49,18 @@ class Language {
     /// Of the speech engine.
     [[nodiscard]] std::string voice() const { return text("voice", "en"); }
 
+    /// How what that voice says wrong is written for it (audio-cues/speech/respelling.h).
+    [[nodiscard]] std::string respelling() const;
+
     /// Words a minute of that voice beside the English one at the same setting: 0.5 ... 2, and 1
     /// where the catalogue does not say.
     [[nodiscard]] double pace() const;
 
   private:
+    [[nodiscard]] std::string form(const std::string& context, const std::string& one,
+                                   const std::string& many, int count) const;
+    [[nodiscard]] std::string with_sign(std::string digits) const;
+
     std::string code_ = "en";
     std::locale words_;
 };

@@ -274,7 +274,7 @@ constexpr std::array all_rows{
                {0.0, 100.0, 1.0},
                {},
                "Size of the screen",
-               "inch",
+               "inches",
                "From corner to corner; 0 is what the screen says of itself.",
                SettingLayer::site},
     SettingRow{"screen",

@@ -2,6 +2,7 @@
 #include "app/decode/files.h"
 #include "app/decode/map_svg.h"
 #include "tests/app/gallery/pictures.h"
+#include "tests/audio-cues/words/glossary.h"
 
 #include <algorithm>
 #include <map>
@@ -199,6 +200,29 @@ TEST_P(PictureWords, EveryPartHasAShortNameOfItsOwn) {
         for (const Label& label : map.labels)
             EXPECT_LE(words_in(label.text).size(), longest_name_words) << label.text;
         EXPECT_LE(words_in(map.title).size(), longest_name_words) << map.title;
+    }
+}
+
+const std::vector<GlossaryRow>& glossary() {
+    static const std::vector<GlossaryRow> rows = [] {
+        const auto bytes = read_file(TOUCHLINE_SOURCE_DIR "/audio-cues/words/glossary.md").value();
+        return glossary_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    }();
+    return rows;
+}
+
+TEST_P(PictureWords, KeepToTheGlossary) {
+    const auto english = shipped_pictures();
+    const auto pictures = shipped_pictures({GetParam()});
+    ASSERT_EQ(pictures.size(), english.size());
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const Words said = said_by(pictures[i].map);
+        const Words meant = said_by(english[i].map);
+        ASSERT_EQ(said.size(), meant.size()) << pictures[i].name;
+        for (std::size_t text = 0; text < said.size(); ++text) {
+            for (const auto& found : barred_in(glossary(), GetParam(), said[text], meant[text]))
+                ADD_FAILURE() << GetParam() << ": " << found << ": " << said[text];
+        }
     }
 }
 

@@ -71,9 +71,9 @@ TEST(Kiosk, APictureOfACameraIsNamedByItsDateInTheVisitorsLanguage) {
     ASSERT_TRUE(visitor.choose("Deutsch"));
     ASSERT_TRUE(visitor.choose("Ihr USB-Stick")) << visitor.heard();
     const auto before = world.heard().things.size();
-    ASSERT_TRUE(visitor.choose("I M G, f\u00fcnfter April 2023, 10:15")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("Foto vom f\u00fcnften April 2023, 10:15")) << visitor.heard();
     ASSERT_TRUE(visitor.wait_for("F\u00fchre mich herum")) << visitor.heard();
-    EXPECT_NE(world.heard().text_since(before).find("I M G, f\u00fcnfter April 2023, 10:15."),
+    EXPECT_NE(world.heard().text_since(before).find("Foto vom f\u00fcnften April 2023, 10:15."),
               std::string::npos)
         << world.heard().text_since(before);
 }

@@ -33,13 +33,13 @@ TEST(PictureFacts, ATitleThatAPersonGaveIsSaidElseTheNameOfTheFile) {
     scene.facts.title = "The house (of 1950)";
     EXPECT_EQ(title("IMG_20230405_101500.jpg"), "The house (of 1950)");
     scene.facts.title = "";
-    EXPECT_EQ(title("IMG_20230405_101500.jpg"), "I M G, 5th April 2023, 10:15");
+    EXPECT_EQ(title("IMG_20230405_101500.jpg"), "photo of 5th April 2023, 10:15");
     EXPECT_EQ(title(""), "") << "a photograph has no name";
 }
 
 TEST(PictureFacts, NamesOfLinesOnceThenSpots) {
     const PictureFacts facts = facts_of(house(), of_file(""), Language());
-    EXPECT_EQ(facts.title, "I M G 20 41") << "what a program took from a file's name";
+    EXPECT_EQ(facts.title, "photo 20 41") << "what a program took from a file's name";
     EXPECT_EQ(facts.description, "From the front.");
     EXPECT_EQ(facts.place, (PagePlace{2, 5, 1, 3}));
     ASSERT_EQ(facts.parts.size(), 2U);

@@ -274,7 +274,7 @@ TEST(OperatorWalk, ValuesAreSaidInTheLanguage) {
     settings.viewing_distance_m = 1.0;
     EXPECT_EQ(value(settings, "feel", "friction"), "0,1");
     EXPECT_EQ(value(settings, "feel", "stiffness_N_per_m"), "500 Newton pro Meter");
-    EXPECT_EQ(value(settings, "screen", "viewing_distance_m"), "1 Meter");
+    EXPECT_EQ(value(settings, "screen", "viewing_distance_m"), "ein Meter");
     EXPECT_EQ(value(settings, "feel", "mode"), "Rille");
     EXPECT_EQ(value(settings, "levels", "automatic"), "an");
     EXPECT_EQ(value(settings, "operator", "device"), "keine");

@@ -207,7 +207,7 @@ TEST(Visit, ACamerasThousandNeedsFewPresses) {
     ASSERT_TRUE(house.choose("By the next letter"));
     ASSERT_TRUE(house.choose("I M G 153"));
     EXPECT_FALSE(house.find("By the next letter")) << "ten are a page";
-    ASSERT_TRUE(house.choose("I M G 15 37"));
+    ASSERT_TRUE(house.choose("photo 15 37"));
     EXPECT_EQ(house.visit.visitor.loading->order.index, 537U);
 }
 

@@ -21,7 +21,9 @@ class SpeakerTest : public testing::Test {
     Speaker& start(RecordedPrompts prompts = {}) {
         speaker_ = std::make_unique<Speaker>(
             TOUCHLINE_SPEAK,
-            std::map<std::string, SpokenLanguage>{{"en", {"en", 1.0}}, {"de", {"de", 0.87}}},
+            std::map<std::string, SpokenLanguage>{
+                {"en", {"en", 1.0}},
+                {"de", {"de", 0.87, {{"kurz", "ein langer Satz nur für die Stimme"}}}}},
             std::move(prompts), mixer_);
         return *speaker_;
     }
@@ -61,6 +63,19 @@ class SpeakerTest : public testing::Test {
 
 const std::string sentence =
     "The roof is above the door, and the door is in the middle of the wall.";
+
+TEST_F(SpeakerTest, TheVoiceGetsItsOwnSpellingAndTheCaptionTheText) {
+    Speaker& speaker = start();
+    const auto samples_of = [&](const std::string& word) {
+        all_.clear();
+        speaker.say({"de", word, SpeechPriority::text}, now_s_);
+        EXPECT_EQ(speaker.queue().current()->text, word);
+        wait_for_end();
+        return std::ranges::count_if(all_, [](float sample) { return sample != 0.0F; });
+    };
+    EXPECT_GT(samples_of("kurz"), 2 * samples_of("Kurz"));
+    EXPECT_EQ(speaker.queue().transcript().front().text, "kurz");
+}
 
 TEST_F(SpeakerTest, SP4_AnyKeySilencesSpeechWithinFiftyMilliseconds) {
     Speaker& speaker = start();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <chrono>
 
 #include <fmt/format.h>
@@ -45,6 +46,76 @@ TEST(SpokenName, OfWordsIsThoseWords) {
                Language());
 }
 
+/// As people name them, and no longer than they need be.
+TEST(SpokenName, OfACameraIsAPhoto) {
+    expect_all({{"IMG_20240511_142233.jpg", "photo of 11th May 2024, 14:22"},
+                {"DSC04512.JPG", "photo 45 12"},
+                {"_MG_0007.CR2", "photo 7"},
+                {"IMG_0000.jpg", "photo 0"},
+                {"IMG_4512 (1).jpg", "photo 45 12, 1"},
+                {"IMG_4512 dog.jpg", "photo 45 12 dog"},
+                {"holiday-photo_final(2).png", "holiday photo final 2"},
+                {"Scan 2024-05-11.pdf", "Scan, 11th May 2024"},
+                {"IMG.jpg", "I M G"},
+                {"IMG_dog.jpg", "I M G dog"},
+                {"my IMG 4512.jpg", "my I M G 45 12"},
+                {"SAM 5.jpg", "S A M 5"},
+                {"P12.jpg", "P 12"}},
+               Language());
+    const std::string name = "DSC04512.JPG";
+    expect_all({{name, "Foto 45 12"}}, loaded("de"));
+    expect_all({{name, "photo 45 12"}}, loaded("fr"));
+    expect_all({{name, "foto 45 12"}}, loaded("es"));
+    expect_all({{"Scan 2024-05-06.pdf", "Scan, vom sechsten Mai 2024"}}, loaded("de"));
+}
+
+TEST(SpokenName, ItsFormSaysHowMuchOfIt) {
+    const auto said = [](NameDetail detail, int number = 0) {
+        return spoken_name("IMG_20240511_142233.heic", Language(), {detail, number});
+    };
+    EXPECT_EQ(said(NameDetail::precise), "photo of 11th May 2024, 14:22 and 33 seconds");
+    EXPECT_EQ(said(NameDetail::with_ending), "photo of 11th May 2024, 14:22, H E I C");
+    EXPECT_EQ(said(NameDetail::whole), "I M G, 11th May 2024, 14:22 and 33 seconds, H E I C");
+    EXPECT_EQ(said(NameDetail::plain, 2), "photo of 11th May 2024, 14:22, number 2");
+}
+
+std::vector<std::string> said_list(const std::vector<std::string>& names,
+                                   const Language& language = {}) {
+    const auto forms = spoken_forms(names);
+    std::vector<std::string> said;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        said.push_back(spoken_name(names[i], language, forms[i]));
+    return said;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(SpokenForms, AreAsPlainAsTellsThemApart) {
+    EXPECT_EQ(said_list({"IMG_4512.jpg", "IMG_4513.jpg"}), (Names{"photo 45 12", "photo 45 13"}));
+    EXPECT_EQ(said_list({"IMG_4512.jpg", "boat.png", "IMG_4512.heic"}),
+              (Names{"photo 45 12, J P G", "boat", "photo 45 12, H E I C"}));
+    EXPECT_EQ(said_list({"DSC04512.JPG", "IMG_4512.JPG"}),
+              (Names{"D S C 045 12, J P G", "I M G 45 12, J P G"}));
+    EXPECT_EQ(said_list({"IMG_20240511_142233.jpg", "IMG_20240511_142234.jpg"}),
+              (Names{"photo of 11th May 2024, 14:22 and 33 seconds",
+                     "photo of 11th May 2024, 14:22 and 34 seconds"}));
+    EXPECT_EQ(said_list({"IMG_20240511_142233.jpg", "IMG_20240511_142234.jpg"}, loaded("de")),
+              (Names{"Foto vom elften Mai 2024, 14:22 und 33 Sekunden",
+                     "Foto vom elften Mai 2024, 14:22 und 34 Sekunden"}));
+}
+
+TEST(SpokenForms, NumberWhatHasTheSameWords) {
+    EXPECT_EQ(said_list({"boat.png", "Boat.PNG", "boat_.png"}),
+              (Names{"boat, P N G, number 1", "Boat, P N G, number 2", "boat, P N G, number 3"}));
+    EXPECT_EQ(said_list({"", "\xff"}),
+              (Names{"a file without a name, number 1", "a file without a name, number 2"}));
+    const std::string start(90, 'w');
+    EXPECT_EQ(said_list({start + "1.png", start + "2.png"}),
+              (Names{start.substr(0, 80) + ", P N G, number 1",
+                     start.substr(0, 80) + ", P N G, number 2"}));
+    EXPECT_EQ(said_list({}), Names{});
+}
+
 TEST(SpokenName, OfHostileBytesIsHarmless) {
     expect_all({{"-rf", "r f"},
                 {"%s%n.png", "s n"},
@@ -67,19 +138,19 @@ TEST(SpokenName, OfHostileBytesIsHarmless) {
 
 TEST(SpokenName, OfNumbersIsInGroups) {
     expect_all({{"101085.jpg", "10 10 85"},
-                {"IMG_2041.jpg", "I M G 20 41"},
-                {"DSC00123.JPG", "D S C 001 23"},
-                {"DSCN1234.JPG", "D S C N 12 34"},
-                {"DSCF0042.RAF", "D S C F 00 42"},
-                {"P1010085.JPG", "P 101 00 85"},
+                {"IMG_2041.jpg", "photo 20 41"},
+                {"DSC00123.JPG", "photo 123"},
+                {"DSCN1234.JPG", "photo 12 34"},
+                {"DSCF0042.RAF", "photo 42"},
+                {"P1010085.JPG", "photo 101 00 85"},
                 {"scan0007.tif", "scan 00 07"},
                 {"Scan 3.pdf", "Scan 3"},
                 {"007.png", "007"},
                 {"12345678901.png", "123 45 67 89 01"},
-                {"IMG-20230405-WA0012.jpg", "I M G, 5th April 2023, W A 00 12"},
+                {"IMG-20230405-WA0012.jpg", "photo of 5th April 2023, W A 00 12"},
                 {"100_0123.jpg", "100, 01 23"},
                 {"2_123.png", "2, 123"},
-                {"GOPR0123.JPG", "GOPR 01 23"},
+                {"GOPR0123.JPG", "photo 123"},
                 {"99999999.jpg", "99 99 99 99"},
                 {"20231345.jpg", "20 23 13 45"},
                 {"230405.png", "23 04 05"},
@@ -90,7 +161,7 @@ TEST(SpokenName, OfNumbersIsInGroups) {
 TEST(SpokenName, AYearBesideAWordIsAYear) {
     expect_all({{"Holiday 2023.jpg", "Holiday 2023"},
                 {"2019 summer.jpg", "2019 summer"},
-                {"IMG_2019.jpg", "I M G 20 19"},
+                {"IMG_2019.jpg", "photo 20 19"},
                 {"Berlin 1806.jpg", "Berlin 18 06"}},
                Language());
 }
@@ -123,17 +194,16 @@ TEST(SpokenName, ADateWithItsTimeIsReadAsOne) {
                              "202304051015.png"})
         EXPECT_EQ(spoken_name(name, Language()), moment) << name;
     expect_all(
-        {{"IMG_20230405_101500.jpg", "I M G, " + moment},
-         {"PXL_20230405_101500123.jpg", "P X L, " + moment},
-         {"IMG20230405101500.jpg", "I M G, " + moment},
-         {"WIN_20230405_10_15_00_Pro.jpg", "W I N, " + moment + ", Pro"},
+        {{"IMG_20230405_101500.jpg", "photo of " + moment},
+         {"PXL_20230405_101500123.jpg", "photo of " + moment},
+         {"IMG20230405101500.jpg", "photo of " + moment},
+         {"WIN_20230405_10_15_00_Pro.jpg", "photo of " + moment + ", Pro"},
          {"WhatsApp Image 2023-04-05 at 10.15.00.jpeg", "WhatsApp Image, " + moment},
          {"WhatsApp Image 2023-04-05 at 10.15.00 (1).jpeg", "WhatsApp Image, " + moment + ", 1"},
          {"Screenshot_20230405-101500_Chrome.jpg", "Screenshot, " + moment + ", Chrome"},
          {"Screenshot from 2023-04-05 10-15-00.png", "Screenshot from, " + moment},
-         {"Screen Shot 2023-04-05 at 3.07.09 PM.png",
-          "Screen Shot, 5th April 2023, 15:07 and 9 seconds"},
-         {"signal-2023-04-05-00-05-01.png", "signal, 5th April 2023, 0:05 and 1 second"}},
+         {"Screen Shot 2023-04-05 at 3.07.09 PM.png", "Screen Shot, 5th April 2023, 15:07"},
+         {"signal-2023-04-05-00-05-01.png", "signal, 5th April 2023, 0:05"}},
         Language());
 }
 
@@ -163,9 +233,9 @@ TEST(SpokenName, WhatNoCalendarHasIsNoDate) {
 
 TEST(SpokenName, ADateIsOfTheVisitorsLanguage) {
     const std::string name = "IMG_20230401_101503.jpg";
-    expect_all({{name, "I M G, erster April 2023, 10:15 und 3 Sekunden"}}, loaded("de"));
-    expect_all({{name, "I M G, 1er avril 2023, 10:15 et 3 secondes"}}, loaded("fr"));
-    expect_all({{name, "I M G, 1 de abril de 2023, 10:15 y 3 segundos"}}, loaded("es"));
+    expect_all({{name, "Foto vom ersten April 2023, 10:15"}}, loaded("de"));
+    expect_all({{name, "photo du 1er avril 2023, 10:15"}}, loaded("fr"));
+    expect_all({{name, "foto del 1 de abril de 2023, 10:15"}}, loaded("es"));
     expect_all({{"", "eine Datei ohne Namen"}}, loaded("de"));
 }
 
@@ -236,6 +306,34 @@ RC_GTEST_PROP(SpokenName, NoNumberIsLongAndNoDigitIsLost, ()) {
     }
     RC_ASSERT(again == digits);
     RC_ASSERT(longest <= 3 || digits.size() == 4);
+}
+
+/// Of any names of a few letters and signs, which sound alike often.
+RC_GTEST_PROP(SpokenForms, NoTwoOfAListSoundAlike, ()) {
+    const auto part = rc::gen::elementOf(Names{"IMG", "DSC", "_", "0", "7", "45", "12", "a", "A",
+                                               "2024", "0511", "-", " ", ".jpg", ".png"});
+    const auto names = *rc::gen::container<Names>(
+        rc::gen::map(rc::gen::container<Names>(part), [](const Names& parts) {
+            std::string name;
+            for (const std::string& text : parts) name += text;
+            return name;
+        }));
+    auto said = said_list(names);
+    for (std::string& text : said)
+        for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    std::ranges::sort(said);
+    RC_ASSERT(std::ranges::adjacent_find(said) == said.end());
+}
+
+TEST(SpokenForms, OfTenThousandFilesAreThereAtOnce) {
+    Names names;
+    for (int i = 0; i < 10000; ++i) names.push_back(fmt::format("IMG_{:05}.jpg", i));
+    const auto begin = std::chrono::steady_clock::now();
+    const auto forms = spoken_forms(names);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    EXPECT_EQ(forms.size(), names.size());
+    RecordProperty("seconds", std::to_string(took.count()));
+    EXPECT_LT(took.count(), 1.0);
 }
 
 RC_GTEST_PROP(SpokenName, IsWordsAndNothingElse, ()) {

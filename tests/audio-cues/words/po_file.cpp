@@ -39,6 +39,15 @@ struct Reading {
 
 }  // namespace
 
+std::size_t plural_forms(const PoFile& file) {
+    const std::string key = "nplurals=";
+    const auto head = file.find({"", ""});
+    if (head == file.end()) return 2;
+    const std::string& text = head->second.said.front();
+    const auto at = text.find(key);
+    return at == std::string::npos ? 2 : std::stoul(text.substr(at + key.size()));
+}
+
 PoFile read_po(const std::string& path) {
     std::ifstream lines(path);
     Reading reading;
