@@ -70,8 +70,9 @@ void take_back(OperatorTurn& turn) {
 bool is_locked(OperatorTurn& turn) {
     const double left_s = turn.state().tries.locked_until_s - turn.world.now_s;
     if (turn.state().place != OperatorPlace::pin || left_s <= 0.0) return false;
-    turn.say(turn.world.language.text("operator", "Too many wrong PINs. Wait {0} seconds.",
-                                      {std::to_string(std::lround(std::ceil(left_s)))}));
+    turn.say(turn.world.language.counted("operator", "Too many wrong PINs. Wait one second.",
+                                         "Too many wrong PINs. Wait {0} seconds.",
+                                         static_cast<int>(std::ceil(left_s))));
     return true;
 }
 

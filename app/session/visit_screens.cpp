@@ -21,7 +21,9 @@ void put_attract(Sheet& sheet) {
 
 void put_language(Sheet& sheet) {
     sheet.title("Pictures to feel");
-    sheet.sentence("Up and Down find your language, Select takes it.");
+    sheet.sentence(sheet.world.settings.two_switches == 0
+                       ? "Up and Down find your language, Select takes it."
+                       : "Move on to your language, then press Select.");
     sheet.sentence("Help explains the keys.");
     sheet.sentence("Any key skips.");
     for (std::size_t row = 0; row < sheet.world.languages.size(); ++row) {

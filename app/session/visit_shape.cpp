@@ -17,9 +17,11 @@ std::string told_turn(double turn_rad, const Language& language) {
     const int degrees =
         static_cast<int>(std::lround(std::remainder(degrees_per_radian * turn_rad, 360.0)));
     if (degrees == 0) return language.text("visit", "as at first");
-    return language.text("visit",
-                         degrees > 0 ? "turned left by {0} degrees" : "turned right by {0} degrees",
-                         {std::to_string(std::abs(degrees))});
+    if (degrees > 0)
+        return language.counted("visit", "turned left by one degree", "turned left by {0} degrees",
+                                degrees);
+    return language.counted("visit", "turned right by one degree", "turned right by {0} degrees",
+                            -degrees);
 }
 
 }  // namespace
