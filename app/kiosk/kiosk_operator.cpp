@@ -1,6 +1,7 @@
 // The operator at the kiosk: what the screens order of servo, sound, camera and stick.
 #include "app/kiosk/kiosk.h"
 #include "app/servo/black_box.h"
+#include "app/session/told_lines.h"
 #include "config/settings/setting_texts.h"
 
 #include <array>

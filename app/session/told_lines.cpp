@@ -67,6 +67,7 @@ constexpr std::array rows_of_files{
     LineRow{"one page only", no_such_page},
     LineRow{"this page could not be opened", no_such_page},
     // Maps.
+    LineRow{"the map cannot be handed over", too_rich},
     LineRow{"the map holds no outline", "There is no line in this picture. Choose another one."},
     LineRow{"the map", damaged_map},
     LineRow{"the curves would have", too_rich},
