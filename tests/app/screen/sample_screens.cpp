@@ -82,7 +82,7 @@ SpokenScreen text_screen(const Language& language) {
 SpokenScreen long_list(const Language& language) {
     constexpr int count = 500;
     SpokenScreen screen{language.counted("count", "{0} picture", "{0} pictures", count),
-                        language.text("fault", "Exploring goes on without force."),
+                        language.text("fault", "You can go on exploring without force."),
                         {},
                         count - 3,
                         ScreenView::none};

@@ -178,6 +178,12 @@ void expect_translated(const LiveFacts& facts, const HandState& hand, const Forc
     EXPECT_NE(told.title, english.title);
 }
 
+/// Each reason for a level once.
+std::vector<LevelTerms> terms_that_decide() {
+    return {{.speed = 3.0},   {.percept = 2.0}, {.finest = 2.0}, {.speed = 3.0, .coarsest = 1.0},
+            {.encoder = 1.0}, {.radius = 1.0},  {.cost = 4.0},   {.speed = 9.0, .safe = 5.0}};
+}
+
 /// A language of the catalogue folder: all of them.
 std::vector<Language> translations() {
     std::vector<Language> all;
@@ -201,6 +207,12 @@ TEST(Status, IsAllInTheOperatorsLanguage) {
         facts.last.reset();
         facts.gives_way = true;
         HandState hand;
+        for (const LevelTerms& terms : terms_that_decide()) {
+            hand.level_terms = terms;
+            expect_translated(facts, hand, {}, language);
+        }
+        hand.is_level_auto = false;
+        expect_translated(facts, hand, {}, language);
         for (int state = 0; state < 3; ++state) {
             hand.state = static_cast<ContactState>(state);
             expect_translated(facts, hand, {}, language);

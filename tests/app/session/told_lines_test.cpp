@@ -139,6 +139,24 @@ TEST(ToldLines, EveryRowIsReached) {
     }
 }
 
+/// Nobody should translate what no program says.
+TEST(ToldLines, AndFaultsAndTheLiveViewLeaveNoTextUnused) {
+    std::set<std::string> literals;
+    for (const char* folder : {"app/session", "app/kiosk", "app/loading", "app/main", "app/sticks",
+                               "app/trace", "vision/prepare"})
+        for (const auto& entry : fs::directory_iterator(source / folder))
+            if (entry.path().extension() == ".cpp" || entry.path().extension() == ".h")
+                for (const std::string& literal : literals_in(text_of(entry.path())))
+                    literals.insert(literal);
+    const std::set<std::string> contexts{"event", "contact", "force", "level", "detail", "panel",
+                                         "fault", "trouble", "page",  "shape", "mode"};
+    for (const auto& [key, entry] : english()) {
+        if (contexts.contains(key.first)) {
+            EXPECT_TRUE(literals.contains(key.second)) << key.first << ": " << key.second;
+        }
+    }
+}
+
 TEST(ToldLines, AreTheReasonAndNotTheGeneralSentence) {
     EXPECT_EQ(told(": the PNG picture is cut short or damaged (CRC error); copy it again"),
               "The file is damaged. Copy it again, or choose another one.");
