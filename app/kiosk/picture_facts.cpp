@@ -80,8 +80,7 @@ PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file, const L
     facts.description = map.description;
     facts.place = scene.facts.place;
     facts.outline_count = scene.facts.outline_count;
-    if (!scene.facts.note.empty())
-        facts.note = told_of_file(scene.facts.note, crowded_picture, language);
+    facts.note = told_of_file(scene.facts.note, crowded_picture, language);
     facts.names = scene.facts.names;
     facts.outer_outline = outer_outline(map);
     add_outlines(map, language, facts.parts);

@@ -190,6 +190,7 @@ std::span<const LineRow> device_lines() {
 
 std::string told_of_file(const std::string& line, std::string_view general,
                          const Language& language) {
+    if (line.empty()) return {};
     if (line.ends_with('.')) return language.text("trouble", line);
     return told_by(rows_of_files, line, general, language);
 }

@@ -87,10 +87,11 @@ TEST_P(ToldReasons, OfAFileAreItsOwnSentence) {
     }
 }
 
-TEST_P(ToldReasons, OfAnEmptyStickAreThatItIsEmpty) {
+TEST_P(ToldReasons, OfAStickWithNothingToFeelAreThatThereIsNothing) {
     begin();
     const auto before = world.heard().things.size();
-    world.put_stick({});
+    std::ofstream(world.folder() / "notes.xyz") << "nothing to feel";
+    world.put_stick({world.folder() / "notes.xyz"});
     const std::string told = nothing_words({}, language());
     EXPECT_TRUE(world.heard().was_said(told, before)) << world.heard().text_since(before);
     EXPECT_EQ(told == nothing_words({}, Language()), language().code() == "en");

@@ -167,6 +167,7 @@ TEST(ToldLines, AreTheReasonAndNotTheGeneralSentence) {
         "The picture is too large. Save it smaller and bring it again.");
     EXPECT_EQ(told(" cannot be read because the stick was pulled out; put it in again"),
               "The USB stick was pulled out. Put it in again.");
+    EXPECT_EQ(told(""), "") << "a stick that was pulled out needs no reason";
     EXPECT_EQ(told("something quite new"), unknown);
     EXPECT_EQ(told("It is too dark here. Turn on a lamp."), "It is too dark here. Turn on a lamp.");
 }
