@@ -1,5 +1,5 @@
 // What is said about the device to the person at the handle: one thing to do at a time. Sentence by
-// sentence it is in the catalogue of words too, but for those with a number.
+// sentence it is in the catalogue of words too.
 // Threads: pure functions.
 #pragma once
 

@@ -4,6 +4,7 @@
 #include "app/loading/kiosk_stages.h"
 #include "app/session/fault_words.h"
 #include "app/session/proxy_radius.h"
+#include "app/session/told_lines.h"
 #include "app/sticks/stick_words.h"
 #include "audio-cues/cues/cue_table.h"
 #include "audio-cues/words/guidance_words.h"
@@ -269,14 +270,6 @@ void Kiosk::step(std::int64_t now_ns) {
     sound_->step({hand_, shown_.scene.get(), target()});
 }
 
-/// What was said in English, in the visitor's language: the very sentence where the catalogue has
-/// it, else `general`, which it has. English speakers hear all of it.
-std::string Kiosk::in_words(const std::string& english, const char* general) const {
-    if (english.empty() || language().code() == "en") return english;
-    std::string words = language().text("trouble", english);
-    return words == english ? language().text("trouble", general) : words;
-}
-
 std::string Kiosk::sound_sign() const {
     if (!sign_ || now_s_ - signed_s_ > sign_s) return {};
     const EventRow& row = screen_rows()[static_cast<std::size_t>(*sign_)];
@@ -306,11 +299,9 @@ void Kiosk::follow_stick(std::int64_t now_ns) {
         offer(std::move(change->files), change->rest);
     } else if (change) {
         pictures_.put_stick({});
-        happen(StickGone{
-            change->is_read
-                ? nothing_words(change->rest, language())
-                : in_words(change->sentence,
-                           "The USB stick cannot be read. Put it in again, or try another one.")});
+        happen(StickGone{change->is_read
+                             ? nothing_words(change->rest, language())
+                             : told_of_file(change->sentence, stick_trouble, language())});
     } else if (is_listing_ && !was_listing) {
         happen(StickArriving{});
     }
@@ -340,6 +331,13 @@ void Kiosk::take(Delivery delivery) {
     happen(PictureReady{delivery.request, std::move(facts)});
 }
 
+/// The file's name, which every line about it begins with, tells nothing and may hold anything.
+std::string Kiosk::told_reason(const std::string& line) const {
+    const std::string& name = wanted_->name;
+    return told_of_file(line.starts_with(name) ? line.substr(name.size()) : line, picture_trouble,
+                        language());
+}
+
 void Kiosk::refuse(std::uint64_t request, const std::string& line) {
     const bool is_answer = line == nothing_there;
     if (!is_answer) report(wanted_->is_private ? "a visitor's picture cannot be felt" : line);
@@ -348,7 +346,7 @@ void Kiosk::refuse(std::uint64_t request, const std::string& line) {
             ? language().text("trouble", is_answer ? line
                                                    : "The main thing cannot be looked for "
                                                      "now.")
-            : in_words(line, "This picture cannot be felt. Choose another one.");
+            : told_reason(line);
     stay_with_felt();
     happen(PictureFailed{request, sentence});
 }
@@ -419,23 +417,7 @@ void Kiosk::follow_part(Part part, bool is_there) {
 
 std::string Kiosk::device_trouble() const {
     if (force_.fault != Fault::none) return spoken_fault(force_.fault, language());
-    return device_words(servo_->device_words());
-}
-
-/// Sentence by sentence; one that the language does not have, as those with a number, is left out.
-std::string Kiosk::device_words(const std::string& english) const {
-    if (english.empty() || language().code() == "en") return english;
-    std::string said;
-    for (std::size_t at = 0; at < english.size();) {
-        const std::size_t stop = english.find(". ", at);
-        const std::string sentence =
-            english.substr(at, stop == std::string::npos ? stop : stop + 1 - at);
-        at = stop == std::string::npos ? english.size() : stop + 2;
-        const std::string words = language().text("device", sentence);
-        if (words != sentence) said += (said.empty() ? "" : " ") + words;
-    }
-    if (!said.empty()) return said;
-    return in_words(english, "The handle is being made ready. Please call the staff.");
+    return told_of_device(servo_->device_words(), language());
 }
 
 void Kiosk::trouble(TroubleKind kind, const std::string& sentence) {

@@ -187,8 +187,7 @@ class Kiosk {
     void wipe();
     void report(const std::string& line);
     [[nodiscard]] std::string device_trouble() const;
-    [[nodiscard]] std::string device_words(const std::string& english) const;
-    [[nodiscard]] std::string in_words(const std::string& english, const char* general) const;
+    [[nodiscard]] std::string told_reason(const std::string& line) const;
     [[nodiscard]] std::optional<Position> target() const;
 
     std::vector<Language> languages_;

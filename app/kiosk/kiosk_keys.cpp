@@ -130,6 +130,7 @@ LiveFacts Kiosk::live_facts() const {
     facts.gives_way = settings_.gives_way;
     facts.message = device_trouble();
     if (!map_) return facts;
+    if (visit_.visitor.felt) facts.place = visit_.visitor.felt->facts.place;
     facts.title = map_->title;
     facts.detail = order_.detail;
     if (shown_.scene) facts.coarsest_level = shown_.scene->curves.coarsest();

@@ -1,6 +1,7 @@
 // The operator at the kiosk: what the screens order of servo, sound, camera and stick.
 #include "app/kiosk/kiosk.h"
 #include "app/servo/black_box.h"
+#include "app/session/told_lines.h"
 #include "config/settings/setting_texts.h"
 
 #include <array>
@@ -135,7 +136,7 @@ void Kiosk::follow_operator() {
     operator_->set_private(sound_->output().kind == OutputKind::headset);
     operator_->set_live(live_words());
     operator_->set_kind(servo_->kind());
-    operator_->set_device_words(device_words(servo_->device_words()));
+    operator_->set_device_words(told_of_device(servo_->device_words(), language()));
     operator_->set_bounds(felt_bounds());
     if (shelf_) operator_->put_stick(shelf_->root());
     if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});
@@ -184,7 +185,7 @@ void Kiosk::run_test(TestStep step) {
     switch (step) {
         case TestStep::device:
             return answer_test(step, force_.fault == Fault::none && hand_.ticks > 0,
-                               device_trouble());
+                               describe(live_facts(), hand_, force_, language()).message);
         case TestStep::motors:  // a person tells whether it was felt
             motor_test_s_ = now_s_;
             is_motor_test_due_ = true;
@@ -213,11 +214,10 @@ FeltBounds Kiosk::felt_bounds() const {
 }
 
 std::vector<std::string> Kiosk::live_words() const {
+    Status status = describe(live_facts(), hand_, force_, language());
     std::vector<std::string> words;
-    if (std::string trouble = device_trouble(); !trouble.empty())
-        words.push_back(std::move(trouble));
-    for (const StatusLine& line : describe(live_facts(), hand_, force_).lines)
-        words.push_back(language().text("panel", line.name) + ": " + line.value);
+    if (!status.message.empty()) words.push_back(std::move(status.message));
+    for (const StatusLine& line : status.lines) words.push_back(line.name + ": " + line.value);
     return words;
 }
 

@@ -7,6 +7,7 @@
 #include "app/packs/pack.h"
 #include "app/packs/pack_library.h"
 #include "app/process/places.h"
+#include "app/session/told_lines.h"
 #include "config/types/plain_line.h"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ std::string import_network(std::span<const std::byte> bytes, const std::string& 
 std::string imported(const Brought& file, const fs::path& library, const Language& language) {
     try {
         const auto bytes = file.read();
-        if (!bytes) return language.text("trouble", sentence_of(bytes.error(), file.name));
+        if (!bytes) return told_of_file(sentence_of(bytes.error(), ""), stick_trouble, language);
         return file.kind == StickFileKind::network
                    ? import_network(bytes->bytes(), file.name, language)
                    : import_pictures(bytes->bytes(), file.name, library, language);
@@ -290,7 +291,7 @@ void OperatorDesk::import_from_stick(std::size_t file, const Language& language)
 
 std::optional<std::string> OperatorDesk::poll_stick(const Language& language) {
     const std::string problem = stick_.poll();
-    if (!problem.empty()) return language.text("trouble", problem);
+    if (!problem.empty()) return told_of_file(problem, stick_trouble, language);
     const bool has_ended =
         import_.valid() && import_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     if (!has_ended) return std::nullopt;

@@ -1,6 +1,7 @@
 #include "app/kiosk/picture_facts.h"
 
 #include "app/kiosk/part_name.h"
+#include "app/session/told_lines.h"
 #include "app/sticks/spoken_name.h"
 
 #include <algorithm>
@@ -79,7 +80,7 @@ PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file, const L
     facts.description = map.description;
     facts.place = scene.facts.place;
     facts.outline_count = scene.facts.outline_count;
-    facts.note = scene.facts.note;
+    facts.note = told_of_file(scene.facts.note, crowded_picture, language);
     facts.names = scene.facts.names;
     facts.outer_outline = outer_outline(map);
     add_outlines(map, language, facts.parts);

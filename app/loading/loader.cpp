@@ -46,10 +46,8 @@ JobOutcome safely_done(const Stages& stages, const LoadJob& job) {
     try {
         return done(stages, job);
     } catch (const std::exception&) {
-        const std::string line = "there is not enough memory for it now";
-        return refused(job.kind, is_look(job.kind)
-                                     ? line
-                                     : job.order.file->name + ": " + line + "; choose another one");
+        const std::string line = "there is not enough memory for it now; choose another one";
+        return refused(job.kind, is_look(job.kind) ? line : job.order.file->name + ": " + line);
     }
 }
 

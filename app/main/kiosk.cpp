@@ -243,8 +243,9 @@ class KioskWindow {
         const int width = window_->width_px();
         const int height = window_->height_px();
         if (kiosk_->desk().shows_live_view) {
-            FrameContent content{describe(kiosk_->live_facts(), kiosk_->hand(), kiosk_->force()),
-                                 kiosk_->desk().shows_boxes, kiosk_->hand(), kiosk_->shown()};
+            FrameContent content{
+                describe(kiosk_->live_facts(), kiosk_->hand(), kiosk_->force(), kiosk_->language()),
+                kiosk_->desk().shows_boxes, kiosk_->hand(), kiosk_->shown()};
             content.timing = servo_->lateness();
             content.language = kiosk_->language();
             screen_->draw(content, width, height, time_ns);

@@ -11,6 +11,7 @@ namespace {
 struct Row {
     int decimals;  // of {1}
     const char* english;
+    const char* one = nullptr;  // where {1} is 1
 };
 
 /// In the order of FindingKind. {0} is what is spoken of, {1} a number.
@@ -26,7 +27,8 @@ constexpr std::array<Row, finding_kind_count> rows{{
     {0, "packs cannot be opened safely here; have Touchline installed anew"},
     {0, "the pack is larger than {1} megabytes; make two packs of it"},
     {0, "the pack holds more than {1} files; make two packs of it"},
-    {0, "this is larger than {1} megabytes; save it smaller"},
+    {0, "this is larger than {1} megabytes; save it smaller",
+     "this is larger than one megabyte; save it smaller"},
     {0, "unpacked, the pack exceeds {1} megabytes; make two packs of it"},
     {0, "the name leads out of the pack; rename the file"},
     {0, "names may have a to z, digits, space, dot, hyphen, underscore; rename the file"},
@@ -84,8 +86,9 @@ std::string place_of(const PackFinding& finding, const Language& language) {
 std::string sentence_of(const PackFinding& finding, const Language& language) {
     const Row& row = rows[static_cast<std::size_t>(finding.kind)];
     const std::string what = one_spaced(utf8_of(finding.what), 200);
+    const char* const english = row.one != nullptr && finding.value == 1.0 ? row.one : row.english;
     return place_of(finding, language) +
-           language.text("pack", row.english, {what, language.number(finding.value, row.decimals)});
+           language.text("pack", english, {what, language.number(finding.value, row.decimals)});
 }
 
 }  // namespace touchline

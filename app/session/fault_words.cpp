@@ -1,32 +1,44 @@
 #include "app/session/fault_words.h"
 
-#include <array>
+#include "haptics/safety/safety_state.h"
 
-#include <fmt/format.h>
+#include <array>
+#include <initializer_list>
 
 namespace touchline {
 namespace {
 
+constexpr std::string_view call_the_staff = "Please call the staff.";
+constexpr std::string_view hold_still = "Hold it still. The force comes back by itself.";
+constexpr std::string_view hold_firmly = "Hold it firmly and choose softer lines.";
+
 // In the order of the faults.
 constexpr std::array<FaultWords, fault_count> faults{{
     {},
-    {"The force is off.", "The device does not answer.",
-     "Please ask the staff to check its cable. Once it answers, the voice tells you where to move "
-     "the handle."},
-    {"The force is off.", "The handle moved too fast.",
-     "Hold it still. The force comes back by itself."},
-    {"The force is off.", "The device pushed harder than it should.",
-     "Hold the handle and call the staff."},
-    {"The force is off.", "The handle kept shaking.",
-     "Hold it firmly and choose softer lines. If it does not stop, call the staff."},
-    {"The force is off.", "Nobody seems to hold the handle. Its ball may have come off.",
-     "Please call the staff."},
-    {"The force is off.", "The handle’s position jumped.",
-     "Please call the staff. They check the arms of the device and its cable."},
-    {"The force is off.", "The device or the program reported an impossible number.",
-     "Please tell the staff."},
-    {"The force is off.", "The emergency stop was pressed.", "When all is safe, call the staff."},
+    {"The device does not answer.", call_the_staff,
+     "Check its cable. The voice then tells you where to move the handle."},
+    {"The handle moved too fast.", hold_still, hold_still},
+    {"The device pushed harder than it should.", "Hold the handle and call the staff.",
+     "Hold the handle."},
+    {"The handle kept shaking.", "Hold it firmly and choose softer lines. Then call the staff.",
+     "Hold it firmly and choose softer lines."},
+    {"Nobody seems to hold the handle. Its ball may have come off.", call_the_staff,
+     "Put the ball on and hold it."},
+    {"The handle’s position jumped.", call_the_staff,
+     "Check the arms of the device and its cable."},
+    {"The device or the program reported an impossible number.", call_the_staff,
+     "Copy the log for whoever maintains the kiosk."},
+    {"The emergency stop was pressed.", call_the_staff, "Make sure that all is safe."},
 }};
+
+std::string told(std::initializer_list<std::string_view> sentences, const Language& language) {
+    std::string text;
+    for (const std::string_view sentence : sentences) {
+        if (!text.empty()) text += ' ';
+        text += language.text("fault", std::string(sentence));
+    }
+    return text;
+}
 
 }  // namespace
 
@@ -34,11 +46,23 @@ FaultWords words_of(Fault fault) {
     return faults[static_cast<std::size_t>(fault)];
 }
 
-std::string announcement_of(Fault fault) {
+std::string spoken_fault(Fault fault, const Language& language) {
     if (fault == Fault::none) return {};
     const FaultWords words = words_of(fault);
-    return fmt::format("{} {} {} You can go on exploring without force.", words.what, words.why,
-                       words.what_to_do);
+    return told({"The force is off.", words.why, words.visitor_does,
+                 "You can go on exploring without force."},
+                language);
+}
+
+std::string staffs_fault(Fault fault, const Language& language) {
+    if (fault == Fault::none) return {};
+    const FaultWords words = words_of(fault);
+    const std::string text = told({"The force is off.", words.why, words.staff_does}, language);
+    const FaultRule& rule = fault_rules()[static_cast<std::size_t>(fault) - 1];
+    if (rule.clears == FaultClears::when_gone) return text;
+    return text + ' ' +
+           language.text("fault", "Then choose: {0}.",
+                         {language.text("operator", "Clear what stopped the force")});
 }
 
 std::string_view words_of(ForceState state) {
@@ -80,15 +104,6 @@ std::string_view words_of(Limit limit) {
             return "";
     }
     return "";
-}
-
-std::string spoken_fault(Fault fault, const Language& language) {
-    if (fault == Fault::none) return {};
-    const FaultWords words = words_of(fault);
-    std::string text;
-    for (const std::string_view part : {words.what, words.why, words.what_to_do})
-        text += language.text("fault", std::string(part)) + ' ';
-    return text + language.text("fault", "You can go on exploring without force.");
 }
 
 }  // namespace touchline

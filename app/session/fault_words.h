@@ -10,21 +10,23 @@
 
 namespace touchline {
 
-/// Whole sentences for a person who may not see the screen.
+/// Whole sentences for a person who may not see the screen, in English. A visitor has no key that
+/// brings the force back: what ends the fault is the staff's.
 struct FaultWords {
-    std::string_view what;
     std::string_view why;
-    std::string_view what_to_do;
+    std::string_view visitor_does;
+    std::string_view staff_does;
 };
 
 /// Of every fault but none.
 [[nodiscard]] FaultWords words_of(Fault fault);
 
-/// The three, and that exploring goes on, in a language.
+/// That the force is off, why, what the visitor can do, and that exploring goes on. Empty for none.
 [[nodiscard]] std::string spoken_fault(Fault fault, const Language& language);
 
-/// The three, and that sound goes on without force. Empty for none.
-[[nodiscard]] std::string announcement_of(Fault fault);
+/// The same for the staff: with what they do, and the item of their menu that ends the fault where
+/// it does not end by itself.
+[[nodiscard]] std::string staffs_fault(Fault fault, const Language& language);
 
 /// A few words, like "on" or "waiting until the hand is clear of lines".
 [[nodiscard]] std::string_view words_of(ForceState state);

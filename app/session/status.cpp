@@ -1,12 +1,12 @@
 #include "app/session/status.h"
 
 #include "app/session/fault_words.h"
+#include "app/session/page_words.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <fmt/format.h>
+#include <utility>
 
 namespace touchline {
 
@@ -15,20 +15,10 @@ namespace {
 constexpr std::array<std::string_view, 5> details{"silhouette", "main parts", "parts", "fine parts",
                                                   "everything"};
 
-/// Empty where there is one page that is felt as a whole.
-std::string page_words(const PagePlace& place) {
-    const std::string page = fmt::format("{} of {}", place.page, place.page_count);
-    if (place.view_count <= 1) return place.page_count > 1 ? page : "";
-    const bool is_of_things = place.things == ThingSearch::found;
-    if (place.view == place.view_count)
-        return page + (is_of_things ? ", the whole photograph" : ", the whole page");
-    if (is_of_things)
-        return fmt::format("{}, main thing {} of {}", page, place.view, place.view_count - 1);
-    return fmt::format("{}, picture {} of {}", page, place.view, place.view_count - 1);
-}
-
-std::string detail_text(int detail) {
-    return fmt::format("{} of 5, {}", detail, detail_words(detail));
+std::string detail_text(int detail, const Language& language) {
+    return language.text(
+        "panel", "{0} of {1}, {2}",
+        {std::to_string(detail), "5", language.text("detail", std::string(detail_words(detail)))});
 }
 
 std::string reason_words(LevelTerm term) {
@@ -53,52 +43,62 @@ std::string reason_words(LevelTerm term) {
     return {};
 }
 
-double tenths(double level) {
-    return std::round(level * 10.0) / 10.0;
+/// A level to a tenth, or what bounds it.
+std::string level_number(double level, const Language& language) {
+    const double tenths = std::round(level * 10.0) / 10.0;
+    return language.number(tenths, tenths == std::round(tenths) ? 0 : 1);
 }
 
 /// The level felt, and why that one is wanted. A fixed level is not said to be by anything else,
 /// nor to be fixed where it is not reached.
-std::string level_words(int coarsest_level, const HandState& hand) {
+std::string level_words(int coarsest_level, const HandState& hand, const Language& language) {
     const LevelChoice wanted = choose_level(hand.level_terms);
     const bool is_fixed = !hand.is_level_auto && wanted.level == hand.level_terms.coarsest;
-    return fmt::format("{} of {}, {}", tenths(hand.level), coarsest_level,
-                       is_fixed ? "fixed" : reason_words(wanted.by));
+    return language.text("panel", "{0} of {1}, {2}",
+                         {level_number(hand.level, language), std::to_string(coarsest_level),
+                          language.text("level", is_fixed ? "fixed" : reason_words(wanted.by))});
 }
 
 /// All terms of the level, for the operator.
-std::string terms_words(const LevelTerms& terms) {
-    return fmt::format("speed {}, touch {}, set {} to {}, device {}, proxy {}, time {}, safe {}",
-                       terms.speed, terms.percept, tenths(terms.finest),
-                       tenths(std::min(terms.coarsest, terms.safe)), terms.encoder, terms.radius,
-                       terms.cost, terms.safe);
+std::string terms_words(const LevelTerms& terms, const Language& language) {
+    const auto told = [&](double level) { return level_number(level, language); };
+    return language.text(
+        "level", "speed {0}, touch {1}, set {2} to {3}, device {4}, proxy {5}, time {6}, safe {7}",
+        {told(terms.speed), told(terms.percept), told(terms.finest),
+         told(std::min(terms.coarsest, terms.safe)), told(terms.encoder), told(terms.radius),
+         told(terms.cost), told(terms.safe)});
 }
 
 /// What is felt: a rise is slow, so that it cannot push the hand.
-std::string stiffness_words(const HandState& hand) {
-    return fmt::format("{:.0f} N/m", hand.stiffness_N_per_m);
+std::string stiffness_words(const HandState& hand, const Language& language) {
+    return language.measured("unit", "{0} newton per metre", "{0} newtons per metre",
+                             std::round(hand.stiffness_N_per_m));
 }
 
-std::string force_words(const HandState& hand, const ForceStatus& status) {
-    const std::string force = fmt::format("{:.1f} N", norm(hand.force));
-    if (const auto why = words_of(status.limit); !why.empty()) {
-        return fmt::format("{}, {}", force, why);
-    }
-    if (hand.spring_gain >= 1.0) return force;
-    return fmt::format("{}, softened to {:.0f} %: it vibrated", force, 100.0 * hand.spring_gain);
+std::string force_words(const HandState& hand, const ForceStatus& status,
+                        const Language& language) {
+    const std::string force = language.number(norm(hand.force), 1);
+    if (const auto why = words_of(status.limit); !why.empty())
+        return language.text("force", "{0} N, {1}",
+                             {force, language.text("force", std::string(why))});
+    if (hand.spring_gain >= 1.0) return language.text("force", "{0} N", {force});
+    return language.text("force", "{0} N, softened to {1} %: it vibrated",
+                         {force, language.number(100.0 * hand.spring_gain, 0)});
 }
 
-/// "bar, -4.2 mN m": torque on the hand, counter-clockwise.
-std::string shape_words(const HandState& hand) {
-    constexpr std::array names{"point", "disc", "bar", "angle", "key"};
-    const char* const name = names[static_cast<std::size_t>(hand.shape)];
-    if (!hand.is_shape_placed) return fmt::format("{}, a line goes through it", name);
-    return fmt::format("{}, {:.1f} mN m", name, 1000.0 * hand.torque_Nm);
+/// "a bar, -4.2 mN m": torque on the hand, counter-clockwise.
+std::string shape_words(const HandState& hand, const Language& language) {
+    constexpr std::array names{"a point", "a disc", "a bar", "an angle", "a key"};
+    const std::string name = language.text("shape", names[static_cast<std::size_t>(hand.shape)]);
+    if (!hand.is_shape_placed) return language.text("panel", "{0}, a line goes through it", {name});
+    return language.text("panel", "{0}, {1} mN m",
+                         {name, language.number(1000.0 * hand.torque_Nm, 1)});
 }
 
-std::string mode_words(const HandState& hand, bool gives_way) {
+std::string mode_words(const HandState& hand, bool gives_way, const Language& language) {
     const bool is_soft = hand.mode == Mode::wall && gives_way;
-    return words_of(hand.mode) + (is_soft ? ", gives way to a push" : "");
+    return language.text("mode", words_of(hand.mode)) +
+           (is_soft ? language.text("mode", ", gives way to a push") : "");
 }
 
 }  // namespace
@@ -159,26 +159,31 @@ std::string words_of(ContactEventKind kind) {
     return {};
 }
 
-Status describe(const LiveFacts& facts, const HandState& hand, const ForceStatus& force) {
-    Status status;
-    status.title = facts.title.empty() ? "No picture yet" : facts.title;
-    status.lines = {
-        {"Contact", words_of(hand.state)},
-        {"Last", facts.last ? words_of(facts.last->kind) : "nothing yet"},
-        {"Level", level_words(facts.coarsest_level, hand)},
-        {"Terms", terms_words(hand.level_terms)},
-        {"Force", force_words(hand, force)},
-        {"Motors", std::string(words_of(force.state))},
-        {"Kind of line", mode_words(hand, facts.gives_way)},
-        {"Firmness", stiffness_words(hand)},
-        {"Detail", detail_text(facts.detail)},
-        {"Hand", facts.hand_words},
+Status describe(const LiveFacts& facts, const HandState& hand, const ForceStatus& force,
+                const Language& language) {
+    const auto say = [&](const char* context, std::string_view english) {
+        return language.text(context, std::string(english));
     };
-    if (hand.shape != HeldShape::none)
-        status.lines.insert(status.lines.end() - 1, {"Shape", shape_words(hand)});
-    if (const std::string page = page_words(facts.place); !page.empty())
-        status.lines.insert(status.lines.end() - 1, {"Page", page});
-    status.message = force.fault == Fault::none ? facts.message : announcement_of(force.fault);
+    Status status;
+    status.title = facts.title.empty() ? say("panel", "No picture yet") : facts.title;
+    const auto add = [&](const char* name, std::string value) {
+        status.lines.push_back({say("panel", name), std::move(value)});
+    };
+    add("Contact", say("contact", words_of(hand.state)));
+    add("Last", say("event", facts.last ? words_of(facts.last->kind) : "nothing yet"));
+    add("Level", level_words(facts.coarsest_level, hand, language));
+    add("Terms", terms_words(hand.level_terms, language));
+    add("Force", force_words(hand, force, language));
+    add("Motors", say("force", words_of(force.state)));
+    add("Kind of line", mode_words(hand, facts.gives_way, language));
+    add("Firmness", stiffness_words(hand, language));
+    add("Detail", detail_text(facts.detail, language));
+    if (hand.shape != HeldShape::none) add("Shape", shape_words(hand, language));
+    if (std::string page = words_of(facts.place, language); !page.empty())
+        add("Picture", std::move(page));
+    add("Hand", say("panel", facts.hand_words));
+    status.message =
+        force.fault == Fault::none ? facts.message : staffs_fault(force.fault, language);
     return status;
 }
 

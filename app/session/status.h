@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/session/page_place.h"
+#include "audio-cues/words/language.h"
 #include "config/types/contact_event.h"
 #include "config/types/force_status.h"
 #include "config/types/hand_state.h"
@@ -42,10 +43,12 @@ struct LiveFacts {
     std::string message;
 };
 
-/// A fault of the force comes before the message. Numbers are rounded to what can be read at a
-/// glance.
+/// In the staff's language and words. A fault of the force comes before the message. Numbers are
+/// rounded to what can be read at a glance.
 [[nodiscard]] Status describe(const LiveFacts& facts, const HandState& hand,
-                              const ForceStatus& force);
+                              const ForceStatus& force, const Language& language);
+
+// In English, each a text of the catalogue: contexts "detail", "mode", "contact", "event".
 
 /// "silhouette"; `detail` 1 ... 5.
 [[nodiscard]] std::string_view detail_words(int detail);

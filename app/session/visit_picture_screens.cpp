@@ -1,57 +1,11 @@
 // The screens of a picture that is felt, in words.
+#include "app/session/page_words.h"
 #include "app/session/visit_sheet.h"
 #include "audio-cues/words/guidance_words.h"
 #include "audio-cues/words/thing_words.h"
 
 namespace touchline {
 namespace {
-
-/// What of a photograph is felt, or why it is all of it.
-std::string told_thing(const PagePlace& place, const Language& language) {
-    switch (place.things) {
-        case ThingSearch::under_way:
-            return language.text("page", "Its main thing is being looked for");
-        case ThingSearch::unclear:
-            return language.text("page", "It has no clear main thing");
-        case ThingSearch::impossible:
-        case ThingSearch::absent:
-            return language.text("page", "Its main thing cannot be found here");
-        case ThingSearch::none:
-        case ThingSearch::found:
-            break;
-    }
-    if (place.view >= place.view_count) return language.text("page", "The whole photograph");
-    if (place.view_count == 2) {
-        return language.text("page", place.is_face ? "A face in the photograph"
-                                                   : "The main thing of the photograph");
-    }
-    if (place.is_face) {
-        return language.text("page", "Thing {0} of {1} in the photograph, a face",
-                             {std::to_string(place.view), std::to_string(place.view_count - 1)});
-    }
-    return language.text("page", "Thing {0} of {1} in the photograph",
-                         {std::to_string(place.view), std::to_string(place.view_count - 1)});
-}
-
-/// "Page 2 of 10. Picture 1 of 3 on it"; empty for what has one page and one picture.
-std::string told_page(const PagePlace& place, const Language& language) {
-    std::string text;
-    if (place.page_count > 1) {
-        add_sentence(text,
-                     language.text("page", "Page {0} of {1}",
-                                   {std::to_string(place.page), std::to_string(place.page_count)}));
-    }
-    if (place.things != ThingSearch::none) {
-        add_sentence(text, told_thing(place, language));
-    } else if (place.view_count > 1) {
-        const bool is_whole = place.view >= place.view_count;
-        add_sentence(text, is_whole ? language.text("page", "The whole page")
-                                    : language.text("page", "Picture {0} of {1} on this page",
-                                                    {std::to_string(place.view),
-                                                     std::to_string(place.view_count - 1)}));
-    }
-    return text;
-}
 
 std::string told_zoom(const VisitSheet& sheet) {
     const ZoomWanted& zoom = sheet.visit.visitor.felt->order.zoom;
@@ -66,7 +20,7 @@ void put_told(VisitSheet& sheet) {
     sheet.told(facts.description);
     sheet.told(words_of(facts.names, sheet.language));
     sheet.told(sheet.language.counted("count", "{0} outline", "{0} outlines", facts.outline_count));
-    sheet.told(told_page(facts.place, sheet.language));
+    sheet.told(words_of(facts.place, sheet.language));
     sheet.told(facts.note);
 }
 
@@ -100,7 +54,7 @@ void put_picture(VisitSheet& sheet) {
     sheet.setting(VisitItem::mode);
     sheet.setting(VisitItem::firmness);
     if (sheet.world.settings.offers_shapes && facts.outline_count > 0) put_shape(sheet);
-    const std::string page = told_page(facts.place, sheet.language);
+    const std::string page = words_of(facts.place, sheet.language);
     const bool is_of_things = facts.place.things == ThingSearch::found;
     if (is_of_things) {
         sheet.item(VisitItem::pages, "Main things", page);
@@ -154,7 +108,7 @@ void put_pages(VisitSheet& sheet) {
     const PagePlace& place = sheet.visit.visitor.felt->facts.place;
     const bool is_of_things = place.things == ThingSearch::found;
     sheet.title(is_of_things ? "Main things" : "Pages");
-    sheet.told(told_page(place, sheet.language));
+    sheet.told(words_of(place, sheet.language));
     if (place.view + 1 < place.view_count) {
         sheet.item(VisitItem::next_view,
                    is_of_things ? "The next thing" : "Next picture of the page");

@@ -21,7 +21,9 @@ void put_attract(Sheet& sheet) {
 
 void put_language(Sheet& sheet) {
     sheet.title("Pictures to feel");
-    sheet.sentence("Choose your language with Up, Down and Select.");
+    sheet.sentence(sheet.world.settings.two_switches == 0
+                       ? "Choose your language with Up, Down and Select."
+                       : "Move on to your language, then press Select.");
     sheet.sentence("Press Help to try the keys.");
     sheet.sentence("Press any key to skip.");
     for (std::size_t row = 0; row < sheet.world.languages.size(); ++row) {

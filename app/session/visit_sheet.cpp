@@ -9,6 +9,12 @@ namespace {
 constexpr const char* choice_hint = "Press Select to choose it, Up or Down for the others.";
 constexpr const char* setting_hint = "Press Select for its values.";
 constexpr const char* toggle_hint = "Press Select to change it.";
+constexpr const char* switch_hint = "Press Select to choose it, or move on to the others.";
+
+/// Two switches have no Up and Down.
+const char* hint_of_choice(const VisitWorld& world) {
+    return world.settings.two_switches == 0 ? choice_hint : switch_hint;
+}
 
 }  // namespace
 
@@ -31,7 +37,7 @@ void VisitSheet::told(const std::string& text) {
 void VisitSheet::item(VisitItem item, const char* english, const std::string& value,
                       const char* hint) {
     screen.items.push_back({static_cast<int>(item), ItemRole::choice, words(english), value,
-                            words(hint != nullptr ? hint : choice_hint)});
+                            words(hint != nullptr ? hint : hint_of_choice(world))});
 }
 
 void VisitSheet::toggle(VisitItem item, const char* english, bool is_on, const char* hint) {
@@ -54,7 +60,7 @@ void VisitSheet::setting(VisitItem item) {
 
 void VisitSheet::row(std::size_t number, const std::string& name, const std::string& value) {
     screen.items.push_back({static_cast<int>(VisitItem::entry) + static_cast<int>(number),
-                            ItemRole::choice, name, value, words(choice_hint)});
+                            ItemRole::choice, name, value, words(hint_of_choice(world))});
 }
 
 void VisitSheet::list(std::size_t count, const std::function<ListRow(std::size_t)>& row_at,

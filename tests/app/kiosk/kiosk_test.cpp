@@ -55,7 +55,7 @@ TEST(Kiosk, AFileOfAStickIsNotNamedInTheLog) {
     ASSERT_TRUE(visitor.choose("Your USB stick"));
     (void)world.kiosk().take_report();  // of parts that are not there
     ASSERT_TRUE(visitor.choose("secret")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("no picture that is known here")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("This file is no picture that can be felt.")) << visitor.heard();
     EXPECT_EQ(world.kiosk().take_report(), "a visitor's picture cannot be felt\n");
 }
 

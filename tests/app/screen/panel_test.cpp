@@ -15,7 +15,7 @@ Status full_status() {
     facts.title = "A house with a garden";
     facts.coarsest_level = 6;
     facts.hand_words = "mouse, no device";
-    return describe(facts, HandState{}, ForceStatus{});
+    return describe(facts, HandState{}, ForceStatus{}, Language());
 }
 
 TEST(Text, ACapitalIsAsHighAsAsked) {

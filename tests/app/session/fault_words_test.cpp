@@ -8,21 +8,22 @@
 namespace touchline {
 namespace {
 
-TEST(FaultWords, EveryFaultSaysWhatWhyAndWhatToDo) {
+TEST(FaultWords, EveryFaultSaysWhyAndWhatToDo) {
     std::set<std::string_view> reasons;
     for (std::size_t i = 1; i < fault_count; ++i) {
         const auto fault = static_cast<Fault>(i);
         const FaultWords words = words_of(fault);
-        for (const std::string_view sentence : {words.what, words.why, words.what_to_do}) {
+        for (const auto sentence : {words.why, words.visitor_does, words.staff_does}) {
             ASSERT_FALSE(sentence.empty()) << i;
             EXPECT_EQ(sentence.back(), '.') << sentence;
         }
         reasons.insert(words.why);
-        EXPECT_NE(announcement_of(fault).find("You can go on exploring without force."),
-                  std::string::npos);
+        EXPECT_TRUE(
+            spoken_fault(fault, Language()).ends_with("You can go on exploring without force."));
     }
     EXPECT_EQ(reasons.size(), fault_count - 1);
-    EXPECT_EQ(announcement_of(Fault::none), "");
+    EXPECT_EQ(spoken_fault(Fault::none, Language()), "");
+    EXPECT_EQ(staffs_fault(Fault::none, Language()), "");
 }
 
 TEST(FaultWords, EveryStateHasItsOwn) {

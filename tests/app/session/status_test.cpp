@@ -1,5 +1,6 @@
 #include "app/session/status.h"
 
+#include "app/session/fault_words.h"
 #include "app/session/keys.h"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ TEST(Status, SaysContactLevelForceAndMode) {
     hand.state = ContactState::vertex;
     hand.level = 2.46;
     hand.force = {0.6, -0.8};
-    const Status status = describe(shown(), hand, {});
+    const Status status = describe(shown(), hand, {}, Language());
     EXPECT_EQ(status.title, "Fish");
     EXPECT_EQ(value_of(status, "Contact"), "at a corner");
     EXPECT_EQ(value_of(status, "Level"), "2.5 of 6, by speed");
@@ -46,12 +47,12 @@ TEST(Status, SaysWhichPageAndWhichPictureOfIt) {
     const auto page_of = [](const PagePlace& place) {
         LiveFacts facts = shown();
         facts.place = place;
-        return value_of(describe(facts, {}, {}), "Page");
+        return value_of(describe(facts, {}, {}, Language()), "Picture");
     };
-    EXPECT_EQ(page_of({2, 7, 1, 4}), "2 of 7, picture 1 of 3");
-    EXPECT_EQ(page_of({2, 7, 4, 4}), "2 of 7, the whole page");
-    EXPECT_EQ(page_of({1, 1, 1, 2}), "1 of 1, picture 1 of 1");
-    EXPECT_EQ(page_of({2, 7, 1, 1}), "2 of 7");
+    EXPECT_EQ(page_of({2, 7, 1, 4}), "Page 2 of 7. Picture 1 of 3 on it");
+    EXPECT_EQ(page_of({2, 7, 4, 4}), "Page 2 of 7. The whole page");
+    EXPECT_EQ(page_of({1, 1, 1, 2}), "Picture 1 of 1 on it");
+    EXPECT_EQ(page_of({2, 7, 1, 1}), "Page 2 of 7");
     EXPECT_EQ(page_of({1, 1, 1, 1}), "");
 }
 
@@ -59,7 +60,7 @@ TEST(Status, SaysTheLastEventInWords) {
     const auto last_words = [](const std::optional<ContactEvent>& last) {
         LiveFacts facts = shown();
         facts.last = last;
-        return value_of(describe(facts, {}, {}), "Last");
+        return value_of(describe(facts, {}, {}, Language()), "Last");
     };
     EXPECT_EQ(last_words({}), "nothing yet");
     ContactEvent event;
@@ -79,9 +80,9 @@ TEST(Status, SaysThatAWallGivesWay) {
     facts.gives_way = true;
     HandState hand;
     hand.mode = Mode::groove;
-    EXPECT_EQ(value_of(describe(facts, hand, {}), "Kind of line"), "groove");
+    EXPECT_EQ(value_of(describe(facts, hand, {}, Language()), "Kind of line"), "groove");
     hand.mode = Mode::wall;
-    EXPECT_EQ(value_of(describe(facts, hand, {}), "Kind of line"), "wall, gives way to a push");
+    EXPECT_EQ(value_of(describe(facts, hand, {}, Language()), "Kind of line"), "wall, gives way to a push");
 }
 
 std::string level_words(const LevelTerms& terms, bool is_automatic) {
@@ -89,7 +90,7 @@ std::string level_words(const LevelTerms& terms, bool is_automatic) {
     hand.level_terms = terms;
     hand.level = choose_level(terms).level;
     hand.is_level_auto = is_automatic;
-    return value_of(describe(shown(), hand, {}), "Level");
+    return value_of(describe(shown(), hand, {}, Language()), "Level");
 }
 
 TEST(Status, SaysWhichTermDecidesTheLevel) {
@@ -116,7 +117,7 @@ TEST(Status, AFixedLevelIsSaidToBeFixedOrWhyItIsNotReached) {
 TEST(Status, SaysAllTermsOfTheLevel) {
     HandState hand;
     hand.level_terms = {3.0, 1.0, 0.5, 16.0, 2.0, 0.0, 4.0, 6.0};
-    EXPECT_EQ(value_of(describe(shown(), hand, {}), "Terms"),
+    EXPECT_EQ(value_of(describe(shown(), hand, {}, Language()), "Terms"),
               "speed 3, touch 1, set 0.5 to 6, device 2, proxy 0, time 4, safe 6");
 }
 
@@ -124,19 +125,20 @@ TEST(Status, NumbersThatLookTheSameGiveTheSameStatus) {
     HandState a, b;
     a.level = 1.01;
     b.level = 1.02;
-    EXPECT_EQ(describe(shown(), a, {}), describe(shown(), b, {}));
+    EXPECT_EQ(describe(shown(), a, {}, Language()), describe(shown(), b, {}, Language()));
 }
 
 TEST(Status, AStiffnessOnItsWayIsSaidAsItIsFelt) {
     HandState hand;
     hand.stiffness_N_per_m = 420.0;
-    EXPECT_EQ(value_of(describe(shown(), hand, {}), "Firmness"), "420 N/m");
+    EXPECT_EQ(value_of(describe(shown(), hand, {}, Language()), "Firmness"),
+              "420 newtons per metre");
 }
 
 TEST(Status, NothingIsLeftUnnamedBeforeTheFirstPicture) {
     LiveFacts facts;
     facts.hand_words = "mouse";
-    const Status status = describe(facts, {}, {});
+    const Status status = describe(facts, {}, {}, Language());
     EXPECT_EQ(status.title, "No picture yet");
     for (const StatusLine& line : status.lines) EXPECT_FALSE(line.value.empty()) << line.name;
 }
@@ -144,22 +146,107 @@ TEST(Status, NothingIsLeftUnnamedBeforeTheFirstPicture) {
 TEST(Status, AMessageIsShownWhereNoFaultIs) {
     LiveFacts facts = shown();
     facts.message = "why";
-    EXPECT_EQ(describe(facts, {}, {}).message, "why");
+    EXPECT_EQ(describe(facts, {}, {}, Language()).message, "why");
 }
 
 TEST(Status, AFaultIsTheMessageAndTheStateOfTheMotorsIsSaid) {
     ForceStatus force;
     force.state = ForceState::live;
-    EXPECT_EQ(value_of(describe(shown(), {}, force), "Motors"), "on");
+    EXPECT_EQ(value_of(describe(shown(), {}, force, Language()), "Motors"), "on");
     force.limit = Limit::heat;
-    EXPECT_EQ(value_of(describe(shown(), {}, force), "Force"), "0.0 N, less: the motors are warm");
+    EXPECT_EQ(value_of(describe(shown(), {}, force, Language()), "Force"),
+              "0.0 N, less: the motors are warm");
     force = {ForceState::fault, Fault::device_lost, Limit::fault, {}};
-    const Status status = describe(shown(), {}, force);
+    const Status status = describe(shown(), {}, force, Language());
     EXPECT_EQ(value_of(status, "Motors"), "stopped");
-    EXPECT_EQ(status.message,
-              "The force is off. The device does not answer. Please ask the staff to check its "
-              "cable. Once it answers, the voice tells you where to move the handle. You can go on "
-              "exploring without force.");
+    EXPECT_EQ(status.message, staffs_fault(Fault::device_lost, Language()));
+}
+
+/// Every value of `language` beside the English one; numbers are alike.
+void expect_translated(const LiveFacts& facts, const HandState& hand, const ForceStatus& force,
+                       const Language& language) {
+    const Status english = describe(facts, hand, force, Language());
+    const Status told = describe(facts, hand, force, language);
+    ASSERT_EQ(told.lines.size(), english.lines.size());
+    for (std::size_t i = 0; i < told.lines.size(); ++i) {
+        const std::string& value = english.lines[i].value;
+        const bool is_number = value.find_first_not_of("0123456789.,- N") == std::string::npos;
+        if (!is_number) {
+            EXPECT_NE(told.lines[i].value, value) << language.code();
+        }
+    }
+    EXPECT_NE(told.title, english.title);
+}
+
+/// Each reason for a level once.
+std::vector<LevelTerms> terms_that_decide() {
+    return {{.speed = 3.0},   {.percept = 2.0}, {.finest = 2.0}, {.speed = 3.0, .coarsest = 1.0},
+            {.encoder = 1.0}, {.radius = 1.0},  {.cost = 4.0},   {.speed = 9.0, .safe = 5.0}};
+}
+
+/// A language of the catalogue folder: all of them.
+std::vector<Language> translations() {
+    std::vector<Language> all;
+    const auto codes = languages_in(TOUCHLINE_CATALOGUES).value();
+    for (const std::string& code : codes)
+        if (code != "en") all.push_back(Language::load(TOUCHLINE_CATALOGUES, code).value());
+    return all;
+}
+
+TEST(Status, IsAllInTheOperatorsLanguage) {
+    ASSERT_GE(translations().size(), 3U);
+    for (const Language& language : translations()) {
+        LiveFacts facts;
+        facts.hand_words = "mouse, no device";
+        facts.place = {2, 7, 1, 4};
+        for (int kind = 0; kind <= static_cast<int>(ContactEventKind::popped_through); ++kind) {
+            facts.last = ContactEvent{};
+            facts.last->kind = static_cast<ContactEventKind>(kind);
+            expect_translated(facts, {}, {}, language);
+        }
+        facts.last.reset();
+        facts.gives_way = true;
+        HandState hand;
+        for (const LevelTerms& terms : terms_that_decide()) {
+            hand.level_terms = terms;
+            expect_translated(facts, hand, {}, language);
+        }
+        hand.is_level_auto = false;
+        expect_translated(facts, hand, {}, language);
+        for (int state = 0; state < 3; ++state) {
+            hand.state = static_cast<ContactState>(state);
+            expect_translated(facts, hand, {}, language);
+        }
+        for (const Mode mode : {Mode::wall, Mode::groove, Mode::ridge, Mode::stay}) {
+            hand.mode = mode;
+            expect_translated(facts, hand, {}, language);
+        }
+        for (const bool is_placed : {true, false}) {
+            hand.shape = HeldShape::bar;
+            hand.is_shape_placed = is_placed;
+            expect_translated(facts, hand, {}, language);
+        }
+        hand.spring_gain = 0.5;
+        expect_translated(facts, hand, {}, language);
+        ForceStatus force;
+        for (std::size_t i = 0; i < force_state_count * limit_count; ++i) {
+            force.state = static_cast<ForceState>(i % force_state_count);
+            force.limit = static_cast<Limit>(i / force_state_count);
+            expect_translated(facts, hand, force, language);
+        }
+        for (facts.detail = 2; facts.detail <= 5; ++facts.detail)
+            expect_translated(facts, hand, {}, language);
+    }
+}
+
+TEST(Status, NumbersHaveTheSignOfTheLanguage) {
+    const Language german = Language::load(TOUCHLINE_CATALOGUES, "de").value();
+    HandState hand;
+    hand.level = 2.46;
+    hand.force = {0.6, -0.8};
+    const Status status = describe(shown(), hand, {}, german);
+    EXPECT_EQ(value_of(status, "Kraft"), "1,0 N");
+    EXPECT_EQ(value_of(status, "Stufe").substr(0, 9), "2,5 von 6");
 }
 
 TEST(Status, TheReadmeHoldsTheKeyTableAsItIs) {

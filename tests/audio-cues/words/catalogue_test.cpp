@@ -240,9 +240,12 @@ TEST(Catalogue, HasAllThatKeysPanelAndFaultsSay) {
     };
     for (std::size_t i = 1; i < fault_count; ++i) {
         const FaultWords words = words_of(static_cast<Fault>(i));
-        for (const auto text : {words.what, words.why, words.what_to_do}) expect("fault", text);
+        for (const auto text : {words.why, words.visitor_does, words.staff_does})
+            expect("fault", text);
     }
-    expect("fault", "You can go on exploring without force.");
+    for (const char* text :
+         {"The force is off.", "You can go on exploring without force.", "Then choose: {0}."})
+        expect("fault", text);
     for (std::size_t i = 0; i < force_state_count; ++i) {
         expect("force", words_of(static_cast<ForceState>(i)));
     }
@@ -260,7 +263,7 @@ TEST(Catalogue, HasAllThatKeysPanelAndFaultsSay) {
 }
 
 TEST(Catalogue, HasTheLinesOfThePanel) {
-    const Status status = describe(LiveFacts{}, HandState{}, ForceStatus{});
+    const Status status = describe(LiveFacts{}, HandState{}, ForceStatus{}, Language());
     for (const StatusLine& line : status.lines) {
         EXPECT_TRUE(english().contains({"panel", line.name})) << line.name;
     }

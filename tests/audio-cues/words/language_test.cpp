@@ -48,7 +48,7 @@ TEST(Language, WhatIsMissingIsSaidInEnglish) {
 
 TEST(Language, PlacesAreFilledAndOthersStay) {
     EXPECT_EQ(Language().text("", "{1} and {0}, {2} {x} {", {"a", "b"}), "b and a, {2} {x} {");
-    EXPECT_EQ(loaded("fr").text("panel", "{0} of {1}", {"2", "5"}), "2 sur 5");
+    EXPECT_EQ(loaded("fr").text("screen", "{0} of {1}", {"2", "5"}), "2 sur 5");
     EXPECT_EQ(Language().text("", "{0}", {"{1}", "b"}), "{1}")
         << "what is filled in is not read again";
 }

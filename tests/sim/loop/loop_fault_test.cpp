@@ -81,7 +81,7 @@ TEST_P(LoopFaults, EndInZeroTorqueAreSaidAndForceComesBackArmed) {
         EXPECT_LE(run.zero_s.value_or(0.0), demand.zero_s + 1e-9);
         EXPECT_LE(run.fault, demand.worst);
         EXPECT_TRUE(run.fault == demand.worst || !demand.is_sure) << words(run);
-        EXPECT_EQ(announcement_of(run.fault).empty(), run.fault == Fault::none);
+        EXPECT_EQ(spoken_fault(run.fault, Language()).empty(), run.fault == Fault::none);
         EXPECT_FALSE(run.was_pushed_before_arm);
         const bool may_stay_off = kind.event == LoopEvent::kiosk_freezes || !run.zero_s;
         EXPECT_TRUE(run.back_s.has_value() || may_stay_off);

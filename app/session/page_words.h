@@ -1,0 +1,15 @@
+// Which page of a document is felt, and what of it, in words.
+// Threads: a pure function.
+#pragma once
+
+#include "app/session/page_place.h"
+#include "audio-cues/words/language.h"
+
+#include <string>
+
+namespace touchline {
+
+/// "Page 2 of 10. Picture 1 of 3 on it"; empty for what has one page and one picture.
+[[nodiscard]] std::string words_of(const PagePlace& place, const Language& language);
+
+}  // namespace touchline

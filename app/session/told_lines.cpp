@@ -1,0 +1,212 @@
+#include "app/session/told_lines.h"
+
+#include <algorithm>
+#include <array>
+
+namespace touchline {
+namespace {
+
+constexpr std::string_view call_the_staff =
+    "A part of this kiosk is missing. Please call the staff.";
+constexpr std::string_view too_much_memory =
+    "The picture needs too much memory. Save it smaller and bring it again.";
+constexpr std::string_view too_large = "The file is too large. Save it smaller and bring it again.";
+constexpr std::string_view damaged = "The file is damaged. Copy it again, or choose another one.";
+constexpr std::string_view not_safe = "The file cannot be opened safely. Choose another one.";
+constexpr std::string_view lines_not_safe =
+    "The lines cannot be found safely. Choose another picture.";
+constexpr std::string_view no_such_page = "This page cannot be opened. Choose another one.";
+constexpr std::string_view no_line_in_part =
+    "There is no line in this part. Choose another part, or the whole picture.";
+constexpr std::string_view unfit_kind = "This kind of picture cannot be felt. Choose another one.";
+constexpr std::string_view unfit_tiff = "This kind of TIFF cannot be felt. Save it as a PNG.";
+constexpr std::string_view damaged_svg =
+    "The SVG file is damaged. Save it again, or choose another one.";
+constexpr std::string_view damaged_map =
+    "The lines of this picture are damaged. Choose another one.";
+constexpr std::string_view too_rich =
+    "The picture holds more than can be felt. Choose a simpler one.";
+constexpr std::string_view pulled_out = "The USB stick was pulled out. Put it in again.";
+constexpr std::string_view unreadable_file =
+    "The file cannot be read. Choose another one, or call the staff.";
+constexpr std::string_view unplugged = "The handle is unplugged. Please call the staff.";
+
+constexpr std::array rows_of_files{
+    // Documents and pictures, by their readers.
+    LineRow{"locked with a password", "The PDF is locked with a password. Save it without one."},
+    LineRow{"is an office document",
+            "Office files cannot be felt. Please bring the file as a PDF."},
+    LineRow{"Office files cannot be felt",
+            "Office files cannot be felt. Please bring the file as a PDF."},
+    LineRow{"is an archive of other files",
+            "This file holds others, packed together. Unpack them on your computer first."},
+    LineRow{"is no picture that is known here",
+            "This file is no picture that can be felt. Bring a PNG, JPEG or PDF."},
+    LineRow{"nothing is painted", "Nothing is drawn in this picture. Choose another one."},
+    LineRow{"it has no page", "The PDF has no page. Choose another file."},
+    LineRow{"is cut short or damaged", damaged},
+    LineRow{"the file is empty", "The file is empty. Copy it again, or choose another one."},
+    LineRow{"the map is empty", "The file is empty. Copy it again, or choose another one."},
+    LineRow{"more than * megapixels",
+            "The picture is too large. Save it smaller and bring it again."},
+    LineRow{"is larger than * MiB", too_large},
+    LineRow{"too large when unpacked", too_large},
+    LineRow{"in one piece that is too large", unfit_tiff},
+    LineRow{"is of a kind that cannot be shown", unfit_tiff},
+    LineRow{"needs too much memory", too_much_memory},
+    LineRow{"not enough memory", too_much_memory},
+    LineRow{"the WebP picture moves", "This picture moves. Save one frame of it as a PNG."},
+    LineRow{"repeats its parts too often",
+            "This SVG repeats its parts too often. Save it as a PNG."},
+    LineRow{"cannot be drawn (", "The file cannot be drawn. Save it as a PNG."},
+    LineRow{"is no SVG", damaged_svg},
+    LineRow{"but no SVG", damaged_svg},
+    LineRow{"is no XML", damaged_svg},
+    LineRow{"write viewBox", "The SVG does not say its size. Save it as a PNG."},
+    LineRow{"choose one of them", no_such_page},
+    LineRow{"one page only", no_such_page},
+    LineRow{"this page could not be opened", no_such_page},
+    // Maps.
+    LineRow{"the map cannot be handed over", too_rich},
+    LineRow{"the map holds no outline", "There is no line in this picture. Choose another one."},
+    LineRow{"the map", damaged_map},
+    LineRow{"the curves would have", too_rich},
+    // Workers.
+    LineRow{"takes too long to open",
+            "The file takes too long to open. Save it smaller or simpler."},
+    LineRow{"finding its outlines takes too long",
+            "Finding the lines takes too long. Choose a simpler picture."},
+    LineRow{"cannot be started safely here", call_the_staff},
+    LineRow{"a part of Touchline is missing", call_the_staff},
+    LineRow{"is of another version", call_the_staff},
+    LineRow{"damaged or harmful", not_safe},
+    LineRow{"could not be opened safely", not_safe},
+    LineRow{"could not be found safely", lines_not_safe},
+    LineRow{"found before are damaged", lines_not_safe},
+    // Lines.
+    LineRow{"none in this part", no_line_in_part},
+    LineRow{"no line in this part", no_line_in_part},
+    LineRow{"no outline is shown at detail",
+            "There is no line at this detail. Choose more detail."},
+    LineRow{"the picture is only", "The picture is too small to be felt. Bring a larger one."},
+    LineRow{"flat to be felt", "The picture is too flat to be felt. Bring a higher one."},
+    LineRow{"narrow to be felt", "The picture is too narrow to be felt. Bring a wider one."},
+    LineRow{"too small for a finger",
+            "All in the picture is too small for a finger. Choose a closer picture."},
+    LineRow{"stands out from its background",
+            "Nothing in the picture stands out. Choose one with more contrast."},
+    LineRow{"the picture has no pixels", damaged},
+    LineRow{"was not foreseen", unfit_kind},
+    LineRow{"neither 8-bit colour", unfit_kind},
+    LineRow{"the middle of the zoom is no place", no_line_in_part},
+    LineRow{"stands out from its grain",
+            "Nothing in the picture stands out clearly. Only the strongest lines are kept."},
+    LineRow{"more than can be felt; only", crowded_picture},
+    // The camera.
+    LineRow{"the camera's picture cannot be used", "The photo cannot be used. Take another one."},
+    LineRow{"the camera's frame is damaged", "The photo cannot be used. Take another one."},
+    // Sticks and their files.
+    LineRow{"was pulled out or is damaged",
+            "The USB stick was pulled out or is damaged. Put it in again, or try another one."},
+    LineRow{"was pulled out", pulled_out},
+    LineRow{"no longer on the stick",
+            "The file is no longer on the USB stick. Choose another one."},
+    LineRow{"only a link or a device", "This is only a link. Choose the picture itself."},
+    LineRow{"is too large; save it smaller", too_large},
+    LineRow{"is empty; copy it to the stick",
+            "The file is empty. Copy it again, or choose another one."},
+    LineRow{"is locked for the user who saved it",
+            "Only the person who saved this may open it. Copy it to another USB stick."},
+    LineRow{"takes too long to read",
+            "Reading takes too long. Put the USB stick in again, or try another one."},
+    LineRow{"cannot be read; put it in again", stick_trouble},
+    // What should not be.
+    LineRow{"there is no memory to share", too_much_memory},
+    LineRow{"shared memory cannot be mapped", too_much_memory},
+    LineRow{"memory cannot be sealed", too_much_memory},
+    LineRow{"no sealed memory", unreadable_file},
+    LineRow{"cannot be opened", unreadable_file},
+    LineRow{"cannot be read", unreadable_file},
+};
+
+constexpr std::array rows_of_devices{
+    LineRow{"unplugged or gave up", unplugged},
+    LineRow{"the board was unplugged", unplugged},
+    LineRow{"is no longer plugged in", unplugged},
+    LineRow{"no board is plugged in", unplugged},
+    LineRow{"no pantograph's board is plugged in", unplugged},
+    LineRow{"it took too long", "That took too long. Please call the staff."},
+    LineRow{"has lost its place",
+            "The handle has lost its place. The voice will tell you where to move it."},
+    LineRow{"does not answer", "The handle does not answer. Please call the staff."},
+    LineRow{"did not confirm zero torque",
+            "Let go of the handle. Its motors may still push. Please call the staff."},
+};
+
+/// All that stands between the stars, in their order.
+bool holds(std::string_view line, std::string_view part) {
+    for (;;) {
+        const std::size_t star = part.find('*');
+        const std::string_view wanted = part.substr(0, star);
+        const std::size_t at = line.find(wanted);
+        if (at == std::string_view::npos) return false;
+        if (star == std::string_view::npos) return true;
+        line.remove_prefix(at + wanted.size());
+        part.remove_prefix(star + 1);
+    }
+}
+
+std::string told_by(std::span<const LineRow> rows, const std::string& line,
+                    std::string_view general, const Language& language) {
+    const auto row =
+        std::ranges::find_if(rows, [&line](const LineRow& each) { return holds(line, each.part); });
+    return language.text("trouble", std::string(row == rows.end() ? general : row->told));
+}
+
+/// "It is 12 millimetres off." is the text "It is {0} millimetres off." with 12. Empty for a
+/// sentence that the catalogue has in neither way.
+std::string told_sentence(const std::string& sentence, const Language& language) {
+    constexpr const char* digits = "0123456789";
+    const std::string whole = language.text("device", sentence);
+    const std::size_t first = sentence.find_first_of(digits);
+    if (whole != sentence || first == std::string::npos) return whole == sentence ? "" : whole;
+    const std::string number =
+        sentence.substr(first, sentence.find_first_not_of(digits, first) - first);
+    std::string pattern = sentence;
+    pattern.replace(first, number.size(), "{0}");
+    const std::string filled = language.text("device", pattern, {number});
+    return filled == sentence ? "" : filled;
+}
+
+}  // namespace
+
+std::span<const LineRow> file_lines() {
+    return rows_of_files;
+}
+
+std::span<const LineRow> device_lines() {
+    return rows_of_devices;
+}
+
+std::string told_of_file(const std::string& line, std::string_view general,
+                         const Language& language) {
+    if (line.empty()) return {};
+    if (line.ends_with('.')) return language.text("trouble", line);
+    return told_by(rows_of_files, line, general, language);
+}
+
+std::string told_of_device(const std::string& line, const Language& language) {
+    if (line.empty()) return {};
+    if (!line.ends_with('.')) return told_by(rows_of_devices, line, device_trouble, language);
+    if (language.code() == "en") return line;
+    std::string said;
+    for (std::size_t at = 0; at < line.size();) {
+        const std::size_t stop = std::min(line.find(". ", at), line.size() - 1);
+        const std::string words = told_sentence(line.substr(at, stop + 1 - at), language);
+        if (!words.empty()) said += (said.empty() ? "" : " ") + words;
+        at = stop + 2;
+    }
+    return said;
+}
+
+}  // namespace touchline

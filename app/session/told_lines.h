@@ -1,0 +1,45 @@
+// Lines that other parts of the kiosk give in English (a Result's, the servo's), as the visitor
+// hears them: in the language, without names of formats' parts and numbers of bytes, and with
+// something that can be done here. Every text is of the catalogue, context "trouble", but the
+// device's sentences ("device").
+// Threads: constant data and pure functions.
+#pragma once
+
+#include "audio-cues/words/language.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace touchline {
+
+/// What of a line tells it from others, and what is said for it. "*" stands for anything.
+struct LineRow {
+    std::string_view part;
+    std::string_view told;
+};
+
+/// The first that fits counts.
+[[nodiscard]] std::span<const LineRow> file_lines();
+[[nodiscard]] std::span<const LineRow> device_lines();
+
+inline constexpr std::string_view picture_trouble =
+    "This picture cannot be felt. Choose another one.";
+inline constexpr std::string_view stick_trouble =
+    "The USB stick cannot be read. Put it in again, or try another one.";
+inline constexpr std::string_view crowded_picture =
+    "The picture has more lines than can be felt. Only the strongest are kept.";
+inline constexpr std::string_view device_trouble =
+    "The handle does not work now. Please call the staff.";
+
+/// Why a picture, a file or a stick cannot be felt; `line` without the file's name, which may hold
+/// anything; empty for an empty one. A line that is whole sentences is a text itself. `general`:
+/// said for a line that no row knows.
+[[nodiscard]] std::string told_of_file(const std::string& line, std::string_view general,
+                                       const Language& language);
+
+/// What the device's part says: sentences of app/device/device_words.h, one by one, with their
+/// numbers; or why there is no force. Empty for an empty line.
+[[nodiscard]] std::string told_of_device(const std::string& line, const Language& language);
+
+}  // namespace touchline
