@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # The tactile labels in every language: what their dots say is what an independent braille translator makes of the word,
-# and no word or braille is wider than its plate. Usage: labels.sh LABELS_SCRIPT
+# no word or braille is wider than its plate, and a key's label is its name in the catalogue.
+# Usage: labels.sh LABELS_SCRIPT CATALOGUES
 set -euo pipefail
 export LC_ALL=C.UTF-8
 labels=$1
+catalogues=$2
 declare -A table=([en]=en-ueb-g1.ctb [de]=de-g0.utb [fr]=fr-bfu-comp6.utb [es]=es-g1.ctb)
 failures=0
 fail() {
@@ -34,6 +36,16 @@ reference() {
     done
 }
 
+# name_of KEY LANGUAGE: what the kiosk calls the key.
+name_of() {
+    local name=$1
+    [[ $2 == en ]] || name=$(awk -F'"' -v key="$1" '
+        /^msgctxt/ { context = $2 }
+        /^msgid/ { id = $2 }
+        /^msgstr/ && context == "keys" && id == key { print $2 }' "$catalogues/$2.po")
+    echo "${name,,}"
+}
+
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for language in "${!table[@]}"; do
@@ -45,6 +57,10 @@ for language in "${!table[@]}"; do
     while read -r word dots; do
         [[ " $dots" == "$(reference "$word" "${table[$language]}")" ]] || fail "$language: $word reads $dots"
     done <"$work/cells.txt"
+    while IFS='|' read -r code place word; do
+        [[ $code == "$language" && $place == *' key' ]] || continue
+        [[ $word == "$(name_of "${place% key}" "$language")" ]] || fail "$language: the $place is labelled $word"
+    done <"${labels}.txt"
 done
 bash "$labels" xx >"$work/none" 2>"$work/error" && fail 'an unknown language is taken'
 grep -q "there are: de en es fr" "$work/error" || fail 'an unknown language is refused without saying which there are'
