@@ -7,7 +7,6 @@
 #include <csignal>
 #include <limits>
 
-
 namespace touchline {
 namespace {
 

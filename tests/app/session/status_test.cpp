@@ -82,7 +82,8 @@ TEST(Status, SaysThatAWallGivesWay) {
     hand.mode = Mode::groove;
     EXPECT_EQ(value_of(describe(facts, hand, {}, Language()), "Kind of line"), "groove");
     hand.mode = Mode::wall;
-    EXPECT_EQ(value_of(describe(facts, hand, {}, Language()), "Kind of line"), "wall, gives way to a push");
+    EXPECT_EQ(value_of(describe(facts, hand, {}, Language()), "Kind of line"),
+              "wall, gives way to a push");
 }
 
 std::string level_words(const LevelTerms& terms, bool is_automatic) {

@@ -169,7 +169,8 @@ TEST(ToldLines, AreTheReasonAndNotTheGeneralSentence) {
               "The USB stick was pulled out. Put it in again.");
     EXPECT_EQ(told(""), "") << "a stick that was pulled out needs no reason";
     EXPECT_EQ(told("something quite new"), unknown);
-    EXPECT_EQ(told("It is too dark here. Ask the staff for more light."), "It is too dark here. Ask the staff for more light.");
+    EXPECT_EQ(told("It is too dark here. Ask the staff for more light."),
+              "It is too dark here. Ask the staff for more light.");
 }
 
 TEST(ToldLines, AreInTheVisitorsLanguage) {
