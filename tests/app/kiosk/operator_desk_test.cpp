@@ -209,9 +209,10 @@ TEST_F(NetworkOnTheStick, IsTakenByItsChecksumAlone) {
         is_chosen = choose("figure");
     }
     ASSERT_TRUE(is_chosen);
-    EXPECT_EQ(poll(),
-              "figure is damaged, or made for another version of Touchline. Copy it to the stick "
-              "again.");
+    EXPECT_EQ(
+        poll(),
+        "figure is damaged, or made for another version of Touchline. Copy it to the USB stick "
+        "again.");
     EXPECT_FALSE(is_installed(networks().front()));
 }
 
