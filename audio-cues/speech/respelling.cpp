@@ -1,5 +1,7 @@
 #include "audio-cues/speech/respelling.h"
 
+#include "config/types/utf8.h"
+
 #include <algorithm>
 #include <array>
 
@@ -32,10 +34,6 @@ bool is_letter_or_digit(char c) {
     return is_letter || is_digit(c) || static_cast<unsigned char>(c) >= 0x80U;
 }
 
-bool is_following(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
 bool begins_with(std::string_view text, const auto& signs) {
     return std::ranges::any_of(signs, [text](auto sign) { return text.starts_with(sign); });
 }
@@ -62,8 +60,7 @@ bool is_before_word(std::string_view after) {
     if (!after.empty() && is_digit(after.front())) return true;
     int letters = 0;
     while (letters < 2 && goes_on_after(after) && after.front() != '-') {
-        after.remove_prefix(1);
-        while (!after.empty() && is_following(after.front())) after.remove_prefix(1);
+        after.remove_prefix(std::max<std::size_t>(utf8_character_bytes(after), 1));
         ++letters;
     }
     return letters == 2;
