@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace touchline {
 namespace {
@@ -118,8 +119,8 @@ struct List {
         const std::array loudness{"Headphones, loudest tone as measured",
                                   "Speaker, loudest tone as measured"};
         const auto decibels = [this](double level_dB) {
-            return world.language.text("setting", "{0} decibels",
-                                       {world.language.number(level_dB, 0)});
+            return world.language.measured("unit", "{0} decibel", "{0} decibels",
+                                           std::round(level_dB));
         };
         for (std::size_t i = 0; i < outputs.size(); ++i)
             add(OperatorItem::volume, i, ItemRole::setting, words(volumes[i]),

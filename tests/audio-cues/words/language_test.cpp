@@ -60,10 +60,11 @@ TEST(Language, CountsByItsOwnRule) {
     EXPECT_EQ(outlines(Language(), 0), "0 outlines");
     EXPECT_EQ(outlines(Language(), 1), "1 outline");
     EXPECT_EQ(outlines(loaded("de"), 0), "0 Umrisse");
-    EXPECT_EQ(outlines(loaded("de"), 1), "1 Umriss");
-    EXPECT_EQ(outlines(loaded("fr"), 0), "0 contour");  // French: none is one
+    EXPECT_EQ(outlines(loaded("de"), 1), "ein Umriss");
+    EXPECT_EQ(outlines(loaded("fr"), 0), "0 contour");
+    EXPECT_EQ(outlines(loaded("fr"), 1), "un contour");
     EXPECT_EQ(outlines(loaded("fr"), 2), "2 contours");
-    EXPECT_EQ(outlines(loaded("es"), 7), "7 contornos");
+    EXPECT_EQ(outlines(loaded("es"), 7), "Contornos: 7");
 }
 
 /// What the French decimal is called: the form of none, "1,5 newton"; English has the many.
@@ -96,8 +97,8 @@ TEST(Language, NumbersHaveItsDecimalSign) {
 
 TEST(Language, GuidanceIsSaidInEveryLanguage) {
     EXPECT_EQ(words_of(ClockFace{2, 30}, Language()), "3 centimetres, at 2 o’clock");
-    EXPECT_EQ(words_of(ClockFace{1, 10}, loaded("fr")), "1 centimètre, à une heure");
-    EXPECT_EQ(words_of(ClockFace{12, 5}, loaded("es")), "5 milímetros, a las 12");
+    EXPECT_EQ(words_of(ClockFace{1, 10}, loaded("fr")), "un centimètre, à une heure");
+    EXPECT_EQ(words_of(ClockFace{12, 5}, loaded("es")), "5 milímetros, en la posición de las 12");
     EXPECT_EQ(words_of(ClockFace{1, 20}, loaded("de")), "2 Zentimeter, auf ein Uhr");
     EXPECT_EQ(words_of(ClockFace{7, 0}, loaded("de")), "Sie sind da.");
     EXPECT_EQ(words_of(Place::lower_right, loaded("es")), "abajo a la derecha");

@@ -92,7 +92,7 @@ TEST(ThingWords, ArticlesFollowTheGender) {
 
 TEST(ThingWords, ManyAreNotCounted) {
     EXPECT_EQ(words_of(ThingName::sheep, 3, language("en")), "3 sheep");
-    EXPECT_EQ(words_of(ThingName::horse, 4, language("fr")), "4 chevaux ou plus");
+    EXPECT_EQ(words_of(ThingName::horse, 4, language("fr")), "au moins 4 chevaux");
     EXPECT_EQ(words_of(ThingName::person, 12, language("de")), "4 Personen oder mehr");
     EXPECT_EQ(words_of(ThingName::bird, 7, language("es")), "4 pájaros o más");
 }
