@@ -147,8 +147,8 @@ TEST_F(OperatorTest, ALockOutlastsLeavingAndTheRightPin) {
     rig.enter();
     rig.enter_pin("1234");
     EXPECT_EQ(rig.state.place, P::pin);
-    rig.now_s = rig.state.tries.locked_until_s - 0.5;
-    rig.enter_pin("1234");
+    rig.now_s = rig.state.tries.locked_until_s - 1.2;
+    rig.press(R::up);  // half a second later
     EXPECT_NE(rig.heard().find("Too many wrong PINs. Wait one second."), std::string::npos);
     rig.wait(61.0);
     rig.enter_pin("1234");
