@@ -113,6 +113,14 @@ TEST(PackToml, LanguageTagsAreToldApart) {
 }
 
 /// Every kind has words, and what a stranger wrote stays on their one line.
+TEST(PackFinding, OneIsAWord) {
+    const auto told = [](double megabytes) {
+        return sentence_of({FindingKind::file_too_large, "", 0, "", megabytes}, Language());
+    };
+    EXPECT_EQ(told(1.0), "this is larger than one megabyte; save it smaller");
+    EXPECT_EQ(told(16.0), "this is larger than 16 megabytes; save it smaller");
+}
+
 TEST(PackFinding, EveryKindIsASentence) {
     for (int kind = 0; kind < finding_kind_count; ++kind) {
         const auto sentence = sentence_of(
