@@ -6,8 +6,7 @@
 namespace touchline {
 namespace {
 
-constexpr std::string_view call_the_staff =
-    "A part of this kiosk is missing. Please call the staff.";
+constexpr std::string_view part_missing = "A part of this kiosk is missing. Please call the staff.";
 constexpr std::string_view too_much_memory =
     "The picture needs too much memory. Save it smaller and bring it again.";
 constexpr std::string_view too_large = "The file is too large. Save it smaller and bring it again.";
@@ -76,9 +75,9 @@ constexpr std::array rows_of_files{
             "The file takes too long to open. Save it smaller or simpler."},
     LineRow{"finding its outlines takes too long",
             "Finding the lines takes too long. Choose a simpler picture."},
-    LineRow{"cannot be started safely here", call_the_staff},
-    LineRow{"a part of Touchline is missing", call_the_staff},
-    LineRow{"is of another version", call_the_staff},
+    LineRow{"cannot be started safely here", part_missing},
+    LineRow{"a part of Touchline is missing", part_missing},
+    LineRow{"is of another version", part_missing},
     LineRow{"damaged or harmful", not_safe},
     LineRow{"could not be opened safely", not_safe},
     LineRow{"could not be found safely", lines_not_safe},
