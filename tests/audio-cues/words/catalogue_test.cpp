@@ -162,6 +162,7 @@ std::multiset<std::string> places_but_the_count(const std::string& text) {
 
 TEST(Catalogue, PlacesStopsAndBlanksAreAsInEnglish) {
     const auto stop_of = [](const std::string& text) {
+        if (text.ends_with("\u2026")) return "...";
         return text.ends_with('.') ? (text.ends_with("...") ? "..." : ".") : "";
     };
     for (const auto& [code, file] : translations()) {
