@@ -162,11 +162,12 @@ std::multiset<std::string> places_but_the_count(const std::string& text) {
 
 TEST(Catalogue, PlacesStopsAndBlanksAreAsInEnglish) {
     const auto stop_of = [](const std::string& text) {
+        if (text.ends_with("\u2026")) return "...";
         return text.ends_with('.') ? (text.ends_with("...") ? "..." : ".") : "";
     };
     for (const auto& [code, file] : translations()) {
         for (const auto& [key, entry] : file) {
-            if (key.second.empty()) continue;
+            if (!is_said(key)) continue;
             for (const std::string& said : entry.said) {
                 if (entry.plural.empty()) {
                     EXPECT_EQ(places_of(said), places_of(key.second)) << code << ": " << said;
