@@ -1,5 +1,5 @@
 // What the voices make of what must be understood at once: letters, digits, keys, places, hours,
-// codes, dates and names of files. A person has listened to every line of said/CODE.txt; whatever
+// codes, dates and names of files. Every line of said/CODE.txt was read as phonemes; whatever
 // is said otherwise fails, with the line as it would be. Listen before you put it in.
 #include "app/sticks/spoken_name.h"
 #include "audio-cues/speech/espeak_engine.h"
@@ -66,7 +66,7 @@ std::map<std::string, std::string> lines_of(const std::string& code) {
     return lines;
 }
 
-/// The languages that somebody has listened to.
+/// The languages whose phonemes somebody has read.
 std::vector<std::string> heard_codes() {
     std::vector<std::string> codes = languages_in(TOUCHLINE_CATALOGUES).value();
     std::erase_if(codes, [](const std::string& code) { return lines_of(code).empty(); });
