@@ -149,7 +149,7 @@ TEST_F(OperatorTest, ALockOutlastsLeavingAndTheRightPin) {
     EXPECT_EQ(rig.state.place, P::pin);
     rig.now_s = rig.state.tries.locked_until_s - 1.2;
     rig.press(R::up);  // half a second later
-    EXPECT_NE(rig.heard().find("Too many wrong PINs. Wait one second."), std::string::npos);
+    EXPECT_NE(rig.heard().find("Too many wrong PINs. Wait 1 second."), std::string::npos);
     rig.wait(61.0);
     rig.enter_pin("1234");
     EXPECT_EQ(rig.state.place, P::home);

@@ -280,7 +280,7 @@ TEST(OperatorWalk, ValuesAreSaidInTheLanguage) {
     EXPECT_EQ(value(settings, "screen", "viewing_distance_m"), "ein Meter");
     EXPECT_EQ(value(settings, "feel", "mode"), "Rille");
     EXPECT_EQ(value(settings, "levels", "automatic"), "an");
-    EXPECT_EQ(value(settings, "operator", "device"), "keine");
+    EXPECT_EQ(value(settings, "operator", "device"), "ohne");
     EXPECT_EQ(time_in_words(9 * 60 + 5, german), "9:05");
 }
 

@@ -49,9 +49,9 @@ TEST(Status, SaysWhichPageAndWhichPictureOfIt) {
         facts.place = place;
         return value_of(describe(facts, {}, {}, Language()), "Picture");
     };
-    EXPECT_EQ(page_of({2, 7, 1, 4}), "Page 2 of 7. Picture 1 of 3 on it");
+    EXPECT_EQ(page_of({2, 7, 1, 4}), "Page 2 of 7. Picture 1 of 3 on this page");
     EXPECT_EQ(page_of({2, 7, 4, 4}), "Page 2 of 7. The whole page");
-    EXPECT_EQ(page_of({1, 1, 1, 2}), "Picture 1 of 1 on it");
+    EXPECT_EQ(page_of({1, 1, 1, 2}), "Picture 1 of 1 on this page");
     EXPECT_EQ(page_of({2, 7, 1, 1}), "Page 2 of 7");
     EXPECT_EQ(page_of({1, 1, 1, 1}), "");
 }
@@ -246,7 +246,7 @@ TEST(Status, NumbersHaveTheSignOfTheLanguage) {
     hand.level = 2.46;
     hand.force = {0.6, -0.8};
     const Status status = describe(shown(), hand, {}, german);
-    EXPECT_EQ(value_of(status, "Kraft"), "1,0 N");
+    EXPECT_EQ(value_of(status, "Kraft"), "1,0 Newton");
     EXPECT_EQ(value_of(status, "Stufe").substr(0, 9), "2,5 von 6");
 }
 

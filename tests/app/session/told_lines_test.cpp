@@ -109,7 +109,7 @@ TEST(ToldLines, EverySentenceOfThoseSourcesIsInTheCatalogue) {
     for (const char* name : {"vision/prepare/capture_trouble.cpp", "app/sticks/stick_rules.cpp"}) {
         for (const std::string& literal : literals_in(text_of(source / name))) {
             if (!literal.ends_with('.') || literal.find(' ') == std::string::npos) continue;
-            if (literal.starts_with("No page is found")) continue;  // then it is a photograph
+            if (literal.starts_with("No sheet is found")) continue;  // then it is a photograph
             ++count;
             EXPECT_TRUE(english().contains({"trouble", literal})) << literal;
         }
@@ -191,7 +191,7 @@ TEST(ToldLines, OfTheDeviceAreSentenceBySentenceWithTheirNumbers) {
     const Language german = Language::load(TOUCHLINE_CATALOGUES, "de").value();
     EXPECT_EQ(
         told_of_device("Not there yet. It is 12 millimetres off. Hold it still there.", german),
-        german.text("device", "Not there yet.") + " Es fehlen 12 Millimeter. " +
+        german.text("device", "Not there yet.") + " Der Abstand beträgt noch 12 Millimeter. " +
             german.text("device", "Hold it still there."));
     EXPECT_EQ(told_of_device("The motor on plug 1 did not move the handle.", german),
               german.text("device", "The motor on plug 1 did not move the handle."));

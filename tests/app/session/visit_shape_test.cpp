@@ -78,14 +78,14 @@ TEST(VisitShape, AKnobTurnsItWithoutAWordAndAKeyGoesToTheNextStep) {
     EXPECT_NEAR(house.visit.visitor.feel.turn_rad, key_rad, 1e-12);
 }
 
-TEST(VisitShape, OneDegreeIsAWord) {
+TEST(VisitShape, OneDegreeIsSingular) {
     FakeHouse house;
     to_bar(house);
     for (const double by_rad : {0.0175, -0.035}) {
         house.happen(KnobTurned{by_rad});
         ASSERT_TRUE(house.find("Turn it left"));
         EXPECT_EQ(house.screen().items[*house.screen().focus].value,
-                  by_rad > 0.0 ? "turned left by one degree" : "turned right by one degree");
+                  by_rad > 0.0 ? "turned left by 1 degree" : "turned right by 1 degree");
     }
 }
 

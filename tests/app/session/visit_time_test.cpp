@@ -225,7 +225,7 @@ TEST(Visit, TI6_GoodbyeRemindsOfStickAndHeadphones) {
     ASSERT_TRUE(house.choose(all_languages()[1].text("visit", "Finish")));
     ASSERT_TRUE(house.choose(all_languages()[1].text("visit", "Yes")));
     EXPECT_EQ(house.transcript.back().language, "de");
-    EXPECT_TRUE(house.has_said("Nehmen Sie Ihren Stick und Ihre Kopfhörer mit.",
+    EXPECT_TRUE(house.has_said("Nehmen Sie Ihren USB-Stick und Ihren Kopfhörer mit.",
                                house.transcript.size() - 1));
 }
 

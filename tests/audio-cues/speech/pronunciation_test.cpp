@@ -225,9 +225,9 @@ TEST(Pronunciation, TheNamesOfPartsEndWithTheirLetterOrDigit) {
 }
 
 /// Names of things, which are English wherever they are said.
-const std::set<std::string> english_names{"Escape",  "Joystick",  "Joysticks", "Mark",
-                                          "Newton",  "Touchline", "WAV",       "newton",
-                                          "newtons", "toml",      "udisks"};
+const std::set<std::string> english_names{"Byte",      "Office",  "input",  "Escape",    "Joystick",
+                                          "Joysticks", "Mark",    "Newton", "Touchline", "WAV",
+                                          "newton",    "newtons", "toml",   "udisks"};
 
 /// Parted by all that is no letter, hard blanks and typographic signs too.
 std::vector<std::string> words_in(const std::string& text) {
