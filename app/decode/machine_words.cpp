@@ -43,18 +43,19 @@ constexpr auto doings = std::to_array<std::string_view>(
     {"created",  "generated", "made",      "processed", "edited",     "exported",
      "produced", "scanned",   "converted", "optimized", "optimised",  "rendered",
      "written",  "saved",     "erstellt",  "erzeugt",   "bearbeitet", "gescannt",
-     "créé",     "numérisé",  "creado",    "generado"});
+     "créé",     "numérisé",  "creado",    "generado",  "creato",     "generato"});
 
 constexpr auto means = std::to_array<std::string_view>(
-    {"with", "by", "from", "using", "mit", "von", "aus", "avec", "par", "con", "por"});
+    {"with", "by", "from", "using", "mit", "von", "aus", "avec", "par", "con", "por", "da"});
 
-/// What programs call what has no name yet, in the four languages.
+/// What programs call what has no name yet, in the languages of the kiosk.
 constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
                                                                "unbenannt",
                                                                "ohne titel",
                                                                "sans titre",
                                                                "sin título",
                                                                "sin titulo",
+                                                               "senza titolo",
                                                                "unnamed",
                                                                "no title",
                                                                "title",
@@ -70,15 +71,18 @@ constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
                                                                "ebene",
                                                                "calque",
                                                                "capa",
+                                                               "livello",
                                                                "artboard",
                                                                "zeichenfläche",
                                                                "page",
                                                                "seite",
                                                                "página",
+                                                               "pagina",
                                                                "drawing",
                                                                "zeichnung",
                                                                "dessin",
                                                                "dibujo",
+                                                               "disegno",
                                                                "document",
                                                                "dokument",
                                                                "documento",
@@ -87,8 +91,10 @@ constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
                                                                "präsentation",
                                                                "présentation",
                                                                "presentación",
+                                                               "presentazione",
                                                                "image",
                                                                "imagen",
+                                                               "immagine",
                                                                "picture",
                                                                "pic",
                                                                "bild",
@@ -105,6 +111,7 @@ constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
                                                                "scanned document",
                                                                "scanned image",
                                                                "escaneo",
+                                                               "scansione",
                                                                "numérisation",
                                                                "svg",
                                                                "pdf",
@@ -112,6 +119,7 @@ constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
                                                                "neues dokument",
                                                                "nouveau document",
                                                                "nuevo documento",
+                                                               "nuovo documento",
                                                                "new doc",
                                                                "untitled document",
                                                                "untitled drawing",
@@ -119,6 +127,7 @@ constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
                                                                "unbenanntes dokument",
                                                                "document sans titre",
                                                                "documento sin título",
+                                                               "documento senza titolo",
                                                                "book",
                                                                "mappe",
                                                                "classeur",
@@ -131,6 +140,7 @@ constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
                                                                "capture d’écran",
                                                                "capture d'écran",
                                                                "captura de pantalla",
+                                                               "schermata",
                                                                "camscanner",
                                                                "whatsapp image",
                                                                "adobe scan",
@@ -139,13 +149,14 @@ constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
 
 /// The same where a number follows; alone they may be what the picture shows.
 constexpr auto numbered = std::to_array<std::string_view>(
-    {"group", "gruppe", "groupe", "grupo", "frame", "rahmen", "vector", "path", "pfad", "shape",
-     "rectangle", "icon", "ellipse", "object"});
+    {"group", "gruppe", "groupe", "grupo", "gruppo", "frame", "rahmen", "vector", "path", "pfad",
+     "shape", "rectangle", "icon", "ellipse", "object"});
 
 constexpr auto whole_texts = std::to_array<std::string_view>(
     {"my beautiful picture", "exif_jpeg_picture", "exif_jpeg_t422", "powerpoint presentation",
-     "powerpoint-präsentation", "présentation powerpoint", "presentación de powerpoint", "print",
-     "full page photo", "full page fax print", "binary comment", "user comments"});
+     "powerpoint-präsentation", "présentation powerpoint", "presentación de powerpoint",
+     "presentazione di powerpoint", "print", "full page photo", "full page fax print",
+     "binary comment", "user comments"});
 
 bool has(Words words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();

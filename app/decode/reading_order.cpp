@@ -17,7 +17,8 @@ struct Words {
 constexpr std::array all{Words{WrittenLanguage::english, "en", "eng", "English"},
                          Words{WrittenLanguage::german, "de", "deu", "German"},
                          Words{WrittenLanguage::french, "fr", "fra", "French"},
-                         Words{WrittenLanguage::spanish, "es", "spa", "Spanish"}};
+                         Words{WrittenLanguage::spanish, "es", "spa", "Spanish"},
+                         Words{WrittenLanguage::italian, "it", "ita", "Italian"}};
 
 const Words& words_of(WrittenLanguage language) {
     return all[static_cast<std::size_t>(language)];

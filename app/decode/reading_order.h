@@ -12,7 +12,7 @@
 
 namespace touchline {
 
-enum class WrittenLanguage : std::uint8_t { english, german, french, spanish };
+enum class WrittenLanguage : std::uint8_t { english, german, french, spanish, italian };
 
 struct ReadingOrder {
     /// At least one, the likeliest first. Each takes as long again as the first: ask for those that

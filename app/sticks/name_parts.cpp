@@ -143,10 +143,10 @@ std::string small(std::string text) {
     return text;
 }
 
-/// What programs write between a date and its time, in the four languages.
+/// What programs write between a date and its time, in the languages of the kiosk.
 bool is_joining(const NamePart& part) {
-    constexpr std::array<std::string_view, 7> words{"at", "um",  "\u00e0", "a\u0300",
-                                                    "a",  "las", "t"};
+    constexpr std::array<std::string_view, 8> words{"at", "um",  "\u00e0", "a\u0300",
+                                                    "a",  "las", "alle",   "t"};
     return !part.is_digits && std::ranges::count(words, small(part.text)) > 0;
 }
 

@@ -30,8 +30,8 @@ struct Settings {
     bool is_speech_on = true;
     int speech_rate = 4;  // 1 ... 7: a step of speech_rates_per_minute, from 1
     // language
-    std::string languages = "en de fr es";  // codes; in the order in which they are offered
-    std::string first_language = "en";      // one of them
+    std::string languages = "en de fr es it";  // codes; in the order in which they are offered
+    std::string first_language = "en";         // one of them
     // time
     double inactivity_s = 90.0;
     double answer_s = 30.0;

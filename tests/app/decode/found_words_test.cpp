@@ -143,6 +143,11 @@ TEST(FoundWords, LeaveAPageWithTextOfItsOwnAsItIs) {
     }
 }
 
+TEST(ReadingOrder, IsOfTheVisitorsLanguage) {
+    EXPECT_EQ(code_of(written_language("it")), "ita");
+    EXPECT_EQ(code_of(written_language("xx")), "eng") << "one that cannot be read";
+}
+
 TEST(ReadingOrder, CrossesTheCommandLine) {
     const ReadingOrder order{
         {WrittenLanguage::spanish, WrittenLanguage::english, WrittenLanguage::german}};

@@ -128,7 +128,8 @@ TEST(ReadingNothing, InPicturesOfAnyShape) {
 TEST(ReadingNothing, InSeveralLanguages) {
     const auto page = open_page(encoders::bytes_of(drawing(99)));
     EXPECT_EQ(labels_in(page->picture, {{WrittenLanguage::english, WrittenLanguage::german,
-                                         WrittenLanguage::french, WrittenLanguage::spanish}}),
+                                         WrittenLanguage::french, WrittenLanguage::spanish,
+                                         WrittenLanguage::italian}}),
               "");
 }
 

@@ -48,7 +48,11 @@ const std::vector<Sample> samples{
     {WrittenLanguage::spanish,
      {"El corazón bombea la sangre por", "el cuerpo. La montaña más alta",
       "está en España según el mapa", "Población en 2021: 47 millones",
-      "Río Duero, península, niño"}}};
+      "Río Duero, península, niño"}},
+    {WrittenLanguage::italian,
+     {"Il cuore pompa il sangue verso", "il corpo. La città più antica è",
+      "sul fiume, perciò qui più navi", "Popolazione nel 2021: 59 milioni",
+      "Università di Forlì, Cefalù"}}};
 
 /// Drawn pixel by pixel as large as it says: 1600 is what the decoder makes of the longer side.
 std::string svg_of(const Sample& sample, const Look& look) {

@@ -17,7 +17,7 @@ namespace touchline {
 
 class KioskWorld {
   public:
-    /// English, German, French and Spanish. `is_in_window`: of somebody's desktop. `gallery`: in
+    /// In all languages. `is_in_window`: of somebody's desktop. `gallery`: in
     /// these languages. `finder`: of main things; empty: there is no network.
     explicit KioskWorld(bool is_in_window = false, Gallery gallery = whole_gallery(all_languages()),
                         ThingFinder finder = {});

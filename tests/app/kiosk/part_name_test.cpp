@@ -33,7 +33,9 @@ TEST(PartName, WhateverTracingCallsALineHasItsNameInEveryLanguage) {
     std::set<std::string> labels = traced_labels();
     ASSERT_GT(labels.size(), 16U);
     for (const std::string_view part : face_part_ids) labels.insert(std::string(part));
-    for (const char* code : {"de", "fr", "es"}) {
+    const auto codes = languages_in(TOUCHLINE_CATALOGUES).value();
+    for (const std::string& code : codes) {
+        if (code == "en") continue;
         const auto language = Language::load(TOUCHLINE_CATALOGUES, code);
         ASSERT_TRUE(language) << language.error().line;
         std::set<std::string> names;

@@ -125,13 +125,14 @@ TEST(WholeVisit, DeafByCaptionsAndTheHandle) {
 }
 
 TEST(WholeVisit, InEveryLanguage) {
-    for (const char* name : {"English", "Deutsch", "Français", "Español"}) {
-        SCOPED_TRACE(name);
+    for (const Language& language : all_languages()) {
+        SCOPED_TRACE(language.name());
         KioskWorld world;
         BlindVisitor visitor(world);
         visitor.press(KeyRole::select);
-        ASSERT_TRUE(visitor.choose(name)) << visitor.heard();
+        ASSERT_TRUE(visitor.choose(language.name())) << visitor.heard();
         const std::string code = world.kiosk().language().code();
+        EXPECT_EQ(code, language.code());
         const auto since = world.heard().things.size();
         for (int i = 0; i < 6; ++i) visitor.press(KeyRole::down);
         for (std::size_t i = since; i < world.heard().things.size(); ++i) {

@@ -74,7 +74,7 @@ TEST(PageWords, NoPageSaysTheSettingsHalfInEnglish) {
         if (!std::holds_alternative<std::string Settings::*>(row.field)) continue;
         EXPECT_TRUE(texts.contains({"manual", allowed_values(row)})) << allowed_values(row);
     }
-    for (const char* code : {"de", "es", "fr"}) {
+    for (const char* code : {"de", "es", "fr", "it"}) {
         const std::string page = settings_page(loaded(code));
         for (const char* english :
              {" is ", "At first", "section", " sets it", " set it", " or ", " from ", "for none"}) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -300,6 +301,7 @@ TEST_F(OperatorTest, WhatAProfileSetsIsNotTurnedBesideIt) {
 }
 
 TEST_F(OperatorTest, LanguagesAreSwitchedAndTheLastStays) {
+    std::ofstream(rig.files.site) << "[language]\noffered = 'en de fr es'\n";
     ASSERT_TRUE(rig.open({"Sound, speech and languages", "Languages", "English"}));
     EXPECT_EQ(rig.world().settings.languages, "de fr es");
     EXPECT_EQ(rig.world().settings.first_language, "de");

@@ -32,7 +32,8 @@ void add_visit(const Language& language, std::vector<NamedScreen>& screens) {
 
 OperatorWorld busy_world(const Language& language) {
     OperatorWorld world{language, 0.0, true, true, {}, {}, default_keys(), {}, {}, {}, {}, {}};
-    world.languages = {{"en", "English"}, {"de", "Deutsch"}, {"fr", "Français"}, {"es", "Español"}};
+    for (const Language& each : all_languages())
+        world.languages.push_back({each.code(), each.name()});
     world.profiles = {{"child", {0, 1}}, {"expert", {2}}};
     world.counters = {1234, 567, 89, 10, 4321};
     world.on_stick = {"shapes-and-a-boat", "animals of the forest"};

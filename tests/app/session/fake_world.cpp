@@ -9,7 +9,8 @@ namespace {
 
 std::vector<Language> read_all() {
     std::vector<Language> languages;
-    for (const char* code : {"en", "de", "fr", "es"}) {
+    const auto codes = languages_in(TOUCHLINE_CATALOGUES).value();
+    for (const std::string& code : codes) {
         auto language = Language::load(TOUCHLINE_CATALOGUES, code);
         if (!language) {
             std::cerr << language.error().line << '\n';

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -173,8 +174,8 @@ TEST(KeysInTexts, WhatTheStaffAreToldToChooseIsInTheirMenu) {
 
 /// A letter of the staff's keys within a sentence, as in "press C", or a key with a name.
 std::string keyboard_key_in(const std::string& text) {
-    static const std::set<std::string> names{"Space",  "Leertaste", "Espace", "Espacio",
-                                             "Enter",  "Eingabe",   "Entrée", "Intro",
+    static const std::set<std::string> names{"Space",  "Leertaste", "Espace", "Espacio", "Spazio",
+                                             "Enter",  "Eingabe",   "Entrée", "Intro",   "Invio",
                                              "Escape", "Tab",       "Shift"};
     bool is_first = true;
     std::istringstream stream(text);
@@ -195,12 +196,12 @@ TEST(KeysInTexts, NoTextForVisitorsNamesAKeyOfAKeyboard) {
     EXPECT_EQ(keyboard_key_in("A part. A line."), "");
     const std::set<std::string> contexts{"visit", "fault",  "trouble", "device",
                                          "stick", "speech", "page",    "camera"};
-    for (const char* file : {"touchline.pot", "de.po", "fr.po", "es.po"}) {
-        for (const auto& [key, entry] : read_po(catalogue_folder + "/" + file)) {
+    for (const auto& file : std::filesystem::directory_iterator(catalogue_folder)) {
+        for (const auto& [key, entry] : read_po(file.path().string())) {
             if (!contexts.contains(key.first)) continue;
             EXPECT_EQ(keyboard_key_in(key.second), "") << key.second;
             for (const std::string& text : entry.said)
-                EXPECT_EQ(keyboard_key_in(text), "") << file << ": " << text;
+                EXPECT_EQ(keyboard_key_in(text), "") << file.path() << ": " << text;
         }
     }
 }

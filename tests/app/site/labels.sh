@@ -6,7 +6,7 @@ set -euo pipefail
 export LC_ALL=C.UTF-8
 labels=$1
 catalogues=$2
-declare -A table=([en]=en-ueb-g1.ctb [de]=de-g0.utb [fr]=fr-bfu-comp6.utb [es]=es-g1.ctb)
+declare -A table=([en]=en-ueb-g1.ctb [de]=de-g0.utb [fr]=fr-bfu-comp6.utb [es]=es-g1.ctb [it]=it-it-comp6.utb)
 failures=0
 fail() {
     echo "$1"
@@ -63,5 +63,5 @@ for language in "${!table[@]}"; do
     done <"${labels}.txt"
 done
 bash "$labels" xx >"$work/none" 2>"$work/error" && fail 'an unknown language is taken'
-grep -q "there are: de en es fr" "$work/error" || fail 'an unknown language is refused without saying which there are'
+grep -q "there are: de en es fr it" "$work/error" || fail 'an unknown language is refused without saying which there are'
 exit $((failures > 0))

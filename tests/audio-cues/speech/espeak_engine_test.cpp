@@ -40,7 +40,11 @@ const std::map<std::string, std::string> reading{
     {"es",
      "Esta imagen es una casa con un jardín. El mango está ahora en la pared izquierda. Suba "
      "para llegar al tejado o baje para encontrar la puerta. Entre ellos hay dos ventanas. Una "
-     "valla corre por abajo. Si pierde la línea, espere el sonido que le guía de vuelta."}};
+     "valla corre por abajo. Si pierde la línea, espere el sonido que le guía de vuelta."},
+    {"it",
+     "Questa immagine è una casa con un giardino. L’impugnatura è ora sul muro di sinistra. Salire "
+     "per arrivare al tetto o scendere per trovare la porta. Tra i due ci sono due finestre. Una "
+     "siepe corre lungo il basso. Se si perde la linea, aspettare il suono che riporta indietro."}};
 
 double words_per_minute(EspeakEngine& engine, const std::string& text, const EngineRate& rate) {
     std::istringstream stream(text);

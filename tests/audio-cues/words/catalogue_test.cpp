@@ -102,7 +102,7 @@ std::string with_count(std::string form, int count) {
 
 TEST(Catalogue, EveryLanguageSaysEveryTextAndNoOther) {
     ASSERT_GT(english().size(), 150U);
-    for (const char* code : {"de", "es", "fr"}) ASSERT_TRUE(translations().contains(code));
+    for (const char* code : {"de", "es", "fr", "it"}) ASSERT_TRUE(translations().contains(code));
     for (const auto& [code, file] : translations()) {
         for (const auto& [key, entry] : english()) {
             const auto found = file.find(key);
@@ -141,7 +141,10 @@ TEST(Catalogue, NothingIsSaidOfSeeingOrOfColours) {
           "jaune", "blanc", "noir", "couleur"}},
         {"es",
          {"ver", "vea", "mirar", "mire", "visible", "rojo", "azul", "verde", "amarillo", "blanco",
-          "negro", "color"}}};
+          "negro", "color"}},
+        {"it",
+         {"vedere", "vede", "veda", "vista", "guardare", "guarda", "guardi", "visibile", "rosso",
+          "blu", "verde", "giallo", "bianco", "nero", "colore"}}};
     for (const auto& [code, text] : all_texts()) {
         const auto found = barred.find(code);
         if (found == barred.end()) continue;

@@ -65,6 +65,8 @@ TEST(Language, CountsByItsOwnRule) {
     EXPECT_EQ(outlines(loaded("fr"), 1), "un contour");
     EXPECT_EQ(outlines(loaded("fr"), 2), "2 contours");
     EXPECT_EQ(outlines(loaded("es"), 7), "Contornos: 7");
+    EXPECT_EQ(outlines(loaded("it"), 1), "un contorno");
+    EXPECT_EQ(outlines(loaded("it"), 21), "21 contorni");
 }
 
 /// What the French decimal is called: the form of none, "1,5 newton"; English has the many.
@@ -86,6 +88,8 @@ TEST(Language, MeasuresTakeTheFormOfTheirValue) {
                   "500000 newtons"});
     expect("es", {"0 newtons", "0,5 newtons", "un newton", "1,5 newtons", "2 newtons",
                   "2,5 newtons", "500000 newtons"});
+    expect("it", {"0 newton", "0,5 newton", "un newton", "1,5 newton", "2 newton", "2,5 newton",
+                  "500000 newton"});
     EXPECT_EQ(newtons(loaded("fr"), -1.5), "-1,5 newton");
 }
 
@@ -102,6 +106,7 @@ TEST(Language, GuidanceIsSaidInEveryLanguage) {
     EXPECT_EQ(words_of(ClockFace{1, 20}, loaded("de")), "2 Zentimeter, auf ein Uhr");
     EXPECT_EQ(words_of(ClockFace{7, 0}, loaded("de")), "Sie sind da.");
     EXPECT_EQ(words_of(Place::lower_right, loaded("es")), "abajo a la derecha");
+    EXPECT_EQ(words_of(ClockFace{1, 20}, loaded("it")), "2 centimetri, a ore uno");
     EXPECT_EQ(words_of(Place::upper_left, Language()), "upper left");
     EXPECT_EQ(words_of(Cue::touch, loaded("fr")), "toucher");
 }
@@ -132,7 +137,7 @@ TEST(Language, AFileMoreIsALanguageMore) {
 TEST(Language, EveryShippedOneNamesItselfAndItsVoice) {
     const auto codes = languages_in(TOUCHLINE_CATALOGUES);
     ASSERT_TRUE(codes);
-    for (const char* code : {"en", "de", "es", "fr"})
+    for (const char* code : {"en", "de", "es", "fr", "it"})
         EXPECT_EQ(std::ranges::count(*codes, code), 1) << code;
     std::set<std::string> names;
     for (const std::string& code : *codes)

@@ -20,7 +20,7 @@
 namespace touchline {
 namespace {
 
-const std::array codes{"en", "de", "es", "fr"};
+const std::array codes{"en", "de", "es", "fr", "it"};
 
 const Language& language(const std::string& code) {
     static std::map<std::string, Language> loaded;
@@ -73,6 +73,9 @@ TEST(ThingWords, ADogAndPeopleInEveryLanguage) {
     EXPECT_EQ(said(things, "es"),
               "Probablemente un perro, a la izquierda del centro. "
               "Y probablemente 2 personas, a la derecha.");
+    EXPECT_EQ(said(things, "it"),
+              "Probabilmente un cane, a sinistra del centro. "
+              "E probabilmente 2 persone, a destra.");
     EXPECT_EQ(said({}, "en"), "");
 }
 
@@ -81,6 +84,7 @@ TEST(ThingWords, ArticlesFollowTheGender) {
         {"de", {"eine Person", "eine Katze", "ein Auto", "eine Sitzbank", "ein Tier"}},
         {"fr", {"une personne", "un chat", "une voiture", "un banc", "un animal"}},
         {"es", {"una persona", "un gato", "un coche", "un banco", "un animal"}},
+        {"it", {"una persona", "un gatto", "un’automobile", "una panchina", "un animale"}},
         {"en", {"a person", "a cat", "a car", "a bench", "an animal"}}};
     const std::array names{ThingName::person, ThingName::cat, ThingName::car, ThingName::bench,
                            ThingName::animal};
@@ -95,6 +99,7 @@ TEST(ThingWords, ManyAreNotCounted) {
     EXPECT_EQ(words_of(ThingName::horse, 4, language("fr")), "au moins 4 chevaux");
     EXPECT_EQ(words_of(ThingName::person, 12, language("de")), "4 Personen oder mehr");
     EXPECT_EQ(words_of(ThingName::bird, 7, language("es")), "4 pájaros o más");
+    EXPECT_EQ(words_of(ThingName::bird, 7, language("it")), "4 uccelli o più");
 }
 
 TEST(ThingWords, SeveralThatReachAcrossHaveNoOtherPlace) {
@@ -128,7 +133,8 @@ TEST(ThingWords, PlacesGoFromLeftToRightAndFromTopToBottom) {
 }
 
 TEST(ThingWords, EveryNameHasWordsOfItsOwnInEveryLanguage) {
-    for (const std::string code : {"de", "es", "fr"}) {
+    for (const std::string code : codes) {
+        if (code == "en") continue;
         std::set<std::string> different;
         for (const ThingName name : all_names()) {
             const std::string one = words_of(name, 1, language(code));
@@ -136,7 +142,8 @@ TEST(ThingWords, EveryNameHasWordsOfItsOwnInEveryLanguage) {
             EXPECT_NE(one, words_of(name, 1, language("en"))) << code;
             EXPECT_EQ(many.rfind("3 ", 0), 0U) << many;
             EXPECT_TRUE(one.starts_with("un ") || one.starts_with("una ") ||
-                        one.starts_with("une ") || one.starts_with("ein ") ||
+                        one.starts_with("une ") || one.starts_with("uno ") ||
+                        one.starts_with("un’") || one.starts_with("ein ") ||
                         one.starts_with("eine "))
                 << one;
             different.insert(one);
@@ -192,7 +199,8 @@ TEST(ThingWords, EverySentenceIsAGuessOfFifteenWordsAtMost) {
     const std::map<std::string, std::string> guess{{"en", "robably "},
                                                    {"de", "ahrscheinlich "},
                                                    {"es", "robablemente "},
-                                                   {"fr", "robablement "}};
+                                                   {"fr", "robablement "},
+                                                   {"it", "robabilmente "}};
     for (const std::string code : codes) {
         for (const std::string& text : all_sentences(code)) {
             for (std::size_t from = 0; from < text.size();) {
@@ -237,7 +245,12 @@ const std::map<std::string, std::set<std::string>> never_said{
             "bebé",    "viejo",   "vieja",    "joven",   "feliz",    "triste",  "él",
             "ella",    "plátano", "manzana",  "pastel",  "pelota",   "balón",   "esquí",
             "corbata", "taza",    "vaso",     "botella", "cuchillo", "tenedor", "libro",
-            "reloj",   "jarrón",  "teléfono", "maleta",  "mochila",  "inodoro"}}};
+            "reloj",   "jarrón",  "teléfono", "maleta",  "mochila",  "inodoro"}},
+    {"it", {"uomo",     "uomini",   "donna",     "donne",     "bambino",  "bambina",   "bambini",
+            "neonato",  "vecchio",  "vecchia",   "giovane",   "felice",   "triste",    "lui",
+            "lei",      "mela",     "banana",    "torta",     "palla",    "pallone",   "sci",
+            "cravatta", "tazza",    "bicchiere", "bottiglia", "coltello", "forchetta", "libro",
+            "orologio", "telefono", "valigia",   "zaino",     "bagno"}}};
 
 /// Every name of a part, and every name of a page that tells of a face.
 std::vector<std::string> face_texts(const std::string& code) {

@@ -2,6 +2,8 @@
 
 #include "app/decode/map_svg.h"
 #include "app/process/places.h"
+#include "config/settings/setting_texts.h"
+#include "config/settings/settings.h"
 
 #include <cmath>
 #include <cstdint>
@@ -50,8 +52,9 @@ Gallery read_without_workers() {
 }  // namespace
 
 std::vector<Language> all_languages() {
-    std::vector<Language> languages(1);
-    for (const char* code : {"de", "fr", "es"})
+    std::vector<Language> languages;
+    const auto codes = languages_in_text(Settings{}.languages).value();
+    for (const std::string& code : codes)
         languages.push_back(Language::load(TOUCHLINE_CATALOGUES, code).value());
     return languages;
 }

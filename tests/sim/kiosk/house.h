@@ -11,7 +11,7 @@
 
 namespace touchline {
 
-/// English, German, French and Spanish.
+/// Those that a kiosk offers at first, in that order.
 [[nodiscard]] std::vector<Language> all_languages();
 
 /// The real gallery, opened by the real workers.

@@ -19,16 +19,18 @@ Part* make(Owner& owner, Arguments&&... arguments) {
     return part;
 }
 
-const std::vector<Language>& languages_read_once() {
-    static const std::vector<Language> languages = all_languages();
-    return languages;
+/// The first four alone: one item more in a list, and each recorded seed is another run.
+const std::vector<Language>& languages_of_seeds() {
+    static const std::vector<Language> all = all_languages();
+    static const std::vector<Language> four(all.begin(), all.begin() + 4);
+    return four;
 }
 
 }  // namespace
 
 KioskLife::KioskLife(const KioskPlace& place) : now_s_(place.now_s) {
     KioskParts parts;
-    parts.languages = languages_read_once();
+    parts.languages = languages_of_seeds();
     parts.gallery = gallery_without_workers();
     parts.profile = default_profile();
     servo = make<LineServo>(parts.servo, line, now_s_);
