@@ -1,5 +1,6 @@
 // The keys of a kiosk: from a key that went down to what it means to the visit or to the staff.
 #include "app/kiosk/kiosk.h"
+#include "app/session/told_lines.h"
 
 #include <utility>
 
@@ -128,7 +129,7 @@ LiveFacts Kiosk::live_facts() const {
     facts.hand_words = hand_words_;
     facts.last = sound_->last_event();
     facts.gives_way = settings_.gives_way;
-    facts.message = device_trouble();
+    facts.message = told_of_device(servo_->device_words(), language(), ToldTo::staff);
     if (!map_) return facts;
     if (visit_.visitor.felt) facts.place = visit_.visitor.felt->facts.place;
     facts.title = map_->title;

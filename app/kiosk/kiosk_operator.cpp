@@ -136,7 +136,7 @@ void Kiosk::follow_operator() {
     operator_->set_private(sound_->output().kind == OutputKind::headset);
     operator_->set_live(live_words());
     operator_->set_kind(servo_->kind());
-    operator_->set_device_words(told_of_device(servo_->device_words(), language()));
+    operator_->set_device_words(told_of_device(servo_->device_words(), language(), ToldTo::staff));
     operator_->set_bounds(felt_bounds());
     if (shelf_) operator_->put_stick(shelf_->root());
     if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});

@@ -7,6 +7,8 @@ namespace touchline {
 namespace {
 
 constexpr std::string_view part_missing = "A part of this kiosk is missing. Please call the staff.";
+constexpr std::string_view staffs_part_missing =
+    "A part of this kiosk is missing. Install Touchline again.";
 constexpr std::string_view too_much_memory =
     "The picture needs too much memory. Save it smaller and bring it again.";
 constexpr std::string_view too_large = "The file is too large. Save it smaller and bring it again.";
@@ -28,7 +30,10 @@ constexpr std::string_view too_rich =
 constexpr std::string_view pulled_out = "The USB stick was pulled out. Put it in again.";
 constexpr std::string_view unreadable_file =
     "The file cannot be read. Choose another one, or call the staff.";
+constexpr std::string_view staffs_unreadable_file =
+    "The file cannot be read. Copy it to the USB stick again.";
 constexpr std::string_view unplugged = "The handle is unplugged. Please call the staff.";
+constexpr std::string_view staffs_unplugged = "The handle is unplugged. Plug its cable in again.";
 
 constexpr std::array rows_of_files{
     // Documents and pictures, by their readers.
@@ -75,13 +80,16 @@ constexpr std::array rows_of_files{
             "The file takes too long to open. Save it smaller or simpler."},
     LineRow{"finding its outlines takes too long",
             "Finding the lines takes too long. Choose a simpler picture."},
-    LineRow{"cannot be started safely here", part_missing},
-    LineRow{"a part of Touchline is missing", part_missing},
-    LineRow{"is of another version", part_missing},
+    LineRow{"cannot be started safely here", part_missing, staffs_part_missing},
+    LineRow{"a part of Touchline is missing", part_missing, staffs_part_missing},
+    LineRow{"is of another version", part_missing, staffs_part_missing},
     LineRow{"damaged or harmful", not_safe},
     LineRow{"could not be opened safely", not_safe},
     LineRow{"could not be found safely", lines_not_safe},
     LineRow{"found before are damaged", lines_not_safe},
+    LineRow{"parts do not fit together", lines_not_safe},
+    LineRow{"to find lines in", lines_not_safe},
+    LineRow{"no such step", lines_not_safe},
     // Lines.
     LineRow{"none in this part", no_line_in_part},
     LineRow{"no line in this part", no_line_in_part},
@@ -119,27 +127,32 @@ constexpr std::array rows_of_files{
     LineRow{"takes too long to read",
             "Reading takes too long. Put the USB stick in again, or try another one."},
     LineRow{"cannot be read; put it in again", stick_trouble},
+    LineRow{"list of the stick's files cannot be understood", stick_trouble},
     // What should not be.
     LineRow{"there is no memory to share", too_much_memory},
     LineRow{"shared memory cannot be mapped", too_much_memory},
     LineRow{"memory cannot be sealed", too_much_memory},
-    LineRow{"no sealed memory", unreadable_file},
-    LineRow{"cannot be opened", unreadable_file},
-    LineRow{"cannot be read", unreadable_file},
+    LineRow{"no sealed memory", unreadable_file, staffs_unreadable_file},
+    LineRow{"no shared memory of a fixed size", unreadable_file, staffs_unreadable_file},
+    LineRow{"cannot be opened", unreadable_file, staffs_unreadable_file},
+    LineRow{"cannot be read", unreadable_file, staffs_unreadable_file},
 };
 
 constexpr std::array rows_of_devices{
-    LineRow{"unplugged or gave up", unplugged},
-    LineRow{"the board was unplugged", unplugged},
-    LineRow{"is no longer plugged in", unplugged},
-    LineRow{"no board is plugged in", unplugged},
-    LineRow{"no pantograph's board is plugged in", unplugged},
-    LineRow{"it took too long", "That took too long. Please call the staff."},
+    LineRow{"unplugged or gave up", unplugged, staffs_unplugged},
+    LineRow{"the board was unplugged", unplugged, staffs_unplugged},
+    LineRow{"is no longer plugged in", unplugged, staffs_unplugged},
+    LineRow{"no board is plugged in", unplugged, staffs_unplugged},
+    LineRow{"no pantograph's board is plugged in", unplugged, staffs_unplugged},
+    LineRow{"it took too long", "That took too long. Please call the staff.",
+            "That took too long. Find the handle’s starting point again."},
     LineRow{"has lost its place",
             "The handle has lost its place. The voice will tell you where to move it."},
-    LineRow{"does not answer", "The handle does not answer. Please call the staff."},
+    LineRow{"does not answer", "The handle does not answer. Please call the staff.",
+            "The handle does not answer. Unplug its cable, then plug it in again."},
     LineRow{"did not confirm zero torque",
-            "Let go of the handle. Its motors may still push. Please call the staff."},
+            "Let go of the handle. Its motors may still push. Please call the staff.",
+            "Let go of the handle. Its motors may still push. Turn off their power."},
 };
 
 /// All that stands between the stars, in their order.
@@ -156,10 +169,12 @@ bool holds(std::string_view line, std::string_view part) {
 }
 
 std::string told_by(std::span<const LineRow> rows, const std::string& line,
-                    std::string_view general, const Language& language) {
+                    std::string_view general, const Language& language, ToldTo to) {
     const auto row =
         std::ranges::find_if(rows, [&line](const LineRow& each) { return holds(line, each.part); });
-    return language.text("trouble", std::string(row == rows.end() ? general : row->told));
+    if (row == rows.end()) return language.text("trouble", std::string(general));
+    const bool is_other = to == ToldTo::staff && !row->staff_told.empty();
+    return language.text("trouble", std::string(is_other ? row->staff_told : row->told));
 }
 
 /// "It is 12 millimetres off." is the text "It is {0} millimetres off." with 12. Empty for a
@@ -188,15 +203,16 @@ std::span<const LineRow> device_lines() {
 }
 
 std::string told_of_file(const std::string& line, std::string_view general,
-                         const Language& language) {
+                         const Language& language, ToldTo to) {
     if (line.empty()) return {};
     if (line.ends_with('.')) return language.text("trouble", line);
-    return told_by(rows_of_files, line, general, language);
+    return told_by(rows_of_files, line, general, language, to);
 }
 
-std::string told_of_device(const std::string& line, const Language& language) {
+std::string told_of_device(const std::string& line, const Language& language, ToldTo to) {
     if (line.empty()) return {};
-    if (!line.ends_with('.')) return told_by(rows_of_devices, line, device_trouble, language);
+    const std::string_view general = to == ToldTo::staff ? staffs_device_trouble : device_trouble;
+    if (!line.ends_with('.')) return told_by(rows_of_devices, line, general, language, to);
     if (language.code() == "en") return line;
     std::string said;
     for (std::size_t at = 0; at < line.size();) {

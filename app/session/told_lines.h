@@ -1,22 +1,25 @@
 // Lines that other parts of the kiosk give in English (a Result's, the servo's), as the visitor
-// hears them: in the language, without names of formats' parts and numbers of bytes, and with
-// something that can be done here. Every text is of the catalogue, context "trouble", but the
-// device's sentences ("device").
-// Threads: constant data and pure functions.
+// or the staff hear them: in the language, without names of formats' parts and numbers of bytes,
+// and with something that can be done here. Every text is of the catalogue, context "trouble", but
+// the device's sentences ("device"). Threads: constant data and pure functions.
 #pragma once
 
 #include "audio-cues/words/language.h"
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace touchline {
 
+enum class ToldTo : std::uint8_t { visitor, staff };
+
 /// What of a line tells it from others, and what is said for it. "*" stands for anything.
 struct LineRow {
     std::string_view part;
     std::string_view told;
+    std::string_view staff_told{};  // where a visitor is to call them; empty: the same
 };
 
 /// The first that fits counts.
@@ -31,15 +34,18 @@ inline constexpr std::string_view crowded_picture =
     "The picture has more lines than can be felt. Only the strongest are kept.";
 inline constexpr std::string_view device_trouble =
     "The handle does not work now. Please call the staff.";
+inline constexpr std::string_view staffs_device_trouble =
+    "The handle does not work now. Check its cable. The log says why.";
 
 /// Why a picture, a file or a stick cannot be felt; `line` without the file's name, which may hold
 /// anything; empty for an empty one. A line that is whole sentences is a text itself. `general`:
 /// said for a line that no row knows.
 [[nodiscard]] std::string told_of_file(const std::string& line, std::string_view general,
-                                       const Language& language);
+                                       const Language& language, ToldTo to = ToldTo::visitor);
 
 /// What the device's part says: sentences of app/device/device_words.h, one by one, with their
 /// numbers; or why there is no force. Empty for an empty line.
-[[nodiscard]] std::string told_of_device(const std::string& line, const Language& language);
+[[nodiscard]] std::string told_of_device(const std::string& line, const Language& language,
+                                         ToldTo to = ToldTo::visitor);
 
 }  // namespace touchline

@@ -130,6 +130,23 @@ TEST(OperatorRun, AWrongPlugIsToldOnThePagesOfTheHandle) {
     EXPECT_NE(staff.heard().find(world.servo().words), std::string::npos) << staff.heard();
 }
 
+/// A visitor would be told to call them.
+TEST(OperatorRun, TheStaffAreToldWhatToDoAboutADeadHandle) {
+    KioskWorld world;
+    world.servo().words = "homing ended: the board was unplugged or gave up; plug it in";
+    world.run(0.2);
+    BlindVisitor staff(world, 0.2);
+    give_pin(staff);
+    const std::string told = "The handle is unplugged. Plug its cable in again.";
+    ASSERT_TRUE(staff.choose("Handle and tests")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Find the handle’s starting point")) << staff.heard();
+    EXPECT_NE(staff.heard().find(told), std::string::npos) << staff.heard();
+    staff.press(KeyRole::back);
+    ASSERT_TRUE(staff.choose("What the handle does now")) << staff.heard();
+    EXPECT_NE(staff.heard().find(told), std::string::npos) << staff.heard();
+    EXPECT_EQ(world.kiosk().live_facts().message, told);
+}
+
 /// Whoever is in.
 TEST(OperatorRun, TheEmergencyStopActsWhileTheOperatorIsIn) {
     KioskWorld world;

@@ -3,12 +3,15 @@
 
 #include "tests/audio-cues/words/po_file.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -27,19 +30,54 @@ std::string text_of(const fs::path& file) {
     return text.str();
 }
 
-/// Texts between quotes; those that stand side by side, or around a value, are one. Comments and
-/// #include lines are none.
-std::vector<std::string> literals_in(const std::string& code) {
+/// Texts that stand side by side, or around a value, are one. Comments and #include lines are gone.
+std::string joined(const std::string& code) {
     static const std::regex comment("//[^\n]*|#include[^\n]*");
     static const std::regex side_by_side("\"\\s*\n\\s*\"");
-    static const std::regex quoted("\"((?:[^\"\\\\\n]|\\\\.)*)\"");
     static const std::regex around_a_value("\"\\)?\\s*\\+[^\"]*\\+\\s*\"");
-    std::string joined =
-        std::regex_replace(std::regex_replace(code, comment, ""), side_by_side, "");
-    joined = std::regex_replace(joined, around_a_value, "7");
+    const std::string told = std::regex_replace(code, comment, "");
+    return std::regex_replace(std::regex_replace(told, side_by_side, ""), around_a_value, "7");
+}
+
+/// Texts between quotes, of code that is joined.
+std::vector<std::string> quoted_in(const std::string& code) {
+    static const std::regex quoted("\"((?:[^\"\\\\\n]|\\\\.)*)\"");
     std::vector<std::string> all;
-    for (std::sregex_iterator at(joined.begin(), joined.end(), quoted), end; at != end; ++at)
+    for (std::sregex_iterator at(code.begin(), code.end(), quoted), end; at != end; ++at)
         all.push_back((*at)[1]);
+    return all;
+}
+
+std::vector<std::string> literals_in(const std::string& code) {
+    return quoted_in(joined(code));
+}
+
+/// Where the parenthesis that opens before `at` closes.
+std::size_t closing(const std::string& code, std::size_t at) {
+    bool is_quoted = false;
+    for (int depth = 1; at < code.size(); ++at) {
+        const char sign = code[at];
+        if (sign == '\\') ++at;
+        if (sign == '"') is_quoted = !is_quoted;
+        if (is_quoted) continue;
+        depth += (sign == '(' ? 1 : 0) - (sign == ')' ? 1 : 0);
+        if (depth == 0) return at;
+    }
+    return at;
+}
+
+/// Of each call of failure(): its texts, one after the other. None where it has only a name.
+std::vector<std::string> failures_in(const std::string& code) {
+    static const std::string call = "failure(";
+    const std::string whole = joined(code);
+    std::vector<std::string> all;
+    for (std::size_t at = 0; (at = whole.find(call, at)) != std::string::npos;) {
+        at += call.size();
+        std::string line;
+        for (const std::string& text : quoted_in(whole.substr(at, closing(whole, at) - at)))
+            line += text;
+        if (line.find_first_not_of(" :") != std::string::npos) all.push_back(line);
+    }
     return all;
 }
 
@@ -61,15 +99,31 @@ bool is_of_the_command_line(const fs::path& file) {
     static const std::set<std::string> names{
         "files.cpp",       "png_writer.cpp",     "word_reader.cpp", "words_in_picture.cpp",
         "found_words.cpp", "finding_things.cpp", "main_things.cpp", "import_main.cpp",
-        "spacing.cpp"};
+        "spacing.cpp",     "figure_main.cpp"};
     return names.contains(file.filename().string());
 }
 
-/// A Result's line: what happened; what to do. What is wrong with an order is the kiosk's own.
-bool is_reason(const std::string& literal) {
-    const bool is_of_an_order = literal.find("it must be 1 to") != std::string::npos ||
-                                literal.find("the kiosk starts it by itself") != std::string::npos;
-    return literal.find("; ") != std::string::npos && !is_of_an_order;
+/// What is wrong with an order is the kiosk's own; what is wrong with a shape becomes a part of the
+/// map's line; an SVG that is no map of ours is a picture.
+bool is_told_to_nobody(const std::string& line) {
+    static const std::array parts{"it must be 1 to",
+                                  "the kiosk starts it by itself",
+                                  "what the kiosk starts it with",
+                                  "must be between 1 mm and 1 m",
+                                  "at character ",
+                                  "is no finite length",
+                                  "is a picture, no map"};
+    return std::ranges::any_of(
+        parts, [&line](const char* part) { return line.find(part) != std::string::npos; });
+}
+
+/// A Result's lines: what is given to failure(), and what happened; what to do.
+std::vector<std::string> reasons_in(const std::string& code) {
+    std::vector<std::string> reasons = failures_in(code);
+    for (const std::string& literal : literals_in(code))
+        if (literal.find("; ") != std::string::npos) reasons.push_back(literal);
+    std::erase_if(reasons, is_told_to_nobody);
+    return reasons;
 }
 
 std::string with_sample_values(std::string pattern) {
@@ -93,14 +147,52 @@ TEST(ToldLines, EveryReasonOfThePicturesSourcesHasASentence) {
     int count = 0;
     for (const fs::path& file : files_of_reasons()) {
         if (is_of_the_command_line(file)) continue;
-        for (const std::string& literal : literals_in(text_of(file))) {
-            if (!is_reason(literal)) continue;
+        for (const std::string& reason : reasons_in(text_of(file))) {
             ++count;
-            const std::string line = with_sample_values(literal);
+            const std::string line = with_sample_values(reason);
             EXPECT_NE(told(line), unknown) << file << ": " << line;
         }
     }
-    EXPECT_GT(count, 45) << "the sources are read";
+    EXPECT_GT(count, 100) << "the sources are read";
+}
+
+TEST(ToldLines, AFailureIsReadWithOrWithoutWhatToDo) {
+    EXPECT_EQ(failures_in("return failure(name + \": \" + why(\")\") + \"gone\");"),
+              std::vector<std::string>{": )gone"});
+    EXPECT_EQ(failures_in("failure(std::string(line)); failure(\"one \"\n  \"page\")"),
+              std::vector<std::string>{"one page"});
+    EXPECT_EQ(told("what came is no shared memory of a fixed size"), told("no sealed memory"));
+}
+
+/// "*" stands for anything.
+bool holds(const std::string& line, std::string_view part) {
+    std::size_t at = 0;
+    for (std::size_t star = 0; star != std::string_view::npos;) {
+        star = part.find('*');
+        at = line.find(part.substr(0, star), at);
+        if (at == std::string::npos) return false;
+        at += std::min(star, part.size());
+        if (star != std::string_view::npos) part.remove_prefix(star + 1);
+    }
+    return true;
+}
+
+/// A row for a line that no program gives any more is dead.
+TEST(ToldLines, EveryRowIsOfALineInASource) {
+    std::vector<fs::path> files = files_of_reasons();
+    for (const char* folder : {"app/servo", "app/device", "haptics/device", "vision/camera"})
+        for (const auto& entry : fs::directory_iterator(source / folder))
+            if (entry.path().extension() == ".cpp") files.push_back(entry.path());
+    std::vector<std::string> lines;
+    for (const fs::path& file : files)
+        for (const std::string& literal : literals_in(text_of(file))) lines.push_back(literal);
+    for (const auto rows : {file_lines(), device_lines()}) {
+        for (const LineRow& row : rows) {
+            EXPECT_TRUE(std::ranges::any_of(lines, [&row](const std::string& line) {
+                return holds(line, row.part);
+            })) << row.part;
+        }
+    }
 }
 
 /// A whole sentence is a text of the catalogue as it is.
@@ -123,10 +215,41 @@ TEST(ToldLines, EverySentenceOfTheTablesIsInTheCatalogue) {
         EXPECT_TRUE(text.ends_with('.')) << text;
         EXPECT_NE(text.find(". "), std::string_view::npos) << "why, and what to do: " << text;
     };
-    for (const LineRow& row : file_lines()) expect(row.told);
-    for (const LineRow& row : device_lines()) expect(row.told);
-    for (const auto text : {picture_trouble, stick_trouble, device_trouble, crowded_picture})
+    for (const auto rows : {file_lines(), device_lines()}) {
+        for (const LineRow& row : rows) {
+            expect(row.told);
+            if (!row.staff_told.empty()) expect(row.staff_told);
+        }
+    }
+    for (const auto text :
+         {picture_trouble, stick_trouble, device_trouble, staffs_device_trouble, crowded_picture})
         expect(text);
+}
+
+bool calls_the_staff(std::string_view text) {
+    return text.ends_with("all the staff.");
+}
+
+/// Nobody can call themselves: they hear what to do.
+TEST(ToldLines, TellTheStaffWhatToDoWhereAVisitorCallsThem) {
+    int count = 0;
+    for (const auto rows : {file_lines(), device_lines()}) {
+        for (const LineRow& row : rows) {
+            EXPECT_EQ(calls_the_staff(row.told), !row.staff_told.empty()) << row.told;
+            EXPECT_EQ(row.staff_told.find("staff"), std::string_view::npos) << row.staff_told;
+            count += row.staff_told.empty() ? 0 : 1;
+        }
+    }
+    EXPECT_GT(count, 12);
+    const Language language;
+    EXPECT_EQ(told_of_device("no board is plugged in at 1-4", language, ToldTo::staff),
+              "The handle is unplugged. Plug its cable in again.");
+    EXPECT_EQ(told_of_device("the servo died of signal 11", language, ToldTo::staff),
+              staffs_device_trouble);
+    EXPECT_EQ(told_of_file("what came is no sealed memory", unknown, language, ToldTo::staff),
+              "The file cannot be read. Copy it to the USB stick again.");
+    EXPECT_EQ(told_of_file("the file is empty; copy it again", unknown, language, ToldTo::staff),
+              told("the file is empty; copy it again"));
 }
 
 /// A row that another one before it always hides is dead.
