@@ -24,10 +24,19 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_log = 1000;
 
-/// One sentence of a file that could not be written or read, in the operator's language as far as
-/// it is ours.
-std::string outcome(const Result<void>& done, const std::string& sentence) {
-    return done ? sentence : done.error().line;
+// What is said where a file could not be written or read; the log has its line.
+constexpr const char* no_pin = "The PIN cannot be saved. Make room on the disk.";
+constexpr const char* no_settings = "The settings cannot be saved. Make room on the disk.";
+constexpr const char* no_keys = "The keys cannot be saved. Make room on the disk.";
+constexpr const char* no_counters = "The counters cannot be saved. Make room on the disk.";
+constexpr const char* no_copy = "The copy cannot be written. Make room on the disk.";
+constexpr const char* no_good_copy = "There is no copy that can be used. Copy the settings first.";
+constexpr const char* no_file = "The file cannot be saved. Make room on the disk.";
+
+Outcome outcome(const Result<void>& done, std::string said, const char* why_not,
+                const Language& language) {
+    if (done) return {std::move(said), ""};
+    return {language.text("operator", why_not), done.error().line};
 }
 
 /// A file of the operator's stick.
@@ -37,38 +46,44 @@ struct Brought {
     std::string name;  // for the screen
 };
 
-std::string import_pictures(std::span<const std::byte> bytes, const std::string& name,
-                            const fs::path& library, const Language& language) {
+Outcome import_pictures(std::span<const std::byte> bytes, const std::string& name,
+                        const fs::path& library, const Language& language) {
     auto pack = read_pack(bytes);
     if (!pack && pack.error().file.empty()) pack.error().file = name;
-    if (!pack) return sentence_of(pack.error(), language);
+    if (!pack) return {sentence_of(pack.error(), language), ""};
     const auto folder = import_pack(*pack, library.string());
-    if (!folder) return sentence_of(folder.error(), language);
-    return language.text("operator", "The pictures will be there when the kiosk next starts.");
+    if (!folder) return {sentence_of(folder.error(), language), ""};
+    return {language.text("operator", "The pictures will be there when the kiosk next starts."),
+            ""};
 }
 
-std::string import_network(std::span<const std::byte> bytes, const std::string& name,
-                           const Language& language) {
+Outcome import_network(std::span<const std::byte> bytes, const std::string& name,
+                       const Language& language) {
     const Network* const network = network_of(bytes);
     if (network == nullptr)
-        return language.text("operator",
-                             "{0} is damaged, or made for another version of Touchline. Copy it to "
-                             "the USB stick again.",
-                             {name});
+        return {language.text("operator",
+                              "{0} is damaged, or made for another version of Touchline. Copy it "
+                              "to the USB stick again.",
+                              {name}),
+                ""};
     return outcome(install_network(*network, bytes),
-                   language.text("operator", "Main things of photographs are found from now on."));
+                   language.text("operator", "Main things of photographs are found from now on."),
+                   no_file, language);
 }
 
 /// Waits for the stick and for workers: beside the screen's thread.
-std::string imported(const Brought& file, const fs::path& library, const Language& language) {
+Outcome imported(const Brought& file, const fs::path& library, const Language& language) {
     try {
         const auto bytes = file.read();
-        if (!bytes) return told_of_file(sentence_of(bytes.error(), ""), stick_trouble, language);
+        if (!bytes) {
+            const std::string why = sentence_of(bytes.error(), "");
+            return {told_of_file(why, stick_trouble, language, ToldTo::staff), why};
+        }
         return file.kind == StickFileKind::network
                    ? import_network(bytes->bytes(), file.name, language)
                    : import_pictures(bytes->bytes(), file.name, library, language);
     } catch (const std::exception&) {
-        return language.text("operator", "There is not enough memory for this file.");
+        return {language.text("operator", "There is not enough memory for this file."), ""};
     }
 }
 
@@ -95,6 +110,11 @@ struct OperatorDesk::Office {
 
     void answer(const std::string& line) const { tell(OrderAnswered{plain_line(line)}); }
 
+    /// Nothing is said of what was kept.
+    void judge(const Result<void>& kept, const char* why_not) const {
+        if (!kept) answer(desk.told(outcome(kept, "", why_not, language)));
+    }
+
     /// Counted as wrong first: who pulls the plug before the answer has tried all the same.
     void operator()(const CheckPin& check) const {
         const fs::path tries = pin_tries_file(desk.files_.pin);
@@ -113,7 +133,7 @@ struct OperatorDesk::Office {
 
     void operator()(const KeepPin& keep) const {
         const auto kept = keep_pin(desk.files_.pin, keep.pin);
-        if (!kept) return answer(kept.error().line);
+        if (!kept) return judge(kept, no_pin);
         forget_tries(pin_tries_file(desk.files_.pin));
     }
 
@@ -128,27 +148,26 @@ struct OperatorDesk::Office {
         (void)desk.watch_.has_changed();
         desk.hold(write.settings);
         left.emplace_back(write);
-        if (!kept) answer(kept.error().line);
+        judge(kept, no_settings);
     }
 
     void operator()(const WriteSound& write) const {
         desk.sound_ = write.sound;
         const auto kept = keep_sound(desk.files_.sound, write.sound);
         left.emplace_back(write);
-        if (!kept) answer(kept.error().line);
+        judge(kept, no_settings);
     }
 
     void operator()(const WriteKeys& write) const {
         desk.keys_ = write.keys;
         const auto kept = keep_keys(desk.files_.keys, write.keys);
         left.emplace_back(write);
-        if (!kept) answer(kept.error().line);
+        judge(kept, no_keys);
     }
 
     void operator()(const ZeroCounters&) const {
         desk.counters_ = {};
-        const auto kept = keep_counters(desk.files_.counters, desk.counters_);
-        if (!kept) answer(kept.error().line);
+        judge(keep_counters(desk.files_.counters, desk.counters_), no_counters);
     }
 
     void operator()(const BackUp&) const { answer(desk.back_up(language)); }
@@ -249,17 +268,23 @@ void OperatorDesk::count_tries_on(double now_s) {
         state_.tries = tries_after_restart(*wrong, now_s);
 }
 
-std::string OperatorDesk::back_up(const Language& language) const {
+std::string OperatorDesk::told(Outcome outcome) {
+    if (!outcome.line.empty()) note_ = std::move(outcome.line);
+    return std::move(outcome.said);
+}
+
+std::string OperatorDesk::back_up(const Language& language) {
     std::error_code error;
     fs::create_directories(files_.copies, error);
-    return outcome(
+    return told(outcome(
         write_backup(files_.copies, {site_, sound_, keys_}),
-        language.text("operator", "The copy is in {0}.", {files_.copies.filename().string()}));
+        language.text("operator", "The copy is in {0}.", {files_.copies.filename().string()}),
+        no_copy, language));
 }
 
 std::string OperatorDesk::restore(const Language& language) {
     const auto backup = read_backup(files_.copies);
-    if (!backup) return backup.error().line;
+    if (!backup) return told({language.text("operator", no_good_copy), backup.error().line});
     sound_ = backup->sound;
     keys_ = backup->keys;
     const auto kept = keep_settings(files_.settings, backup->settings)
@@ -267,7 +292,8 @@ std::string OperatorDesk::restore(const Language& language) {
                           .and_then([&] { return keep_keys(files_.keys, keys_); });
     (void)watch_.has_changed();
     hold(backup->settings);
-    return outcome(kept, language.text("operator", "All settings are as in the copy."));
+    return told(outcome(kept, language.text("operator", "All settings are as in the copy."),
+                        no_settings, language));
 }
 
 std::string OperatorDesk::export_log(const Language& language) const {
@@ -291,11 +317,12 @@ void OperatorDesk::import_from_stick(std::size_t file, const Language& language)
 
 std::optional<std::string> OperatorDesk::poll_stick(const Language& language) {
     const std::string problem = stick_.poll();
-    if (!problem.empty()) return told_of_file(problem, stick_trouble, language);
+    if (!problem.empty())
+        return told({told_of_file(problem, stick_trouble, language, ToldTo::staff), problem});
     const bool has_ended =
         import_.valid() && import_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     if (!has_ended) return std::nullopt;
-    return import_.get();
+    return told(import_.get());
 }
 
 void OperatorDesk::count_picture(PictureSource source) {

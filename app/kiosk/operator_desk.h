@@ -37,6 +37,12 @@ struct OperatorFiles {
 /// Of this machine.
 [[nodiscard]] OperatorFiles operator_files();
 
+/// What came of something that was ordered.
+struct Outcome {
+    std::string said;  // to the operator, in their language
+    std::string line;  // for the log, with names of files; empty: it went well
+};
+
 class OperatorDesk {
   public:
     /// `problems` has a line for every file that could not be used.
@@ -110,9 +116,10 @@ class OperatorDesk {
     [[nodiscard]] OperatorWorld world(const Language& language, double now_s) const;
     void read_site();
     void hold(const Settings& site);
-    [[nodiscard]] std::string back_up(const Language& language) const;
+    [[nodiscard]] std::string back_up(const Language& language);
     [[nodiscard]] std::string restore(const Language& language);
     [[nodiscard]] std::string export_log(const Language& language) const;
+    [[nodiscard]] std::string told(Outcome outcome);
     void import_from_stick(std::size_t file, const Language& language);
 
     OperatorFiles files_;
@@ -132,7 +139,7 @@ class OperatorDesk {
     std::string device_words_;
     FeltBounds bounds_;
     OperatorStick stick_;
-    std::future<std::string> import_;
+    std::future<Outcome> import_;
     std::vector<std::string> log_;
     std::string note_;
     bool can_keep_ = true;  // as it was last told

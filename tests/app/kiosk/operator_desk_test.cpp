@@ -49,10 +49,12 @@ class PinAndPlug : public testing::Test {
 
     void press(KeyRole role) {
         now_s_ += 0.1;
+        heard_.clear();
         const auto left =
             desk_->happen(KeyStruck{keys_of(default_keys(), role).at(0), role}, language_, now_s_);
         for (const OperatorOrder& order : left)
-            if (const auto* const say = std::get_if<Say>(&order)) said_ = say->text;
+            if (const auto* const say = std::get_if<Say>(&order))
+                heard_ += (said_ = say->text) + '\n';
     }
 
     /// From the visitors' screen: the way in, and a PIN that is all zeros but its last digit.
@@ -69,6 +71,19 @@ class PinAndPlug : public testing::Test {
         press(KeyRole::back);
     }
 
+    /// An item of the screen that is open; false where there is none of that name.
+    bool choose(const std::string& label) {
+        for (int i = 0; i < 40; ++i) {
+            const SpokenScreen screen = desk_->screen(language_);
+            if (screen.focus && screen.items.at(*screen.focus).name == label) {
+                press(KeyRole::select);
+                return true;
+            }
+            press(KeyRole::down);
+        }
+        return false;
+    }
+
     void wait(double time_s) {
         now_s_ += time_s;
         (void)desk_->happen(MomentPassed{}, language_, now_s_);
@@ -80,7 +95,8 @@ class PinAndPlug : public testing::Test {
     std::vector<std::string> problems_;
     std::optional<OperatorDesk> desk_;
     double now_s_ = 0.0;
-    std::string said_;
+    std::string said_;   // last
+    std::string heard_;  // at the last key
 };
 
 TEST_F(PinAndPlug, PullingThePlugGivesNoTryForNothing) {
@@ -128,6 +144,33 @@ TEST_F(PinAndPlug, WhereNothingCanBeNotedEachWrongOneCostsTime) {
     wait(61.0);
     try_pin(1);
     EXPECT_TRUE(desk_->is_inside()) << said_;
+}
+
+/// What to do, in the operator's language; the log has the line, with its path.
+TEST_F(PinAndPlug, WhatCannotBeReadOrKeptIsSaidAndItsLineIsTheLogs) {
+    ASSERT_TRUE(keep_pin(files_.pin, "0001"));
+    start();
+    try_pin(1);
+    ASSERT_TRUE(choose("Upkeep"));
+    ASSERT_TRUE(choose("Backup of the settings"));
+    std::ofstream(files_.copies) << "a file where the folder should be";
+    for (const Language& language : all_languages()) {
+        language_ = language;
+        const auto words = [&](const char* text) { return language.text("operator", text); };
+        (void)desk_->take_note();
+        ASSERT_TRUE(choose(words("Bring the settings back from the copy"))) << language.code();
+        ASSERT_TRUE(choose(language.text("test", "Yes"))) << language.code();
+        EXPECT_NE(heard_.find(words("There is no copy that can be used. Copy the settings first.")),
+                  std::string::npos)
+            << heard_;
+        EXPECT_NE(desk_->take_note().find(files_.copies.string()), std::string::npos);
+        ASSERT_TRUE(choose(words("Copy the settings"))) << language.code();
+        EXPECT_NE(heard_.find(words("The copy cannot be written. Make room on the disk.")),
+                  std::string::npos)
+            << heard_;
+        EXPECT_EQ(heard_.find(files_.copies.string()), std::string::npos) << heard_;
+        EXPECT_NE(desk_->take_note().find(files_.copies.string()), std::string::npos);
+    }
 }
 
 /// What stands in for touchline-import leaves a mark and then hangs.
@@ -183,19 +226,6 @@ class NetworkOnTheStick : public PinAndPlug {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         return line.value_or("");
-    }
-
-    /// An item of the screen that is open; false where there is none of that name.
-    bool choose(const std::string& label) {
-        for (int i = 0; i < 40; ++i) {
-            const SpokenScreen screen = desk_->screen(language_);
-            if (screen.focus && screen.items.at(*screen.focus).name == label) {
-                press(KeyRole::select);
-                return true;
-            }
-            press(KeyRole::down);
-        }
-        return false;
     }
 };
 
