@@ -106,6 +106,7 @@ Kiosk::Kiosk(KioskParts parts)
       settings_(std::move(parts.settings)),
       profile_(std::move(parts.profile)),
       hand_words_(std::move(parts.hand_words)),
+      hand_name_(std::move(parts.hand_name)),
       reading_language_(std::move(parts.reading_language)),
       operator_(std::move(parts.operator_desk)),
       are_keys_always_free_(parts.are_keys_free),

@@ -52,7 +52,8 @@ struct KioskParts {
     bool are_keys_free = false;
     std::function<int()> minute_of_day;  // 0 ... 1439, of the house's clock; none: always open
     DeviceProfile profile;
-    std::string hand_words;  // what the hand is, for the live view
+    std::string hand_words;  // as LiveFacts::hand_words
+    std::string hand_name;   // as LiveFacts::hand_name
     /// Set to what is spoken: the language that words in pictures are read in. May be null.
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language;
 };
@@ -200,6 +201,7 @@ class Kiosk {
     Settings settings_;
     DeviceProfile profile_;
     std::string hand_words_;
+    std::string hand_name_;
     VisitRules rules_;
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language_;
 

@@ -127,6 +127,7 @@ void Kiosk::act(Action action) {
 LiveFacts Kiosk::live_facts() const {
     LiveFacts facts;
     facts.hand_words = hand_words_;
+    facts.hand_name = hand_name_;
     facts.last = sound_->last_event();
     facts.gives_way = settings_.gives_way;
     facts.message = told_of_device(servo_->device_words(), language(), ToldTo::staff);

@@ -179,6 +179,7 @@ class KioskWindow {
         parts.are_keys_free = arguments_.in_window;
         parts.profile = servo->profile;
         parts.hand_words = servo->hand_words;
+        parts.hand_name = servo->hand_name;
         parts.reading_language = std::make_shared<std::atomic<WrittenLanguage>>();
         parts.loader = std::make_unique<Loader>(
             std::make_shared<const KioskStages>(servo->profile, page_reader(parts.reading_language),

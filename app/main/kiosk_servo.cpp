@@ -46,6 +46,12 @@ std::vector<std::string> keep_kind(UsbDevice& device, const std::string& kind) {
     return keep(device);
 }
 
+/// Its kind and its number, as far as they are known.
+std::string name_of(const UsbDevice& device) {
+    const bool has_both = !device.profile.empty() && !device.serial.empty();
+    return device.profile + (has_both ? " " : "") + device.serial;
+}
+
 KioskServo with_motors(const UsbDevice& found) {
     // The guard's alone from here on.
     const auto device = std::make_shared<UsbDevice>(found);
@@ -64,7 +70,8 @@ KioskServo with_motors(const UsbDevice& found) {
     servo.client = std::make_unique<ServoProcess>(std::move(options));
     servo.has_motors = true;
     servo.profile = profile_or_default(found.profile);
-    servo.hand_words = fmt::format("pantograph {} {}", found.profile, found.serial);
+    servo.hand_words = "device {0}";
+    servo.hand_name = name_of(found);
     return servo;
 }
 

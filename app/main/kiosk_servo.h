@@ -16,7 +16,8 @@ namespace touchline {
 struct KioskServo {
     std::unique_ptr<ServoClient> client;
     DeviceProfile profile = default_profile();
-    std::string hand_words;   // what the hand is
+    std::string hand_words;   // as LiveFacts::hand_words
+    std::string hand_name;    // as LiveFacts::hand_name
     bool has_motors = false;  // force follows the tier
     std::string note;         // why it is not what one might expect; may be empty
 };

@@ -38,7 +38,8 @@ struct LiveFacts {
     int detail = 3;
     int coarsest_level = 0;
     bool gives_way = false;
-    std::string hand_words;            // what the hand is
+    std::string hand_words;            // what the hand is, of the catalogue, context "panel"
+    std::string hand_name;             // of the device, for {0} in those words; may be empty
     std::optional<ContactEvent> last;  // that happened to it
     std::string message;
 };

@@ -163,6 +163,16 @@ TEST(Status, AFaultIsTheMessageAndTheStateOfTheMotorsIsSaid) {
     EXPECT_EQ(status.message, staffs_fault(Fault::device_lost, Language()));
 }
 
+TEST(Status, TheHandIsTheDeviceByItsNumberInEachLanguage) {
+    LiveFacts facts = shown();
+    facts.hand_words = "device {0}";
+    facts.hand_name = "2diy-gen3 0042";
+    EXPECT_EQ(value_of(describe(facts, {}, {}, Language()), "Hand"), "device 2diy-gen3 0042");
+    const Language german = Language::load(TOUCHLINE_CATALOGUES, "de").value();
+    const Status told = describe(facts, {}, {}, german);
+    EXPECT_EQ(told.lines.back().value, "Gerät 2diy-gen3 0042");
+}
+
 /// Every value of `language` beside the English one; numbers are alike.
 void expect_translated(const LiveFacts& facts, const HandState& hand, const ForceStatus& force,
                        const Language& language) {
