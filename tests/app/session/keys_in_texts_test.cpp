@@ -114,6 +114,57 @@ TEST(KeysInTexts, EveryKeyThatAScreenNamesIsThere) {
     EXPECT_GT(named, 1000U);
 }
 
+/// Those that step_switches() gives to a visit; Down only where there is an item to move to.
+std::vector<KeyRole> presses_of(const Layout& layout, const SpokenScreen& screen) {
+    if (layout.two_switches == 0) return layout.roles;
+    std::vector<KeyRole> roles{KeyRole::select, KeyRole::next, KeyRole::back, KeyRole::help};
+    if (!screen.items.empty()) roles.push_back(KeyRole::down);
+    return roles;
+}
+
+/// The keys of the layout, and what comes of itself.
+std::vector<VisitEvent> events_at(const Visit& visit, const Layout& layout,
+                                  const SpokenScreen& screen) {
+    std::vector<VisitEvent> events{DeadKeyPressed{},
+                                   StickArriving{},
+                                   CameraFailed{},
+                                   CameraChanged{false},
+                                   Tick{visit.house.now_s + 20.0},
+                                   Tick{visit.house.now_s + 200.0},
+                                   TroubleBegan{TroubleKind::camera, ""}};
+    for (const KeyRole role : presses_of(layout, screen)) events.emplace_back(KeyPressed{role});
+    return events;
+}
+
+/// What is said on the way from one screen to the next, as on the screen itself.
+TEST(KeysInTexts, EveryKeyThatIsSpokenOfIsThere) {
+    std::size_t named = 0;
+    for (std::size_t i = 0; i < 2; ++i) {  // one switch reaches what two do; a keyboard has all
+        const Layout& layout = layouts()[i];
+        FakeHouse house;
+        house.settings.two_switches = layout.two_switches;
+        const VisitWorld world = house.world();
+        for (Visit visit : scenes_of_all_screens()) {
+            visit.visitor.caption = {};   // it was heard with a keyboard's keys
+            visit.visitor.dead_keys = 2;  // words come with the third
+            for (const VisitEvent& event : events_at(visit, layout, screen_of(visit, world))) {
+                const VisitStep next = step(visit, event, world);
+                for (const VisitOrder& order : next.orders) {
+                    const auto* const said = std::get_if<Utterance>(&order);
+                    const auto roles = said ? roles_named_in(said->text) : std::set<KeyRole>{};
+                    if (roles.empty()) continue;
+                    const auto there = keys_there(layout, screen_of(next.visit, world),
+                                                  language_of(next.visit, world));
+                    named += roles.size();
+                    for (const KeyRole role : roles)
+                        EXPECT_TRUE(there.contains(role)) << layout.name << ": " << said->text;
+                }
+            }
+        }
+    }
+    EXPECT_GT(named, 1000U);
+}
+
 /// A key that a text names is not refused, and Help, Back and Select do something there.
 TEST(KeysInTexts, EveryKeyThatAScreenNamesDoesSomething) {
     FakeHouse house;
