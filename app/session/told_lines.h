@@ -33,8 +33,7 @@ inline constexpr std::string_view device_trouble =
     "The handle does not work now. Please call the staff.";
 
 /// Why a picture, a file or a stick cannot be felt; `line` without the file's name, which may hold
-/// anything; empty for an empty one. A line that is whole sentences is a text itself. `general`:
-/// said for a line that no row knows.
+/// anything; empty for an empty one. `general`: said for a line that no row knows.
 [[nodiscard]] std::string told_of_file(const std::string& line, std::string_view general,
                                        const Language& language);
 
