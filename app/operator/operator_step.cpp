@@ -113,9 +113,10 @@ void move(OperatorTurn& turn, bool is_down) {
 }
 
 void help(OperatorTurn& turn) {
-    turn.say(spoken_screen(turn.screen(), turn.world.language) + ' ' +
-             turn.words("Up and Down move. Select chooses. Next tells more. Back leaves. "
-                        "Help says it all again."));
+    std::string text = spoken_screen(turn.screen(), turn.world.language);
+    add_sentence(text, turn.words("Up and Down move. Select chooses. Next tells more. Back leaves. "
+                                  "Help says it all again."));
+    turn.say(text);
 }
 
 void press_held_key(OperatorTurn& turn, KeyRole role, const ScreenItem& item) {
