@@ -80,6 +80,7 @@ void give_hint(VisitWork& work) {
     const double now_s = work.house.now_s;
     const double still_since_s = std::max(visitor.key_s, visitor.entered_s);
     if (!visitor.is_hint_due || now_s - still_since_s < hint_after_s) return;
+    if (open_screen(work) == VisitScreen::opening) return;  // of which nobody has heard yet
     const bool is_of_languages = open_screen(work) == VisitScreen::language;
     const SpokenScreen screen = screen_of(work);
     std::string hint = screen.title;
