@@ -136,7 +136,7 @@ void settings(StagedKiosk& kiosk) {
         kiosk.choose(row(value));
     }
     kiosk.choose(VisitItem::mono);
-    kiosk.choose(VisitItem::screen_off);
+    kiosk.choose(VisitItem::screen);
     kiosk.choose(VisitItem::speech);
     for (const KeyRole role : {KeyRole::help, KeyRole::help, KeyRole::help}) {
         kiosk.press(role);
