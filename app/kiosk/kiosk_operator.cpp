@@ -61,11 +61,11 @@ struct Kiosk::OperatorCarrying {
 
     void operator()(const CloseKiosk&) const { kiosk.desk_.is_quitting = true; }
 
-    /// The visitors' screen says where it is.
+    /// The visitors' screen says where it is, after the operator's last words.
     void operator()(const Leave&) const {
         kiosk.desk_.shows_live_view = false;
         kiosk.sound_->say({kiosk.language().code(), spoken_screen(kiosk.screen(), kiosk.language()),
-                           SpeechPriority::text});
+                           SpeechPriority::hint});
     }
 
     // The desk has carried these out itself.

@@ -67,6 +67,14 @@ FilePtr named(const std::vector<FilePtr>& files, std::string_view ending) {
     return at == files.end() ? nullptr : *at;
 }
 
+/// The same picture as the list of this language has it, with its words; itself where none has.
+FilePtr in_language(const FilePtr& file, const std::vector<std::vector<FilePtr>>& lists,
+                    std::size_t language) {
+    if (!file || file->gallery_file.empty() || language >= lists.size()) return file;
+    const FilePtr same = named(lists[language], file->gallery_file);
+    return same ? same : file;
+}
+
 FilePtr at(const std::vector<FilePtr>& files, std::size_t index) {
     return index < files.size() ? files[index] : nullptr;
 }
@@ -102,7 +110,8 @@ Result<Gallery> read_gallery(const std::string& folder, const std::string& libra
 FilePtr Pictures::of(const LoadPicture& order) const {
     switch (order.source) {
         case PictureSource::practice:
-            return order.index == 0 ? gallery_.circle : gallery_.square;
+            return in_language(order.index == 0 ? gallery_.circle : gallery_.square, gallery_.files,
+                               order.language);
         case PictureSource::gallery:
             return order.language < gallery_.files.size()
                        ? at(gallery_.files[order.language], order.index)

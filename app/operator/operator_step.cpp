@@ -113,9 +113,11 @@ void move(OperatorTurn& turn, bool is_down) {
 }
 
 void help(OperatorTurn& turn) {
-    turn.say(spoken_screen(turn.screen(), turn.world.language) + ' ' +
-             turn.words("Press Up or Down to move, Select to choose, Next for more. Press Back to "
-                        "leave, Help to hear it all again."));
+    std::string text = spoken_screen(turn.screen(), turn.world.language);
+    add_sentence(text,
+                 turn.words("Press Up or Down to move, Select to choose, Next for more. Press Back "
+                            "to leave, Help to hear it all again."));
+    turn.say(text);
 }
 
 void press_held_key(OperatorTurn& turn, KeyRole role, const ScreenItem& item) {

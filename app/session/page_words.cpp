@@ -1,5 +1,7 @@
 #include "app/session/page_words.h"
 
+#include "app/session/screen_model.h"
+
 namespace touchline {
 namespace {
 
@@ -48,9 +50,9 @@ std::string told_view(const PagePlace& place, const Language& language) {
 }  // namespace
 
 std::string words_of(const PagePlace& place, const Language& language) {
-    const std::string page = told_page(place.page, place.page_count, language);
-    const std::string view = told_view(place, language);
-    return page.empty() || view.empty() ? page + view : page + ". " + view;
+    std::string text = told_page(place.page, place.page_count, language);
+    add_sentence(text, told_view(place, language));
+    return text;
 }
 
 }  // namespace touchline

@@ -12,9 +12,6 @@ namespace touchline {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> details{"silhouette", "main parts", "parts", "fine parts",
-                                                  "everything"};
-
 std::string detail_text(int detail, const Language& language) {
     return language.text(
         "panel", "{0} of {1}, {2}",
@@ -88,8 +85,8 @@ std::string force_words(const HandState& hand, const ForceStatus& status,
 
 /// "a bar, -4.2 mN m": torque on the hand, counter-clockwise.
 std::string shape_words(const HandState& hand, const Language& language) {
-    constexpr std::array names{"a point", "a disc", "a bar", "an angle", "a key"};
-    const std::string name = language.text("shape", names[static_cast<std::size_t>(hand.shape)]);
+    const std::string name =
+        language.text("shape", shape_names[static_cast<std::size_t>(hand.shape)]);
     if (!hand.is_shape_placed) return language.text("panel", "{0}, a line goes through it", {name});
     return language.text("panel", "{0}, {1} mN m",
                          {name, language.number(1000.0 * hand.torque_Nm, 1)});
@@ -104,7 +101,7 @@ std::string mode_words(const HandState& hand, bool gives_way, const Language& la
 }  // namespace
 
 std::string_view detail_words(int detail) {
-    return details[static_cast<std::size_t>(std::clamp(detail, 1, 5) - 1)];
+    return detail_names[static_cast<std::size_t>(std::clamp(detail, 1, 5) - 1)];
 }
 
 std::string words_of(Mode mode) {

@@ -7,7 +7,9 @@
 #include "config/types/contact_event.h"
 #include "config/types/force_status.h"
 #include "config/types/hand_state.h"
+#include "config/types/held_shape.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,7 +51,12 @@ struct LiveFacts {
 [[nodiscard]] Status describe(const LiveFacts& facts, const HandState& hand,
                               const ForceStatus& force, const Language& language);
 
-// In English, each a text of the catalogue: contexts "detail", "mode", "contact", "event".
+// In English, each a text of the catalogue: contexts "detail", "shape", "mode", "contact", "event".
+
+inline constexpr std::array detail_names{"silhouette", "main parts", "parts", "fine parts",
+                                         "everything"};
+inline constexpr std::array<const char*, held_shape_count> shape_names{"a point", "a disc", "a bar",
+                                                                       "an angle", "a key"};
 
 /// "silhouette"; `detail` 1 ... 5.
 [[nodiscard]] std::string_view detail_words(int detail);

@@ -35,6 +35,22 @@ constexpr std::string_view staffs_unreadable_file =
 constexpr std::string_view unplugged = "The handle is unplugged. Please call the staff.";
 constexpr std::string_view staffs_unplugged = "The handle is unplugged. Plug its cable in again.";
 
+/// Of the camera and the sticks: texts as they are. No other line is one, for it may come from
+/// a worker that a file has taken over.
+constexpr std::array<std::string_view, 12> whole_sentences{
+    "It is too dark here. Ask the staff for more light.",
+    "There is too much light. Ask the staff to turn the lamp away.",
+    "The lamp is reflected in the sheet. Ask the staff to move it.",
+    "The sheet is too far away. Bring it closer.",
+    "The sheet is too close. Move it away from the camera.",
+    "Move the sheet to the right.",
+    "Move the sheet to the left.",
+    "Move the sheet down, towards you.",
+    "Move the sheet up, away from you.",
+    "The corners of the tray are covered. Clear them and try again.",
+    "The USB stick is locked with a password. Bring one without.",
+    "The USB stick’s format is not read here. Bring one formatted as FAT or exFAT."};
+
 constexpr std::array rows_of_files{
     // Documents and pictures, by their readers.
     LineRow{"locked with a password", "The PDF is locked with a password. Save it without one."},
@@ -205,7 +221,8 @@ std::span<const LineRow> device_lines() {
 std::string told_of_file(const std::string& line, std::string_view general,
                          const Language& language, ToldTo to) {
     if (line.empty()) return {};
-    if (line.ends_with('.')) return language.text("trouble", line);
+    if (std::ranges::find(whole_sentences, line) != whole_sentences.end())
+        return language.text("trouble", line);
     return told_by(rows_of_files, line, general, language, to);
 }
 
@@ -221,7 +238,7 @@ std::string told_of_device(const std::string& line, const Language& language, To
         if (!words.empty()) said += (said.empty() ? "" : " ") + words;
         at = stop + 2;
     }
-    return said;
+    return said.empty() ? language.text("trouble", std::string(general)) : said;
 }
 
 }  // namespace touchline

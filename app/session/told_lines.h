@@ -38,8 +38,7 @@ inline constexpr std::string_view staffs_device_trouble =
     "The handle does not work now. Check its cable. The log says why.";
 
 /// Why a picture, a file or a stick cannot be felt; `line` without the file's name, which may hold
-/// anything; empty for an empty one. A line that is whole sentences is a text itself. `general`:
-/// said for a line that no row knows.
+/// anything; empty for an empty one. `general`: said for a line that no row knows.
 [[nodiscard]] std::string told_of_file(const std::string& line, std::string_view general,
                                        const Language& language, ToldTo to = ToldTo::visitor);
 

@@ -28,7 +28,7 @@ void stick_came(VisitWork& work, const StickCame& came) {
         cue(work, ScreenEvent::news);
         visitor.path.back().about = 0;
         visitor.path.back().focus = 0;
-        return say_screen(work);
+        return say_item(work, screen_of(work).text);
     }
     cue(work, ScreenEvent::news);
     say(work, words(work, "A USB stick is plugged in. You will find it in the list."),
@@ -46,7 +46,7 @@ void stick_gone(VisitWork& work, const StickGone& gone) {
     if (!had_stick) return;
     cue(work, ScreenEvent::news);
     const std::string told = words(work, "The USB stick is out. Your picture stays.");
-    if (open_screen(work) == VisitScreen::stick) return say_return(work, told);
+    if (open_screen(work) == VisitScreen::stick) return say_item(work, told);
     say(work, told, SpeechPriority::hint);
 }
 
@@ -178,7 +178,7 @@ struct Take {
         work.visitor.has_stick = true;
         work.visitor.stick_list.reset();
         leave_letters(work);
-        if (open_screen(work) == VisitScreen::stick) say_screen(work);
+        if (open_screen(work) == VisitScreen::stick) say_item(work, screen_of(work).text);
     }
 
     void operator()(const StickCame& came) { stick_came(work, came); }

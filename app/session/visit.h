@@ -242,9 +242,11 @@ struct Visitor {
     double attention_s = 0.0;        // the handle last asked for it
     std::optional<double> pulled_s;  // headphones
     bool is_hint_due = false;
-    int dead_keys = 0;  // in a row
-    int repeats = 0;    // presses of Next in a row
-    int helps = 0;      // presses of Help in a row, in help
+    std::string hint;     // the last one that was said
+    double hint_s = 0.0;  // when
+    int dead_keys = 0;    // in a row
+    int repeats = 0;      // presses of Next in a row
+    int helps = 0;        // presses of Help in a row, in help
     Caption caption;
 };
 

@@ -29,7 +29,7 @@ bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
     Visitor& visitor = work.visitor;
     visitor.active_s = visitor.key_s = work.house.now_s;
     visitor.pulled_s.reset();
-    visitor.is_hint_due = true;
+    visitor.is_hint_due = false;  // until another item or screen is come to
     const bool was_leading = stop_leading(work);
     switch (open_screen(work)) {
         case VisitScreen::attract:
@@ -81,6 +81,7 @@ void move(VisitWork& work, bool is_down) {
         return say_screen(work);
     }
     open_standing(work).focus = moved->focus;
+    work.visitor.is_hint_due = true;
     cue(work, moved->has_wrapped ? ScreenEvent::list_end : ScreenEvent::key_taken);
     shake(work, moved->has_wrapped ? HandlePattern::edge : HandlePattern::focus);
     say_item(work);

@@ -23,6 +23,15 @@ const Language& language_of_item(const VisitWork& work, const ScreenItem& item) 
     return language_of(work);
 }
 
+/// Of the item that has the focus, where the screen's text says it too: it is said with it.
+void note_hint(VisitWork& work, const SpokenScreen& screen) {
+    if (!screen.focus) return;
+    const std::string& hint = screen.items[*screen.focus].hint;
+    if (hint.empty() || screen.text.find(hint) == std::string::npos) return;
+    work.visitor.hint = hint;
+    work.visitor.hint_s = work.house.now_s;
+}
+
 }  // namespace
 
 void say_item(VisitWork& work, const std::string& first) {
@@ -44,6 +53,7 @@ void say_screen(VisitWork& work, const std::string& first) {
     std::string text = first;
     add_sentence(text, screen.title);
     add_sentence(text, screen.text);
+    note_hint(work, screen);
     say_item(work, text);
 }
 
@@ -80,6 +90,8 @@ void focus_on(VisitWork& work, VisitItem item) {
 
 void show_trouble(VisitWork& work, const std::string& sentence,
                   std::optional<TroubleKind> trouble) {
+    const bool is_going_on = open_screen(work) == VisitScreen::trouble && trouble.has_value() &&
+                             work.visitor.trouble == trouble;
     work.visitor.over = Standing{VisitScreen::trouble};
     work.visitor.error = sentence;
     work.visitor.trouble = trouble;
@@ -87,10 +99,12 @@ void show_trouble(VisitWork& work, const std::string& sentence,
     arrive(work);
     cue(work, trouble ? ScreenEvent::fault : ScreenEvent::picture_failed);
     shake(work, HandlePattern::error);
+    // Who was told that something is wrong, and how to go on, hears what is new of it.
     const SpokenScreen screen = screen_of(work);
-    std::string text = screen.title;
+    std::string text = is_going_on ? std::string() : screen.title;
     add_sentence(text, screen.text);
-    add_sentence(text, screen.items.front().hint);
+    if (!is_going_on) add_sentence(text, screen.items.front().hint);
+    work.visitor.is_hint_due = false;
     const bool is_safety = trouble == TroubleKind::device;
     say(work, text, is_safety ? SpeechPriority::safety : SpeechPriority::text);
 }

@@ -36,12 +36,6 @@ void leave_opening(VisitWork& work) {
     if (work.visitor.path.back().screen == VisitScreen::opening) leave(work);
 }
 
-/// Over an open help the visitor hears it when the keys are silent.
-void tell_news(VisitWork& work, const std::string& first) {
-    if (work.visitor.over) return say(work, first, SpeechPriority::hint);
-    say_return(work, first);
-}
-
 void arrive_at_picture(VisitWork& work) {
     Visitor& visitor = work.visitor;
     const bool is_practice = visitor.felt->order.source == PictureSource::practice;
@@ -75,6 +69,14 @@ std::string told_change(const VisitWork& work, LoadReason reason) {
             break;
     }
     return told_picture(work);
+}
+
+/// Over an open help the visitor hears it when the keys are silent. What tells the whole picture
+/// has its title already.
+void tell_change(VisitWork& work, LoadReason reason) {
+    const std::string change = told_change(work, reason);
+    if (work.visitor.over) return say(work, change, SpeechPriority::hint);
+    is_of_what_was_felt(reason) ? say_return(work, change) : say_item(work, change);
 }
 
 }  // namespace
@@ -155,7 +157,7 @@ void take_ready(VisitWork& work, const PictureReady& ready) {
         cue(work, ScreenEvent::picture_ready);
         leave_opening(work);
         if (done.reason == LoadReason::other_picture) return arrive_at_picture(work);
-        return tell_news(work, told_change(work, done.reason));
+        return tell_change(work, done.reason);
     }
     if (!visitor.felt || visitor.felt->order.request != ready.request) return;
     const std::size_t known = visitor.felt->facts.parts.size();

@@ -1,4 +1,5 @@
 // What a visitor can set: every setting is a list of named values.
+#include "app/session/status.h"
 #include "app/session/visit_work.h"
 #include "audio-cues/speech/speech_rate.h"
 
@@ -11,8 +12,6 @@ namespace {
 
 // In the order of their enumerations or steps.
 constexpr std::array modes{"wall", "groove", "ridge", "stay on line"};
-constexpr std::array shapes{"a point", "a disc", "a bar", "an angle", "a key"};
-constexpr std::array details{"silhouette", "main parts", "parts", "fine parts", "everything"};
 constexpr std::array amounts{"none of them", "short ones", "all of them"};
 constexpr std::array sizes{"ordinary", "large", "larger", "largest"};
 constexpr std::array palettes{"light letters on dark", "dark letters on light",
@@ -110,14 +109,15 @@ ValueList values_of(const Visit& visit, const VisitWorld& world, VisitItem setti
         case VisitItem::palette:
             return {named(language, "visit", palettes), visitor.look.palette};
         case VisitItem::detail:
-            return {named(language, "detail", details),
+            return {named(language, "detail", detail_names),
                     static_cast<std::size_t>(std::clamp(visitor.detail, 1, 5) - 1)};
         case VisitItem::mode:
             return {named(language, "mode", modes), static_cast<std::size_t>(visitor.feel.mode)};
         case VisitItem::firmness:
             return {firmness_names(language), visitor.feel.firmness};
         case VisitItem::held_shape:
-            return {named(language, "shape", shapes), static_cast<std::size_t>(visitor.feel.shape)};
+            return {named(language, "shape", shape_names),
+                    static_cast<std::size_t>(visitor.feel.shape)};
         default:
             return {};
     }

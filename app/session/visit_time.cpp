@@ -2,6 +2,8 @@
 #include "app/session/visit_work.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 namespace touchline {
 namespace {
@@ -67,19 +69,31 @@ void tell_progress(VisitWork& work) {
     say(work, text, SpeechPriority::hint);
 }
 
+void say_languages(VisitWork& work) {
+    for (const Language& language : work.world.languages)
+        say_in(work, language, language.name(), SpeechPriority::hint);
+}
+
+/// The one that was said a moment ago stays due until it is worth hearing again.
 void give_hint(VisitWork& work) {
     Visitor& visitor = work.visitor;
+    const double now_s = work.house.now_s;
     const double still_since_s = std::max(visitor.key_s, visitor.entered_s);
-    if (!visitor.is_hint_due || work.house.now_s - still_since_s < hint_after_s) return;
-    visitor.is_hint_due = false;
-    if (open_screen(work) == VisitScreen::language) {
-        for (const Language& language : work.world.languages) {
-            say_in(work, language, language.name(), SpeechPriority::hint);
-        }
-        return;
-    }
+    if (!visitor.is_hint_due || now_s - still_since_s < hint_after_s) return;
+    if (open_screen(work) == VisitScreen::opening) return;  // of which nobody has heard yet
+    const bool is_of_languages = open_screen(work) == VisitScreen::language;
     const SpokenScreen screen = screen_of(work);
-    if (screen.focus) say(work, screen.items[*screen.focus].hint, SpeechPriority::hint);
+    std::string hint = screen.title;
+    if (!is_of_languages) hint = screen.focus ? screen.items[*screen.focus].hint : std::string();
+    if (hint == visitor.hint && now_s - visitor.hint_s < hint_again_s) return;
+    visitor.is_hint_due = false;
+    if (hint.empty()) return;
+    if (is_of_languages)
+        say_languages(work);
+    else
+        say(work, hint, SpeechPriority::hint);
+    visitor.hint = std::move(hint);
+    visitor.hint_s = now_s;
 }
 
 void begin_leading(VisitWork& work) {

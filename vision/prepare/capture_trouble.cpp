@@ -11,7 +11,7 @@ std::string_view sentence(CaptureTrouble trouble) {
         case CaptureTrouble::too_bright:
             return "There is too much light. Ask the staff to turn the lamp away.";
         case CaptureTrouble::glare:
-            return "The lamp is reflected in the sheet. Tilt the lamp or move it.";
+            return "The lamp is reflected in the sheet. Ask the staff to move it.";
         case CaptureTrouble::no_page:
             return "No sheet is found. Lay it flat on the tray.";
         case CaptureTrouble::too_small:

@@ -204,6 +204,7 @@ TEST(ToldLines, EverySentenceOfThoseSourcesIsInTheCatalogue) {
             if (literal.starts_with("No sheet is found")) continue;  // then it is a photograph
             ++count;
             EXPECT_TRUE(english().contains({"trouble", literal})) << literal;
+            EXPECT_EQ(told_of_file(literal, picture_trouble, Language()), literal);
         }
     }
     EXPECT_GE(count, 12);
@@ -321,6 +322,8 @@ TEST(ToldLines, OfTheDeviceAreSentenceBySentenceWithTheirNumbers) {
     EXPECT_EQ(told_of_device("The motor on plug 1 did not move the handle.", german),
               german.text("device", "The motor on plug 1 did not move the handle."));
     EXPECT_EQ(told_of_device("", german), "");
+    EXPECT_EQ(told_of_device("Quite new.", german),
+              german.text("trouble", std::string(device_trouble)));
     EXPECT_EQ(told_of_device("One moment.", Language()), "One moment.");
     EXPECT_EQ(
         told_of_device("homing ended: the board was unplugged or gave up; plug it in", german),

@@ -150,6 +150,30 @@ TEST(Visit, SP7_PlaceAndRoleAreSaidAndAHintAfterAPause) {
     EXPECT_EQ(house.transcript.size(), before + 1) << "once";
 }
 
+TEST(Visit, AHintThatWasJustSaidWaits) {
+    FakeHouse house;
+    to_choose(house);
+    ASSERT_TRUE(house.choose("Settings"));
+    house.wait(2.0);
+    house.press(KeyRole::down);
+    const std::size_t before = house.transcript.size();
+    house.wait(17.0);
+    EXPECT_EQ(house.transcript.size(), before) << "it is the same as of the item before";
+    house.wait(3.0);
+    ASSERT_EQ(house.transcript.size(), before + 1);
+    EXPECT_EQ(house.transcript.back().text, "Select offers its values.");
+}
+
+/// Its hint is among its words.
+TEST(Visit, AnErrorSaysWhatToPressOnce) {
+    FakeHouse house;
+    to_choose(house);
+    house.happen(TroubleBegan{TroubleKind::camera, ""});
+    const std::size_t before = house.transcript.size();
+    house.wait(30.0);
+    EXPECT_EQ(house.transcript.size(), before);
+}
+
 TEST(Visit, SP9_EachKeyGivesASoundADeadOneAnotherAndTheThirdTimeWords) {
     FakeHouse house;
     to_choose(house);

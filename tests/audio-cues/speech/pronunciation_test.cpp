@@ -67,7 +67,7 @@ std::map<std::string, std::string> lines_of(const std::string& code) {
 }
 
 /// The languages whose phonemes somebody has read.
-std::vector<std::string> heard_codes() {
+std::vector<std::string> read_codes() {
     std::vector<std::string> codes = languages_in(TOUCHLINE_CATALOGUES).value();
     std::erase_if(codes, [](const std::string& code) { return lines_of(code).empty(); });
     return codes;
@@ -110,8 +110,8 @@ std::vector<std::string> codes_and_names(const Language& language) {
     return texts;
 }
 
-TEST(Pronunciation, IsAsSomebodyHeardIt) {
-    for (const std::string& code : heard_codes()) {
+TEST(Pronunciation, IsAsSomebodyReadIt) {
+    for (const std::string& code : read_codes()) {
         const Voice voice = voice_of(code);
         const auto lines = lines_of(code);
         std::vector<std::string> texts;
@@ -122,15 +122,15 @@ TEST(Pronunciation, IsAsSomebodyHeardIt) {
         for (const auto& [text, said] : lines) texts.push_back(text);
         for (const std::string& text : std::set<std::string>(texts.begin(), texts.end())) {
             const auto line = lines.find(text);
-            const std::string heard = line == lines.end() ? "not heard yet" : line->second;
-            EXPECT_EQ(phonemes(voice, text), heard)
+            const std::string read = line == lines.end() ? "not read yet" : line->second;
+            EXPECT_EQ(phonemes(voice, text), read)
                 << code << ".txt: " << text << " = " << phonemes(voice, text);
         }
     }
 }
 
 TEST(Pronunciation, SomebodyHasReadFiveLanguages) {
-    EXPECT_GE(heard_codes().size(), 5U);
+    EXPECT_GE(read_codes().size(), 5U);
 }
 
 /// Without marks of stress and joining, words parted at pauses, Spanish b, d, g as hard as soft.
@@ -153,7 +153,7 @@ bool is_heard(const std::string& said, const std::string& name) {
 
 /// A letter beside others, as in a name that is spelled.
 TEST(Pronunciation, ALetterInARowIsTheLetterStill) {
-    for (const std::string& code : heard_codes()) {
+    for (const std::string& code : read_codes()) {
         const Voice voice = voice_of(code);
         const auto lines = lines_of(code);
         for (const char letter : letters) {
@@ -181,7 +181,7 @@ std::string signs_of(const std::string& title) {
 
 TEST(Pronunciation, TheLettersOfTheGalleryAreHeardInEverySentenceAboutThem) {
     const auto english = shipped_pictures();
-    for (const std::string& code : heard_codes()) {
+    for (const std::string& code : read_codes()) {
         const Voice voice = voice_of(code);
         const auto lines = lines_of(code);
         const auto pictures = shipped_pictures({code});
@@ -202,7 +202,7 @@ TEST(Pronunciation, TheLettersOfTheGalleryAreHeardInEverySentenceAboutThem) {
 /// "Letter A", "Digit 4": the last that is heard is its name.
 TEST(Pronunciation, TheNamesOfPartsEndWithTheirLetterOrDigit) {
     const auto english = shipped_pictures();
-    for (const std::string& code : heard_codes()) {
+    for (const std::string& code : read_codes()) {
         const Voice voice = voice_of(code);
         const auto lines = lines_of(code);
         const auto pictures = shipped_pictures({code});
@@ -253,7 +253,7 @@ bool is_english(const std::string& phonemes) {
 /// French "dos" was DOS to the voice.
 TEST(Pronunciation, NoWordIsTakenForEnglish) {
     const std::string folder = TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue/";
-    for (const std::string& code : heard_codes()) {
+    for (const std::string& code : read_codes()) {
         const Voice voice = voice_of(code);
         for (const auto& [key, entry] : read_po(folder + code + ".po")) {
             if (key.second.empty() || key.first == "respelling") continue;

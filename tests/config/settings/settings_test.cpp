@@ -213,7 +213,7 @@ TEST(SettingsText, WhateverIsWrongIsOneLineWithItsPlace) {
     EXPECT_EQ(error_of("feel = 3"), "site.toml:1: 'feel' is no table of settings");
     EXPECT_EQ(error_of("[levels]\nfinest = 5\ncoarsest = 4"),
               "site.toml:3: 'levels.finest' must not be above 'levels.coarsest'");
-    EXPECT_EQ(error_of("[language]\nfirst = 'it'"),
+    EXPECT_EQ(error_of("[language]\nfirst = 'nl'"),
               "site.toml:2: 'language.first' must be one of 'language.offered'");
     EXPECT_EQ(error_of("[hours]\nopening = 'noon'"),
               "site.toml:2: 'hours.opening' must be two times like \"09:00-17:00\"");

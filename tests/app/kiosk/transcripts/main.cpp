@@ -1,0 +1,41 @@
+// The command that writes the transcripts of all visits in all languages: transcripts OUT.
+#include "tests/app/kiosk/transcripts/visit_plans.h"
+#include "tests/sim/kiosk/house.h"
+
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace touchline {
+namespace {
+
+void write_transcripts(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    for (const VisitPlan& plan : visit_plans()) {
+        for (const Language& language : all_languages()) {
+            const std::string& code = language.code();
+            const std::string text = text_of(act_out(plan, code), code);
+            std::ofstream(folder / file_of(plan, code)) << text;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace touchline
+
+int main(int count, char** words) {
+    if (count != 2) {
+        std::cerr << "transcripts OUT: writes the transcripts of all visits into the folder OUT\n";
+        return 2;
+    }
+    setenv("TOUCHLINE_PROGRAMS", TOUCHLINE_WORKERS, 0);
+    try {
+        touchline::write_transcripts(words[1]);
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << '\n';
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,245 @@
+#include "tests/app/kiosk/transcripts/staged_kiosk.h"
+
+#include "app/device/device_words.h"
+#include "config/settings/settings_text.h"
+#include "tests/app/kiosk/transcripts/staged_things.h"
+#include "tests/sim/kiosk/due_jobs.h"
+#include "tests/sim/kiosk/house.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace touchline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double frame_s = 1.0 / 60.0;
+constexpr double load_s = 0.6;  // of each job of loading
+constexpr double quickly_s = 0.4;
+constexpr double to_a_place_s = 8.0;  // of the hand, while the device is homed
+constexpr double listing_s = 1.0;     // of a stick
+constexpr double pace_m_per_s = 0.04;
+constexpr double after_a_pause_s = 2.0;  // what is said to who waits was begun by then
+constexpr double longest_s = 120.0;      // of anything that is waited for
+
+constexpr std::array<const char*, key_role_count> key_names{"Up",     "Down", "Back",   "Next",
+                                                            "Select", "Help", "Louder", "Softer"};
+
+fs::path new_folder() {
+    static std::atomic<int> count{0};
+    const std::string name = fmt::format("touchline-transcripts-{}-{}", getpid(), ++count);
+    const fs::path folder = fs::temp_directory_path() / name;
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    return folder;
+}
+
+std::unique_ptr<OperatorDesk> desk_of(const fs::path& folder, const Staging& staging,
+                                      const std::vector<Language>& languages) {
+    const OperatorFiles files = site_files_in(folder);
+    Settings settings;
+    settings.first_language = staging.language;
+    settings.two_switches = staging.two_switches;
+    // Where nothing is set, there is no file.
+    const std::string text = settings_text(settings, Settings{});
+    if (!text.empty()) std::ofstream(files.settings.site) << text;
+    std::vector<std::string> problems;
+    auto desk = std::make_unique<OperatorDesk>(files, languages, problems);
+    if (!problems.empty()) throw std::runtime_error(problems.front());
+    return desk;
+}
+
+}  // namespace
+
+StagedKiosk::StagedKiosk(const Staging& staging)
+    : has_two_switches_(staging.two_switches != 0), folder_(new_folder()) {
+    auto servo = std::make_unique<SteppedServo>();
+    servo_ = servo.get();
+    auto shelf = std::make_unique<SimShelf>();
+    shelf_ = shelf.get();
+    KioskParts parts;
+    parts.languages = all_languages();
+    parts.gallery = gallery_without_workers();
+    parts.servo = std::move(servo);
+    parts.sound = std::make_unique<TimedVoice>(hearing_);
+    parts.profile = default_profile();
+    parts.loader = std::make_unique<Loader>(
+        std::make_shared<const KioskStages>(parts.profile, PageReader(), staged_finder()),
+        std::make_unique<DueJobs>(now_s_, [] {
+            return JobFate{load_s, {}};
+        }));
+    parts.shelf = std::move(shelf);
+    parts.photos = std::make_unique<PhotoDesk>(std::make_unique<StagedCamera>());
+    parts.operator_desk = desk_of(folder_, staging, parts.languages);
+    parts.settings = parts.operator_desk->settings();
+    parts.keys = parts.operator_desk->keys();
+    parts.minute_of_day = [] { return 12 * 60; };
+    kiosk_ = std::make_unique<Kiosk>(std::move(parts));
+    run(1.0);
+}
+
+StagedKiosk::~StagedKiosk() {
+    kiosk_.reset();
+    fs::remove_all(folder_);
+}
+
+void StagedKiosk::run(double for_s) {
+    const double end_s = now_s_ + for_s;
+    while (now_s_ < end_s) {
+        now_s_ += frame_s;
+        hearing_->now_s = now_s_;
+        servo_->run_until(now_s_);
+        // A hand that is led gives in.
+        const GuidancePhase phase = kiosk_->hand().guidance.phase;
+        if (phase == GuidancePhase::running || phase == GuidancePhase::pausing)
+            servo_->hand().move_to(servo_->handle_W());
+        kiosk_->step(static_cast<std::int64_t>(1e9 * now_s_));
+    }
+}
+
+void StagedKiosk::tell(const std::string& direction) {
+    hearing_->transcript.push_back({now_s_, now_s_, "", direction, false, false});
+}
+
+void StagedKiosk::press(KeyRole role) {
+    const bool is_first_switch = has_two_switches_ && role != KeyRole::select;
+    tell(is_first_switch     ? "the switch that moves on"
+         : has_two_switches_ ? "the switch that selects"
+                             : key_names.at(static_cast<std::size_t>(role)));
+    hearing_->key_s = now_s_;
+    kiosk_->press(role);
+    run(frame_s);
+}
+
+void StagedKiosk::press_quickly(KeyRole role) {
+    press(role);
+    run(quickly_s);
+}
+
+void StagedKiosk::do_nothing(double for_s) {
+    tell(fmt::format("does nothing for {:.0f} seconds", for_s));
+    run(for_s);
+}
+
+void StagedKiosk::put_stick() {
+    tell("puts a USB stick in");
+    shelf_->put(staged_files(), listing_s);
+    run(listing_s);
+    listen();
+}
+
+void StagedKiosk::pull_stick() {
+    tell("pulls the USB stick out");
+    shelf_->pull();
+    listen();
+}
+
+void StagedKiosk::break_device() {
+    tell("the board of the handle loses its power");
+    servo_->break_device(true);
+    listen();
+}
+
+void StagedKiosk::home_to(HomingStep step, const std::string& direction) {
+    tell(direction);
+    HomingView view;
+    view.step = step;
+    servo_->words = step == HomingStep::done ? "" : words_of(view, default_profile());
+    listen();
+}
+
+void StagedKiosk::home_device() {
+    servo_->break_device(false);
+    home_to(HomingStep::to_home, "the board has power again");
+    run(to_a_place_s);
+    home_to(HomingStep::to_check, "moves the handle to the first place");
+    run(to_a_place_s);
+    home_to(HomingStep::done, "moves the handle to the second place");
+}
+
+void StagedKiosk::move_to(Position to) {
+    const Position from = servo_->handle_W();
+    const int frames = 1 + static_cast<int>(norm(to - from) / (pace_m_per_s * frame_s));
+    for (int i = 1; i <= frames; ++i) {
+        servo_->hand().move_to(from + (static_cast<double>(i) / frames) * (to - from));
+        run(frame_s);
+    }
+}
+
+void StagedKiosk::follow_a_line(double for_s) {
+    tell("moves the handle along a line");
+    const std::vector<Position> points = servo_->picture().map->outlines.at(0).points;
+    move_to(points.front());
+    const double end_s = now_s_ + for_s;
+    for (std::size_t i = 1; now_s_ < end_s; ++i) move_to(points[i % points.size()]);
+}
+
+void StagedKiosk::listen() {
+    const double end_s = now_s_ + longest_s;
+    double quiet_since_s = now_s_;
+    while (now_s_ < end_s && now_s_ - quiet_since_s < after_a_pause_s) {
+        run(frame_s);
+        if (hearing_->is_speaking) quiet_since_s = now_s_;
+    }
+}
+
+void StagedKiosk::hear_one_thing() {
+    const int ended = hearing_->ended;
+    const double end_s = now_s_ + longest_s;
+    while (hearing_->is_speaking && hearing_->ended == ended && now_s_ < end_s) run(frame_s);
+    run(frame_s);
+}
+
+void StagedKiosk::go_to(int id) {
+    const auto is_it = [id](const ScreenItem& item) { return item.id == id; };
+    if (std::ranges::none_of(screen().items, is_it))
+        throw std::runtime_error(fmt::format("no item {} on the screen {}", id, screen().title));
+    for (SpokenScreen shown = screen(); !is_it(shown.items.at(*shown.focus)); shown = screen()) {
+        press(KeyRole::down);
+        hear_one_thing();
+    }
+}
+
+void StagedKiosk::choose(int id) {
+    go_to(id);
+    press(KeyRole::select);
+    listen();
+}
+
+void StagedKiosk::choose(OperatorItem item, std::size_t index) {
+    for (const ScreenItem& shown : screen().items) {
+        const ItemMeaning meaning = meaning_of(shown);
+        if (meaning.item == item && meaning.index == index) return choose(shown.id);
+    }
+    throw std::runtime_error("no such item on the screen " + screen().title);
+}
+
+void StagedKiosk::choose_key(KeyRole role) {
+    constexpr std::array roles{KeyRole::next, KeyRole::back, KeyRole::help};
+    const SpokenScreen shown = screen();
+    const auto items_after = shown.items.size() - shown.focus.value_or(0);
+    const auto keys_before = std::ranges::find(roles, role) - roles.begin();
+    for (std::size_t i = 0; i < items_after + static_cast<std::size_t>(keys_before); ++i) {
+        press(KeyRole::down);
+        hear_one_thing();
+    }
+    press(KeyRole::select);
+    listen();
+}
+
+void StagedKiosk::wait_for(VisitScreen screen) {
+    const double end_s = now_s_ + longest_s;
+    while (open_screen(kiosk_->visit()) != screen && now_s_ < end_s) run(frame_s);
+    listen();
+}
+
+}  // namespace touchline

@@ -1,0 +1,77 @@
+// What is said in whole visits is what was read by people, in every language.
+#include "tests/app/kiosk/transcripts/visit_plans.h"
+#include "tests/sim/kiosk/house.h"
+
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+namespace touchline {
+namespace {
+
+const std::string kept = TOUCHLINE_SOURCE_DIR "/tests/data/transcripts/";
+const std::string catalogues = TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue/";
+
+constexpr const char* how_to_renew =
+    "What is said has changed. Read the difference aloud, and if it is good:\n"
+    "  build/release/tests/app/kiosk/transcripts/transcripts tests/data/transcripts";
+
+std::string kept_text(const std::string& file) {
+    std::ifstream stream(kept + file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class Transcripts : public testing::TestWithParam<VisitPlan> {};
+
+TEST_P(Transcripts, AreThoseThatWereRead) {
+    for (const Language& language : all_languages()) {
+        const std::string file = file_of(GetParam(), language.code());
+        SCOPED_TRACE(file);
+        const Transcript heard = act_out(GetParam(), language.code());
+        EXPECT_EQ(text_of(heard, language.code()), kept_text(file)) << how_to_renew;
+        EXPECT_EQ(said_twice(heard), std::vector<std::string>{});
+        if (language.code() == "en") continue;
+        EXPECT_EQ(
+            left_in_english(heard, language.code(), read_po(catalogues + language.code() + ".po")),
+            std::vector<std::string>{});
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfVisits, Transcripts, testing::ValuesIn(visit_plans()),
+                         [](const auto& plan) {
+                             std::string name(plan.param.name);
+                             std::erase(name, '-');
+                             return name;
+                         });
+
+TranscriptLine said(double at_s, double end_s, const char* text, bool is_asked) {
+    return {at_s, end_s, "de", text, false, is_asked};
+}
+
+TEST(TranscriptRules, ASentenceSaidAgainSoonIsFoundUnlessAKeyAskedForIt) {
+    const auto first = said(1.0, 3.0, "Eins. Zwei.", true);
+    EXPECT_EQ(said_twice({first, said(12.0, 13.0, "Drei. Zwei.", false)}),
+              std::vector<std::string>{"00:12.0 Zwei."});
+    EXPECT_TRUE(said_twice({first, said(13.5, 14.0, "Zwei.", false)}).empty());
+    EXPECT_TRUE(said_twice({first, said(4.0, 5.0, "Zwei.", true)}).empty());
+    EXPECT_EQ(said_twice({said(1.0, 3.0, "Eins. Eins", true)}).size(), 1U);
+}
+
+TEST(TranscriptRules, EnglishIsFoundInASentenceAnItemAndAFilledText) {
+    PoFile catalogue;
+    catalogue[{"visit", "Goodbye"}].said = {"Auf Wiedersehen"};
+    catalogue[{"visit", "Zoom"}].said = {"Zoom"};
+    catalogue[{"visit", "{0} of {1}"}].said = {"{0} von {1}"};
+    catalogue[{"visit", "On: {0}."}].said = {"Auf: {0}."};
+    const auto left = [&](const char* text) {
+        return left_in_english({said(0.0, 1.0, text, false)}, "de", catalogue).size();
+    };
+    EXPECT_EQ(left("Ja. Goodbye."), 1U);
+    EXPECT_EQ(left("Wand, 2 of 3"), 1U);
+    EXPECT_EQ(left("On: Nase. Ja."), 1U);
+    EXPECT_EQ(left("Auf Wiedersehen. Zoom, 2 von 3. Auf: Nase."), 0U);
+}
+
+}  // namespace
+}  // namespace touchline

@@ -1,0 +1,289 @@
+#include "tests/app/kiosk/transcripts/visit_plans.h"
+
+#include "app/operator/operator_places.h"
+
+#include <array>
+#include <initializer_list>
+#include <stdexcept>
+
+namespace touchline {
+namespace {
+
+constexpr int row(int number) {
+    return static_cast<int>(VisitItem::entry) + number;
+}
+
+/// The language that the house begins with is the visitor's.
+void begin(StagedKiosk& kiosk) {
+    for (int i = 0; i < 2; ++i) {
+        kiosk.press(KeyRole::select);
+        kiosk.listen();
+    }
+}
+
+void finish(StagedKiosk& kiosk) {
+    kiosk.choose(VisitItem::finish);
+    kiosk.choose(VisitItem::yes);
+    kiosk.do_nothing(12.0);
+}
+
+void go_back(StagedKiosk& kiosk, int screens = 1) {
+    for (int i = 0; i < screens; ++i) {
+        kiosk.press(KeyRole::back);
+        kiosk.listen();
+    }
+}
+
+void open_picture_of_gallery(StagedKiosk& kiosk, std::size_t place) {
+    kiosk.choose(VisitItem::gallery);
+    kiosk.choose(kiosk.screen().items.at(place).id);
+    kiosk.wait_for(VisitScreen::picture);
+}
+
+void first_visit(StagedKiosk& kiosk) {
+    kiosk.press(KeyRole::select);
+    kiosk.listen();
+    for (std::size_t i = 0; i < kiosk.screen().items.size(); ++i) {
+        kiosk.press(KeyRole::down);
+        kiosk.listen();
+    }
+    kiosk.press(KeyRole::select);
+    kiosk.listen();
+    for (const KeyRole role : {KeyRole::help, KeyRole::up, KeyRole::down, KeyRole::back,
+                               KeyRole::next, KeyRole::select, KeyRole::help, KeyRole::help}) {
+        kiosk.press(role);
+        kiosk.listen();
+    }
+    kiosk.choose(VisitItem::practise);
+    kiosk.wait_for(VisitScreen::practice);
+    kiosk.follow_a_line(6.0);
+    kiosk.listen();
+    kiosk.choose(VisitItem::lead_round);
+    kiosk.do_nothing(15.0);
+    kiosk.choose(VisitItem::back);
+    open_picture_of_gallery(kiosk, 2);
+    kiosk.follow_a_line(8.0);
+    kiosk.listen();
+    kiosk.choose(VisitItem::parts);
+    kiosk.choose(row(0));
+    kiosk.do_nothing(5.0);
+    go_back(kiosk);
+    kiosk.choose(VisitItem::explore);
+    kiosk.follow_a_line(8.0);
+    kiosk.choose(VisitItem::where_am_i);
+    for (int i = 0; i < 2; ++i) {
+        kiosk.press(KeyRole::next);
+        kiosk.listen();
+    }
+    go_back(kiosk, 2);
+    finish(kiosk);
+}
+
+void photograph(StagedKiosk& kiosk) {
+    begin(kiosk);
+    kiosk.choose(VisitItem::camera);
+    kiosk.choose(VisitItem::take_picture);
+    kiosk.wait_for(VisitScreen::picture);
+    kiosk.follow_a_line(5.0);
+    kiosk.listen();
+    kiosk.choose(VisitItem::pages);
+    kiosk.choose(VisitItem::next_view);
+    kiosk.wait_for(VisitScreen::picture);
+    kiosk.choose(VisitItem::thing_here);
+    kiosk.wait_for(VisitScreen::picture);
+    kiosk.choose(VisitItem::zoom);
+    kiosk.choose(VisitItem::twice_here);
+    kiosk.wait_for(VisitScreen::picture);
+    kiosk.choose(VisitItem::another_picture);
+    go_back(kiosk);
+    finish(kiosk);
+}
+
+void document(StagedKiosk& kiosk) {
+    begin(kiosk);
+    kiosk.choose(VisitItem::stick);
+    kiosk.put_stick();
+    kiosk.choose(row(0));
+    kiosk.wait_for(VisitScreen::picture);
+    for (int page = 2; page <= 3; ++page) {
+        kiosk.choose(VisitItem::pages);
+        kiosk.choose(VisitItem::next_page);
+        kiosk.wait_for(VisitScreen::picture);
+    }
+    kiosk.choose(VisitItem::another_picture);
+    kiosk.choose(row(1));
+    kiosk.wait_for(VisitScreen::trouble);
+    kiosk.press(KeyRole::select);
+    kiosk.listen();
+    kiosk.pull_stick();
+    go_back(kiosk);
+    finish(kiosk);
+}
+
+void settings(StagedKiosk& kiosk) {
+    begin(kiosk);
+    for (const KeyRole role : {KeyRole::louder, KeyRole::softer}) {
+        kiosk.press(role);
+        kiosk.listen();
+    }
+    kiosk.choose(VisitItem::settings);
+    for (const auto& [setting, value] : {std::pair{VisitItem::volume, 4},
+                                         {VisitItem::rate, 5},
+                                         {VisitItem::sounds, 2},
+                                         {VisitItem::text_size, 2},
+                                         {VisitItem::palette, 3}}) {
+        kiosk.choose(setting);
+        kiosk.choose(row(value));
+    }
+    kiosk.choose(VisitItem::mono);
+    kiosk.choose(VisitItem::screen);
+    kiosk.choose(VisitItem::speech);
+    for (const KeyRole role : {KeyRole::help, KeyRole::help, KeyRole::help}) {
+        kiosk.press(role);
+        kiosk.listen();
+    }
+    kiosk.choose(VisitItem::reset);
+    kiosk.choose(VisitItem::yes);
+    go_back(kiosk);
+    open_picture_of_gallery(kiosk, 0);
+    for (const auto& [setting, value] :
+         {std::pair{VisitItem::detail, 4}, {VisitItem::mode, 0}, {VisitItem::firmness, 0}}) {
+        kiosk.choose(setting);
+        kiosk.choose(row(value));
+        kiosk.wait_for(VisitScreen::picture);
+    }
+    go_back(kiosk);
+    finish(kiosk);
+}
+
+void fault(StagedKiosk& kiosk) {
+    begin(kiosk);
+    open_picture_of_gallery(kiosk, 1);
+    kiosk.choose(VisitItem::lead_round);
+    kiosk.break_device();
+    kiosk.press(KeyRole::select);
+    kiosk.listen();
+    kiosk.choose(VisitItem::lead_round);
+    go_back(kiosk);
+    kiosk.choose(VisitItem::call_staff);
+    kiosk.home_device();
+    finish(kiosk);
+}
+
+void time_out(StagedKiosk& kiosk) {
+    begin(kiosk);
+    kiosk.choose(VisitItem::practise);
+    kiosk.wait_for(VisitScreen::practice);
+    kiosk.do_nothing(100.0);
+    kiosk.press(KeyRole::select);
+    kiosk.listen();
+    kiosk.do_nothing(100.0);
+    kiosk.do_nothing(40.0);
+}
+
+/// Digits 1, 1, 1, 1.
+void enter_pin(StagedKiosk& kiosk) {
+    for (int i = 0; i < 4; ++i)
+        for (const KeyRole role : {KeyRole::up, KeyRole::next}) {
+            kiosk.press(role);
+            kiosk.hear_one_thing();
+        }
+    kiosk.press(KeyRole::select);
+    kiosk.listen();
+}
+
+void choose(StagedKiosk& kiosk, OperatorPlace place) {
+    kiosk.choose(OperatorItem::place, static_cast<std::size_t>(place));
+}
+
+void choose(StagedKiosk& kiosk, OperatorAction action) {
+    kiosk.choose(OperatorItem::action, static_cast<std::size_t>(action));
+}
+
+void operators_visit(StagedKiosk& kiosk) {
+    for (const KeyRole role :
+         {KeyRole::help, KeyRole::up, KeyRole::up, KeyRole::down, KeyRole::down, KeyRole::select})
+        kiosk.press_quickly(role);
+    kiosk.listen();
+    enter_pin(kiosk);
+    enter_pin(kiosk);
+    kiosk.press(KeyRole::help);
+    kiosk.listen();
+    choose(kiosk, OperatorPlace::touch);
+    choose(kiosk, OperatorPlace::feel);
+    for (const KeyRole role : {KeyRole::down, KeyRole::next, KeyRole::select, KeyRole::next,
+                               KeyRole::back, KeyRole::select}) {
+        kiosk.press(role);
+        kiosk.listen();
+    }
+    go_back(kiosk, 2);
+    choose(kiosk, OperatorPlace::device);
+    choose(kiosk, OperatorPlace::self_test);
+    kiosk.choose(OperatorItem::test, static_cast<std::size_t>(TestStep::sound_left));
+    for (int i = 0; i < 2; ++i) {
+        kiosk.press(KeyRole::select);
+        kiosk.listen();
+    }
+    go_back(kiosk);
+    choose(kiosk, OperatorAction::clear_fault);
+    go_back(kiosk);
+    choose(kiosk, OperatorPlace::upkeep);
+    choose(kiosk, OperatorPlace::counters);
+    go_back(kiosk, 2);
+    choose(kiosk, OperatorAction::leave);
+}
+
+/// Every key but two is an item.
+void two_switches(StagedKiosk& kiosk) {
+    begin(kiosk);
+    open_picture_of_gallery(kiosk, 0);
+    kiosk.choose(VisitItem::lead_round);
+    kiosk.press(KeyRole::select);
+    kiosk.listen();
+    kiosk.choose_key(KeyRole::next);
+    for (const KeyRole role : {KeyRole::down, KeyRole::select}) {  // Back comes after Next
+        kiosk.press(role);
+        kiosk.listen();
+    }
+    kiosk.choose_key(KeyRole::help);
+    for (const KeyRole role :
+         {KeyRole::down, KeyRole::down, KeyRole::down, KeyRole::select, KeyRole::select}) {
+        kiosk.press(role);
+        kiosk.listen();
+    }
+    finish(kiosk);
+}
+
+constexpr std::array plans{
+    VisitPlan{"first-visit", first_visit},
+    VisitPlan{"photograph", photograph},
+    VisitPlan{"document", document},
+    VisitPlan{"settings", settings},
+    VisitPlan{"fault", fault},
+    VisitPlan{"time-out", time_out},
+    VisitPlan{"operator", operators_visit},
+    VisitPlan{"two-switches", two_switches, 1},
+};
+
+}  // namespace
+
+std::span<const VisitPlan> visit_plans() {
+    return plans;
+}
+
+Transcript act_out(const VisitPlan& plan, const std::string& language) {
+    StagedKiosk kiosk({language, plan.two_switches});
+    try {
+        plan.act(kiosk);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(file_of(plan, language) + ": " + error.what() + " after\n" +
+                                 text_of(kiosk.transcript(), language));
+    }
+    return kiosk.transcript();
+}
+
+std::string file_of(const VisitPlan& plan, const std::string& language) {
+    return std::string(plan.name) + '.' + language + ".txt";
+}
+
+}  // namespace touchline
