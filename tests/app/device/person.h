@@ -33,7 +33,7 @@ class Person final : public IntendedPath {
         Position to = to_;
         if (is_said("away from you")) to = stop(StopPlace::away);
         if (is_said("towards you")) to = stop(StopPlace::towards);
-        if (is_said("out to the sides")) to = stop(StopPlace::sideways);
+        if (is_said("straight to the sides")) to = stop(StopPlace::sideways);
         if (is_said("to the left")) to = takes_right_for_left_ ? right : left;
         if (is_said("one straight line"))
             to = is_bent_straight_ == takes_right_for_left_ ? right : left;

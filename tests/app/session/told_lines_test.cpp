@@ -99,7 +99,7 @@ bool is_of_the_command_line(const fs::path& file) {
     static const std::set<std::string> names{
         "files.cpp",       "png_writer.cpp",     "word_reader.cpp", "words_in_picture.cpp",
         "found_words.cpp", "finding_things.cpp", "main_things.cpp", "import_main.cpp",
-        "spacing.cpp",     "figure_main.cpp"};
+        "spacing.cpp",     "parts.cpp",          "figure_main.cpp"};
     return names.contains(file.filename().string());
 }
 

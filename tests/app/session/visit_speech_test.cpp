@@ -161,7 +161,7 @@ TEST(Visit, AHintThatWasJustSaidWaits) {
     EXPECT_EQ(house.transcript.size(), before) << "it is the same as of the item before";
     house.wait(3.0);
     ASSERT_EQ(house.transcript.size(), before + 1);
-    EXPECT_EQ(house.transcript.back().text, "Select offers its values.");
+    EXPECT_EQ(house.transcript.back().text, "Press Select for its values.");
 }
 
 /// Its hint is among its words.
