@@ -227,6 +227,7 @@ struct Visitor {
     std::optional<Waiting> waiting;
     bool is_capturing = false;
     bool has_stick = false;
+    bool has_stick_to_take = false;                           // said on the last screen
     std::shared_ptr<const StickList> stick_list;              // none: not read yet
     std::shared_ptr<const LetterGroup> found;                 // that the list shows; none: all
     std::shared_ptr<const std::vector<LetterGroup>> letters;  // of the screen of that name

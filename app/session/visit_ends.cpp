@@ -43,10 +43,14 @@ void end_visit(VisitWork& work, VisitScreen next) {
     order(work, Wipe{});
     order(work, GiveStickBack{});
     const std::size_t language = work.visitor.sound.language;
+    const bool has_stick = work.visitor.has_stick;
     work.visitor = new_visitor(work.house, work.world);
     work.visitor.path = {Standing{next}};
     // The last words are still in the visitor's language.
-    if (next == VisitScreen::goodbye) work.visitor.sound.language = language;
+    if (next == VisitScreen::goodbye) {
+        work.visitor.sound.language = language;
+        work.visitor.has_stick_to_take = has_stick;
+    }
     say_screen(work);
 }
 

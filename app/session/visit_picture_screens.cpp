@@ -41,7 +41,8 @@ void put_picture(VisitSheet& sheet) {
     }
     if (!facts.parts.empty()) {
         sheet.item(VisitItem::parts, "Parts",
-                   sheet.language.number(static_cast<double>(facts.parts.size()), 0),
+                   sheet.language.counted("count", "{0} part", "{0} parts",
+                                          static_cast<int>(facts.parts.size())),
                    "Choose a part, and the handle guides you there.");
     }
     sheet.item(VisitItem::explore, "Explore freely", {}, "Parts say their names.");

@@ -175,7 +175,8 @@ void put_confirm(Sheet& sheet) {
 
 void put_goodbye(Sheet& sheet) {
     sheet.title("Goodbye");
-    sheet.sentence("Take your USB stick and your headphones with you.");
+    if (sheet.visit.visitor.has_stick_to_take) sheet.sentence("Take your USB stick with you.");
+    sheet.sentence("If you brought headphones, take them with you.");
     sheet.sentence("Nothing about you is kept here.");
 }
 

@@ -70,7 +70,7 @@ void call_staff(VisitWork& work) {
     work.house.is_staff_called = !work.house.is_staff_called;
     order(work, CallStaff{work.house.is_staff_called});
     say(work, work.house.is_staff_called
-                  ? words(work, "The staff are called. You can go on meanwhile.")
+                  ? words(work, "The staff have been called. You can carry on meanwhile.")
                   : words(work, "The staff are no longer called."));
 }
 
@@ -98,7 +98,7 @@ void confirm(VisitWork& work) {
 void lead_to_part(VisitWork& work, std::size_t part) {
     const PartFacts& wanted = work.visitor.felt->facts.parts[part];
     lead(work, {GuideKind::to_place, wanted.place_W, -1},
-         words(work, "The handle guides you: {0}.", {wanted.name}));
+         words(work, "The handle guides you to: {0}.", {wanted.name}));
 }
 
 void take_row(VisitWork& work, std::size_t row, const std::string& name) {

@@ -6,10 +6,10 @@
 namespace touchline {
 namespace {
 
-constexpr const char* choice_hint = "Press Select to choose it, Up or Down for the others.";
+constexpr const char* choice_hint = "Press Select to choose it, Up or Down for another.";
 constexpr const char* setting_hint = "Press Select for its values.";
 constexpr const char* toggle_hint = "Press Select to change it.";
-constexpr const char* switch_hint = "Press Select to choose it, or move on to the others.";
+constexpr const char* switch_hint = "Press Select to choose it, or move on to another.";
 
 /// Two switches have no Up and Down.
 const char* hint_of_choice(const VisitWorld& world) {

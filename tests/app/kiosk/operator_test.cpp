@@ -126,7 +126,7 @@ TEST(OperatorRun, AWrongPlugIsToldOnThePagesOfTheHandle) {
     ASSERT_TRUE(staff.choose("Find the handle’s starting point")) << staff.heard();
     EXPECT_NE(staff.heard().find(world.servo().words), std::string::npos) << staff.heard();
     staff.press(KeyRole::back);
-    ASSERT_TRUE(staff.choose("What the handle does now")) << staff.heard();
+    ASSERT_TRUE(staff.choose("What the handle is doing now")) << staff.heard();
     EXPECT_NE(staff.heard().find(world.servo().words), std::string::npos) << staff.heard();
 }
 
@@ -142,7 +142,7 @@ TEST(OperatorRun, TheStaffAreToldWhatToDoAboutADeadHandle) {
     ASSERT_TRUE(staff.choose("Find the handle’s starting point")) << staff.heard();
     EXPECT_NE(staff.heard().find(told), std::string::npos) << staff.heard();
     staff.press(KeyRole::back);
-    ASSERT_TRUE(staff.choose("What the handle does now")) << staff.heard();
+    ASSERT_TRUE(staff.choose("What the handle is doing now")) << staff.heard();
     EXPECT_NE(staff.heard().find(told), std::string::npos) << staff.heard();
     EXPECT_EQ(world.kiosk().live_facts().message, told);
 }

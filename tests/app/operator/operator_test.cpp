@@ -423,12 +423,12 @@ TEST_F(OperatorTest, WhileTheHandleIsCleanedNoKeyCounts) {
 }
 
 TEST_F(OperatorTest, WhatIsShownLiveEndsWithItsScreen) {
-    ASSERT_TRUE(rig.open({"Handle and tests", "What the handle does now"}));
+    ASSERT_TRUE(rig.open({"Handle and tests", "What the handle is doing now"}));
     EXPECT_EQ(rig.screen().view, ScreenView::picture);
     EXPECT_EQ(rig.screen().items.front().name, "Force 0.5 newtons");
     rig.press(R::back);
     EXPECT_EQ(rig.count<ShowLive>(), 2);
-    ASSERT_TRUE(rig.open({"What the handle does now"}));
+    ASSERT_TRUE(rig.open({"What the handle is doing now"}));
     rig.wait(301.0);
     EXPECT_EQ(rig.count<ShowLive>(), 4) << "also when nobody leaves it";
 }

@@ -225,8 +225,18 @@ TEST(Visit, TI6_GoodbyeRemindsOfStickAndHeadphones) {
     ASSERT_TRUE(house.choose(all_languages()[1].text("visit", "Finish")));
     ASSERT_TRUE(house.choose(all_languages()[1].text("visit", "Yes")));
     EXPECT_EQ(house.transcript.back().language, "de");
-    EXPECT_TRUE(house.has_said("Nehmen Sie Ihren USB-Stick und Ihren Kopfhörer mit.",
-                               house.transcript.size() - 1));
+    const std::size_t last = house.transcript.size() - 1;
+    EXPECT_TRUE(house.has_said("nehmen Sie ihn wieder mit.", last));
+    EXPECT_FALSE(house.has_said("USB-Stick", last)) << "there is none";
+}
+
+TEST(Visit, TI6_GoodbyeRemindsOfAStickThatIsThere) {
+    FakeHouse house;
+    house.press({KeyRole::select, KeyRole::select});
+    house.happen(StickCame{{"a.png"}, {}});
+    ASSERT_TRUE(house.choose("Finish"));
+    ASSERT_TRUE(house.choose("Yes"));
+    EXPECT_TRUE(house.has_said("Take your USB stick with you.", house.transcript.size() - 1));
 }
 
 TEST(Visit, ER1_EveryErrorSaysWhatWhyAndWhatToDoAndOneKeyGoesOn) {
