@@ -46,6 +46,23 @@ TEST(SpokenName, OfWordsIsThoseWords) {
                Language());
 }
 
+/// As old cards have them: capitals tell nothing of a word there.
+TEST(SpokenName, OfCapitalsAloneIsWordsStill) {
+    expect_all({{"THE CAT.JPG", "THE CAT"},
+                {"THE CAT.jpg", "THE CAT"},
+                {"\u00c4PFEL UND OBST.JPG", "\u00c4PFEL UND OBST"},
+                {"DAD.JPG", "DAD"},
+                {"DAD 2.JPG", "DAD 2"},
+                {"XKCD.PNG", "X K C D"},
+                {"IMG.JPG", "I M G"},
+                {"MY IMG 4512.JPG", "MY I M G 45 12"},
+                {"map of the USA.svg", "map of the U S A"},
+                {"\u732b USA.svg", "\u732b U S A"},
+                {"USA 2.svg", "U S A 2"},
+                {"USA", "U S A"}},
+               Language());
+}
+
 /// As people name them, and no longer than they need be.
 TEST(SpokenName, OfACameraIsAPhoto) {
     expect_all({{"IMG_20240511_142233.jpg", "photo of 11th May 2024, 14:22"},
@@ -60,6 +77,10 @@ TEST(SpokenName, OfACameraIsAPhoto) {
                 {"IMG_dog.jpg", "I M G dog"},
                 {"my IMG 4512.jpg", "my I M G 45 12"},
                 {"SAM 5.jpg", "S A M 5"},
+                {"Sam 2019.jpg", "Sam 2019"},
+                {"img_4512.jpg", "photo 45 12"},
+                {"dsc04512.jpg", "photo 45 12"},
+                {"p1010085.jpg", "photo 101 00 85"},
                 {"P12.jpg", "P 12"}},
                Language());
     const std::string name = "DSC04512.JPG";
