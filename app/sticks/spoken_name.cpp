@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -235,30 +233,6 @@ std::string said_ending(std::string_view name) {
     return ending.empty() ? "" : ", " + spelled(in_capitals(ending.substr(1)));
 }
 
-/// Of those rows, each with its form, the ones that sound alike.
-std::vector<std::vector<std::size_t>> alike(std::span<const std::string> names,
-                                            std::span<const NameForm> forms,
-                                            std::span<const std::size_t> rows) {
-    const Language english;
-    std::map<std::string, std::vector<std::size_t>> by_sound;
-    for (const std::size_t row : rows)
-        by_sound[in_capitals(spoken_name(names[row], english, forms[row]))].push_back(row);
-    std::vector<std::vector<std::size_t>> groups;
-    for (auto& [sound, group] : by_sound)
-        if (group.size() > 1) groups.push_back(std::move(group));
-    return groups;
-}
-
-/// The plainest detail that tells all of them apart; the whole where none does.
-void tell_apart(std::span<const std::string> names, std::span<const std::size_t> rows,
-                std::vector<NameForm>& forms) {
-    for (const NameDetail detail :
-         {NameDetail::precise, NameDetail::with_ending, NameDetail::whole}) {
-        for (const std::size_t row : rows) forms[row].detail = detail;
-        if (alike(names, forms, rows).empty()) return;
-    }
-}
-
 }  // namespace
 
 std::string spoken_name(std::string_view name, const Language& language, const NameForm& form) {
@@ -272,18 +246,6 @@ std::string spoken_name(std::string_view name, const Language& language, const N
     text += ending;
     if (form.number == 0) return text;
     return language.text("file", "{0}, number {1}", {text, std::to_string(form.number)});
-}
-
-std::vector<NameForm> spoken_forms(std::span<const std::string> names) {
-    std::vector<NameForm> forms(names.size());
-    std::vector<std::size_t> rows(names.size());
-    std::iota(rows.begin(), rows.end(), std::size_t{0});
-    for (const auto& group : alike(names, forms, rows)) tell_apart(names, group, forms);
-    for (const auto& group : alike(names, forms, rows)) {
-        int number = 0;
-        for (const std::size_t row : group) forms[row].number = ++number;
-    }
-    return forms;
 }
 
 }  // namespace touchline

@@ -6,10 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace touchline {
 
@@ -36,9 +34,5 @@ struct NameForm {
 /// file without a name" where nothing is left. O(n).
 [[nodiscard]] std::string spoken_name(std::string_view name, const Language& language,
                                       const NameForm& form = {});
-
-/// The form of each name of a list, so that no two sound alike: as plain as that allows; those that
-/// have the same words whatever is said of them are numbered. O(n log n) of all names.
-[[nodiscard]] std::vector<NameForm> spoken_forms(std::span<const std::string> names);
 
 }  // namespace touchline
