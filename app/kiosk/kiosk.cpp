@@ -325,7 +325,7 @@ void Kiosk::take(Delivery delivery) {
     map_ = delivery.scene->felt.map;
     felt_file_ = wanted_;
     felt_order_ = order_;
-    PictureFacts facts = facts_of(*delivery.scene, *wanted_, language());
+    PictureFacts facts = facts_of(*delivery.scene, *wanted_, order_.form, language());
     parts_ = facts.parts;
     servo_->feel(delivery.scene->felt);
     if (operator_ && !delivery.is_better) operator_->count_picture(order_.source);

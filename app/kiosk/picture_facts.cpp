@@ -2,7 +2,6 @@
 
 #include "app/kiosk/part_name.h"
 #include "app/session/told_lines.h"
-#include "app/sticks/spoken_name.h"
 
 #include <algorithm>
 
@@ -64,19 +63,23 @@ std::optional<std::size_t> nearest_spot(const std::vector<PartFacts>& parts, Pos
 }
 
 /// A title without a blank is what programs make of a file's name.
-std::string title_of(const std::string& title, const PictureFile& file, const Language& language) {
-    const bool is_of_file = title == file.title && !file.file_name.empty();
-    if (is_of_file) return spoken_name(file.file_name, language);
+std::string title_of(const std::string& title, const PictureFile& file, const NameForm& form,
+                     const Language& language) {
+    const std::string& name = file.file_name;
+    if (title == file.title && !name.empty()) return spoken_name(name, language, form);
     const bool is_of_a_person = title.empty() || title.find(' ') != std::string::npos;
-    return is_of_a_person ? title : spoken_name(title, language);
+    if (is_of_a_person) return title;
+    const std::string said = spoken_name(title, language);
+    return said == spoken_name(name, language) ? spoken_name(name, language, form) : said;
 }
 
 }  // namespace
 
-PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file, const Language& language) {
+PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file, const NameForm& form,
+                      const Language& language) {
     const TactileMap& map = *scene.felt.map;
     PictureFacts facts;
-    facts.title = title_of(scene.facts.title, file, language);
+    facts.title = title_of(scene.facts.title, file, form, language);
     facts.description = map.description;
     facts.place = scene.facts.place;
     facts.outline_count = scene.facts.outline_count;

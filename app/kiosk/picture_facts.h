@@ -3,6 +3,7 @@
 
 #include "app/loading/stages.h"
 #include "app/session/visit_events.h"
+#include "app/sticks/spoken_name.h"
 #include "audio-cues/words/language.h"
 #include "config/types/hand_state.h"
 #include "config/types/tactile_map.h"
@@ -17,11 +18,11 @@ namespace touchline {
 /// So near a spot counts as on it: half of what a fingertip covers.
 inline constexpr double spot_m = 0.004;
 
-/// The title that a person chose, as it is, where it is no file's name; else the file's name as it
-/// is said. Parts are the outlines that have names, each name once, then the spots. O(outlines +
-/// labels).
+/// The title that a person chose, as it is, where it is no file's name; else the file's name as its
+/// list says it, in `form`. Parts are the outlines that have names, each name once, then the spots.
+/// O(outlines + labels).
 [[nodiscard]] PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file,
-                                    const Language& language);
+                                    const NameForm& form, const Language& language);
 
 /// The part that the hand is on: the outline that it touches, else the nearest spot within spot_m.
 /// O(parts + log outlines).

@@ -1,6 +1,7 @@
 #include "app/session/visit.h"
 
 #include "app/session/visit_work.h"
+#include "app/sticks/spoken_forms.h"
 
 #include <utility>
 
@@ -21,7 +22,7 @@ void stick_came(VisitWork& work, const StickCame& came) {
     Visitor& visitor = work.visitor;
     visitor.has_stick = true;
     visitor.stick_list = std::make_shared<const StickList>(
-        StickList{came.names, came.rest, spoken_forms(came.names)});
+        StickList{came.names, came.rest, spoken_forms(came.names, work.world.languages)});
     leave_letters(work);
     if (!is_visit_on(visit_of(work))) return;
     if (open_screen(work) == VisitScreen::stick) {

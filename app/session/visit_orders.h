@@ -2,6 +2,7 @@
 // Threads: plain values.
 #pragma once
 
+#include "app/sticks/spoken_name.h"
 #include "audio-cues/cues/cue.h"
 #include "audio-cues/cues/screen_event.h"
 #include "audio-cues/speech/speech_queue.h"
@@ -69,6 +70,7 @@ struct LoadPicture {
     ZoomWanted zoom;
     /// The thing of a photograph at this place of the view, which is felt whole; nothing: the view.
     std::optional<Position> thing_at = {};
+    NameForm form = {};  // stick: as its list says the name, so that the picture is called the same
 
     friend bool operator==(const LoadPicture&, const LoadPicture&) = default;
 };

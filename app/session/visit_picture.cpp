@@ -106,6 +106,7 @@ void open_picture(VisitWork& work, PictureSource source, std::size_t index,
     LoadPicture wanted;
     wanted.source = source;
     wanted.index = index;
+    if (source == PictureSource::stick) wanted.form = work.visitor.stick_list->forms[index];
     load(work, {wanted, LoadReason::other_picture, name});
     leave_opening(work);
     enter(work, VisitScreen::opening);

@@ -41,6 +41,10 @@ bool is_letter(std::int32_t code) {
     return (U_MASK(u_charType(code)) & U_GC_L_MASK) != 0;
 }
 
+bool is_capital(std::int32_t code) {
+    return u_charType(code) == U_UPPERCASE_LETTER;
+}
+
 bool is_number(std::int32_t code) {
     return (U_MASK(u_charType(code)) & U_GC_N_MASK) != 0;
 }

@@ -26,6 +26,7 @@ struct NameCharacter {
 
 [[nodiscard]] bool is_mark(std::int32_t code);
 [[nodiscard]] bool is_letter(std::int32_t code);
+[[nodiscard]] bool is_capital(std::int32_t code);
 
 /// A digit or another sign for a number, as a half.
 [[nodiscard]] bool is_number(std::int32_t code);

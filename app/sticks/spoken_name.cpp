@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,6 +25,10 @@ constexpr std::array<const char*, 12> months{"January",   "February", "March",  
 constexpr std::array<std::string_view, 14> cameras{"CIMG", "DSC",  "DSCF", "DSCI", "DSCN",
                                                    "GOPR", "HPIM", "IMG",  "IMGP", "MG",
                                                    "PICT", "PXL",  "SAM",  "WIN"};
+
+bool is_camera_mark(std::string_view word) {
+    return std::ranges::count(cameras, word) > 0;
+}
 
 std::string words_of(const NameMoment& moment, const Language& language, bool is_precise) {
     const std::string day = language.text("day", days[static_cast<std::size_t>(moment.day) - 1]);
@@ -64,14 +66,37 @@ std::size_t characters_in(std::string_view text) {
     return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, is_following));
 }
 
-/// "IMG", "xkcd": a voice would make a word of it that nobody knows. Beyond ASCII every letter is
-/// taken for a vowel, for the language's voice knows better.
-bool is_spelled(std::string_view word) {
+/// "xkcd": a voice would make a word of it that nobody knows. Beyond ASCII every letter is taken
+/// for a vowel, for the language's voice knows better.
+bool is_without_vowel(std::string_view word) {
     constexpr std::size_t longest = 6;
-    if (word.size() > longest || std::ranges::any_of(word, is_following)) return false;
-    const bool is_shouted =
-        word.size() <= 3 && std::ranges::all_of(word, [](char c) { return c >= 'A' && c <= 'Z'; });
-    return is_shouted || word.find_first_of("aeiouyAEIOUY") == std::string_view::npos;
+    return word.size() <= longest && std::ranges::none_of(word, is_following) &&
+           word.find_first_of("aeiouyAEIOUY") == std::string_view::npos;
+}
+
+bool is_short_in_capitals(std::string_view word) {
+    constexpr std::size_t longest = 3;
+    return word.size() <= longest &&
+           std::ranges::all_of(word, [](char c) { return c >= 'A' && c <= 'Z'; });
+}
+
+bool has_more_than_capitals(std::string_view text) {
+    while (!text.empty()) {
+        const NameCharacter character = first_character(text);
+        if (is_letter(character.code) && !is_capital(character.code)) return true;
+        text.remove_prefix(character.bytes.size());
+    }
+    return false;
+}
+
+/// "THE CAT.JPG", as old cards and some people write it: there capitals tell nothing of a word. A
+/// word alone is an abbreviation ("USA.svg"), unless its ending has capitals too.
+bool is_all_capitals(std::string_view name, std::span<const NamePart> parts) {
+    const std::string_view stem = without_ending(name);
+    const auto words = std::ranges::count_if(
+        parts, [](const NamePart& part) { return !part.is_digits && !is_camera_mark(part.text); });
+    if (words > 1) return !has_more_than_capitals(stem);
+    return stem.size() < name.size() && !has_more_than_capitals(name);
 }
 
 std::string spelled(std::string_view word) {
@@ -90,6 +115,10 @@ std::string in_capitals(std::string_view text) {
     return capitals;
 }
 
+bool has_capital(std::string_view word) {
+    return std::ranges::any_of(word, [](char c) { return c >= 'A' && c <= 'Z'; });
+}
+
 /// What is said of one or more parts.
 struct Said {
     std::string text;
@@ -105,13 +134,15 @@ std::string said_number(std::string_view digits, const Said* before) {
                                                            : in_groups(digits);
 }
 
-/// A camera's mark, or the "P" of those that number their folders as well. "SAM 5" is somebody's.
+/// A camera's mark, or the "P" of those that number their folders as well; in small letters too, as
+/// some programs copy it. "Sam 2019" and "SAM 5" are somebody's.
 bool is_camera(const NamePart& part, const NamePart& next) {
     constexpr std::size_t shortest = 4;
     constexpr std::size_t with_folder = 7;
     if (part.is_digits || !next.is_digits || next.text.size() < shortest) return false;
-    return std::ranges::count(cameras, part.text) > 0 ||
-           (part.text == "P" && next.text.size() == with_folder);
+    const std::string mark = in_capitals(part.text);
+    if (mark != part.text && has_capital(part.text)) return false;
+    return is_camera_mark(mark) || (mark == "P" && next.text.size() == with_folder);
 }
 
 std::string_view without_zeros(std::string_view digits) {
@@ -121,7 +152,8 @@ std::string_view without_zeros(std::string_view digits) {
 
 class Saying {
   public:
-    Saying(const Language& language, NameDetail detail) : language_(language), detail_(detail) {}
+    Saying(const Language& language, NameDetail detail, bool is_all_capitals)
+        : language_(language), detail_(detail), is_all_capitals_(is_all_capitals) {}
 
     std::vector<Said> all(std::span<const NamePart> parts) {
         const bool is_whole = detail_ == NameDetail::whole;
@@ -135,6 +167,12 @@ class Saying {
     std::string words(const NameMoment& moment) const {
         const bool is_precise = detail_ == NameDetail::precise || detail_ == NameDetail::whole;
         return words_of(moment, language_, is_precise);
+    }
+
+    [[nodiscard]] bool is_spelled(std::string_view word) const {
+        if (is_without_vowel(word)) return true;
+        const bool means_something = !is_all_capitals_ || is_camera_mark(word);
+        return means_something && is_short_in_capitals(word);
     }
 
     /// "photo of 5th April 2023", "photo 45 12": what is left.
@@ -169,6 +207,7 @@ class Saying {
 
     const Language& language_;
     NameDetail detail_;
+    bool is_all_capitals_;
     std::vector<Said> said_;
 };
 
@@ -194,30 +233,6 @@ std::string said_ending(std::string_view name) {
     return ending.empty() ? "" : ", " + spelled(in_capitals(ending.substr(1)));
 }
 
-/// Of those rows, each with its form, the ones that sound alike.
-std::vector<std::vector<std::size_t>> alike(std::span<const std::string> names,
-                                            std::span<const NameForm> forms,
-                                            std::span<const std::size_t> rows) {
-    const Language english;
-    std::map<std::string, std::vector<std::size_t>> by_sound;
-    for (const std::size_t row : rows)
-        by_sound[in_capitals(spoken_name(names[row], english, forms[row]))].push_back(row);
-    std::vector<std::vector<std::size_t>> groups;
-    for (auto& [sound, group] : by_sound)
-        if (group.size() > 1) groups.push_back(std::move(group));
-    return groups;
-}
-
-/// The plainest detail that tells all of them apart; the whole where none does.
-void tell_apart(std::span<const std::string> names, std::span<const std::size_t> rows,
-                std::vector<NameForm>& forms) {
-    for (const NameDetail detail :
-         {NameDetail::precise, NameDetail::with_ending, NameDetail::whole}) {
-        for (const std::size_t row : rows) forms[row].detail = detail;
-        if (alike(names, forms, rows).empty()) return;
-    }
-}
-
 }  // namespace
 
 std::string spoken_name(std::string_view name, const Language& language, const NameForm& form) {
@@ -225,23 +240,12 @@ std::string spoken_name(std::string_view name, const Language& language, const N
         form.detail == NameDetail::with_ending || form.detail == NameDetail::whole;
     const std::string ending = has_ending ? said_ending(name) : "";
     const auto parts = parts_of_name(without_ending(name), spoken_characters);
-    std::string text = joined(Saying(language, form.detail).all(parts));
+    std::string text =
+        joined(Saying(language, form.detail, is_all_capitals(name, parts)).all(parts));
     if (text.empty()) text = language.text("visit", "a file without a name");
     text += ending;
     if (form.number == 0) return text;
     return language.text("file", "{0}, number {1}", {text, std::to_string(form.number)});
-}
-
-std::vector<NameForm> spoken_forms(std::span<const std::string> names) {
-    std::vector<NameForm> forms(names.size());
-    std::vector<std::size_t> rows(names.size());
-    std::iota(rows.begin(), rows.end(), std::size_t{0});
-    for (const auto& group : alike(names, forms, rows)) tell_apart(names, group, forms);
-    for (const auto& group : alike(names, forms, rows)) {
-        int number = 0;
-        for (const std::size_t row : group) forms[row].number = ++number;
-    }
-    return forms;
 }
 
 }  // namespace touchline

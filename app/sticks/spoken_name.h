@@ -6,10 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace touchline {
 
@@ -27,18 +25,14 @@ struct NameForm {
 };
 
 /// The name of a file, any bytes: words with the apostrophes between their letters; what has no
-/// vowel, or is short and in capitals, letter by letter; a date with its time in the language's own
-/// way, and every other number of more than three digits in pairs ("101085": "10 10 85"), but for a
-/// year after a word. What a camera writes before its number or date is "photo", its number has no
-/// zeros before it ("DSC04512.JPG": "photo 45 12"), and the ending is not said: the whole form
-/// has all of that. No markup is left for a voice to obey. At most spoken_characters
-/// besides its ending and number, cut between words where that is possible; "a file without a name"
-/// where nothing is left. O(n).
+/// vowel, or is short and in capitals beside small letters, letter by letter; a date with its time
+/// in the language's own way, and every other number of more than three digits in pairs ("101085":
+/// "10 10 85"), but for a year after a word. What a camera writes before its number or date is
+/// "photo", its number has no zeros before it ("DSC04512.JPG": "photo 45 12"), and the ending is
+/// not said: the whole form has all of that. No markup is left for a voice to obey. At most
+/// spoken_characters besides its ending and number, cut between words where that is possible; "a
+/// file without a name" where nothing is left. O(n).
 [[nodiscard]] std::string spoken_name(std::string_view name, const Language& language,
                                       const NameForm& form = {});
-
-/// The form of each name of a list, so that no two sound alike: as plain as that allows; those that
-/// have the same words whatever is said of them are numbered. O(n log n) of all names.
-[[nodiscard]] std::vector<NameForm> spoken_forms(std::span<const std::string> names);
 
 }  // namespace touchline

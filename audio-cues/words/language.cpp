@@ -105,9 +105,12 @@ std::string Language::counted(const std::string& context, const std::string& one
 
 std::string Language::measured(const std::string& context, const std::string& one,
                                const std::string& many, double value) const {
-    const double whole = std::clamp(std::trunc(value), -1e6, 1e6);
-    const bool is_small_fraction = whole != value && std::abs(value) < 2.0;
-    const std::string number = with_sign(fmt::format("{:.6g}", value));
+    const std::string digits = fmt::format("{:.6g}", value);
+    double heard = value;  // 0.9999999 is 1
+    (void)std::from_chars(digits.data(), digits.data() + digits.size(), heard);
+    const double whole = std::clamp(std::trunc(heard), -1e6, 1e6);
+    const bool is_small_fraction = whole != heard && std::abs(heard) < 2.0;
+    const std::string number = with_sign(digits);
     const std::string_view said = number;
     const int count = is_small_fraction ? 0 : static_cast<int>(whole);
     return filled(form(context, one, many, count), std::span(&said, 1));

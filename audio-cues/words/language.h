@@ -33,8 +33,8 @@ class Language {
                                       const std::string& many, int count) const;
 
     /// "1.5 newtons": as counted, of a value below 1e6, with as many digits as it has, six at most.
-    /// A fraction below two has the form of none, as French needs it ("1,5 newton", "0 newton"), a
-    /// larger one that of its whole part.
+    /// The form is that of these digits: a fraction below two has that of none, as French needs it
+    /// ("1,5 newton", "0 newton"), a larger one that of its whole part.
     [[nodiscard]] std::string measured(const std::string& context, const std::string& one,
                                        const std::string& many, double value) const;
 

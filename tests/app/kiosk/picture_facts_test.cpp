@@ -28,7 +28,7 @@ PictureFile of_file(const std::string& name) {
 TEST(PictureFacts, ATitleThatAPersonGaveIsSaidElseTheNameOfTheFile) {
     LoadedScene scene = house();
     const auto title = [&scene](const std::string& file) {
-        return facts_of(scene, of_file(file), Language()).title;
+        return facts_of(scene, of_file(file), {}, Language()).title;
     };
     scene.facts.title = "The house (of 1950)";
     EXPECT_EQ(title("IMG_20230405_101500.jpg"), "The house (of 1950)");
@@ -37,8 +37,25 @@ TEST(PictureFacts, ATitleThatAPersonGaveIsSaidElseTheNameOfTheFile) {
     EXPECT_EQ(title(""), "") << "a photograph has no name";
 }
 
+/// The list says "photo 20 41, J P G", for there is a "photo 20 41, H E I C" too.
+TEST(PictureFacts, TheNameOfAFileIsSaidAsItsListSaysIt) {
+    LoadedScene scene = house();
+    const PictureFile file{"IMG_2041.jpg", "IMG_2041", "", true, {}, "IMG_2041.jpg"};
+    const auto title = [&](const NameForm& form) {
+        return facts_of(scene, file, form, Language()).title;
+    };
+    for (const char* in_file : {"IMG_2041", "IMG_2041.jpg", "DSC02041"}) {
+        scene.facts.title = in_file;
+        EXPECT_EQ(title({}), "photo 20 41") << in_file;
+        EXPECT_EQ(title({NameDetail::with_ending}), "photo 20 41, J P G") << in_file;
+        EXPECT_EQ(title({NameDetail::whole, 2}), "I M G 20 41, J P G, number 2") << in_file;
+    }
+    scene.facts.title = "Guernica";
+    EXPECT_EQ(title({NameDetail::with_ending}), "Guernica") << "the picture's own";
+}
+
 TEST(PictureFacts, NamesOfLinesOnceThenSpots) {
-    const PictureFacts facts = facts_of(house(), of_file(""), Language());
+    const PictureFacts facts = facts_of(house(), of_file(""), {}, Language());
     EXPECT_EQ(facts.title, "photo 20 41") << "what a program took from a file's name";
     EXPECT_EQ(facts.description, "From the front.");
     EXPECT_EQ(facts.place, (PagePlace{2, 5, 1, 3}));
@@ -58,7 +75,7 @@ TEST(PictureFacts, LinesThatTracingNamedAreNamedInTheLanguage) {
     map->outlines[1].label = "dotted line, middle";
     map->outlines[2].label = "line, of washing";
     scene.felt.map = map;
-    const PictureFacts facts = facts_of(scene, of_file(""), *german);
+    const PictureFacts facts = facts_of(scene, of_file(""), {}, *german);
     ASSERT_EQ(facts.parts.size(), 4U);
     EXPECT_EQ(facts.parts[0].name, "gestrichelte Linie 2, oben links");
     EXPECT_EQ(facts.parts[1].name, "gepunktete Linie, in der Mitte");
@@ -71,7 +88,7 @@ TEST(PictureFacts, LinesThatTracingNamedAreNamedInTheLanguage) {
 
 TEST(PictureFacts, AHandIsOnTheLineThatItTouchesElseOnASpotNearby) {
     const LoadedScene scene = house();
-    const PictureFacts facts = facts_of(scene, of_file(""), Language());
+    const PictureFacts facts = facts_of(scene, of_file(""), {}, Language());
     HandState hand;
     hand.map_version = 7;
     hand.p_WH = {0.05, 0.03};
@@ -88,7 +105,7 @@ TEST(PictureFacts, AHandIsOnTheLineThatItTouchesElseOnASpotNearby) {
 
 TEST(PictureFacts, WhatIsToldOfAnotherMapMeansNothing) {
     const LoadedScene scene = house();
-    const PictureFacts facts = facts_of(scene, of_file(""), Language());
+    const PictureFacts facts = facts_of(scene, of_file(""), {}, Language());
     HandState hand;
     hand.p_WH = {0.05, 0.03};
     hand.map_version = 6;

@@ -156,6 +156,15 @@ TEST(Visit, LongListsComeInTens) {
     EXPECT_EQ(house.visit.visitor.loading->order.index, 11U);
 }
 
+TEST(Visit, APictureIsOrderedByTheNameThatTheListSays) {
+    FakeHouse house;
+    to_choose(house);
+    house.happen(StickCame{{"IMG_4512.heic", "IMG_4512.jpg"}, {}});
+    ASSERT_TRUE(house.choose("Your USB stick"));
+    ASSERT_TRUE(house.choose("photo 45 12, J P G"));
+    EXPECT_EQ(house.visit.visitor.loading->order.form, (NameForm{NameDetail::with_ending}));
+}
+
 /// A camera's names, a person's, and dates.
 std::vector<std::string> a_thousand_names() {
     std::vector<std::string> names;

@@ -91,6 +91,10 @@ TEST(Language, MeasuresTakeTheFormOfTheirValue) {
     expect("it", {"0 newton", "0,5 newton", "un newton", "1,5 newton", "2 newton", "2,5 newton",
                   "500000 newton"});
     EXPECT_EQ(newtons(loaded("fr"), -1.5), "-1,5 newton");
+    EXPECT_EQ(newtons(loaded("en"), 0.9999999), "1 newton") << "of the digits that are said";
+    EXPECT_EQ(newtons(loaded("de"), 1.0000001), "ein Newton");
+    EXPECT_EQ(newtons(loaded("fr"), 1.9999999), "2 newtons");
+    EXPECT_EQ(newtons(loaded("fr"), 1.99999), "1,99999 newton");
 }
 
 TEST(Language, NumbersHaveItsDecimalSign) {

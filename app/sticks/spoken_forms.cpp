@@ -1,0 +1,121 @@
+#include "app/sticks/spoken_forms.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include <unicode/bytestream.h>
+#include <unicode/normalizer2.h>
+
+namespace touchline {
+namespace {
+
+using Rows = std::vector<std::size_t>;
+
+/// The same for all texts that a voice says alike, whatever their capitals and however their
+/// accents are written.
+std::string folded(const std::string& text) {
+    UErrorCode error = U_ZERO_ERROR;
+    const icu::Normalizer2* const folding = icu::Normalizer2::getNFKCCasefoldInstance(error);
+    std::string key;
+    icu::StringByteSink<std::string> sink(&key);
+    if (U_SUCCESS(error) != 0) folding->normalizeUTF8(0, text, sink, nullptr, error);
+    if (U_FAILURE(error) != 0) std::abort();  // an installation without ICU's tables
+    return key;
+}
+
+/// Rows of a list, joined to groups; the first of a group stands for it.
+class Groups {
+  public:
+    explicit Groups(std::size_t rows) : before_(rows) {
+        std::iota(before_.begin(), before_.end(), std::size_t{0});
+    }
+
+    void join(std::size_t a, std::size_t b) {
+        const auto [first, second] = std::minmax({first_of(a), first_of(b)});
+        before_[second] = first;
+    }
+
+    std::size_t first_of(std::size_t row) {
+        while (before_[row] != row) row = before_[row] = before_[before_[row]];
+        return row;
+    }
+
+  private:
+    std::vector<std::size_t> before_;  // of the same group, or itself
+};
+
+class Telling {
+  public:
+    Telling(std::span<const std::string> names, std::span<const Language> languages)
+        : names_(names), languages_(languages), forms_(names.size()) {}
+
+    std::vector<NameForm> forms() {
+        const std::vector<Rows> groups = alike();
+        if (groups.empty()) return std::move(forms_);
+        for (const Rows& group : groups) tell_apart(group);
+        for (const Rows& group : alike()) {
+            int number = 0;
+            for (const std::size_t row : group) forms_[row].number = ++number;
+        }
+        return std::move(forms_);
+    }
+
+  private:
+    [[nodiscard]] std::string sound_of(std::size_t row, const Language& language) const {
+        return folded(spoken_name(names_[row], language, forms_[row]));
+    }
+
+    [[nodiscard]] bool are_apart(const Rows& rows) const {
+        return std::ranges::all_of(languages_, [&](const Language& language) {
+            std::set<std::string> sounds;
+            return std::ranges::all_of(rows, [&](std::size_t row) {
+                return sounds.insert(sound_of(row, language)).second;
+            });
+        });
+    }
+
+    /// Groups of what sounds alike in one of the languages, with what sounds like one of them in
+    /// another.
+    [[nodiscard]] std::vector<Rows> alike() const {
+        Groups groups(names_.size());
+        for (const Language& language : languages_) {
+            std::map<std::string, std::size_t> first;
+            for (std::size_t row = 0; row < names_.size(); ++row)
+                groups.join(first.try_emplace(sound_of(row, language), row).first->second, row);
+        }
+        std::map<std::size_t, Rows> all;
+        for (std::size_t row = 0; row < names_.size(); ++row)
+            all[groups.first_of(row)].push_back(row);
+        std::vector<Rows> several;
+        for (auto& [first, group] : all)
+            if (group.size() > 1) several.push_back(std::move(group));
+        return several;
+    }
+
+    /// The plainest detail that tells all of them apart; the whole where none does.
+    void tell_apart(const Rows& rows) {
+        for (const NameDetail detail :
+             {NameDetail::precise, NameDetail::with_ending, NameDetail::whole}) {
+            for (const std::size_t row : rows) forms_[row].detail = detail;
+            if (are_apart(rows)) return;
+        }
+    }
+
+    std::span<const std::string> names_;
+    std::span<const Language> languages_;
+    std::vector<NameForm> forms_;
+};
+
+}  // namespace
+
+std::vector<NameForm> spoken_forms(std::span<const std::string> names,
+                                   std::span<const Language> languages) {
+    return Telling(names, languages).forms();
+}
+
+}  // namespace touchline
