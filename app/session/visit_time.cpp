@@ -83,8 +83,12 @@ void give_hint(VisitWork& work) {
     if (open_screen(work) == VisitScreen::opening) return;  // of which nobody has heard yet
     const bool is_of_languages = open_screen(work) == VisitScreen::language;
     const SpokenScreen screen = screen_of(work);
-    std::string hint = screen.title;
-    if (!is_of_languages) hint = screen.focus ? screen.items[*screen.focus].hint : std::string();
+    std::string hint;
+    if (is_of_languages)
+        hint =
+            work.world.languages.front().name();  // the same list, whatever language has the focus
+    else if (screen.focus)
+        hint = screen.items[*screen.focus].hint;
     if (hint == visitor.hint && now_s - visitor.hint_s < hint_again_s) return;
     visitor.is_hint_due = false;
     if (hint.empty()) return;

@@ -239,7 +239,7 @@ TEST_F(SoundTest, ADeviceThatIsLostIsToldAndComesBackByItself) {
     SoundWanted wanted;
     wanted.language = 1;
     sound_->choose(wanted);
-    EXPECT_EQ(sound_->problem(), "Es gibt keinen Ton. Bitte rufen Sie das Personal.");
+    EXPECT_EQ(sound_->problem(), "Es kommt kein Ton. Bitte rufen Sie das Personal.");
     say("A house.");
     wait_for_said("A house.");  // all else goes on
     heard_->is_gone = false;
