@@ -265,12 +265,4 @@ std::string units_text(const std::vector<UnitSettings>& units) {
     return text.str();
 }
 
-const UnitSettings* find_unit(const BoardSettings& settings, std::string_view serial) {
-    if (serial.empty()) return nullptr;
-    const auto found =
-        std::find_if(settings.units.begin(), settings.units.end(),
-                     [&](const UnitSettings& unit) { return unit.serial == serial; });
-    return found == settings.units.end() ? nullptr : &*found;
-}
-
 }  // namespace touchline

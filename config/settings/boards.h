@@ -6,6 +6,7 @@
 #include "config/types/calibration.h"
 #include "config/types/result.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -52,6 +53,10 @@ struct BoardSettings {
 
 /// Nothing when the serial number has no settings. Boards that tell none have none either: they
 /// cannot be told apart.
-[[nodiscard]] const UnitSettings* find_unit(const BoardSettings& settings, std::string_view serial);
+[[nodiscard]] inline const UnitSettings* find_unit(const BoardSettings& settings,
+                                                   std::string_view serial) {
+    const auto found = std::ranges::find(settings.units, serial, &UnitSettings::serial);
+    return serial.empty() || found == settings.units.end() ? nullptr : &*found;
+}
 
 }  // namespace touchline
