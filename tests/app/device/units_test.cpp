@@ -155,7 +155,8 @@ TEST_P(WrongKind, IsSaidOrTheTipIsWithinAMillimetreAllTheSame) {
     if (!visit.rig.driver->open()) return;  // a board that this kind has not
     Procedure procedure = visit.procedure();
     const auto is_said = [&] {
-        return visit.was_heard("not of the kind that was chosen") ||
+        return visit.was_heard("of another kind") ||
+               visit.was_heard("not of the kind that was chosen") ||
                visit.was_heard("has not moved");
     };
     procedure.goes_on = [&] { return visit.rig.time.now_s < 250.0 && !is_said(); };

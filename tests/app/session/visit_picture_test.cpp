@@ -95,7 +95,7 @@ TEST(Visit, APartIsReachedAndSaid) {
     ASSERT_TRUE(house.choose("Parts"));
     EXPECT_NE(house.last_said().find("Body en, upper left, 1 of 3"), std::string::npos);
     ASSERT_TRUE(house.choose("Tail en"));
-    EXPECT_TRUE(house.last_said().starts_with("The handle guides you: Tail en."));
+    EXPECT_TRUE(house.last_said().starts_with("The handle guides you to: Tail en."));
     house.wait(2.1);
     ASSERT_TRUE(house.is_leading);
     EXPECT_EQ(house.visit.visitor.leading->guide.kind, GuideKind::to_place);
@@ -199,7 +199,7 @@ TEST(Visit, TheOperatorsDetailHoldsForWhatIsBeingOpened) {
     EXPECT_EQ(house.visit.visitor.felt->order.detail, 1);
     EXPECT_EQ(house.visit.visitor.felt->order.zoom.factor, 2.0);
     EXPECT_EQ(house.open(), VisitScreen::picture);
-    EXPECT_TRUE(house.has_said("Enlarged 2 times", 0));
+    EXPECT_TRUE(house.has_said("Now 2 times larger", 0));
 }
 
 /// Of a visitor and the operator the later word holds; of a change that did not come nothing does.
@@ -303,7 +303,7 @@ TEST(Visit, ZoomGoesAroundTheHandInThePlaceOfTheWholePicture) {
     ASSERT_TRUE(house.choose("Twice as large, around your hand"));
     EXPECT_EQ(house.last<LoadPicture>()[0].zoom, (ZoomWanted{2.0, {0.02, 0.01}}));
     house.wait(0.5);
-    EXPECT_TRUE(house.has_said("Enlarged 2 times: right.", 0)) << house.last_said();
+    EXPECT_TRUE(house.has_said("Now 2 times larger: right.", 0)) << house.last_said();
     house.happen(handle);
     ASSERT_TRUE(house.choose("Enlargement"));
     ASSERT_TRUE(house.choose("Four times as large, around your hand"));

@@ -74,7 +74,7 @@ void visit_all(FakeHouse& house, double every_s) {
     ASSERT_TRUE(visitor.listen_for("Parts, 2"));
     visitor.press(KeyRole::select);
     visitor.press(KeyRole::select);
-    expect_heard(visitor, "The handle guides you: Body en.");
+    expect_heard(visitor, "The handle guides you to: Body en.");
     house.wait(5.0);
     visitor.press(KeyRole::back);
     visitor.press(KeyRole::back);

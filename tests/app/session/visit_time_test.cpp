@@ -230,7 +230,7 @@ TEST(Visit, TI6_GoodbyeRemindsOfStickAndHeadphones) {
     EXPECT_FALSE(house.has_said("USB-Stick", last)) << "there is none";
 }
 
-TEST(Visit, TI6_GoodbyeRemindsOfAStickThatIsThere) {
+TEST(Visit, GoodbyeRemindsOfAStickThatIsThere) {
     FakeHouse house;
     house.press({KeyRole::select, KeyRole::select});
     house.happen(StickCame{{"a.png"}, {}});
