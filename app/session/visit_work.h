@@ -171,7 +171,7 @@ void pass_time(VisitWork& work, double now_s);
 
 inline constexpr int list_page = 10;  // rows of a list on a screen
 inline constexpr double hint_after_s = 1.5;
-inline constexpr double hint_again_s = 20.0;  // the same one; ten, and as long as other words last
+inline constexpr double hint_again_s = 30.0;  // the same one; ten, and as long as other words last
 inline constexpr double progress_after_s = 0.3;
 inline constexpr double progress_said_after_s = 2.0;
 inline constexpr double progress_said_every_s = 4.5;

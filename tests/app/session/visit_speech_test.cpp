@@ -157,7 +157,7 @@ TEST(Visit, AHintThatWasJustSaidWaits) {
     house.wait(2.0);
     house.press(KeyRole::down);
     const std::size_t before = house.transcript.size();
-    house.wait(17.0);
+    house.wait(27.0);
     EXPECT_EQ(house.transcript.size(), before) << "it is the same as of the item before";
     house.wait(3.0);
     ASSERT_EQ(house.transcript.size(), before + 1);

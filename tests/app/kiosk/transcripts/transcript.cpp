@@ -128,7 +128,10 @@ std::vector<std::string> said_twice(const Transcript& transcript) {
     std::map<std::pair<std::string, std::string>, double> ends_s;
     for (const TranscriptLine& line : transcript) {
         if (line.language.empty()) continue;
-        for (const std::string& sentence : sentences_of(line.text)) {
+        std::vector<std::string> sentences = sentences_of(line.text);
+        if (line.is_cut && !sentences.empty())
+            sentences.pop_back();  // which begins as another may, and was not said
+        for (const std::string& sentence : sentences) {
             const auto [said, is_new] =
                 ends_s.try_emplace({line.language, without_stop(sentence)}, line.end_s);
             const bool is_soon = !is_new && line.at_s - said->second < soon_s;
