@@ -38,7 +38,7 @@ std::string told_page(int page, int page_count, const Language& language) {
                          {std::to_string(page), std::to_string(page_count)});
 }
 
-/// Of a page's pictures or things.
+/// Which of a page's pictures or things is felt.
 std::string told_view(const PagePlace& place, const Language& language) {
     if (place.things != ThingSearch::none) return told_thing(place, language);
     if (place.view_count <= 1) return {};

@@ -46,12 +46,12 @@ struct LiveFacts {
     std::string message;
 };
 
-/// In the staff's language and words. A fault of the force comes before the message. Numbers are
+/// Says it in the staff's language and words. A fault comes before the message. Numbers are
 /// rounded to what can be read at a glance.
 [[nodiscard]] Status describe(const LiveFacts& facts, const HandState& hand,
                               const ForceStatus& force, const Language& language);
 
-// In English, each a text of the catalogue: contexts "detail", "shape", "mode", "contact", "event".
+// These are English, each a text of the catalogue: "detail", "shape", "mode", "contact", "event".
 
 inline constexpr std::array detail_names{"silhouette", "main parts", "parts", "fine parts",
                                          "everything"};

@@ -35,8 +35,8 @@ constexpr std::string_view staffs_unreadable_file =
 constexpr std::string_view unplugged = "The handle is unplugged. Please call the staff.";
 constexpr std::string_view staffs_unplugged = "The handle is unplugged. Plug its cable in again.";
 
-/// Of the camera and the sticks: texts as they are. No other line is one, for it may come from
-/// a worker that a file has taken over.
+/// What the camera and the sticks say is a text as it is. No other line is one, for it may come
+/// from a worker that a file has taken over.
 constexpr std::array<std::string_view, 12> whole_sentences{
     "It is too dark here. Ask the staff for more light.",
     "There is too much light. Ask the staff to turn the lamp away.",

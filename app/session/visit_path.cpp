@@ -23,7 +23,7 @@ const Language& language_of_item(const VisitWork& work, const ScreenItem& item) 
     return language_of(work);
 }
 
-/// Of the item that has the focus, where the screen's text says it too: it is said with it.
+/// The hint of the focused item counts as said where the screen's text says it too.
 void note_hint(VisitWork& work, const SpokenScreen& screen) {
     if (!screen.focus) return;
     const std::string& hint = screen.items[*screen.focus].hint;

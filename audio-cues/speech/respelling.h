@@ -14,8 +14,8 @@ struct Respelling {
     bool is_before_word = false;  // only where a number or a word of two letters or more is next
 };
 
-/// Of a catalogue's text (Language::respelling()): "A … = A …; A = eh; 1:… = une heure:…". "…"
-/// stands for the word that must follow. What has no "=" is passed over. O(length).
+/// The rows of a catalogue's text (Language::respelling()): "A … = A …; A = eh; 1:… = une heure:…".
+/// "…" stands for the word that must follow. What has no "=" is passed over. O(length).
 [[nodiscard]] std::vector<Respelling> respellings_of(std::string_view table);
 
 /// At each place the first row that fits is taken; what it gives is not read again.
