@@ -22,7 +22,7 @@ class AnswersChecker {
     /// There were no frames for a while, by a fault: nobody could answer.
     void excuse(double now_s) {
         asked_s_.reset();
-        heard_s_ = now_s;
+        alive_s_ = now_s;
     }
 
     void look(const FrameSight& sight, SimFigures& figures, Findings& findings) {
@@ -38,7 +38,7 @@ class AnswersChecker {
         if (is_asked_by_fault_ && fault == Fault::none) asked_s_.reset();
         screen_ = screen;
         fault_ = fault;
-        if (sight.heard != before_ || !is_on) heard_s_ = sight.now_s;
+        if (sight.heard != before_ || !is_on || has_moved(sight)) alive_s_ = sight.now_s;
         look_at_answer(sight, figures, findings);
         look_at_silence(sight, figures, findings);
         before_ = sight.heard;
@@ -46,7 +46,8 @@ class AnswersChecker {
 
   private:
     static constexpr double longest_answer_s = 0.150;
-    static constexpr double longest_silence_s = 100.0;  // a question comes after 90
+    static constexpr double longest_silence_s = 100.0;  // a question comes after 90 of rest
+    static constexpr double moved_m = 0.002;            // less is no sign of a person
     static constexpr double longest_wait_s = 5.0;       // without a sound, while work is under way
 
     void look_at_answer(const FrameSight& sight, SimFigures& figures, Findings& findings) {
@@ -62,8 +63,16 @@ class AnswersChecker {
         });
     }
 
+    /// A hand that goes through empty places hears nothing, and need not.
+    [[nodiscard]] bool has_moved(const FrameSight& sight) {
+        const HandleSeen& handle = sight.kiosk.visit().visitor.handle;
+        if (norm(handle.place_W - seen_W_) <= moved_m) return false;
+        seen_W_ = handle.place_W;
+        return !handle.is_led;
+    }
+
     void look_at_silence(const FrameSight& sight, SimFigures& figures, Findings& findings) const {
-        const double silent_s = sight.now_s - heard_s_;
+        const double silent_s = sight.now_s - alive_s_;
         const bool is_waiting = sight.kiosk.visit().visitor.waiting.has_value();
         figures.longest_silence_s = std::max(figures.longest_silence_s, silent_s);
         findings.demand(silent_s <= (is_waiting ? longest_wait_s : longest_silence_s), "answers",
@@ -77,7 +86,8 @@ class AnswersChecker {
     std::size_t heard_then_ = 0;
     bool is_asked_by_fault_ = false;
     std::size_t before_ = 0;
-    double heard_s_ = 0.0;
+    double alive_s_ = 0.0;  // when something was last heard, or the hand moved the handle
+    Position seen_W_{};
     VisitScreen screen_ = VisitScreen::attract;
     Fault fault_ = Fault::none;
 };
