@@ -1,7 +1,7 @@
 // touchline-pages CATALOGUES CODE: a page of Markdown from the standard input, with the kiosk's own
 // words in that language filled in, on the standard output. Part of making the package; it is not
 // installed.
-#include "app/manual/page_words.h"
+#include "app/manual/manual_words.h"
 #include "config/types/plain_line.h"
 
 #include <cstdio>

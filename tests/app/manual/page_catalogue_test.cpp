@@ -1,6 +1,6 @@
 // The catalogues of the pages (app/manual/po), without po4a: whole, of the pages as they are, and
 // true to what is no word.
-#include "app/manual/page_words.h"
+#include "app/manual/manual_words.h"
 #include "tests/audio-cues/words/po_file.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "app/manual/page_words.h"
+#include "app/manual/manual_words.h"
 
 #include "app/operator/setting_words.h"
 #include "tests/audio-cues/words/po_file.h"
@@ -21,13 +21,13 @@ std::size_t count_of(std::string_view what, std::string_view text) {
     return count;
 }
 
-TEST(PageWords, NamesAreFoundOnOneLineAndOverTwo) {
+TEST(ManualWords, NamesAreFoundOnOneLineAndOverTwo) {
     EXPECT_EQ(quoted_names("Choose \"Upkeep\", then\n  \"Copy from\n  a stick\" and \"open"),
               (std::vector<std::string>{"Upkeep", "Copy from a stick"}));
     EXPECT_TRUE(quoted_names("Nothing “here”.").empty());
 }
 
-TEST(PageWords, AnItemHasTheNameThatTheKioskSays) {
+TEST(ManualWords, AnItemHasTheNameThatTheKioskSays) {
     const std::string page = "The item \"Clean the\nhandle\", or \"Kind of line\".\n";
     EXPECT_EQ(filled_page(page, Language()), "The item “Clean the handle”, or “Kind of line”.\n");
     const Language german = loaded("de");
@@ -37,7 +37,7 @@ TEST(PageWords, AnItemHasTheNameThatTheKioskSays) {
     EXPECT_EQ(filled_page("\"no such item\"", loaded("fr")), "«\u00a0no such item\u00a0»");
 }
 
-TEST(PageWords, WhatMayBeWrittenStaysAsItIsWritten) {
+TEST(ManualWords, WhatMayBeWrittenStaysAsItIsWritten) {
     const auto allowed = [](const char* table, const char* key, const Language& language) {
         return allowed_values(*find_setting(table, key), language);
     };
@@ -50,7 +50,7 @@ TEST(PageWords, WhatMayBeWrittenStaysAsItIsWritten) {
     EXPECT_EQ(allowed("language", "first", loaded("es")), "el código de un idioma como \"en\"");
 }
 
-TEST(PageWords, TheSettingsAreAllThereInEveryLanguage) {
+TEST(ManualWords, TheSettingsAreAllThereInEveryLanguage) {
     const auto codes = languages_in(TOUCHLINE_CATALOGUES);
     ASSERT_TRUE(codes);
     for (const std::string& code : *codes) {
@@ -68,7 +68,7 @@ TEST(PageWords, TheSettingsAreAllThereInEveryLanguage) {
 }
 
 /// What is looked up in the context "manual" is there, or a page would be half English.
-TEST(PageWords, NoPageSaysTheSettingsHalfInEnglish) {
+TEST(ManualWords, NoPageSaysTheSettingsHalfInEnglish) {
     const PoFile texts = read_po(TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue/touchline.pot");
     for (const SettingRow& row : setting_rows()) {
         if (!std::holds_alternative<std::string Settings::*>(row.field)) continue;

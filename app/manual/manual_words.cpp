@@ -1,4 +1,4 @@
-#include "app/manual/page_words.h"
+#include "app/manual/manual_words.h"
 
 #include "app/operator/setting_words.h"
 
