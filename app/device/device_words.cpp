@@ -21,7 +21,8 @@ std::string words_of(StopPlace place) {
 std::string words_of(HomingStep step, const DeviceProfile& profile) {
     switch (step) {
         case HomingStep::to_home:
-            return "The force is off. First, move the handle a little. " +
+            return "To get the force back, the handle must find its place. Move it a little "
+                   "first. " +
                    words_of(profile.home_place);
         case HomingStep::to_check:
             return words_of(profile.check.place);

@@ -121,7 +121,7 @@ std::string key_in_words(const PhysicalKey& key, const Language& language) {
 }
 
 std::string role_in_words(KeyRole role, const Language& language) {
-    constexpr std::array<const char*, key_role_count> names{"Up",     "Down", "Back",   "Next",
+    constexpr std::array<const char*, key_role_count> names{"Up",     "Down", "Back",   "Repeat",
                                                             "Select", "Help", "Louder", "Softer"};
     return language.text("keys", names[static_cast<std::size_t>(role)]);
 }

@@ -5,7 +5,7 @@
 namespace touchline {
 namespace {
 
-constexpr std::array roles_after_items{KeyRole::next, KeyRole::back, KeyRole::help};
+constexpr std::array roles_after_items{KeyRole::repeat, KeyRole::back, KeyRole::help};
 constexpr int rounds_by_itself = 2;
 
 bool is_at_last_item(const SpokenScreen& screen) {
@@ -13,7 +13,7 @@ bool is_at_last_item(const SpokenScreen& screen) {
 }
 
 std::string words_of(KeyRole role, const Language& language) {
-    if (role == KeyRole::next) return language.text("keys", "Next");
+    if (role == KeyRole::repeat) return language.text("keys", "Repeat");
     if (role == KeyRole::back) return language.text("keys", "Back");
     return language.text("keys", "Help");
 }
@@ -42,10 +42,10 @@ SwitchStep moved(const SwitchScan& scan, const SpokenScreen& screen, const Langu
     return round_again(scan, screen, language);
 }
 
-/// What was chosen stays under the switch, for it may be wanted again: Next changes a value.
+/// What was chosen stays under the switch, for it may be wanted again.
 SwitchStep selected(SwitchScan scan, const SpokenScreen& screen) {
     const bool is_on_items = !scan.role && !screen.items.empty();
-    const KeyRole role = scan.role.value_or(is_on_items ? KeyRole::select : KeyRole::next);
+    const KeyRole role = scan.role.value_or(is_on_items ? KeyRole::select : KeyRole::repeat);
     return {scan, role, ""};
 }
 

@@ -1,5 +1,5 @@
 // Every screen with two switches, one to move and one to select, or with one where moving goes by
-// itself (accessibility IN-9): after the items of a screen come Next, Back and Help as items.
+// itself (accessibility IN-9): after the items of a screen come Repeat, Back and Help as items.
 // Threads: values and pure functions.
 #pragma once
 

@@ -8,6 +8,20 @@
 namespace touchline {
 namespace {
 
+struct Extent {
+    Position low;
+    Position high;
+};
+
+Extent extent_of(const Outline& outline) {
+    Extent box{outline.points.front(), outline.points.front()};
+    for (const Position& p : outline.points) {
+        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+    return box;
+}
+
 /// The part of the outline with this label.
 std::optional<std::size_t> part_labelled(const TactileMap& map, const std::vector<PartFacts>& parts,
                                          const std::string& label) {
@@ -22,19 +36,11 @@ void add_outlines(const TactileMap& map, const Language& language, std::vector<P
     for (std::size_t i = 0; i < map.outlines.size(); ++i) {
         const Outline& outline = map.outlines[i];
         if (outline.label.empty() || part_labelled(map, parts, outline.label)) continue;
-        parts.push_back({part_name(outline.label, language), outline.points.front(), outline.detail,
+        const Extent box = extent_of(outline);
+        parts.push_back({part_name(outline.label, language), outline.points.front(),
+                         box.low + 0.5 * (box.high - box.low), outline.detail,
                          static_cast<int>(i)});
     }
-}
-
-double box_area_m2(const Outline& outline) {
-    Position low = outline.points.front();
-    Position high = low;
-    for (const Position& p : outline.points) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    return (high.x - low.x) * (high.y - low.y);
 }
 
 /// The line around most of the picture; the first where there is none.
@@ -42,7 +48,8 @@ int outer_outline(const TactileMap& map) {
     int outer = 0;
     double most_m2 = -1.0;
     for (std::size_t i = 0; i < map.outlines.size(); ++i) {
-        const double size_m2 = box_area_m2(map.outlines[i]);
+        const Extent box = extent_of(map.outlines[i]);
+        const double size_m2 = (box.high.x - box.low.x) * (box.high.y - box.low.y);
         if (size_m2 <= most_m2) continue;
         most_m2 = size_m2;
         outer = static_cast<int>(i);
@@ -88,7 +95,8 @@ PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file, const N
     facts.outer_outline = outer_outline(map);
     add_outlines(map, language, facts.parts);
     for (const Label& label : map.labels) {
-        if (!label.text.empty()) facts.parts.push_back({label.text, label.place, 1, std::nullopt});
+        if (!label.text.empty())
+            facts.parts.push_back({label.text, label.place, label.place, 1, std::nullopt});
     }
     return facts;
 }

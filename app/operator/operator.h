@@ -86,7 +86,7 @@ inline constexpr std::size_t question_count = 7;
 struct Operator {
     OperatorPlace place = OperatorPlace::closed;
     std::size_t focus = 0;
-    bool is_held = false;     // Next and Back change the setting that has the focus
+    bool is_held = false;     // Up and Down change the setting that has the focus
     std::size_t entered = 0;  // keys of the entry sequence so far
     double entry_began_s = 0.0;
     double last_key_s = 0.0;

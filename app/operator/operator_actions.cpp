@@ -75,7 +75,7 @@ void do_action(OperatorTurn& turn, std::size_t action) {
             return turn.order(FindHome{});
         case OperatorAction::clear_fault:
             turn.order(ClearFault{});
-            return turn.say(turn.words("Done."));
+            return turn.say(turn.words("The force fault is reset."));
         case OperatorAction::run_all_tests:
             return run_all_tests(turn);
         case OperatorAction::begin_cleaning:

@@ -156,7 +156,7 @@ struct List {
     }
 
     void add_tests() {
-        constexpr std::array verdicts{"untried", "passed", "failed"};
+        constexpr std::array verdicts{"not tested yet", "passed", "failed"};
         for (std::size_t i = 0; i < test_step_count; ++i) {
             const TestStepRow& row = row_of(static_cast<TestStep>(i));
             add(OperatorItem::test, i, ItemRole::choice,

@@ -43,7 +43,7 @@ void compare_pins(OperatorTurn& turn) {
 void finish_pin(OperatorTurn& turn) {
     Operator& state = turn.state();
     if (!is_pin(state.pin.taken))
-        return turn.say(turn.words("A PIN has 4 to 8 digits. Press Next to accept a digit."));
+        return turn.say(turn.words("A PIN has 4 to 8 digits. Press Select to accept a digit."));
     if (state.place == OperatorPlace::pin) return give_pin(turn);
     if (state.place == OperatorPlace::new_pin_again) return compare_pins(turn);
     state.chosen_pin = state.pin.taken;
@@ -54,7 +54,7 @@ void finish_pin(OperatorTurn& turn) {
 /// The digit that is turned, then all that were taken, then the screen: three presses at most.
 void take_back(OperatorTurn& turn) {
     Operator& state = turn.state();
-    if (state.pin.taken.empty() && state.pin.digit == 0) {
+    if (state.pin.taken.empty() && !state.pin.digit) {
         const bool is_first = state.place == OperatorPlace::new_pin_again;
         state.chosen_pin.clear();
         if (is_first) return turn.go(OperatorPlace::new_pin);
@@ -62,8 +62,8 @@ void take_back(OperatorTurn& turn) {
         const bool is_inside = state.place == OperatorPlace::new_pin && turn.world.has_pin;
         return is_inside ? turn.go(OperatorPlace::upkeep) : turn.leave();
     }
-    if (state.pin.digit == 0) state.pin.taken.clear();
-    state.pin.digit = 0;
+    if (!state.pin.digit) state.pin.taken.clear();
+    state.pin.digit.reset();
     tell(turn, count_in_words(turn, state.pin.taken.size()));
 }
 
@@ -80,16 +80,17 @@ bool is_locked(OperatorTurn& turn) {
 
 void press_pin_key(OperatorTurn& turn, KeyRole role) {
     Operator& state = turn.state();
-    if (role == KeyRole::help) return turn.say(spoken_screen(turn.screen(), turn.world.language));
+    if (role == KeyRole::help || role == KeyRole::repeat)
+        return turn.say(spoken_screen(turn.screen(), turn.world.language));
     if (role == KeyRole::back) return take_back(turn);
     if (is_locked(turn)) return;
-    if (role == KeyRole::select) return finish_pin(turn);
-    if (role == KeyRole::next) {
+    if (role == KeyRole::select) {
+        if (!state.pin.digit) return finish_pin(turn);
         state.pin = with_digit_taken(state.pin);
         return tell(turn, count_in_words(turn, state.pin.taken.size()));
     }
     state.pin = turned(state.pin, role == KeyRole::up);
-    tell(turn, std::to_string(state.pin.digit));
+    tell(turn, std::to_string(*state.pin.digit));
 }
 
 void judge_pin(OperatorTurn& turn, const PinChecked& checked) {

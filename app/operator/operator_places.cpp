@@ -9,13 +9,13 @@ namespace {
 using P = OperatorPlace;
 
 constexpr std::string_view how_to_enter =
-    "Change the digit with Up and Down, from zero each time. Press Next to accept it, and Select "
-    "to finish.";
+    "Press Up once for 1, twice for 2, Down once for 0. Press Select to accept each digit. After "
+    "the last one, press Select once more.";
 
 constexpr std::array places{
     PlaceRow{P::pin, P::closed, "PIN of the operator", how_to_enter, "", false},
     PlaceRow{P::new_pin, P::closed, "Choose a PIN of 4 to 8 digits", how_to_enter, "", false},
-    PlaceRow{P::new_pin_again, P::new_pin, "The same PIN again", how_to_enter, "", false},
+    PlaceRow{P::new_pin_again, P::new_pin, "Enter the same PIN once more", how_to_enter, "", false},
     PlaceRow{P::home, P::closed, "Operator", "", "", false},
     PlaceRow{P::touch, P::home, "How it feels", "", ""},
     PlaceRow{P::feel, P::touch, "Lines and force", "", "feel"},
@@ -42,7 +42,7 @@ constexpr std::array places{
     PlaceRow{P::homing, P::device, "Find the handle’s starting point",
              "The kiosk says where to move the handle. Force is off meanwhile.", ""},
     PlaceRow{P::kind, P::device, "Kind of handle",
-             "Press Next to hear how to know each one. Press Select to choose it; the handle is "
+             "Press Repeat to hear how to know each one. Press Select to choose it; the handle is "
              "then measured.",
              ""},
     PlaceRow{P::self_test, P::device, "Self-test", "", ""},
@@ -73,7 +73,7 @@ using A = OperatorAction;
 
 constexpr std::array actions{
     ActionRow{P::keys, A::learn_keys, "Assign the keys", "You press the key for each role twice."},
-    ActionRow{P::device, A::clear_fault, "Clear what stopped the force", "Only when all is safe."},
+    ActionRow{P::device, A::clear_fault, "Reset the force fault", "Only when all is safe."},
     ActionRow{P::homing, A::find_home, "Begin", ""},
     ActionRow{P::self_test, A::run_all_tests, "All steps", "One after the other."},
     ActionRow{P::cleaning, A::begin_cleaning, "Begin", ""},

@@ -181,7 +181,7 @@ bool select_value(OperatorTurn& turn, const ItemMeaning& meaning) {
     if (switch_value(turn, meaning)) return true;
     if (!can_be_held(meaning)) return false;
     turn.state().is_held = true;
-    turn.say(turn.words("Press Next for more, Back for less, Select to save it."));
+    turn.say(turn.words("Press Up for more, Down for less, Select to save it."));
     return true;
 }
 

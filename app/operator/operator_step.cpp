@@ -114,17 +114,16 @@ void move(OperatorTurn& turn, bool is_down) {
 
 void help(OperatorTurn& turn) {
     std::string text = spoken_screen(turn.screen(), turn.world.language);
-    add_sentence(text,
-                 turn.words("Press Up or Down to move, Select to choose, Next for more. Press Back "
-                            "to leave, Help to hear it all again."));
+    add_sentence(text, turn.words("Press Up or Down to move, Select to choose. Press Repeat for an "
+                                  "explanation, Back to leave, Help to hear this."));
     turn.say(text);
 }
 
 void press_held_key(OperatorTurn& turn, KeyRole role, const ScreenItem& item) {
-    if (role == KeyRole::next || role == KeyRole::back)
-        return turn_value(turn, meaning_of(item), role == KeyRole::next);
+    if (role == KeyRole::up || role == KeyRole::down)
+        return turn_value(turn, meaning_of(item), role == KeyRole::up);
+    if (role == KeyRole::repeat) return turn.say_item();
     if (!release_value(turn)) return;
-    if (role == KeyRole::up || role == KeyRole::down) move(turn, role == KeyRole::down);
     if (role == KeyRole::help) help(turn);
 }
 
@@ -139,8 +138,7 @@ void press_list_key(OperatorTurn& turn, KeyRole role) {
     if (role == KeyRole::help) return help(turn);
     if (!has_focus) return turn.say(spoken_screen(turn.screen(), turn.world.language));
     const ScreenItem& item = items[turn.state().focus];
-    const bool is_place = meaning_of(item).item == OperatorItem::place;
-    if (role == KeyRole::select || is_place) return select(turn, item);
+    if (role == KeyRole::select) return select(turn, item);
     turn.say(item.hint.empty() ? spoken_item(turn.screen(), turn.state().focus, turn.world.language)
                                : item.hint);
 }
@@ -233,10 +231,12 @@ struct Take {
     void operator()(const PinChecked& checked) const { judge_pin(turn, checked); }
 
     void operator()(const TestAnswered& answer) const {
-        if (turn.state().place != OperatorPlace::test_step) return;
-        const SelfTestStep step = test_done(turn.state().test, answer.step, answer.has_passed,
-                                            answer.line, turn.world.now_s, turn.world.language);
-        if (!step.said.empty()) follow_test(turn, step);
+        const SelfTest& test = turn.state().test;
+        const bool is_awaited = turn.state().place == OperatorPlace::test_step &&
+                                test.phase == TestPhase::running && test.step == answer.step;
+        if (!is_awaited) return;
+        follow_test(turn, test_done(test, answer.step, answer.has_passed, answer.line,
+                                    turn.world.now_s, turn.world.language));
     }
 
     void operator()(const OrderAnswered& answer) const {

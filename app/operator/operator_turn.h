@@ -48,11 +48,13 @@ struct OperatorTurn {
         now.device_words = world.device_words;
         now.note = place == OperatorPlace::homing ? world.device_words : "";
         const auto items = operator_items(now, world);
+        const bool is_after_test = from == OperatorPlace::test_step;
+        const auto item = is_after_test ? OperatorItem::test : OperatorItem::place;
+        const auto index = is_after_test ? static_cast<std::size_t>(now.test.step)
+                                         : static_cast<std::size_t>(from);
         for (std::size_t i = 0; i < items.size(); ++i) {
             const ItemMeaning meaning = meaning_of(items[i]);
-            if (meaning.item == OperatorItem::place &&
-                meaning.index == static_cast<std::size_t>(from))
-                now.focus = i;
+            if (meaning.item == item && meaning.index == index) now.focus = i;
         }
         const std::string all = spoken_screen(screen(), world.language);
         say(first.empty() ? all : first + ' ' + all);
@@ -80,7 +82,7 @@ struct OperatorTurn {
 /// operator_settings.cpp: Select on an item that has a value; nothing of any other.
 [[nodiscard]] bool select_value(OperatorTurn& turn, const ItemMeaning& meaning);
 
-/// Next and Back while a setting is held.
+/// Up and Down while a setting is held.
 void turn_value(OperatorTurn& turn, const ItemMeaning& meaning, bool is_up);
 
 /// A held setting is let go and kept. False: something is asked first, on another screen.

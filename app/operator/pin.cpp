@@ -14,14 +14,17 @@ constexpr int digits = 10;
 }  // namespace
 
 PinEntry turned(PinEntry entry, bool is_up) {
-    entry.digit = (entry.digit + (is_up ? 1 : digits - 1)) % digits;
+    if (entry.digit)
+        entry.digit = (*entry.digit + (is_up ? 1 : digits - 1)) % digits;
+    else
+        entry.digit = is_up ? 1 : 0;
     return entry;
 }
 
 PinEntry with_digit_taken(PinEntry entry) {
-    if (entry.taken.size() == longest_pin) return entry;
-    entry.taken += static_cast<char>('0' + entry.digit);
-    entry.digit = 0;
+    if (entry.digit && entry.taken.size() < longest_pin)
+        entry.taken += static_cast<char>('0' + *entry.digit);
+    entry.digit.reset();
     return entry;
 }
 

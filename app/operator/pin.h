@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace touchline {
@@ -9,15 +10,16 @@ namespace touchline {
 inline constexpr std::size_t shortest_pin = 4;
 inline constexpr std::size_t longest_pin = 8;
 
-/// Up and Down change the next digit, from 0 each time; Next accepts it.
+/// Up and Down turn to the next digit, the first Up to 1 and the first Down to 0; Select accepts
+/// it.
 struct PinEntry {
-    std::string taken;  // digits
-    int digit = 0;      // 0 ... 9
+    std::string taken;         // digits
+    std::optional<int> digit;  // 0 ... 9; none: not turned yet
 };
 
 [[nodiscard]] PinEntry turned(PinEntry entry, bool is_up);
 
-/// With the digit at its end; as it was where no more go in.
+/// With the digit at its end, unless no more go in or none was turned to.
 [[nodiscard]] PinEntry with_digit_taken(PinEntry entry);
 
 /// Digits only, 4 to 8.

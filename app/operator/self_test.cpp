@@ -9,14 +9,15 @@ constexpr double patience_s = 60.0;
 constexpr unsigned all_pressed = (1U << needed_role_count) - 1U;
 
 constexpr std::array<TestStepRow, test_step_count> rows{{
-    {TestStep::device, "Device", "Checks whether the board of the handle answers.", "", false},
+    {TestStep::device, "Board of the handle", "Checks whether the board of the handle answers.", "",
+     false},
     {TestStep::motors, "Motors",
      "The motors push to both sides with at most 1 newton. Hold the handle lightly.",
      "Did the handle push to both sides?", true},
     {TestStep::camera, "Camera", "One photo is taken and not kept.", "", false},
-    {TestStep::sound_left, "Sound on the left", "A sound comes from the left only.",
+    {TestStep::sound_left, "Sound on the left", "You will hear a sound from the left only.",
      "Did you hear it on the left only?", true},
-    {TestStep::sound_right, "Sound on the right", "A sound comes from the right only.",
+    {TestStep::sound_right, "Sound on the right", "You will hear a sound from the right only.",
      "Did you hear it on the right only?", true},
     {TestStep::keys, "Keys", "Press each of the six keys once. Press Back twice to stop.", "",
      false},
@@ -71,6 +72,8 @@ SelfTestStep judged(SelfTest test, bool has_passed, const std::string& line, dou
                     const Language& language) {
     test.verdicts[static_cast<std::size_t>(test.step)] =
         has_passed ? TestVerdict::passed : TestVerdict::failed;
+    // Alone and passed, its line of the list says so.
+    if (has_passed && !test.is_all && line.empty()) return after(test, "", now_s, language);
     const std::string name = name_of_step(test.step, language);
     const std::string verdict = has_passed ? language.text("test", "{0} passed.", {name})
                                            : language.text("test", "{0} failed.", {name});
@@ -149,8 +152,7 @@ SelfTestStep press_test_key(const SelfTest& test, KeyRole role, double now_s,
     if (test.phase == TestPhase::idle) return {test, std::nullopt, false, ""};
     if (role == KeyRole::back) return stopped(test, language);
     const bool has_choice = test.phase != TestPhase::running;
-    if (has_choice && (role == KeyRole::select || role == KeyRole::next))
-        return chosen(test, now_s, language);
+    if (has_choice && role == KeyRole::select) return chosen(test, now_s, language);
     SelfTest next = test;
     if (has_choice && (role == KeyRole::up || role == KeyRole::down)) {
         next.focus = 1 - test.focus;

@@ -21,9 +21,9 @@
 
 namespace touchline {
 
-/// What the guard itself says as device_words(), of the catalogue, context "device".
-inline constexpr std::string_view kind_wanted =
-    "This handle is new. The staff must first choose its kind.";
+/// What the guard itself says as device_words(): a line, of which visitors and staff hear different
+/// things, and two sentences of the catalogue, context "device".
+inline constexpr std::string_view kind_wanted = "the kind of this handle is not chosen yet";
 inline constexpr std::string_view is_starting = "One moment. The handle is being started.";
 
 struct ServoProcessOptions {

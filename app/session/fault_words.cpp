@@ -15,10 +15,10 @@ constexpr std::string_view hold_firmly = "Hold it firmly and choose softer lines
 // In the order of the faults.
 constexpr std::array<FaultWords, fault_count> faults{{
     {},
-    {"The device does not answer.", call_the_staff,
+    {"The handle does not answer.", call_the_staff,
      "Check its cable. The voice then tells you where to move the handle."},
     {"The handle moved too fast.", hold_still, hold_still},
-    {"The device pushed harder than it should.", "Hold the handle and call the staff.",
+    {"The handle pushed harder than it should.", "Hold the handle and call the staff.",
      "Hold the handle."},
     {"The handle kept shaking.", "Hold it firmly and choose softer lines. Then call the staff.",
      "Hold it firmly and choose softer lines."},
@@ -49,9 +49,7 @@ FaultWords words_of(Fault fault) {
 std::string spoken_fault(Fault fault, const Language& language) {
     if (fault == Fault::none) return {};
     const FaultWords words = words_of(fault);
-    return told({"The force is off.", words.why, words.visitor_does,
-                 "You can go on exploring without force."},
-                language);
+    return told({"The force is off.", words.why, words.visitor_does}, language);
 }
 
 std::string staffs_fault(Fault fault, const Language& language) {
@@ -62,7 +60,7 @@ std::string staffs_fault(Fault fault, const Language& language) {
     if (rule.clears == FaultClears::when_gone) return text;
     return text + ' ' +
            language.text("fault", "Then choose: {0}.",
-                         {language.text("operator", "Clear what stopped the force")});
+                         {language.text("operator", "Reset the force fault")});
 }
 
 std::string_view words_of(ForceState state) {

@@ -8,11 +8,9 @@ namespace {
 std::string words_of(ItemRole role, const Language& language) {
     switch (role) {
         case ItemRole::setting:
-            return language.text("screen", "setting");
         case ItemRole::toggle:
-            return language.text("screen", "switch");
+            return language.text("screen", "setting");
         case ItemRole::text:
-            return language.text("screen", "text");
         case ItemRole::choice:
             break;
     }
@@ -49,9 +47,6 @@ std::string spoken_item(const SpokenScreen& screen, std::size_t item, const Lang
 std::string spoken_screen(const SpokenScreen& screen, const Language& language) {
     std::string text = screen.title;
     add_sentence(text, screen.text);
-    if (!screen.items.empty())
-        add_sentence(text, language.counted("screen", "{0} item", "{0} items",
-                                            static_cast<int>(screen.items.size())));
     if (screen.focus) add_sentence(text, spoken_item(screen, *screen.focus, language));
     return text;
 }

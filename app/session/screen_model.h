@@ -14,7 +14,7 @@
 namespace touchline {
 
 /// What can be done with an item: text is only read; choice is chosen; setting has a value that
-/// Next and Back change while it is held by Select; toggle is on or off.
+/// Up and Down change while it is held by Select; toggle is on or off.
 enum class ItemRole : std::uint8_t { text, choice, setting, toggle };
 
 /// A row of a screen. Texts are in the language of the screen and never hold markup.
@@ -41,12 +41,12 @@ struct SpokenScreen {
     friend bool operator==(const SpokenScreen&, const SpokenScreen&) = default;
 };
 
-/// "Cat, 2 of 5", "Firmness, medium, setting, 1 of 4": name, value, role where it is no choice,
-/// place. `item` of screen.items.
+/// "Cat, 2 of 5", "Firmness, medium, setting, 1 of 4": name, value, role of what changes, place.
+/// `item` of screen.items.
 [[nodiscard]] std::string spoken_item(const SpokenScreen& screen, std::size_t item,
                                       const Language& language);
 
-/// All of it, for who asks twice: title, text, how many items, the one that has the focus.
+/// All of it, for who asks twice: title, text, the item that has the focus.
 [[nodiscard]] std::string spoken_screen(const SpokenScreen& screen, const Language& language);
 
 /// The sentence after what is there, with a full stop between where there was no stop. Nothing for

@@ -113,7 +113,7 @@ std::string words_of(Mode mode) {
         case Mode::ridge:
             return "ridge";
         case Mode::stay:
-            return "stay on line";
+            return "sticky line";
     }
     return {};
 }

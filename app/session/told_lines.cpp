@@ -160,6 +160,8 @@ constexpr std::array rows_of_devices{
     LineRow{"is no longer plugged in", unplugged, staffs_unplugged},
     LineRow{"no board is plugged in", unplugged, staffs_unplugged},
     LineRow{"no pantograph's board is plugged in", unplugged, staffs_unplugged},
+    LineRow{"kind of this handle is not chosen", "This handle is new. Please call the staff.",
+            "This handle is new. Choose its kind, under Handle and tests."},
     LineRow{"it took too long", "That took too long. Please call the staff.",
             "That took too long. Find the handle’s starting point again."},
     LineRow{"has lost its place",

@@ -29,7 +29,7 @@ void stick_came(VisitWork& work, const StickCame& came) {
         cue(work, ScreenEvent::news);
         visitor.path.back().about = 0;
         visitor.path.back().focus = 0;
-        return say_item(work, screen_of(work).text);
+        return say_item_next(work, screen_of(work).text);  // after that it is being read
     }
     cue(work, ScreenEvent::news);
     say(work, words(work, "A USB stick is plugged in. You will find it in the list."),
@@ -46,7 +46,7 @@ void stick_gone(VisitWork& work, const StickGone& gone) {
     if (!gone.sentence.empty()) return show_trouble(work, gone.sentence, TroubleKind::stick);
     if (!had_stick) return;
     cue(work, ScreenEvent::news);
-    const std::string told = words(work, "The USB stick is out. Your picture stays.");
+    const std::string told = words(work, "The USB stick is out. Your picture stays open.");
     if (open_screen(work) == VisitScreen::stick) return say_item(work, told);
     say(work, told, SpeechPriority::hint);
 }
@@ -81,8 +81,9 @@ void camera_captured(VisitWork& work, bool is_doubtful) {
     work.visitor.is_capturing = false;
     cue(work, ScreenEvent::shutter);
     open_picture(work, PictureSource::camera, 0, {});
-    say(work, words(work, is_doubtful ? "The photo is taken. It is unclear; you can take it again."
-                                      : "The photo is taken."));
+    say(work,
+        words(work, is_doubtful ? "The photo has been taken. It is unclear; you can take it again."
+                                : "The photo has been taken."));
 }
 
 void camera_failed(VisitWork& work, const std::string& sentence) {
@@ -109,13 +110,13 @@ void guidance_ended(VisitWork& work, bool has_arrived) {
     const GuideKind kind = leading->guide.kind;
     leading.reset();
     work.visitor.active_s = work.house.now_s;
-    if (!has_arrived) return say(work, words(work, "The handle has stopped guiding you."));
+    if (!has_arrived) return say_next(work, words(work, "The handle has stopped guiding you."));
     cue(work, ScreenEvent::label_reached);
     shake(work, HandlePattern::chosen);
     if (kind == GuideKind::outline)
-        return say(work, words(work, "You have gone all the way round."));
-    if (kind == GuideKind::bring_back) return say(work, words(work, "You are on a line."));
-    say(work, language_of(work).text("guidance", "You are there."));
+        return say_next(work, words(work, "You have gone all the way round."));
+    if (kind == GuideKind::bring_back) return say_next(work, words(work, "You are on a line."));
+    say_next(work, language_of(work).text("guidance", "You are there."));
 }
 
 void trouble_began(VisitWork& work, const TroubleBegan& began) {
@@ -133,13 +134,11 @@ void trouble_ended(VisitWork& work, TroubleKind kind) {
     known.reset();
     Visitor& visitor = work.visitor;
     if (!is_visit_on(visit_of(work))) return;
-    const std::string told = words(work, "It works again.");
-    if (open_screen(work) != VisitScreen::trouble || visitor.trouble != kind) {
+    const std::string told =
+        words(work, kind == TroubleKind::device ? "The force is back." : "It works again.");
+    if (open_screen(work) != VisitScreen::trouble || visitor.trouble != kind)
         return say(work, told, SpeechPriority::hint);
-    }
-    visitor.over.reset();
-    visitor.error.clear();
-    say_return(work, told);
+    close_trouble(work, told);
 }
 
 void opening_changed(VisitWork& work, HouseOpening opening) {
@@ -179,7 +178,7 @@ struct Take {
         work.visitor.has_stick = true;
         work.visitor.stick_list.reset();
         leave_letters(work);
-        if (open_screen(work) == VisitScreen::stick) say_item(work, screen_of(work).text);
+        if (open_screen(work) == VisitScreen::stick) say(work, screen_of(work).text);
     }
 
     void operator()(const StickCame& came) { stick_came(work, came); }
@@ -222,10 +221,16 @@ bool wants_preview(const Visit& visit) {
     return visit.visitor.path.back().screen == VisitScreen::camera && visit.house.has_camera;
 }
 
+/// Who turns speech off hears how it comes back, and then nothing more.
+bool goes_silent(const Visit& before, const Visit& after) {
+    return before.visitor.sound.is_speech_on && !after.visitor.sound.is_speech_on;
+}
+
 /// What follows from the state alone, before what was said and done in it.
 VisitOrders changes(const Visit& before, const Visit& after) {
     VisitOrders orders;
-    if (!(before.visitor.sound == after.visitor.sound)) orders.push_back(after.visitor.sound);
+    const bool is_same_sound = before.visitor.sound == after.visitor.sound;
+    if (!is_same_sound && !goes_silent(before, after)) orders.push_back(after.visitor.sound);
     if (!(before.visitor.look == after.visitor.look)) orders.push_back(after.visitor.look);
     if (!(before.visitor.feel == after.visitor.feel)) orders.push_back(after.visitor.feel);
     if (wants_preview(before) != wants_preview(after)) {
@@ -248,6 +253,7 @@ VisitStep finish(const Visit& before, VisitWork work) {
     VisitOrders orders = changes(before, after);
     orders.insert(orders.end(), std::make_move_iterator(work.orders.begin()),
                   std::make_move_iterator(work.orders.end()));
+    if (goes_silent(before, after)) orders.push_back(after.visitor.sound);
     return {std::move(after), std::move(orders)};
 }
 

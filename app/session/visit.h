@@ -148,6 +148,11 @@ struct VisitWorld {
     const VisitRules& rules;
 };
 
+/// Six or more; else one or two switches move through the items and take them.
+[[nodiscard]] inline bool has_keys(const VisitWorld& world) {
+    return world.settings.two_switches == 0;
+}
+
 /// The picture that is felt.
 struct KnownPicture {
     LoadPicture order;  // that brought it
@@ -212,6 +217,18 @@ struct StickList {
     std::vector<NameForm> forms;  // of each name, so that no two sound alike
 };
 
+/// A hint that this visitor has heard.
+struct HintSaid {
+    std::string text;
+    int times = 0;
+    double at_s = 0.0;  // the last time
+
+    void said(double now_s) {
+        ++times;
+        at_s = now_s;
+    }
+};
+
 /// Of the visitor: a new one for every visit.
 struct Visitor {
     std::vector<Standing> path{Standing{}};  // never empty; the last one is open
@@ -223,6 +240,7 @@ struct Visitor {
     Feel feel;
     int detail = 3;  // wanted of the next picture too
     std::optional<KnownPicture> felt;
+    bool is_told_shortly = false;  // the rest of it comes with what the search for its things finds
     std::optional<Loading> loading;
     std::optional<Waiting> waiting;
     bool is_capturing = false;
@@ -243,11 +261,10 @@ struct Visitor {
     double attention_s = 0.0;        // the handle last asked for it
     std::optional<double> pulled_s;  // headphones
     bool is_hint_due = false;
-    std::string hint;     // the last one that was said
-    double hint_s = 0.0;  // when
-    int dead_keys = 0;    // in a row
-    int repeats = 0;      // presses of Next in a row
-    int helps = 0;        // presses of Help in a row, in help
+    std::vector<HintSaid> hints;
+    int dead_keys = 0;  // in a row
+    int repeats = 0;    // presses of Repeat in a row
+    int helps = 0;      // presses of Help in a row, in help
     Caption caption;
 };
 

@@ -73,6 +73,7 @@ struct StickGone {
 struct PartFacts {
     std::string name;            // in the language that was ordered; never empty
     Position place_W;            // on it, of the map that is felt
+    Position middle_W;           // of the box around it
     int detail = 1;              // 1 ... 5
     std::optional<int> outline;  // index in the map; none: a place without a line
 };

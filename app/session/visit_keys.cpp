@@ -10,16 +10,19 @@ namespace {
 struct RoleWords {
     const char* name;
     const char* use;
+    const char* switched_use = nullptr;  // where it is no key but an item; none: the same
 };
 
 // In the order of KeyRole.
 constexpr std::array<RoleWords, key_role_count> roles{{
-    {"Up", "To the item before."},
-    {"Down", "To the next item."},
-    {"Back", "One screen back."},
-    {"Next", "Says it again. Twice, the whole screen."},
+    {"Up", "Goes to the item before."},
+    {"Down", "Goes to the next item."},
+    {"Back", "Leaves this screen."},
+    {"Repeat", "Repeats the last words. Press it twice for the whole screen.",
+     "Repeats the last words. Choose it twice for the whole screen."},
     {"Select", "Chooses the item."},
-    {"Help", "Explains the keys. Press it again to leave."},
+    {"Help", "Explains the keys. Press it again to leave.",
+     "Explains the keys. Choose it again to leave."},
     {"Louder", "Raises the volume."},
     {"Softer", "Lowers the volume."},
 }};
@@ -42,9 +45,8 @@ bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
             say_screen(work);
             return true;
         case VisitScreen::question:
-            visitor.over.reset();
             cue(work, ScreenEvent::key_taken);
-            say_return(work, words(work, "You have more time."));
+            uncover(work, words(work, "You have more time."));
             return true;
         default:
             break;
@@ -63,14 +65,11 @@ void explain(VisitWork& work, KeyRole role) {
     if (visitor.helps < 2) {
         const RoleWords& row = roles[static_cast<std::size_t>(role)];
         std::string text = words(work, row.name);
-        add_sentence(text, words(work, row.use));
+        const bool is_switched = !has_keys(work.world) && row.switched_use != nullptr;
+        add_sentence(text, words(work, is_switched ? row.switched_use : row.use));
         return say(work, text);
     }
-    visitor.over.reset();
-    // A trouble that help went over is not forgotten.
-    const std::string error = visitor.error;
-    visitor.error.clear();
-    say_return(work, error);
+    uncover(work);
 }
 
 void move(VisitWork& work, bool is_down) {
@@ -87,38 +86,32 @@ void move(VisitWork& work, bool is_down) {
     say_item(work);
 }
 
+/// Or, where there is no speech, brings it back.
 void open_help(VisitWork& work) {
-    work.visitor.over = Standing{VisitScreen::help};
-    work.visitor.helps = 0;
     cue(work, ScreenEvent::key_taken);
-    std::string first;
     if (!work.visitor.sound.is_speech_on) {
         work.visitor.sound.is_speech_on = true;
-        first = language_of(work).text("speech", "Speech is on.");
+        const std::string told = language_of(work).text("speech", "Speech is on.");
+        const bool is_trouble = open_screen(work) == VisitScreen::trouble;
+        return is_trouble ? say_screen(work, told) : say_return(work, told);
     }
-    say_screen(work, first);
-}
-
-void close_trouble(VisitWork& work) {
-    work.visitor.over.reset();
-    work.visitor.error.clear();
-    cue(work, ScreenEvent::key_taken);
-    say_return(work);
+    work.visitor.over = Standing{VisitScreen::help};
+    work.visitor.helps = 0;
+    say_screen(work);
 }
 
 /// One screen back; from choose the question whether to finish.
 void go_back(VisitWork& work) {
     const VisitScreen screen = open_screen(work);
-    if (screen == VisitScreen::trouble) return close_trouble(work);
     cue(work, ScreenEvent::key_taken);
+    if (screen == VisitScreen::trouble) return close_trouble(work);
     if (screen == VisitScreen::opening) return cancel_loading(work);
     if (screen == VisitScreen::choose) {
         enter(work, VisitScreen::confirm, static_cast<int>(VisitItem::finish));
         return say_screen(work);
     }
     if (screen == VisitScreen::language) return end_visit(work, VisitScreen::goodbye);
-    leave(work);
-    say_return(work);
+    step_back(work);
 }
 
 /// Once: the last words. Twice: the whole screen.
@@ -144,10 +137,9 @@ void act(VisitWork& work, KeyRole role) {
             return move(work, true);
         case KeyRole::back:
             return go_back(work);
-        case KeyRole::next:
+        case KeyRole::repeat:
             return repeat(work);
         case KeyRole::select:
-            if (open_screen(work) == VisitScreen::trouble) return close_trouble(work);
             return select(work);
         case KeyRole::help:
             return open_help(work);
@@ -163,7 +155,7 @@ void act(VisitWork& work, KeyRole role) {
 void press(VisitWork& work, KeyRole role) {
     order(work, Hush{});
     work.visitor.dead_keys = 0;
-    if (role != KeyRole::next) work.visitor.repeats = 0;
+    if (role != KeyRole::repeat) work.visitor.repeats = 0;
     const bool is_volume = role == KeyRole::louder || role == KeyRole::softer;
     if (is_taken_at_once(work, is_volume)) return;
     if (open_screen(work) == VisitScreen::help) return explain(work, role);
@@ -171,7 +163,7 @@ void press(VisitWork& work, KeyRole role) {
 }
 
 void press(VisitWork& work, SpeechKey key) {
-    if (key == SpeechKey::repeat) return press(work, KeyRole::next);
+    if (key == SpeechKey::repeat) return press(work, KeyRole::repeat);
     if (key == SpeechKey::pause && is_visit_on(visit_of(work))) {
         // Neither hushed nor stopped: the next one goes on with the same words.
         work.visitor.active_s = work.visitor.key_s = work.house.now_s;

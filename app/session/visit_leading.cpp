@@ -29,7 +29,8 @@ void lead(VisitWork& work, const Guide& guide, const std::string& announcement) 
     work.visitor.leading = Leading{guide, work.house.now_s + announcement_s(work.visitor), false};
     shake(work, HandlePattern::chosen);
     std::string text = announcement;
-    add_sentence(text, words(work, "Press any key to stop it."));
+    add_sentence(text, words(work, has_keys(work.world) ? "Press any key to stop it."
+                                                        : "Press a switch to stop it."));
     say(work, text);
 }
 
@@ -59,15 +60,8 @@ void name_part(VisitWork& work) {
         is_asked_for ? SpeechPriority::text : SpeechPriority::hint);
 }
 
-/// The main thing that is being opened by itself would be drawn from under the hand.
 void keep_what_is_touched(VisitWork& work) {
-    Visitor& visitor = work.visitor;
-    const bool is_drawn_away =
-        visitor.has_touched && visitor.loading && visitor.loading->reason == LoadReason::main_thing;
-    if (!is_drawn_away) return;
-    order(work, CancelLoad{visitor.loading->order.request});
-    visitor.loading.reset();
-    tell_things(work);
+    if (work.visitor.has_touched && keep_whole(work)) tell_things(work);
 }
 
 void follow_handle(VisitWork& work, const HandleSeen& handle) {
@@ -81,9 +75,8 @@ void follow_handle(VisitWork& work, const HandleSeen& handle) {
     const VisitScreen screen = open_screen(work);
     if (is_hand && screen == VisitScreen::attract) return begin_visit(work);
     if (is_hand && screen == VisitScreen::question) {
-        visitor.over.reset();
         visitor.pulled_s.reset();
-        return say_return(work, words(work, "You have more time."));
+        return uncover(work, words(work, "You have more time."));
     }
     name_part(work);
 }

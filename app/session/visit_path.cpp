@@ -27,12 +27,16 @@ const Language& language_of_item(const VisitWork& work, const ScreenItem& item) 
 void note_hint(VisitWork& work, const SpokenScreen& screen) {
     if (!screen.focus) return;
     const std::string& hint = screen.items[*screen.focus].hint;
-    if (hint.empty() || screen.text.find(hint) == std::string::npos) return;
-    work.visitor.hint = hint;
-    work.visitor.hint_s = work.house.now_s;
+    if (!hint.empty() && screen.text.find(hint) != std::string::npos)
+        hint_of(work.visitor, hint).said(work.house.now_s);
 }
 
 }  // namespace
+
+HintSaid& hint_of(Visitor& visitor, const std::string& text) {
+    const auto known = std::ranges::find(visitor.hints, text, &HintSaid::text);
+    return known != visitor.hints.end() ? *known : visitor.hints.emplace_back(HintSaid{text});
+}
 
 void say_item(VisitWork& work, const std::string& first) {
     const SpokenScreen screen = screen_of(work);
@@ -46,6 +50,13 @@ void say_item(VisitWork& work, const std::string& first) {
     }
     say(work, first);
     say_in(work, language, item, SpeechPriority::hint);
+}
+
+void say_item_next(VisitWork& work, std::string text) {
+    const SpokenScreen screen = screen_of(work);
+    if (screen.focus) add_sentence(text, spoken_item(screen, *screen.focus, language_of(work)));
+    work.visitor.is_hint_due = true;
+    say_next(work, text);
 }
 
 void say_screen(VisitWork& work, const std::string& first) {
@@ -64,16 +75,30 @@ void say_return(VisitWork& work, const std::string& first) {
 }
 
 void enter(VisitWork& work, VisitScreen screen, int about, std::size_t focus) {
+    keep_whole(work);
     work.visitor.path.push_back({screen, focus, about});
     arrive(work);
 }
 
 void leave(VisitWork& work) {
+    keep_whole(work);
     if (work.visitor.path.size() > 1) work.visitor.path.pop_back();
     arrive(work);
 }
 
+void step_back(VisitWork& work) {
+    const bool has_practised = open_screen(work) == VisitScreen::practice;
+    leave(work);
+    if (has_practised) focus_on(work, VisitItem::gallery);
+    const bool is_to_be_told =
+        work.visitor.is_told_shortly && open_screen(work) == VisitScreen::picture;
+    if (!is_to_be_told) return say_return(work);
+    work.visitor.is_told_shortly = false;
+    say_screen(work);
+}
+
 void go_to(VisitWork& work, VisitScreen screen) {
+    keep_whole(work);
     work.visitor.path = {Standing{VisitScreen::choose}};
     if (screen != VisitScreen::choose) work.visitor.path.push_back(Standing{screen});
     arrive(work);
@@ -92,7 +117,7 @@ void show_trouble(VisitWork& work, const std::string& sentence,
                   std::optional<TroubleKind> trouble) {
     const bool is_going_on = open_screen(work) == VisitScreen::trouble && trouble.has_value() &&
                              work.visitor.trouble == trouble;
-    work.visitor.over = Standing{VisitScreen::trouble};
+    if (!is_going_on) work.visitor.over = Standing{VisitScreen::trouble};
     work.visitor.error = sentence;
     work.visitor.trouble = trouble;
     work.visitor.attention_s = work.house.now_s;
@@ -103,10 +128,26 @@ void show_trouble(VisitWork& work, const std::string& sentence,
     const SpokenScreen screen = screen_of(work);
     std::string text = is_going_on ? std::string() : screen.title;
     add_sentence(text, screen.text);
-    if (!is_going_on) add_sentence(text, screen.items.front().hint);
+    if (!is_going_on) {
+        add_sentence(text, screen.items.front().hint);
+        hint_of(work.visitor, screen.items.front().hint).said(work.house.now_s);
+    }
     work.visitor.is_hint_due = false;
     const bool is_safety = trouble == TroubleKind::device;
     say(work, text, is_safety ? SpeechPriority::safety : SpeechPriority::text);
+}
+
+void close_trouble(VisitWork& work, const std::string& first) {
+    work.visitor.over.reset();
+    work.visitor.error.clear();
+    say_return(work, first);
+}
+
+void uncover(VisitWork& work, const std::string& first) {
+    work.visitor.over.reset();
+    if (work.visitor.error.empty()) return say_return(work, first);
+    work.visitor.over = Standing{VisitScreen::trouble};
+    say_screen(work, first);
 }
 
 }  // namespace touchline

@@ -1,4 +1,5 @@
 // The picture: how it is opened, opened again in another way, and told.
+#include "app/session/page_words.h"
 #include "app/session/visit_work.h"
 #include "audio-cues/words/guidance_words.h"
 #include "audio-cues/words/thing_words.h"
@@ -41,7 +42,13 @@ void arrive_at_picture(VisitWork& work) {
     const bool is_practice = visitor.felt->order.source == PictureSource::practice;
     go_to(work, is_practice ? VisitScreen::practice : VisitScreen::picture);
     if (visitor.over) return say(work, told_picture(work), SpeechPriority::hint);
-    say_screen(work);
+    const PagePlace& place = visitor.felt->facts.place;
+    if (place.things != ThingSearch::under_way) return say_screen(work);
+    visitor.is_told_shortly = true;
+    std::string text = screen_of(work).title;
+    add_sentence(text, words_of(place, language_of(work)));
+    visitor.is_hint_due = false;  // of an item that nobody has heard of
+    say_next(work, text);
 }
 
 bool is_of_what_was_felt(LoadReason reason) {
@@ -58,10 +65,18 @@ std::string told_change(const VisitWork& work, LoadReason reason) {
                                     felt.facts.outline_count);
         case LoadReason::zoom:
             if (felt.order.zoom.factor <= 1.0) return words(work, "The whole picture.");
-            return words(work, "Now {0} times larger: {1}.",
+            return words(work, "Now {0} times as large. You feel the {1} part.",
                          {language.number(felt.order.zoom.factor, 0),
                           words_of(place_of(felt.order.zoom.centre, CueArea{}), language)});
-        case LoadReason::other_view:
+        case LoadReason::other_view: {
+            // What changed, first.
+            std::string text = words_of(felt.facts.place, language);
+            add_sentence(text, words_of(felt.facts.names, language));
+            add_sentence(text, language.counted("count", "{0} outline", "{0} outlines",
+                                                felt.facts.outline_count));
+            add_sentence(text, felt.facts.note);
+            return text;
+        }
         case LoadReason::main_thing:
         case LoadReason::thing_here:
         case LoadReason::other_picture:
@@ -71,12 +86,36 @@ std::string told_change(const VisitWork& work, LoadReason reason) {
     return told_picture(work);
 }
 
+/// Then the item, without its value: that is what was told.
+void say_with_name(VisitWork& work, VisitItem item, std::string text) {
+    focus_on(work, item);  // others may have come before it
+    SpokenScreen screen = screen_of(work);
+    screen.items[*screen.focus].value.clear();
+    add_sentence(text, spoken_item(screen, *screen.focus, language_of(work)));
+    say(work, text);
+}
+
 /// Over an open help the visitor hears it when the keys are silent. What tells the whole picture
 /// has its title already.
 void tell_change(VisitWork& work, LoadReason reason) {
-    const std::string change = told_change(work, reason);
-    if (work.visitor.over) return say(work, change, SpeechPriority::hint);
-    is_of_what_was_felt(reason) ? say_return(work, change) : say_item(work, change);
+    std::string text = told_change(work, reason);
+    if (work.visitor.over) return say(work, text, SpeechPriority::hint);
+    switch (reason) {
+        case LoadReason::main_thing:
+            return say_item_next(work, text);
+        case LoadReason::zoom:
+            return say_with_name(work, VisitItem::zoom, text);
+        case LoadReason::other_view:
+            return say_with_name(work, VisitItem::pages, text);
+        case LoadReason::detail: {
+            focus_on(work, VisitItem::detail);
+            std::string all = screen_of(work).title;
+            add_sentence(all, text);
+            return say_item(work, all);
+        }
+        default:
+            return say_item(work, text);
+    }
 }
 
 }  // namespace
@@ -147,6 +186,7 @@ void take_ready(VisitWork& work, const PictureReady& ready) {
         const Loading done = *visitor.loading;
         visitor.loading.reset();
         visitor.felt = KnownPicture{done.order, ready.facts};
+        if (done.reason != LoadReason::unasked) visitor.is_told_shortly = false;
         if (done.reason == LoadReason::thing_here) {
             visitor.felt->order.view = ready.facts.place.view;
             visitor.felt->order.thing_at.reset();
@@ -172,16 +212,33 @@ void take_ready(VisitWork& work, const PictureReady& ready) {
         SpeechPriority::hint);
 }
 
-/// What the things of the photograph are taken for, and then the news; says nothing without both.
+/// What the things of the photograph are taken for, and then the news; says nothing without either.
+/// Of a photograph that was told shortly all the rest.
 void tell_names(VisitWork& work, const std::string& news = {}) {
-    std::string text = words_of(work.visitor.felt->facts.names, language_of(work));
-    if (!news.empty()) add_sentence(text, words(work, news));
-    if (!text.empty()) say(work, text, SpeechPriority::hint);
+    Visitor& visitor = work.visitor;
+    const KnownPicture& felt = *visitor.felt;
+    const bool is_open = !visitor.over && visitor.path.back().screen == VisitScreen::picture;
+    const bool is_rest = visitor.is_told_shortly && is_open;
+    std::string text = is_rest ? told_picture(work) : words_of(felt.facts.names, language_of(work));
+    // What was not found the whole picture tells itself.
+    const bool is_told = is_rest && felt.facts.place.things != ThingSearch::found;
+    if (!news.empty() && !is_told) add_sentence(text, words(work, news));
+    if (!is_rest) return text.empty() ? void() : say(work, text, SpeechPriority::hint);
+    visitor.is_told_shortly = false;
+    say_item_next(work, text);
+}
+
+bool keep_whole(VisitWork& work) {
+    auto& loading = work.visitor.loading;
+    if (!loading || loading->reason != LoadReason::main_thing) return false;
+    order(work, CancelLoad{loading->order.request});
+    loading.reset();
+    return true;
 }
 
 void tell_things(VisitWork& work) {
     cue(work, ScreenEvent::news);
-    tell_names(work, "The main thing was found. You will find it under Main things.");
+    tell_names(work, "The main thing was found. You will find it under: How much of the photo.");
 }
 
 /// A hand that has found a line keeps it: it is told, and the main thing is felt when it is wanted.
@@ -193,8 +250,7 @@ void take_things(VisitWork& work, const ThingsLookedFor& looked) {
     visitor.felt->order.page = looked.place.page;
     visitor.felt->order.view = looked.place.view;
     if (looked.place.things == ThingSearch::impossible)
-        return say(work, words(work, "The main thing cannot be looked for now."),
-                   SpeechPriority::hint);
+        return tell_names(work, "The main thing cannot be looked for now.");
     if (looked.place.things == ThingSearch::absent)
         return tell_names(work, "The main thing cannot be found here.");
     if (looked.place.things != ThingSearch::found)

@@ -9,7 +9,7 @@ namespace {
 
 std::string told_zoom(const VisitSheet& sheet) {
     const ZoomWanted& zoom = sheet.visit.visitor.felt->order.zoom;
-    if (zoom.factor <= 1.0) return sheet.words("whole picture");
+    if (zoom.factor <= 1.0) return sheet.words("off");
     return sheet.language.text("visit", "{0} times larger, {1}",
                                {sheet.language.number(zoom.factor, 0),
                                 words_of(place_of(zoom.centre, CueArea{}), sheet.language)});
@@ -28,7 +28,9 @@ void put_told(VisitSheet& sheet) {
 
 std::string picture_title(const VisitSheet& sheet) {
     const std::string& title = sheet.visit.visitor.felt->facts.title;
-    return title.empty() ? sheet.words("A picture without a name") : title;
+    if (!title.empty()) return title;
+    const bool is_photo = sheet.visit.visitor.felt->order.source == PictureSource::camera;
+    return sheet.words(is_photo ? "Your photo" : "A picture without a name");
 }
 
 void put_picture(VisitSheet& sheet) {
@@ -36,14 +38,16 @@ void put_picture(VisitSheet& sheet) {
     sheet.screen.title = picture_title(sheet);
     put_told(sheet);
     if (facts.outline_count > 0) {
-        sheet.item(VisitItem::lead_round, "Guide me round the outline", {},
-                   "Press Select to be guided along the outer line. Or move freely.");
+        sheet.item(VisitItem::lead_round,
+                   facts.outline_count > 1 ? "Guide me round the outer outline"
+                                           : "Guide me round the outline",
+                   {}, "Press Select to begin.");
     }
     if (!facts.parts.empty()) {
         sheet.item(VisitItem::parts, "Parts",
                    sheet.language.counted("count", "{0} part", "{0} parts",
                                           static_cast<int>(facts.parts.size())),
-                   "Choose a part, and the handle guides you there.");
+                   "Choose a part, and the handle guides you to it.");
     }
     sheet.item(VisitItem::explore, "Explore freely", {}, "Parts say their names.");
     if (facts.outline_count > 0) {
@@ -58,7 +62,7 @@ void put_picture(VisitSheet& sheet) {
     const std::string page = words_of(facts.place, sheet.language);
     const bool is_of_things = facts.place.things == ThingSearch::found;
     if (is_of_things) {
-        sheet.item(VisitItem::pages, "Main things", page);
+        sheet.item(VisitItem::pages, "How much of the photo", page);
     } else if (facts.place.page_count > 1 || facts.place.view_count > 1) {
         sheet.item(VisitItem::pages, "Pages", page);
     }
@@ -70,13 +74,13 @@ void put_picture(VisitSheet& sheet) {
 
 void put_parts(VisitSheet& sheet) {
     sheet.title("Parts");
-    sheet.sentence("Press Select, and the handle guides you there.");
+    sheet.sentence("Press Select, and the handle guides you to the part.");
     std::vector<ListRow> rows;
     for (const PartFacts& part : sheet.visit.visitor.felt->facts.parts) {
         rows.push_back(
-            {rows.size(), part.name, words_of(place_of(part.place_W, CueArea{}), sheet.language)});
+            {rows.size(), part.name, words_of(place_of(part.middle_W, CueArea{}), sheet.language)});
     }
-    sheet.list(rows, "Press Select, and the handle guides you there.");
+    sheet.list(rows, "Press Select, and the handle guides you to the part.");
     sheet.back();
 }
 
@@ -93,7 +97,7 @@ void put_explore(VisitSheet& sheet) {
 void put_zoom(VisitSheet& sheet) {
     const bool is_zoomed = sheet.visit.visitor.felt->order.zoom.factor > 1.0;
     sheet.title("Enlargement");
-    sheet.told(told_zoom(sheet));
+    if (is_zoomed) sheet.told(sheet.language.text("visit", "Now: {0}.", {told_zoom(sheet)}));
     if (is_zoomed) sheet.item(VisitItem::whole_picture, "The whole picture");
     sheet.item(VisitItem::twice_here, "Twice as large, around your hand");
     sheet.item(VisitItem::four_times_here, "Four times as large, around your hand");
@@ -108,8 +112,8 @@ void put_zoom(VisitSheet& sheet) {
 void put_pages(VisitSheet& sheet) {
     const PagePlace& place = sheet.visit.visitor.felt->facts.place;
     const bool is_of_things = place.things == ThingSearch::found;
-    sheet.title(is_of_things ? "Main things" : "Pages");
-    sheet.told(words_of(place, sheet.language));
+    sheet.title(is_of_things ? "How much of the photo" : "Pages");
+    sheet.told(sheet.language.text("visit", "Now: {0}.", {words_of(place, sheet.language)}));
     if (place.view + 1 < place.view_count) {
         sheet.item(VisitItem::next_view,
                    is_of_things ? "The next thing" : "Next picture of the page");
@@ -121,8 +125,8 @@ void put_pages(VisitSheet& sheet) {
         sheet.item(VisitItem::view_before,
                    is_of_things ? "The thing before" : "The picture before");
     }
-    if (place.page < place.page_count) sheet.item(VisitItem::next_page, "Next page");
-    if (place.page > 1) sheet.item(VisitItem::page_before, "The page before");
+    if (place.page < place.page_count) sheet.item(VisitItem::next_page, "Go to the next page");
+    if (place.page > 1) sheet.item(VisitItem::page_before, "Go to the page before");
     sheet.back();
 }
 

@@ -21,11 +21,16 @@ void put_attract(Sheet& sheet) {
 
 void put_language(Sheet& sheet) {
     sheet.title("Pictures to feel");
-    sheet.sentence(sheet.world.settings.two_switches == 0
-                       ? "Choose your language with Up, Down and Select."
-                       : "Move on to your language, then press Select.");
-    sheet.sentence("Press Help to try the keys.");
-    sheet.sentence("Press any key to skip.");
+    if (!has_keys(sheet.world)) {
+        const bool is_one = sheet.world.settings.two_switches == 2;
+        sheet.sentence(is_one ? "It moves on by itself; your switch is Select."
+                              : "One switch moves on, the other is Select.");
+        sheet.sentence("After the last item come Repeat, Back and Help.");
+    } else {
+        sheet.sentence("Choose your language with Up, Down and Select.");
+        sheet.sentence("Press Help to try the keys.");
+        sheet.sentence("Press any key to interrupt.");
+    }
     for (std::size_t row = 0; row < sheet.world.languages.size(); ++row) {
         sheet.row(row, sheet.world.languages[row].name());
     }
@@ -52,7 +57,9 @@ void put_choose(Sheet& sheet) {
     const VisitRules& rules = sheet.world.rules;
     sheet.title("What to feel");
     put_lasting_troubles(sheet);
-    if (visitor.felt) {
+    const bool has_practised =
+        visitor.felt && visitor.felt->order.source == PictureSource::practice;
+    if (visitor.felt && !has_practised) {
         sheet.sentence("Your picture stays until you choose another.");
         sheet.item(VisitItem::back_to_picture, "Back to the picture", picture_title(sheet));
     } else {
@@ -85,8 +92,7 @@ void put_practice(Sheet& sheet) {
     sheet.told(visitor_of(sheet).felt ? visitor_of(sheet).felt->facts.title : std::string());
     sheet.sentence("Move the handle until a line holds it.");
     sheet.sentence("Then follow the line.");
-    sheet.item(VisitItem::lead_round, "Guide me round the outline", {},
-               "The handle shows you the line.");
+    sheet.item(VisitItem::lead_round, "Guide me round the outline", {}, "Press Select to begin.");
     sheet.item(VisitItem::other_shape, "Another shape");
     sheet.item(VisitItem::bring_back, "Bring me back to the line");
     sheet.back("Go on to the pictures");
@@ -139,8 +145,7 @@ void put_settings(Sheet& sheet) {
         sheet.setting(setting);
     }
     sheet.toggle(VisitItem::mono, "The same in both ears", visitor.sound.is_mono);
-    sheet.toggle(VisitItem::speech, "Speech", visitor.sound.is_speech_on,
-                 "Press Help to turn it on again.");
+    sheet.toggle(VisitItem::speech, "Speech", visitor.sound.is_speech_on);
     sheet.setting(VisitItem::text_size);
     sheet.setting(VisitItem::palette);
     sheet.toggle(VisitItem::screen, "Screen", !visitor.look.is_off,
@@ -157,7 +162,6 @@ void put_values(Sheet& sheet) {
     for (std::size_t row = 0; row < list.names.size(); ++row) {
         sheet.row(row, list.names[row], row == list.chosen ? sheet.words("chosen") : std::string());
     }
-    sheet.back();
 }
 
 void put_confirm(Sheet& sheet) {
@@ -167,7 +171,7 @@ void put_confirm(Sheet& sheet) {
         sheet.sentence("Sound, speech, letters and lines will be as at the start.");
     } else {
         sheet.title(asked == VisitItem::finish ? "Finish?" : "Start over?");
-        sheet.sentence("Your picture and your settings will be forgotten.");
+        sheet.sentence("Your picture and your settings will not be kept here.");
     }
     sheet.item(VisitItem::no, "No");
     sheet.item(VisitItem::yes, "Yes");
@@ -192,22 +196,41 @@ void put_closed(Sheet& sheet) {
 
 void put_help(Sheet& sheet) {
     sheet.title("Try the keys");
-    sheet.sentence("Each key says its name and its use.");
-    sheet.sentence("Press Help twice to go back.");
+    if (!has_keys(sheet.world)) {
+        sheet.sentence("Move on to Repeat, Back or Help.");
+        sheet.sentence("Press Select to hear its use.");
+        sheet.sentence("Choose Help twice to go back.");
+    } else {
+        sheet.sentence("Each key says its name and its use.");
+        sheet.sentence("Press Help twice to go back.");
+    }
 }
 
 void put_question(Sheet& sheet) {
     sheet.title("Are you still there?");
-    sheet.sentence("Press any key to go on.");
+    sheet.sentence(has_keys(sheet.world) ? "Press any key to go on." : "Press a switch to go on.");
     sheet.told(sheet.language.text(
         "visit", "Otherwise your visit ends in {0} seconds.",
         {sheet.language.number(std::max(sheet.world.rules.answer_s, 30.0), 0)}));
 }
 
+/// Without the handle's force the visit goes on.
 void put_trouble(Sheet& sheet) {
-    sheet.title("Something is wrong");
-    sheet.told(visitor_of(sheet).error);
-    sheet.item(VisitItem::go_on, "Go on", {}, "Press Select to go on.");
+    const Visitor& visitor = visitor_of(sheet);
+    const bool is_of_handle = visitor.trouble == TroubleKind::device;
+    sheet.title(is_of_handle ? "The handle" : "Something is wrong");
+    sheet.told(visitor.error);
+    const bool offers_staff =
+        is_of_handle && sheet.world.rules.offers_staff && !sheet.visit.house.is_staff_called;
+    const char* how = "Press Select to go on.";
+    if (is_of_handle) how = "Or press Select to go on without force.";
+    if (offers_staff) {
+        how = has_keys(sheet.world)
+                  ? "Press Down to call staff, or Select to go on without force."
+                  : "Move on to call staff. Or press Select to go on without force.";
+    }
+    sheet.item(VisitItem::go_on, "Go on", {}, how);
+    if (offers_staff) sheet.item(VisitItem::call_staff, "Call staff");
 }
 
 using Put = void (*)(Sheet&);
@@ -235,6 +258,7 @@ SpokenScreen screen_of(const Visit& visit, const VisitWorld& world) {
     if (!sheet.screen.items.empty()) {
         sheet.screen.focus = std::min(open.focus, sheet.screen.items.size() - 1);
     }
+    sheet.mind_the_only_item();
     const VisitScreen beneath = visitor.path.back().screen;
     if (has_picture(beneath)) sheet.screen.view = ScreenView::picture;
     return sheet.screen;

@@ -69,15 +69,24 @@ void capture(VisitWork& work) {
 void call_staff(VisitWork& work) {
     work.house.is_staff_called = !work.house.is_staff_called;
     order(work, CallStaff{work.house.is_staff_called});
-    say(work, work.house.is_staff_called
-                  ? words(work, "The staff have been called. You can carry on meanwhile.")
-                  : words(work, "The staff are no longer called."));
+    const std::string told = words(
+        work, work.house.is_staff_called ? "The staff have been called. You can carry on meanwhile."
+                                         : "The staff are no longer called.");
+    const bool is_trouble = open_screen(work) == VisitScreen::trouble;
+    is_trouble ? close_trouble(work, told) : say(work, told);
 }
 
-/// Said while it still is, or is again.
 void toggle(VisitWork& work, bool& value) {
     value = !value;
     say_item(work);
+}
+
+/// Nobody who hears nothing could ask how it comes back.
+void toggle_speech(VisitWork& work) {
+    bool& is_on = work.visitor.sound.is_speech_on;
+    is_on = !is_on;
+    if (is_on) return say_item(work);
+    say(work, language_of(work).text("speech", "Speech is off. Press Help to turn it on again."));
 }
 
 void confirm(VisitWork& work) {
@@ -98,7 +107,7 @@ void confirm(VisitWork& work) {
 void lead_to_part(VisitWork& work, std::size_t part) {
     const PartFacts& wanted = work.visitor.felt->facts.parts[part];
     lead(work, {GuideKind::to_place, wanted.place_W, -1},
-         words(work, "The handle guides you to: {0}.", {wanted.name}));
+         words(work, "The handle will guide you to this part: {0}.", {wanted.name}));
 }
 
 void take_row(VisitWork& work, std::size_t row, const std::string& name) {
@@ -130,10 +139,10 @@ void take_picture_item(VisitWork& work, VisitItem item) {
     switch (item) {
         case VisitItem::lead_round:
             return lead(work, {GuideKind::outline, {}, work.visitor.felt->facts.outer_outline},
-                        words(work, "The handle guides you along the outer line."));
+                        words(work, "The handle will guide you round the outline."));
         case VisitItem::bring_back:
             return lead(work, {GuideKind::bring_back, {}, -1},
-                        words(work, "The handle guides you back to a line."));
+                        words(work, "The handle will guide you back to a line."));
         case VisitItem::tell_again:
             return say(work, told_picture(work));
         case VisitItem::where_am_i:
@@ -191,8 +200,7 @@ void choose_another(VisitWork& work) {
 }
 
 void return_to_picture(VisitWork& work) {
-    const bool is_practice = work.visitor.felt->order.source == PictureSource::practice;
-    go_to(work, is_practice ? VisitScreen::practice : VisitScreen::picture);
+    go_to(work, VisitScreen::picture);
     say_return(work);
 }
 
@@ -201,10 +209,11 @@ void take(VisitWork& work, VisitItem item) {
     switch (item) {
         case VisitItem::back:
         case VisitItem::no:
-            leave(work);
-            return say_return(work);
+            return step_back(work);
         case VisitItem::cancel:
             return cancel_loading(work);
+        case VisitItem::go_on:
+            return close_trouble(work);
         case VisitItem::back_to_picture:
             return return_to_picture(work);
         case VisitItem::another_picture:
@@ -240,7 +249,7 @@ void take(VisitWork& work, VisitItem item) {
         case VisitItem::mono:
             return toggle(work, visitor.sound.is_mono);
         case VisitItem::speech:
-            return toggle(work, visitor.sound.is_speech_on);
+            return toggle_speech(work);
         case VisitItem::screen:
             return toggle(work, visitor.look.is_off);
         case VisitItem::language:

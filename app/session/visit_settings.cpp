@@ -11,7 +11,7 @@ namespace touchline {
 namespace {
 
 // In the order of their enumerations or steps.
-constexpr std::array modes{"wall", "groove", "ridge", "stay on line"};
+constexpr std::array modes{"wall", "groove", "ridge", "sticky line"};
 constexpr std::array amounts{"none of them", "short ones", "all of them"};
 constexpr std::array sizes{"ordinary", "large", "larger", "largest"};
 constexpr std::array palettes{"light letters on dark", "dark letters on light",
@@ -25,12 +25,11 @@ std::vector<std::string> named(const Language& language, const char* context,
     return names;
 }
 
-std::vector<std::string> stepped(const Language& language, const char* text, std::size_t count) {
+/// Without "of 7": the place on the screen says it already.
+std::vector<std::string> stepped(const Language& language, std::size_t count) {
     std::vector<std::string> names;
-    for (std::size_t step = 1; step <= count; ++step) {
-        names.push_back(
-            language.text("speech", text, {std::to_string(step), std::to_string(count)}));
-    }
+    for (std::size_t step = 1; step <= count; ++step)
+        names.push_back(language.text("speech", "Step {0}", {std::to_string(step)}));
     return names;
 }
 
@@ -96,11 +95,9 @@ ValueList values_of(const Visit& visit, const VisitWorld& world, VisitItem setti
         case VisitItem::language:
             return {language_names(world), visitor.sound.language};
         case VisitItem::volume:
-            return {stepped(language, "Volume {0} of {1}", world.rules.volume_steps),
-                    visitor.sound.volume};
+            return {stepped(language, world.rules.volume_steps), visitor.sound.volume};
         case VisitItem::rate:
-            return {stepped(language, "Speaking speed {0} of {1}", speech_rates_per_minute.size()),
-                    visitor.sound.rate};
+            return {stepped(language, speech_rates_per_minute.size()), visitor.sound.rate};
         case VisitItem::sounds:
             return {named(language, "visit", amounts),
                     static_cast<std::size_t>(visitor.sound.amount)};

@@ -6,14 +6,14 @@
 namespace touchline {
 namespace {
 
-constexpr const char* choice_hint = "Press Select to choose it, Up or Down for another.";
-constexpr const char* setting_hint = "Press Select for its values.";
-constexpr const char* toggle_hint = "Press Select to change it.";
-constexpr const char* switch_hint = "Press Select to choose it, or move on to another.";
+constexpr const char* choice_hint = "Press Select to choose this, Up or Down to move.";
+constexpr const char* only_hint = "Press Select to choose this.";
+constexpr const char* change_hint = "Press Select to change it.";
+constexpr const char* switch_hint = "Press Select to choose this, or move on.";
 
 /// Two switches have no Up and Down.
 const char* hint_of_choice(const VisitWorld& world) {
-    return world.settings.two_switches == 0 ? choice_hint : switch_hint;
+    return has_keys(world) ? choice_hint : switch_hint;
 }
 
 }  // namespace
@@ -43,19 +43,19 @@ void VisitSheet::item(VisitItem item, const char* english, const std::string& va
 void VisitSheet::toggle(VisitItem item, const char* english, bool is_on, const char* hint) {
     screen.items.push_back({static_cast<int>(item), ItemRole::toggle, words(english),
                             words(is_on ? "on" : "off"),
-                            words(hint != nullptr ? hint : toggle_hint)});
+                            words(hint != nullptr ? hint : change_hint)});
 }
 
 void VisitSheet::setting(VisitItem item) {
     const ValueList list = values_of(visit, world, item);
     std::string value = list.names[std::min(list.chosen, list.names.size() - 1)];
-    // "Volume, 4 of 7" rather than "Volume, Volume 4 of 7".
+    // "Volume, 4 of 7": here nothing else tells how many there are.
     if (item == VisitItem::volume || item == VisitItem::rate) {
         value = language.text("screen", "{0} of {1}",
                               {std::to_string(list.chosen + 1), std::to_string(list.names.size())});
     }
     screen.items.push_back({static_cast<int>(item), ItemRole::setting, name_of(item, language),
-                            value, words(setting_hint)});
+                            value, words(change_hint)});
 }
 
 void VisitSheet::row(std::size_t number, const std::string& name, const std::string& value) {
@@ -90,6 +90,14 @@ void VisitSheet::list(const std::vector<ListRow>& rows, const char* hint) {
 
 void VisitSheet::back(const char* english) {
     item(VisitItem::back, english);
+}
+
+void VisitSheet::mind_the_only_item() {
+    if (screen.items.size() != 1) return;
+    std::string& hint = screen.items.front().hint;
+    if (hint != words(hint_of_choice(world))) return;
+    const bool is_back = screen.items.front().id == static_cast<int>(VisitItem::back);
+    hint = words(is_back ? "Press Select to go back." : only_hint);
 }
 
 std::string told_trouble(TroubleKind kind, const std::string& sentence, const Language& language) {

@@ -42,6 +42,9 @@ struct VisitSheet {
               const char* hint);
     void list(const std::vector<ListRow>& rows, const char* hint);
     void back(const char* english = "Back");
+
+    /// Of one item alone nobody is told to go to another.
+    void mind_the_only_item();
 };
 
 [[nodiscard]] const std::vector<GalleryTitle>& gallery_of(const VisitSheet& sheet);

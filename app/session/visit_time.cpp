@@ -69,9 +69,15 @@ void tell_progress(VisitWork& work) {
     say(work, text, SpeechPriority::hint);
 }
 
+/// To each in its own language, but for the one in which all was said already.
 void say_languages(VisitWork& work) {
-    for (const Language& language : work.world.languages)
-        say_in(work, language, language.name(), SpeechPriority::hint);
+    const std::string how = has_keys(work.world) ? "{0}: Down until you hear it, then Select."
+                                                 : "{0}: move on until you hear it, then select.";
+    for (const Language& language : work.world.languages) {
+        if (&language == &language_of(work)) continue;
+        say_in(work, language, language.text("visit", how, {language.name()}),
+               SpeechPriority::hint);
+    }
 }
 
 /// The one that was said a moment ago stays due until it is worth hearing again.
@@ -89,15 +95,17 @@ void give_hint(VisitWork& work) {
             work.world.languages.front().name();  // the same list, whatever language has the focus
     else if (screen.focus)
         hint = screen.items[*screen.focus].hint;
-    if (hint == visitor.hint && now_s - visitor.hint_s < hint_again_s) return;
     visitor.is_hint_due = false;
     if (hint.empty()) return;
+    HintSaid& known = hint_of(visitor, hint);
+    if (known.times >= (is_of_languages ? 1 : hint_times)) return;
+    visitor.is_hint_due = known.times > 0 && now_s - known.at_s < hint_again_s;
+    if (visitor.is_hint_due) return;
+    known.said(now_s);
     if (is_of_languages)
         say_languages(work);
     else
         say(work, hint, SpeechPriority::hint);
-    visitor.hint = std::move(hint);
-    visitor.hint_s = now_s;
 }
 
 void begin_leading(VisitWork& work) {
@@ -110,7 +118,7 @@ void begin_leading(VisitWork& work) {
 void mind_practice(VisitWork& work) {
     Standing& open = work.visitor.path.back();
     const bool is_told = open.about != 0;
-    if (open.screen != VisitScreen::practice || is_told) return;
+    if (open.screen != VisitScreen::practice || is_told || !work.visitor.has_touched) return;
     if (work.house.now_s - work.visitor.entered_s < practice_s) return;
     open.about = 1;
     say(work, words(work, "This is enough for practice. Press Back for the pictures."),

@@ -66,6 +66,13 @@ void say_in(VisitWork& work, const Language& language, const std::string& text,
     order(work, Utterance{language.code(), text, priority});
 }
 
+void say_next(VisitWork& work, const std::string& text) {
+    if (text.empty()) return;
+    say(work, text, SpeechPriority::hint);
+    work.visitor.caption.text = text;
+    work.visitor.caption.language = language_of(work).code();
+}
+
 void say(VisitWork& work, const std::string& text, SpeechPriority priority) {
     say_in(work, language_of(work), text, priority);
 }

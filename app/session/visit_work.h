@@ -33,6 +33,8 @@ void shake(VisitWork& work, HandlePattern pattern);
 
 /// Becomes the caption. Nothing for an empty text.
 void say(VisitWork& work, const std::string& text, SpeechPriority priority = SpeechPriority::text);
+/// Waits until what is being said is over; asked for again, this is what is said.
+void say_next(VisitWork& work, const std::string& text);
 void say_in(VisitWork& work, const Language& language, const std::string& text,
             SpeechPriority priority = SpeechPriority::text);
 
@@ -51,17 +53,32 @@ void say_return(VisitWork& work, const std::string& first = {});
 /// The item that has the focus, in its own language.
 void say_item(VisitWork& work, const std::string& first = {});
 
+/// After what is being said: news that nobody asked for just now, and the item that has the focus.
+void say_item_next(VisitWork& work, std::string text);
+
 void enter(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus = 0);
 void leave(VisitWork& work);
 
+/// Leaves and says so. Who has practised goes on to the pictures.
+void step_back(VisitWork& work);
+
 /// Straight to `screen`, one below choose.
 void go_to(VisitWork& work, VisitScreen screen);
+
+/// A new one where the visitor has not heard it yet.
+[[nodiscard]] HintSaid& hint_of(Visitor& visitor, const std::string& text);
 
 /// The focus on the item, where the open screen has it.
 void focus_on(VisitWork& work, VisitItem item);
 
 /// What went wrong, over all else; `trouble`: what it is about.
 void show_trouble(VisitWork& work, const std::string& sentence, std::optional<TroubleKind> trouble);
+
+/// Back to what is under it.
+void close_trouble(VisitWork& work, const std::string& first = {});
+
+/// Help or the question is over: to the trouble that it covered, or to the screen.
+void uncover(VisitWork& work, const std::string& first = {});
 
 /// `sentence`, or where nobody said it better: what, why and what to do.
 [[nodiscard]] std::string told_trouble(TroubleKind kind, const std::string& sentence,
@@ -91,6 +108,10 @@ void open_unasked(VisitWork& work);
 void cancel_loading(VisitWork& work);
 void take_ready(VisitWork& work, const PictureReady& ready);
 void tell_things(VisitWork& work);
+
+/// The main thing that is being opened by itself would be drawn from under the hand, or under
+/// another screen. True where there was one.
+bool keep_whole(VisitWork& work);
 void take_things(VisitWork& work, const ThingsLookedFor& looked);
 void take_failed(VisitWork& work, const PictureFailed& failed);
 
@@ -172,6 +193,7 @@ void pass_time(VisitWork& work, double now_s);
 inline constexpr int list_page = 10;  // rows of a list on a screen
 inline constexpr double hint_after_s = 1.5;
 inline constexpr double hint_again_s = 30.0;  // the same one; ten, and as long as other words last
+inline constexpr int hint_times = 2;          // in a visit: then it is known
 inline constexpr double progress_after_s = 0.3;
 inline constexpr double progress_said_after_s = 2.0;
 inline constexpr double progress_said_every_s = 4.5;

@@ -44,7 +44,7 @@ TEST(TwoSwitches, WalkItemsThenRolesThenItemsAgain) {
         const SwitchStep step = act(list, scan, SwitchEvent::move);
         heard.push_back(step.said.empty() ? std::to_string(*list.screen.focus) : step.said);
     }
-    EXPECT_EQ(heard, (std::vector<std::string>{"1", "2", "Next", "Back", "Help", "0"}));
+    EXPECT_EQ(heard, (std::vector<std::string>{"1", "2", "Repeat", "Back", "Help", "0"}));
 }
 
 TEST(TwoSwitches, SelectTakesWhatIsUnderIt) {
@@ -52,10 +52,10 @@ TEST(TwoSwitches, SelectTakesWhatIsUnderIt) {
     SwitchScan scan;
     EXPECT_EQ(act(list, scan, SwitchEvent::select).press, KeyRole::select);
     (void)act(list, scan, SwitchEvent::move);
-    for (const KeyRole role : {KeyRole::next, KeyRole::back, KeyRole::help}) {
+    for (const KeyRole role : {KeyRole::repeat, KeyRole::back, KeyRole::help}) {
         (void)act(list, scan, SwitchEvent::move);
         EXPECT_EQ(act(list, scan, SwitchEvent::select).press, role);
-        EXPECT_EQ(act(list, scan, SwitchEvent::select).press, role) << "once more: a value goes on";
+        EXPECT_EQ(act(list, scan, SwitchEvent::select).press, role) << "once more";
     }
 }
 
@@ -76,7 +76,7 @@ TEST(TwoSwitches, AScreenWithoutItemsHasTheRoles) {
         (void)act(list, scan, SwitchEvent::move);
         pressed.insert(*act(list, scan, SwitchEvent::select).press);
     }
-    EXPECT_EQ(pressed, (std::set<KeyRole>{KeyRole::next, KeyRole::back, KeyRole::help}));
+    EXPECT_EQ(pressed, (std::set<KeyRole>{KeyRole::repeat, KeyRole::back, KeyRole::help}));
 }
 
 TEST(TwoSwitches, ByItselfItMovesAtItsPaceAndStopsAfterTwoRounds) {

@@ -13,7 +13,7 @@ void enter(BlindVisitor& staff) {
 void enter_pin(BlindVisitor& staff) {
     for (int digit = 1; digit <= 4; ++digit) {
         for (int i = 0; i < digit; ++i) staff.press(KeyRole::up);
-        staff.press(KeyRole::next);
+        staff.press(KeyRole::select);
     }
     staff.press(KeyRole::select);
 }
@@ -28,7 +28,7 @@ void hold_setting(BlindVisitor& staff, std::initializer_list<const char*> names)
 void turn_to_least(BlindVisitor& staff) {
     constexpr int most_steps = 100;
     for (int i = 0; i < most_steps; ++i) {
-        staff.press(KeyRole::back);
+        staff.press(KeyRole::down);
         if (staff.heard().find("It goes no further.") != std::string::npos) return;
     }
     FAIL() << staff.heard();

@@ -40,7 +40,7 @@ TEST_P(FeltDetail, IsEveryValueThatTheOperatorCanSet) {
         world.run(1.0);
         lead_hand(world, {line.free.x, 0.0});
         lead_hand(world, line.free);
-        for (int detail = 1; detail < GetParam(); ++detail) staff.press(KeyRole::next);
+        for (int detail = 1; detail < GetParam(); ++detail) staff.press(KeyRole::up);
         world.run(2.0);
         EXPECT_EQ(world.kiosk().visit().visitor.felt->order.detail, GetParam());
         const FeltWall felt = feel_wall(world, line.behind, line.along);

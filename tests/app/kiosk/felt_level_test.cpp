@@ -103,7 +103,7 @@ TEST(FeltLevel, IsEveryFixedLevelThatTheOperatorCanSet) {
         const bool is_told = staff.heard().find(told) != std::string::npos;
         EXPECT_EQ(is_told, set > 0 && level != set) << staff.heard();
         lead_hand(world, middle);
-        staff.press(KeyRole::next);
+        staff.press(KeyRole::up);
     }
     EXPECT_GT(most_m - least_m, 1e-4) << "a coarser level is another wall";
     EXPECT_EQ(world.kiosk().force().fault, Fault::none);
@@ -127,7 +127,7 @@ TEST(FeltLevel, GetsNoFinerThanEveryFinestLevelThatTheOperatorCanSet) {
         expect_wall_of_level(world,
                              possible_level(world, std::max(set, static_cast<int>(terms.percept))));
         lead_hand(world, middle);
-        staff.press(KeyRole::next);
+        staff.press(KeyRole::up);
     }
 }
 
@@ -151,7 +151,7 @@ TEST(FeltLevel, GetsNoCoarserThanEveryCoarsestLevelThatTheOperatorCanSet) {
         decided += chosen.by == LevelTerm::coarsest ? 1 : 0;
         expect_wall_of_level(world, chosen.level);
         lead_hand(world, middle);
-        staff.press(KeyRole::back);
+        staff.press(KeyRole::down);
     }
     EXPECT_GT(decided, 0) << "else the bound is not tried at all";
 }

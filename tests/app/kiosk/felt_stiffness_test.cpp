@@ -50,7 +50,7 @@ TEST(FeltStiffness, IsEveryValueThatTheOperatorCanSet) {
         wait_for_ramp(world);
         EXPECT_NEAR(felt_N_per_m(world), set_N_per_m, tolerance * set_N_per_m);
         EXPECT_EQ(staff.heard().find("possible"), std::string::npos) << staff.heard();
-        staff.press(KeyRole::next);
+        staff.press(KeyRole::up);
     }
     EXPECT_NE(staff.heard().find("It goes no further."), std::string::npos);
     EXPECT_TRUE(is_visit_on(world.kiosk().visit()));
@@ -88,13 +88,13 @@ TEST(FeltStiffness, IsRampedUnderAHandThatPushes) {
     world.run(0.5);
     Ramp ramp;
     world.servo().on_tick = [&ramp](const HandState& hand) { ramp.watch(hand); };
-    for (const KeyRole role : {KeyRole::next, KeyRole::back}) {
+    for (const KeyRole role : {KeyRole::up, KeyRole::down}) {
         for (int i = 0; i < 12; ++i) staff.press(role);
         for (int i = 0; i < 45; ++i) {  // who stands still for long has let go
             lead_hand(world, behind_wall + (i % 2 == 0 ? 0.1 : 0.0) * along_wall);
             world.run(1.0);
         }
-        const double set_N_per_m = role == KeyRole::next ? 700.0 : 100.0;
+        const double set_N_per_m = role == KeyRole::up ? 700.0 : 100.0;
         EXPECT_DOUBLE_EQ(world.kiosk().hand().stiffness_N_per_m, set_N_per_m);
     }
     world.servo().on_tick = {};
@@ -115,13 +115,13 @@ TEST(FeltStiffness, IsWhatTheLoopAllowsAndTheScreenSaysSo) {
     wait_for_ramp(world);
     const double most_N_per_m = world.kiosk().hand().stiffness_bound.most_N_per_m;
     ASSERT_NEAR(most_N_per_m, 440.0, 4.0);
-    staff.press(KeyRole::next);
+    staff.press(KeyRole::up);
     EXPECT_NE(staff.heard().find(
                   "Firmness, 550 newtons per metre set, 440 possible on this loop, setting"),
               std::string::npos)
         << staff.heard();
     EXPECT_NEAR(felt_N_per_m(world), most_N_per_m, tolerance * most_N_per_m);
-    for (int i = 0; i < 3; ++i) staff.press(KeyRole::back);
+    for (int i = 0; i < 3; ++i) staff.press(KeyRole::down);
     EXPECT_NE(staff.heard().find("Firmness, 400 newtons per metre, setting"), std::string::npos)
         << staff.heard();
     wait_for_ramp(world);
@@ -136,7 +136,7 @@ TEST(FeltStiffness, IsTheShareThatTheTierLeavesAndTheScreenSaysSo) {
     ASSERT_NO_FATAL_FAILURE(hold_stiffness(world, staff));
     EXPECT_EQ(world.kiosk().hand().stiffness_bound.share, 0.5);
     for (const int set_N_per_m : {600, 700}) {
-        for (int i = 0; i < 2; ++i) staff.press(KeyRole::next);
+        for (int i = 0; i < 2; ++i) staff.press(KeyRole::up);
         const std::string told = "Firmness, " + std::to_string(set_N_per_m) +
                                  " newtons per metre set, " + std::to_string(set_N_per_m / 2) +
                                  " possible on this loop, setting";

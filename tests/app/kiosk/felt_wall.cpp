@@ -50,7 +50,7 @@ void open_walls(KioskWorld& world, const std::string& picture) {
         ASSERT_TRUE(visitor.choose("The next ten")) << visitor.heard();
     }
     ASSERT_TRUE(visitor.choose(picture)) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Guide me round the outline")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("Guide me round the")) << visitor.heard();
     world.run(1.0);
 }
 

@@ -72,7 +72,7 @@ TEST(Kiosk, APictureOfACameraIsNamedByItsDateInTheVisitorsLanguage) {
     ASSERT_TRUE(visitor.choose("Ihr USB-Stick")) << visitor.heard();
     const auto before = world.heard().things.size();
     ASSERT_TRUE(visitor.choose("Foto vom f\u00fcnften April 2023, 10:15")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("Am Umriss entlangf\u00fchren")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("entlangf\u00fchren lassen")) << visitor.heard();
     EXPECT_NE(world.heard().text_since(before).find("Foto vom f\u00fcnften April 2023, 10:15."),
               std::string::npos)
         << world.heard().text_since(before);

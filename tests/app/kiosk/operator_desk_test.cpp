@@ -62,9 +62,13 @@ class PinAndPlug : public testing::Test {
         for (const KeyRole role : {KeyRole::help, KeyRole::up, KeyRole::up, KeyRole::down,
                                    KeyRole::down, KeyRole::select})
             press(role);
-        for (int i = 0; i < 3; ++i) press(KeyRole::next);
+        for (int i = 0; i < 3; ++i) {
+            press(KeyRole::down);
+            press(KeyRole::select);
+        }
+        if (last_digit == 0) press(KeyRole::down);
         for (int i = 0; i < last_digit; ++i) press(KeyRole::up);
-        press(KeyRole::next);
+        press(KeyRole::select);
         press(KeyRole::select);
         if (desk_->is_inside()) return;
         press(KeyRole::back);

@@ -31,7 +31,7 @@ TEST(OperatorRun, FromAFreshInstallToPinStiffnessLevelsAndACopy) {
     ASSERT_TRUE(staff.choose("How it feels")) << staff.heard();
     ASSERT_TRUE(staff.choose("Lines and force")) << staff.heard();
     ASSERT_TRUE(staff.choose("Firmness")) << staff.heard();
-    staff.press(KeyRole::next);
+    staff.press(KeyRole::up);
     staff.press(KeyRole::select);
     const auto kept = apply_settings(Settings{}, text_of(world.site_files().settings.site), "site",
                                      SettingLayer::site);
@@ -62,7 +62,7 @@ TEST(OperatorRun, SixKeysClearAnEmergencyStop) {
     enter_pin(staff);
     ASSERT_TRUE(staff.choose("Handle and tests")) << staff.heard();
     EXPECT_TRUE(world.servo().commands().is_emergency_stop) << "not before it is chosen";
-    ASSERT_TRUE(staff.choose("Clear what stopped the force")) << staff.heard();
+    ASSERT_TRUE(staff.choose("Reset the force fault")) << staff.heard();
     EXPECT_FALSE(world.servo().commands().is_emergency_stop);
     EXPECT_EQ(world.servo().commands().faults_cleared, cleared + 1);
 }
@@ -300,7 +300,10 @@ TEST(OperatorRun, AKeyboardThatIsNotTheOperatorsSavesNoRecording) {
          {KeyRole::help, KeyRole::up, KeyRole::up, KeyRole::down, KeyRole::down, KeyRole::select})
         strike(role, 1);
     for (int i = 0; i < 2; ++i) {
-        strike(KeyRole::next, 4);
+        for (int digit = 0; digit < 4; ++digit) {
+            strike(KeyRole::up, 1);
+            strike(KeyRole::select, 1);
+        }
         strike(KeyRole::select, 1);
     }
     ASSERT_TRUE(world.kiosk().is_operator_in());

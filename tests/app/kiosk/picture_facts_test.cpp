@@ -62,8 +62,11 @@ TEST(PictureFacts, NamesOfLinesOnceThenSpots) {
     ASSERT_EQ(facts.parts.size(), 2U);
     EXPECT_EQ(facts.parts[0].name, "wall");
     EXPECT_EQ(facts.parts[0].outline, 0);
+    EXPECT_EQ(facts.parts[0].place_W, (Position{-0.02, 0.0})) << "on it";
+    EXPECT_EQ(facts.parts[0].middle_W, (Position{0.0, 0.0}));
     EXPECT_EQ(facts.parts[1].name, "door");
     EXPECT_FALSE(facts.parts[1].outline);
+    EXPECT_EQ(facts.parts[1].middle_W, (Position{0.0, -0.02}));
 }
 
 TEST(PictureFacts, LinesThatTracingNamedAreNamedInTheLanguage) {

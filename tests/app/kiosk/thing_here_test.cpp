@@ -67,7 +67,7 @@ TEST(ThingHere, IsSaidWhetherItWasFoundOrNotAndThePictureStays) {
     ASSERT_TRUE(visitor.choose("English"));
     ASSERT_TRUE(visitor.choose("Your USB stick"));
     ASSERT_TRUE(visitor.choose("garden")) << visitor.heard();
-    ASSERT_TRUE(visitor.wait_for("No clear main thing was found")) << visitor.heard();
+    ASSERT_TRUE(visitor.wait_for("It has no clear main thing")) << visitor.heard();
     (void)world.kiosk().take_report();
 
     ASSERT_TRUE(visitor.choose("Find the thing under my hand")) << visitor.heard();
@@ -82,7 +82,7 @@ TEST(ThingHere, IsSaidWhetherItWasFoundOrNotAndThePictureStays) {
     ASSERT_TRUE(visitor.choose("Find the thing under my hand")) << visitor.heard();
     ASSERT_TRUE(visitor.wait_for("The main thing of the photograph")) << visitor.heard();
     EXPECT_GT(world.servo().felt_count, felt);
-    ASSERT_TRUE(visitor.choose("Main things")) << visitor.heard();
+    ASSERT_TRUE(visitor.choose("How much of the photo")) << visitor.heard();
     ASSERT_TRUE(visitor.choose("The whole photograph")) << visitor.heard();
     EXPECT_EQ(*looks, 3);
 }

@@ -96,12 +96,13 @@ TEST_F(Kiosk, EveryKeyLeavesItRunning) {
 
 /// R alone holds it; after the way in and a PIN, chosen twice, R saves it.
 TEST_F(Kiosk, KeepsARecordingForTheOperatorThatRunsAgainTheSame) {
-    EXPECT_EQ(run_script("kiosk; keys b r b; [ -e kept ] && exit 9; keys h Up Up Down Down Return;"
-                         "for i in 1 2; do keys Right Right Right Right Return; done;"
-                         "keys r; wait_for 'recording was kept' err.txt; kill $pid;"
-                         "wait $pid; \"$program\" feel --replay kept/recording-1.touchline"
-                         " -o run.csv >out.txt"),
-              0)
+    EXPECT_EQ(
+        run_script("kiosk; keys b r b; [ -e kept ] && exit 9; keys h Up Up Down Down Return;"
+                   "for i in 1 2; do keys Up Return Up Return Up Return Up Return Return; done;"
+                   "keys r; wait_for 'recording was kept' err.txt; kill $pid;"
+                   "wait $pid; \"$program\" feel --replay kept/recording-1.touchline"
+                   " -o run.csv >out.txt"),
+        0)
         << complaints();
     EXPECT_NE(text_of("out.txt").find("the same, bit for bit"), std::string::npos)
         << text_of("out.txt");

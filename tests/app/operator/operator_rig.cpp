@@ -139,8 +139,9 @@ void OperatorRig::enter() {
 
 void OperatorRig::enter_pin(const std::string& pin) {
     for (const char digit : pin) {
+        if (digit == '0') press(KeyRole::down);
         for (int i = 0; i < digit - '0'; ++i) press(KeyRole::up);
-        press(KeyRole::next);
+        press(KeyRole::select);
     }
     press(KeyRole::select);
 }

@@ -1,8 +1,7 @@
-// The operator's screens by six keys: way in, PIN, settings, tests, upkeep.
+// The operator's screens by six keys: settings, tests, upkeep.
 #include "app/operator/backup.h"
 #include "app/operator/kinds.h"
 #include "app/operator/operator_places.h"
-#include "app/operator/pin_file.h"
 #include "haptics/pantograph/profile.h"
 #include "tests/app/operator/operator_rig.h"
 
@@ -29,112 +28,6 @@ class OperatorTest : public testing::Test {
 
     OperatorRig rig;
 };
-
-TEST(OperatorEntry, IsASequenceWithinFiveSeconds) {
-    OperatorRig rig;
-    rig.press({R::help, R::up, R::up, R::down, R::down});
-    EXPECT_EQ(rig.state.place, P::closed);
-    rig.now_s += 4.0;
-    rig.press(R::select);
-    EXPECT_EQ(rig.state.place, P::closed) << "too slow";
-    rig.press({R::help, R::up, R::down, R::down, R::select});
-    EXPECT_EQ(rig.state.place, P::closed) << "one is missing";
-    rig.press({R::help, R::help, R::up, R::up, R::down, R::down, R::select});
-    EXPECT_EQ(rig.state.place, P::new_pin) << "a key too much before it does no harm";
-    EXPECT_EQ(rig.count<Say>(), 1) << "what the visitor hears is the visitor's until then";
-}
-
-TEST(OperatorEntry, IsOfTheOperatorsKeyboardWhereOneIsSet) {
-    OperatorRig rig;
-    rig.is_device_allowed = false;
-    rig.enter();
-    EXPECT_EQ(rig.state.place, P::closed);
-    rig.is_device_allowed = true;
-    rig.enter();
-    EXPECT_EQ(rig.state.place, P::new_pin);
-    rig.is_device_allowed = false;
-    const std::string taken = rig.state.pin.taken;
-    rig.press(R::next);
-    EXPECT_EQ(rig.state.pin.taken, taken) << "nor does another keyboard type the PIN";
-}
-
-TEST(OperatorPin, IsChosenAtTheFirstStartAndAskedForAfterIt) {
-    OperatorRig rig;
-    rig.enter();
-    rig.enter_pin("4711");
-    EXPECT_EQ(rig.state.place, P::new_pin_again);
-    rig.enter_pin("4712");
-    EXPECT_EQ(rig.state.place, P::new_pin) << "they were not the same";
-    rig.enter_pin("4711");
-    rig.enter_pin("4711");
-    EXPECT_EQ(rig.state.place, P::home);
-    rig.press(R::back);
-    EXPECT_EQ(rig.state.place, P::closed);
-    EXPECT_EQ(rig.count<Leave>(), 1);
-    rig.enter();
-    EXPECT_EQ(rig.state.place, P::pin);
-    rig.enter_pin("4712");
-    EXPECT_EQ(rig.state.place, P::pin);
-    rig.enter_pin("4711");
-    EXPECT_EQ(rig.state.place, P::home);
-}
-
-TEST(OperatorPin, IsSaidOnAHeadsetAndClickedOnASpeaker) {
-    OperatorRig rig;
-    rig.enter();
-    (void)rig.heard();
-    rig.press({R::up, R::up, R::up, R::next});
-    EXPECT_EQ(rig.heard(), "1\n2\n3\n1 digit\n");
-    rig.is_private = false;
-    rig.press({R::down, R::next, R::back});
-    EXPECT_EQ(rig.heard(), "");
-    EXPECT_EQ(rig.count<Click>(), 3);
-    for (const ScreenItem& item : rig.screen().items)
-        EXPECT_EQ(item.value.find('3'), std::string::npos) << "nor is it on the screen";
-}
-
-TEST(OperatorPin, TooShortOrTakenBackIsNone) {
-    OperatorRig rig;
-    rig.enter();
-    rig.enter_pin("123");
-    EXPECT_EQ(rig.state.place, P::new_pin);
-    EXPECT_NE(rig.heard().find("A PIN has 4 to 8 digits."), std::string::npos);
-    rig.press({R::next, R::up, R::back});
-    EXPECT_EQ(rig.state.pin.taken, "1230");
-    rig.press(R::back);
-    EXPECT_EQ(rig.state.pin.taken, "");
-    rig.press(R::back);
-    EXPECT_EQ(rig.state.place, P::closed);
-}
-
-TEST(OperatorPin, FiveWrongOnesLockForGrowingTimes) {
-    PinTries tries;
-    for (int i = 0; i < 4; ++i) tries = after_wrong_pin(tries, 100.0);
-    EXPECT_EQ(tries.locked_until_s, 0.0);
-    double before_s = 0.0;
-    for (int i = 0; i < 12; ++i) {
-        tries = after_wrong_pin(tries, 100.0);
-        const double lock_s = tries.locked_until_s - 100.0;
-        EXPECT_GE(lock_s, std::min(2.0 * before_s, 3600.0));
-        EXPECT_GE(lock_s, 60.0);
-        EXPECT_LE(lock_s, 3600.0);
-        before_s = lock_s;
-    }
-}
-
-/// One that a restart would forget must cost its time at once.
-TEST(OperatorPin, AWrongOneThatCouldNotBeNotedLocks) {
-    PinTries tries = after_wrong_pin({}, 100.0, false);
-    EXPECT_EQ(tries.locked_until_s, 160.0);
-    tries = after_wrong_pin(tries, 200.0, false);
-    EXPECT_EQ(tries.locked_until_s, 320.0);
-}
-
-TEST(OperatorPin, ARestartCountsTheWholeWaitAnew) {
-    EXPECT_EQ(tries_after_restart(4, 10.0).locked_until_s, 0.0);
-    EXPECT_EQ(tries_after_restart(5, 10.0).locked_until_s, 70.0);
-    EXPECT_EQ(tries_after_restart(most_wrong_pins, 10.0).locked_until_s, 3610.0);
-}
 
 TEST_F(OperatorTest, ALockOutlastsLeavingAndTheRightPin) {
     rig.press(R::back);
@@ -171,7 +64,7 @@ TEST_F(OperatorTest, MoreFileSystemsAreWarnedOfAndAskedFor) {
     (void)rig.heard();
     ASSERT_TRUE(rig.find("Read USB sticks with ext4 and NTFS too"));
     EXPECT_FALSE(rig.world().settings.more_file_systems);
-    rig.press(R::next);
+    rig.press(R::repeat);
     EXPECT_NE(rig.heard().find("may take the machine over"), std::string::npos);
     rig.press(R::select);
     EXPECT_EQ(rig.state.place, P::question);
@@ -188,8 +81,8 @@ TEST_F(OperatorTest, MoreFileSystemsAreWarnedOfAndAskedFor) {
 
 TEST_F(OperatorTest, ASettingIsHeldTurnedAndKept) {
     ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Firmness"}));
-    EXPECT_NE(rig.heard().find("Press Next for more, Back for less"), std::string::npos);
-    rig.press(R::back);
+    EXPECT_NE(rig.heard().find("Press Up for more, Down for less"), std::string::npos);
+    rig.press(R::down);
     EXPECT_EQ(rig.heard(), "Firmness, 450 newtons per metre, setting, 2 of 8\n");
     EXPECT_EQ(rig.felt.stiffness_N_per_m, 450.0) << "felt while it is turned";
     EXPECT_EQ(rig.world().settings.stiffness_N_per_m, 500.0) << "not yet on the disk";
@@ -204,14 +97,14 @@ TEST_F(OperatorTest, WhatTheLoopDoesNotAllowIsSaidBesideWhatIsSet) {
     rig.bounds.stiffness = {1.0, 508.0};
     ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Firmness"}));
     (void)rig.heard();
-    rig.press({R::next, R::next});
+    rig.press({R::up, R::up});
     EXPECT_NE(rig.heard().find("Firmness, 600 newtons per metre set, 510 possible on this loop"),
               std::string::npos);
     EXPECT_EQ(rig.felt.stiffness_N_per_m, 600.0);
-    rig.press({R::back, R::back});
+    rig.press({R::down, R::down});
     EXPECT_NE(rig.heard().find("Firmness, 500 newtons per metre, setting"), std::string::npos);
     rig.bounds.stiffness = {0.5, 960.0};  // without real-time priority
-    rig.press({R::back});
+    rig.press({R::down});
     EXPECT_NE(rig.heard().find("Firmness, 450 newtons per metre set, 230 possible"),
               std::string::npos);
 }
@@ -228,20 +121,21 @@ TEST_F(OperatorTest, LevelsThatAPictureDoesNotHaveAreSaidBesideThoseSet) {
     EXPECT_EQ(value(2), "0 set, 1 possible in this picture");
     EXPECT_EQ(value(3), "16 set, 5 possible in this picture");
     ASSERT_TRUE(rig.open({"Fixed level"}));
-    rig.press({R::next, R::next});
+    rig.press({R::up, R::up});
     EXPECT_EQ(value(1), "2");
 }
 
-TEST_F(OperatorTest, MovingOnKeepsWhatWasTurned) {
+TEST_F(OperatorTest, BackKeepsWhatWasTurned) {
     ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Friction"}));
-    rig.press({R::next, R::next, R::down});
+    rig.press({R::up, R::up, R::back});
     EXPECT_DOUBLE_EQ(rig.world().settings.friction, 0.2);
     EXPECT_FALSE(rig.state.is_held);
+    EXPECT_EQ(rig.state.place, P::feel);
 }
 
 TEST_F(OperatorTest, WhoGoesAwayWhileTurningKeepsNothing) {
     ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Firmness"}));
-    rig.press(R::next);
+    rig.press(R::up);
     EXPECT_EQ(rig.felt.stiffness_N_per_m, 550.0);
     rig.wait(301.0);
     EXPECT_EQ(rig.state.place, P::closed);
@@ -252,28 +146,28 @@ TEST_F(OperatorTest, WhoGoesAwayWhileTurningKeepsNothing) {
 TEST_F(OperatorTest, ASwitchIsSwitchedAtOnce) {
     ASSERT_TRUE(rig.open({"How it feels", "Levels", "Level follows the hand"}));
     EXPECT_FALSE(rig.world().settings.is_level_automatic);
-    EXPECT_NE(rig.heard().find("Level follows the hand, off, switch, 1 of 4"), std::string::npos);
+    EXPECT_NE(rig.heard().find("Level follows the hand, off, setting, 1 of 4"), std::string::npos);
 }
 
 /// The ceiling: lower at once, higher after a question, and never by going away.
 TEST_F(OperatorTest, TheCeilingOfTheForceIsRaisedOnlyByASecondWord) {
     ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Greatest force"}));
-    rig.press({R::back, R::back, R::select});
+    rig.press({R::down, R::down, R::select});
     EXPECT_DOUBLE_EQ(rig.world().settings.force_ceiling_N, 2.8);
-    rig.press({R::select, R::next, R::next, R::select});
+    rig.press({R::select, R::up, R::up, R::select});
     EXPECT_EQ(rig.state.place, P::question);
     EXPECT_DOUBLE_EQ(rig.felt.force_ceiling_N, 2.8) << "not felt before the answer";
     rig.press(R::select);
     EXPECT_EQ(rig.state.place, P::feel) << "No is what has the focus";
     EXPECT_DOUBLE_EQ(rig.world().settings.force_ceiling_N, 2.8);
     ASSERT_TRUE(rig.open({"Greatest force"}));
-    rig.press({R::next, R::down});
-    EXPECT_EQ(rig.state.place, P::question) << "moving on asks as well";
+    rig.press({R::up, R::back});
+    EXPECT_EQ(rig.state.place, P::question) << "Back asks as well";
     rig.press({R::down, R::select});
     EXPECT_DOUBLE_EQ(rig.world().settings.force_ceiling_N, 2.9);
     for (int i = 0; i < 40; ++i) {
         ASSERT_TRUE(rig.open({"Greatest force"}));
-        rig.press({R::next, R::next, R::select});
+        rig.press({R::up, R::up, R::select});
         if (rig.state.place == P::question) rig.press({R::down, R::select});
     }
     EXPECT_DOUBLE_EQ(rig.world().settings.force_ceiling_N, 3.0) << "the hard ceiling";
@@ -281,11 +175,11 @@ TEST_F(OperatorTest, TheCeilingOfTheForceIsRaisedOnlyByASecondWord) {
 
 TEST_F(OperatorTest, WhatDoesNotGoTogetherIsRefused) {
     ASSERT_TRUE(rig.open({"How it feels", "Levels", "Coarsest level"}));
-    for (int i = 0; i < 16; ++i) rig.press(R::back);
-    rig.press(R::down);
+    for (int i = 0; i < 16; ++i) rig.press(R::down);
+    rig.press(R::select);
     ASSERT_TRUE(rig.open({"Finest level"}));
     (void)rig.heard();
-    rig.press(R::next);
+    rig.press(R::up);
     EXPECT_EQ(rig.heard(), "That does not go together with another setting.\n");
 }
 
@@ -310,17 +204,17 @@ TEST_F(OperatorTest, LanguagesAreSwitchedAndTheLastStays) {
     ASSERT_TRUE(rig.open({"Español"}));
     EXPECT_EQ(rig.world().settings.languages, "es");
     ASSERT_TRUE(rig.open({"English", "First language"}));
-    rig.press({R::next, R::select});
+    rig.press({R::up, R::select});
     EXPECT_EQ(rig.world().settings.first_language, "en");
 }
 
 TEST_F(OperatorTest, HoursAreTurnedByQuartersAndAreNeverNothing) {
     ASSERT_TRUE(rig.open({"Visits", "Hours", "Opening hours, from"}));
-    for (int i = 0; i < 36; ++i) rig.press(R::next);
-    rig.press(R::down);
+    for (int i = 0; i < 36; ++i) rig.press(R::up);
+    rig.press(R::select);
     EXPECT_EQ(rig.world().settings.opening_hours, "09:00-24:00");
     ASSERT_TRUE(rig.open({"Opening hours, until"}));
-    for (int i = 0; i < 60; ++i) rig.press(R::back);
+    for (int i = 0; i < 60; ++i) rig.press(R::down);
     rig.press(R::select);
     EXPECT_EQ(rig.world().settings.opening_hours, "09:00-08:45") << "never the same as from";
     ASSERT_TRUE(rig.open({"Quiet hours"}));
@@ -329,11 +223,11 @@ TEST_F(OperatorTest, HoursAreTurnedByQuartersAndAreNeverNothing) {
 
 TEST_F(OperatorTest, VolumeKeepsTheRulesOfTheOutput) {
     ASSERT_TRUE(rig.open({"Sound, speech and languages", "Volume", "Headphones at the start"}));
-    rig.press({R::next, R::next, R::next, R::select});
+    rig.press({R::up, R::up, R::up, R::select});
     EXPECT_EQ(rig.sound.headset.default_dB, 70.0);
     EXPECT_NE(rig.heard().find("It goes no further."), std::string::npos);
     ASSERT_TRUE(rig.open({"Speaker at the start"}));
-    rig.press({R::next, R::select});
+    rig.press({R::up, R::select});
     EXPECT_EQ(rig.sound.speaker.default_dB, 65.0) << "no louder on a speaker (VO-2)";
     EXPECT_TRUE(check(rig.sound.speaker));
 }
@@ -369,7 +263,7 @@ TEST_F(OperatorTest, TheSelfTestAsksWherePeopleMustSay) {
     rig.press({R::select, R::down, R::select});  // begin; no
     rig.press({R::down, R::select});             // skip the right
     EXPECT_EQ(rig.state.test.step, TestStep::keys);
-    rig.press({R::up, R::down, R::back, R::next, R::select, R::help});
+    rig.press({R::up, R::down, R::back, R::repeat, R::select, R::help});
     EXPECT_EQ(rig.state.test.step, TestStep::stick_port);
     rig.press(R::select);
     EXPECT_EQ(rig.state.place, P::self_test);
@@ -377,6 +271,15 @@ TEST_F(OperatorTest, TheSelfTestAsksWherePeopleMustSay) {
     EXPECT_EQ(rig.state.test.verdicts, (std::array{V::passed, V::passed, V::passed, V::failed,
                                                    V::untried, V::passed, V::passed, V::passed}));
     EXPECT_NE(rig.heard().find("Sound on the left failed."), std::string::npos);
+}
+
+TEST_F(OperatorTest, ATestAloneThatPassesIsDoneAndHasTheFocus) {
+    ASSERT_TRUE(rig.open({"Handle and tests", "Self-test"}));
+    (void)rig.heard();
+    ASSERT_TRUE(rig.open({"Camera"}));
+    EXPECT_EQ(rig.state.place, P::self_test);
+    EXPECT_EQ(rig.state.test.verdicts[2], TestVerdict::passed);
+    EXPECT_TRUE(rig.heard().ends_with("Self-test. Camera, passed, 4 of 9\n"));
 }
 
 TEST_F(OperatorTest, ATestWithoutAnAnswerFailsAndIsStopped) {
@@ -391,7 +294,7 @@ TEST_F(OperatorTest, ATestWithoutAnAnswerFailsAndIsStopped) {
     ASSERT_TRUE(rig.open({"Keys"}));
     rig.press({R::up, R::down});
     rig.wait(61.0);
-    EXPECT_NE(rig.heard().find("These were not pressed: Back, Next, Select, Help."),
+    EXPECT_NE(rig.heard().find("These were not pressed: Back, Repeat, Select, Help."),
               std::string::npos);
 }
 
@@ -480,16 +383,16 @@ TEST_F(OperatorTest, AHandleThatIsNewIsAskedForItsKindFirst) {
 
 TEST_F(OperatorTest, HowToTellAKindIsHeardBySixKeysAndChoosesNothing) {
     ASSERT_TRUE(rig.open({"Handle and tests", "Kind of handle"}));
-    EXPECT_NE(rig.heard().find("Press Next to hear how to know each one."), std::string::npos);
+    EXPECT_NE(rig.heard().find("Press Repeat to hear how to know each one."), std::string::npos);
     for (const KindRow& row : kind_rows()) {
-        rig.press(R::next);
+        rig.press(R::repeat);
         EXPECT_NE(rig.heard().find(row.hint), std::string::npos) << row.name;
         rig.press(R::down);
     }
     EXPECT_EQ(rig.state.place, OperatorPlace::kind);
     EXPECT_EQ(rig.count<ChooseKind>(), 0);
     rig.press(R::help);
-    EXPECT_NE(rig.heard().find("Next for more."), std::string::npos);
+    EXPECT_NE(rig.heard().find("Press Repeat for an explanation"), std::string::npos);
 }
 
 /// What was measured of it would be lost.
@@ -499,8 +402,8 @@ TEST_F(OperatorTest, AnotherKindIsMeasuredOnlyAfterAYes) {
     EXPECT_NE(rig.heard().find("What was measured before is lost."), std::string::npos);
     for (const auto& no : {std::vector{R::select},
                            {R::back},
-                           {R::next, R::back},
-                           {R::help, R::down, R::next, R::back}}) {
+                           {R::repeat, R::back},
+                           {R::help, R::down, R::repeat, R::back}}) {
         for (const R role : no) rig.press(role);
         EXPECT_EQ(rig.state.place, OperatorPlace::kind);
         EXPECT_EQ(rig.count<ChooseKind>(), 0);
@@ -527,7 +430,7 @@ TEST_F(OperatorTest, WhatAnActionMeansIsHeardBeforeItIsDone) {
     ASSERT_TRUE(rig.open({"Upkeep", "Log and recording"}));
     ASSERT_TRUE(rig.find("Save what was felt in the last minute"));
     (void)rig.heard();
-    rig.press(R::next);
+    rig.press(R::repeat);
     EXPECT_NE(rig.heard().find("Ask the visitor first."), std::string::npos);
     EXPECT_EQ(rig.count<SaveRecording>(), 0);
 }
@@ -566,7 +469,7 @@ TEST_F(OperatorTest, UpkeepAsksBeforeItLosesAnything) {
 
 TEST_F(OperatorTest, ABadBackupChangesNothingAndSaysWhy) {
     ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Friction"}));
-    rig.press({R::next, R::select, R::back, R::back});
+    rig.press({R::up, R::select, R::back, R::back});
     ASSERT_TRUE(
         rig.open({"Upkeep", "Backup of the settings", "Bring the settings back from the copy"}));
     ASSERT_TRUE(rig.open({"Yes"}));

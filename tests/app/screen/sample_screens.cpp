@@ -47,7 +47,7 @@ SpokenScreen settings_screen(const Language& language) {
             {with_value(ItemRole::setting, language.text("visit", "Firmness"),
                         language.text("stiffness", "very soft")),
              with_value(ItemRole::setting, language.text("visit", "Kind of line"),
-                        language.text("mode", "stay on line")),
+                        language.text("mode", "sticky line")),
              with_value(ItemRole::setting, language.text("visit", "Detail"),
                         language.text("detail", "silhouette")),
              with_value(ItemRole::toggle, language.text("visit", "Speech"),
@@ -66,14 +66,15 @@ SpokenScreen camera_screen(const Language& language) {
 }
 
 SpokenScreen keys_screen(const Language& language) {
-    constexpr std::array keys{std::pair{"Up", "To the item before."},
-                              std::pair{"Down", "To the next item."},
-                              std::pair{"Back", "One screen back."},
-                              std::pair{"Next", "Says it again. Twice, the whole screen."},
-                              std::pair{"Select", "Chooses the item."},
-                              std::pair{"Help", "Explains the keys. Press it again to leave."},
-                              std::pair{"Louder", "Raises the volume."},
-                              std::pair{"Softer", "Lowers the volume."}};
+    constexpr std::array keys{
+        std::pair{"Up", "Goes to the item before."},
+        std::pair{"Down", "Goes to the next item."},
+        std::pair{"Back", "Leaves this screen."},
+        std::pair{"Repeat", "Repeats the last words. Press it twice for the whole screen."},
+        std::pair{"Select", "Chooses the item."},
+        std::pair{"Help", "Explains the keys. Press it again to leave."},
+        std::pair{"Louder", "Raises the volume."},
+        std::pair{"Softer", "Lowers the volume."}};
     SpokenScreen screen{language.text("visit", "Try the keys"), "", {}, 7, ScreenView::none};
     for (const auto& [name, use] : keys)
         screen.items.push_back(
@@ -92,7 +93,7 @@ SpokenScreen text_screen(const Language& language) {
 SpokenScreen long_list(const Language& language) {
     constexpr int count = 500;
     SpokenScreen screen{language.counted("count", "{0} picture", "{0} pictures", count),
-                        language.text("fault", "You can go on exploring without force."),
+                        language.text("fault", "Hold it still. The force comes back by itself."),
                         {},
                         count - 3,
                         ScreenView::none};

@@ -42,7 +42,8 @@ PictureFacts fake_facts(const LoadPicture& order) {
     PictureFacts facts;
     facts.title = "Thing " + std::to_string(order.index) + " " + code;
     facts.description = "From the side, its head to the left.";
-    facts.parts = {{"Body " + code, {-0.03, 0.02}, 1, 0}, {"Tail " + code, {0.04, -0.02}, 2, 1}};
+    facts.parts = {{"Body " + code, {-0.03, 0.02}, {0.0, 0.0}, 1, 0},
+                   {"Tail " + code, {0.04, -0.02}, {0.04, -0.01}, 2, 1}};
     facts.outline_count = 2 + order.detail;
     if (order.source == PictureSource::stick) facts.place = {order.page, 2, order.view, 3};
     return facts;

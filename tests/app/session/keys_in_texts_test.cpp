@@ -30,8 +30,8 @@ struct Layout {
 
 const std::vector<Layout>& layouts() {
     using R = KeyRole;
-    static const std::vector<R> six{R::up, R::down, R::back, R::next, R::select, R::help};
-    static const std::vector<R> all{R::up,     R::down, R::back,   R::next,
+    static const std::vector<R> six{R::up, R::down, R::back, R::repeat, R::select, R::help};
+    static const std::vector<R> all{R::up,     R::down, R::back,   R::repeat,
                                     R::select, R::help, R::louder, R::softer};
     static const std::vector<Layout> each{{"six keys", 0, six, false},
                                           {"two switches", 1, {R::select}, false},
@@ -41,7 +41,7 @@ const std::vector<Layout>& layouts() {
 }
 
 constexpr std::array<std::string_view, key_role_count> role_names{
-    "Up", "Down", "Back", "Next", "Select", "Help", "Louder", "Softer"};
+    "Up", "Down", "Back", "Repeat", "Select", "Help", "Louder", "Softer"};
 
 std::vector<std::string> words_of(const std::string& text) {
     std::vector<std::string> words;
@@ -117,7 +117,7 @@ TEST(KeysInTexts, EveryKeyThatAScreenNamesIsThere) {
 /// Those that step_switches() gives to a visit; Down only where there is an item to move to.
 std::vector<KeyRole> presses_of(const Layout& layout, const SpokenScreen& screen) {
     if (layout.two_switches == 0) return layout.roles;
-    std::vector<KeyRole> roles{KeyRole::select, KeyRole::next, KeyRole::back, KeyRole::help};
+    std::vector<KeyRole> roles{KeyRole::select, KeyRole::repeat, KeyRole::back, KeyRole::help};
     if (!screen.items.empty()) roles.push_back(KeyRole::down);
     return roles;
 }
@@ -215,10 +215,10 @@ TEST(KeysInTexts, WhatTheStaffAreToldToChooseIsInTheirMenu) {
         return std::ranges::any_of(action_rows(),
                                    [name](const ActionRow& row) { return row.name == name; });
     };
-    EXPECT_TRUE(is_item("Clear what stopped the force"));
+    EXPECT_TRUE(is_item("Reset the force fault"));
     EXPECT_TRUE(is_item("Copy the log"));
-    EXPECT_TRUE(staffs_fault(Fault::energy, Language())
-                    .ends_with("Then choose: Clear what stopped the force."));
+    EXPECT_TRUE(
+        staffs_fault(Fault::energy, Language()).ends_with("Then choose: Reset the force fault."));
     EXPECT_FALSE(staffs_fault(Fault::too_fast, Language()).find("Then choose") != std::string::npos)
         << "it ends by itself";
 }

@@ -19,13 +19,13 @@ SpokenScreen firmness() {
 TEST(ScreenModel, AnItemIsSaidWithValueRoleAndPlace) {
     const Language english;
     EXPECT_EQ(spoken_item(firmness(), 0, english), "Firmness, medium, setting, 1 of 3");
-    EXPECT_EQ(spoken_item(firmness(), 1, english), "Sounds, on, switch, 2 of 3");
+    EXPECT_EQ(spoken_item(firmness(), 1, english), "Sounds, on, setting, 2 of 3");
     EXPECT_EQ(spoken_item(firmness(), 2, english), "Done, 3 of 3");
 }
 
 TEST(ScreenModel, AWholeScreenIsSaidInSentences) {
     EXPECT_EQ(spoken_screen(firmness(), Language()),
-              "How it feels. Choose what to change. 3 items. Firmness, medium, setting, 1 of 3");
+              "How it feels. Choose what to change. Firmness, medium, setting, 1 of 3");
 }
 
 TEST(ScreenModel, AListGoesRoundItsEnds) {

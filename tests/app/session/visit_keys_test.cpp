@@ -38,8 +38,8 @@ TEST(Visit, IN2_AKeyMeansTheSameEverywhere) {
         const auto after = [&](KeyRole role) {
             return step(visit, KeyPressed{role}, house.world()).visit;
         };
-        // Up, Down and Next never leave a screen.
-        for (const KeyRole role : {KeyRole::up, KeyRole::down, KeyRole::next}) {
+        // Up, Down and Repeat never leave a screen.
+        for (const KeyRole role : {KeyRole::up, KeyRole::down, KeyRole::repeat}) {
             EXPECT_EQ(open_screen(after(role)), open_screen(visit));
         }
         EXPECT_EQ(open_screen(after(KeyRole::help)), VisitScreen::help);
@@ -108,7 +108,7 @@ TEST(Visit, IN6_HelpNamesEachKeyAndLeavesAfterTwo) {
     EXPECT_EQ(house.open(), VisitScreen::help);
     const std::vector<std::pair<KeyRole, std::string>> names{
         {KeyRole::up, "Up."},         {KeyRole::down, "Down."},     {KeyRole::back, "Back."},
-        {KeyRole::next, "Next."},     {KeyRole::select, "Select."}, {KeyRole::louder, "Louder."},
+        {KeyRole::repeat, "Repeat."}, {KeyRole::select, "Select."}, {KeyRole::louder, "Louder."},
         {KeyRole::softer, "Softer."}, {KeyRole::help, "Help."}};
     for (const auto& [role, name] : names) {
         house.press(role);

@@ -189,7 +189,7 @@ KeyRole SimVisitor::key_of_screen(const VisitorPlace& place, VisitScreen screen)
         case VisitScreen::help:
             return KeyRole::help;  // twice leads out; every other key only says its use
         case VisitScreen::opening:
-            return dice_.is_hit(0.05) ? KeyRole::select : KeyRole::next;
+            return dice_.is_hit(0.05) ? KeyRole::select : KeyRole::repeat;
         case VisitScreen::practice:
         case VisitScreen::picture:
         case VisitScreen::parts:
@@ -217,7 +217,7 @@ KeyRole SimVisitor::key_while_feeling(const VisitorPlace& place) {
                                     VisitItem::camera};
         wish_ = wishes.at(dice_.below(wishes.size()));
     }
-    return KeyRole::next;
+    return KeyRole::repeat;
 }
 
 }  // namespace touchline

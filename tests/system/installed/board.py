@@ -121,7 +121,7 @@ def _home(kiosk, board):
         if told and followed[-1:] != [told]:
             followed.append(told)
             board.order(f'hear {told}')
-        return followed and 'It works again' in words
+        return followed and 'The force is back' in words
     kiosk.to_choose()
     try:
         wait_for(is_over, LONGEST_S, 'homing is over')

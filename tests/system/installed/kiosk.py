@@ -9,7 +9,7 @@ SETTINGS = '/var/lib/touchline/kiosk.toml'
 X = 'DISPLAY=:0 XAUTHORITY=/run/touchline-display/cookie'  # for those who ask the X server
 TRIES = 5
 FELT = 'Guide me round|Explore freely|Bring me back'  # some of what can be done with a picture
-TROUBLE = 'Something is wrong|Press Select to go on'
+TROUBLE = 'Something is wrong|ress Select to go on'
 STAFF = ('h', 'up', 'up', 'down', 'down', 'ret')  # Help, Up, Up, Down, Down, Select
 PIN = (1, 2, 3, 4)
 KEY_S = 1.5  # a key in an emulated machine
@@ -99,7 +99,7 @@ class Kiosk:
     def to_choose(self):
         """From wherever the visit is to the list of what to feel."""
         def key(words):
-            return 'ret' if re.search('press any key|find your language|ny key skips|' + TROUBLE, words) else 'left'
+            return 'ret' if re.search('ress any key|' + TROUBLE, words) else 'left'
         self.go(lambda words: 'What to feel' in words, key, 'the screen "What to feel"')
 
     def press_all(self, keys):
@@ -115,7 +115,7 @@ class Kiosk:
         self.machine.wait_screen(['PIN'])
         for _ in range(2):
             for digit in PIN:
-                self.press_all(['up'] * digit + ['right'])
+                self.press_all(['up'] * digit + ['ret'])
             self.press_all(['ret'])
         self.machine.wait_screen(['The PIN is saved'])
 

@@ -31,7 +31,7 @@ constexpr double pace_m_per_s = 0.04;
 constexpr double after_a_pause_s = 2.0;  // what is said to who waits was begun by then
 constexpr double longest_s = 120.0;      // of anything that is waited for
 
-constexpr std::array<const char*, key_role_count> key_names{"Up",     "Down", "Back",   "Next",
+constexpr std::array<const char*, key_role_count> key_names{"Up",     "Down", "Back",   "Repeat",
                                                             "Select", "Help", "Louder", "Softer"};
 
 fs::path new_folder() {
@@ -224,7 +224,7 @@ void StagedKiosk::choose(OperatorItem item, std::size_t index) {
 }
 
 void StagedKiosk::choose_key(KeyRole role) {
-    constexpr std::array roles{KeyRole::next, KeyRole::back, KeyRole::help};
+    constexpr std::array roles{KeyRole::repeat, KeyRole::back, KeyRole::help};
     const SpokenScreen shown = screen();
     const auto items_after = shown.items.size() - shown.focus.value_or(0);
     const auto keys_before = std::ranges::find(roles, role) - roles.begin();

@@ -50,7 +50,7 @@ void first_visit(StagedKiosk& kiosk) {
     kiosk.press(KeyRole::select);
     kiosk.listen();
     for (const KeyRole role : {KeyRole::help, KeyRole::up, KeyRole::down, KeyRole::back,
-                               KeyRole::next, KeyRole::select, KeyRole::help, KeyRole::help}) {
+                               KeyRole::repeat, KeyRole::select, KeyRole::help, KeyRole::help}) {
         kiosk.press(role);
         kiosk.listen();
     }
@@ -72,7 +72,7 @@ void first_visit(StagedKiosk& kiosk) {
     kiosk.follow_a_line(8.0);
     kiosk.choose(VisitItem::where_am_i);
     for (int i = 0; i < 2; ++i) {
-        kiosk.press(KeyRole::next);
+        kiosk.press(KeyRole::repeat);
         kiosk.listen();
     }
     go_back(kiosk, 2);
@@ -138,10 +138,8 @@ void settings(StagedKiosk& kiosk) {
     kiosk.choose(VisitItem::mono);
     kiosk.choose(VisitItem::screen);
     kiosk.choose(VisitItem::speech);
-    for (const KeyRole role : {KeyRole::help, KeyRole::help, KeyRole::help}) {
-        kiosk.press(role);
-        kiosk.listen();
-    }
+    kiosk.press(KeyRole::help);
+    kiosk.listen();
     kiosk.choose(VisitItem::reset);
     kiosk.choose(VisitItem::yes);
     go_back(kiosk);
@@ -184,7 +182,7 @@ void time_out(StagedKiosk& kiosk) {
 /// Digits 1, 1, 1, 1.
 void enter_pin(StagedKiosk& kiosk) {
     for (int i = 0; i < 4; ++i)
-        for (const KeyRole role : {KeyRole::up, KeyRole::next}) {
+        for (const KeyRole role : {KeyRole::up, KeyRole::select}) {
             kiosk.press(role);
             kiosk.hear_one_thing();
         }
@@ -211,8 +209,8 @@ void operators_visit(StagedKiosk& kiosk) {
     kiosk.listen();
     choose(kiosk, OperatorPlace::touch);
     choose(kiosk, OperatorPlace::feel);
-    for (const KeyRole role : {KeyRole::down, KeyRole::next, KeyRole::select, KeyRole::next,
-                               KeyRole::back, KeyRole::select}) {
+    for (const KeyRole role : {KeyRole::down, KeyRole::repeat, KeyRole::select, KeyRole::up,
+                               KeyRole::down, KeyRole::select}) {
         kiosk.press(role);
         kiosk.listen();
     }
@@ -240,8 +238,8 @@ void two_switches(StagedKiosk& kiosk) {
     kiosk.choose(VisitItem::lead_round);
     kiosk.press(KeyRole::select);
     kiosk.listen();
-    kiosk.choose_key(KeyRole::next);
-    for (const KeyRole role : {KeyRole::down, KeyRole::select}) {  // Back comes after Next
+    kiosk.choose_key(KeyRole::repeat);
+    for (const KeyRole role : {KeyRole::down, KeyRole::select}) {  // Back comes after Repeat
         kiosk.press(role);
         kiosk.listen();
     }
