@@ -79,9 +79,12 @@ TEST(BoardTruthChecker, SeesTorqueThatNobodyTold) {
     looks.tick.torques = {0.031, 0.01};
     checker.look(looks.next(), looks.findings);
     EXPECT_FALSE(looks.has_found()) << "one is on its way";
-    looks.sight.held = {0.06, 0.02};
+    looks.sight.held = {0.0, 0.01};
     checker.look(looks.next(), looks.findings);
-    EXPECT_TRUE(looks.has_found());
+    EXPECT_FALSE(looks.has_found()) << "a send that was cut";
+    looks.sight.held = {0.0, 0.02};
+    checker.look(looks.next(), looks.findings);
+    EXPECT_TRUE(looks.has_found()) << "nobody told the other motor that";
 }
 
 /// Joules found given when a force goes along with a hand for so many millimetres.
