@@ -12,6 +12,7 @@ from world import Kiosk, wait_for
 SEED = 12
 FAST_S = 0.002
 MOST_GROWTH_MB = 1.0
+REST_S = 3.0
 LONG = 50  # sticks; fewer judge neither growth nor how many lists were read to their end
 STICKS_PER_BOARD = 10  # a board takes some ten seconds: its servo waits up to eight before it looks again
 
@@ -82,19 +83,21 @@ def look(pid):
 
 def look_at_rest(kiosk):
     """While only its servo is there, nobody died unnoticed: a voice that speaks and a list that is read have descriptors
-    in the kiosk, too, until it has seen their end."""
+    in the kiosk, too, until it has seen their end, and before they are started. So the least of some seconds."""
     def is_alone():
         return list(kiosk.children().values()) == ['soak_servo'] and not processes.corpses_of(kiosk.pid)
 
-    seen = []
+    seen, end = [], time.monotonic() + REST_S
 
     def is_at_rest():
         was_alone = is_alone()
-        seen.append(look(kiosk.pid))
-        return was_alone and is_alone()
+        now = look(kiosk.pid)
+        if was_alone and is_alone():
+            seen.append(now)
+        return seen and time.monotonic() >= end
 
     wait_for('a moment of rest', is_at_rest, every_s=FAST_S)
-    return seen[-1]
+    return tuple(min(part) for part in zip(*seen))
 
 
 def run(world, figures, count):
