@@ -19,7 +19,7 @@ struct PinEntry {
 
 [[nodiscard]] PinEntry turned(PinEntry entry, bool is_up);
 
-/// With the digit at its end, unless no more go in or none was turned to.
+/// The digit goes to the end, unless the entry is full or no digit was turned to.
 [[nodiscard]] PinEntry with_digit_taken(PinEntry entry);
 
 /// Digits only, 4 to 8.

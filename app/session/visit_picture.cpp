@@ -213,7 +213,7 @@ void take_ready(VisitWork& work, const PictureReady& ready) {
 }
 
 /// What the things of the photograph are taken for, and then the news; says nothing without either.
-/// Of a photograph that was told shortly all the rest.
+/// A photograph that was told shortly is now told in full.
 void tell_names(VisitWork& work, const std::string& news = {}) {
     Visitor& visitor = work.visitor;
     const KnownPicture& felt = *visitor.felt;

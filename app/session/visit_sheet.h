@@ -43,7 +43,7 @@ struct VisitSheet {
     void list(const std::vector<ListRow>& rows, const char* hint);
     void back(const char* english = "Back");
 
-    /// Of one item alone nobody is told to go to another.
+    /// Nobody is sent to another item where there is only one.
     void mind_the_only_item();
 };
 

@@ -211,7 +211,6 @@ TEST(Visit, WithTwoSwitchesNobodyIsToldOfKeysThatAreNotThere) {
     house.happen(TroubleBegan{TroubleKind::device, ""});
     EXPECT_TRUE(house.last_said().ends_with(
         "Move on to call staff. Or press Select to go on without force."));
-    house.settings.two_switches = 2;
     FakeHouse one;
     one.settings.two_switches = 2;
     one.press(KeyRole::select);
