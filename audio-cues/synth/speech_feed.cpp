@@ -33,10 +33,11 @@ float SpeechFeed::next(bool is_paused) {
         read_ = cut_seen_;  // silent by now, or there is nothing left to fade
         return 0.0F;
     }
-    if (read_ == written_ || (is_paused && level_.is_silent())) return 0.0F;
-    const float sample = samples_[read_ % samples_.size()];
-    ++read_;
-    return level_.next() * sample;
+    const bool is_late = read_ == written_;
+    if (is_paused ? level_.is_silent() : is_late) return 0.0F;
+    // A pause fades while the voice is late, too: else what comes then would sound in the pause.
+    const float level = level_.next();
+    return is_late ? 0.0F : level * samples_[read_++ % samples_.size()];
 }
 
 bool SpeechFeed::read(std::span<float> out, bool is_paused) {

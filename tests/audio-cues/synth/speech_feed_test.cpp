@@ -68,6 +68,16 @@ TEST(SpeechFeed, APauseUsesUpNothingButItsFade) {
     EXPECT_EQ(feed.waiting(), 0U);
 }
 
+TEST(SpeechFeed, NothingSoundsInAPauseThatBeganWhileTheVoiceWasLate) {
+    SpeechFeed feed;
+    (void)feed.write(ones(1000));
+    (void)read(feed, 1000);
+    (void)read(feed, 1000, true);  // the whole fade passes with nothing to fade
+    (void)feed.write(ones(1000));
+    EXPECT_EQ(read(feed, 1000, true), std::vector<float>(1000, 0.0F));
+    EXPECT_EQ(feed.waiting(), 1000U);
+}
+
 TEST(SpeechFeed, WhatIsCutWhilePausedIsNeverHeard) {
     SpeechFeed feed;
     (void)feed.write(ones(4000));
