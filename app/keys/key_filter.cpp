@@ -6,7 +6,6 @@ namespace touchline {
 namespace {
 
 constexpr double longest_double_strike_s = 0.5;
-constexpr double stuck_s = 20.0;
 
 }  // namespace
 
@@ -32,17 +31,6 @@ bool KeyFilter::takes(const KeyChange& change) {
     }
     *found = {change.key, true, change.time_s};
     return true;
-}
-
-std::vector<PhysicalKey> KeyFilter::stuck(double now_s) const {
-    std::vector<PhysicalKey> keys;
-    for (const Known& known : known_)
-        if (known.is_down && now_s - known.down_s > stuck_s) keys.push_back(known.key);
-    return keys;
-}
-
-void KeyFilter::release_all() {
-    for (Known& known : known_) known.is_down = false;
 }
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
-// From keys as they go down and up to presses that count: no repeat, no second strike, no stuck
-// key (accessibility IN-4). Threads: plain values; one thread's.
+// From keys as they go down and up to presses that count: no repeat, no second strike
+// (accessibility IN-4). Threads: plain values; one thread's.
 #pragma once
 
 #include "config/settings/keys.h"
@@ -23,12 +23,6 @@ class KeyFilter {
     /// A press that counts: the key was up, and was not pressed within double_strike_s before. The
     /// press acts, not the release. O(keys held or pressed before).
     [[nodiscard]] bool takes(const KeyChange& change);
-
-    /// Held for longer than 20 s: something lies on it, or it is broken. For the log.
-    [[nodiscard]] std::vector<PhysicalKey> stuck(double now_s) const;
-
-    /// Every key is up: its device went, or the window lost them.
-    void release_all();
 
   private:
     struct Known {

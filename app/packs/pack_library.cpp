@@ -176,20 +176,6 @@ PackResult<std::string> import_pack(const Pack& pack, const std::string& library
     }
 }
 
-PackResult<void> remove_pack(const std::string& id, const std::string& library) {
-    std::error_code error;
-    const fs::path place = fs::path(library) / id;
-    if (trouble_with_name(id) || id.find('/') != std::string::npos)
-        return refusal({FindingKind::leads_outside, id});
-    if (!fs::exists(place, error) && !error) return {};
-    // Gone from the list at once, whatever happens while it is deleted.
-    const fs::path aside = fs::path(library) / (unfinished + id);
-    fs::rename(place, aside, error);
-    if (error) return unwritable(library);
-    fs::remove_all(aside, error);
-    return {};
-}
-
 std::vector<LibraryPicture> list_library(const std::string& library, const LanguageTag& language,
                                          std::vector<PackFinding>& problems) {
     std::vector<LibraryPicture> pictures;

@@ -22,9 +22,6 @@ enum class OlderPack : std::uint8_t { ask, take };
 [[nodiscard]] PackResult<std::string> import_pack(const Pack& pack, const std::string& library,
                                                   OlderPack older = OlderPack::ask);
 
-/// False with one finding where it cannot be removed; one that is not there is removed.
-[[nodiscard]] PackResult<void> remove_pack(const std::string& id, const std::string& library);
-
 /// One picture of an installed pack; `entry` as of the gallery, but read it with read_pack_map().
 struct LibraryPicture {
     std::string pack;        // its id

@@ -1,7 +1,7 @@
 #include "app/packs/sound_reader.h"
 
 #include "app/packs/pack_limits.h"
-#include "app/packs/rate_change.h"
+#include "audio-cues/speech/resampler.h"
 
 #include <algorithm>
 #include <array>

@@ -6,6 +6,7 @@
 #include "app/speak/messages.h"
 #include "audio-cues/speech/espeak_engine.h"
 #include "audio-cues/speech/resampler.h"
+#include "audio-cues/synth/frames.h"
 #include "config/types/plain_line.h"
 
 #include <algorithm>
@@ -63,13 +64,16 @@ class Sender {
 /// Whether all of it got out.
 bool say(EspeakEngine& engine, const SpeakOrder& order, int socket) {
     Sender sender(socket);
-    Resampler resampler;
+    Resampler resampler(EspeakEngine::rate_Hz);
+    std::vector<float> spoken;
     std::vector<float> samples;
     bool goes_on = true;
     engine.speak({order.text.data(), order.bytes}, order.rate,
                  [&](std::span<const std::int16_t> piece) {
+                     spoken.resize(piece.size());
+                     std::ranges::transform(piece, spoken.begin(), of_full_scale);
                      samples.clear();
-                     resampler.add(piece, samples);
+                     resampler.add(spoken, samples);
                      goes_on = sender.send(samples);
                      return goes_on;
                  });

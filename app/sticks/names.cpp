@@ -57,15 +57,4 @@ std::string shown_name(std::string_view name) {
     return text;
 }
 
-std::string logged_name(std::string_view name) {
-    std::string text;
-    for (const char c : name) {
-        const bool is_plain = c >= ' ' && c <= '~' && c != '\\';
-        const std::string part = is_plain ? std::string(1, c) : escaped(c);
-        if (text.size() + part.size() > logged_bytes) return text + "...";
-        text += part;
-    }
-    return text;
-}
-
 }  // namespace touchline

@@ -31,10 +31,6 @@ inline constexpr std::size_t cue_count = 12;
 /// distance to the nearest line and, if chosen, the position tone.
 enum class CueAmount : std::uint8_t { none, cues, full };
 
-[[nodiscard]] constexpr CueAmount next_amount(CueAmount amount) {
-    return static_cast<CueAmount>((static_cast<int>(amount) + 1) % 3);
-}
-
 /// A cue at a place of the picture.
 struct CueAt {
     Cue cue = Cue::touch;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace touchline {
 namespace {
@@ -78,16 +77,6 @@ ContinuousTone continuous_tone(const ContinuousChoice& choice, Position hand_W, 
     if (is_twisted && choice.amount != CueAmount::none) return torque_tone(choice.torque_Nm);
     if (choice.amount != CueAmount::full) return {};
     return choice.has_position_tone ? position_tone(hand_W, area) : distance_tone(distance_m);
-}
-
-std::optional<ClockFace> clock_face(Position hand_W, Position target_W) {
-    const Position way = target_W - hand_W;
-    const double distance_m = norm(way);
-    if (!std::isfinite(distance_m) || distance_m > 1.0) return std::nullopt;
-    const double turn =
-        std::atan2(way.x, way.y) / (2.0 * std::numbers::pi);  // clockwise, from away
-    const int hour = (static_cast<int>(std::lround(12.0 * turn)) + 12) % 12;
-    return ClockFace{hour == 0 ? 12 : hour, 5 * static_cast<int>(std::lround(distance_m / 0.005))};
 }
 
 Place place_of(Position place_W, const CueArea& area) {

@@ -1,4 +1,4 @@
-// Where a hand is and where something is, as sound and as words of a clock face.
+// Where a hand is and where something is, as sound and as one of nine places.
 // Threads: pure functions.
 #pragma once
 
@@ -52,15 +52,6 @@ struct ContinuousChoice {
 /// The one continuous sound: target, else the torque, else the position tone, else the distance.
 [[nodiscard]] ContinuousTone continuous_tone(const ContinuousChoice& choice, Position hand_W,
                                              double distance_m, const CueArea& area);
-
-/// 12 is away from the visitor, 3 is right.
-struct ClockFace {
-    int hour = 12;        // 1 ... 12
-    int distance_mm = 0;  // to 5 mm; 0: there
-};
-
-/// From `hand_W` to `target_W`; nothing for what is not finite.
-[[nodiscard]] std::optional<ClockFace> clock_face(Position hand_W, Position target_W);
 
 /// The nine places of the area.
 enum class Place : std::uint8_t {

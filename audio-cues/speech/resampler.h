@@ -1,36 +1,43 @@
-// From the engine's rate to the mixer's. Threads: one thread's.
+// Sound of any rate at the mixer's.
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+struct SRC_STATE_tag;
+
 namespace touchline {
 
-/// 22 050 Hz to 48 000 Hz, that is 320 for 147, by a windowed sinc of 16 samples to each side: what
-/// lies below 9.5 kHz passes within 0.1 dB, images are below -70 dB. 16 samples (0.7 ms) later.
+inline constexpr int least_rate_Hz = 8000;
+inline constexpr int most_rate_Hz = 192000;
+
+/// From `rate_Hz`, least_rate_Hz to most_rate_Hz, to frame_rate_Hz, by libsamplerate's windowed
+/// sinc: what lies below 9/10 of the lower half rate passes within 0.1 dB, images are below -70 dB.
+/// Nothing is delayed. Threads: one thread's.
 class Resampler {
   public:
-    Resampler();
+    /// Throws std::bad_alloc.
+    explicit Resampler(int rate_Hz);
 
-    /// Samples of full scale 32767 in, of full scale 1 out; 16 filters' taps a sample.
-    void add(std::span<const std::int16_t> samples, std::vector<float>& out);
+    /// O(samples).
+    void add(std::span<const float> samples, std::vector<float>& out);
 
-    /// The last 16 samples, and as new after it.
+    /// The end of the sound; nothing may be added after it.
     void finish(std::vector<float>& out);
 
   private:
-    static constexpr int half = 16;
-    static constexpr int up = 320;
-    static constexpr int down = 147;
+    struct Close {
+        void operator()(SRC_STATE_tag* state) const;
+    };
 
-    void push(float sample, std::vector<float>& out);
+    void process(std::span<const float> samples, bool is_end, std::vector<float>& out);
 
-    std::vector<float> taps_;                // `up` filters of 2 * half
-    std::array<float, 2 * half> history_{};  // a ring
-    std::size_t newest_ = 0;
-    int phase_ = 0;  // of the next output, in 1/up of a sample after the newest
+    std::unique_ptr<SRC_STATE_tag, Close> state_;
+    double ratio_;
 };
+
+/// All of a sound at once, within a sample as long as before. Threads: a pure function.
+[[nodiscard]] std::vector<float> at_frame_rate(std::span<const float> samples, int rate_Hz);
 
 }  // namespace touchline

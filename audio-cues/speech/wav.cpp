@@ -51,25 +51,16 @@ Result<std::vector<float>> decode_wav(std::span<const char> bytes) {
     if (!is_known) return failure("is not 16-bit PCM of one or two channels at 48000 or 22050 Hz.");
     const std::size_t frames = data->size() / (2 * channels);
     if (frames > longest_s * rate_Hz) return failure("is longer than a minute.");
-    std::vector<std::int16_t> mono;
+    std::vector<float> mono;
     mono.reserve(frames);
     for (std::size_t i = 0; i < frames; ++i) {
         int sum = 0;
         for (std::size_t c = 0; c < channels; ++c) {
             sum += static_cast<std::int16_t>(number_at(*data, 2 * (i * channels + c), 2));
         }
-        mono.push_back(static_cast<std::int16_t>(sum / static_cast<int>(channels)));
+        mono.push_back(of_full_scale(static_cast<std::int16_t>(sum / static_cast<int>(channels))));
     }
-    std::vector<float> samples;
-    if (rate_Hz == engine_Hz) {
-        Resampler resampler;
-        resampler.add(mono, samples);
-        resampler.finish(samples);
-    } else {
-        for (const std::int16_t sample : mono)
-            samples.push_back(static_cast<float>(sample) / 32767.0F);
-    }
-    return samples;
+    return at_frame_rate(mono, static_cast<int>(rate_Hz));
 }
 
 Result<std::vector<float>> read_wav(const std::string& path) {

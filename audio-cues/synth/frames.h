@@ -10,6 +10,11 @@ inline constexpr int frame_rate_Hz = 48000;
 /// Rendered at once, at most; 2.7 ms.
 inline constexpr int block_frames = 128;
 
+/// What is written as a 16-bit sample, of which full scale is 32767.
+[[nodiscard]] constexpr float of_full_scale(std::int16_t sample) {
+    return static_cast<float>(sample) / 32767.0F;
+}
+
 /// Frames since the mixer's first.
 using FrameTime = std::int64_t;
 

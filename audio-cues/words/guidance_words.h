@@ -11,9 +11,6 @@ namespace touchline {
 /// "upper left".
 [[nodiscard]] std::string words_of(Place place, const Language& language);
 
-/// "3 centimetres, at 2 o'clock"; below 1 cm in millimetres; "You are there." for 0.
-[[nodiscard]] std::string words_of(const ClockFace& way, const Language& language);
-
 /// The name of a sound, as the list of sounds says it.
 [[nodiscard]] std::string words_of(Cue cue, const Language& language);
 

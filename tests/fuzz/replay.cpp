@@ -35,8 +35,8 @@ int main(int argc, char** argv) {
     archive_read_support_format_tar(opened);
     archive_read_support_filter_xz(opened);
     std::size_t count = 0;
-    const bool is_whole = archive_read_open_filename(opened, argv[1], 65536) == ARCHIVE_OK &&
-                          replay(opened, count);
+    const bool is_whole =
+        archive_read_open_filename(opened, argv[1], 65536) == ARCHIVE_OK && replay(opened, count);
     if (!is_whole) std::fprintf(stderr, "%s: %s\n", argv[1], archive_error_string(opened));
     archive_read_free(opened);
     std::printf("%zu inputs replayed\n", count);

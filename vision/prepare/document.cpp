@@ -4,7 +4,6 @@
 #include "vision/prepare/page_light.h"
 #include "vision/prepare/page_search.h"
 #include "vision/prepare/rectify.h"
-#include "vision/prepare/stand.h"
 
 #include <algorithm>
 
@@ -25,13 +24,6 @@ Document document_in(const cv::Mat& bgr) {
     const double aspect = snapped_aspect(aspect_of(*search.corners, bgr.size()));
     return {evenly_lit(rectified(bgr, *search.corners, aspect)), format_of(aspect),
             CaptureTrouble::none};
-}
-
-Document document_on(const cv::Mat& bgr, const StandSettings& stand) {
-    const cv::Mat bed = bed_picture(bgr, stand);
-    if (is_too_dark(page_light(bed, bed.size(), 1.0)))
-        return {{}, PaperFormat::other, CaptureTrouble::too_dark};
-    return {evenly_lit(bed), PaperFormat::other, CaptureTrouble::none};
 }
 
 }  // namespace touchline

@@ -5,7 +5,6 @@
 // Threads: pure functions.
 #pragma once
 
-#include "config/settings/stand.h"
 #include "vision/prepare/capture_trouble.h"
 
 #include <cstdint>
@@ -26,9 +25,5 @@ struct Document {
 /// Of an 8-bit BGR picture of at least 64 x 64. A megapixel or two are enough: more are averaged
 /// away. O(pixels).
 [[nodiscard]] Document document_in(const cv::Mat& bgr);
-
-/// The same under a calibrated stand: nothing is searched, the bed is the page. The only trouble
-/// here is the light.
-[[nodiscard]] Document document_on(const cv::Mat& bgr, const StandSettings& stand);
 
 }  // namespace touchline

@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
 namespace touchline {
 namespace {
 
-constexpr double kSubjectShare = 0.85;
-constexpr double kMostFactor = 16.0;
 constexpr double kLeastPart_mm = 1.0;
 
 /// Millimetres of the whole picture to millimetres of the enlargement.
@@ -203,24 +200,6 @@ TactileMap enlarged(const TactileMap& map, const Zoom& zoom) {
     for (const Outline& outline : map.outlines) add_enlarged(outline, map.area, zoom, result);
     result.labels = enlarged(map.labels, map.area, zoom);
     return result;
-}
-
-Zoom zoom_to_subject(const TactileMap& map) {
-    Position low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Position high{-low.x, -low.y};
-    for (const Outline& outline : map.outlines) {
-        for (const Position& p : outline.points) {
-            low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-        }
-    }
-    if (map.outlines.empty()) {
-        return {};
-    }
-    const double fits = std::min(map.area.width_m / std::max(high.x - low.x, 1e-6),
-                                 map.area.height_m / std::max(high.y - low.y, 1e-6));
-    return {{0.5 * (low.x + high.x), 0.5 * (low.y + high.y)},
-            std::min(kSubjectShare * fits, kMostFactor)};
 }
 
 }  // namespace touchline

@@ -44,8 +44,4 @@ struct Zoom {
 [[nodiscard]] std::vector<Label> enlarged(const std::vector<Label>& labels, const Area& area,
                                           const Zoom& zoom);
 
-/// The zoom in which what is felt fills 85 % of the area, aspect kept, for a map of the whole
-/// picture. The default for a map without outlines. O(points).
-[[nodiscard]] Zoom zoom_to_subject(const TactileMap& map);
-
 }  // namespace touchline

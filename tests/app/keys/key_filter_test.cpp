@@ -61,19 +61,6 @@ TEST(KeyFilter, TremblingIsHeard) {
     EXPECT_LE(counted, 20);
 }
 
-TEST(KeyFilter, WhatLiesOnAKeyIsTold) {
-    KeyFilter filter(0.1);
-    (void)filter.takes(down(a, 0.0));
-    (void)filter.takes(down(b, 0.0));
-    (void)filter.takes(up(b, 0.2));
-    EXPECT_TRUE(filter.stuck(19.0).empty());
-    ASSERT_EQ(filter.stuck(20.5).size(), 1U);
-    EXPECT_EQ(filter.stuck(20.5).front(), a);
-    filter.release_all();
-    EXPECT_TRUE(filter.stuck(100.0).empty());
-    EXPECT_TRUE(filter.takes(down(a, 100.0)));
-}
-
 /// Whatever comes: two presses of a key that count are never nearer than the filter says, and
 /// there is a release between them.
 RC_GTEST_PROP(KeyFilter, NeverCountsTwiceWithinTheFilter, ()) {

@@ -137,16 +137,6 @@ TEST(Library, RecordingsTakeThePlaceOfTheVoice) {
     EXPECT_TRUE(recorded_texts(pictures[0], {"de"}, problems).empty());
 }
 
-TEST(Library, APackIsRemovedAndNothingElse) {
-    const made::Folder library;
-    ASSERT_TRUE(import_pack(example(), library.path() + "/packs").has_value());
-    EXPECT_FALSE(remove_pack("..", library.path() + "/packs").has_value());
-    EXPECT_FALSE(remove_pack("a/b", library.path() + "/packs").has_value());
-    EXPECT_TRUE(remove_pack("shapes-and-a-boat", library.path() + "/packs").has_value());
-    EXPECT_TRUE(names_in(library.path() + "/packs").empty());
-    EXPECT_TRUE(remove_pack("shapes-and-a-boat", library.path() + "/packs").has_value());
-}
-
 TEST(Check, PartsThatARecordingNamesMustBeThere) {
     Pack pack = example();
     pack.info.sounds[1].part = "mast";

@@ -87,12 +87,6 @@ TEST(CueStep, NoneLeavesAlertsOnly) {
     EXPECT_TRUE(fault.cue->is_alert);
 }
 
-TEST(CueStep, OneKeyGoesRoundTheThreeAmounts) {
-    EXPECT_EQ(next_amount(CueAmount::none), CueAmount::cues);
-    EXPECT_EQ(next_amount(CueAmount::cues), CueAmount::full);
-    EXPECT_EQ(next_amount(CueAmount::full), CueAmount::none);
-}
-
 TEST(CueStep, EveryKeyIsHeardHoweverQuick) {
     CueStep step = cue_step(CueState{}, ScreenEvent::key_taken, 1.0);
     step = cue_step(step.state, ScreenEvent::key_taken, 1.01);

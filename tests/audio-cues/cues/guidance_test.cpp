@@ -69,22 +69,6 @@ TEST(Guidance, OneContinuousSoundAtATime) {
     EXPECT_GT(continuous_tone(choice, {0.0, 0.0}, 0.01, area).level, 0.0) << "it was asked for";
 }
 
-TEST(Guidance, TheClockFaceHasTwelveAwayAndThreeRight) {
-    const auto hour = [](double x, double y) { return clock_face({0.0, 0.0}, {x, y})->hour; };
-    EXPECT_EQ(hour(0.0, 0.02), 12);
-    EXPECT_EQ(hour(0.01, 0.0173), 1);
-    EXPECT_EQ(hour(0.02, 0.0), 3);
-    EXPECT_EQ(hour(0.0, -0.02), 6);
-    EXPECT_EQ(hour(-0.02, 0.0), 9);
-    EXPECT_EQ(hour(-0.01, 0.0173), 11);
-    EXPECT_EQ(hour(-0.0001, 0.02), 12);
-    EXPECT_EQ(clock_face({0.01, 0.0}, {0.0, 0.0})->distance_mm, 10);
-    EXPECT_EQ(clock_face({0.0, 0.0}, {0.0, 0.0121})->distance_mm, 10);
-    EXPECT_EQ(clock_face({0.0, 0.0}, {0.0, 0.001})->distance_mm, 0);
-    EXPECT_FALSE(clock_face({0.0, 0.0}, {none, 0.0}));
-    EXPECT_FALSE(clock_face({0.0, 0.0}, {infinite, 0.0}));
-}
-
 TEST(Guidance, TheNinePlacesAreThirdsOfTheArea) {
     const CueArea area;
     EXPECT_EQ(place_of({-0.05, 0.04}, area), Place::upper_left);

@@ -4,7 +4,6 @@
 #include "app/sticks/spoken_name.h"
 #include "audio-cues/speech/espeak_engine.h"
 #include "audio-cues/speech/respelling.h"
-#include "audio-cues/words/guidance_words.h"
 #include "tests/app/gallery/pictures.h"
 #include "tests/audio-cues/words/po_file.h"
 
@@ -82,7 +81,6 @@ std::vector<std::string> keys_and_places(const Language& language) {
         const bool is_wanted = context == "keys" || context == "place" || context == "thing place";
         if (is_wanted && !is_sentence) texts.push_back(language.text(context, english));
     }
-    for (int hour = 1; hour <= 12; ++hour) texts.push_back(words_of(ClockFace{hour, 30}, language));
     texts.push_back(language.text("keys", "key number {0}", {"21"}));
     return texts;
 }

@@ -38,18 +38,5 @@ TEST(DocumentTest, TroubleComesWithoutAPage) {
     EXPECT_NE(document.trouble, CaptureTrouble::none);
 }
 
-TEST(DocumentTest, AStandNeedsNoSearch) {
-    const testing::PagePhoto photo = testing::page_photo(910, {});
-    StandSettings stand{photo.bgr.cols, photo.bgr.rows, {}, 210.0, 297.0};
-    for (std::size_t i = 0; i < 4; ++i) {
-        stand.bed_corners_px[2 * i] = photo.corners[i].x;
-        stand.bed_corners_px[2 * i + 1] = photo.corners[i].y;
-    }
-    const Document document = document_on(photo.bgr, stand);
-    EXPECT_EQ(document.trouble, CaptureTrouble::none);
-    EXPECT_NEAR(static_cast<double>(document.page.cols) / document.page.rows, 210.0 / 297.0, 0.01);
-    EXPECT_EQ(document_on(photo.bgr * 0.1, stand).trouble, CaptureTrouble::too_dark);
-}
-
 }  // namespace
 }  // namespace touchline

@@ -14,39 +14,8 @@ namespace {
 
 const Area area{};
 
-struct Extent {
-    Position low{1.0, 1.0};
-    Position high{-1.0, -1.0};
-};
-
-Extent extent_of(const TactileMap& map) {
-    Extent extent;
-    for (const Outline& outline : map.outlines) {
-        for (const Position& p : outline.points) {
-            extent.low = {std::min(extent.low.x, p.x), std::min(extent.low.y, p.y)};
-            extent.high = {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y)};
-        }
-    }
-    return extent;
-}
-
 cv::Mat picture_of(cv::Point2d centre, double size_px) {
     return drawn(test_shapes(centre, size_px, 0.0)[0], {464, 336}, {});
-}
-
-TEST(Zoom, ASmallSubjectIsCentredAndFillsMostOfTheArea) {
-    const auto found = find_lines(picture_of({100.0, 100.0}, 90.0), {});
-    ASSERT_TRUE(found);
-    const auto whole = trace_lines(*found, {});
-    ASSERT_TRUE(whole);
-    const Zoom zoom = zoom_to_subject(whole->map);
-    const auto near = trace_lines(*found, {.area = {}, .zoom = zoom});
-    ASSERT_TRUE(near);
-    const Extent extent = extent_of(near->map);
-    EXPECT_NEAR(extent.high.y - extent.low.y, 0.85 * area.height_m, 0.0005);
-    EXPECT_NEAR(extent.high.x - extent.low.x, 0.85 * area.height_m, 0.0005);  // aspect kept
-    EXPECT_NEAR(extent.high.x + extent.low.x, 0.0, 0.0005);
-    EXPECT_NEAR(extent.high.y + extent.low.y, 0.0, 0.0005);
 }
 
 TEST(Zoom, WhatLeavesTheAreaIsCutOnItsRim) {
