@@ -1,19 +1,79 @@
 #include "app/decode/answer_parts.h"
 
 #include "app/decode/one_line.h"
+#include "config/types/fields.h"
 #include "config/types/map_bytes.h"
 
-#include <algorithm>
+#include <bit>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 namespace touchline::decode {
 namespace {
 
-static_assert(sizeof(WordBox) == box_bytes);
+constexpr std::uint32_t answer_magic = 0x47'50'4c'54;  // "TLPG"
+constexpr std::uint8_t layout = 4;
+
+static_assert(sizeof(WordBox) == 8);
+
+template <class Fields, class Header>
+void fields(Fields& f, Header& header) {
+    f.number(header.figures, 0, max_figures);
+    f.choice(header.kind, AnswerKind::words);
+    f.number(header.reduction, 1, 8);
+    f.number(header.width);
+    f.number(header.height);
+    f.number(header.number, 1, max_pages);
+    f.number(header.count, 1, max_pages);
+    f.number(header.dpi);
+    f.number(header.boxes, 0, max_word_boxes);
+    f.number(header.map_bytes);
+}
 
 tl::unexpected<Error> unsafe() {
     return failure("the file could not be opened safely; choose another one");
+}
+
+std::size_t pixel_bytes(const AnswerHeader& header) {
+    if (header.kind != AnswerKind::page) return 0;
+    return std::size_t{3} * header.width * header.height;
+}
+
+/// Of words and figures.
+std::size_t all_boxes(const AnswerHeader& header) {
+    return std::size_t{header.boxes} + header.figures;
+}
+
+/// Pixels where words are found in them, none where there is no page.
+bool has_what_its_kind_has(const AnswerHeader& header) {
+    const bool is_empty = header.width == 0 && header.height == 0;
+    const bool is_picture = fits_a_picture(header.width, header.height);
+    switch (header.kind) {
+        case AnswerKind::refusal:
+            return is_empty && all_boxes(header) == 0;
+        case AnswerKind::page:
+            return is_empty || is_picture;
+        case AnswerKind::words:
+            return is_picture && header.figures == 0;
+    }
+    return false;
+}
+
+/// Nothing unless every field is in its range and what follows is just as long as it says.
+std::optional<AnswerHeader> header_in(ByteReader& bytes) {
+    if (bytes.number<std::uint32_t>() != answer_magic || bytes.number<std::uint8_t>() != layout)
+        return std::nullopt;
+    AnswerHeader header;
+    fields(bytes, header);
+    FieldCheck check;
+    fields(check, header);
+    const bool is_sound =
+        bytes.is_good() && check.is_sound() && header.number <= header.count &&
+        std::has_single_bit(header.reduction) && has_what_its_kind_has(header) &&
+        pixel_bytes(header) + sizeof(WordBox) * all_boxes(header) + header.map_bytes ==
+            bytes.left();
+    return is_sound ? std::optional(header) : std::nullopt;
 }
 
 /// Fails unless every box is inside the picture and holds a pixel.
@@ -47,17 +107,15 @@ Result<std::vector<std::byte>> answer_with(AnswerHeader header,
     if (!map_bytes) return map_bytes;
     header.boxes = static_cast<std::uint16_t>(boxes.size() - header.figures);
     header.map_bytes = static_cast<std::uint32_t>(map_bytes->size());
-    const AnswerHeaderBytes first = bytes_of(header);
-    std::vector<std::byte> answer;
-    answer.reserve(first.size() + pixels.size() + boxes.size_bytes() + map_bytes->size());
-    const auto append = [&answer](std::span<const std::byte> bytes) {
-        answer.insert(answer.end(), bytes.begin(), bytes.end());
-    };
-    append(first);
-    append(std::as_bytes(pixels));
-    append(std::as_bytes(boxes));
-    append(*map_bytes);
-    return answer;
+    ByteWriter answer;
+    answer.number(answer_magic);
+    answer.number(layout);
+    fields(answer, header);
+    answer.reserve(answer.bytes().size() + pixels.size() + boxes.size_bytes() + map_bytes->size());
+    answer.raw(std::as_bytes(pixels));
+    answer.raw(std::as_bytes(boxes));
+    answer.raw(*map_bytes);
+    return answer.take();
 }
 
 Result<std::vector<std::byte>> refusal(const std::string& line) {
@@ -67,15 +125,12 @@ Result<std::vector<std::byte>> refusal(const std::string& line) {
 }
 
 Result<AnswerParts> parts_of(std::span<const std::byte> answer) {
-    AnswerHeaderBytes first{};
-    if (answer.size() < first.size()) return unsafe();
-    std::copy_n(answer.begin(), first.size(), first.begin());
-    const auto header = verified(Untrusted(first), answer.size());
-    if (!header) return tl::unexpected(header.error());
-    const auto pixels = answer.subspan(first.size(), pixel_bytes(*header));
-    const auto boxes = answer.subspan(first.size() + pixels.size(), box_bytes * all_boxes(*header));
-    auto found = boxes_in(boxes, *header);
-    auto map = map_of(answer.last(header->map_bytes));
+    ByteReader bytes(answer);
+    const auto header = header_in(bytes);
+    if (!header) return unsafe();
+    const auto pixels = bytes.raw(pixel_bytes(*header));
+    auto found = boxes_in(bytes.raw(sizeof(WordBox) * all_boxes(*header)), *header);
+    auto map = map_of(bytes.raw(header->map_bytes));
     if (!map || !found) return unsafe();
     if (header->kind == AnswerKind::refusal)
         return failure(map->description.empty() ? "the file cannot be opened"

@@ -2,7 +2,6 @@
 // words, and the worker that finds lines. Threads: pure functions.
 #pragma once
 
-#include "app/decode/answer_header.h"
 #include "app/decode/page.h"
 
 #include <cstddef>
@@ -12,6 +11,23 @@
 #include <vector>
 
 namespace touchline::decode {
+
+/// refusal: the map's description says why. page: pixels, boxes of words, boxes of figures, and a
+/// map. words: boxes and a map, of pixels that the kiosk has.
+enum class AnswerKind : std::uint8_t { refusal, page, words };
+
+struct AnswerHeader {
+    std::uint8_t figures = 0;  // a box each, after those of words
+    AnswerKind kind = AnswerKind::page;
+    std::uint8_t reduction = 1;  // pixels of the file per pixel here: 1, 2, 4 or 8
+    std::uint32_t width = 0;     // both 0: no pixels
+    std::uint32_t height = 0;
+    std::uint16_t number = 1;  // of the page
+    std::uint16_t count = 1;   // of pages
+    std::uint16_t dpi = 0;     // 0: not known
+    std::uint16_t boxes = 0;   // of words
+    std::uint32_t map_bytes = 0;
+};
 
 /// Of an answer that is no refusal: every box within the picture, every text one line.
 struct AnswerParts {

@@ -43,8 +43,8 @@ Page with_words(Page page, const FoundWords& found) {
 
 Result<std::vector<std::byte>> answer_of(const Result<FoundWords>& found) {
     if (!found) return decode::refusal(found.error().line);
-    AnswerHeader header;
-    header.kind = AnswerKind::words;
+    decode::AnswerHeader header;
+    header.kind = decode::AnswerKind::words;
     header.width = static_cast<std::uint32_t>(found->width);
     header.height = static_cast<std::uint32_t>(found->height);
     TactileMap map;
@@ -56,8 +56,8 @@ Result<std::vector<std::byte>> answer_of(const Result<FoundWords>& found) {
 Result<FoundWords> words_of(std::span<const std::byte> answer, int width, int height) {
     auto parts = decode::parts_of(answer);
     if (!parts) return tl::unexpected(parts.error());
-    const AnswerHeader& header = parts->header;
-    const bool is_of_this_picture = header.kind == AnswerKind::words &&
+    const decode::AnswerHeader& header = parts->header;
+    const bool is_of_this_picture = header.kind == decode::AnswerKind::words &&
                                     header.width == static_cast<std::uint32_t>(width) &&
                                     header.height == static_cast<std::uint32_t>(height);
     if (!is_of_this_picture || !is_of_words(parts->map, parts->boxes.size()))

@@ -8,11 +8,11 @@
 namespace touchline {
 namespace {
 
-AnswerHeader header_of(const Picture& picture) {
-    AnswerHeader header;
+decode::AnswerHeader header_of(const Picture& picture) {
+    decode::AnswerHeader header;
     header.width = static_cast<std::uint32_t>(picture.width);
     header.height = static_cast<std::uint32_t>(picture.height);
-    header.reduction = static_cast<int>(std::lround(1.0 / picture.scale));
+    header.reduction = static_cast<std::uint8_t>(std::lround(1.0 / picture.scale));
     return header;
 }
 
@@ -45,10 +45,10 @@ void take_figures(std::vector<WordBox>& boxes, std::size_t count, Page& page) {
 
 Result<std::vector<std::byte>> answer_of(const Result<Page>& page) {
     if (!page) return decode::refusal(page.error().line);
-    AnswerHeader header = header_of(page->picture);
-    header.number = page->number;
-    header.count = page->count;
-    header.dpi = page->dpi;
+    decode::AnswerHeader header = header_of(page->picture);
+    header.number = static_cast<std::uint16_t>(page->number);
+    header.count = static_cast<std::uint16_t>(page->count);
+    header.dpi = static_cast<std::uint16_t>(page->dpi);
     header.figures = static_cast<std::uint8_t>(page->figures.size());
     return decode::answer_with(header, page->picture.bgr, all_boxes_of(*page), crossing(*page));
 }
@@ -60,8 +60,8 @@ Result<std::vector<std::byte>> answer_of(const Picture& picture) {
 Result<Page> page_of(std::span<const std::byte> answer) {
     auto parts = decode::parts_of(answer);
     if (!parts) return tl::unexpected(parts.error());
-    const AnswerHeader& header = parts->header;
-    if (header.kind != AnswerKind::page || parts->map.labels.size() < header.figures)
+    const decode::AnswerHeader& header = parts->header;
+    if (header.kind != decode::AnswerKind::page || parts->map.labels.size() < header.figures)
         return failure("the file could not be opened safely; choose another one");
     Page page;
     page.picture.width = static_cast<int>(header.width);

@@ -1,10 +1,9 @@
 // One page of what a stranger brought, as it crosses from the worker that decoded it: a header of
-// 32 bytes (answer_header.h), pixels, boxes of words and figures, a map. Nobody who reads it trusts
+// 28 bytes, pixels, boxes of words and figures, a map. Nobody who reads it trusts
 // it.
 //
 //   header  magic u32, layout u8, figures u8, kind u8, reduction u8, width u32, height u32,
-//           number u16, count u16, dpi u16, boxes u16, bytes of the map u32, CRC-32 of the 28 bytes
-//           before u32
+//           number u16, count u16, dpi u16, boxes u16, bytes of the map u32
 //   pixels  3 bytes each (blue, green, red), rows from the top, no padding; none where the kind is
 //           "words" (found_words.h): the kiosk has them
 //   boxes   4 u16 each: left, top, right, bottom in pixels, the right and lower end not within;
@@ -14,7 +13,6 @@
 // Little-endian. No offsets and no strides: one size fits a given header. Threads: pure functions.
 #pragma once
 
-#include "app/decode/answer_header.h"
 #include "app/decode/picture.h"
 #include "app/process/descriptor.h"
 #include "config/types/result.h"
@@ -29,6 +27,10 @@
 #include <vector>
 
 namespace touchline {
+
+inline constexpr int max_pages = 50'000;
+inline constexpr std::size_t max_word_boxes = 5000;
+inline constexpr std::size_t max_figures = 100;
 
 /// Pixels that show words or a figure, from (left, top) to before (right, bottom).
 struct WordBox {

@@ -1,6 +1,6 @@
 #include "app/decode/svg_texts.h"
 
-#include "app/decode/answer_header.h"
+#include "app/decode/page.h"
 #include "app/decode/svg_nodes.h"
 #include "app/decode/svg_words.h"
 

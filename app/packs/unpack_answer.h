@@ -1,8 +1,8 @@
 // What touchline-unpack answers, as bytes. Nobody who reads them trusts them.
 //
-//   header    24 bytes: magic, layout, difficulty, 2 zeros, findings, entries, bytes in all,
-//   checksum of these findings  kind, line, value, bytes of file and what, file, what entries bytes
-//   of name, bytes, name, bytes
+//   header    magic u32, layout u8, difficulty u8, findings u16, entries u16
+//   findings  kind u8, line i32, value f64, file and what: bytes u16, text
+//   entries   name: bytes u16, text; contents: bytes u32, bytes
 //
 // Little-endian, no offsets. Threads: pure functions.
 #pragma once
@@ -25,8 +25,6 @@ struct UnpackAnswer {
 
 inline constexpr std::size_t most_findings = 200;
 inline constexpr std::size_t most_finding_text_bytes = 300;
-inline constexpr std::size_t unpack_header_bytes = 24;
-inline constexpr std::size_t unpack_checksum_at = 20;
 
 /// Findings beyond most_findings are left out; texts are cut and made fit for a line. O(bytes).
 [[nodiscard]] std::vector<std::byte> bytes_of(const UnpackAnswer& answer);

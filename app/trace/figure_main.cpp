@@ -24,7 +24,8 @@ constexpr int most_threads = 8;  // each has a stack of its own
 Result<cv::Mat3b> picture_of(std::span<const std::byte> page) {
     const auto parts = decode::parts_of(page);
     if (!parts) return tl::unexpected(parts.error());
-    if (parts->header.kind != AnswerKind::page) return failure("there is no picture to look at");
+    if (parts->header.kind != decode::AnswerKind::page)
+        return failure("there is no picture to look at");
     return cv::Mat3b(view_of(*parts));
 }
 

@@ -1,5 +1,5 @@
-// A camera's frame as it crosses to the worker that makes a page of it: format, width, height and
-// bytes a row, u32 each, then its bytes. Threads: pure functions.
+// A camera's frame as it crosses to the worker that makes a page of it: format u8, width i32,
+// height i32 and bytes a row u64, then its bytes. Threads: pure functions.
 #pragma once
 
 #include "config/types/result.h"

@@ -2,9 +2,10 @@
 // behind the other. Threads: pure functions.
 #pragma once
 
+#include "config/types/fields.h"
+
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -13,34 +14,23 @@ namespace touchline {
 using ThingsInBytes = std::vector<std::span<const std::byte>>;
 
 [[nodiscard]] inline std::vector<std::byte> joined(const ThingsInBytes& things) {
-    std::vector<std::uint64_t> sizes;
     std::size_t all = things.size() * sizeof(std::uint64_t);
-    for (const auto thing : things) {
-        sizes.push_back(thing.size());
-        all += thing.size();
-    }
-    const auto head = std::as_bytes(std::span(sizes));
-    std::vector<std::byte> bytes;
+    for (const auto thing : things) all += thing.size();
+    ByteWriter bytes;
     bytes.reserve(all);
-    bytes.assign(head.begin(), head.end());
-    for (const auto thing : things) bytes.insert(bytes.end(), thing.begin(), thing.end());
-    return bytes;
+    for (const auto thing : things) bytes.number(std::uint64_t{thing.size()});
+    for (const auto thing : things) bytes.raw(thing);
+    return bytes.take();
 }
 
 /// The things again; none where there are not so many, or their sizes do not fill the memory.
-[[nodiscard]] inline ThingsInBytes parted(std::span<const std::byte> bytes, std::size_t count) {
+[[nodiscard]] inline ThingsInBytes parted(std::span<const std::byte> all, std::size_t count) {
+    ByteReader bytes(all);
     std::vector<std::uint64_t> sizes(count);
-    const std::size_t head = count * sizeof(std::uint64_t);
-    if (bytes.size() < head) return {};
-    std::memcpy(sizes.data(), bytes.data(), head);
-    auto rest = bytes.subspan(head);
+    for (std::uint64_t& size : sizes) bytes.number(size);
     ThingsInBytes things;
-    for (const std::uint64_t size : sizes) {
-        if (size > rest.size()) return {};
-        things.push_back(rest.first(static_cast<std::size_t>(size)));
-        rest = rest.subspan(things.back().size());
-    }
-    return rest.empty() ? things : ThingsInBytes();
+    for (const std::uint64_t size : sizes) things.push_back(bytes.raw(size));
+    return bytes.is_at_end() ? things : ThingsInBytes();
 }
 
 }  // namespace touchline

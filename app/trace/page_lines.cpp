@@ -183,7 +183,7 @@ Result<Found> find_lines_of_page(std::span<const std::byte> page, const TraceOpt
                                  const cv::Mat1b& main_things) {
     const auto parts = decode::parts_of(page);
     if (!parts) return tl::unexpected(parts.error());
-    if (parts->header.kind != AnswerKind::page)
+    if (parts->header.kind != decode::AnswerKind::page)
         return failure("there is no picture to find lines in");
     cv::Mat bgr = view_of(*parts);
     const std::span words(parts->boxes.data(), parts->header.boxes);

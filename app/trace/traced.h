@@ -1,17 +1,16 @@
 // What a worker answers that found the lines of a picture: the map that is felt, and the lines
 // themselves, which only another worker looks into. Nobody who reads it trusts it.
 //
-//   header   magic u32, then the sizes of what follows, u32 each: refusal, map, warning, report,
-//   width and height of the
-//            edges, lines
+//   header   magic u32, is a photo u8, width and height of the edges u32, bytes of the map and of
+//            the lines u32
 //   refusal  why there is no map; empty where there is one
-//   map      config/types/map_bytes.h
 //   warning  one sentence
 //   report   JSON
+//   map      config/types/map_bytes.h
 //   edges    1 byte a pixel, rows from the top
 //   lines    lines_bytes.h
 //
-// Little-endian. No offsets: one size fits a given header. Threads: pure functions.
+// A text is its bytes u32 and the bytes. Little-endian, no offsets. Threads: pure functions.
 #pragma once
 
 #include "app/decode/picture.h"

@@ -1,14 +1,14 @@
 // A TactileMap as flat bytes, to cross between processes in sealed memory. Nobody who reads them
 // trusts them.
 //
-//   header    72 bytes: magic, layout, bytes in all, area, version, the counts and sizes below
-//   outlines  32 bytes each: points, closed, weight, detail, bytes of id and label
-//   labels    24 bytes each: place, bytes of text
-//   points    16 bytes each, of the first outline, of the second, ...
-//   text      title, description, id and label of each outline, text of each label
+//   header    magic u32, layout u32, area f64 f64, version u64, title, description
+//   outlines  how many u32; each: closed u8, weight f64, detail i32, id, label, how many points
+//   u32,
+//             the points f64 f64
+//   labels    how many u32; each: place f64 f64, text
 //
-// Little-endian. There are no offsets: every place follows from the counts before it, so nothing
-// can overlap or point outside, and one size fits a given header. Threads: pure functions.
+// A text is its bytes u32 and the bytes. Little-endian. There are no offsets, so nothing can
+// overlap or point outside. Threads: pure functions.
 #pragma once
 
 #include "config/types/result.h"
@@ -26,7 +26,7 @@ namespace touchline {
 [[nodiscard]] Result<std::vector<std::byte>> bytes_of(const TactileMap& map);
 
 /// The map; fails, with one line, unless the bytes are exactly what bytes_of() gives for some map.
-/// Any bytes may be given. Allocates at most what a map of this many bytes needs. O(n log n).
+/// Any bytes may be given. Allocates at most some bytes for each of them. O(n log n).
 [[nodiscard]] Result<TactileMap> map_of(std::span<const std::byte> bytes);
 
 }  // namespace touchline

@@ -1,10 +1,7 @@
 #include "haptics/servo/exchange.h"
 
-#include "haptics/safety/force_chain.h"
-
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <utility>
 
 #include <unistd.h>
@@ -24,34 +21,12 @@ bool is_bool(const bool& value) {
     return byte <= 1;
 }
 
-bool is_sound(const GuidanceCommand& command) {
-    constexpr double slowest_m_per_s = 0.005;
-    constexpr double fastest_m_per_s = 0.1;
-    return command.kind <= GuidanceKind::to_line && is_bool(command.is_held) &&
-           command.outline >= -1 && command.outline < std::numeric_limits<std::int32_t>::max() &&
-           is_within(command.place.x, -1.0, 1.0) && is_within(command.place.y, -1.0, 1.0) &&
-           is_within(command.speed_m_per_s, slowest_m_per_s, fastest_m_per_s);
-}
-
 }  // namespace
 
 bool is_sound(const ServoCommands& commands) {
-    constexpr double most_level = 64.0;
-    constexpr double most_turn_rad = 1e4;
-    return commands.mode <= Mode::stay && is_bool(commands.is_level_auto) &&
-           is_bool(commands.is_force_wanted) && is_bool(commands.is_emergency_stop) &&
-           is_within(commands.stiffness_N_per_m, 1e-9, most_stiffness_N_per_m) &&
-           is_within(commands.friction, 0.0, 1.0) && is_within(commands.radius_m, 0.0, 0.02) &&
-           is_within(commands.capture_m, 1e-9, 0.1) &&
-           is_within(commands.pop_through_N, 0.0, 100.0) &&
-           is_within(commands.pop_through_s, 0.0, 100.0) &&
-           is_within(commands.level, 0.0, most_level) &&
-           is_within(commands.finest_level, 0.0, most_level) &&
-           is_within(commands.coarsest_level, 0.0, most_level) &&
-           is_within(commands.force_ceiling_N, 0.0, most_force_N) && is_bool(commands.has_frame) &&
-           is_sound(commands.guidance) && commands.pattern.pattern <= HandlePattern::time_out &&
-           commands.shape <= HeldShape::key &&
-           is_within(commands.turn_rad, -most_turn_rad, most_turn_rad);
+    FieldCheck check;
+    fields(check, commands);
+    return check.is_sound();
 }
 
 bool is_sound(const ServoReport& report) {

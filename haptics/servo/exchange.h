@@ -3,10 +3,12 @@
 #pragma once
 
 #include "config/types/contact_event.h"
+#include "config/types/fields.h"
 #include "config/types/force_status.h"
 #include "config/types/guidance.h"
 #include "config/types/hand_state.h"
 #include "haptics/collision/scene.h"
+#include "haptics/safety/force_chain.h"
 #include "haptics/servo/lateness.h"
 #include "haptics/servo/real_time.h"
 
@@ -15,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -105,23 +108,23 @@ class EventRing {
     std::atomic<std::uint64_t> dropped_{0};
 };
 
-/// What the operator and the session set.
+/// What the operator and the session set, within the ranges that fields() says.
 struct ServoCommands {
     Mode mode = Mode::wall;
-    double stiffness_N_per_m = 500.0;  // 0 < K <= 20000; rises are ramped
-    double friction = 0.0;             // 0 ... 1
-    double radius_m = 0.0;             // of the proxy, 0 ... 0.02, at most the scene's
-    double capture_m = 0.003;          // half width of groove and ridge, > 0
+    double stiffness_N_per_m = 500.0;  // rises are ramped
+    double friction = 0.0;             // Coulomb, of a line
+    double radius_m = 0.0;             // of the proxy, at most the scene's
+    double capture_m = 0.003;          // half width of groove and ridge
     double pop_through_N = 0.0;        // push that a wall gives way to; 0: none does
     double pop_through_s = 0.3;        // how long it must last
     bool is_level_auto = true;         // by the speed of the hand
-    double level = 0.0;                // fixed where not automatic, >= 0, may be fractional
+    double level = 0.0;                // fixed where not automatic, may be fractional
     double finest_level = 0.0;         // the operator's bounds of the automatic level
     double coarsest_level = 16.0;
     bool is_force_wanted = true;       // false: off, at once
     bool is_emergency_stop = false;    // as long as it is pressed
     std::uint32_t faults_cleared = 0;  // another number: the operator clears what went wrong
-    double force_ceiling_N = 3.0;      // the operator's, 0 ... 3; rises by 1 N/s
+    double force_ceiling_N = 3.0;      // the operator's; rises by 1 N/s
     bool has_frame = true;             // the edge of the drawing area is felt
     GuidanceCommand guidance;
     PatternCommand pattern;
@@ -130,6 +133,39 @@ struct ServoCommands {
 
     friend bool operator==(const ServoCommands&, const ServoCommands&) = default;
 };
+
+template <class Fields, class Commands>
+void fields(Fields& f, Commands& c) {
+    constexpr double most_level = 64.0;
+    constexpr double most_turn_rad = 1e4;
+    f.choice(c.mode, Mode::stay);
+    f.number(c.stiffness_N_per_m, 1e-9, most_stiffness_N_per_m);
+    f.number(c.friction, 0.0, 1.0);
+    f.number(c.radius_m, 0.0, 0.02);
+    f.number(c.capture_m, 1e-9, 0.1);
+    f.number(c.pop_through_N, 0.0, 100.0);
+    f.number(c.pop_through_s, 0.0, 100.0);
+    f.flag(c.is_level_auto);
+    f.number(c.level, 0.0, most_level);
+    f.number(c.finest_level, 0.0, most_level);
+    f.number(c.coarsest_level, 0.0, most_level);
+    f.flag(c.is_force_wanted);
+    f.flag(c.is_emergency_stop);
+    f.number(c.faults_cleared);
+    f.number(c.force_ceiling_N, 0.0, most_force_N);
+    f.flag(c.has_frame);
+    f.choice(c.guidance.kind, GuidanceKind::to_line);
+    f.flag(c.guidance.is_held);
+    f.number(c.guidance.serial);
+    f.number(c.guidance.outline, -1, std::numeric_limits<std::int32_t>::max() - 1);
+    f.number(c.guidance.place.x, -1.0, 1.0);
+    f.number(c.guidance.place.y, -1.0, 1.0);
+    f.number(c.guidance.speed_m_per_s, 0.005, 0.1);
+    f.choice(c.pattern.pattern, HandlePattern::time_out);
+    f.number(c.pattern.serial);
+    f.choice(c.shape, HeldShape::key);
+    f.number(c.turn_rad, -most_turn_rad, most_turn_rad);
+}
 
 /// What the servo publishes every tick.
 struct ServoReport {

@@ -54,4 +54,7 @@ struct Recording {
 /// is the start: run only a recording again that comes from a machine of yours. O(size).
 [[nodiscard]] Result<Recording> decode(std::span<const std::byte> bytes);
 
+/// What came out of a tick, bit for bit.
+[[nodiscard]] bool came_out_same(const TickRecord& a, const TickRecord& b);
+
 }  // namespace touchline

@@ -1,6 +1,5 @@
 #include "haptics/servo/replay.h"
 
-#include <bit>
 #include <map>
 #include <string>
 
@@ -27,26 +26,6 @@ Result<Scenes> scenes_of(const Recording& recording, const SceneOf& scene_of) {
         if (!added) return tl::unexpected(added.error());
     }
     return scenes;
-}
-
-bool is_same(double a, double b) {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-
-template <class Quantity>
-bool is_same(Vec2<Quantity> a, Vec2<Quantity> b) {
-    return is_same(a.x, b.x) && is_same(a.y, b.y);
-}
-
-/// What came out, bit for bit.
-bool came_out_same(const TickRecord& a, const TickRecord& b) {
-    return is_same(a.time_s, b.time_s) && is_same(a.p_WH, b.p_WH) && is_same(a.p_WP, b.p_WP) &&
-           is_same(a.force, b.force) && is_same(a.torques, b.torques) &&
-           is_same(a.handle_Nm, b.handle_Nm) && is_same(a.proxy_angle_rad, b.proxy_angle_rad) &&
-           is_same(a.level, b.level) && is_same(a.stiffness_N_per_m, b.stiffness_N_per_m) &&
-           is_same(a.spring_gain, b.spring_gain) && a.state == b.state && a.outline == b.outline &&
-           a.map_version == b.map_version && a.force_state == b.force_state && a.fault == b.fault &&
-           a.limit == b.limit && a.guidance == b.guidance && a.guidance_serial == b.guidance_serial;
 }
 
 }  // namespace

@@ -1,0 +1,202 @@
+// A record that crosses a process, or goes into a file that only this program reads, says its
+// fields once, in a template that takes whatever is to be done with them:
+//
+//     template <class Fields, class Header>
+//     void fields(Fields& f, Header& header) {
+//         f.number(header.width_m, 0.0, 1.0);
+//         f.finite(header.place_m);
+//         f.choice(header.kind, Kind::last);
+//         f.flag(header.is_closed);
+//     }
+//
+// ByteWriter and ByteReader make them bytes and back: little-endian, one field behind the other.
+// FieldCheck asks whether each is in its range. Threads: plain values.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace touchline {
+
+static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
+
+template <class T>
+concept Number = std::is_arithmetic_v<T>;
+
+template <class T>
+concept Choice = std::is_enum_v<T>;
+
+class ByteWriter {
+  public:
+    template <Number T>
+    void number(const T& value) {
+        const std::size_t at = bytes_.size();
+        bytes_.resize(at + sizeof(T));
+        std::memcpy(&bytes_[at], &value, sizeof(T));
+    }
+
+    template <Number T>
+    void number(const T& value, std::type_identity_t<T> /*least*/,
+                std::type_identity_t<T> /*most*/) {
+        number(value);
+    }
+
+    template <Number T>
+    void finite(const T& value) {
+        number(value);
+    }
+
+    template <Choice T>
+    void choice(const T& value, T /*last*/) {
+        number(static_cast<std::underlying_type_t<T>>(value));
+    }
+
+    void flag(const bool& value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
+
+    /// How long it is, as a Size, then the text; what is longer than a Size can say is cut off.
+    template <Number Size>
+    void text(std::string_view value) {
+        value = value.substr(0, std::numeric_limits<Size>::max());
+        number(static_cast<Size>(value.size()));
+        raw(value);
+    }
+
+    void raw(std::span<const std::byte> bytes) {
+        bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    }
+
+    void raw(std::string_view text) { raw(std::as_bytes(std::span(text))); }
+
+    void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
+
+    [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
+
+    [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
+
+  private:
+    std::vector<std::byte> bytes_;
+};
+
+/// Any bytes may be read. It never reads past the end: what fails once has failed, and gives zeros
+/// and empty texts from there on.
+class ByteReader {
+  public:
+    explicit ByteReader(std::span<const std::byte> bytes) : left_(bytes) {}
+
+    template <Number T>
+    void number(T& value) {
+        value = T{};
+        const auto from = raw(sizeof(T));
+        if (!from.empty()) std::memcpy(&value, from.data(), sizeof(T));
+    }
+
+    /// Not checked against its range.
+    template <Number T>
+    void number(T& value, std::type_identity_t<T> /*least*/, std::type_identity_t<T> /*most*/) {
+        number(value);
+    }
+
+    template <Number T>
+    void finite(T& value) {
+        number(value);
+    }
+
+    template <Number T>
+    [[nodiscard]] T number() {
+        T value{};
+        number(value);
+        return value;
+    }
+
+    /// Fails for what comes after `last`.
+    template <Choice T>
+    void choice(T& value, T last) {
+        using Told = std::underlying_type_t<T>;
+        const auto told = number<Told>();
+        is_good_ = is_good_ && told >= Told{} && told <= static_cast<Told>(last);
+        value = is_good_ ? static_cast<T>(told) : T{};
+    }
+
+    /// Fails for what is neither 0 nor 1.
+    void flag(bool& value) {
+        const auto told = number<std::uint8_t>();
+        is_good_ = is_good_ && told <= 1;
+        value = told == 1;
+    }
+
+    template <Number Size>
+    void text(std::string& value) {
+        value = raw_text(number<Size>());
+    }
+
+    [[nodiscard]] std::span<const std::byte> raw(std::size_t size) {
+        is_good_ = is_good_ && size <= left_.size();
+        if (!is_good_) return {};
+        const auto front = left_.first(size);
+        left_ = left_.subspan(size);
+        return front;
+    }
+
+    [[nodiscard]] std::string raw_text(std::size_t size) {
+        const auto from = raw(size);
+        return {reinterpret_cast<const char*>(from.data()), from.size()};
+    }
+
+    [[nodiscard]] bool is_good() const { return is_good_; }
+
+    [[nodiscard]] bool is_at_end() const { return is_good_ && left_.empty(); }
+
+    [[nodiscard]] std::size_t left() const { return left_.size(); }
+
+  private:
+    std::span<const std::byte> left_;
+    bool is_good_ = true;
+};
+
+/// Any bytes may lie where the record is. Every comparison is one that a number that is none fails.
+class FieldCheck {
+  public:
+    template <Number T>
+    void number(const T& /*any*/) {}
+
+    template <Number T>
+    void number(const T& value, std::type_identity_t<T> least, std::type_identity_t<T> most) {
+        is_sound_ = is_sound_ && value >= least && value <= most;
+    }
+
+    template <Number T>
+    void finite(const T& value) {
+        is_sound_ = is_sound_ && std::isfinite(value);
+    }
+
+    template <Choice T>
+    void choice(const T& value, T last) {
+        is_sound_ = is_sound_ && value >= T{} && value <= last;
+    }
+
+    void flag(const bool& value) {
+        std::uint8_t byte = 0;
+        std::memcpy(&byte, &value, sizeof byte);
+        is_sound_ = is_sound_ && byte <= 1;
+    }
+
+    template <Number Size>
+    void text(const std::string& /*any*/) {}
+
+    [[nodiscard]] bool is_sound() const { return is_sound_; }
+
+  private:
+    bool is_sound_ = true;
+};
+
+}  // namespace touchline
