@@ -16,7 +16,7 @@ struct Record {
     std::int16_t count = 0;
     Kind kind = Kind::first;
     bool is_set = false;
-    std::string name;
+    std::string name = {};
 
     friend bool operator==(const Record&, const Record&) = default;
 };
@@ -56,7 +56,7 @@ RC_GTEST_PROP(Fields, ComeBackAsTheyWere, (std::int16_t count, bool is_set)) {
 TEST(Fields, WhatIsCutShortFailsAndGivesZerosFromThere) {
     const auto whole = bytes_of({0.25, 7, Kind::last, true, "name"});
     for (std::size_t size = 0; size < whole.size(); ++size) {
-        ByteReader bytes(std::span(whole).first(size));
+        ByteReader bytes(std::span{whole}.first(size));
         Record back;
         fields(bytes, back);
         EXPECT_FALSE(bytes.is_good()) << size;

@@ -92,13 +92,13 @@ void tell_lie(const std::string& lie, WorkerKind kind) {
     if (lie == "a page") put(page);
     if (lie == "elsewhere") put(answer_of(Result<FoundWords>(words_elsewhere())).value());
     if (lie == "wrong magic") answer[0] ^= std::byte{1}, put(answer);
-    if (lie == "wrong sum") answer[28] ^= std::byte{1}, put(answer);
+    if (lie == "wrong size") answer[24] ^= std::byte{1}, put(answer);
     if (lie == "huge header") answer[10] = answer[14] = std::byte{0x20}, put(answer);
     if (lie == "short") answer.pop_back(), put(answer);
     if (lie == "long") answer.resize(answer.size() + 1), put(answer);
     if (lie == "second header")
         answer.insert(answer.end(), answer.begin(), answer.end()), put(answer);
-    if (lie == "header alone") answer.resize(32), put(answer);
+    if (lie == "header alone") answer.resize(28), put(answer);
     if (lie == "half a header") answer.resize(16), put(answer);
     if (lie == "noise") put(Bytes(1000, std::byte{0xa5}));
     if (lie == "hole") _exit(ftruncate(worker_output, 100'000'000) == 0 ? 0 : 1);

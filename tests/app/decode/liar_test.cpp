@@ -47,10 +47,10 @@ TEST_P(Lies, EndInOneSentenceAndLeaveNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Lies,
-                         testing::Values("wrong magic", "wrong sum", "huge header", "short", "long",
-                                         "second header", "header alone", "half a header", "noise",
-                                         "figure outside", "hole", "nothing", "status", "abort",
-                                         "crash", "fork", "connect", "fill", "eat", "spin",
+                         testing::Values("wrong magic", "wrong size", "huge header", "short",
+                                         "long", "second header", "header alone", "half a header",
+                                         "noise", "figure outside", "hole", "nothing", "status",
+                                         "abort", "crash", "fork", "connect", "fill", "eat", "spin",
                                          "sleep"));
 
 /// Its errors go nowhere, however many.

@@ -50,7 +50,7 @@ TEST_P(ReadingLies, EndInOneSentenceAndLeaveNothing) {
 
 // What spins or sleeps ends as every worker does (liar_test.cpp), only later.
 INSTANTIATE_TEST_SUITE_P(All, ReadingLies,
-                         testing::Values("a page", "elsewhere", "wrong magic", "wrong sum",
+                         testing::Values("a page", "elsewhere", "wrong magic", "wrong size",
                                          "huge header", "short", "long", "second header",
                                          "header alone", "half a header", "noise", "hole",
                                          "nothing", "status", "abort", "crash", "fork", "connect",
