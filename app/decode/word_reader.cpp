@@ -1,10 +1,10 @@
 #include "app/decode/word_reader.h"
 
-#include "app/decode/without_shapes.h"
 #include "app/decode/word_gate.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -13,6 +13,65 @@
 
 namespace touchline {
 namespace {
+
+struct PixRelease {
+    void operator()(Pix* pix) const { pixDestroy(&pix); }
+
+    void operator()(Pixa* parts) const { pixaDestroy(&parts); }
+
+    void operator()(Boxa* boxes) const { boxaDestroy(&boxes); }
+};
+
+using OwnedPix = std::unique_ptr<Pix, PixRelease>;
+
+constexpr int largest_letter = 6;      // of them fill the longer side
+constexpr double most_of_a_box = 0.3;  // that a line fills
+constexpr int soft_edge_px = 3;
+
+/// What is dark, as in a printed page.
+OwnedPix dark_parts_of(Pix* grey) {
+    Pix* dark = nullptr;
+    pixOtsuAdaptiveThreshold(grey, pixGetWidth(grey), pixGetHeight(grey), 0, 0, 0.0F, nullptr,
+                             &dark);
+    return OwnedPix(dark);
+}
+
+bool is_large_line(Pix* part, int longer_side) {
+    const int width = pixGetWidth(part);
+    const int height = pixGetHeight(part);
+    if (largest_letter * std::max(width, height) <= longer_side) return false;
+    int dark = 0;
+    pixCountPixels(part, &dark, nullptr);
+    return dark < most_of_a_box * width * height;
+}
+
+void paint_over(Pix* grey, Pix* part, int left, int top) {
+    constexpr int reach = 2 * soft_edge_px + 1;
+    const OwnedPix framed(pixAddBorder(part, soft_edge_px, 0));
+    const OwnedPix grown(pixDilateBrick(nullptr, framed.get(), reach, reach));
+    if (grown != nullptr)
+        pixPaintThroughMask(grey, grown.get(), left - soft_edge_px, top - soft_edge_px, 255);
+}
+
+/// Lines that reach over a sixth of the longer side become white; what is filled stays. 8 bits a
+/// pixel. Where memory ends the picture comes back as it is.
+OwnedPix without_shapes(OwnedPix grey) {
+    const OwnedPix dark = dark_parts_of(grey.get());
+    if (dark == nullptr) return grey;
+    Pixa* found = nullptr;
+    const std::unique_ptr<Boxa, PixRelease> boxes(pixConnComp(dark.get(), &found, 8));
+    const std::unique_ptr<Pixa, PixRelease> parts(found);
+    if (boxes == nullptr || parts == nullptr) return grey;
+    const int longer_side = std::max(pixGetWidth(grey.get()), pixGetHeight(grey.get()));
+    for (int i = 0; i < pixaGetCount(parts.get()); ++i) {
+        const OwnedPix part(pixaGetPix(parts.get(), i, L_CLONE));
+        int left = 0;
+        int top = 0;
+        boxaGetBoxGeometry(boxes.get(), i, &left, &top, nullptr, nullptr);
+        if (is_large_line(part.get(), longer_side)) paint_over(grey.get(), part.get(), left, top);
+    }
+    return grey;
+}
 
 using decode::SeenWord;
 
@@ -28,7 +87,6 @@ constexpr int pixels_per_inch = 150;
 constexpr const char* most_holes_setting = "edges_children_count_limit";
 constexpr const char* most_holes = "5";
 
-using decode::OwnedPix;
 using OwnedText = std::unique_ptr<char[]>;
 
 /// As bright as the eye sees it. Null where memory ends.
@@ -147,7 +205,7 @@ Result<FoundWords> WordReader::read(const Picture& picture) {
     OwnedPix grey = scaled(grey_of(picture), scale);
     if (grey == nullptr)
         return failure("the picture needs too much memory to be read; it is shown without words");
-    grey = decode::without_shapes(std::move(grey));
+    grey = without_shapes(std::move(grey));
     tesseract_->SetImage(grey.get());
     tesseract_->SetSourceResolution(pixels_per_inch);
     if (tesseract_->Recognize(nullptr) != 0)

@@ -5,12 +5,13 @@
 
 #include "app/decode/page.h"
 #include "app/decode/page_order.h"
-#include "app/loading/loaded_facts.h"
 #include "app/screen/shown_scene.h"
 #include "app/servo/servo_client.h"
+#include "app/session/page_place.h"
 #include "app/trace/page_views.h"
 #include "app/trace/tracing.h"
 #include "config/types/result.h"
+#include "config/types/thing_name.h"
 #include "vision/simplify/zoom.h"
 
 #include <algorithm>
@@ -19,8 +20,18 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace touchline {
+
+struct LoadedFacts {
+    std::string title;
+    int outline_count = 0;
+    int coarsest_level = 0;
+    std::string note;  // one sentence worth telling; may be empty
+    PagePlace place = {1, 1, 1, 1};
+    std::vector<NamedThing> names = {};  // what the things of a photograph are taken for
+};
 
 /// A file of the list. Two of them are the same only if they are the same object.
 struct PictureFile {

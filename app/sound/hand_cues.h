@@ -2,13 +2,44 @@
 // Threads: one.
 #pragma once
 
-#include "app/sound/servo_clock.h"
 #include "audio-cues/cues/cue_step.h"
 #include "audio-cues/output/frame_clock.h"
 #include "audio-cues/synth/mixer.h"
 #include "config/types/contact_event.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
 namespace touchline {
+
+/// A report is never early, and now and then it comes at once: the least delay that was met is the
+/// offset between the clocks. It may grow a little, for they need not run alike.
+class ServoClock {
+  public:
+    /// A report of the servo's time `servo_s` is here at `now_ns`.
+    void told(double servo_s, std::int64_t now_ns) {
+        if (!std::isfinite(servo_s) || (last_s_ && servo_s == *last_s_)) return;
+        const double offset_s = 1e-9 * static_cast<double>(now_ns) - servo_s;
+        const bool is_new = !last_s_ || servo_s < *last_s_;  // another servo
+        const double grown_s = is_new ? offset_s : offset_s_ + drift * (servo_s - *last_s_);
+        offset_s_ = std::min(offset_s, grown_s);
+        last_s_ = servo_s;
+    }
+
+    /// Nothing before the first report.
+    [[nodiscard]] std::optional<std::int64_t> ns_of(double servo_s) const {
+        if (!last_s_ || !std::isfinite(servo_s)) return std::nullopt;
+        return std::llround(1e9 * (servo_s + offset_s_));
+    }
+
+    static constexpr double drift = 1e-4;  // seconds a second
+
+  private:
+    std::optional<double> last_s_;
+    double offset_s_ = 0.0;
+};
 
 /// Of how much is heard, and where.
 struct CueSetting {

@@ -1,7 +1,7 @@
 #include "app/sticks/udisks_port.h"
 
 #include "app/sticks/bus_generations.h"
-#include "app/sticks/udisks_volumes.h"
+#include "app/sticks/stick_rules.h"
 
 #include <cstdint>
 #include <map>
@@ -10,8 +10,68 @@
 #include <utility>
 #include <vector>
 
+#include <sdbus-c++/Types.h>
+
 namespace touchline {
 namespace {
+
+using BusProperties = std::map<std::string, sdbus::Variant>;
+using BusInterfaces = std::map<std::string, BusProperties>;
+/// As org.freedesktop.DBus.ObjectManager.GetManagedObjects answers.
+using BusObjects = std::map<sdbus::ObjectPath, BusInterfaces>;
+
+const BusProperties* find(const BusInterfaces& interfaces, const std::string& name) {
+    const auto found = interfaces.find("org.freedesktop.UDisks2." + name);
+    return found == interfaces.end() ? nullptr : &found->second;
+}
+
+template <class T>
+T get(const BusProperties& properties, const std::string& name) {
+    const auto found = properties.find(name);
+    if (found == properties.end() || !found->second.containsValueOfType<T>()) return {};
+    return found->second.get<T>();
+}
+
+/// Paths come as bytes with a zero at their end.
+std::vector<std::string> roots_of(const BusProperties& file_system) {
+    std::vector<std::string> roots;
+    for (const auto& bytes :
+         get<std::vector<std::vector<std::uint8_t>>>(file_system, "MountPoints")) {
+        std::string root(bytes.begin(), bytes.end());
+        while (root.ends_with('\0')) root.pop_back();
+        if (!root.empty()) roots.push_back(std::move(root));
+    }
+    return roots;
+}
+
+/// Every block device that is on a drive. O(n log n).
+std::vector<Volume> volumes_of(const BusObjects& objects) {
+    std::vector<Volume> volumes;
+    for (const auto& [path, interfaces] : objects) {
+        const BusProperties* const block = find(interfaces, "Block");
+        if (block == nullptr) continue;
+        const auto drive_path = get<sdbus::ObjectPath>(*block, "Drive");
+        const auto drive_object = objects.find(drive_path);
+        if (drive_object == objects.end()) continue;
+        const BusProperties* const drive = find(drive_object->second, "Drive");
+        if (drive == nullptr) continue;
+        Volume volume;
+        volume.object = path;
+        volume.drive = drive_path;
+        volume.bus = get<std::string>(*drive, "ConnectionBus");
+        volume.usage = get<std::string>(*block, "IdUsage");
+        volume.file_system = get<std::string>(*block, "IdType");
+        volume.detected_us = get<std::uint64_t>(*drive, "TimeMediaDetected");
+        volume.bytes = get<std::uint64_t>(*block, "Size");
+        volume.is_of_system = get<bool>(*block, "HintSystem");
+        volume.is_ignored = get<bool>(*block, "HintIgnore");
+        volume.is_partitioned = find(interfaces, "PartitionTable") != nullptr;
+        if (const BusProperties* const files = find(interfaces, "Filesystem"); files != nullptr)
+            volume.roots = roots_of(*files);
+        volumes.push_back(std::move(volume));
+    }
+    return volumes;
+}
 
 constexpr std::int64_t try_again_ns = 5'000'000'000;
 constexpr std::uint64_t answer_us = 30'000'000;  // a slow stick takes its time to be mounted

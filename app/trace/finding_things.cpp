@@ -1,6 +1,5 @@
 #include "app/trace/finding_things.h"
 
-#include "app/process/free_memory.h"
 #include "app/process/memory.h"
 #include "app/process/places.h"
 #include "app/sandbox/worker.h"
@@ -10,11 +9,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <limits>
 #include <string>
 #include <utility>
 
 namespace touchline {
 namespace {
+
+/// What programs can still take without others losing theirs; all there is, where the system does
+/// not tell.
+std::uint64_t free_memory_bytes() {
+    std::ifstream file("/proc/meminfo");
+    for (std::string name; file >> name;) {
+        std::uint64_t kibibytes = 0;
+        if (name == "MemAvailable:" && file >> kibibytes) return kibibytes << 10U;
+        file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    }
+    return std::numeric_limits<std::uint64_t>::max();
+}
 
 constexpr std::uint64_t least_free_bytes = 400'000'000;  // the small networks take 103 MB
 constexpr std::uint64_t least_free_for_figure_bytes = 2'000'000'000;

@@ -30,7 +30,7 @@ struct TracedMap {
     TactileMap map;
     bool is_photo = false;  // what may have a main thing
     std::string warning;    // one sentence where a visitor should expect little, else empty
-    std::string report;     // what was chosen, found and left out, as JSON (trace_report.h)
+    std::string report;     // what was chosen, found and left out, as JSON
     /// How strong each candidate for a line is (vision/contour/photo_lines.h), where somebody
     /// asked.
     GreyPicture edges;

@@ -43,7 +43,7 @@ struct TraceRequest {
 /// The first map alone.
 [[nodiscard]] Result<TracedMap> trace_page(const Page& page, const TraceRequest& request);
 
-/// A photograph of what lies under the camera as a page (photo_page.h).
+/// A photograph of what lies under the camera as a page.
 [[nodiscard]] Result<Page> page_of_photo(const CameraFrame& frame, const PhotoCut& cut);
 
 }  // namespace touchline
