@@ -17,22 +17,11 @@ namespace {
 
 constexpr std::size_t most_answer_bytes = std::size_t{256} << 20U;
 
-std::string words_of(WorkerEnd end) {
-    switch (end) {
-        case WorkerEnd::not_started:
-            return "the part of Touchline that opens files cannot be started safely here; "
-                   "have it installed anew";
-        case WorkerEnd::out_of_time:
-            return "the file takes too long to open; save it smaller or simpler";
-        case WorkerEnd::out_of_memory:
-            return "the file needs too much memory; save it smaller";
-        case WorkerEnd::done:
-        case WorkerEnd::crashed:
-        case WorkerEnd::no_answer:
-            return "the file is damaged or harmful; choose another one";
-    }
-    return {};
-}
+constexpr SaidOfEnds<const char*> said_of_files{
+    "the part of Touchline that opens files cannot be started safely here; have it installed anew",
+    "the file takes too long to open; save it smaller or simpler",
+    "the file needs too much memory; save it smaller",
+    "the file is damaged or harmful; choose another one"};
 
 }  // namespace
 
@@ -41,15 +30,15 @@ Result<Page> open_page(std::span<const std::byte> bytes, const PageOrder& order)
     const auto input = sealed_copy(bytes);
     if (!input) return tl::unexpected(input.error());
     const WorkerKind kind = kind_of(bytes);
-    auto outcome =
+    auto answer =
         run_worker({companion(program_for(kind)), arguments_of({kind, order}), kind}, *input);
-    if (outcome.end != WorkerEnd::done) return failure(words_of(outcome.end));
-    return page_in(std::make_shared<const Descriptor>(std::move(outcome.output)));
+    if (!answer) return failure(said_of_files[answer.error()]);
+    return page_in(std::make_shared<const Descriptor>(std::move(*answer)));
 }
 
 Result<Page> page_in(std::shared_ptr<const Descriptor> answer) {
     const auto bytes = map_sealed(*answer, most_answer_bytes);
-    if (!bytes) return failure(words_of(WorkerEnd::no_answer));
+    if (!bytes) return failure(said_of_files.unsafe);
     return page_of(bytes->bytes()).map([&answer](Page page) {
         page.answer = std::move(answer);
         return page;

@@ -15,23 +15,8 @@
 namespace touchline {
 namespace {
 
-constexpr std::size_t most_answer_bytes = std::size_t{112} << 20U;
-
-FindingKind kind_of(WorkerEnd end) {
-    switch (end) {
-        case WorkerEnd::not_started:
-            return FindingKind::no_worker;
-        case WorkerEnd::out_of_time:
-            return FindingKind::too_slow;
-        case WorkerEnd::out_of_memory:
-            return FindingKind::no_memory;
-        case WorkerEnd::done:
-        case WorkerEnd::crashed:
-        case WorkerEnd::no_answer:
-            return FindingKind::harmful;
-    }
-    return FindingKind::harmful;
-}
+constexpr SaidOfEnds<FindingKind> found_at_ends{FindingKind::no_worker, FindingKind::too_slow,
+                                                FindingKind::no_memory, FindingKind::harmful};
 
 bool is_refused(const UnpackAnswer& answer) {
     return !answer.findings.empty() &&
@@ -44,11 +29,9 @@ PackResult<UnpackAnswer> worked(const std::vector<std::string>& words,
     if (bytes.empty()) return refusal({FindingKind::empty});
     const auto input = sealed_copy(bytes);
     if (!input) return refusal({FindingKind::no_memory});
-    const auto outcome =
-        run_worker({companion("touchline-unpack"), words, WorkerKind::pack}, *input);
-    if (outcome.end != WorkerEnd::done) return refusal({kind_of(outcome.end)});
-    const auto mapped = map_sealed(outcome.output, most_answer_bytes);
-    if (!mapped) return refusal({FindingKind::harmful});
+    const auto mapped =
+        call_worker({companion("touchline-unpack"), words, WorkerKind::pack}, *input);
+    if (!mapped) return refusal({found_at_ends[mapped.error()]});
     auto answer = unpack_answer_of(mapped->bytes());
     if (!answer) return refusal({FindingKind::harmful});
     if (is_refused(*answer)) return refusal(answer->findings.front());

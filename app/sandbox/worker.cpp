@@ -1,21 +1,23 @@
 #include "app/sandbox/worker.h"
 
 #include "app/process/child.h"
-#include "app/process/memory.h"
 
 #include <array>
 #include <csignal>
 #include <limits>
+#include <optional>
 
 namespace touchline {
 namespace {
 
-WorkerEnd end_of(const ChildEnd& end) {
+/// Nothing where it ended well.
+std::optional<WorkerEnd> trouble_of(const ChildEnd& end) {
     if (end.signal == SIGXCPU || end.signal == SIGKILL) return WorkerEnd::out_of_time;
     if (end.signal != 0) return WorkerEnd::crashed;
     if (end.status == worker_refused_to_start) return WorkerEnd::not_started;
     if (end.status == worker_out_of_memory) return WorkerEnd::out_of_memory;
-    return end.status == 0 ? WorkerEnd::done : WorkerEnd::crashed;
+    if (end.status != 0) return WorkerEnd::crashed;
+    return std::nullopt;
 }
 
 // What libraries read before `main`. Threads that a worker cannot have: OpenMP would end the
@@ -30,23 +32,31 @@ constexpr std::array worker_environment{
 
 }  // namespace
 
-WorkerOutcome run_worker(const WorkerOrder& order, const Descriptor& input) {
+Result<Descriptor, WorkerEnd> run_worker(const WorkerOrder& order, const Descriptor& input) {
     auto output = fresh_memory();
-    if (!output) return {WorkerEnd::out_of_memory, Descriptor{}};
+    if (!output) return tl::unexpected(WorkerEnd::out_of_memory);
     const std::array<const Descriptor*, 2> handed{&input, &*output};
     auto child = Child::start(order.program, order.arguments, handed, StandardStreams::nothing,
                               {worker_environment.begin(), worker_environment.end()});
-    if (!child) return {WorkerEnd::not_started, Descriptor{}};
+    if (!child) return tl::unexpected(WorkerEnd::not_started);
     const double deadline_s = limits_of(order.kind).deadline_s;
     const bool has_ended =
         child->ends_within(deadline_s > 0.0 ? deadline_s : std::numeric_limits<double>::infinity());
     if (!has_ended) child->kill();
     const ChildEnd how = child->reap();
-    const WorkerEnd end = has_ended ? end_of(how) : WorkerEnd::out_of_time;
-    if (end != WorkerEnd::done) return {end, Descriptor{}};
+    if (!has_ended) return tl::unexpected(WorkerEnd::out_of_time);
+    if (const auto trouble = trouble_of(how)) return tl::unexpected(*trouble);
     // Only now: while the worker lived it could have had the memory mapped for writing.
-    if (is_empty(*output) || !seal(*output)) return {WorkerEnd::no_answer, Descriptor{}};
-    return {WorkerEnd::done, std::move(*output)};
+    if (is_empty(*output) || !seal(*output)) return tl::unexpected(WorkerEnd::no_answer);
+    return std::move(*output);
+}
+
+Result<Mapping, WorkerEnd> call_worker(const WorkerOrder& order, const Descriptor& input) {
+    const auto output = run_worker(order, input);
+    if (!output) return tl::unexpected(output.error());
+    return map_sealed(*output, limits_of(order.kind).file_bytes).map_error([](const Error&) {
+        return WorkerEnd::no_answer;
+    });
 }
 
 }  // namespace touchline

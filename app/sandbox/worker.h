@@ -3,7 +3,9 @@
 #pragma once
 
 #include "app/process/descriptor.h"
+#include "app/process/memory.h"
 #include "app/sandbox/limits.h"
+#include "config/types/result.h"
 
 #include <cstdint>
 #include <string>
@@ -17,8 +19,8 @@ struct WorkerOrder {
     WorkerKind kind = WorkerKind::raster;
 };
 
+/// Why there is no answer.
 enum class WorkerEnd : std::uint8_t {
-    done,         // it says so; what it wrote is sealed
     not_started,  // the program is missing, or it could not shut itself in
     crashed,      // or tried what it may not
     out_of_time,  // of the processor or on the wall
@@ -26,16 +28,32 @@ enum class WorkerEnd : std::uint8_t {
     no_answer,  // it ended well and wrote nothing
 };
 
-struct WorkerOutcome {
-    WorkerEnd end = WorkerEnd::not_started;
-    Descriptor output;  // of a worker that is done, sealed, at least one byte
+/// What is said of each end.
+template <class Said>
+struct SaidOfEnds {
+    Said not_started;
+    Said out_of_time;
+    Said out_of_memory;
+    Said unsafe;  // of the others
+
+    [[nodiscard]] const Said& operator[](WorkerEnd end) const {
+        if (end == WorkerEnd::not_started) return not_started;
+        if (end == WorkerEnd::out_of_time) return out_of_time;
+        return end == WorkerEnd::out_of_memory ? out_of_memory : unsafe;
+    }
 };
 
 /// Exit statuses of a worker.
 inline constexpr int worker_refused_to_start = 69;
 inline constexpr int worker_out_of_memory = 70;
 
-/// Runs it on `input`. Nothing else of this process is within its reach.
-[[nodiscard]] WorkerOutcome run_worker(const WorkerOrder& order, const Descriptor& input);
+/// Runs it on `input` and gives what it wrote, sealed, at least one byte. Nothing else of this
+/// process is within its reach.
+[[nodiscard]] Result<Descriptor, WorkerEnd> run_worker(const WorkerOrder& order,
+                                                       const Descriptor& input);
+
+/// The same, as bytes.
+[[nodiscard]] Result<Mapping, WorkerEnd> call_worker(const WorkerOrder& order,
+                                                     const Descriptor& input);
 
 }  // namespace touchline

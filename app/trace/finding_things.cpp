@@ -35,22 +35,12 @@ constexpr double margin = 0.07;        // of a thing's longer side
 constexpr double most_of_thing = 0.6;  // of a portrait's main thing
 constexpr double much_of_shown = 0.3;  // of what is shown with a portrait's face
 
-std::string why_none(WorkerEnd end) {
-    switch (end) {
-        case WorkerEnd::not_started:
-            return "the part of Touchline that finds main things cannot be started safely here; "
-                   "have it installed anew";
-        case WorkerEnd::out_of_time:
-            return "finding its main thing takes too long here";
-        case WorkerEnd::out_of_memory:
-            return "finding its main thing needs more memory than there is";
-        case WorkerEnd::done:
-        case WorkerEnd::crashed:
-        case WorkerEnd::no_answer:
-            return "its main thing could not be found safely";
-    }
-    return {};
-}
+constexpr SaidOfEnds<const char*> said_of_things{
+    "the part of Touchline that finds main things cannot be started safely here; have it installed "
+    "anew",
+    "finding its main thing takes too long here",
+    "finding its main thing needs more memory than there is",
+    "its main thing could not be found safely"};
 
 /// What a worker answers that refuses is a page that is none.
 Result<MainThings> things_in(std::span<const std::byte> answer) {
@@ -109,11 +99,9 @@ Result<MainThings> found_by_worker(const Page& page, const PictureNetworks& netw
                                    std::vector<std::string> words) {
     const auto input = sealed_behind(things_of(networks), page);
     if (!input) return tl::unexpected(input.error());
-    auto outcome =
-        run_worker({companion("touchline-figure"), std::move(words), WorkerKind::figure}, **input);
-    if (outcome.end != WorkerEnd::done) return failure(why_none(outcome.end));
-    const auto answer = map_sealed(outcome.output, limits_of(WorkerKind::figure).file_bytes);
-    if (!answer) return failure(why_none(WorkerEnd::no_answer));
+    const auto answer =
+        call_worker({companion("touchline-figure"), std::move(words), WorkerKind::figure}, **input);
+    if (!answer) return failure(said_of_things[answer.error()]);
     return things_in(answer->bytes());
 }
 

@@ -18,22 +18,12 @@
 namespace touchline {
 namespace {
 
-std::string words_of(WorkerEnd end) {
-    switch (end) {
-        case WorkerEnd::not_started:
-            return "the part of Touchline that finds outlines cannot be started safely here; "
-                   "have it installed anew";
-        case WorkerEnd::out_of_time:
-            return "finding its outlines takes too long; choose a simpler picture";
-        case WorkerEnd::out_of_memory:
-            return "finding its outlines needs too much memory; save it smaller";
-        case WorkerEnd::done:
-        case WorkerEnd::crashed:
-        case WorkerEnd::no_answer:
-            return "its outlines could not be found safely; choose another picture";
-    }
-    return {};
-}
+constexpr SaidOfEnds<const char*> said_of_outlines{
+    "the part of Touchline that finds outlines cannot be started safely here; have it installed "
+    "anew",
+    "finding its outlines takes too long; choose a simpler picture",
+    "finding its outlines needs too much memory; save it smaller",
+    "its outlines could not be found safely; choose another picture"};
 
 /// What finds a page's lines looks at: the mask of its main things, where it has one, and the page.
 Result<Sealed> input_of(const Page& page) {
@@ -44,10 +34,10 @@ Result<Sealed> input_of(const Page& page) {
 
 /// The worker's answer, sealed.
 Result<Sealed> worked(const TraceWork& work, const Descriptor& input) {
-    auto outcome =
+    auto answer =
         run_worker({companion("touchline-trace"), arguments_of(work), WorkerKind::trace}, input);
-    if (outcome.end != WorkerEnd::done) return failure(words_of(outcome.end));
-    return std::make_shared<const Descriptor>(std::move(outcome.output));
+    if (!answer) return failure(said_of_outlines[answer.error()]);
+    return std::make_shared<const Descriptor>(std::move(*answer));
 }
 
 /// Labels from the page's area to that of the map; the picture is fitted in it, centred.
@@ -75,7 +65,7 @@ Result<Answer> traced_by(const TraceWork& work, const Descriptor& input, const P
     const auto answer = worked(work, input);
     if (!answer) return tl::unexpected(answer.error());
     const auto mapped = map_sealed(**answer, limits_of(WorkerKind::trace).file_bytes);
-    if (!mapped) return failure(words_of(WorkerEnd::no_answer));
+    if (!mapped) return failure(said_of_outlines.unsafe);
     auto traced = traced_of(mapped->bytes());
     if (!traced) return tl::unexpected(traced.error());
     if (traced->map) tell(page, work.options, traced->map->map);
@@ -95,7 +85,7 @@ Result<FirstTrace> find_page_lines(const Page& page, const TraceRequest& request
     if (!answer) return tl::unexpected(answer.error());
     Traced& traced = answer->traced;
     if (!traced.has_lines)
-        return failure(traced.map ? words_of(WorkerEnd::no_answer) : traced.map.error().line);
+        return failure(traced.map ? said_of_outlines.unsafe : traced.map.error().line);
     return FirstTrace{std::move(answer->memory), std::move(traced.map)};
 }
 

@@ -21,14 +21,15 @@
 namespace touchline {
 namespace {
 
-WorkerOutcome worked(const std::string& script, WorkerKind kind = WorkerKind::raster) {
+Result<Descriptor, WorkerEnd> worked(const std::string& script,
+                                     WorkerKind kind = WorkerKind::raster) {
     const std::string text = "hello\n";
     const Descriptor input = sealed_copy(std::as_bytes(std::span(text))).value();
     return run_worker({"/bin/sh", {"-c", script}, kind}, input);
 }
 
-std::string text_of(const WorkerOutcome& outcome) {
-    const auto mapping = map_sealed(outcome.output, 1U << 20U);
+std::string text_of(const Result<Descriptor, WorkerEnd>& answer) {
+    const auto mapping = map_sealed(answer.value(), 1U << 20U);
     if (!mapping) return mapping.error().line;
     const auto bytes = mapping->bytes();
     std::string text(bytes.size(), '\0');
@@ -41,10 +42,9 @@ bool has_a_child() {
 }
 
 TEST(Worker, ReadsItsInputAndItsOutputIsSealed) {
-    const WorkerOutcome outcome = worked("cat /proc/self/fd/3 >&4");
-    EXPECT_EQ(outcome.end, WorkerEnd::done);
-    EXPECT_EQ(text_of(outcome), "hello\n");
-    EXPECT_LT(write(outcome.output.number(), "x", 1), 0);
+    const auto answer = worked("cat /proc/self/fd/3 >&4");
+    EXPECT_EQ(text_of(answer), "hello\n");
+    EXPECT_LT(write(answer->number(), "x", 1), 0);
 }
 
 /// Both sides count the descriptors alike.
@@ -66,9 +66,9 @@ struct Ending {
 class Endings : public testing::TestWithParam<Ending> {};
 
 TEST_P(Endings, AreToldAndNothingOfTheWorkerIsKept) {
-    const WorkerOutcome outcome = worked(GetParam().script);
-    EXPECT_EQ(outcome.end, GetParam().end) << GetParam().script;
-    EXPECT_FALSE(outcome.output.is_open());
+    const auto answer = worked(GetParam().script);
+    ASSERT_FALSE(answer.has_value());
+    EXPECT_EQ(answer.error(), GetParam().end) << GetParam().script;
     EXPECT_FALSE(has_a_child());
 }
 
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Worker, AProgramThatIsMissingIsNotStarted) {
     const Descriptor input = sealed_copy(std::as_bytes(std::span("x"))).value();
-    EXPECT_EQ(run_worker({"/nowhere/at-all", {}, WorkerKind::raster}, input).end,
+    EXPECT_EQ(run_worker({"/nowhere/at-all", {}, WorkerKind::raster}, input).error(),
               WorkerEnd::not_started);
 }
 
@@ -96,10 +96,10 @@ TEST(Worker, ThatSleepsIsEndedAtItsDeadline) {
     timespec begin{};
     timespec end{};
     clock_gettime(CLOCK_MONOTONIC, &begin);
-    const WorkerOutcome outcome = worked("echo much >&4; exec sleep 600");
+    const auto answer = worked("echo much >&4; exec sleep 600");
     clock_gettime(CLOCK_MONOTONIC, &end);
-    EXPECT_EQ(outcome.end, WorkerEnd::out_of_time);
-    EXPECT_FALSE(outcome.output.is_open());
+    ASSERT_FALSE(answer.has_value());
+    EXPECT_EQ(answer.error(), WorkerEnd::out_of_time);
     EXPECT_FALSE(has_a_child());
     EXPECT_GE(end.tv_sec - begin.tv_sec, 5);
 }
@@ -129,7 +129,7 @@ TEST(Worker, IsNotStartedWhereNothingIsLeftForItsAnswer) {
     std::vector<Descriptor> all;
     do all.emplace_back(::dup(input.number()));
     while (all.back().is_open());
-    EXPECT_EQ(run_worker({"/bin/true", {}, WorkerKind::raster}, input).end,
+    EXPECT_EQ(run_worker({"/bin/true", {}, WorkerKind::raster}, input).error(),
               WorkerEnd::out_of_memory);
 }
 
