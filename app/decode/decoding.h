@@ -18,12 +18,12 @@ namespace touchline {
 /// page than 1. O(bytes + pixels).
 [[nodiscard]] Result<Page> decode_raster(std::span<const std::byte> bytes, const PageOrder& order);
 
-/// Likewise a picture that a film's codec made: HEIC, AVIF.
-[[nodiscard]] Result<Page> decode_film(std::span<const std::byte> bytes, const PageOrder& order);
+/// Likewise a picture that a codec of films made: HEIC, AVIF.
+[[nodiscard]] Result<Page> decode_heif(std::span<const std::byte> bytes, const PageOrder& order);
 
 /// Loads the codecs, which are files of their own since Debian 13: shut in they could not be
 /// opened.
-void prepare_films();
+void prepare_heif();
 
 /// A page of what is drawn: SVG, PDF. Fails likewise.
 [[nodiscard]] Result<Page> decode_document(std::span<const std::byte> bytes,

@@ -38,7 +38,6 @@ Result<Stored> read_tiff(Bytes bytes);
 Result<Stored> read_gif(Bytes bytes);
 Result<Stored> read_bmp(Bytes bytes);
 Result<Stored> read_pnm(Bytes bytes);
-Result<Stored> read_heif(Bytes bytes);
 Result<Page> read_svg(Bytes bytes, const PageOrder& order);
 Result<Page> read_pdf(Bytes bytes, const PageOrder& order);
 

@@ -1,6 +1,8 @@
 // HEIC (telephones) and AVIF, through libheif, which turns them upright itself, and decodes the
 // whole picture at once: a large one is made smaller afterwards.
+#include "app/decode/decoding.h"
 #include "app/decode/formats.h"
+#include "app/decode/pixel_page.h"
 #include "app/decode/shrinking.h"
 
 #include <algorithm>
@@ -118,8 +120,6 @@ Result<Owned<heif_image_handle>> primary_image(heif_context* context, Bytes byte
     return Owned<heif_image_handle>(handle);
 }
 
-}  // namespace
-
 Result<Stored> read_heif(Bytes bytes) {
     const std::string_view name = name_of(bytes);
     const Owned<heif_context> context(heif_context_alloc());
@@ -144,4 +144,21 @@ Result<Stored> read_heif(Bytes bytes) {
     return Stored{std::move(*picture), resolution_of(image.get(), handle->get()), is_upright};
 }
 
+Result<Page> heif_page(Bytes bytes, const PageOrder& order) {
+    return page_by(read_heif, bytes, order);
+}
+
+}  // namespace
 }  // namespace touchline::decode
+
+namespace touchline {
+
+void prepare_heif() {
+    (void)heif_init(nullptr);  // a codec that is not there is told with the file that wants it
+}
+
+Result<Page> decode_heif(std::span<const std::byte> bytes, const PageOrder& order) {
+    return decode::without_exceptions(decode::heif_page, bytes, order);
+}
+
+}  // namespace touchline

@@ -26,7 +26,7 @@ WorkerKind kind_of(std::span<const std::byte> bytes) {
         case FileFormat::pdf:
             return WorkerKind::document;
         case FileFormat::heif:
-            return WorkerKind::film;
+            return WorkerKind::heif;
         default:
             return WorkerKind::raster;
     }
@@ -36,8 +36,8 @@ std::string program_for(WorkerKind kind) {
     switch (kind) {
         case WorkerKind::document:
             return "touchline-decode-document";
-        case WorkerKind::film:
-            return "touchline-decode-film";
+        case WorkerKind::heif:
+            return "touchline-decode-heif";
         default:
             return "touchline-decode";
     }

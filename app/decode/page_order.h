@@ -18,7 +18,7 @@ struct PageOrder {
 };
 
 /// By the first bytes: what is drawn (SVG, PDF) needs more libraries than what is pixels, and what
-/// a film's codec made (HEIC, AVIF) others, and threads.
+/// a codec of films made (HEIC, AVIF) others, and threads.
 [[nodiscard]] WorkerKind kind_of(std::span<const std::byte> bytes);
 
 /// The program that opens files of a kind.

@@ -1,9 +1,9 @@
 // One page of a PDF: its pixels, its words with their boxes, what was written of its figures.
+#include "app/decode/drawing_surface.h"
 #include "app/decode/formats.h"
 #include "app/decode/machine_words.h"
 #include "app/decode/pdf_parts.h"
 #include "app/decode/pdf_words.h"
-#include "app/decode/sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,8 +133,8 @@ std::string title_of(PopplerDocument* document, PopplerPage* page) {
 }
 
 Result<Picture> picture_of(PopplerPage* source, const PageSize& size, double scale) {
-    Sheet sheet(std::max(1, static_cast<int>(std::lround(scale * size.width_pt))),
-                std::max(1, static_cast<int>(std::lround(scale * size.height_pt))));
+    DrawingSurface sheet(std::max(1, static_cast<int>(std::lround(scale * size.width_pt))),
+                         std::max(1, static_cast<int>(std::lround(scale * size.height_pt))));
     sheet.whiten();
     cairo_scale(sheet.context(), scale, scale);
     poppler_page_render(source, sheet.context());

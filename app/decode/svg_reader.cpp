@@ -1,9 +1,9 @@
 // An SVG as a picture of pixels. librsvg opens no other file as long as it is told of no base
 // address; scripts, animation and network do not exist in it, and it bounds its own nesting.
+#include "app/decode/drawing_surface.h"
 #include "app/decode/formats.h"
 #include "app/decode/machine_words.h"
 #include "app/decode/map_svg.h"
-#include "app/decode/sheet.h"
 #include "app/decode/svg_references.h"
 #include "app/decode/svg_texts.h"
 #include "config/types/map_limits.h"
@@ -207,7 +207,7 @@ Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
         !fits) {
         return tl::unexpected(fits.error());
     }
-    const Sheet sheet(framing->width_px(), framing->height_px());
+    const DrawingSurface sheet(framing->width_px(), framing->height_px());
     cairo_scale(sheet.context(), framing->px_per_unit, framing->px_per_unit);
     cairo_translate(sheet.context(), -framing->shown.x, -framing->shown.y);
     if (rsvg_handle_render_document(handle.get(), sheet.context(), &framing->viewport, &problem) ==

@@ -31,7 +31,7 @@ std::size_t place_of(const std::string& code, const std::vector<Language>& langu
 }  // namespace
 
 /// What each order of a visit does.
-struct Kiosk::Carrying {
+struct Kiosk::VisitOrderHandler {
     Kiosk& kiosk;
 
     /// While the operator is in, the visit is silent.
@@ -83,7 +83,7 @@ struct Kiosk::Carrying {
     }
 
     void operator()(const GiveStickBack&) const {
-        if (kiosk.shelf_) kiosk.shelf_->end_session();
+        if (kiosk.sticks_) kiosk.sticks_->end_session();
     }
 
     void operator()(const Wipe&) const { kiosk.wipe(); }
@@ -101,31 +101,31 @@ Kiosk::Kiosk(KioskParts parts)
       servo_(std::move(parts.servo)),
       sound_(std::move(parts.sound)),
       loader_(std::move(parts.loader)),
-      shelf_(std::move(parts.shelf)),
+      sticks_(std::move(parts.sticks)),
       photos_(std::move(parts.photos)),
       settings_(std::move(parts.settings)),
       profile_(std::move(parts.profile)),
       hand_words_(std::move(parts.hand_words)),
       hand_name_(std::move(parts.hand_name)),
       reading_language_(std::move(parts.reading_language)),
-      operator_(std::move(parts.operator_desk)),
+      operator_(std::move(parts.operator_session)),
       are_keys_always_free_(parts.are_keys_free),
       minute_of_day_(std::move(parts.minute_of_day)),
       keys_(std::move(parts.keys)),
       filter_(settings_.double_strike_s) {
     follow_rules();
     rules_.has_camera = photos_ != nullptr;
-    rules_.has_stick_port = shelf_ != nullptr;
+    rules_.has_stick_port = sticks_ != nullptr;
     take(start_visit(world()));
 }
 
-void Kiosk::happen(const VisitEvent& event) {
+void Kiosk::apply(const VisitEvent& event) {
     take(touchline::step(visit_, event, world()));
 }
 
 void Kiosk::take(VisitStep step) {
     visit_ = std::move(step.visit);
-    for (const VisitOrder& order : step.orders) std::visit(Carrying{*this}, order);
+    for (const VisitOrder& order : step.orders) std::visit(VisitOrderHandler{*this}, order);
     if (reading_language_) *reading_language_ = written_language(language().code());
 }
 
@@ -134,7 +134,7 @@ void Kiosk::set(const Settings& settings) {
         filter_ = KeyFilter(settings.double_strike_s);
     const Settings before = std::exchange(settings_, settings);
     follow_rules();
-    happen(SettingsChanged{before});
+    apply(SettingsChanged{before});
     set_servo();
 }
 
@@ -152,7 +152,8 @@ void Kiosk::follow_rules() {
     rules_.answer_s = settings_.answer_s;
     rules_.offers_staff = settings_.offers_staff;
     rules_.notice = settings_.notice;
-    if (shelf_) shelf_->allow(settings_.more_file_systems ? FileSystems::more : FileSystems::usual);
+    if (sticks_)
+        sticks_->allow(settings_.more_file_systems ? FileSystems::more : FileSystems::usual);
     if (photos_)
         photos_->set({settings_.cut_left_percent, settings_.cut_right_percent,
                       settings_.cut_top_percent, settings_.cut_bottom_percent});
@@ -197,9 +198,9 @@ void Kiosk::load(const LoadPicture& order) {
     order_ = order;
     const FilePtr file = file_of_order(order);
     if (file == nullptr) {
-        happen(PictureFailed{order.request, language().text("kiosk",
-                                                            "This picture is gone. "
-                                                            "Choose another one.")});
+        apply(PictureFailed{order.request, language().text("kiosk",
+                                                           "This picture is gone. "
+                                                           "Choose another one.")});
         return;
     }
     wanted_ = file;
@@ -263,7 +264,7 @@ void Kiosk::step(std::int64_t now_ns) {
         ticked_s_ = now_s;
         follow_servo();
         follow_troubles();
-        happen(Tick{now_s});
+        apply(Tick{now_s});
         if (settings_.two_switches == moves_by_itself && !is_operator_in())
             press_switch(SwitchEvent::tick);
         follow_operator();
@@ -281,30 +282,30 @@ void Kiosk::follow_headphones() {
     const std::optional<bool> are_in = sound_->are_headphones_in();
     if (are_in == std::exchange(are_headphones_in_, are_in)) return;
     follow_rules();
-    happen(HeadphonesChanged{are_in.value_or(true)});
+    apply(HeadphonesChanged{are_in.value_or(true)});
 }
 
 void Kiosk::offer(std::vector<FilePtr> files, const StickRest& rest) {
     std::vector<std::string> names;
     for (const FilePtr& file : files) names.push_back(file->file_name);
     pictures_.put_stick(std::move(files));
-    happen(StickCame{std::move(names), rest});
+    apply(StickCame{std::move(names), rest});
 }
 
 void Kiosk::follow_stick(std::int64_t now_ns) {
-    if (!shelf_) return;
-    auto change = shelf_->poll(now_ns);
-    follow_part(Part::sticks, shelf_->is_watching());
-    const bool was_listing = std::exchange(is_listing_, shelf_->is_listing());
+    if (!sticks_) return;
+    auto change = sticks_->poll(now_ns);
+    follow_part(Part::sticks, sticks_->is_watching());
+    const bool was_listing = std::exchange(is_listing_, sticks_->is_listing());
     if (change && !change->files.empty()) {
         offer(std::move(change->files), change->rest);
     } else if (change) {
         pictures_.put_stick({});
-        happen(StickGone{change->is_read
-                             ? nothing_words(change->rest, language())
-                             : told_of_file(change->sentence, stick_trouble, language())});
+        apply(StickGone{change->is_read
+                            ? nothing_words(change->rest, language())
+                            : told_of_file(change->sentence, stick_trouble, language())});
     } else if (is_listing_ && !was_listing) {
-        happen(StickArriving{});
+        apply(StickArriving{});
     }
 }
 
@@ -313,7 +314,7 @@ void Kiosk::follow_loader() {
     if (const auto things = loader_->take_things()) {
         if (!things->why_not.empty())
             report("a photograph's main thing was not looked for: " + things->why_not);
-        happen(ThingsLookedFor{things->request, things->place, things->names});
+        apply(ThingsLookedFor{things->request, things->place, things->names});
     }
 }
 
@@ -329,7 +330,7 @@ void Kiosk::take(Delivery delivery) {
     parts_ = facts.parts;
     servo_->feel(delivery.scene->felt);
     if (operator_ && !delivery.is_better) operator_->count_picture(order_.source);
-    happen(PictureReady{delivery.request, std::move(facts)});
+    apply(PictureReady{delivery.request, std::move(facts)});
 }
 
 /// The file's name, which every line about it begins with, tells nothing and may hold anything.
@@ -349,14 +350,14 @@ void Kiosk::refuse(std::uint64_t request, const std::string& line) {
                                                      "now.")
             : told_reason(line);
     stay_with_felt();
-    happen(PictureFailed{request, sentence});
+    apply(PictureFailed{request, sentence});
 }
 
 void Kiosk::follow_camera(double now_s) {
     if (!photos_) return;
     PhotoNews news = photos_->step(now_s);
     const bool has_camera = news.condition != CameraCondition::absent;
-    if (has_camera != std::exchange(has_camera_, has_camera)) happen(CameraChanged{has_camera});
+    if (has_camera != std::exchange(has_camera_, has_camera)) apply(CameraChanged{has_camera});
     follow_part(Part::camera, has_camera);
     trouble(TroubleKind::camera,
             news.condition == CameraCondition::stopped
@@ -364,10 +365,10 @@ void Kiosk::follow_camera(double now_s) {
                 : "");
     if (news.photo && visit_.visitor.is_capturing) {
         pictures_.put_photo(std::move(news.photo));
-        happen(CameraCaptured{news.is_doubtful});
+        apply(CameraCaptured{news.is_doubtful});
     }
     if (news.has_given_up)
-        happen(CameraFailed{language().text("camera", "The camera gave no photo. Try again.")});
+        apply(CameraFailed{language().text("camera", "The camera gave no photo. Try again.")});
 }
 
 std::shared_ptr<const Canvas> Kiosk::preview() const {
@@ -385,7 +386,7 @@ void Kiosk::follow_servo() {
     seen.is_led = phase == GuidancePhase::running || phase == GuidancePhase::pausing;
     // The operator's hand keeps a visit, and begins none.
     if (is_operator_in()) seen.has_moved = is_visit_on(visit_);
-    happen(seen);
+    apply(seen);
     follow_guidance();
 }
 
@@ -395,7 +396,7 @@ void Kiosk::follow_guidance() {
     const bool has_arrived = status.phase == GuidancePhase::arrived;
     if (!has_arrived && status.phase != GuidancePhase::stopped) return;
     is_guiding_ = false;
-    happen(GuidanceEnded{has_arrived});
+    apply(GuidanceEnded{has_arrived});
 }
 
 /// While the handle is led to a place, the way there is heard.
@@ -426,9 +427,9 @@ void Kiosk::trouble(TroubleKind kind, const std::string& sentence) {
     if (sentence == told) return;
     told = sentence;
     if (sentence.empty())
-        happen(TroubleEnded{kind});
+        apply(TroubleEnded{kind});
     else
-        happen(TroubleBegan{kind, sentence});
+        apply(TroubleBegan{kind, sentence});
 }
 
 void Kiosk::report(const std::string& line) {
@@ -445,7 +446,7 @@ std::string Kiosk::take_report() {
 }
 
 void Kiosk::stop() {
-    if (shelf_) shelf_->end_session();
+    if (sticks_) sticks_->end_session();
     servo_->stop();
 }
 

@@ -9,11 +9,11 @@
 #include "app/decode/reading_order.h"
 #include "app/keys/key_filter.h"
 #include "app/keys/two_switches.h"
+#include "app/kiosk/file_source.h"
 #include "app/kiosk/missing_parts.h"
-#include "app/kiosk/operator_desk.h"
-#include "app/kiosk/photo_desk.h"
+#include "app/kiosk/operator_session.h"
+#include "app/kiosk/photo_capture.h"
 #include "app/kiosk/pictures.h"
-#include "app/kiosk/shelf.h"
 #include "app/loading/loader.h"
 #include "app/servo/servo_client.h"
 #include "app/session/keys.h"
@@ -35,19 +35,19 @@
 
 namespace touchline {
 
-/// Any of shelf and photos may be null: the house has none.
+/// Any of sticks and photos may be null: the house has none.
 struct KioskParts {
     std::vector<Language> languages;  // not empty, English first
     Gallery gallery;                  // of these languages
     std::unique_ptr<ServoClient> servo;
     std::unique_ptr<VisitorSound> sound;
     std::unique_ptr<Loader> loader;
-    std::unique_ptr<Shelf> shelf;
-    std::unique_ptr<PhotoDesk> photos;
+    std::unique_ptr<FileSource> sticks;
+    std::unique_ptr<PhotoCapture> photos;
     Settings settings;
     KeyTable keys = default_keys();
     /// Null: nobody can enter. Its settings and keys are those above.
-    std::unique_ptr<OperatorDesk> operator_desk;
+    std::unique_ptr<OperatorSession> operator_session;
     /// The operator's keys are anybody's, as in a window of somebody's desktop.
     bool are_keys_free = false;
     std::function<int()> minute_of_day;  // 0 ... 1439, of the house's clock; none: always open
@@ -71,7 +71,7 @@ class Kiosk {
     void press(KeyRole role);
 
     /// Of a joystick's axis, counter-clockwise: turns a shape in the hand.
-    void turn_knob(double by_rad) { happen(KnobTurned{by_rad}); }
+    void turn_knob(double by_rad) { apply(KnobTurned{by_rad}); }
 
     /// A key of the operator's own keyboard (Settings::operator_device), which is for the operator
     /// alone; no PIN is needed for the operator's keys there.
@@ -118,13 +118,13 @@ class Kiosk {
     [[nodiscard]] std::string take_report();
 
     /// What the staff sees and wants.
-    struct Desk {
+    struct WindowWishes {
         bool shows_live_view = false;
         bool shows_boxes = false;
         bool is_quitting = false;
     };
 
-    [[nodiscard]] const Desk& desk() const { return desk_; }
+    [[nodiscard]] const WindowWishes& window_wishes() const { return window_wishes_; }
 
     [[nodiscard]] LiveFacts live_facts() const;
 
@@ -132,8 +132,8 @@ class Kiosk {
     void stop();
 
   private:
-    struct Carrying;
-    struct OperatorCarrying;
+    struct VisitOrderHandler;
+    struct OperatorOrderHandler;
 
     [[nodiscard]] VisitWorld world() const { return {languages_, settings_, titles(), rules_}; }
 
@@ -141,7 +141,7 @@ class Kiosk {
         return pictures_.titles();
     }
 
-    void happen(const VisitEvent& event);
+    void apply(const VisitEvent& event);
     void act(Action action);
     void press_for_visit(KeyRole role);
     void tell_operator(const OperatorEvent& event);
@@ -196,8 +196,8 @@ class Kiosk {
     std::unique_ptr<ServoClient> servo_;
     std::unique_ptr<VisitorSound> sound_;
     std::unique_ptr<Loader> loader_;
-    std::unique_ptr<Shelf> shelf_;
-    std::unique_ptr<PhotoDesk> photos_;
+    std::unique_ptr<FileSource> sticks_;
+    std::unique_ptr<PhotoCapture> photos_;
     Settings settings_;
     DeviceProfile profile_;
     std::string hand_words_;
@@ -205,7 +205,7 @@ class Kiosk {
     VisitRules rules_;
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language_;
 
-    std::unique_ptr<OperatorDesk> operator_;
+    std::unique_ptr<OperatorSession> operator_;
     bool are_keys_always_free_ = false;
     std::function<int()> minute_of_day_;
     std::string operator_caption_;
@@ -213,14 +213,14 @@ class Kiosk {
     double motor_test_s_ = 0.0;  // when it began; 0: none
     bool is_motor_test_due_ = false;
     bool is_recording_due_ = false;  // the operator waits for what became of it
-    HouseOpening opening_ = HouseOpening::open;
+    SiteOpening opening_ = SiteOpening::open;
     double hours_looked_s_ = -1e9;
     double visit_began_s_ = 0.0;
     bool was_visit_on_ = false;
     KeyTable keys_;
     KeyFilter filter_;
     SwitchScan scan_;
-    Desk desk_;
+    WindowWishes window_wishes_;
 
     Visit visit_;
     Feel feel_;  // as it was last ordered

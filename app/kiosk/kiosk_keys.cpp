@@ -34,7 +34,7 @@ void Kiosk::change_key(const KeyChange& change) {
     if (was_in || is_operator_in()) return;
     if (role) return press_for_visit(*role);
     const auto action = action_of_key(change.key);
-    if (!action) return happen(DeadKeyPressed{});
+    if (!action) return apply(DeadKeyPressed{});
     if (!is_for_operator(*action) || are_keys_free()) return act(*action);
     sound_->say({language().code(),
                  language().text("operator", "This key is the operator’s. Enter the PIN first."),
@@ -76,7 +76,7 @@ void Kiosk::strike_key(const KeyStruck& struck) {
 
 /// With two switches a key selects, or moves on.
 void Kiosk::press_for_visit(KeyRole role) {
-    if (settings_.two_switches == 0) return happen(KeyPressed{role});
+    if (settings_.two_switches == 0) return apply(KeyPressed{role});
     press_switch(role == KeyRole::select ? SwitchEvent::select : SwitchEvent::move);
 }
 
@@ -85,19 +85,19 @@ void Kiosk::press_switch(SwitchEvent event) {
     SwitchStep step = step_switches(scan_, event, screen(), pace_s, now_s_, language());
     scan_ = step.scan;
     if (!step.said.empty()) sound_->say({language().code(), step.said, SpeechPriority::text});
-    if (step.press) happen(KeyPressed{*step.press});
+    if (step.press) apply(KeyPressed{*step.press});
 }
 
 void Kiosk::act(Action action) {
     switch (action) {
         case Action::repeat_speech:
-            return happen(SpeechKeyPressed{SpeechKey::repeat});
+            return apply(SpeechKeyPressed{SpeechKey::repeat});
         case Action::pause_speech:
-            return happen(SpeechKeyPressed{SpeechKey::pause});
+            return apply(SpeechKeyPressed{SpeechKey::pause});
         case Action::slower_speech:
-            return happen(SpeechKeyPressed{SpeechKey::slower});
+            return apply(SpeechKeyPressed{SpeechKey::slower});
         case Action::faster_speech:
-            return happen(SpeechKeyPressed{SpeechKey::faster});
+            return apply(SpeechKeyPressed{SpeechKey::faster});
         case Action::emergency_stop:
             is_emergency_stop_ = true;
             return set_servo();
@@ -110,16 +110,16 @@ void Kiosk::act(Action action) {
         case Action::home_again:
             return servo_->home_again();
         case Action::toggle_live_view:
-            desk_.shows_live_view = !desk_.shows_live_view;
+            window_wishes_.shows_live_view = !window_wishes_.shows_live_view;
             return;
         case Action::toggle_boxes:
-            desk_.shows_boxes = !desk_.shows_boxes;
+            window_wishes_.shows_boxes = !window_wishes_.shows_boxes;
             return;
         case Action::headphones_in:
         case Action::headphones_out:
             return sound_->tell_headphones(action == Action::headphones_in);
         case Action::quit:
-            desk_.is_quitting = true;
+            window_wishes_.is_quitting = true;
             return;
     }
 }

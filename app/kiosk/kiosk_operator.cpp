@@ -19,7 +19,7 @@ constexpr double level_tenth = 10.0;
 
 }  // namespace
 
-struct Kiosk::OperatorCarrying {
+struct Kiosk::OperatorOrderHandler {
     Kiosk& kiosk;
 
     void operator()(const Say& say) const {
@@ -50,7 +50,9 @@ struct Kiosk::OperatorCarrying {
 
     void operator()(const StopTest&) const {}  // every step is done at once
 
-    void operator()(const ShowLive& show) const { kiosk.desk_.shows_live_view = show.is_on; }
+    void operator()(const ShowLive& show) const {
+        kiosk.window_wishes_.shows_live_view = show.is_on;
+    }
 
     void operator()(const LockHandle& lock) const {
         kiosk.is_handle_locked_ = lock.is_on;
@@ -59,16 +61,16 @@ struct Kiosk::OperatorCarrying {
 
     void operator()(const SaveRecording&) const { kiosk.keep_recording(); }
 
-    void operator()(const CloseKiosk&) const { kiosk.desk_.is_quitting = true; }
+    void operator()(const CloseKiosk&) const { kiosk.window_wishes_.is_quitting = true; }
 
     /// The visitors' screen says where it is, after the operator's last words.
     void operator()(const Leave&) const {
-        kiosk.desk_.shows_live_view = false;
+        kiosk.window_wishes_.shows_live_view = false;
         kiosk.sound_->say({kiosk.language().code(), spoken_screen(kiosk.screen(), kiosk.language()),
                            SpeechPriority::hint});
     }
 
-    // The desk has carried these out itself.
+    // The session has carried these out itself.
     void operator()(const CheckPin&) const {}
 
     void operator()(const KeepPin&) const {}
@@ -100,8 +102,8 @@ void Kiosk::tell_operator(const OperatorEvent& event) {
         sound_->hush();
         sound_->give(ScreenEvent::key_taken);
     }
-    for (const OperatorOrder& order : operator_->happen(event, language(), now_s_))
-        std::visit(OperatorCarrying{*this}, order);
+    for (const OperatorOrder& order : operator_->apply(event, language(), now_s_))
+        std::visit(OperatorOrderHandler{*this}, order);
 }
 
 void Kiosk::keep_recording() {
@@ -138,24 +140,24 @@ void Kiosk::follow_operator() {
     operator_->set_kind(servo_->kind());
     operator_->set_device_words(told_of_device(servo_->device_words(), language(), ToldTo::staff));
     operator_->set_bounds(felt_bounds());
-    if (shelf_) operator_->put_stick(shelf_->root());
+    if (sticks_) operator_->put_stick(sticks_->root());
     if (const auto line = operator_->poll_stick(language())) tell_operator(OrderAnswered{*line});
     tell_operator(MomentPassed{});
     if (const std::string note = operator_->take_note(); !note.empty()) report(note);
     if (operator_->read_again()) set(operator_->settings());
 }
 
-/// Opened and closed by the clock of the house, and softer when it is quiet.
+/// Opened and closed by the clock of the site, and softer when it is quiet.
 void Kiosk::follow_hours() {
     if (now_s_ - hours_looked_s_ < hours_look_s) return;
     hours_looked_s_ = now_s_;
     const int minute = minute_of_day_ ? minute_of_day_() : 0;
     const auto open = hours_in(settings_.opening_hours);
     const bool is_closed = minute_of_day_ && open && !is_within(*open, minute);
-    const HouseOpening opening = settings_.is_maintained ? HouseOpening::maintenance
-                                 : is_closed             ? HouseOpening::closed
-                                                         : HouseOpening::open;
-    if (opening != std::exchange(opening_, opening)) happen(OpeningChanged{opening});
+    const SiteOpening opening = settings_.is_maintained ? SiteOpening::maintenance
+                                : is_closed             ? SiteOpening::closed
+                                                        : SiteOpening::open;
+    if (opening != std::exchange(opening_, opening)) apply(OpeningChanged{opening});
     const auto quiet = hours_in(settings_.quiet_hours);
     const bool is_quiet = minute_of_day_ && quiet && is_within(*quiet, minute);
     if (operator_)
@@ -198,7 +200,7 @@ void Kiosk::run_test(TestStep step) {
             sound_->play_side(step == TestStep::sound_left);
             return answer_test(step, true);
         case TestStep::stick_port:
-            return answer_test(step, shelf_ && shelf_->is_watching());
+            return answer_test(step, sticks_ && sticks_->is_watching());
         case TestStep::disk:
             return answer_test(step, operator_->can_write());
         case TestStep::keys:  // the screens count them

@@ -4,7 +4,7 @@
 #include "app/keys/operator_keyboard.h"
 #include "app/kiosk/content_of.h"
 #include "app/kiosk/kiosk.h"
-#include "app/kiosk/stick_shelf.h"
+#include "app/kiosk/stick_source.h"
 #include "app/loading/kiosk_stages.h"
 #include "app/loading/page_reader.h"
 #include "app/loading/thing_finder.h"
@@ -116,8 +116,8 @@ class KioskWindow {
     Result<void> open_window() {
         std::vector<std::string> problems;
         sound_ = sound_parts();
-        desk_ = std::make_unique<OperatorDesk>(operator_files(), sound_.languages, problems);
-        settings_ = desk_->settings();
+        operator_ = std::make_unique<OperatorSession>(operator_files(), sound_.languages, problems);
+        settings_ = operator_->settings();
         for (const std::string& problem : sound_.problems) report(problem);
         for (const std::string& problem : problems) report(problem);
         auto window = Window::open(!arguments_.in_window,
@@ -173,9 +173,9 @@ class KioskWindow {
         parts.languages = sound_.languages;
         parts.gallery = std::move(*gallery);
         parts.settings = settings_;
-        parts.keys = desk_->keys();
+        parts.keys = operator_->keys();
         parts.minute_of_day = minute_of_day;
-        parts.operator_desk = std::move(desk_);
+        parts.operator_session = std::move(operator_);
         parts.are_keys_free = arguments_.in_window;
         parts.profile = servo->profile;
         parts.hand_words = servo->hand_words;
@@ -187,8 +187,8 @@ class KioskWindow {
             std::make_unique<ThreadExecutor>(loading_threads));
         parts.sound = std::make_unique<Sound>(
             std::move(sound_), [client = servo->client.get()] { return client->next_event(); });
-        parts.shelf = std::make_unique<StickShelf>(open_stick_port(settings_.watched_folder),
-                                                   companion("touchline-import"));
+        parts.sticks = std::make_unique<StickSource>(open_stick_port(settings_.watched_folder),
+                                                     companion("touchline-import"));
         parts.photos = open_photos();
         servo_ = servo->client.get();
         has_motors_ = servo->has_motors;
@@ -199,9 +199,9 @@ class KioskWindow {
     }
 
     /// Without libcamera the kiosk has no camera, which its screens say.
-    static std::unique_ptr<PhotoDesk> open_photos() {
+    static std::unique_ptr<PhotoCapture> open_photos() {
         auto camera = open_camera();
-        if (camera) return std::make_unique<PhotoDesk>(std::move(*camera));
+        if (camera) return std::make_unique<PhotoCapture>(std::move(*camera));
         report(camera.error().line);
         return nullptr;
     }
@@ -243,10 +243,10 @@ class KioskWindow {
         follow_pixels();
         const int width = window_->width_px();
         const int height = window_->height_px();
-        if (kiosk_->desk().shows_live_view) {
+        if (kiosk_->window_wishes().shows_live_view) {
             FrameContent content{
                 describe(kiosk_->live_facts(), kiosk_->hand(), kiosk_->force(), kiosk_->language()),
-                kiosk_->desk().shows_boxes, kiosk_->hand(), kiosk_->shown()};
+                kiosk_->window_wishes().shows_boxes, kiosk_->hand(), kiosk_->shown()};
             content.timing = servo_->lateness();
             content.language = kiosk_->language();
             screen_->draw(content, width, height, time_ns);
@@ -257,7 +257,8 @@ class KioskWindow {
     }
 
     [[nodiscard]] bool goes_on(std::int64_t time_ns, std::int64_t start_ns) const {
-        if (kiosk_->desk().is_quitting || is_end_asked || window_->is_closing()) return false;
+        if (kiosk_->window_wishes().is_quitting || is_end_asked || window_->is_closing())
+            return false;
         return !arguments_.measure_s ||
                static_cast<double>(time_ns - start_ns) < *arguments_.measure_s * 1e9;
     }
@@ -314,9 +315,9 @@ class KioskWindow {
 
     KioskArguments arguments_;
     ServoStarter start_servo_;
-    SoundParts sound_;                    // until the kiosk has them
-    std::unique_ptr<OperatorDesk> desk_;  // likewise
-    Settings settings_;                   // at the start
+    SoundParts sound_;                           // until the kiosk has them
+    std::unique_ptr<OperatorSession> operator_;  // likewise
+    Settings settings_;                          // at the start
     std::string operator_device_;
     OperatorKeyboard operator_keyboard_;
     LifeSigns signs_;

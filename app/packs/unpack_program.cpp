@@ -2,7 +2,7 @@
 
 #include "app/packs/pack_limits.h"
 #include "app/packs/pack_toml.h"
-#include "app/packs/picture_look.h"
+#include "app/packs/picture_check.h"
 #include "app/packs/sound_reader.h"
 #include "app/packs/zip_reader.h"
 
@@ -44,7 +44,7 @@ std::vector<std::byte> unpack_work(const std::vector<std::string>& words,
     if (words[0] == "zip") return bytes_of(unzipped(bytes));
     if (words[0] == "sound") return bytes_of(heard(bytes));
     if (words[0] == "layers") return bytes_of(picture_in_layers(text, words[1]));
-    return bytes_of(look_at_picture(text, {words.begin() + 1, words.end()}));
+    return bytes_of(check_picture(text, {words.begin() + 1, words.end()}));
 }
 
 }  // namespace touchline

@@ -2,7 +2,7 @@
 
 #include "app/packs/pack_limits.h"
 #include "app/packs/pack_toml.h"
-#include "app/packs/picture_look.h"
+#include "app/packs/picture_check.h"
 #include "app/packs/plain_names.h"
 #include "app/process/memory.h"
 #include "app/process/places.h"

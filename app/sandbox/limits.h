@@ -7,12 +7,12 @@
 
 namespace touchline {
 
-/// raster: one picture. film: one picture of a film's codec (HEIC, AVIF), which has threads and
+/// raster: one picture. heif: one picture of a film's codec (HEIC, AVIF), which has threads and
 /// waits for them for ever where it gets none. document: SVG and PDF. ocr: words in a picture.
 /// speech: one text to sound, for as long as somebody listens. pack: an archive, a recording or a
 /// map of a picture pack. trace: the lines of a picture. figure: what a photograph shows, by
 /// a network.
-enum class WorkerKind : std::uint8_t { raster, film, document, ocr, speech, pack, trace, figure };
+enum class WorkerKind : std::uint8_t { raster, heif, document, ocr, speech, pack, trace, figure };
 
 inline constexpr int worker_kind_count = 8;
 
@@ -39,7 +39,7 @@ inline constexpr unsigned most_worker_threads = 64;
                     .cpu_s = 8,
                     .file_bytes = 200 * MiB,
                     .deadline_s = 10.0};
-        case WorkerKind::film:
+        case WorkerKind::heif:
             return {.input_bytes = 64 * MiB,
                     .address_space_bytes = 1536 * MiB,  // all of a picture, twice, and stacks
                     .cpu_s = 12,

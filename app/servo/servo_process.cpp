@@ -1,8 +1,8 @@
 #include "app/servo/servo_process.h"
 
 #include "app/servo/restart.h"
-#include "app/servo/servo_line.h"
-#include "app/servo/servo_peer.h"
+#include "app/servo/running_servo.h"
+#include "app/servo/servo_connection.h"
 #include "app/servo/servo_watch.h"
 #include "config/types/steady_clock.h"
 
@@ -61,7 +61,7 @@ class ServoProcess::Guard {
     Guard& operator=(const Guard&) = delete;
     Guard& operator=(Guard&&) = delete;
 
-    ServoLine line;
+    ServoConnection line;
 
     /// A servo homes its device when it starts: another one is started soon.
     void home_again() { want_homing(std::nullopt); }
@@ -113,7 +113,7 @@ class ServoProcess::Guard {
             line.note(why);
             return;
         }
-        ServoPeer& servo = met->peer;
+        RunningServo& servo = met->peer;
         const auto connection = std::make_shared<const Connection>(
             Connection{std::move(*region), std::move(met->socket)});
         (void)send(connection->socket, message_of(MessageKind::region),
@@ -157,7 +157,7 @@ class ServoProcess::Guard {
     }
 
     /// Beats and looks until the child is dead.
-    void watch(const ServoPeer& servo, const Connection& connection) {
+    void watch(const RunningServo& servo, const Connection& connection) {
         ServoChannel& channel = connection.region.channel();
         ServoWatch watch;
         std::int64_t last_ns = steady_now_ns();
@@ -177,7 +177,7 @@ class ServoProcess::Guard {
     }
 
     /// It takes a moment to die, and needs none to be heard no more.
-    void kill(const ServoPeer& servo) {
+    void kill(const RunningServo& servo) {
         servo.kill();
         cut_first();
     }
@@ -192,7 +192,7 @@ class ServoProcess::Guard {
     }
 
     /// Waits for a beat's time, and reads what the servo says meanwhile.
-    bool is_dead(const ServoPeer& servo, const Connection& connection) {
+    bool is_dead(const RunningServo& servo, const Connection& connection) {
         ++turns_;
         std::array<pollfd, 2> waiting{
             {{servo.pidfd().number(), POLLIN, 0}, {connection.socket.number(), POLLIN, 0}}};

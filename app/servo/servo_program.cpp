@@ -102,7 +102,7 @@ class ServoProgram {
   private:
     /// Until the end is asked for, or the device is lost: then why. The device is given back.
     std::string run_loop(OpenedDevice& opened, BlackBox& box) {
-        const TorqueCut cut(servo_, region_.channel(), opened.zero);
+        const ZeroOnSignal cut(servo_, region_.channel(), opened.zero);
         std::string lost;
         while (lost.empty() && !cut.is_end_asked() && region_.channel().is_stop_wanted == 0 &&
                serve()) {

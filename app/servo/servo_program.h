@@ -2,7 +2,7 @@
 // leaves torque on. Small on purpose: no OpenCV, no OpenGL, no file formats.
 #pragma once
 
-#include "app/servo/torque_cut.h"
+#include "app/servo/zero_on_signal.h"
 #include "config/types/calibration.h"
 #include "config/types/result.h"
 #include "haptics/device/force_device.h"

@@ -53,7 +53,7 @@ void stick_gone(VisitWork& work, const StickGone& gone) {
 
 void headphones_changed(VisitWork& work, bool are_in) {
     Visitor& visitor = work.visitor;
-    work.house.has_headphones = are_in;
+    work.site.has_headphones = are_in;
     const VisitScreen screen = open_screen(work);
     const bool is_idle = screen == VisitScreen::attract || screen == VisitScreen::goodbye;
     if (is_idle && are_in) {
@@ -64,10 +64,10 @@ void headphones_changed(VisitWork& work, bool are_in) {
     // Another output: its own volume to begin with. What was private is not said aloud.
     visitor.sound.volume =
         std::min(work.world.rules.sound.volume, work.world.rules.volume_steps - 1);
-    visitor.active_s = work.house.now_s;
+    visitor.active_s = work.site.now_s;
     order(work, Hush{});
     if (!are_in) {
-        visitor.pulled_s = work.house.now_s;
+        visitor.pulled_s = work.site.now_s;
         return;
     }
     visitor.pulled_s.reset();
@@ -98,8 +98,8 @@ void camera_failed(VisitWork& work, const std::string& sentence) {
 }
 
 void camera_changed(VisitWork& work, bool is_there) {
-    if (work.house.has_camera == is_there) return;
-    work.house.has_camera = is_there;
+    if (work.site.has_camera == is_there) return;
+    work.site.has_camera = is_there;
     if (!is_there) camera_failed(work, {});
     if (open_screen(work) == VisitScreen::camera) say_screen(work);
 }
@@ -109,7 +109,7 @@ void guidance_ended(VisitWork& work, bool has_arrived) {
     if (!leading || !leading->has_begun) return;
     const GuideKind kind = leading->guide.kind;
     leading.reset();
-    work.visitor.active_s = work.house.now_s;
+    work.visitor.active_s = work.site.now_s;
     if (!has_arrived) return say_next(work, words(work, "The handle has stopped guiding you."));
     cue(work, ScreenEvent::label_reached);
     shake(work, HandlePattern::chosen);
@@ -120,7 +120,7 @@ void guidance_ended(VisitWork& work, bool has_arrived) {
 }
 
 void trouble_began(VisitWork& work, const TroubleBegan& began) {
-    auto& known = work.house.troubles[static_cast<std::size_t>(began.kind)];
+    auto& known = work.site.troubles[static_cast<std::size_t>(began.kind)];
     if (known == began.sentence) return;
     known = began.sentence;
     if (!is_visit_on(visit_of(work))) return;
@@ -129,7 +129,7 @@ void trouble_began(VisitWork& work, const TroubleBegan& began) {
 }
 
 void trouble_ended(VisitWork& work, TroubleKind kind) {
-    auto& known = work.house.troubles[static_cast<std::size_t>(kind)];
+    auto& known = work.site.troubles[static_cast<std::size_t>(kind)];
     if (!known) return;
     known.reset();
     Visitor& visitor = work.visitor;
@@ -141,16 +141,16 @@ void trouble_ended(VisitWork& work, TroubleKind kind) {
     close_trouble(work, told);
 }
 
-void opening_changed(VisitWork& work, HouseOpening opening) {
-    if (work.house.opening == opening) return;
-    work.house.opening = opening;
+void opening_changed(VisitWork& work, SiteOpening opening) {
+    if (work.site.opening == opening) return;
+    work.site.opening = opening;
     if (is_visit_on(visit_of(work))) return end_visit(work, VisitScreen::closed);
     nobody_is_here(work);
 }
 
 void staff_called_off(VisitWork& work) {
-    if (!work.house.is_staff_called) return;
-    work.house.is_staff_called = false;
+    if (!work.site.is_staff_called) return;
+    work.site.is_staff_called = false;
     order(work, CallStaff{false});
     if (!is_visit_on(visit_of(work))) return;
     say(work, words(work, "The staff know of your call."), SpeechPriority::hint);
@@ -218,7 +218,7 @@ bool is_waited_for(const Visitor& visitor) {
 }
 
 bool wants_preview(const Visit& visit) {
-    return visit.visitor.path.back().screen == VisitScreen::camera && visit.house.has_camera;
+    return visit.visitor.path.back().screen == VisitScreen::camera && visit.site.has_camera;
 }
 
 /// Who turns speech off hears how it comes back, and then nothing more.
@@ -246,10 +246,10 @@ VisitStep finish(const Visit& before, VisitWork work) {
     if (!is_waited_for(visitor)) {
         visitor.waiting.reset();
     } else if (!visitor.waiting) {
-        const double now_s = work.house.now_s;
+        const double now_s = work.site.now_s;
         visitor.waiting = Waiting{now_s, now_s, now_s};
     }
-    Visit after{std::move(work.house), std::move(visitor)};
+    Visit after{std::move(work.site), std::move(visitor)};
     VisitOrders orders = changes(before, after);
     orders.insert(orders.end(), std::make_move_iterator(work.orders.begin()),
                   std::make_move_iterator(work.orders.end()));
@@ -261,13 +261,13 @@ VisitStep finish(const Visit& before, VisitWork work) {
 
 VisitStep start_visit(const VisitWorld& world) {
     Visit visit;
-    visit.visitor = new_visitor(visit.house, world);
+    visit.visitor = new_visitor(visit.site, world);
     const Visitor& visitor = visit.visitor;
     return {visit, {visitor.sound, visitor.look, visitor.feel, CameraPreview{false}}};
 }
 
 VisitStep step(const Visit& visit, const VisitEvent& event, const VisitWorld& world) {
-    VisitWork work{visit.house, visit.visitor, world, {}};
+    VisitWork work{visit.site, visit.visitor, world, {}};
     std::visit(Take{work}, event);
     return finish(visit, std::move(work));
 }

@@ -200,9 +200,9 @@ struct Leading {
 };
 
 /// Of the house and its things: outlives a visit.
-struct House {
+struct Site {
     double now_s = 0.0;
-    HouseOpening opening = HouseOpening::open;
+    SiteOpening opening = SiteOpening::open;
     bool has_camera = false;
     bool has_headphones = false;
     std::array<std::optional<std::string>, trouble_count> troubles;  // that last; as told, or empty
@@ -269,7 +269,7 @@ struct Visitor {
 };
 
 struct Visit {
-    House house;
+    Site site;
     Visitor visitor;
 };
 

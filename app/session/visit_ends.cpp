@@ -6,7 +6,7 @@
 
 namespace touchline {
 
-Visitor new_visitor(const House& house, const VisitWorld& world) {
+Visitor new_visitor(const Site& site, const VisitWorld& world) {
     Visitor visitor;
     visitor.sound = world.rules.sound;
     visitor.sound.language = std::min(visitor.sound.language, world.languages.size() - 1);
@@ -14,17 +14,17 @@ Visitor new_visitor(const House& house, const VisitWorld& world) {
     visitor.look = world.rules.look;
     visitor.feel.mode = static_cast<Mode>(world.settings.mode);
     visitor.detail = world.settings.detail;
-    visitor.active_s = house.now_s;
-    visitor.key_s = house.now_s;
-    visitor.entered_s = house.now_s;
-    if (house.opening != HouseOpening::open) visitor.path = {Standing{VisitScreen::closed}};
+    visitor.active_s = site.now_s;
+    visitor.key_s = site.now_s;
+    visitor.entered_s = site.now_s;
+    if (site.opening != SiteOpening::open) visitor.path = {Standing{VisitScreen::closed}};
     return visitor;
 }
 
 /// A stick that came while nobody was here is the next visitor's.
 void nobody_is_here(VisitWork& work) {
     Visitor before = std::move(work.visitor);
-    work.visitor = new_visitor(work.house, work.world);
+    work.visitor = new_visitor(work.site, work.world);
     work.visitor.has_stick = before.has_stick;
     work.visitor.stick_list = std::move(before.stick_list);
 }
@@ -44,7 +44,7 @@ void end_visit(VisitWork& work, VisitScreen next) {
     order(work, GiveStickBack{});
     const std::size_t language = work.visitor.sound.language;
     const bool has_stick = work.visitor.has_stick;
-    work.visitor = new_visitor(work.house, work.world);
+    work.visitor = new_visitor(work.site, work.world);
     work.visitor.path = {Standing{next}};
     // The last words are still in the visitor's language.
     if (next == VisitScreen::goodbye) {

@@ -140,11 +140,11 @@ struct TroubleEnded {
 };
 
 /// What the house wants of the kiosk.
-enum class HouseOpening : std::uint8_t { open, closed, maintenance };
+enum class SiteOpening : std::uint8_t { open, closed, maintenance };
 
 /// A visit that is under way ends, is wiped, and the visitor is told.
 struct OpeningChanged {
-    HouseOpening opening = HouseOpening::open;
+    SiteOpening opening = SiteOpening::open;
 };
 
 /// The operator set something else; VisitWorld has what holds now.

@@ -30,7 +30,7 @@ constexpr std::array<RoleWords, key_role_count> roles{{
 /// What every key does before anything else. True where that was all.
 bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
     Visitor& visitor = work.visitor;
-    visitor.active_s = visitor.key_s = work.house.now_s;
+    visitor.active_s = visitor.key_s = work.site.now_s;
     visitor.pulled_s.reset();
     visitor.is_hint_due = false;  // until another item or screen is come to
     const bool was_leading = stop_leading(work);
@@ -166,7 +166,7 @@ void press(VisitWork& work, SpeechKey key) {
     if (key == SpeechKey::repeat) return press(work, KeyRole::repeat);
     if (key == SpeechKey::pause && is_visit_on(visit_of(work))) {
         // Neither hushed nor stopped: the next one goes on with the same words.
-        work.visitor.active_s = work.visitor.key_s = work.house.now_s;
+        work.visitor.active_s = work.visitor.key_s = work.site.now_s;
         if (stop_leading(work)) order(work, Hush{});
         if (work.visitor.over && work.visitor.over->screen == VisitScreen::question) {
             work.visitor.over.reset();

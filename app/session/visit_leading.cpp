@@ -21,12 +21,12 @@ bool names_parts(VisitScreen screen) {
 }  // namespace
 
 void lead(VisitWork& work, const Guide& guide, const std::string& announcement) {
-    if (work.house.troubles[static_cast<std::size_t>(TroubleKind::device)]) {
+    if (work.site.troubles[static_cast<std::size_t>(TroubleKind::device)]) {
         cue(work, ScreenEvent::key_refused);
         shake(work, HandlePattern::error);
         return say(work, words(work, "The handle has no force now. Move it yourself."));
     }
-    work.visitor.leading = Leading{guide, work.house.now_s + announcement_s(work.visitor), false};
+    work.visitor.leading = Leading{guide, work.site.now_s + announcement_s(work.visitor), false};
     shake(work, HandlePattern::chosen);
     std::string text = announcement;
     add_sentence(text, words(work, has_keys(work.world) ? "Press any key to stop it."
@@ -44,7 +44,7 @@ bool stop_leading(VisitWork& work) {
 void name_part(VisitWork& work) {
     Visitor& visitor = work.visitor;
     const HandleSeen& handle = visitor.handle;
-    const double rested_s = work.house.now_s - visitor.part_since_s;
+    const double rested_s = work.site.now_s - visitor.part_since_s;
     if (!handle.part) {
         if (rested_s >= 2.0) visitor.part_said.reset();
         return;
@@ -66,12 +66,12 @@ void keep_what_is_touched(VisitWork& work) {
 
 void follow_handle(VisitWork& work, const HandleSeen& handle) {
     Visitor& visitor = work.visitor;
-    if (handle.part != visitor.handle.part) visitor.part_since_s = work.house.now_s;
+    if (handle.part != visitor.handle.part) visitor.part_since_s = work.site.now_s;
     visitor.handle = handle;
     visitor.has_touched = visitor.has_touched || handle.part.has_value();
     keep_what_is_touched(work);
     const bool is_hand = handle.has_moved && !handle.is_led;
-    if (is_hand) visitor.active_s = work.house.now_s;
+    if (is_hand) visitor.active_s = work.site.now_s;
     const VisitScreen screen = open_screen(work);
     if (is_hand && screen == VisitScreen::attract) return begin_visit(work);
     if (is_hand && screen == VisitScreen::question) {

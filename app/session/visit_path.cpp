@@ -7,7 +7,7 @@ namespace touchline {
 namespace {
 
 void arrive(VisitWork& work) {
-    work.visitor.entered_s = work.house.now_s;
+    work.visitor.entered_s = work.site.now_s;
     work.visitor.is_hint_due = true;
     work.visitor.repeats = 0;
 }
@@ -28,7 +28,7 @@ void note_hint(VisitWork& work, const SpokenScreen& screen) {
     if (!screen.focus) return;
     const std::string& hint = screen.items[*screen.focus].hint;
     if (!hint.empty() && screen.text.find(hint) != std::string::npos)
-        hint_of(work.visitor, hint).said(work.house.now_s);
+        hint_of(work.visitor, hint).said(work.site.now_s);
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ void show_trouble(VisitWork& work, const std::string& sentence,
     if (!is_going_on) work.visitor.over = Standing{VisitScreen::trouble};
     work.visitor.error = sentence;
     work.visitor.trouble = trouble;
-    work.visitor.attention_s = work.house.now_s;
+    work.visitor.attention_s = work.site.now_s;
     arrive(work);
     cue(work, trouble ? ScreenEvent::fault : ScreenEvent::picture_failed);
     shake(work, HandlePattern::error);
@@ -130,7 +130,7 @@ void show_trouble(VisitWork& work, const std::string& sentence,
     add_sentence(text, screen.text);
     if (!is_going_on) {
         add_sentence(text, screen.items.front().hint);
-        hint_of(work.visitor, screen.items.front().hint).said(work.house.now_s);
+        hint_of(work.visitor, screen.items.front().hint).said(work.site.now_s);
     }
     work.visitor.is_hint_due = false;
     const bool is_safety = trouble == TroubleKind::device;

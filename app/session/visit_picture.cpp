@@ -13,7 +13,7 @@ namespace {
 
 /// Opens it in the language and detail that hold now.
 void load(VisitWork& work, Loading loading) {
-    loading.order.request = ++work.house.request;
+    loading.order.request = ++work.site.request;
     loading.order.language = work.visitor.sound.language;
     loading.order.detail = work.visitor.detail;
     order(work, loading.order);

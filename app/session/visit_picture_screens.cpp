@@ -1,13 +1,13 @@
 // The screens of a picture that is felt, in words.
 #include "app/session/page_words.h"
-#include "app/session/visit_sheet.h"
+#include "app/session/screen_writer.h"
 #include "audio-cues/words/guidance_words.h"
 #include "audio-cues/words/thing_words.h"
 
 namespace touchline {
 namespace {
 
-std::string told_zoom(const VisitSheet& sheet) {
+std::string told_zoom(const ScreenWriter& sheet) {
     const ZoomWanted& zoom = sheet.visit.visitor.felt->order.zoom;
     if (zoom.factor <= 1.0) return sheet.words("off");
     return sheet.language.text("visit", "{0} times larger, {1}",
@@ -15,7 +15,7 @@ std::string told_zoom(const VisitSheet& sheet) {
                                 words_of(place_of(zoom.centre, CueArea{}), sheet.language)});
 }
 
-void put_told(VisitSheet& sheet) {
+void put_told(ScreenWriter& sheet) {
     const PictureFacts& facts = sheet.visit.visitor.felt->facts;
     sheet.told(facts.description);
     sheet.told(words_of(facts.names, sheet.language));
@@ -26,14 +26,14 @@ void put_told(VisitSheet& sheet) {
 
 }  // namespace
 
-std::string picture_title(const VisitSheet& sheet) {
+std::string picture_title(const ScreenWriter& sheet) {
     const std::string& title = sheet.visit.visitor.felt->facts.title;
     if (!title.empty()) return title;
     const bool is_photo = sheet.visit.visitor.felt->order.source == PictureSource::camera;
     return sheet.words(is_photo ? "Your photo" : "A picture without a name");
 }
 
-void put_picture(VisitSheet& sheet) {
+void put_picture(ScreenWriter& sheet) {
     const PictureFacts& facts = sheet.visit.visitor.felt->facts;
     sheet.screen.title = picture_title(sheet);
     put_told(sheet);
@@ -72,7 +72,7 @@ void put_picture(VisitSheet& sheet) {
     sheet.back();
 }
 
-void put_parts(VisitSheet& sheet) {
+void put_parts(ScreenWriter& sheet) {
     sheet.title("Parts");
     sheet.sentence("Press Select, and the handle guides you to the part.");
     std::vector<ListRow> rows;
@@ -84,7 +84,7 @@ void put_parts(VisitSheet& sheet) {
     sheet.back();
 }
 
-void put_explore(VisitSheet& sheet) {
+void put_explore(ScreenWriter& sheet) {
     sheet.title("Explore freely");
     sheet.sentence("Rest on a line to hear its name.");
     sheet.item(VisitItem::where_am_i, "Where am I?");
@@ -94,7 +94,7 @@ void put_explore(VisitSheet& sheet) {
     sheet.back();
 }
 
-void put_zoom(VisitSheet& sheet) {
+void put_zoom(ScreenWriter& sheet) {
     const bool is_zoomed = sheet.visit.visitor.felt->order.zoom.factor > 1.0;
     sheet.title("Enlargement");
     if (is_zoomed) sheet.told(sheet.language.text("visit", "Now: {0}.", {told_zoom(sheet)}));
@@ -109,7 +109,7 @@ void put_zoom(VisitSheet& sheet) {
     sheet.back();
 }
 
-void put_pages(VisitSheet& sheet) {
+void put_pages(ScreenWriter& sheet) {
     const PagePlace& place = sheet.visit.visitor.felt->facts.place;
     const bool is_of_things = place.things == ThingSearch::found;
     sheet.title(is_of_things ? "How much of the photo" : "Pages");

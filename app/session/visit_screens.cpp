@@ -1,5 +1,5 @@
 // Every screen in words: titles, texts and items, in the visitor's language.
-#include "app/session/visit_sheet.h"
+#include "app/session/screen_writer.h"
 #include "audio-cues/words/guidance_words.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace touchline {
 namespace {
 
-using Sheet = VisitSheet;
+using Sheet = ScreenWriter;
 
 const Visitor& visitor_of(const Sheet& sheet) {
     return sheet.visit.visitor;
@@ -47,7 +47,7 @@ std::string stick_value(const Sheet& sheet) {
 /// Without force or sound there is less of everything; the rest says so in its place.
 void put_lasting_troubles(Sheet& sheet) {
     for (const TroubleKind kind : {TroubleKind::device, TroubleKind::sound}) {
-        const auto& trouble = sheet.visit.house.troubles[static_cast<std::size_t>(kind)];
+        const auto& trouble = sheet.visit.site.troubles[static_cast<std::size_t>(kind)];
         if (trouble) sheet.told(told_trouble(kind, *trouble, sheet.language));
     }
 }
@@ -76,13 +76,13 @@ void put_choose(Sheet& sheet) {
     }
     if (rules.has_camera) {
         sheet.item(VisitItem::camera, "Camera",
-                   sheet.visit.house.has_camera ? std::string() : sheet.words("not ready"),
+                   sheet.visit.site.has_camera ? std::string() : sheet.words("not ready"),
                    "Takes a photo of what lies under it.");
     }
     sheet.item(VisitItem::settings, "Settings", {}, "Volume, speech, language and letters.");
     if (rules.offers_staff) {
         sheet.item(VisitItem::call_staff, "Call staff",
-                   sheet.visit.house.is_staff_called ? sheet.words("called") : std::string());
+                   sheet.visit.site.is_staff_called ? sheet.words("called") : std::string());
     }
     sheet.item(VisitItem::finish, "Finish", {}, "Ends your visit.");
 }
@@ -118,7 +118,7 @@ void put_gallery(Sheet& sheet) {
 void put_camera(Sheet& sheet) {
     sheet.title("Camera");
     sheet.screen.view = ScreenView::camera;
-    if (sheet.visit.house.has_camera) {
+    if (sheet.visit.site.has_camera) {
         sheet.sentence("Lay your picture on the tray under the camera.");
         sheet.sentence("No photo is taken until you press Select.");
     } else {
@@ -185,7 +185,7 @@ void put_goodbye(Sheet& sheet) {
 }
 
 void put_closed(Sheet& sheet) {
-    const bool is_maintained = sheet.visit.house.opening == HouseOpening::maintenance;
+    const bool is_maintained = sheet.visit.site.opening == SiteOpening::maintenance;
     sheet.title(is_maintained ? "This kiosk is being serviced." : "This kiosk is closed.");
     if (sheet.world.rules.notice.empty()) {
         sheet.sentence("Please come back later.");
@@ -221,7 +221,7 @@ void put_trouble(Sheet& sheet) {
     sheet.title(is_of_handle ? "The handle" : "Something is wrong");
     sheet.told(visitor.error);
     const bool offers_staff =
-        is_of_handle && sheet.world.rules.offers_staff && !sheet.visit.house.is_staff_called;
+        is_of_handle && sheet.world.rules.offers_staff && !sheet.visit.site.is_staff_called;
     const char* how = "Press Select to go on.";
     if (is_of_handle) how = "Or press Select to go on without force.";
     if (offers_staff) {
@@ -253,7 +253,7 @@ bool has_picture(VisitScreen screen) {
 SpokenScreen screen_of(const Visit& visit, const VisitWorld& world) {
     const Visitor& visitor = visit.visitor;
     const Standing& open = visitor.over ? *visitor.over : visitor.path.back();
-    VisitSheet sheet{visit, world, language_of(visit, world), {}};
+    ScreenWriter sheet{visit, world, language_of(visit, world), {}};
     puts[static_cast<std::size_t>(open.screen)](sheet);
     if (!sheet.screen.items.empty()) {
         sheet.screen.focus = std::min(open.focus, sheet.screen.items.size() - 1);

@@ -58,7 +58,7 @@ void other_shape(VisitWork& work) {
 }
 
 void capture(VisitWork& work) {
-    if (!work.house.has_camera) {
+    if (!work.site.has_camera) {
         return refuse(work, words(work, "The camera does not answer. Tell the staff."));
     }
     work.visitor.is_capturing = true;
@@ -67,11 +67,11 @@ void capture(VisitWork& work) {
 }
 
 void call_staff(VisitWork& work) {
-    work.house.is_staff_called = !work.house.is_staff_called;
-    order(work, CallStaff{work.house.is_staff_called});
+    work.site.is_staff_called = !work.site.is_staff_called;
+    order(work, CallStaff{work.site.is_staff_called});
     const std::string told = words(
-        work, work.house.is_staff_called ? "The staff have been called. You can carry on meanwhile."
-                                         : "The staff are no longer called.");
+        work, work.site.is_staff_called ? "The staff have been called. You can carry on meanwhile."
+                                        : "The staff are no longer called.");
     const bool is_trouble = open_screen(work) == VisitScreen::trouble;
     is_trouble ? close_trouble(work, told) : say(work, told);
 }

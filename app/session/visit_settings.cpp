@@ -194,7 +194,7 @@ void change_rate(VisitWork& work, int change) {
 }
 
 void reset_settings(VisitWork& work) {
-    const Visitor first = new_visitor(work.house, work.world);
+    const Visitor first = new_visitor(work.site, work.world);
     const std::size_t language = work.visitor.sound.language;
     work.visitor.sound = first.sound;
     work.visitor.sound.language = language;  // or nothing would be understood any more

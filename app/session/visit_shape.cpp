@@ -1,5 +1,5 @@
 // A shape in the hand: chosen, turned, told. Only where the house offers it.
-#include "app/session/visit_sheet.h"
+#include "app/session/screen_writer.h"
 
 #include <cmath>
 #include <numbers>
@@ -26,7 +26,7 @@ std::string told_turn(double turn_rad, const Language& language) {
 
 }  // namespace
 
-void put_shape(VisitSheet& sheet) {
+void put_shape(ScreenWriter& sheet) {
     const Feel& feel = sheet.visit.visitor.feel;
     sheet.setting(VisitItem::held_shape);
     sheet.screen.items.back().hint = sheet.words("For the curious: lines push and twist it.");
@@ -52,7 +52,7 @@ void turn_shape(VisitWork& work, VisitItem item) {
 void follow_knob(VisitWork& work, double by_rad) {
     Visitor& visitor = work.visitor;
     if (visitor.feel.shape == HeldShape::none || !std::isfinite(by_rad)) return;
-    visitor.active_s = work.house.now_s;
+    visitor.active_s = work.site.now_s;
     visitor.feel.turn_rad += by_rad;
 }
 

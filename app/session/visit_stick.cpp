@@ -1,5 +1,5 @@
 // A stick's list of files: all of them, or those that begin alike; and its letters.
-#include "app/session/visit_sheet.h"
+#include "app/session/screen_writer.h"
 #include "app/sticks/spoken_name.h"
 #include "app/sticks/stick_words.h"
 
@@ -49,7 +49,7 @@ std::vector<LetterGroup> groups_of(const VisitWork& work) {
 
 }  // namespace
 
-void put_stick(VisitSheet& sheet) {
+void put_stick(ScreenWriter& sheet) {
     const Visitor& visitor = sheet.visit.visitor;
     sheet.title("Your USB stick");
     if (!visitor.has_stick) {
@@ -85,7 +85,7 @@ void put_stick(VisitSheet& sheet) {
     sheet.back();
 }
 
-void put_letters(VisitSheet& sheet) {
+void put_letters(ScreenWriter& sheet) {
     const Visitor& visitor = sheet.visit.visitor;
     sheet.title("How names begin");
     if (visitor.letters) {

@@ -11,8 +11,8 @@ namespace {
 void ask(VisitWork& work) {
     Visitor& visitor = work.visitor;
     visitor.over = Standing{VisitScreen::question};
-    visitor.question_s = work.house.now_s;
-    visitor.attention_s = work.house.now_s;
+    visitor.question_s = work.site.now_s;
+    visitor.attention_s = work.site.now_s;
     visitor.pulled_s.reset();
     cue(work, ScreenEvent::time_out);
     shake(work, HandlePattern::time_out);
@@ -22,7 +22,7 @@ void ask(VisitWork& work) {
 /// Who waits for work, or is led, is there. A handle that waits for a hand says nothing of one.
 bool is_busy(const VisitWork& work) {
     const Visitor& visitor = work.visitor;
-    const double now_s = work.house.now_s;
+    const double now_s = work.site.now_s;
     if (visitor.waiting && now_s - visitor.waiting->since_s < longest_lead_s) return true;
     return visitor.leading && visitor.handle.is_led &&
            now_s - visitor.leading->begin_s < longest_lead_s;
@@ -30,7 +30,7 @@ bool is_busy(const VisitWork& work) {
 
 void mind_presence(VisitWork& work) {
     Visitor& visitor = work.visitor;
-    const double now_s = work.house.now_s;
+    const double now_s = work.site.now_s;
     if (open_screen(work) == VisitScreen::question) {
         if (now_s - visitor.question_s >= std::max(work.world.rules.answer_s, 30.0)) {
             return end_visit(work, VisitScreen::goodbye);
@@ -51,7 +51,7 @@ void mind_presence(VisitWork& work) {
 void tell_progress(VisitWork& work) {
     if (!work.visitor.waiting) return;
     Waiting& waiting = *work.visitor.waiting;
-    const double now_s = work.house.now_s;
+    const double now_s = work.site.now_s;
     if (now_s - waiting.since_s < progress_after_s) return;
     if (now_s - waiting.last_cue_s >= 1.0 || waiting.last_cue_s == waiting.since_s) {
         waiting.last_cue_s = now_s;
@@ -83,7 +83,7 @@ void say_languages(VisitWork& work) {
 /// The one that was said a moment ago stays due until it is worth hearing again.
 void give_hint(VisitWork& work) {
     Visitor& visitor = work.visitor;
-    const double now_s = work.house.now_s;
+    const double now_s = work.site.now_s;
     const double still_since_s = std::max(visitor.key_s, visitor.entered_s);
     if (!visitor.is_hint_due || now_s - still_since_s < hint_after_s) return;
     if (open_screen(work) == VisitScreen::opening) return;  // of which nobody has heard yet
@@ -110,7 +110,7 @@ void give_hint(VisitWork& work) {
 
 void begin_leading(VisitWork& work) {
     auto& leading = work.visitor.leading;
-    if (!leading || leading->has_begun || work.house.now_s < leading->begin_s) return;
+    if (!leading || leading->has_begun || work.site.now_s < leading->begin_s) return;
     leading->has_begun = true;
     order(work, leading->guide);
 }
@@ -119,7 +119,7 @@ void mind_practice(VisitWork& work) {
     Standing& open = work.visitor.path.back();
     const bool is_told = open.about != 0;
     if (open.screen != VisitScreen::practice || is_told || !work.visitor.has_touched) return;
-    if (work.house.now_s - work.visitor.entered_s < practice_s) return;
+    if (work.site.now_s - work.visitor.entered_s < practice_s) return;
     open.about = 1;
     say(work, words(work, "This is enough for practice. Press Back for the pictures."),
         SpeechPriority::hint);
@@ -130,8 +130,8 @@ void ask_for_attention(VisitWork& work) {
     Visitor& visitor = work.visitor;
     const bool is_mute =
         open_screen(work) == VisitScreen::trouble && visitor.trouble == TroubleKind::sound;
-    if (!is_mute || work.house.now_s - visitor.attention_s < attention_every_s) return;
-    visitor.attention_s = work.house.now_s;
+    if (!is_mute || work.site.now_s - visitor.attention_s < attention_every_s) return;
+    visitor.attention_s = work.site.now_s;
     shake(work, HandlePattern::error);
 }
 
@@ -140,10 +140,10 @@ void ask_for_attention(VisitWork& work) {
 void pass_time(VisitWork& work, double now_s) {
     Visitor& visitor = work.visitor;
     // What came before the clock was first told came just now.
-    if (work.house.now_s == 0.0) visitor.active_s = visitor.key_s = visitor.entered_s = now_s;
-    work.house.now_s = std::max(work.house.now_s, now_s);
+    if (work.site.now_s == 0.0) visitor.active_s = visitor.key_s = visitor.entered_s = now_s;
+    work.site.now_s = std::max(work.site.now_s, now_s);
     const VisitScreen screen = open_screen(work);
-    if (screen == VisitScreen::goodbye && work.house.now_s - work.visitor.entered_s >= goodbye_s) {
+    if (screen == VisitScreen::goodbye && work.site.now_s - work.visitor.entered_s >= goodbye_s) {
         nobody_is_here(work);
     }
     if (!is_visit_on(visit_of(work))) return;

@@ -35,7 +35,7 @@ Standing& open_standing(VisitWork& work) {
 }
 
 Visit visit_of(const VisitWork& work) {
-    return {work.house, work.visitor};
+    return {work.site, work.visitor};
 }
 
 SpokenScreen screen_of(const VisitWork& work) {

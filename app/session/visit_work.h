@@ -11,7 +11,7 @@
 namespace touchline {
 
 struct VisitWork {
-    House house;
+    Site site;
     Visitor visitor;
     const VisitWorld& world;
     VisitOrders orders;
@@ -95,7 +95,7 @@ void begin_visit(VisitWork& work);
 void end_visit(VisitWork& work, VisitScreen next);
 
 /// What every visit begins with.
-[[nodiscard]] Visitor new_visitor(const House& house, const VisitWorld& world);
+[[nodiscard]] Visitor new_visitor(const Site& site, const VisitWorld& world);
 
 // The picture (visit_picture.cpp).
 

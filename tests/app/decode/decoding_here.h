@@ -12,8 +12,8 @@ inline Result<Page> decode_page(std::span<const std::byte> bytes, const PageOrde
     switch (kind_of(bytes)) {
         case WorkerKind::document:
             return decode_document(bytes, order);
-        case WorkerKind::film:
-            return decode_film(bytes, order);
+        case WorkerKind::heif:
+            return decode_heif(bytes, order);
         default:
             return decode_raster(bytes, order);
     }

@@ -1,6 +1,6 @@
 #include "tests/app/kiosk/kiosk_world.h"
 
-#include "app/kiosk/stick_shelf.h"
+#include "app/kiosk/stick_source.h"
 #include "app/process/places.h"
 #include "app/sticks/open_stick_port.h"
 #include "tests/sim/kiosk/due_jobs.h"
@@ -50,16 +50,17 @@ KioskWorld::KioskWorld(bool is_in_window, Gallery gallery, ThingFinder finder)
     parts.loader = std::make_unique<Loader>(
         std::make_shared<const KioskStages>(parts.profile, PageReader(), std::move(finder)),
         std::make_unique<DueJobs>(now_s_));
-    parts.shelf = std::make_unique<StickShelf>(open_stick_port((folder_ / "stick").string()),
-                                               companion("touchline-import"));
-    parts.photos =
-        std::make_unique<PhotoDesk>(std::make_unique<FolderCamera>(folder_ / "camera", read_bgr));
+    parts.sticks = std::make_unique<StickSource>(open_stick_port((folder_ / "stick").string()),
+                                                 companion("touchline-import"));
+    parts.photos = std::make_unique<PhotoCapture>(
+        std::make_unique<FolderCamera>(folder_ / "camera", read_bgr));
     std::vector<std::string> problems;
-    parts.operator_desk = std::make_unique<OperatorDesk>(site_files(), parts.languages, problems);
+    parts.operator_session =
+        std::make_unique<OperatorSession>(site_files(), parts.languages, problems);
     EXPECT_TRUE(problems.empty()) << problems.front();
     parts.are_keys_free = is_in_window;
-    parts.settings = parts.operator_desk->settings();
-    parts.keys = parts.operator_desk->keys();
+    parts.settings = parts.operator_session->settings();
+    parts.keys = parts.operator_session->keys();
     parts.minute_of_day = [this] { return minute_of_day; };
     kiosk_ = std::make_unique<Kiosk>(std::move(parts));
 }

@@ -56,7 +56,7 @@ TEST(MissingParts, ADiskThatTakesNothingIsOneLine) {
     OperatorFiles files = world.site_files();
     std::filesystem::create_directories(files.counters.parent_path() / "write-test");
     std::vector<std::string> problems;
-    const OperatorDesk desk(files, {Language()}, problems);
+    const OperatorSession desk(files, {Language()}, problems);
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_NE(problems.front().find("nothing can be kept in"), std::string::npos) << problems[0];
 }
@@ -66,7 +66,7 @@ TEST(MissingParts, AFolderForTheSiteIsMadeAndNothingIsSaid) {
     OperatorFiles files = world.site_files();
     files.counters = world.folder() / "new" / "counters.toml";
     std::vector<std::string> problems;
-    const OperatorDesk desk(files, {Language()}, problems);
+    const OperatorSession desk(files, {Language()}, problems);
     EXPECT_TRUE(problems.empty()) << problems.front();
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 using Arguments = std::array<std::uint64_t, 6>;
 
-constexpr std::array all_kinds{WorkerKind::raster, WorkerKind::film,   WorkerKind::document,
+constexpr std::array all_kinds{WorkerKind::raster, WorkerKind::heif,   WorkerKind::document,
                                WorkerKind::ocr,    WorkerKind::speech, WorkerKind::pack,
                                WorkerKind::trace,  WorkerKind::figure};
 
@@ -288,7 +288,7 @@ TEST(SandboxPolicy, WhatEachKindMayTakeOfTheMachine) {
     };
 
     constexpr std::array<Row, 8> rows{{{WorkerKind::raster, 200, 1024, 8, 200, 10.0, false, false},
-                                       {WorkerKind::film, 64, 1536, 12, 200, 15.0, true, false},
+                                       {WorkerKind::heif, 64, 1536, 12, 200, 15.0, true, false},
                                        {WorkerKind::document, 128, 1024, 8, 200, 10.0, true, true},
                                        {WorkerKind::ocr, 200, 1024, 30, 16, 40.0, false, false},
                                        {WorkerKind::speech, 1, 256, 0, 0, 0.0, false, false},

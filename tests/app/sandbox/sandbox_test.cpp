@@ -129,7 +129,7 @@ TEST_P(Sandbox, LandlockAloneDeniesEveryActOnFiles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Sandbox,
-                         testing::Values(WorkerKind::raster, WorkerKind::film, WorkerKind::document,
+                         testing::Values(WorkerKind::raster, WorkerKind::heif, WorkerKind::document,
                                          WorkerKind::ocr, WorkerKind::speech, WorkerKind::pack,
                                          WorkerKind::trace, WorkerKind::figure));
 
@@ -160,8 +160,8 @@ TEST_F(SandboxAlone, DiesWithItsParentAndCannotBeTraced) {
 }
 
 TEST_F(SandboxAlone, TheFilterOfCallsHoldsForThreadsStartedBefore) {
-    EXPECT_EQ(probe("calls", WorkerKind::film, "thread"), was_killed);
-    EXPECT_EQ(probe("none", WorkerKind::film, "thread"), worked);
+    EXPECT_EQ(probe("calls", WorkerKind::heif, "thread"), was_killed);
+    EXPECT_EQ(probe("none", WorkerKind::heif, "thread"), worked);
 }
 
 /// Or the tests above would prove nothing.
@@ -190,7 +190,7 @@ int threads_started(const std::string& steps, WorkerKind kind) {
 }
 
 TEST_F(SandboxAlone, ThreadsHaveAnEnd) {
-    for (const WorkerKind kind : {WorkerKind::film, WorkerKind::document, WorkerKind::trace}) {
+    for (const WorkerKind kind : {WorkerKind::heif, WorkerKind::document, WorkerKind::trace}) {
         const int count = threads_started("all", kind);
         EXPECT_GE(count, 48) << "a codec needs some";
         EXPECT_LE(count, static_cast<int>(most_worker_threads) + 8);
@@ -201,7 +201,7 @@ TEST_F(SandboxAlone, ThreadsHaveAnEnd) {
 
 /// What the kernel would kill first when memory is short.
 TEST_F(SandboxAlone, GoesBeforeAllOthersWhenMemoryIsShort) {
-    for (const WorkerKind kind : {WorkerKind::raster, WorkerKind::film, WorkerKind::document,
+    for (const WorkerKind kind : {WorkerKind::raster, WorkerKind::heif, WorkerKind::document,
                                   WorkerKind::ocr, WorkerKind::speech, WorkerKind::pack}) {
         const int memory = memfd_create("probe", 0);
         const pid_t pid = start_probe("all", kind, "spin", memory);

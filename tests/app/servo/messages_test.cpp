@@ -2,7 +2,7 @@
 
 #include "app/servo/black_box.h"
 #include "app/servo/restart.h"
-#include "app/servo/servo_line.h"
+#include "app/servo/servo_connection.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -142,8 +142,8 @@ TEST(Messages, OrdersOutOfRangeBuildNothing) {
     EXPECT_FALSE(build_scene(map, SceneOrder{1e-4, 0.0, 2, 0}).has_value());
 }
 
-TEST(ServoLine, SaysThatNothingIsKeptWhereNoServoRuns) {
-    ServoLine line;
+TEST(ServoConnection, SaysThatNothingIsKeptWhereNoServoRuns) {
+    ServoConnection line;
     line.ask_recorder(MessageKind::hold);
     line.ask_recorder(MessageKind::forget);
     EXPECT_EQ(line.take_notice(), "");

@@ -4,8 +4,8 @@
 
 #include "app/process/child.h"
 #include "app/servo/messages.h"
-#include "app/servo/servo_line.h"
-#include "app/servo/servo_peer.h"
+#include "app/servo/running_servo.h"
+#include "app/servo/servo_connection.h"
 #include "app/servo/shared_region.h"
 #include "config/types/map_bytes.h"
 #include "tests/app/servo/process_rig.h"
@@ -92,8 +92,8 @@ TEST_F(ServoProcess, WhyThereIsNoServoStaysToBeReadWhileTheNextIsTried) {
 
 /// A board was said to work between the servo that it was pulled from and the next, which finds
 /// none.
-TEST(ServoLine, TheDeviceIsLostFromAServosEndUntilMoreIsSaidOrTheNextReports) {
-    ServoLine line;
+TEST(ServoConnection, TheDeviceIsLostFromAServosEndUntilMoreIsSaidOrTheNextReports) {
+    ServoConnection line;
     ServoReport report;
     const auto fault = [&] {
         line.update(report, steady_now_ns());

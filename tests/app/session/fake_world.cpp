@@ -55,7 +55,7 @@ FakeHouse::FakeHouse(VisitRules house_rules) : rules(std::move(house_rules)) {
     VisitStep first = start_visit(world());
     visit = std::move(first.visit);
     orders = std::move(first.orders);
-    happen(CameraChanged{true});
+    apply(CameraChanged{true});
     wait(0.05);  // the clock is told
 }
 
@@ -83,7 +83,7 @@ void FakeHouse::carry_out(const VisitOrder& order) {
     }
 }
 
-void FakeHouse::happen(const VisitEvent& event) {
+void FakeHouse::apply(const VisitEvent& event) {
     if (std::holds_alternative<GuidanceEnded>(event)) is_leading = false;
     VisitStep next = step(visit, event, world());
     visit = std::move(next.visit);
@@ -104,7 +104,7 @@ void FakeHouse::come_due() {
         }
         const VisitEvent event = due_[i].event;
         due_.erase(due_.begin() + static_cast<std::ptrdiff_t>(i));
-        happen(event);
+        apply(event);
         i = 0;
     }
 }
@@ -113,7 +113,7 @@ void FakeHouse::wait(double seconds) {
     const double end_s = now_s + seconds;
     while (now_s < end_s) {
         now_s = std::min(now_s + 0.05, end_s);
-        happen(Tick{now_s});
+        apply(Tick{now_s});
         come_due();
     }
 }

@@ -29,9 +29,9 @@ class FakeHouse {
     explicit FakeHouse(VisitRules rules = {});
 
     /// Carries the orders out; answers of things come by later ticks.
-    void happen(const VisitEvent& event);
+    void apply(const VisitEvent& event);
 
-    void press(KeyRole role) { happen(KeyPressed{role}); }
+    void press(KeyRole role) { apply(KeyPressed{role}); }
 
     void press(std::initializer_list<KeyRole> roles);
 

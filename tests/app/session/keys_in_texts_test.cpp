@@ -129,8 +129,8 @@ std::vector<VisitEvent> events_at(const Visit& visit, const Layout& layout,
                                    StickArriving{},
                                    CameraFailed{},
                                    CameraChanged{false},
-                                   Tick{visit.house.now_s + 20.0},
-                                   Tick{visit.house.now_s + 200.0},
+                                   Tick{visit.site.now_s + 20.0},
+                                   Tick{visit.site.now_s + 200.0},
                                    TroubleBegan{TroubleKind::camera, ""}};
     for (const KeyRole role : presses_of(layout, screen)) events.emplace_back(KeyPressed{role});
     return events;
@@ -190,7 +190,7 @@ TEST(KeysInTexts, WhoIsToldToCallTheStaffCan) {
         FakeHouse house;
         house.settings.two_switches = layout.two_switches;
         to_choose(house);
-        house.happen(TroubleBegan{TroubleKind::device, spoken_fault(Fault::energy, Language())});
+        house.apply(TroubleBegan{TroubleKind::device, spoken_fault(Fault::energy, Language())});
         house.press(KeyRole::select);  // "Go on"
         ASSERT_TRUE(house.choose("Call staff")) << layout.name;
         EXPECT_EQ(house.last<CallStaff>().size(), 1U) << layout.name;

@@ -142,7 +142,7 @@ TEST(Visit, LongListsComeInTens) {
     to_choose(house);
     std::vector<std::string> names;
     for (int i = 1; i <= 23; ++i) names.push_back("file " + std::to_string(i));
-    house.happen(StickCame{names, {}});
+    house.apply(StickCame{names, {}});
     ASSERT_TRUE(house.choose("Your USB stick"));
     EXPECT_EQ(house.screen().items.size(), 13U) << "next ten, first letter, back";
     ASSERT_TRUE(house.choose("The next ten"));
@@ -159,7 +159,7 @@ TEST(Visit, LongListsComeInTens) {
 TEST(Visit, APictureIsOrderedByTheNameThatTheListSays) {
     FakeHouse house;
     to_choose(house);
-    house.happen(StickCame{{"IMG_4512.heic", "IMG_4512.jpg"}, {}});
+    house.apply(StickCame{{"IMG_4512.heic", "IMG_4512.jpg"}, {}});
     ASSERT_TRUE(house.choose("Your USB stick"));
     ASSERT_TRUE(house.choose("photo 45 12, J P G"));
     EXPECT_EQ(house.visit.visitor.loading->order.form, (NameForm{NameDetail::with_ending}));
@@ -178,7 +178,7 @@ std::vector<std::string> a_thousand_names() {
 TEST(Visit, AThousandFilesAreFoundByTheirLetters) {
     FakeHouse house;
     to_choose(house);
-    house.happen(StickCame{a_thousand_names(), {}});
+    house.apply(StickCame{a_thousand_names(), {}});
     ASSERT_TRUE(house.choose("Your USB stick"));
     EXPECT_TRUE(house.has_said("Page 1 of 100", 0));
     ASSERT_TRUE(house.choose("By the first letter"));
@@ -206,7 +206,7 @@ TEST(Visit, AThousandFilesAreFoundByTheirLetters) {
 TEST(Visit, ACamerasThousandNeedsFewPresses) {
     FakeHouse house;
     to_choose(house);
-    house.happen(StickCame{a_thousand_names(), {}});
+    house.apply(StickCame{a_thousand_names(), {}});
     ASSERT_TRUE(house.choose("Your USB stick"));
     ASSERT_TRUE(house.choose("By the first letter"));
     ASSERT_TRUE(house.choose("I"));
@@ -223,7 +223,7 @@ TEST(Visit, ACamerasThousandNeedsFewPresses) {
 TEST(Visit, WhatTheListLeavesOutIsHeardInTheVisitorsLanguage) {
     FakeHouse house;
     to_choose(house);
-    house.happen(StickCame{{"a.png"}, StickRest{200, true, false, false}});
+    house.apply(StickCame{{"a.png"}, StickRest{200, true, false, false}});
     ASSERT_TRUE(house.choose("Your USB stick"));
     EXPECT_TRUE(house.has_said("The list has 1 files of 201.", 0));
     EXPECT_TRUE(house.has_said("Folders within eight others were left out.", 0));
@@ -234,13 +234,13 @@ TEST(Visit, WhatTheListLeavesOutIsHeardInTheVisitorsLanguage) {
 TEST(Visit, LettersOfAStickThatGoesAreLeft) {
     FakeHouse house;
     to_choose(house);
-    house.happen(StickCame{a_thousand_names(), {}});
+    house.apply(StickCame{a_thousand_names(), {}});
     ASSERT_TRUE(house.choose("Your USB stick"));
     ASSERT_TRUE(house.choose("By the first letter"));
-    house.happen(StickGone{});
+    house.apply(StickGone{});
     EXPECT_EQ(house.open(), VisitScreen::stick);
     EXPECT_FALSE(house.visit.visitor.letters);
-    house.happen(StickCame{{"a.png"}, {}});
+    house.apply(StickCame{{"a.png"}, {}});
     EXPECT_EQ(house.screen().items.size(), 2U);
 }
 

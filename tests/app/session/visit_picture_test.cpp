@@ -37,7 +37,7 @@ TEST(Visit, HA1_TheHandleLeadsOnlyAfterAKeyAndItsAnnouncement) {
 TEST(Visit, HA1_SlowSpeechHasTheTimeItNeeds) {
     FakeHouse house;
     to_picture(house);
-    for (int i = 0; i < 3; ++i) house.happen(SpeechKeyPressed{SpeechKey::slower});
+    for (int i = 0; i < 3; ++i) house.apply(SpeechKeyPressed{SpeechKey::slower});
     ASSERT_TRUE(house.choose("Guide me round the outer outline"));
     house.wait(3.9);
     EXPECT_FALSE(house.is_leading);
@@ -59,7 +59,7 @@ TEST(Visit, HA1_AnyKeyStopsInTheSameStepAndDoesNothingElse) {
             ASSERT_TRUE(house.choose("Guide me round the outer outline"));
             house.wait(after_s);
             const auto path = house.visit.visitor.path;
-            house.happen(key);
+            house.apply(key);
             ASSERT_EQ(house.last<Guide>().size(), 1U) << key.index();
             EXPECT_EQ(house.last<Guide>()[0].kind, GuideKind::stop);
             EXPECT_EQ(house.visit.visitor.path, path);
@@ -78,10 +78,10 @@ TEST(Visit, HA1_NothingElseEverLeads) {
     on_part.part = 1;
     on_part.has_moved = true;
     for (int i = 0; i < 100; ++i) {
-        house.happen(on_part);
+        house.apply(on_part);
         house.wait(0.1);
     }
-    house.happen(TroubleBegan{TroubleKind::camera, ""});
+    house.apply(TroubleBegan{TroubleKind::camera, ""});
     house.wait(200.0);
     for (const VisitOrder& order : house.all_orders) {
         const auto* guide = std::get_if<Guide>(&order);
@@ -116,7 +116,7 @@ TEST(Visit, HA3_FocusChoiceErrorEdgeAndTimeOutShakeDifferently) {
     EXPECT_TRUE(shakes(HandlePattern::focus));
     house.press({KeyRole::up, KeyRole::up});
     EXPECT_TRUE(shakes(HandlePattern::edge));
-    house.happen(DeadKeyPressed{});
+    house.apply(DeadKeyPressed{});
     EXPECT_TRUE(shakes(HandlePattern::error));
     ASSERT_TRUE(house.choose("Settings"));
     EXPECT_TRUE(shakes(HandlePattern::chosen));
@@ -127,7 +127,7 @@ TEST(Visit, HA3_FocusChoiceErrorEdgeAndTimeOutShakeDifferently) {
 TEST(Visit, HA4_FirmnessAndKindOfLineHaveNamesAndKeepThePicture) {
     FakeHouse house;
     to_picture(house);
-    const std::size_t loads = house.visit.house.request;
+    const std::size_t loads = house.visit.site.request;
     EXPECT_EQ(firmness_steps[house.visit.visitor.feel.firmness].share, 1.0) << "the operator's";
     for (const char* name : {"very soft", "soft", "medium", "firm"}) {
         ASSERT_TRUE(house.choose("Firmness"));
@@ -145,7 +145,7 @@ TEST(Visit, HA4_FirmnessAndKindOfLineHaveNamesAndKeepThePicture) {
         ASSERT_EQ(house.last<Feel>().size(), 1U) << "at once";
     }
     EXPECT_EQ(house.visit.visitor.feel.mode, Mode::groove);
-    EXPECT_EQ(house.visit.house.request, loads) << "nothing was opened again";
+    EXPECT_EQ(house.visit.site.request, loads) << "nothing was opened again";
 }
 
 TEST(Visit, HA4_DetailIsOpenedAgainAndSaid) {
@@ -165,7 +165,7 @@ TEST(Visit, HA4_DetailIsOpenedAgainAndSaid) {
 void set(FakeHouse& house, void (*change)(Settings&)) {
     const Settings before = house.settings;
     change(house.settings);
-    house.happen(SettingsChanged{before});
+    house.apply(SettingsChanged{before});
 }
 
 TEST(Visit, TheOperatorsDetailOpensWhatIsFeltAgainWithoutAWord) {
@@ -180,7 +180,7 @@ TEST(Visit, TheOperatorsDetailOpensWhatIsFeltAgainWithoutAWord) {
     house.wait(0.5);
     LoadPicture wanted = felt;
     wanted.detail = 4;
-    wanted.request = house.visit.house.request;
+    wanted.request = house.visit.site.request;
     EXPECT_EQ(house.visit.visitor.felt->order, wanted);
     EXPECT_EQ(house.visit.visitor.detail, 4);
     EXPECT_EQ(house.visit.visitor.path, path);
@@ -291,7 +291,7 @@ TEST(Visit, HA5_APracticeShapeIsOfferedFirstAndCanBeSkipped) {
     EXPECT_FALSE(house.has_said("This is enough for practice.", before)) << "of none at all";
     HandleSeen on_line;
     on_line.part = 0;
-    house.happen(on_line);
+    house.apply(on_line);
     house.wait(0.1);
     EXPECT_TRUE(house.has_said("This is enough for practice.", before));
     house.press(KeyRole::back);
@@ -313,7 +313,7 @@ TEST(Visit, WhatComesBeforeTheItemDoesNotMoveTheFocusFromIt) {
     PictureFacts empty = house.visit.visitor.felt->facts;
     empty.parts.clear();
     empty.outline_count = 0;
-    house.happen(PictureReady{house.last<LoadPicture>()[0].request, empty});
+    house.apply(PictureReady{house.last<LoadPicture>()[0].request, empty});
     EXPECT_NE(house.last_said().find("You feel the middle part. Enlargement, "), std::string::npos)
         << house.last_said();
 }
@@ -323,14 +323,14 @@ TEST(Visit, ZoomGoesAroundTheHandInThePlaceOfTheWholePicture) {
     to_picture(house);
     HandleSeen handle;
     handle.place_W = {0.02, 0.01};
-    house.happen(handle);
+    house.apply(handle);
     ASSERT_TRUE(house.choose("Enlargement"));
     ASSERT_TRUE(house.choose("Twice as large, around your hand"));
     EXPECT_EQ(house.last<LoadPicture>()[0].zoom, (ZoomWanted{2.0, {0.02, 0.01}}));
     house.wait(0.5);
     EXPECT_TRUE(house.has_said("Now 2 times as large. You feel the right part.", 0))
         << house.last_said();
-    house.happen(handle);
+    house.apply(handle);
     ASSERT_TRUE(house.choose("Enlargement"));
     ASSERT_TRUE(house.choose("Four times as large, around your hand"));
     const ZoomWanted zoom = house.last<LoadPicture>()[0].zoom;
@@ -352,7 +352,7 @@ TEST(Visit, ZoomGoesAroundAPartTwiceThenFourTimes) {
     // Now in the middle of what is felt.
     PictureFacts facts = house.visit.visitor.felt->facts;
     facts.parts[1].place_W = {};
-    house.happen(PictureReady{house.visit.visitor.felt->order.request, facts});
+    house.apply(PictureReady{house.visit.visitor.felt->order.request, facts});
     ASSERT_TRUE(house.choose("Enlargement"));
     ASSERT_TRUE(house.choose("Tail en"));
     EXPECT_EQ(house.last<LoadPicture>()[0].zoom, (ZoomWanted{4.0, {0.04, -0.02}}));
@@ -386,13 +386,13 @@ TEST(Visit, LaterFactsOfTheSamePictureAreTaken) {
     to_picture(house);
     PictureFacts better = house.visit.visitor.felt->facts;
     better.parts.push_back({"Nose", {0.0, 0.0}, {0.0, 0.0}, 1, std::nullopt});
-    house.happen(PictureReady{house.visit.visitor.felt->order.request, better});
+    house.apply(PictureReady{house.visit.visitor.felt->order.request, better});
     EXPECT_EQ(house.last_said(), "1 name was found in the picture.");
     EXPECT_EQ(house.last<Utterance>()[0].priority, SpeechPriority::hint);
     EXPECT_EQ(house.open(), VisitScreen::picture);
     ASSERT_TRUE(house.choose("Parts"));
     EXPECT_TRUE(house.find("Nose"));
-    house.happen(PictureReady{house.visit.visitor.felt->order.request + 7, {}});
+    house.apply(PictureReady{house.visit.visitor.felt->order.request + 7, {}});
     EXPECT_EQ(house.visit.visitor.felt->facts.parts.size(), 3U) << "another request's";
 }
 
@@ -406,19 +406,19 @@ TEST(Visit, PartsAreNamedWhereTheHandRestsAndNotWhileItIsQuick) {
     quick.part = 0;
     quick.speed_m_per_s = 0.2;
     for (int i = 0; i < 10; ++i) {
-        house.happen(quick);
+        house.apply(quick);
         house.wait(0.1);
     }
     EXPECT_EQ(house.transcript.size(), before);
     HandleSeen still = quick;
     still.speed_m_per_s = 0.01;
-    house.happen(still);
+    house.apply(still);
     EXPECT_EQ(house.last_said(), "Body en");
     const std::size_t named = house.transcript.size();
     house.wait(5.0);
     EXPECT_EQ(house.transcript.size(), named) << "once";
     still.part = 1;
-    house.happen(still);
+    house.apply(still);
     house.wait(0.3);
     EXPECT_EQ(house.transcript.size(), named) << "it has to rest";
     house.wait(0.2);

@@ -65,7 +65,7 @@ void visit_all(FakeHouse& house, double every_s) {
     house.wait(5.0);
     EXPECT_TRUE(house.has_said("You have gone all the way round.", 0));
     visitor.press(KeyRole::back);
-    house.happen(StickCame{{"holiday", "letter"}, {}});
+    house.apply(StickCame{{"holiday", "letter"}, {}});
     ASSERT_TRUE(visitor.listen_for("Your USB stick, 2 pictures"));
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.listen_for("letter"));
@@ -178,7 +178,7 @@ TEST(VisitRun, AllLanguages) {
         house.press(KeyRole::select);
         house.wait(3.0);
         house.press({KeyRole::help, KeyRole::up, KeyRole::help, KeyRole::help});
-        house.happen(TroubleBegan{TroubleKind::camera, ""});
+        house.apply(TroubleBegan{TroubleKind::camera, ""});
         house.press(KeyRole::select);
         house.wait(91.0);
         house.press(KeyRole::up);
@@ -224,9 +224,9 @@ VisitEvent rude_event(std::mt19937& random, FakeHouse& house) {
         case 5:
             return StickGone{upto(2) == 0 ? "" : "It cannot be read. Take another."};
         case 6:
-            return PictureReady{house.visit.house.request - upto(3), fake_facts({})};
+            return PictureReady{house.visit.site.request - upto(3), fake_facts({})};
         case 7:
-            return PictureFailed{house.visit.house.request - upto(3), ""};
+            return PictureFailed{house.visit.site.request - upto(3), ""};
         case 8:
             return CameraChanged{upto(3) != 0};
         case 9:
@@ -242,10 +242,10 @@ VisitEvent rude_event(std::mt19937& random, FakeHouse& house) {
         case 14:
             return StaffCalledOff{};
         case 15:
-            if (upto(20) == 0) return OpeningChanged{static_cast<HouseOpening>(upto(3))};
-            return OpeningChanged{HouseOpening::open};
+            if (upto(20) == 0) return OpeningChanged{static_cast<SiteOpening>(upto(3))};
+            return OpeningChanged{SiteOpening::open};
         case 17:
-            return ThingsLookedFor{house.visit.house.request - upto(3),
+            return ThingsLookedFor{house.visit.site.request - upto(3),
                                    {1, 1, 2, 2, static_cast<ThingSearch>(3 + upto(2))}};
         case 16: {
             HandleSeen handle;
@@ -283,7 +283,7 @@ TEST(VisitRun, Rude) {
         double key_s = 0.0;
         for (int i = 0; i < 10000; ++i) {
             const VisitEvent event = rude_event(random, house);
-            house.happen(event);
+            house.apply(event);
             been.insert(house.open());
             expect_whole(house);
             if (is_key(event)) {
@@ -304,7 +304,7 @@ TEST(VisitRun, Rude) {
             }
         }
         // Never stuck: choose is there by a few presses.
-        house.happen(OpeningChanged{HouseOpening::open});
+        house.apply(OpeningChanged{SiteOpening::open});
         for (int i = 0; i < 8 && house.open() != VisitScreen::choose; ++i) {
             const bool is_forward =
                 house.open() == VisitScreen::attract || house.open() == VisitScreen::goodbye ||
@@ -322,7 +322,7 @@ TEST(VisitRun, TheSameEventsGiveTheSameVisit) {
         std::mt19937 random(7);
         FakeHouse house;
         for (int i = 0; i < 2000; ++i) {
-            house.happen(rude_event(random, house));
+            house.apply(rude_event(random, house));
             house.wait(0.2);
         }
         std::string text;

@@ -109,11 +109,11 @@ class Search {
             events.emplace_back(
                 StickCame{{"boat", "letter", "lake", "3", "4", "5", "6", "7", "8", "9", "10"}, {}});
         }
-        events.emplace_back(Tick{visit.house.now_s + 200.0});
-        if (!visit.house.troubles[0]) events.emplace_back(TroubleBegan{TroubleKind::device, ""});
+        events.emplace_back(Tick{visit.site.now_s + 200.0});
+        if (!visit.site.troubles[0]) events.emplace_back(TroubleBegan{TroubleKind::device, ""});
         events.emplace_back(TroubleEnded{TroubleKind::device});
         if (visitor.path.back().screen == VisitScreen::choose)
-            events.emplace_back(OpeningChanged{HouseOpening::closed});
+            events.emplace_back(OpeningChanged{SiteOpening::closed});
         return events;
     }
 
@@ -167,7 +167,7 @@ void to_stick_picture(FakeHouse& house, int count) {
     to_choose(house);
     std::vector<std::string> names;
     for (int i = 1; i <= count; ++i) names.push_back("file " + std::to_string(i));
-    house.happen(StickCame{names, {}});
+    house.apply(StickCame{names, {}});
     ASSERT_TRUE(house.choose("Your USB stick"));
     house.press(KeyRole::select);
     house.wait(house.load_s + 0.1);

@@ -69,10 +69,10 @@ TEST(VisitShape, AKnobTurnsItWithoutAWordAndAKeyGoesToTheNextStep) {
     FakeHouse house;
     to_bar(house);
     const std::size_t before = house.transcript.size();
-    house.happen(KnobTurned{0.1});
+    house.apply(KnobTurned{0.1});
     EXPECT_EQ(house.transcript.size(), before);
     EXPECT_NEAR(house.last<Feel>().back().turn_rad, 0.1, 1e-12);
-    house.happen(KnobTurned{std::numeric_limits<double>::quiet_NaN()});
+    house.apply(KnobTurned{std::numeric_limits<double>::quiet_NaN()});
     EXPECT_NEAR(house.visit.visitor.feel.turn_rad, 0.1, 1e-12);
     ASSERT_TRUE(house.choose("Turn it left"));
     EXPECT_NEAR(house.visit.visitor.feel.turn_rad, key_rad, 1e-12);
@@ -82,7 +82,7 @@ TEST(VisitShape, OneDegreeIsSingular) {
     FakeHouse house;
     to_bar(house);
     for (const double by_rad : {0.0175, -0.035}) {
-        house.happen(KnobTurned{by_rad});
+        house.apply(KnobTurned{by_rad});
         ASSERT_TRUE(house.find("Turn it left"));
         EXPECT_EQ(house.screen().items[*house.screen().focus].value,
                   by_rad > 0.0 ? "turned left by 1 degree" : "turned right by 1 degree");
@@ -94,14 +94,14 @@ TEST(VisitShape, AKnobAloneTurnsNothingAndKeepsNoVisit) {
     to_picture(house);
     house.wait(10.0);
     const double active_s = house.visit.visitor.active_s;
-    house.happen(KnobTurned{0.5});
+    house.apply(KnobTurned{0.5});
     EXPECT_EQ(house.visit.visitor.feel.turn_rad, 0.0);
     EXPECT_EQ(house.visit.visitor.active_s, active_s);
     FakeHouse other;
     to_bar(other);
     other.wait(10.0);
-    other.happen(KnobTurned{0.5});
-    EXPECT_EQ(other.visit.visitor.active_s, other.visit.house.now_s);
+    other.apply(KnobTurned{0.5});
+    EXPECT_EQ(other.visit.visitor.active_s, other.visit.site.now_s);
 }
 
 TEST(VisitShape, StaysForTheNextPictureAndGoesWithTheVisitor) {

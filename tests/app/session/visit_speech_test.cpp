@@ -29,7 +29,7 @@ TEST(Visit, SP1_AnythingBeginsAVisitWithSpeech) {
         FakeHouse house;
         house.wait(5.0);
         EXPECT_TRUE(house.transcript.empty()) << "quiet while nobody is here";
-        house.happen(beginning);
+        house.apply(beginning);
         EXPECT_FALSE(house.last<Utterance>().empty()) << beginning.index();
         EXPECT_EQ(house.open(), VisitScreen::language);
     }
@@ -37,7 +37,7 @@ TEST(Visit, SP1_AnythingBeginsAVisitWithSpeech) {
 
 TEST(Visit, SP1_AHandleThatIsOnlySeenBeginsNothing) {
     FakeHouse house;
-    house.happen(HandleSeen{});
+    house.apply(HandleSeen{});
     EXPECT_EQ(house.open(), VisitScreen::attract);
 }
 
@@ -100,7 +100,7 @@ TEST(Visit, SP5_RepeatRepeatsTheLastWordsThenTheWholeScreen) {
 TEST(Visit, SP5_PauseNeitherStopsNorSpeaks) {
     FakeHouse house;
     house.press({KeyRole::select, KeyRole::select});
-    house.happen(SpeechKeyPressed{SpeechKey::pause});
+    house.apply(SpeechKeyPressed{SpeechKey::pause});
     EXPECT_EQ(house.last<HoldSpeech>().size(), 1U);
     EXPECT_TRUE(house.last<Hush>().empty());
     EXPECT_TRUE(house.last<Utterance>().empty());
@@ -114,7 +114,7 @@ TEST(Visit, SP4_EveryOtherKeyStopsSpeech) {
         ASSERT_FALSE(house.orders.empty());
         EXPECT_FALSE(house.last<Hush>().empty()) << role;
     }
-    house.happen(DeadKeyPressed{});
+    house.apply(DeadKeyPressed{});
     EXPECT_EQ(house.last<Hush>().size(), 1U);
 }
 
@@ -122,12 +122,12 @@ TEST(Visit, SP6_SpeechRateIsSaidAndEndsAreToo) {
     FakeHouse house;
     house.press({KeyRole::select, KeyRole::select});
     for (std::size_t rate = default_speech_rate + 1; rate < 7; ++rate) {
-        house.happen(SpeechKeyPressed{SpeechKey::faster});
+        house.apply(SpeechKeyPressed{SpeechKey::faster});
         EXPECT_EQ(house.last_said(), "Speaking speed " + std::to_string(rate + 1) + " of 7");
         ASSERT_EQ(house.last<SoundWanted>().size(), 1U);
         EXPECT_EQ(house.last<SoundWanted>()[0].rate, rate);
     }
-    house.happen(SpeechKeyPressed{SpeechKey::faster});
+    house.apply(SpeechKeyPressed{SpeechKey::faster});
     EXPECT_EQ(house.last_said(), "This is the fastest.");
     EXPECT_TRUE(house.last<SoundWanted>().empty());
 }
@@ -208,7 +208,7 @@ TEST(Visit, WithTwoSwitchesNobodyIsToldOfKeysThatAreNotThere) {
     EXPECT_TRUE(house.last_said().ends_with("Choose it twice for the whole screen."));
     house.press({KeyRole::help, KeyRole::help});
     EXPECT_EQ(house.open(), VisitScreen::choose);
-    house.happen(TroubleBegan{TroubleKind::device, ""});
+    house.apply(TroubleBegan{TroubleKind::device, ""});
     EXPECT_TRUE(house.last_said().ends_with(
         "Move on to call staff. Or press Select to go on without force."));
     FakeHouse one;
@@ -234,7 +234,7 @@ TEST(Visit, WhoTurnsSpeechOffHearsHowItComesBack) {
 TEST(Visit, AnErrorSaysWhatToPressOnce) {
     FakeHouse house;
     to_choose(house);
-    house.happen(TroubleBegan{TroubleKind::camera, ""});
+    house.apply(TroubleBegan{TroubleKind::camera, ""});
     const std::size_t before = house.transcript.size();
     house.wait(30.0);
     EXPECT_EQ(house.transcript.size(), before);
@@ -247,7 +247,7 @@ TEST(Visit, SP9_EachKeyGivesASoundADeadOneAnotherAndTheThirdTimeWords) {
     ASSERT_FALSE(house.last<GiveCue>().empty());
     EXPECT_EQ(house.last<GiveCue>()[0].event, ScreenEvent::key_taken);
     for (int press = 1; press <= 6; ++press) {
-        house.happen(DeadKeyPressed{});
+        house.apply(DeadKeyPressed{});
         ASSERT_EQ(house.last<GiveCue>().size(), 1U);
         EXPECT_EQ(house.last<GiveCue>()[0].event, ScreenEvent::key_refused);
         EXPECT_EQ(house.last<Utterance>().empty(), press % 3 != 0) << press;
@@ -301,11 +301,11 @@ TEST(Visit, VO2_VolumeIsTheOperatorsAgainForTheNext) {
 TEST(Visit, VO5_HeadphonesOutIsSilenceThenAQuestion) {
     FakeHouse house;
     to_picture(house);
-    house.happen(HeadphonesChanged{true});
+    house.apply(HeadphonesChanged{true});
     EXPECT_TRUE(house.has_said("The headphones are in.", 0));
     house.wait(3.0);
     const std::size_t before = house.transcript.size();
-    house.happen(HeadphonesChanged{false});
+    house.apply(HeadphonesChanged{false});
     EXPECT_EQ(house.last<Hush>().size(), 1U);
     house.wait(9.9);
     EXPECT_EQ(house.transcript.size(), before) << "nothing private is said aloud";
@@ -366,7 +366,7 @@ TEST(Visit, VI5_WhatIsSaidIsTheCaptionAndSoundsHaveASign) {
     EXPECT_EQ(house.visit.visitor.caption.text, house.last_said());
     EXPECT_EQ(house.visit.visitor.caption.language, "en");
     EXPECT_EQ(house.visit.visitor.caption.sign, ScreenEvent::key_taken);
-    house.happen(DeadKeyPressed{});
+    house.apply(DeadKeyPressed{});
     EXPECT_EQ(house.visit.visitor.caption.sign, ScreenEvent::key_refused);
 }
 

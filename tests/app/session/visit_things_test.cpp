@@ -16,13 +16,13 @@ TEST(Visit, APhotographsMainThingTakesItsPlaceBeforeAHandHasTouchedIt) {
     FakeHouse house;
     to_picture(house);
     const std::uint64_t whole = house.visit.visitor.felt->order.request;
-    house.happen(looked_for(house, 2));
+    house.apply(looked_for(house, 2));
     const LoadPicture wanted = house.last<LoadPicture>()[0];
     EXPECT_NE(wanted.request, whole);
     EXPECT_EQ(wanted.view, 1);
     PictureFacts facts = house.visit.visitor.felt->facts;
     facts.place = {1, 1, 1, 3, ThingSearch::found};
-    house.happen(PictureReady{wanted.request, facts});
+    house.apply(PictureReady{wanted.request, facts});
     EXPECT_TRUE(house.has_said("Thing 1 of 2 in the photograph", 0)) << house.last_said();
     EXPECT_EQ(house.open(), VisitScreen::picture);
     ASSERT_TRUE(house.choose("How much of the photo"));
@@ -36,11 +36,11 @@ PictureFacts shortly_told(FakeHouse& house) {
     to_choose(house);
     EXPECT_TRUE(house.choose("Camera"));
     house.press(KeyRole::select);
-    house.happen(CameraCaptured{});
+    house.apply(CameraCaptured{});
     const LoadPicture photo = house.last<LoadPicture>()[0];
     PictureFacts facts = fake_facts(photo);
     facts.place = {1, 1, 1, 1, ThingSearch::under_way};
-    house.happen(PictureReady{photo.request, facts});
+    house.apply(PictureReady{photo.request, facts});
     EXPECT_EQ(house.last_said(), facts.title + ". Its main thing is being looked for");
     return facts;
 }
@@ -59,9 +59,9 @@ void expect_rest(const FakeHouse& house) {
 TEST(Visit, APhotographWhoseMainThingIsLookedForIsToldWithIt) {
     FakeHouse house;
     PictureFacts facts = shortly_told(house);
-    house.happen(looked_for(house, 1));
+    house.apply(looked_for(house, 1));
     facts.place = {1, 1, 1, 2, ThingSearch::found};
-    house.happen(PictureReady{house.last<LoadPicture>()[0].request, facts});
+    house.apply(PictureReady{house.last<LoadPicture>()[0].request, facts});
     ASSERT_EQ(house.last<Utterance>().size(), 1U);
     EXPECT_EQ(house.last<Utterance>()[0].priority, SpeechPriority::hint) << "the first is not cut";
     expect_rest(house);
@@ -74,16 +74,16 @@ TEST(Visit, APhotographIsToldAllWhateverTheSearchFinds) {
         (void)shortly_told(house);
         HandleSeen handle;
         handle.part = 0;
-        if (things == ThingSearch::found) house.happen(handle);  // keeps the whole
+        if (things == ThingSearch::found) house.apply(handle);  // keeps the whole
         ThingsLookedFor looked = looked_for(house, things == ThingSearch::found ? 1 : 0);
         looked.place.things = things;
-        house.happen(looked);
+        house.apply(looked);
         expect_rest(house);
     }
     FakeHouse house;
     (void)shortly_told(house);
-    house.happen(looked_for(house, 1));
-    house.happen(PictureFailed{house.last<LoadPicture>()[0].request, ""});
+    house.apply(looked_for(house, 1));
+    house.apply(PictureFailed{house.last<LoadPicture>()[0].request, ""});
     expect_rest(house);
 }
 
@@ -91,7 +91,7 @@ TEST(Visit, APhotographIsToldAllWhateverTheSearchFinds) {
 TEST(Visit, WhoGoesToAnotherScreenKeepsTheWhole) {
     FakeHouse house;
     (void)shortly_told(house);
-    house.happen(looked_for(house, 1));
+    house.apply(looked_for(house, 1));
     const std::uint64_t main_thing = house.last<LoadPicture>()[0].request;
     ASSERT_TRUE(house.choose("Explore freely"));
     EXPECT_EQ(house.last<CancelLoad>()[0].request, main_thing);
@@ -106,12 +106,12 @@ TEST(Visit, AHandThatHasFoundALineKeepsItAndIsToldOfTheMainThing) {
     to_picture(house);
     HandleSeen handle;
     handle.part = 0;
-    house.happen(handle);
+    house.apply(handle);
     handle.part.reset();
-    house.happen(handle);
+    house.apply(handle);
     const std::uint64_t whole = house.visit.visitor.felt->order.request;
-    house.happen(looked_for(house, 1));
-    EXPECT_EQ(house.visit.house.request, whole) << "nothing else is opened";
+    house.apply(looked_for(house, 1));
+    EXPECT_EQ(house.visit.site.request, whole) << "nothing else is opened";
     EXPECT_EQ(house.last_said(),
               "The main thing was found. You will find it under: How much of the photo.");
     EXPECT_EQ(house.last<Utterance>()[0].priority, SpeechPriority::hint);
@@ -124,11 +124,11 @@ TEST(Visit, WhatAHandTouchesWhileTheMainThingIsOpenedStays) {
     FakeHouse house;
     to_picture(house);
     const std::uint64_t whole = house.visit.visitor.felt->order.request;
-    house.happen(looked_for(house, 1));
+    house.apply(looked_for(house, 1));
     const std::uint64_t main_thing = house.last<LoadPicture>()[0].request;
     HandleSeen handle;
     handle.part = 0;
-    house.happen(handle);
+    house.apply(handle);
     EXPECT_EQ(house.last<CancelLoad>()[0].request, main_thing);
     EXPECT_EQ(house.visit.visitor.felt->order.request, whole);
     EXPECT_EQ(house.visit.visitor.felt->order.view, 2) << "another detail is of the whole";
@@ -143,20 +143,20 @@ TEST(Visit, WhoHasEnlargedAPlaceKeepsIt) {
     ASSERT_TRUE(house.choose("Tail en"));
     house.wait(0.5);
     const std::uint64_t enlarged = house.visit.visitor.felt->order.request;
-    house.happen(looked_for(house, 1));
-    EXPECT_EQ(house.visit.house.request, enlarged);
+    house.apply(looked_for(house, 1));
+    EXPECT_EQ(house.visit.site.request, enlarged);
 }
 
 TEST(Visit, WhereNothingIsClearAPhotographStaysAndThatIsTold) {
     FakeHouse house;
     to_picture(house);
-    house.happen(looked_for(house, 0));
+    house.apply(looked_for(house, 0));
     EXPECT_EQ(house.last_said(), "No clear main thing was found.");
     EXPECT_FALSE(house.find("How much of the photo"));
     EXPECT_FALSE(house.find("Pages"));
     ThingsLookedFor old = looked_for(house, 1);
     old.request += 7;
-    house.happen(old);
+    house.apply(old);
     EXPECT_EQ(house.visit.visitor.felt->facts.place.things, ThingSearch::unclear);
 }
 
@@ -166,7 +166,7 @@ TEST(Visit, WhatAPhotographIsTakenForIsToldAsAGuess) {
     to_picture(house);
     ThingsLookedFor looked = looked_for(house, 0);
     looked.names = {dog};
-    house.happen(looked);
+    house.apply(looked);
     EXPECT_EQ(house.last_said(), "Probably a dog, on the left. No clear main thing was found.");
     ASSERT_TRUE(house.choose("Tell me again"));
     const std::string told = house.last_said();
@@ -179,10 +179,10 @@ TEST(Visit, WithoutTheNetworkOfMainThingsNamesAreToldAndThatItIsAbsent) {
     to_picture(house);
     ThingsLookedFor looked = looked_for(house, 0);
     looked.place.things = ThingSearch::absent;
-    house.happen(looked);
+    house.apply(looked);
     EXPECT_EQ(house.last_said(), "The main thing cannot be found here.");
     looked.names = {{ThingName::animal, {0.0, 0.0, 1.0, 1.0}, 0.5}};
-    house.happen(looked);
+    house.apply(looked);
     EXPECT_EQ(house.last_said(),
               "Probably an animal, in most of the picture. The main thing cannot be found here.");
 }
@@ -190,10 +190,10 @@ TEST(Visit, WithoutTheNetworkOfMainThingsNamesAreToldAndThatItIsAbsent) {
 TEST(Visit, AFaceIsToldAsOne) {
     FakeHouse house;
     to_picture(house);
-    house.happen(looked_for(house, 2));
+    house.apply(looked_for(house, 2));
     PictureFacts facts = house.visit.visitor.felt->facts;
     facts.place = {1, 1, 1, 3, ThingSearch::found, true};
-    house.happen(PictureReady{house.last<LoadPicture>()[0].request, facts});
+    house.apply(PictureReady{house.last<LoadPicture>()[0].request, facts});
     EXPECT_TRUE(house.has_said("Thing 1 of 2 in the photograph, a face", 0)) << house.last_said();
 }
 
@@ -204,15 +204,15 @@ TEST(Visit, TheThingUnderTheHandIsOpenedAndOtherwiseThePictureStays) {
     HandleSeen handle;
     handle.part = 0;
     handle.place_W = {0.02, -0.01};
-    house.happen(handle);
-    house.happen(looked_for(house, 1));
+    house.apply(handle);
+    house.apply(looked_for(house, 1));
     ASSERT_TRUE(house.choose("Find the thing under my hand"));
     LoadPicture wanted = house.last<LoadPicture>()[0];
     ASSERT_TRUE(wanted.thing_at);
     EXPECT_EQ(wanted.view, 2);
     EXPECT_NEAR(wanted.thing_at->x, 0.02, 1e-9);
     const std::uint64_t whole = house.visit.visitor.felt->order.request;
-    house.happen(PictureFailed{wanted.request, "Nothing clear lies there. Choose another place."});
+    house.apply(PictureFailed{wanted.request, "Nothing clear lies there. Choose another place."});
     EXPECT_TRUE(house.has_said("Nothing clear lies there", 0)) << house.last_said();
     EXPECT_EQ(house.open(), VisitScreen::picture);
     EXPECT_EQ(house.visit.visitor.felt->order.request, whole);
@@ -220,7 +220,7 @@ TEST(Visit, TheThingUnderTheHandIsOpenedAndOtherwiseThePictureStays) {
     wanted = house.last<LoadPicture>()[0];
     PictureFacts facts = house.visit.visitor.felt->facts;
     facts.place = {1, 1, 2, 3, ThingSearch::found};
-    house.happen(PictureReady{wanted.request, facts});
+    house.apply(PictureReady{wanted.request, facts});
     EXPECT_TRUE(house.has_said("Thing 2 of 2 in the photograph", 0)) << house.last_said();
     EXPECT_EQ(house.visit.visitor.felt->order.view, 2);
     EXPECT_FALSE(house.visit.visitor.felt->order.thing_at);
@@ -231,7 +231,7 @@ TEST(Visit, WhereNobodyCouldLookThatIsNotCalledUnclear) {
     to_picture(house);
     ThingsLookedFor looked = looked_for(house, 0);
     looked.place.things = ThingSearch::impossible;
-    house.happen(looked);
+    house.apply(looked);
     EXPECT_EQ(house.last_said(), "The main thing cannot be looked for now.");
 }
 

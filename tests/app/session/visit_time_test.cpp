@@ -23,11 +23,11 @@ TEST(Visit, TI1_AfterSilenceAQuestionInThreeSenses) {
 /// A kiosk that is started anew on a machine that has run for long.
 TEST(Visit, TI1_AKeyBeforeTheClockIsToldWasNotLongAgo) {
     FakeHouse house;
-    house.visit.house.now_s = 0.0;
+    house.visit.site.now_s = 0.0;
     house.press(KeyRole::select);
-    house.happen(Tick{5000.0});
+    house.apply(Tick{5000.0});
     EXPECT_EQ(house.open(), VisitScreen::language);
-    house.happen(Tick{5060.0});
+    house.apply(Tick{5060.0});
     EXPECT_EQ(house.open(), VisitScreen::language);
 }
 
@@ -53,7 +53,7 @@ TEST(Visit, TI1_MotionCountsButNotThatOfAHandleThatLeads) {
     moved.has_moved = true;
     for (int i = 0; i < 20; ++i) {
         house.wait(20.0);
-        house.happen(moved);
+        house.apply(moved);
     }
     EXPECT_EQ(house.open(), VisitScreen::picture);
     house.lead_s = 1e9;  // waits for a hand that is gone
@@ -61,7 +61,7 @@ TEST(Visit, TI1_MotionCountsButNotThatOfAHandleThatLeads) {
     moved.is_led = true;
     for (int i = 0; i < 420 && house.open() == VisitScreen::picture; ++i) {
         house.wait(1.0);
-        house.happen(moved);
+        house.apply(moved);
     }
     EXPECT_EQ(house.open(), VisitScreen::question);
 }
@@ -73,7 +73,7 @@ TEST(Visit, TI1_AHandleThatWaitsForAHandIsNobody) {
     ASSERT_TRUE(house.choose("Guide me round the outer outline"));
     for (int i = 0; i < 89; ++i) {
         house.wait(1.0);
-        house.happen(HandleSeen{});
+        house.apply(HandleSeen{});
     }
     EXPECT_EQ(house.open(), VisitScreen::picture);
     house.wait(2.0);
@@ -151,10 +151,10 @@ TEST(Visit, TI2_WhatIsBeingOpenedIsDroppedToo) {
     ASSERT_TRUE(house.choose("Gallery"));
     house.press(KeyRole::select);
     const auto request = house.last<LoadPicture>()[0].request;
-    house.happen(OpeningChanged{HouseOpening::closed});
+    house.apply(OpeningChanged{SiteOpening::closed});
     ASSERT_EQ(house.last<CancelLoad>().size(), 1U);
     EXPECT_EQ(house.last<CancelLoad>()[0].request, request);
-    house.happen(PictureReady{request, fake_facts({})});
+    house.apply(PictureReady{request, fake_facts({})});
     EXPECT_FALSE(house.visit.visitor.felt);
     EXPECT_EQ(house.open(), VisitScreen::closed);
 }
@@ -188,7 +188,7 @@ TEST(Visit, TI5_NothingIsTakenWithoutAKeyAndTheShutterIsHeard) {
     ASSERT_EQ(house.last<CameraPreview>().size(), 1U);
     EXPECT_TRUE(house.last<CameraPreview>()[0].is_on);
     EXPECT_EQ(house.screen().view, ScreenView::camera);
-    house.happen(CameraCaptured{});
+    house.apply(CameraCaptured{});
     EXPECT_TRUE(house.last<LoadPicture>().empty()) << "nobody asked";
     house.wait(60.0);
     for (const VisitOrder& order : house.all_orders) {
@@ -198,7 +198,7 @@ TEST(Visit, TI5_NothingIsTakenWithoutAKeyAndTheShutterIsHeard) {
     EXPECT_EQ(house.last<Capture>().size(), 1U);
     EXPECT_FALSE(house.last<CameraPreview>()[0].is_on);
     const std::size_t before = house.transcript.size();
-    house.happen(CameraCaptured{});
+    house.apply(CameraCaptured{});
     ASSERT_FALSE(house.last<GiveCue>().empty());
     EXPECT_EQ(house.last<GiveCue>()[0].event, ScreenEvent::shutter);
     EXPECT_TRUE(house.has_said("The photo has been taken.", before));
@@ -212,7 +212,7 @@ TEST(Visit, AnUnclearPhotographIsSaidToBeSo) {
     ASSERT_TRUE(house.choose("Camera"));
     ASSERT_TRUE(house.choose("Take the photo"));
     const std::size_t before = house.transcript.size();
-    house.happen(CameraCaptured{true});
+    house.apply(CameraCaptured{true});
     EXPECT_TRUE(
         house.has_said("The photo has been taken. It is unclear; you can take it again.", before));
     EXPECT_EQ(house.last<LoadPicture>().size(), 1U) << "it can be felt all the same";
@@ -233,7 +233,7 @@ TEST(Visit, TI6_GoodbyeRemindsOfStickAndHeadphones) {
 TEST(Visit, GoodbyeRemindsOfAStickThatIsThere) {
     FakeHouse house;
     house.press({KeyRole::select, KeyRole::select});
-    house.happen(StickCame{{"a.png"}, {}});
+    house.apply(StickCame{{"a.png"}, {}});
     ASSERT_TRUE(house.choose("Finish"));
     ASSERT_TRUE(house.choose("Yes"));
     EXPECT_TRUE(house.has_said("Take your USB stick with you.", house.transcript.size() - 1));
@@ -242,7 +242,7 @@ TEST(Visit, GoodbyeRemindsOfAStickThatIsThere) {
 TEST(Visit, WhoIsToCallTheStaffCanDoItThere) {
     FakeHouse house;
     house.press({KeyRole::select, KeyRole::select});
-    house.happen(TroubleBegan{TroubleKind::device, ""});
+    house.apply(TroubleBegan{TroubleKind::device, ""});
     EXPECT_TRUE(house.last_said().starts_with("The handle. "));
     EXPECT_TRUE(
         house.last_said().ends_with("Press Down to call staff, or Select to go on without force."));
@@ -250,15 +250,15 @@ TEST(Visit, WhoIsToCallTheStaffCanDoItThere) {
     EXPECT_TRUE(house.last_said().starts_with(
         "The staff have been called. You can carry on meanwhile. What to feel."));
     EXPECT_EQ(house.open(), VisitScreen::choose);
-    EXPECT_TRUE(house.visit.house.is_staff_called);
-    house.happen(TroubleBegan{TroubleKind::device, "Another one. Wait."});
+    EXPECT_TRUE(house.visit.site.is_staff_called);
+    house.apply(TroubleBegan{TroubleKind::device, "Another one. Wait."});
     EXPECT_EQ(house.screen().items.size(), 1U) << "they know already";
     EXPECT_TRUE(house.last_said().ends_with("Or press Select to go on without force."));
     VisitRules rules;
     rules.offers_staff = false;
     FakeHouse alone(rules);
     alone.press({KeyRole::select, KeyRole::select});
-    alone.happen(TroubleBegan{TroubleKind::device, ""});
+    alone.apply(TroubleBegan{TroubleKind::device, ""});
     EXPECT_EQ(alone.screen().items.size(), 1U);
 }
 
@@ -269,7 +269,7 @@ TEST(Visit, ER1_EveryErrorSaysWhatWhyAndWhatToDoAndOneKeyGoesOn) {
             rules.sound.language = language;
             FakeHouse house(rules);
             house.press({KeyRole::select, KeyRole::select});
-            house.happen(TroubleBegan{static_cast<TroubleKind>(kind), ""});
+            house.apply(TroubleBegan{static_cast<TroubleKind>(kind), ""});
             EXPECT_EQ(house.open(), VisitScreen::trouble);
             const SpokenScreen screen = house.screen();
             EXPECT_EQ(screen.items.front().id, static_cast<int>(VisitItem::go_on));
@@ -302,7 +302,7 @@ TEST(Visit, ER1_AFileThatCannotBeOpenedKeepsWhatIsFelt) {
 TEST(Visit, ER1_HelpDoesNotMakeATroubleForgotten) {
     FakeHouse house;
     to_choose(house);
-    house.happen(TroubleBegan{TroubleKind::camera, "The camera is gone. Plug it in."});
+    house.apply(TroubleBegan{TroubleKind::camera, "The camera is gone. Plug it in."});
     house.press({KeyRole::help, KeyRole::help, KeyRole::help});
     EXPECT_EQ(house.open(), VisitScreen::trouble);
     EXPECT_NE(house.last_said().find("The camera is gone."), std::string::npos);
@@ -318,28 +318,28 @@ TEST(Visit, ER1_HelpDoesNotMakeATroubleForgotten) {
 TEST(Visit, NewWordsOfATroubleLeaveTheFocusWhereItIs) {
     FakeHouse house;
     to_choose(house);
-    house.happen(TroubleBegan{TroubleKind::device, "It is gone. Wait."});
+    house.apply(TroubleBegan{TroubleKind::device, "It is gone. Wait."});
     house.press(KeyRole::down);
-    house.happen(TroubleBegan{TroubleKind::device, "It is still gone. Wait."});
+    house.apply(TroubleBegan{TroubleKind::device, "It is still gone. Wait."});
     house.press(KeyRole::select);
-    EXPECT_TRUE(house.visit.house.is_staff_called);
+    EXPECT_TRUE(house.visit.site.is_staff_called);
 }
 
 TEST(Visit, ER2_AVisitSurvivesEveryLoss) {
     FakeHouse house;
     to_stick_picture(house);
     const std::size_t before = house.transcript.size();
-    house.happen(StickGone{});
+    house.apply(StickGone{});
     EXPECT_TRUE(house.has_said("The USB stick is out. Your picture stays open.", before));
     EXPECT_TRUE(house.visit.visitor.felt);
     for (std::size_t kind = 0; kind < trouble_count; ++kind) {
-        house.happen(TroubleBegan{static_cast<TroubleKind>(kind), ""});
+        house.apply(TroubleBegan{static_cast<TroubleKind>(kind), ""});
         EXPECT_EQ(house.open(), VisitScreen::trouble);
         house.press(KeyRole::back);
         EXPECT_EQ(house.open(), VisitScreen::picture);
         EXPECT_TRUE(house.visit.visitor.felt);
     }
-    house.happen(CameraChanged{false});
+    house.apply(CameraChanged{false});
     ASSERT_TRUE(house.choose("Guide me round the outer outline"));
     EXPECT_TRUE(house.has_said("The handle has no force now.", before));
     house.press(KeyRole::back);
@@ -350,7 +350,7 @@ TEST(Visit, ER2_AVisitSurvivesEveryLoss) {
     EXPECT_NE(house.screen().text.find("does not answer"), std::string::npos);
     ASSERT_TRUE(house.choose("Take the photo"));
     EXPECT_EQ(house.last<GivePattern>().back().pattern, HandlePattern::error);
-    house.happen(TroubleEnded{TroubleKind::device});
+    house.apply(TroubleEnded{TroubleKind::device});
     house.press(KeyRole::back);
     ASSERT_TRUE(house.choose("Back to the picture"));
     ASSERT_TRUE(house.choose("Guide me round the outer outline"));
@@ -360,7 +360,7 @@ TEST(Visit, ER2_AVisitSurvivesEveryLoss) {
 
 TEST(Visit, ER2_WhoComesLaterIsToldOfWhatLasts) {
     FakeHouse house;
-    house.happen(TroubleBegan{TroubleKind::device, ""});
+    house.apply(TroubleBegan{TroubleKind::device, ""});
     EXPECT_TRUE(house.transcript.empty()) << "nobody is here";
     house.press({KeyRole::select, KeyRole::down});
     house.press(KeyRole::select);
@@ -372,7 +372,7 @@ TEST(Visit, ER2_TheCameraLostWhileItWorksIsAnError) {
     to_choose(house);
     ASSERT_TRUE(house.choose("Camera"));
     ASSERT_TRUE(house.choose("Take the photo"));
-    house.happen(CameraChanged{false});
+    house.apply(CameraChanged{false});
     EXPECT_EQ(house.open(), VisitScreen::trouble);
     house.press(KeyRole::select);
     EXPECT_EQ(house.open(), VisitScreen::camera);
@@ -406,7 +406,7 @@ TEST(Visit, ER3_LongWorkIsHeardThenSaidAndCanBeCancelled) {
     ASSERT_EQ(house.last<CancelLoad>().size(), 1U);
     EXPECT_EQ(house.last<CancelLoad>()[0].request, request);
     EXPECT_EQ(house.open(), VisitScreen::gallery);
-    house.happen(PictureReady{request, fake_facts({})});
+    house.apply(PictureReady{request, fake_facts({})});
     EXPECT_EQ(house.open(), VisitScreen::gallery) << "what was cancelled does not come";
     EXPECT_FALSE(house.visit.visitor.felt);
 }
@@ -414,12 +414,12 @@ TEST(Visit, ER3_LongWorkIsHeardThenSaidAndCanBeCancelled) {
 TEST(Visit, ER3_AStickThatIsBeingReadIsHeardToo) {
     FakeHouse house;
     to_choose(house);
-    house.happen(StickArriving{});
+    house.apply(StickArriving{});
     ASSERT_TRUE(house.choose("Your USB stick"));
     const std::size_t before = house.transcript.size();
     house.wait(2.5);
     EXPECT_TRUE(house.has_said("Your USB stick is being read.", before));
-    house.happen(StickCame{{"boat"}, {}});
+    house.apply(StickCame{{"boat"}, {}});
     EXPECT_TRUE(house.last_said().find("boat") != std::string::npos);
     house.all_orders.clear();
     house.wait(1.2);
@@ -430,7 +430,7 @@ TEST(Visit, ER3_AStickThatIsBeingReadIsHeardToo) {
 TEST(Visit, ER4_WithoutSoundTheScreenAsksForStaffAndTheHandleForAttention) {
     FakeHouse house;
     to_picture(house);
-    house.happen(TroubleBegan{TroubleKind::sound, ""});
+    house.apply(TroubleBegan{TroubleKind::sound, ""});
     EXPECT_NE(house.screen().text.find("Please call the staff."), std::string::npos);
     EXPECT_EQ(house.last<GivePattern>()[0].pattern, HandlePattern::error);
     house.all_orders.clear();
@@ -441,7 +441,7 @@ TEST(Visit, ER4_WithoutSoundTheScreenAsksForStaffAndTheHandleForAttention) {
         if (given != nullptr && given->pattern == HandlePattern::error) ++shakes;
     }
     EXPECT_EQ(shakes, 3);
-    house.happen(TroubleEnded{TroubleKind::sound});
+    house.apply(TroubleEnded{TroubleKind::sound});
     EXPECT_EQ(house.open(), VisitScreen::picture);
 }
 
@@ -451,7 +451,7 @@ TEST(Visit, StaffAreCalledAndCalledOff) {
     ASSERT_TRUE(house.choose("Call staff"));
     EXPECT_TRUE(house.last<CallStaff>()[0].is_wanted);
     EXPECT_EQ(house.screen().items[*house.screen().focus].value, "called");
-    house.happen(StaffCalledOff{});
+    house.apply(StaffCalledOff{});
     EXPECT_FALSE(house.last<CallStaff>()[0].is_wanted);
     EXPECT_EQ(house.last_said(), "The staff know of your call.");
 }
@@ -459,14 +459,14 @@ TEST(Visit, StaffAreCalledAndCalledOff) {
 TEST(Visit, AClosedHouseSaysSoAndOpensAgain) {
     FakeHouse house;
     to_picture(house);
-    house.happen(OpeningChanged{HouseOpening::maintenance});
+    house.apply(OpeningChanged{SiteOpening::maintenance});
     EXPECT_EQ(house.last<Wipe>().size(), 1U);
     EXPECT_EQ(house.open(), VisitScreen::closed);
     house.rules.notice = "We are back at two.";
     house.press(KeyRole::select);
     EXPECT_NE(house.last_said().find("We are back at two."), std::string::npos);
     EXPECT_EQ(house.open(), VisitScreen::closed);
-    house.happen(OpeningChanged{HouseOpening::open});
+    house.apply(OpeningChanged{SiteOpening::open});
     house.press(KeyRole::select);
     EXPECT_EQ(house.open(), VisitScreen::language);
 }

@@ -2,7 +2,7 @@
 // Threads: any; what is read once is shared and constant.
 #pragma once
 
-#include "app/kiosk/operator_desk.h"
+#include "app/kiosk/operator_session.h"
 #include "app/kiosk/pictures.h"
 #include "audio-cues/words/language.h"
 

@@ -34,7 +34,7 @@ KioskLife::KioskLife(const KioskPlace& place) : now_s_(place.now_s) {
     parts.gallery = gallery_without_workers();
     parts.profile = default_profile();
     servo = make<LineServo>(parts.servo, line, now_s_);
-    shelf = make<SimShelf>(parts.shelf);
+    sticks = make<SimFileSource>(parts.sticks);
     parts.sound = std::make_unique<HeardSound>(place.heard);
     std::unique_ptr<Executor> executor;
     jobs = make<DueJobs>(executor, now_s_, place.fate);
@@ -42,12 +42,12 @@ KioskLife::KioskLife(const KioskPlace& place) : now_s_(place.now_s) {
                                             std::move(executor));
     std::unique_ptr<Camera> eye;
     camera = make<SimCamera>(eye);
-    parts.photos = std::make_unique<PhotoDesk>(std::move(eye));
+    parts.photos = std::make_unique<PhotoCapture>(std::move(eye));
     std::vector<std::string> problems;  // a file that cannot be read is one of the faults
-    parts.operator_desk =
-        std::make_unique<OperatorDesk>(site_files_in(place.folder), parts.languages, problems);
-    parts.settings = parts.operator_desk->settings();
-    parts.keys = parts.operator_desk->keys();
+    parts.operator_session =
+        std::make_unique<OperatorSession>(site_files_in(place.folder), parts.languages, problems);
+    parts.settings = parts.operator_session->settings();
+    parts.keys = parts.operator_session->keys();
     parts.minute_of_day = place.minute_of_day;
     kiosk = std::make_unique<Kiosk>(std::move(parts));
 }

@@ -5,12 +5,12 @@
 
 #include "app/kiosk/kiosk.h"
 #include "app/servo/restart.h"
-#include "app/servo/servo_line.h"
+#include "app/servo/servo_connection.h"
 #include "tests/sim/kiosk/due_jobs.h"
 #include "tests/sim/kiosk/heard.h"
 #include "tests/sim/kiosk/line_servo.h"
 #include "tests/sim/kiosk/sim_camera.h"
-#include "tests/sim/kiosk/sim_shelf.h"
+#include "tests/sim/kiosk/sim_file_source.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -38,11 +38,11 @@ class KioskLife {
     /// A visitor's key.
     void press(KeyRole role) { strike(keys_of(default_keys(), role).at(0)); }
 
-    ServoLine line;
+    ServoConnection line;
     Restart restart;  // of its servo
     // Within the kiosk:
     LineServo* servo = nullptr;
-    SimShelf* shelf = nullptr;
+    SimFileSource* sticks = nullptr;
     SimCamera* camera = nullptr;
     DueJobs* jobs = nullptr;
     std::unique_ptr<Kiosk> kiosk;

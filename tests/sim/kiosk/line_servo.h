@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/servo/servo_client.h"
-#include "app/servo/servo_line.h"
+#include "app/servo/servo_connection.h"
 
 #include <cmath>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace touchline {
 class LineServo final : public ServoClient {
   public:
     /// Both must outlive it. `now_s` of the house.
-    LineServo(ServoLine& line, const double& now_s) : line_(line), now_s_(now_s) {}
+    LineServo(ServoConnection& line, const double& now_s) : line_(line), now_s_(now_s) {}
 
     void set(const ServoCommands& commands) override {
         told = commands;
@@ -63,7 +63,7 @@ class LineServo final : public ServoClient {
     bool is_homing_wanted = false;
 
   private:
-    ServoLine& line_;
+    ServoConnection& line_;
     const double& now_s_;
     ServoReport report_;
 };

@@ -122,7 +122,7 @@ bool SimHouse::break_kiosk(const PlannedCause& cause) {
             break;
         case SimFault::handle_thrown:
             if (!visitor_ || !visitor_->holds_handle()) return false;
-            visitor_->throw_handle({*kiosk_->kiosk, board_, *hand_, *kiosk_->shelf,
+            visitor_->throw_handle({*kiosk_->kiosk, board_, *hand_, *kiosk_->sticks,
                                     kiosk_->servo->felt, now_s_, time_.now_s, false},
                                    1.0 + 3.0 * cause.span_s);
             break;
@@ -144,8 +144,8 @@ bool SimHouse::break_house(const PlannedCause& cause) {
             armed_decoder_s_ = cause.span_s;
             return false;  // counted when a job meets it
         case SimFault::stick_yanked:
-            if (!kiosk_->shelf->is_in())
-                kiosk_->shelf->put(gallery_without_workers().files.front(), 0.5);
+            if (!kiosk_->sticks->is_in())
+                kiosk_->sticks->put(gallery_without_workers().files.front(), 0.5);
             break;
         case SimFault::camera_lost:
             kiosk_->camera->condition =
@@ -184,7 +184,7 @@ void SimHouse::end(SimFault fault) {
         case SimFault::screen_starved:
             return answers_.excuse(now_s_);
         case SimFault::stick_yanked:
-            if (kiosk_) kiosk_->shelf->pull();
+            if (kiosk_) kiosk_->sticks->pull();
             return;
         case SimFault::camera_lost:
             if (kiosk_) kiosk_->camera->condition = CameraCondition::ready;
@@ -258,12 +258,12 @@ void SimHouse::welcome() {
     }
     if (!visitor_) return;
     const VisitorPlace place{
-        *kiosk_->kiosk,      board_, *hand_,      *kiosk_->shelf,
+        *kiosk_->kiosk,      board_, *hand_,      *kiosk_->sticks,
         kiosk_->servo->felt, now_s_, time_.now_s, !is_servo_ready() && ongoing_.empty()};
     const auto role = visitor_->act(place);
     if (visitor_->is_gone()) {
         visitor_.reset();
-        kiosk_->shelf->pull();
+        kiosk_->sticks->pull();
         return;
     }
     if (!role) return;

@@ -63,7 +63,7 @@ void SimVisitor::bring_stick(const VisitorPlace& place) {
         file.is_private = true;
         files.push_back(std::make_shared<const PictureFile>(std::move(file)));
     }
-    place.shelf.put(std::move(files), dice_.between(0.2, 2.0));
+    place.sticks.put(std::move(files), dice_.between(0.2, 2.0));
 }
 
 void SimVisitor::hold(const VisitorPlace& place, const HandModel& hand) {

@@ -6,7 +6,7 @@
 #include "tests/sim/board/board_emulator.h"
 #include "tests/sim/kiosk/dice.h"
 #include "tests/sim/kiosk/plan.h"
-#include "tests/sim/kiosk/sim_shelf.h"
+#include "tests/sim/kiosk/sim_file_source.h"
 #include "tests/sim/kiosk/visitor_hand.h"
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct VisitorPlace {
     Kiosk& kiosk;
     BoardEmulator& board;
     VisitorHand& hand;
-    SimShelf& shelf;
+    SimFileSource& sticks;
     std::shared_ptr<const TactileMap> felt;  // null: nothing yet
     double now_s = 0.0;                      // of the house
     double awake_s = 0.0;                    // of the board

@@ -43,8 +43,8 @@ fs::path new_folder() {
     return folder;
 }
 
-std::unique_ptr<OperatorDesk> desk_of(const fs::path& folder, const Staging& staging,
-                                      const std::vector<Language>& languages) {
+std::unique_ptr<OperatorSession> desk_of(const fs::path& folder, const Staging& staging,
+                                         const std::vector<Language>& languages) {
     const OperatorFiles files = site_files_in(folder);
     Settings settings;
     settings.first_language = staging.language;
@@ -53,7 +53,7 @@ std::unique_ptr<OperatorDesk> desk_of(const fs::path& folder, const Staging& sta
     const std::string text = settings_text(settings, Settings{});
     if (!text.empty()) std::ofstream(files.settings.site) << text;
     std::vector<std::string> problems;
-    auto desk = std::make_unique<OperatorDesk>(files, languages, problems);
+    auto desk = std::make_unique<OperatorSession>(files, languages, problems);
     if (!problems.empty()) throw std::runtime_error(problems.front());
     return desk;
 }
@@ -64,8 +64,8 @@ StagedKiosk::StagedKiosk(const Staging& staging)
     : has_two_switches_(staging.two_switches != 0), folder_(new_folder()) {
     auto servo = std::make_unique<SteppedServo>();
     servo_ = servo.get();
-    auto shelf = std::make_unique<SimShelf>();
-    shelf_ = shelf.get();
+    auto sticks = std::make_unique<SimFileSource>();
+    sticks_ = sticks.get();
     KioskParts parts;
     parts.languages = all_languages();
     parts.gallery = gallery_without_workers();
@@ -77,11 +77,11 @@ StagedKiosk::StagedKiosk(const Staging& staging)
         std::make_unique<DueJobs>(now_s_, [] {
             return JobFate{load_s, {}};
         }));
-    parts.shelf = std::move(shelf);
-    parts.photos = std::make_unique<PhotoDesk>(std::make_unique<StagedCamera>());
-    parts.operator_desk = desk_of(folder_, staging, parts.languages);
-    parts.settings = parts.operator_desk->settings();
-    parts.keys = parts.operator_desk->keys();
+    parts.sticks = std::move(sticks);
+    parts.photos = std::make_unique<PhotoCapture>(std::make_unique<StagedCamera>());
+    parts.operator_session = desk_of(folder_, staging, parts.languages);
+    parts.settings = parts.operator_session->settings();
+    parts.keys = parts.operator_session->keys();
     parts.minute_of_day = [] { return 12 * 60; };
     kiosk_ = std::make_unique<Kiosk>(std::move(parts));
     run(1.0);
@@ -132,14 +132,14 @@ void StagedKiosk::do_nothing(double for_s) {
 
 void StagedKiosk::put_stick() {
     tell("puts a USB stick in");
-    shelf_->put(staged_files(), listing_s);
+    sticks_->put(staged_files(), listing_s);
     run(listing_s);
     listen();
 }
 
 void StagedKiosk::pull_stick() {
     tell("pulls the USB stick out");
-    shelf_->pull();
+    sticks_->pull();
     listen();
 }
 

@@ -9,7 +9,7 @@
 #include "haptics/device/homing.h"
 #include "tests/app/kiosk/stepped_servo.h"
 #include "tests/app/kiosk/transcripts/timed_voice.h"
-#include "tests/sim/kiosk/sim_shelf.h"
+#include "tests/sim/kiosk/sim_file_source.h"
 
 #include <filesystem>
 #include <memory>
@@ -87,8 +87,8 @@ class StagedKiosk {
     bool has_two_switches_ = false;
     std::filesystem::path folder_;
     std::shared_ptr<Hearing> hearing_ = std::make_shared<Hearing>();
-    SteppedServo* servo_ = nullptr;  // the kiosk's
-    SimShelf* shelf_ = nullptr;      // likewise
+    SteppedServo* servo_ = nullptr;    // the kiosk's
+    SimFileSource* sticks_ = nullptr;  // likewise
     std::unique_ptr<Kiosk> kiosk_;
 };
 

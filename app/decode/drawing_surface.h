@@ -10,10 +10,10 @@
 
 namespace touchline::decode {
 
-class Sheet {
+class DrawingSurface {
   public:
     /// Nothing is on it. Sizes within the limits of picture.h.
-    Sheet(int width, int height);
+    DrawingSurface(int width, int height);
 
     /// Some libraries draw as on paper.
     void whiten();

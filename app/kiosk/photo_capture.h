@@ -24,9 +24,9 @@ struct PhotoNews {
     bool has_a_preview = false;  // a new one
 };
 
-class PhotoDesk {
+class PhotoCapture {
   public:
-    explicit PhotoDesk(std::unique_ptr<Camera> camera) : camera_(std::move(camera)) {}
+    explicit PhotoCapture(std::unique_ptr<Camera> camera) : camera_(std::move(camera)) {}
 
     /// So much is left out at the sides of every picture from now on.
     void set(const PhotoCut& cut) { cut_ = cut; }

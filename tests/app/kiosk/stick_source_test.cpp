@@ -1,6 +1,6 @@
 // A stick's files in the list: a port that does as it is told, the real touchline-import, real
 // workers.
-#include "app/kiosk/stick_shelf.h"
+#include "app/kiosk/stick_source.h"
 
 #include "app/sticks/folder_port.h"
 #include "tests/app/decode/files_of_formats.h"
@@ -37,30 +37,30 @@ std::string text_of(const encoders::Bytes& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-class StickShelfTest : public testing::Test {
+class StickSourceTest : public testing::Test {
   protected:
     void ready() { port->events.push_back({StickNews::ready, stick.root(), ""}); }
 
     /// Waits for a change, which has to come.
-    ShelfChange change() {
+    FilesChange change() {
         for (;;) {
-            if (auto changed = shelf.poll(0)) return std::move(*changed);
+            if (auto changed = sticks.poll(0)) return std::move(*changed);
             std::this_thread::yield();
         }
     }
 
     StickFolder stick;
     ToldPort* port = new ToldPort;
-    StickShelf shelf{std::unique_ptr<StickPort>(port), TOUCHLINE_IMPORT};
+    StickSource sticks{std::unique_ptr<StickPort>(port), TOUCHLINE_IMPORT};
 };
 
-TEST_F(StickShelfTest, AStickThatComesOffersItsFilesAndTakesThemAlong) {
+TEST_F(StickSourceTest, AStickThatComesOffersItsFilesAndTakesThemAlong) {
     stick.file("b10.png");
     stick.file("b9.pdf");
     stick.file("letter.docx");
-    EXPECT_FALSE(shelf.poll(0).has_value());
+    EXPECT_FALSE(sticks.poll(0).has_value());
     ready();
-    const ShelfChange come = change();
+    const FilesChange come = change();
     ASSERT_EQ(come.files.size(), 3U);
     EXPECT_EQ(come.files[0]->name, "b9.pdf");
     EXPECT_EQ(come.files[1]->file_name, "b10.png");
@@ -71,11 +71,11 @@ TEST_F(StickShelfTest, AStickThatComesOffersItsFilesAndTakesThemAlong) {
     EXPECT_TRUE(change().files.empty());
 }
 
-TEST_F(StickShelfTest, ItsFilesAreOpenedWithTheTextBesideThem) {
+TEST_F(StickSourceTest, ItsFilesAreOpenedWithTheTextBesideThem) {
     stick.file("fish.pdf", text_of(drawn_pdf({{{100, 100, 200, 200}}, {}})));
     stick.file("fish.txt", "The fish\nA fish that swims\n");
     ready();
-    const ShelfChange come = change();
+    const FilesChange come = change();
     ASSERT_EQ(come.files.size(), 1U);
     const auto page = come.files[0]->open({2, 72});
     ASSERT_TRUE(page.has_value()) << page.error().line;
@@ -84,21 +84,21 @@ TEST_F(StickShelfTest, ItsFilesAreOpenedWithTheTextBesideThem) {
     EXPECT_EQ(page->told.description, "A fish that swims");
 }
 
-TEST_F(StickShelfTest, ADocumentIsReadOnce) {
+TEST_F(StickSourceTest, ADocumentIsReadOnce) {
     stick.file("fish.pdf", text_of(drawn_pdf({{}, {}, {}})));
     ready();
-    const ShelfChange come = change();
+    const FilesChange come = change();
     ASSERT_TRUE(come.files.at(0)->open({1, 72}).has_value());
     std::filesystem::remove(stick.path() / "fish.pdf");
     EXPECT_TRUE(come.files.at(0)->open({3, 72}).has_value());
 }
 
-TEST_F(StickShelfTest, WhatCannotBeOpenedIsOneSentenceWithItsName) {
+TEST_F(StickSourceTest, WhatCannotBeOpenedIsOneSentenceWithItsName) {
     stick.file("a.docx", "office");
     stick.file("b\n.png", "no picture");
     stick.file("c.png", "gone soon");
     ready();
-    const ShelfChange come = change();
+    const FilesChange come = change();
     ASSERT_EQ(come.files.size(), 3U);
     std::filesystem::remove(stick.path() / "c.png");
     for (const FilePtr& file : come.files) {
@@ -111,20 +111,20 @@ TEST_F(StickShelfTest, WhatCannotBeOpenedIsOneSentenceWithItsName) {
     EXPECT_NE(come.files[0]->open({1, 150}).error().line.find("PDF"), std::string::npos);
 }
 
-TEST_F(StickShelfTest, OneThatOffersNothingWasRead) {
+TEST_F(StickSourceTest, OneThatOffersNothingWasRead) {
     ready();
-    const ShelfChange come = change();
+    const FilesChange come = change();
     EXPECT_TRUE(come.files.empty());
     EXPECT_TRUE(come.is_read);
     EXPECT_EQ(come.sentence, "");
 }
 
-TEST_F(StickShelfTest, FilesOfFoldersAreOpenedFromTheirDepth) {
+TEST_F(StickSourceTest, FilesOfFoldersAreOpenedFromTheirDepth) {
     stick.folder("DCIM/100CANON/3/4/5/6/7/8/9");
     stick.file("DCIM/100CANON/fish.pdf", text_of(drawn_pdf({{{100, 100, 200, 200}}})));
     stick.file("DCIM/100CANON/fish.txt", "A fish that swims\n");
     ready();
-    const ShelfChange come = change();
+    const FilesChange come = change();
     ASSERT_EQ(come.files.size(), 1U);
     const auto page = come.files[0]->open({1, 72});
     ASSERT_TRUE(page.has_value()) << page.error().line;
@@ -132,26 +132,26 @@ TEST_F(StickShelfTest, FilesOfFoldersAreOpenedFromTheirDepth) {
     EXPECT_TRUE(come.rest.has_deeper);
 }
 
-TEST_F(StickShelfTest, ARefusedStickIsItsSentence) {
+TEST_F(StickSourceTest, ARefusedStickIsItsSentence) {
     port->events.push_back({StickNews::refused, "", "The stick cannot be read."});
     EXPECT_EQ(change().sentence, "The stick cannot be read.");
 }
 
-TEST_F(StickShelfTest, OneThatWasPulledOutWhileItWasListedOffersNothing) {
+TEST_F(StickSourceTest, OneThatWasPulledOutWhileItWasListedOffersNothing) {
     stick.file("a.png");
     ready();
-    (void)shelf.poll(0);
+    (void)sticks.poll(0);
     port->events.push_back({StickNews::gone, "", ""});
     EXPECT_TRUE(change().files.empty());
     const StickFolder other;
     other.file("other.png");
     port->events.push_back({StickNews::ready, other.root(), ""});
-    const ShelfChange come = change();
+    const FilesChange come = change();
     ASSERT_EQ(come.files.size(), 1U);
     EXPECT_EQ(come.files[0]->name, "other.png");
 }
 
-TEST_F(StickShelfTest, OneAfterTheOtherInOneMomentIsTheLast) {
+TEST_F(StickSourceTest, OneAfterTheOtherInOneMomentIsTheLast) {
     stick.file("a.png");
     const StickFolder other;
     other.file("other.png");
@@ -159,32 +159,32 @@ TEST_F(StickShelfTest, OneAfterTheOtherInOneMomentIsTheLast) {
     port->events.push_back({StickNews::gone, "", ""});
     port->events.push_back({StickNews::ready, other.root(), ""});
     for (;;) {
-        const ShelfChange come = change();
+        const FilesChange come = change();
         if (come.files.empty()) continue;
         EXPECT_EQ(come.files[0]->name, "other.png");
         break;
     }
 }
 
-TEST_F(StickShelfTest, TheEndOfTheSessionIsToldToThePort) {
-    shelf.end_session();
+TEST_F(StickSourceTest, TheEndOfTheSessionIsToldToThePort) {
+    sticks.end_session();
     EXPECT_TRUE(port->is_ended);
 }
 
-TEST(StickShelfOfAFolder, OffersWhatIsPutThere) {
+TEST(StickSourceOfAFolder, OffersWhatIsPutThere) {
     const StickFolder folder;
-    StickShelf shelf(std::make_unique<FolderPort>(folder.root()), TOUCHLINE_IMPORT);
+    StickSource sticks(std::make_unique<FolderPort>(folder.root()), TOUCHLINE_IMPORT);
     std::int64_t now_ns = 0;
     const auto next = [&] {
         for (;;) {
             now_ns += 1'000'000'000;
-            if (auto changed = shelf.poll(now_ns)) return std::move(*changed);
+            if (auto changed = sticks.poll(now_ns)) return std::move(*changed);
             std::this_thread::yield();
         }
     };
-    (void)shelf.poll(now_ns);
+    (void)sticks.poll(now_ns);
     folder.file("a.png");
-    ShelfChange come = next();
+    FilesChange come = next();
     while (come.files.empty()) come = next();
     EXPECT_EQ(come.files[0]->name, "a.png");
     std::filesystem::remove(folder.path() / "a.png");

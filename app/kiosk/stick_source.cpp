@@ -1,4 +1,4 @@
-#include "app/kiosk/stick_shelf.h"
+#include "app/kiosk/stick_source.h"
 
 #include <chrono>
 #include <exception>
@@ -20,17 +20,17 @@ Result<StickListing, StickRefusal> listed(const std::shared_ptr<StickReader>& re
 
 }  // namespace
 
-StickShelf::StickShelf(std::unique_ptr<StickPort> port, const std::string& import_program)
+StickSource::StickSource(std::unique_ptr<StickPort> port, const std::string& import_program)
     : port_(std::move(port)), reader_(std::make_shared<StickReader>(import_program)) {}
 
-std::optional<ShelfChange> StickShelf::poll(std::int64_t now_ns) {
-    std::optional<ShelfChange> change;
+std::optional<FilesChange> StickSource::poll(std::int64_t now_ns) {
+    std::optional<FilesChange> change;
     for (const StickEvent& event : port_->poll(now_ns))
         if (auto newer = take(event)) change = std::move(newer);
     if (listing_.valid() &&
         listing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         const Listed listed = listing_.get();
-        if (!is_due_ && !root_.empty()) change = shelved(listed);
+        if (!is_due_ && !root_.empty()) change = change_of(listed);
     }
     if (is_due_ && !listing_.valid()) {
         is_due_ = false;
@@ -39,15 +39,15 @@ std::optional<ShelfChange> StickShelf::poll(std::int64_t now_ns) {
     return change;
 }
 
-std::optional<ShelfChange> StickShelf::take(const StickEvent& event) {
+std::optional<FilesChange> StickSource::take(const StickEvent& event) {
     reader_->forget();
     is_due_ = event.news == StickNews::ready;
     root_ = is_due_ ? event.root : std::string();
     if (is_due_) return std::nullopt;
-    return ShelfChange{{}, event.sentence, {}, false};
+    return FilesChange{{}, event.sentence, {}, false};
 }
 
-ShelfChange StickShelf::shelved(const Listed& listed) const {
+FilesChange StickSource::change_of(const Listed& listed) const {
     if (!listed) return {{}, sentence_of(listed.error(), ""), {}, false};
     return {files_of_stick(reader_, root_, *listed), "", listed->rest, true};
 }

@@ -24,7 +24,7 @@ struct Connection {
     Descriptor socket;
 };
 
-class ServoLine {
+class ServoConnection {
   public:
     // The guard.
     void connect(std::shared_ptr<const Connection> connection);

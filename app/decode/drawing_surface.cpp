@@ -1,4 +1,4 @@
-#include "app/decode/sheet.h"
+#include "app/decode/drawing_surface.h"
 
 #include "app/decode/formats.h"
 
@@ -6,16 +6,16 @@
 
 namespace touchline::decode {
 
-Sheet::Sheet(int width, int height)
+DrawingSurface::DrawingSurface(int width, int height)
     : surface_(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height)),
       context_(cairo_create(surface_.get())) {}
 
-void Sheet::whiten() {
+void DrawingSurface::whiten() {
     cairo_set_source_rgb(context_.get(), 1.0, 1.0, 1.0);
     cairo_paint(context_.get());
 }
 
-Result<Picture> Sheet::picture() const {
+Result<Picture> DrawingSurface::picture() const {
     if (const auto status = cairo_status(context_.get()); status != CAIRO_STATUS_SUCCESS)
         return failure(std::string("the file cannot be drawn (") + cairo_status_to_string(status) +
                        "); save it as PNG");

@@ -1,7 +1,7 @@
 // Sticks that come, are listed and are pulled out, on a virtual clock. Threads: one.
 #pragma once
 
-#include "app/kiosk/shelf.h"
+#include "app/kiosk/file_source.h"
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace touchline {
 
-class SimShelf final : public Shelf {
+class SimFileSource final : public FileSource {
   public:
     /// A stick with these files, read after so long.
     void put(std::vector<FilePtr> files, double listing_s) {
@@ -32,13 +32,13 @@ class SimShelf final : public Shelf {
         is_gone_ = true;
     }
 
-    [[nodiscard]] std::optional<ShelfChange> poll(std::int64_t now_ns) override {
-        if (std::exchange(is_gone_, false)) return ShelfChange{};
+    [[nodiscard]] std::optional<FilesChange> poll(std::int64_t now_ns) override {
+        if (std::exchange(is_gone_, false)) return FilesChange{};
         if (std::exchange(is_new_, false))
             due_ns_ = now_ns + static_cast<std::int64_t>(1e9 * listing_s_);
         if (!due_ns_ || now_ns < *due_ns_) return std::nullopt;
         due_ns_.reset();
-        return ShelfChange{files_, {}};
+        return FilesChange{files_, {}};
     }
 
     [[nodiscard]] bool is_listing() const override { return due_ns_.has_value(); }

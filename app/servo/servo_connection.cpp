@@ -1,4 +1,4 @@
-#include "app/servo/servo_line.h"
+#include "app/servo/servo_connection.h"
 
 #include "app/servo/black_box.h"
 #include "config/types/map_bytes.h"
@@ -12,50 +12,50 @@ constexpr std::int64_t longest_absence_ns = 500'000'000;
 
 }  // namespace
 
-void ServoLine::connect(std::shared_ptr<const Connection> connection) {
+void ServoConnection::connect(std::shared_ptr<const Connection> connection) {
     const std::lock_guard lock(mutex_);
     connection_ = std::move(connection);
     connection_->region.channel().commands.write(commands_);
     send_scene();
 }
 
-void ServoLine::disconnect() {
+void ServoConnection::disconnect() {
     const std::lock_guard lock(mutex_);
     connection_.reset();
     has_told_ = false;
     has_ended_ = true;
 }
 
-void ServoLine::note(const std::string& line) {
+void ServoConnection::note(const std::string& line) {
     const std::lock_guard lock(mutex_);
     add_notice(line);
 }
 
-void ServoLine::add_notice(const std::string& line) {
+void ServoConnection::add_notice(const std::string& line) {
     notice_ += (notice_.empty() ? "" : "; ") + line;
 }
 
-void ServoLine::say(const std::string& words) {
+void ServoConnection::say(const std::string& words) {
     const std::lock_guard lock(mutex_);
     words_ = words;
 }
 
-std::string ServoLine::device_words() const {
+std::string ServoConnection::device_words() const {
     const std::lock_guard lock(mutex_);
     return words_;
 }
 
-bool ServoLine::is_kiosk_alive(std::int64_t now_ns) const {
+bool ServoConnection::is_kiosk_alive(std::int64_t now_ns) const {
     return now_ns - asked_ns_.load(std::memory_order_relaxed) < longest_absence_ns;
 }
 
-void ServoLine::set(const ServoCommands& commands) {
+void ServoConnection::set(const ServoCommands& commands) {
     const std::lock_guard lock(mutex_);
     commands_ = commands;
     if (connection_) connection_->region.channel().commands.write(commands);
 }
 
-void ServoLine::feel(const FeltPicture& picture) {
+void ServoConnection::feel(const FeltPicture& picture) {
     const auto bytes = bytes_of(*picture.map);
     auto sealed = bytes ? sealed_copy(*bytes) : Result<Descriptor>(tl::unexpected(bytes.error()));
     if (!sealed) return note(sealed.error().line);
@@ -66,7 +66,7 @@ void ServoLine::feel(const FeltPicture& picture) {
     send_scene();
 }
 
-void ServoLine::ask_recorder(MessageKind wish) {
+void ServoConnection::ask_recorder(MessageKind wish) {
     const std::lock_guard lock(mutex_);
     const bool is_heard = connection_ && send(connection_->socket, message_of(wish));
     if (!is_heard && wish == MessageKind::keep)
@@ -74,14 +74,14 @@ void ServoLine::ask_recorder(MessageKind wish) {
 }
 
 /// The socket holds many such messages; a servo that reads none of them is killed for its silence.
-void ServoLine::send_scene() {
+void ServoConnection::send_scene() {
     if (!connection_ || !map_.is_open()) return;
     Message message = message_of(MessageKind::scene, gallery_file_);
     message.scene = order_;
     (void)send(connection_->socket, message, &map_);
 }
 
-void ServoLine::update(ServoReport& report, std::int64_t now_ns) {
+void ServoConnection::update(ServoReport& report, std::int64_t now_ns) {
     asked_ns_.store(now_ns, std::memory_order_relaxed);
     const std::lock_guard lock(mutex_);
     if (connection_ && connection_->region.channel().reports.update()) {
@@ -96,23 +96,23 @@ void ServoLine::update(ServoReport& report, std::int64_t now_ns) {
     if (has_ended_ && words_.empty()) report.force.fault = Fault::device_lost;
 }
 
-std::optional<ContactEvent> ServoLine::next_event() {
+std::optional<ContactEvent> ServoConnection::next_event() {
     const std::lock_guard lock(mutex_);
     if (!connection_) return std::nullopt;
     return connection_->region.channel().events.pop();
 }
 
-std::optional<RealTimeTier> ServoLine::tier() const {
+std::optional<RealTimeTier> ServoConnection::tier() const {
     const std::lock_guard lock(mutex_);
     return connection_ ? tier_of(connection_->region.channel()) : std::nullopt;
 }
 
-LatenessBars ServoLine::lateness() const {
+LatenessBars ServoConnection::lateness() const {
     const std::lock_guard lock(mutex_);
     return connection_ ? bars_of(connection_->region.channel().lateness) : LatenessBars{};
 }
 
-std::string ServoLine::take_notice() {
+std::string ServoConnection::take_notice() {
     const std::lock_guard lock(mutex_);
     return std::exchange(notice_, {});
 }

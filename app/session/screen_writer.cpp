@@ -1,4 +1,4 @@
-#include "app/session/visit_sheet.h"
+#include "app/session/screen_writer.h"
 
 #include <algorithm>
 #include <numeric>
@@ -18,35 +18,35 @@ const char* hint_of_choice(const VisitWorld& world) {
 
 }  // namespace
 
-std::string VisitSheet::words(const char* english) const {
+std::string ScreenWriter::words(const char* english) const {
     return language.text("visit", english);
 }
 
-void VisitSheet::title(const char* english) {
+void ScreenWriter::title(const char* english) {
     screen.title = words(english);
 }
 
-void VisitSheet::sentence(const char* english) {
+void ScreenWriter::sentence(const char* english) {
     told(words(english));
 }
 
-void VisitSheet::told(const std::string& text) {
+void ScreenWriter::told(const std::string& text) {
     add_sentence(screen.text, text);
 }
 
-void VisitSheet::item(VisitItem item, const char* english, const std::string& value,
-                      const char* hint) {
+void ScreenWriter::item(VisitItem item, const char* english, const std::string& value,
+                        const char* hint) {
     screen.items.push_back({static_cast<int>(item), ItemRole::choice, words(english), value,
                             words(hint != nullptr ? hint : hint_of_choice(world))});
 }
 
-void VisitSheet::toggle(VisitItem item, const char* english, bool is_on, const char* hint) {
+void ScreenWriter::toggle(VisitItem item, const char* english, bool is_on, const char* hint) {
     screen.items.push_back({static_cast<int>(item), ItemRole::toggle, words(english),
                             words(is_on ? "on" : "off"),
                             words(hint != nullptr ? hint : change_hint)});
 }
 
-void VisitSheet::setting(VisitItem item) {
+void ScreenWriter::setting(VisitItem item) {
     const ValueList list = values_of(visit, world, item);
     std::string value = list.names[std::min(list.chosen, list.names.size() - 1)];
     // "Volume, 4 of 7": here nothing else tells how many there are.
@@ -58,13 +58,13 @@ void VisitSheet::setting(VisitItem item) {
                             value, words(change_hint)});
 }
 
-void VisitSheet::row(std::size_t number, const std::string& name, const std::string& value) {
+void ScreenWriter::row(std::size_t number, const std::string& name, const std::string& value) {
     screen.items.push_back({static_cast<int>(VisitItem::entry) + static_cast<int>(number),
                             ItemRole::choice, name, value, words(hint_of_choice(world))});
 }
 
-void VisitSheet::list(std::size_t count, const std::function<ListRow(std::size_t)>& row_at,
-                      const char* hint) {
+void ScreenWriter::list(std::size_t count, const std::function<ListRow(std::size_t)>& row_at,
+                        const char* hint) {
     constexpr std::size_t page = list_page;
     const auto wanted = static_cast<std::size_t>(std::max(visit.visitor.path.back().about, 0));
     const std::size_t first = count == 0 ? 0 : std::min(wanted, (count - 1) / page * page);
@@ -83,16 +83,16 @@ void VisitSheet::list(std::size_t count, const std::function<ListRow(std::size_t
     if (first > 0) item(VisitItem::ten_before, "The ten before");
 }
 
-void VisitSheet::list(const std::vector<ListRow>& rows, const char* hint) {
+void ScreenWriter::list(const std::vector<ListRow>& rows, const char* hint) {
     list(
         rows.size(), [&rows](std::size_t place) { return rows[place]; }, hint);
 }
 
-void VisitSheet::back(const char* english) {
+void ScreenWriter::back(const char* english) {
     item(VisitItem::back, english);
 }
 
-void VisitSheet::mind_the_only_item() {
+void ScreenWriter::mind_the_only_item() {
     if (screen.items.size() != 1) return;
     std::string& hint = screen.items.front().hint;
     if (hint != words(hint_of_choice(world))) return;
@@ -120,14 +120,14 @@ std::string told_trouble(TroubleKind kind, const std::string& sentence, const La
     return {};
 }
 
-const std::vector<GalleryTitle>& gallery_of(const VisitSheet& sheet) {
+const std::vector<GalleryTitle>& gallery_of(const ScreenWriter& sheet) {
     static const std::vector<GalleryTitle> none;
     if (sheet.world.gallery.empty()) return none;
     const std::size_t last = sheet.world.gallery.size() - 1;
     return sheet.world.gallery[std::min(sheet.visit.visitor.sound.language, last)];
 }
 
-std::vector<std::size_t> gallery_order(const VisitSheet& sheet) {
+std::vector<std::size_t> gallery_order(const ScreenWriter& sheet) {
     constexpr int ungraded = 6;
     const auto& gallery = gallery_of(sheet);
     std::vector<std::size_t> numbers(gallery.size());

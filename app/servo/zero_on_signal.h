@@ -21,14 +21,14 @@ struct EmergencyZero {
 ///                        zero with the next tick; 3 ms later zero from the handler, for the loop
 ///                        itself may have crashed; then the process dies of the signal
 /// Threads: made and destroyed by the main thread, with the servo running in between.
-class TorqueCut {
+class ZeroOnSignal {
   public:
-    TorqueCut(Servo& servo, ServoChannel& channel, const EmergencyZero& zero);
-    ~TorqueCut();
-    TorqueCut(const TorqueCut&) = delete;
-    TorqueCut(TorqueCut&&) = delete;
-    TorqueCut& operator=(const TorqueCut&) = delete;
-    TorqueCut& operator=(TorqueCut&&) = delete;
+    ZeroOnSignal(Servo& servo, ServoChannel& channel, const EmergencyZero& zero);
+    ~ZeroOnSignal();
+    ZeroOnSignal(const ZeroOnSignal&) = delete;
+    ZeroOnSignal(ZeroOnSignal&&) = delete;
+    ZeroOnSignal& operator=(const ZeroOnSignal&) = delete;
+    ZeroOnSignal& operator=(ZeroOnSignal&&) = delete;
 
     /// An end was asked for or the kiosk died.
     [[nodiscard]] bool is_end_asked() const;

@@ -43,11 +43,11 @@ struct Outcome {
     std::string line;  // for the log, with names of files; empty: it went well
 };
 
-class OperatorDesk {
+class OperatorSession {
   public:
     /// `problems` has a line for every file that could not be used.
-    OperatorDesk(OperatorFiles files, const std::vector<Language>& languages,
-                 std::vector<std::string>& problems);
+    OperatorSession(OperatorFiles files, const std::vector<Language>& languages,
+                    std::vector<std::string>& problems);
 
     [[nodiscard]] bool is_open() const { return state_.place != OperatorPlace::closed; }
 
@@ -65,8 +65,8 @@ class OperatorDesk {
     [[nodiscard]] SpokenScreen screen(const Language& language) const;
 
     /// What the kiosk itself is to do about it.
-    [[nodiscard]] std::vector<OperatorOrder> happen(const OperatorEvent& event,
-                                                    const Language& language, double now_s);
+    [[nodiscard]] std::vector<OperatorOrder> apply(const OperatorEvent& event,
+                                                   const Language& language, double now_s);
 
     /// The stick that is there now; empty: none. What it brings can be taken into the
     /// library by who gave the PIN, and are not even listed before.

@@ -1,5 +1,5 @@
-// The operator's desk on real files, through restarts of the kiosk.
-#include "app/kiosk/operator_desk.h"
+// The operator's operator_session on real files, through restarts of the kiosk.
+#include "app/kiosk/operator_session.h"
 
 #include "app/decode/files.h"
 #include "app/models/networks.h"
@@ -33,8 +33,8 @@ class PinAndPlug : public testing::Test {
     void start() {
         now_s_ = 5.0;
         problems_.clear();
-        desk_.emplace(files_, std::vector<Language>{Language()}, problems_);
-        (void)desk_->happen(MomentPassed{}, language_, now_s_);
+        operator_.emplace(files_, std::vector<Language>{Language()}, problems_);
+        (void)operator_->apply(MomentPassed{}, language_, now_s_);
     }
 
     /// A kiosk of the PIN 0001 that reads sticks by this script instead of touchline-import.
@@ -50,8 +50,8 @@ class PinAndPlug : public testing::Test {
     void press(KeyRole role) {
         now_s_ += 0.1;
         heard_.clear();
-        const auto left =
-            desk_->happen(KeyStruck{keys_of(default_keys(), role).at(0), role}, language_, now_s_);
+        const auto left = operator_->apply(KeyStruck{keys_of(default_keys(), role).at(0), role},
+                                           language_, now_s_);
         for (const OperatorOrder& order : left)
             if (const auto* const say = std::get_if<Say>(&order))
                 heard_ += (said_ = say->text) + '\n';
@@ -70,7 +70,7 @@ class PinAndPlug : public testing::Test {
         for (int i = 0; i < last_digit; ++i) press(KeyRole::up);
         press(KeyRole::select);
         press(KeyRole::select);
-        if (desk_->is_inside()) return;
+        if (operator_->is_inside()) return;
         press(KeyRole::back);
         press(KeyRole::back);
     }
@@ -78,7 +78,7 @@ class PinAndPlug : public testing::Test {
     /// An item of the screen that is open; false where there is none of that name.
     bool choose(const std::string& label) {
         for (int i = 0; i < 40; ++i) {
-            const SpokenScreen screen = desk_->screen(language_);
+            const SpokenScreen screen = operator_->screen(language_);
             if (screen.focus && screen.items.at(*screen.focus).name == label) {
                 press(KeyRole::select);
                 return true;
@@ -90,14 +90,14 @@ class PinAndPlug : public testing::Test {
 
     void wait(double time_s) {
         now_s_ += time_s;
-        (void)desk_->happen(MomentPassed{}, language_, now_s_);
+        (void)operator_->apply(MomentPassed{}, language_, now_s_);
     }
 
     KioskWorld world_;
     OperatorFiles files_ = world_.site_files();
     Language language_;
     std::vector<std::string> problems_;
-    std::optional<OperatorDesk> desk_;
+    std::optional<OperatorSession> operator_;
     double now_s_ = 0.0;
     std::string said_;   // last
     std::string heard_;  // at the last key
@@ -111,13 +111,13 @@ TEST_F(PinAndPlug, PullingThePlugGivesNoTryForNothing) {
         start();
     }
     try_pin(1);
-    EXPECT_FALSE(desk_->is_inside()) << "the wait began anew with the restart";
+    EXPECT_FALSE(operator_->is_inside()) << "the wait began anew with the restart";
     wait(50.0);
     try_pin(1);
-    EXPECT_FALSE(desk_->is_inside());
+    EXPECT_FALSE(operator_->is_inside());
     wait(10.0);
     try_pin(1);
-    EXPECT_TRUE(desk_->is_inside()) << said_;
+    EXPECT_TRUE(operator_->is_inside()) << said_;
     EXPECT_EQ(read_pin_tries(pin_tries_file(files_.pin)), 0);
 }
 
@@ -127,13 +127,13 @@ TEST_F(PinAndPlug, ADamagedCountWaitsAsLongAsCanBe) {
     start();
     ASSERT_EQ(problems_.size(), 1U);
     try_pin(1);
-    EXPECT_FALSE(desk_->is_inside());
+    EXPECT_FALSE(operator_->is_inside());
     wait(3590.0);
     try_pin(1);
-    EXPECT_FALSE(desk_->is_inside());
+    EXPECT_FALSE(operator_->is_inside());
     wait(15.0);
     try_pin(1);
-    EXPECT_TRUE(desk_->is_inside()) << said_;
+    EXPECT_TRUE(operator_->is_inside()) << said_;
     start();
     EXPECT_TRUE(problems_.empty()) << "the right one mended it";
 }
@@ -142,12 +142,12 @@ TEST_F(PinAndPlug, WhereNothingCanBeNotedEachWrongOneCostsTime) {
     ASSERT_TRUE(keep_pin(files_.pin, "0001"));
     fs::create_directories(fs::path(pin_tries_file(files_.pin)).concat(".part") / "full");
     try_pin(9);
-    EXPECT_NE(desk_->take_note().find("cannot be kept"), std::string::npos);
+    EXPECT_NE(operator_->take_note().find("cannot be kept"), std::string::npos);
     try_pin(1);
-    EXPECT_FALSE(desk_->is_inside());
+    EXPECT_FALSE(operator_->is_inside());
     wait(61.0);
     try_pin(1);
-    EXPECT_TRUE(desk_->is_inside()) << said_;
+    EXPECT_TRUE(operator_->is_inside()) << said_;
 }
 
 /// What to do, in the operator's language; the log has the line, with its path.
@@ -161,19 +161,19 @@ TEST_F(PinAndPlug, WhatCannotBeReadOrKeptIsSaidAndItsLineIsTheLogs) {
     for (const Language& language : all_languages()) {
         language_ = language;
         const auto words = [&](const char* text) { return language.text("operator", text); };
-        (void)desk_->take_note();
+        (void)operator_->take_note();
         ASSERT_TRUE(choose(words("Bring the settings back from the copy"))) << language.code();
         ASSERT_TRUE(choose(language.text("test", "Yes"))) << language.code();
         EXPECT_NE(heard_.find(words("There is no copy that can be used. Copy the settings first.")),
                   std::string::npos)
             << heard_;
-        EXPECT_NE(desk_->take_note().find(files_.copies.string()), std::string::npos);
+        EXPECT_NE(operator_->take_note().find(files_.copies.string()), std::string::npos);
         ASSERT_TRUE(choose(words("Copy the settings"))) << language.code();
         EXPECT_NE(heard_.find(words("The copy cannot be written. Make room on the disk.")),
                   std::string::npos)
             << heard_;
         EXPECT_EQ(heard_.find(files_.copies.string()), std::string::npos) << heard_;
-        EXPECT_NE(desk_->take_note().find(files_.copies.string()), std::string::npos);
+        EXPECT_NE(operator_->take_note().find(files_.copies.string()), std::string::npos);
     }
 }
 
@@ -185,8 +185,8 @@ class StickOfTheOperator : public PinAndPlug {
     }
 
     void follow() {
-        desk_->put_stick("/a/stick");
-        (void)desk_->poll_stick(language_);
+        operator_->put_stick("/a/stick");
+        (void)operator_->poll_stick(language_);
     }
 
     fs::path mark_ = world_.folder() / "mark";
@@ -201,7 +201,7 @@ TEST_F(StickOfTheOperator, IsNotEvenListedBeforeThePinIsGiven) {
     }
     EXPECT_FALSE(fs::exists(mark_));
     try_pin(1);
-    ASSERT_TRUE(desk_->is_inside());
+    ASSERT_TRUE(operator_->is_inside());
     for (int i = 0; i < 6000 && !fs::exists(mark_); ++i) {
         follow();
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -225,8 +225,8 @@ class NetworkOnTheStick : public PinAndPlug {
     std::string poll() {
         std::optional<std::string> line;
         for (int i = 0; !line && i < 6000; ++i) {
-            desk_->put_stick("/a/stick");
-            line = desk_->poll_stick(language_);
+            operator_->put_stick("/a/stick");
+            line = operator_->poll_stick(language_);
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         return line.value_or("");
@@ -238,8 +238,8 @@ TEST_F(NetworkOnTheStick, IsTakenByItsChecksumAlone) {
     ASSERT_TRUE(choose("Copy from a USB stick"));
     bool is_chosen = false;
     for (int i = 0; i < 6000 && !is_chosen; ++i) {
-        desk_->put_stick("/a/stick");
-        (void)desk_->poll_stick(language_);
+        operator_->put_stick("/a/stick");
+        (void)operator_->poll_stick(language_);
         is_chosen = choose("figure");
     }
     ASSERT_TRUE(is_chosen);
@@ -250,16 +250,16 @@ TEST_F(NetworkOnTheStick, IsTakenByItsChecksumAlone) {
     EXPECT_FALSE(is_installed(networks().front()));
 }
 
-/// However long the stick takes, a call of the desk does not wait for it.
+/// However long the stick takes, a call of the operator_session does not wait for it.
 TEST_F(StickOfTheOperator, KeepsNobodyWaiting) {
     try_pin(1);
-    ASSERT_TRUE(desk_->is_inside());
+    ASSERT_TRUE(operator_->is_inside());
     follow();
     int calls = 0;
     std::optional<std::string> line;
     for (; !line && calls < 60'000; ++calls) {
-        desk_->put_stick("/a/stick");
-        line = desk_->poll_stick(language_);
+        operator_->put_stick("/a/stick");
+        line = operator_->poll_stick(language_);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     ASSERT_TRUE(line.has_value());

@@ -1,4 +1,4 @@
-#include "app/servo/torque_cut.h"
+#include "app/servo/zero_on_signal.h"
 
 #include <array>
 #include <atomic>
@@ -66,7 +66,7 @@ void make_alternate_stack() {
 
 }  // namespace
 
-TorqueCut::TorqueCut(Servo& servo, ServoChannel& channel, const EmergencyZero& zero) {
+ZeroOnSignal::ZeroOnSignal(Servo& servo, ServoChannel& channel, const EmergencyZero& zero) {
     emergency_zero = zero;
     servo_to_cut = &servo;
     channel_to_end = &channel;
@@ -78,13 +78,13 @@ TorqueCut::TorqueCut(Servo& servo, ServoChannel& channel, const EmergencyZero& z
     }
 }
 
-TorqueCut::~TorqueCut() {
+ZeroOnSignal::~ZeroOnSignal() {
     for (const int signal : crash_signals) handle(signal, SIG_DFL, 0);
     servo_to_cut = nullptr;
     channel_to_end = nullptr;
 }
 
-bool TorqueCut::is_end_asked() const {
+bool ZeroOnSignal::is_end_asked() const {
     return is_end_asked_for;
 }
 

@@ -12,13 +12,13 @@
 
 namespace touchline {
 
-class ServoPeer {
+class RunningServo {
   public:
     /// A child.
-    explicit ServoPeer(Child child) : child_(std::move(child)) {}
+    explicit RunningServo(Child child) : child_(std::move(child)) {}
 
     /// Somebody else's child.
-    explicit ServoPeer(Descriptor pidfd) : pidfd_(std::move(pidfd)) {}
+    explicit RunningServo(Descriptor pidfd) : pidfd_(std::move(pidfd)) {}
 
     /// Readable as soon as it is dead, its descriptors closed.
     [[nodiscard]] const Descriptor& pidfd() const { return child_ ? child_->pidfd() : pidfd_; }
@@ -36,17 +36,17 @@ class ServoPeer {
 };
 
 /// A servo, and the kiosk's end of the socket to it. It waits for the shared region.
-struct MetServo {
-    ServoPeer peer;
+struct StartedServo {
+    RunningServo peer;
     Descriptor socket;
 };
 
 /// Starts the program, which is told its device on its command line.
-[[nodiscard]] Result<MetServo> start_servo(const std::string& program,
-                                           const std::vector<std::string>& device);
+[[nodiscard]] Result<StartedServo> start_servo(const std::string& program,
+                                               const std::vector<std::string>& device);
 
 /// Asks at the path and tells whoever answers its device. Waits for it for 3 s at most.
-[[nodiscard]] Result<MetServo> summon_servo(const std::string& path,
-                                            const std::vector<std::string>& device);
+[[nodiscard]] Result<StartedServo> summon_servo(const std::string& path,
+                                                const std::vector<std::string>& device);
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-#include "app/kiosk/photo_desk.h"
+#include "app/kiosk/photo_capture.h"
 
 #include "app/process/places.h"
 #include "app/trace/tracing.h"
@@ -25,12 +25,12 @@ Result<cv::Mat> read_bgr(const std::filesystem::path& file) {
 
 }  // namespace
 
-void PhotoDesk::show(bool is_wanted) {
+void PhotoCapture::show(bool is_wanted) {
     is_shown_ = is_wanted;
     if (!is_wanted) preview_.reset();
 }
 
-PhotoNews PhotoDesk::step(double now_s) {
+PhotoNews PhotoCapture::step(double now_s) {
     CameraView view = camera_->step(now_s);
     PhotoNews news;
     news.condition = view.condition;

@@ -1,4 +1,4 @@
-#include "app/packs/hand_room.h"
+#include "app/packs/tactile_spacing.h"
 
 #include <algorithm>
 #include <array>

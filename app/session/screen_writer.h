@@ -1,4 +1,4 @@
-// A screen while it is being written: shared by visit_screens.cpp and visit_sheet.cpp. Not for
+// A screen while it is being written: shared by visit_screens.cpp and screen_writer.cpp. Not for
 // others. Threads: values; one call's.
 #pragma once
 
@@ -18,7 +18,7 @@ struct ListRow {
 };
 
 /// English texts are of the context "visit".
-struct VisitSheet {
+struct ScreenWriter {
     const Visit& visit;
     const VisitWorld& world;
     const Language& language;
@@ -47,21 +47,21 @@ struct VisitSheet {
     void mind_the_only_item();
 };
 
-[[nodiscard]] const std::vector<GalleryTitle>& gallery_of(const VisitSheet& sheet);
+[[nodiscard]] const std::vector<GalleryTitle>& gallery_of(const ScreenWriter& sheet);
 
 /// The easiest first; what nobody graded, last.
-[[nodiscard]] std::vector<std::size_t> gallery_order(const VisitSheet& sheet);
-[[nodiscard]] std::string picture_title(const VisitSheet& sheet);
+[[nodiscard]] std::vector<std::size_t> gallery_order(const ScreenWriter& sheet);
+[[nodiscard]] std::string picture_title(const ScreenWriter& sheet);
 
-void put_stick(VisitSheet& sheet);
-void put_letters(VisitSheet& sheet);
-void put_picture(VisitSheet& sheet);
-void put_parts(VisitSheet& sheet);
-void put_explore(VisitSheet& sheet);
-void put_zoom(VisitSheet& sheet);
-void put_pages(VisitSheet& sheet);
+void put_stick(ScreenWriter& sheet);
+void put_letters(ScreenWriter& sheet);
+void put_picture(ScreenWriter& sheet);
+void put_parts(ScreenWriter& sheet);
+void put_explore(ScreenWriter& sheet);
+void put_zoom(ScreenWriter& sheet);
+void put_pages(ScreenWriter& sheet);
 
 /// The items of a shape in the hand, on the screen of the picture (visit_shape.cpp).
-void put_shape(VisitSheet& sheet);
+void put_shape(ScreenWriter& sheet);
 
 }  // namespace touchline

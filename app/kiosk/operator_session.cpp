@@ -1,4 +1,4 @@
-#include "app/kiosk/operator_desk.h"
+#include "app/kiosk/operator_session.h"
 
 #include "app/models/getting.h"
 #include "app/operator/backup.h"
@@ -97,14 +97,14 @@ OperatorFiles operator_files() {
 }
 
 /// Carries out what concerns files alone; everything else is left to the kiosk.
-struct OperatorDesk::Office {
-    OperatorDesk& desk;
+struct OperatorSession::Office {
+    OperatorSession& session;
     const Language& language;
     double now_s;
     std::vector<OperatorOrder>& left;
 
     void tell(const OperatorEvent& event) const {
-        for (OperatorOrder& order : desk.happen(event, language, now_s))
+        for (OperatorOrder& order : session.apply(event, language, now_s))
             left.push_back(std::move(order));
     }
 
@@ -112,77 +112,77 @@ struct OperatorDesk::Office {
 
     /// Nothing is said of what was kept.
     void judge(const Result<void>& kept, const char* why_not) const {
-        if (!kept) answer(desk.told(outcome(kept, "", why_not, language)));
+        if (!kept) answer(session.told(outcome(kept, "", why_not, language)));
     }
 
     /// Counted as wrong first: who pulls the plug before the answer has tried all the same.
     void operator()(const CheckPin& check) const {
-        const fs::path tries = pin_tries_file(desk.files_.pin);
-        const auto noted = keep_pin_tries(tries, desk.state_.tries.wrong + 1);
-        if (!noted) desk.note_ = noted.error().line;
-        const auto right = is_right_pin(desk.files_.pin, check.pin);
-        if (!right) desk.note_ = right.error().line;
+        const fs::path tries = pin_tries_file(session.files_.pin);
+        const auto noted = keep_pin_tries(tries, session.state_.tries.wrong + 1);
+        if (!noted) session.note_ = noted.error().line;
+        const auto right = is_right_pin(session.files_.pin, check.pin);
+        if (!right) session.note_ = right.error().line;
         if (right.value_or(false)) forget_tries(tries);
         tell(PinChecked{right.value_or(false), noted.has_value()});
     }
 
     void forget_tries(const fs::path& tries) const {
         const auto forgotten = keep_pin_tries(tries, 0);
-        if (!forgotten) desk.note_ = forgotten.error().line;
+        if (!forgotten) session.note_ = forgotten.error().line;
     }
 
     void operator()(const KeepPin& keep) const {
-        const auto kept = keep_pin(desk.files_.pin, keep.pin);
+        const auto kept = keep_pin(session.files_.pin, keep.pin);
         if (!kept) return judge(kept, no_pin);
-        forget_tries(pin_tries_file(desk.files_.pin));
+        forget_tries(pin_tries_file(session.files_.pin));
     }
 
     void operator()(const SetSettings& set) const {
         // Tried, not kept: the site's stay what its file says.
-        desk.settings_ = with_profile(set.settings, desk.profiles_).value_or(set.settings);
+        session.settings_ = with_profile(set.settings, session.profiles_).value_or(set.settings);
         left.emplace_back(set);
     }
 
     void operator()(const WriteSettings& write) const {
-        const auto kept = keep_settings(desk.files_.settings, write.settings);
-        (void)desk.watch_.has_changed();
-        desk.hold(write.settings);
+        const auto kept = keep_settings(session.files_.settings, write.settings);
+        (void)session.watch_.has_changed();
+        session.hold(write.settings);
         left.emplace_back(write);
         judge(kept, no_settings);
     }
 
     void operator()(const WriteSound& write) const {
-        desk.sound_ = write.sound;
-        const auto kept = keep_sound(desk.files_.sound, write.sound);
+        session.sound_ = write.sound;
+        const auto kept = keep_sound(session.files_.sound, write.sound);
         left.emplace_back(write);
         judge(kept, no_settings);
     }
 
     void operator()(const WriteKeys& write) const {
-        desk.keys_ = write.keys;
-        const auto kept = keep_keys(desk.files_.keys, write.keys);
+        session.keys_ = write.keys;
+        const auto kept = keep_keys(session.files_.keys, write.keys);
         left.emplace_back(write);
         judge(kept, no_keys);
     }
 
     void operator()(const ZeroCounters&) const {
-        desk.counters_ = {};
-        judge(keep_counters(desk.files_.counters, desk.counters_), no_counters);
+        session.counters_ = {};
+        judge(keep_counters(session.files_.counters, session.counters_), no_counters);
     }
 
-    void operator()(const BackUp&) const { answer(desk.back_up(language)); }
+    void operator()(const BackUp&) const { answer(session.back_up(language)); }
 
     void operator()(const Restore&) const {
-        const std::string line = desk.restore(language);
-        left.emplace_back(WriteSettings{desk.site_});
-        left.emplace_back(WriteKeys{desk.keys_});
+        const std::string line = session.restore(language);
+        left.emplace_back(WriteSettings{session.site_});
+        left.emplace_back(WriteKeys{session.keys_});
         answer(line);
     }
 
-    void operator()(const ExportLog&) const { answer(desk.export_log(language)); }
+    void operator()(const ExportLog&) const { answer(session.export_log(language)); }
 
     void operator()(const ImportFromStick& import) const {
-        desk.import_from_stick(import.file, language);
+        session.import_from_stick(import.file, language);
     }
 
     template <class Order>
@@ -191,8 +191,8 @@ struct OperatorDesk::Office {
     }
 };
 
-OperatorDesk::OperatorDesk(OperatorFiles files, const std::vector<Language>& languages,
-                           std::vector<std::string>& problems)
+OperatorSession::OperatorSession(OperatorFiles files, const std::vector<Language>& languages,
+                                 std::vector<std::string>& problems)
     : files_(std::move(files)),
       watch_(files_.settings.site),
       profiles_(read_profiles(files_.profiles, problems)),
@@ -220,26 +220,26 @@ OperatorDesk::OperatorDesk(OperatorFiles files, const std::vector<Language>& lan
                            ": make room on its disk, and let the kiosk write there");
 }
 
-void OperatorDesk::read_site() {
+void OperatorSession::read_site() {
     KeptSettings kept = read_settings(files_.settings);
     note_ = std::move(kept.note);
     hold(kept.settings);
 }
 
-void OperatorDesk::hold(const Settings& site) {
+void OperatorSession::hold(const Settings& site) {
     site_ = site;
     const auto held = with_profile(site, profiles_);
     if (!held) note_ = held.error().line;
     settings_ = held.value_or(site);
 }
 
-bool OperatorDesk::read_again() {
+bool OperatorSession::read_again() {
     if (is_open() || !watch_.has_changed()) return false;
     read_site();
     return true;
 }
 
-OperatorWorld OperatorDesk::world(const Language& language, double now_s) const {
+OperatorWorld OperatorSession::world(const Language& language, double now_s) const {
     OperatorWorld world{language, now_s, has_pin(),  is_private_, site_,
                         sound_,   keys_, languages_, {},          counters_,
                         {},       live_, kind_,      bounds_,     device_words_};
@@ -248,12 +248,12 @@ OperatorWorld OperatorDesk::world(const Language& language, double now_s) const 
     return world;
 }
 
-SpokenScreen OperatorDesk::screen(const Language& language) const {
+SpokenScreen OperatorSession::screen(const Language& language) const {
     return operator_screen(state_, world(language, 0.0));
 }
 
-std::vector<OperatorOrder> OperatorDesk::happen(const OperatorEvent& event,
-                                                const Language& language, double now_s) {
+std::vector<OperatorOrder> OperatorSession::apply(const OperatorEvent& event,
+                                                  const Language& language, double now_s) {
     count_tries_on(now_s);
     OperatorStep step = step_operator(state_, event, world(language, now_s));
     state_ = std::move(step.state);
@@ -263,17 +263,17 @@ std::vector<OperatorOrder> OperatorDesk::happen(const OperatorEvent& event,
     return left;
 }
 
-void OperatorDesk::count_tries_on(double now_s) {
+void OperatorSession::count_tries_on(double now_s) {
     if (const auto wrong = std::exchange(wrong_pins_, std::nullopt))
         state_.tries = tries_after_restart(*wrong, now_s);
 }
 
-std::string OperatorDesk::told(Outcome outcome) {
+std::string OperatorSession::told(Outcome outcome) {
     if (!outcome.line.empty()) note_ = std::move(outcome.line);
     return std::move(outcome.said);
 }
 
-std::string OperatorDesk::back_up(const Language& language) {
+std::string OperatorSession::back_up(const Language& language) {
     std::error_code error;
     fs::create_directories(files_.copies, error);
     return told(outcome(
@@ -282,7 +282,7 @@ std::string OperatorDesk::back_up(const Language& language) {
         no_copy, language));
 }
 
-std::string OperatorDesk::restore(const Language& language) {
+std::string OperatorSession::restore(const Language& language) {
     const auto backup = read_backup(files_.copies);
     if (!backup) return told({language.text("operator", no_good_copy), backup.error().line});
     sound_ = backup->sound;
@@ -296,7 +296,7 @@ std::string OperatorDesk::restore(const Language& language) {
                         no_settings, language));
 }
 
-std::string OperatorDesk::export_log(const Language& language) const {
+std::string OperatorSession::export_log(const Language& language) const {
     std::error_code error;
     fs::create_directories(files_.copies, error);
     std::ofstream file(files_.copies / "touchline-log.txt");
@@ -307,7 +307,7 @@ std::string OperatorDesk::export_log(const Language& language) const {
                 : language.text("operator", "The log cannot be written. Make room on the disk.");
 }
 
-void OperatorDesk::import_from_stick(std::size_t file, const Language& language) {
+void OperatorSession::import_from_stick(std::size_t file, const Language& language) {
     if (file >= stick_.names().size() || import_.valid()) return;
     import_ =
         std::async(std::launch::async, imported,
@@ -315,7 +315,7 @@ void OperatorDesk::import_from_stick(std::size_t file, const Language& language)
                    files_.library, language);
 }
 
-std::optional<std::string> OperatorDesk::poll_stick(const Language& language) {
+std::optional<std::string> OperatorSession::poll_stick(const Language& language) {
     const std::string problem = stick_.poll();
     if (!problem.empty())
         return told({told_of_file(problem, stick_trouble, language, ToldTo::staff), problem});
@@ -325,7 +325,7 @@ std::optional<std::string> OperatorDesk::poll_stick(const Language& language) {
     return told(import_.get());
 }
 
-void OperatorDesk::count_picture(PictureSource source) {
+void OperatorSession::count_picture(PictureSource source) {
     if (!settings_.counts) return;
     if (source == PictureSource::gallery) ++counters_.gallery_pictures;
     if (source == PictureSource::stick) ++counters_.stick_pictures;
@@ -333,7 +333,7 @@ void OperatorDesk::count_picture(PictureSource source) {
 }
 
 /// Written once a visit: a disk wears.
-void OperatorDesk::count_visit(double minutes) {
+void OperatorSession::count_visit(double minutes) {
     if (!settings_.counts) return;
     ++counters_.sessions;
     counters_.minutes += static_cast<std::uint64_t>(std::max(0.0, std::round(minutes)));
@@ -342,7 +342,7 @@ void OperatorDesk::count_visit(double minutes) {
     can_keep_ = kept.has_value();
 }
 
-bool OperatorDesk::can_write() const {
+bool OperatorSession::can_write() const {
     const fs::path probe = files_.counters.parent_path() / "write-test";
     std::error_code error;
     fs::create_directories(probe.parent_path(), error);
@@ -352,7 +352,7 @@ bool OperatorDesk::can_write() const {
     return file.good() && fs::remove(probe, error);
 }
 
-void OperatorDesk::log(const std::string& line) {
+void OperatorSession::log(const std::string& line) {
     log_.push_back(line);
     if (log_.size() > longest_log) log_.erase(log_.begin());
 }

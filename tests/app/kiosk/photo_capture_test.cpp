@@ -1,4 +1,4 @@
-#include "app/kiosk/photo_desk.h"
+#include "app/kiosk/photo_capture.h"
 
 #include <limits>
 
@@ -66,15 +66,15 @@ cv::Mat page_on_table() {
     return scene;
 }
 
-class PhotoDeskTest : public testing::Test {
+class PhotoCaptureTest : public testing::Test {
   protected:
-    PhotoDeskTest() { state_->scene = toy(); }
+    PhotoCaptureTest() { state_->scene = toy(); }
 
     std::shared_ptr<MadeUpCamera::State> state_ = std::make_shared<MadeUpCamera::State>();
-    PhotoDesk desk_{std::make_unique<MadeUpCamera>(state_)};
+    PhotoCapture desk_{std::make_unique<MadeUpCamera>(state_)};
 };
 
-TEST_F(PhotoDeskTest, APreviewIsThereWhileItIsWantedOnly) {
+TEST_F(PhotoCaptureTest, APreviewIsThereWhileItIsWantedOnly) {
     (void)desk_.step(0.0);
     EXPECT_EQ(desk_.preview(), nullptr);
     desk_.show(true);
@@ -85,7 +85,7 @@ TEST_F(PhotoDeskTest, APreviewIsThereWhileItIsWantedOnly) {
     EXPECT_EQ(desk_.preview(), nullptr);
 }
 
-TEST_F(PhotoDeskTest, TI5_NothingIsTakenWithoutBeingAskedFor) {
+TEST_F(PhotoCaptureTest, TI5_NothingIsTakenWithoutBeingAskedFor) {
     desk_.show(true);
     for (int i = 0; i < 100; ++i) EXPECT_EQ(desk_.step(0.1 * i).photo, nullptr);
     desk_.take();
@@ -95,7 +95,7 @@ TEST_F(PhotoDeskTest, TI5_NothingIsTakenWithoutBeingAskedFor) {
     EXPECT_EQ(desk_.step(11.1).photo, nullptr) << "once";
 }
 
-TEST_F(PhotoDeskTest, AThingOnATableIsThePictureItself) {
+TEST_F(PhotoCaptureTest, AThingOnATableIsThePictureItself) {
     desk_.take();
     const auto page = desk_.step(0.0).photo->open({});
     ASSERT_TRUE(page.has_value()) << page.error().line;
@@ -103,7 +103,7 @@ TEST_F(PhotoDeskTest, AThingOnATableIsThePictureItself) {
     EXPECT_EQ(page->picture.height, 600);
 }
 
-TEST_F(PhotoDeskTest, APageOnATableIsThePage) {
+TEST_F(PhotoCaptureTest, APageOnATableIsThePage) {
     state_->scene = page_on_table();
     desk_.take();
     const auto page = desk_.step(0.0).photo->open({});
@@ -112,7 +112,7 @@ TEST_F(PhotoDeskTest, APageOnATableIsThePage) {
     EXPECT_GT(page->picture.bgr[0], 200) << "and its corner is paper";
 }
 
-TEST_F(PhotoDeskTest, WhatTheOperatorCutsOffIsInNoPicture) {
+TEST_F(PhotoCaptureTest, WhatTheOperatorCutsOffIsInNoPicture) {
     desk_.set({10.0, 20.0, 0.0, 50.0 / 3.0});
     desk_.show(true);
     desk_.take();
@@ -126,7 +126,7 @@ TEST_F(PhotoDeskTest, WhatTheOperatorCutsOffIsInNoPicture) {
     EXPECT_EQ(desk_.step(0.0).photo->open({})->picture.width, 800);
 }
 
-TEST_F(PhotoDeskTest, InTheDarkOneSentenceSaysWhatToDo) {
+TEST_F(PhotoCaptureTest, InTheDarkOneSentenceSaysWhatToDo) {
     state_->scene = cv::Mat(600, 800, CV_8UC3, cv::Scalar::all(3));
     desk_.take();
     const auto page = desk_.step(0.0).photo->open({});
@@ -134,7 +134,7 @@ TEST_F(PhotoDeskTest, InTheDarkOneSentenceSaysWhatToDo) {
     EXPECT_EQ(page.error().line, "It is too dark here. Ask the staff for more light.");
 }
 
-TEST_F(PhotoDeskTest, APhotographOfAVisitorWhoIsGoneIsNobodys) {
+TEST_F(PhotoCaptureTest, APhotographOfAVisitorWhoIsGoneIsNobodys) {
     desk_.take();
     desk_.forget();
     EXPECT_EQ(desk_.step(0.0).photo, nullptr);
@@ -142,7 +142,7 @@ TEST_F(PhotoDeskTest, APhotographOfAVisitorWhoIsGoneIsNobodys) {
     EXPECT_NE(desk_.step(0.1).photo, nullptr) << "the next visitor's own";
 }
 
-TEST_F(PhotoDeskTest, AStillThatDoesNotComeIsTold) {
+TEST_F(PhotoCaptureTest, AStillThatDoesNotComeIsTold) {
     state_->is_broken = true;
     desk_.take();
     const PhotoNews news = desk_.step(0.0);

@@ -1,4 +1,4 @@
-#include "app/servo/servo_peer.h"
+#include "app/servo/running_servo.h"
 
 #include "app/servo/messages.h"
 
@@ -39,27 +39,28 @@ Result<Descriptor> connected_to(const std::string& path) {
 
 }  // namespace
 
-void ServoPeer::kill() const {
+void RunningServo::kill() const {
     (void)pidfd_send_signal(pidfd().number(), SIGKILL, nullptr, 0);
 }
 
-std::string ServoPeer::end(bool has_said_done) {
+std::string RunningServo::end(bool has_said_done) {
     if (!child_) return has_said_done ? "" : "no farewell";
     const ChildEnd end = child_->reap();
     return end.is_good() ? "" : describe(end);
 }
 
-Result<MetServo> start_servo(const std::string& program, const std::vector<std::string>& device) {
+Result<StartedServo> start_servo(const std::string& program,
+                                 const std::vector<std::string>& device) {
     auto sockets = socket_pair();
     if (!sockets) return tl::unexpected(sockets.error());
     std::vector<std::string> words{std::to_string(Child::first_handed)};  // its socket
     words.insert(words.end(), device.begin(), device.end());
     auto child = Child::start(program, words, std::array{&sockets->second});
     if (!child) return tl::unexpected(child.error());
-    return MetServo{ServoPeer(std::move(*child)), std::move(sockets->first)};
+    return StartedServo{RunningServo(std::move(*child)), std::move(sockets->first)};
 }
 
-Result<MetServo> summon_servo(const std::string& path, const std::vector<std::string>& device) {
+Result<StartedServo> summon_servo(const std::string& path, const std::vector<std::string>& device) {
     auto socket = connected_to(path);
     if (!socket) return tl::unexpected(socket.error());
     pollfd waiting{socket->number(), POLLIN, 0};
@@ -73,7 +74,7 @@ Result<MetServo> summon_servo(const std::string& path, const std::vector<std::st
             !send(*socket, message_of(MessageKind::word, word)))
             return nobody_at(path, "it does not take the words of its device");
     }
-    return MetServo{ServoPeer(std::move(arrival.attached)), std::move(*socket)};
+    return StartedServo{RunningServo(std::move(arrival.attached)), std::move(*socket)};
 }
 
 }  // namespace touchline

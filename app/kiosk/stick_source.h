@@ -2,7 +2,7 @@
 // Threads: one; no call waits. It lists on a thread of its own, which the end waits for.
 #pragma once
 
-#include "app/kiosk/shelf.h"
+#include "app/kiosk/file_source.h"
 #include "app/kiosk/stick_files.h"
 #include "app/sticks/stick_port.h"
 
@@ -15,12 +15,12 @@
 
 namespace touchline {
 
-class StickShelf final : public Shelf {
+class StickSource final : public FileSource {
   public:
     /// `import_program`: the path of touchline-import.
-    StickShelf(std::unique_ptr<StickPort> port, const std::string& import_program);
+    StickSource(std::unique_ptr<StickPort> port, const std::string& import_program);
 
-    [[nodiscard]] std::optional<ShelfChange> poll(std::int64_t now_ns) override;
+    [[nodiscard]] std::optional<FilesChange> poll(std::int64_t now_ns) override;
 
     [[nodiscard]] bool is_listing() const override { return is_due_ || listing_.valid(); }
 
@@ -38,8 +38,8 @@ class StickShelf final : public Shelf {
   private:
     using Listed = Result<StickListing, StickRefusal>;
 
-    std::optional<ShelfChange> take(const StickEvent& event);
-    [[nodiscard]] ShelfChange shelved(const Listed& listed) const;
+    std::optional<FilesChange> take(const StickEvent& event);
+    [[nodiscard]] FilesChange change_of(const Listed& listed) const;
 
     std::unique_ptr<StickPort> port_;
     std::shared_ptr<StickReader> reader_;

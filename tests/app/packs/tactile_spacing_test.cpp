@@ -1,5 +1,5 @@
 // Lines that a hand cannot tell apart.
-#include "app/packs/hand_room.h"
+#include "app/packs/tactile_spacing.h"
 
 #include "app/decode/map_svg.h"
 #include "app/gallery/gallery.h"

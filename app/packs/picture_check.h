@@ -16,8 +16,8 @@ inline constexpr const char* picture_entry = "svg";
 
 /// Entry "map": map_bytes.h, in the first language. Findings do not name the file; a refusal is the
 /// only one. O(text + points).
-[[nodiscard]] UnpackAnswer look_at_picture(std::string_view svg,
-                                           const std::vector<std::string>& languages);
+[[nodiscard]] UnpackAnswer check_picture(std::string_view svg,
+                                         const std::vector<std::string>& languages);
 
 /// Entry "svg": app/decode/image_layers.h.
 [[nodiscard]] UnpackAnswer picture_in_layers(std::string_view svg, const std::string& language);

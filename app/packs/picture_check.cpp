@@ -1,9 +1,9 @@
-#include "app/packs/picture_look.h"
+#include "app/packs/picture_check.h"
 
 #include "app/decode/image_layers.h"
 #include "app/decode/map_svg.h"
 #include "app/decode/svg_survey.h"
-#include "app/packs/hand_room.h"
+#include "app/packs/tactile_spacing.h"
 #include "config/types/map_bytes.h"
 #include "vision/simplify/detail_limits.h"
 
@@ -79,7 +79,7 @@ void look_at_lines(const TactileMap& map, int difficulty, std::vector<PackFindin
 
 }  // namespace
 
-UnpackAnswer look_at_picture(std::string_view svg, const std::vector<std::string>& languages) {
+UnpackAnswer check_picture(std::string_view svg, const std::vector<std::string>& languages) {
     if (const int line = xml_error_line(svg); line > 0)
         return broken("it is no whole XML; save it again as SVG", line);
     std::string made;

@@ -1,5 +1,5 @@
 // What a stick offers, as it comes and goes, wherever that is known from: the seam between the
-// kiosk and the real sticks (stick_shelf.h). Threads: one; no call waits.
+// kiosk and the real sticks (stick_source.h). Threads: one; no call waits.
 #pragma once
 
 #include "app/loading/stages.h"
@@ -14,24 +14,24 @@
 namespace touchline {
 
 /// The files that a stick offers now; none: it went, or offers nothing.
-struct ShelfChange {
+struct FilesChange {
     std::vector<FilePtr> files;
     std::string sentence;  // why there are none, for the person; may be empty
     StickRest rest = {};   // what the stick has beyond the files
     bool is_read = false;  // its files were looked for: where there are none, it has none
 };
 
-class Shelf {
+class FileSource {
   public:
-    Shelf() = default;
-    virtual ~Shelf() = default;
-    Shelf(const Shelf&) = delete;
-    Shelf(Shelf&&) = delete;
-    Shelf& operator=(const Shelf&) = delete;
-    Shelf& operator=(Shelf&&) = delete;
+    FileSource() = default;
+    virtual ~FileSource() = default;
+    FileSource(const FileSource&) = delete;
+    FileSource(FileSource&&) = delete;
+    FileSource& operator=(const FileSource&) = delete;
+    FileSource& operator=(FileSource&&) = delete;
 
     /// The last thing that changed. Several times a second; `now_ns` of the monotonic clock.
-    [[nodiscard]] virtual std::optional<ShelfChange> poll(std::int64_t now_ns) = 0;
+    [[nodiscard]] virtual std::optional<FilesChange> poll(std::int64_t now_ns) = 0;
 
     /// Files of a stick are being looked for.
     [[nodiscard]] virtual bool is_listing() const = 0;
