@@ -163,9 +163,9 @@ void Kiosk::set_servo() {
     ServoCommands commands;
     commands.mode = feel_.mode;
     commands.stiffness_N_per_m =
-        firmness_steps.at(feel_.firmness).share * settings_.stiffness_N_per_m;
+        stiffness_steps.at(feel_.stiffness).share * settings_.stiffness_N_per_m;
     commands.radius_m = proxy_radius_m;
-    commands.pop_through_N = settings_.gives_way ? settings_.give_way_N : 0.0;
+    commands.pop_through_N = settings_.has_pop_through ? settings_.pop_through_N : 0.0;
     commands.friction = settings_.friction;
     commands.capture_m = settings_.capture_mm / 1000.0;
     commands.finest_level = settings_.finest_level;

@@ -129,7 +129,7 @@ LiveFacts Kiosk::live_facts() const {
     facts.hand_words = hand_words_;
     facts.hand_name = hand_name_;
     facts.last = sound_->last_event();
-    facts.gives_way = settings_.gives_way;
+    facts.has_pop_through = settings_.has_pop_through;
     facts.message = told_of_device(servo_->device_words(), language(), ToldTo::staff);
     if (!map_) return facts;
     if (visit_.visitor.felt) facts.place = visit_.visitor.felt->facts.place;

@@ -92,8 +92,8 @@ std::string shape_words(const HandState& hand, const Language& language) {
                          {name, language.number(1000.0 * hand.torque_Nm, 1)});
 }
 
-std::string mode_words(const HandState& hand, bool gives_way, const Language& language) {
-    const bool is_soft = hand.mode == Mode::wall && gives_way;
+std::string mode_words(const HandState& hand, bool has_pop_through, const Language& language) {
+    const bool is_soft = hand.mode == Mode::wall && has_pop_through;
     return language.text("mode", words_of(hand.mode)) +
            (is_soft ? language.text("mode", ", gives way to a push") : "");
 }
@@ -172,7 +172,7 @@ Status describe(const LiveFacts& facts, const HandState& hand, const ForceStatus
     add("Terms", terms_words(hand.level_terms, language));
     add("Force", force_words(hand, force, language));
     add("Motors", say("force", words_of(force.state)));
-    add("Kind of line", mode_words(hand, facts.gives_way, language));
+    add("Kind of line", mode_words(hand, facts.has_pop_through, language));
     add("Firmness", stiffness_words(hand, language));
     add("Detail", detail_text(facts.detail, language));
     if (hand.shape != HeldShape::none) add("Shape", shape_words(hand, language));

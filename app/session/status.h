@@ -39,7 +39,7 @@ struct LiveFacts {
     PagePlace place = {1, 1, 1, 1};
     int detail = 3;
     int coarsest_level = 0;
-    bool gives_way = false;
+    bool has_pop_through = false;
     std::string hand_words;            // what the hand is, of the catalogue, context "panel"
     std::string hand_name;             // of the device, for {0} in those words; may be empty
     std::optional<ContactEvent> last;  // that happened to it

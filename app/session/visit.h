@@ -76,7 +76,7 @@ enum class VisitItem : int {
     zoom,
     thing_here,
     mode,
-    firmness,
+    stiffness,
     held_shape,
     turn_left,
     turn_right,

@@ -20,19 +20,19 @@
 namespace touchline {
 
 /// A named step of stiffness, round the operator's.
-struct FirmnessStep {
+struct StiffnessStep {
     double share;  // of the operator's stiffness
     std::string_view name;
 };
 
 /// Softest first; a step apart is felt (stiffness is told apart from 13 to 17 % on).
-inline constexpr std::array firmness_steps{FirmnessStep{0.4, "very soft"},
-                                           FirmnessStep{0.7, "soft"}, FirmnessStep{1.0, "medium"},
-                                           FirmnessStep{1.4, "firm"}};
+inline constexpr std::array stiffness_steps{
+    StiffnessStep{0.4, "very soft"}, StiffnessStep{0.7, "soft"}, StiffnessStep{1.0, "medium"},
+    StiffnessStep{1.4, "firm"}};
 
-inline constexpr std::size_t operators_firmness = 2;  // of firmness_steps
+inline constexpr std::size_t operators_stiffness = 2;  // of stiffness_steps
 
-static_assert(firmness_steps[operators_firmness].share == 1.0);
+static_assert(stiffness_steps[operators_stiffness].share == 1.0);
 
 /// Speech stops, but for safety messages. At every key.
 struct Hush {};
@@ -83,7 +83,7 @@ struct CancelLoad {
 /// To the servo. The force is wanted while there is a picture to feel.
 struct Feel {
     Mode mode = Mode::groove;
-    std::size_t firmness = operators_firmness;  // of firmness_steps
+    std::size_t stiffness = operators_stiffness;  // of stiffness_steps
     bool is_force_wanted = false;
     HeldShape shape = HeldShape::none;
     double turn_rad = 0.0;  // of it, counter-clockwise, where the handle does not turn

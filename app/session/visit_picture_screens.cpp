@@ -57,7 +57,7 @@ void put_picture(ScreenWriter& sheet) {
     sheet.setting(VisitItem::detail);
     sheet.item(VisitItem::zoom, "Enlargement", told_zoom(sheet));
     sheet.setting(VisitItem::mode);
-    sheet.setting(VisitItem::firmness);
+    sheet.setting(VisitItem::stiffness);
     if (sheet.world.settings.offers_shapes && facts.outline_count > 0) put_shape(sheet);
     const std::string page = words_of(facts.place, sheet.language);
     const bool is_of_things = facts.place.things == ThingSearch::found;

@@ -260,7 +260,7 @@ void take(VisitWork& work, VisitItem item) {
         case VisitItem::palette:
         case VisitItem::detail:
         case VisitItem::mode:
-        case VisitItem::firmness:
+        case VisitItem::stiffness:
         case VisitItem::held_shape:
             return open_values(work, item);
         default:

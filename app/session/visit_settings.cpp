@@ -33,9 +33,9 @@ std::vector<std::string> stepped(const Language& language, std::size_t count) {
     return names;
 }
 
-std::vector<std::string> firmness_names(const Language& language) {
+std::vector<std::string> stiffness_names(const Language& language) {
     std::vector<std::string> names;
-    for (const FirmnessStep& step : firmness_steps) {
+    for (const StiffnessStep& step : stiffness_steps) {
         names.push_back(language.text("stiffness", std::string(step.name)));
     }
     return names;
@@ -79,7 +79,7 @@ std::string name_of(VisitItem setting, const Language& language) {
             return language.text("visit", "Detail");
         case VisitItem::mode:
             return language.text("visit", "Kind of line");
-        case VisitItem::firmness:
+        case VisitItem::stiffness:
             return language.text("visit", "Firmness");
         case VisitItem::held_shape:
             return language.text("visit", "Shape in the hand");
@@ -110,8 +110,8 @@ ValueList values_of(const Visit& visit, const VisitWorld& world, VisitItem setti
                     static_cast<std::size_t>(std::clamp(visitor.detail, 1, 5) - 1)};
         case VisitItem::mode:
             return {named(language, "mode", modes), static_cast<std::size_t>(visitor.feel.mode)};
-        case VisitItem::firmness:
-            return {firmness_names(language), visitor.feel.firmness};
+        case VisitItem::stiffness:
+            return {stiffness_names(language), visitor.feel.stiffness};
         case VisitItem::held_shape:
             return {named(language, "shape", shape_names),
                     static_cast<std::size_t>(visitor.feel.shape)};
@@ -148,8 +148,8 @@ void choose_value(VisitWork& work, VisitItem setting, std::size_t value) {
         case VisitItem::mode:
             visitor.feel.mode = static_cast<Mode>(value);
             break;
-        case VisitItem::firmness:
-            visitor.feel.firmness = value;
+        case VisitItem::stiffness:
+            visitor.feel.stiffness = value;
             break;
         case VisitItem::held_shape:
             visitor.feel.shape = static_cast<HeldShape>(value);

@@ -15,8 +15,9 @@ struct Settings {
     double friction = 0.0;
     double force_ceiling_N = 3.0;
     double capture_mm = 3.0;
-    bool gives_way = false;
-    double give_way_N = 1.5;  // twice what one needs to feel a line: nobody falls through by chance
+    bool has_pop_through = false;
+    double pop_through_N =
+        1.5;  // twice what one needs to feel a line: nobody falls through by chance
     bool offers_shapes = false;  // a visitor may hold one instead of a point
     // levels
     bool is_level_automatic = true;

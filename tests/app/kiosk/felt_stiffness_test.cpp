@@ -154,7 +154,7 @@ TEST(FeltStiffness, OfAVisitorsStepsIsAShareOfTheOperators) {
     ASSERT_NO_FATAL_FAILURE(open_walls(world, "A house"));
     lead_hand(world, corridor);
     const double most_N_per_m = world.kiosk().hand().stiffness_bound.most_N_per_m;
-    for (const FirmnessStep& step : firmness_steps) {
+    for (const StiffnessStep& step : stiffness_steps) {
         ASSERT_TRUE(visitor.choose("Firmness")) << visitor.heard();
         ASSERT_TRUE(visitor.choose(std::string(step.name))) << visitor.heard();
         for (const double set_N_per_m : {100.0, 500.0, 700.0}) {

@@ -202,11 +202,11 @@ TEST(KeysInTexts, WhoIsToldToChooseSofterLinesCan) {
               std::string::npos);
     FakeHouse house;
     to_picture(house);
-    const std::size_t before = house.visit.visitor.feel.firmness;
+    const std::size_t before = house.visit.visitor.feel.stiffness;
     ASSERT_GT(before, 0U);
     ASSERT_TRUE(house.choose("Firmness"));
-    ASSERT_TRUE(house.choose(std::string(firmness_steps.at(before - 1).name)));
-    EXPECT_LT(house.visit.visitor.feel.firmness, before);
+    ASSERT_TRUE(house.choose(std::string(stiffness_steps.at(before - 1).name)));
+    EXPECT_LT(house.visit.visitor.feel.stiffness, before);
 }
 
 /// What ends a fault for the staff is an item of their menu: it needs the six keys alone.

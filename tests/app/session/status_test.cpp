@@ -77,7 +77,7 @@ TEST(Status, SaysTheLastEventInWords) {
 
 TEST(Status, SaysThatAWallGivesWay) {
     LiveFacts facts = shown();
-    facts.gives_way = true;
+    facts.has_pop_through = true;
     HandState hand;
     hand.mode = Mode::groove;
     EXPECT_EQ(value_of(describe(facts, hand, {}, Language()), "Kind of line"), "groove");
@@ -216,7 +216,7 @@ TEST(Status, IsAllInTheOperatorsLanguage) {
             expect_translated(facts, {}, {}, language);
         }
         facts.last.reset();
-        facts.gives_way = true;
+        facts.has_pop_through = true;
         HandState hand;
         for (const LevelTerms& terms : terms_that_decide()) {
             hand.level_terms = terms;

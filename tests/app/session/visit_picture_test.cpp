@@ -128,7 +128,7 @@ TEST(Visit, HA4_FirmnessAndKindOfLineHaveNamesAndKeepThePicture) {
     FakeHouse house;
     to_picture(house);
     const std::size_t loads = house.visit.site.request;
-    EXPECT_EQ(firmness_steps[house.visit.visitor.feel.firmness].share, 1.0) << "the operator's";
+    EXPECT_EQ(stiffness_steps[house.visit.visitor.feel.stiffness].share, 1.0) << "the operator's";
     for (const char* name : {"very soft", "soft", "medium", "firm"}) {
         ASSERT_TRUE(house.choose("Firmness"));
         ASSERT_TRUE(house.choose(name));
@@ -136,7 +136,7 @@ TEST(Visit, HA4_FirmnessAndKindOfLineHaveNamesAndKeepThePicture) {
         EXPECT_TRUE(house.last_said().starts_with(std::string("Firmness, ") + name));
         const bool is_new = std::string(name) != "medium" || !house.last<Feel>().empty();
         EXPECT_TRUE(is_new);
-        EXPECT_EQ(firmness_steps[house.visit.visitor.feel.firmness].name, name);
+        EXPECT_EQ(stiffness_steps[house.visit.visitor.feel.stiffness].name, name);
         EXPECT_TRUE(house.visit.visitor.feel.is_force_wanted);
     }
     for (const char* name : {"wall", "ridge", "sticky line", "groove"}) {

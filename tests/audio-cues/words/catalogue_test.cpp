@@ -261,7 +261,7 @@ TEST(Catalogue, HasAllThatKeysPanelAndFaultsSay) {
     for (int i = 0; i <= static_cast<int>(ContactEventKind::popped_through); ++i) {
         expect("event", words_of(static_cast<ContactEventKind>(i)));
     }
-    for (const FirmnessStep& step : firmness_steps) expect("stiffness", step.name);
+    for (const StiffnessStep& step : stiffness_steps) expect("stiffness", step.name);
     for (const CueRow& row : cue_table()) expect("sound", row.name);
 }
 

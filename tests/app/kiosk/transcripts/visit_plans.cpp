@@ -145,7 +145,7 @@ void settings(StagedKiosk& kiosk) {
     go_back(kiosk);
     open_picture_of_gallery(kiosk, 0);
     for (const auto& [setting, value] :
-         {std::pair{VisitItem::detail, 4}, {VisitItem::mode, 0}, {VisitItem::firmness, 0}}) {
+         {std::pair{VisitItem::detail, 4}, {VisitItem::mode, 0}, {VisitItem::stiffness, 0}}) {
         kiosk.choose(setting);
         kiosk.choose(row(value));
         kiosk.wait_for(VisitScreen::picture);
