@@ -1,4 +1,4 @@
-// Files of strangers as the kiosk opens them: by a worker that can do nothing else.
+// Untrusted files as the kiosk opens them: by a worker that can do nothing else.
 // Threads: any, each call by itself; a call waits for its worker, at most its deadline.
 #pragma once
 

@@ -1,4 +1,4 @@
-// One page of what a stranger brought, as it crosses from the worker that decoded it: a header of
+// One page of an untrusted file, as it crosses from the worker that decoded it: a header of
 // 28 bytes, pixels, boxes of words and figures, a map. Nobody who reads it trusts
 // it.
 //

@@ -95,7 +95,7 @@ using PackResult = Result<T, PackFinding>;
     return kind < FindingKind::lines_near ? FindingSeverity::gap : FindingSeverity::hint;
 }
 
-/// "fish.svg, line 12: ...": fit for a screen, a voice and a terminal, whatever a stranger named
+/// "fish.svg, line 12: ...": fit for a screen, a voice and a terminal, whatever the pack names
 /// the file.
 [[nodiscard]] std::string sentence_of(const PackFinding& finding, const Language& language);
 

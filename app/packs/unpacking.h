@@ -1,4 +1,4 @@
-// What strangers pack, opened by touchline-unpack, which can do nothing else.
+// Untrusted packs, opened by touchline-unpack, which can do nothing else.
 // Threads: any, each call by itself; a call waits for its worker, at most its deadline.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A process that shuts itself in before it reads what a stranger brought: no file can be opened
+// A process that shuts itself in before it reads untrusted input: no file can be opened
 // (fonts apart, where documents are drawn), no process started, no network reached, no memory made
 // executable. Landlock and seccomp each deny on their own; where either is missing nothing is read.
 // Threads: the only one of its process.

@@ -1,5 +1,5 @@
 // touchline-speak VOICE: started by the kiosk with its socket. Gets the voice ready, shuts itself
-// in (app/sandbox), waits for one order, says it (messages.h) and ends: what one stranger wrote
+// in (app/sandbox), waits for one order, says it (messages.h) and ends: what one person wrote
 // never meets what the next one does, and the same text always gives the same samples. Exit status:
 // 0 all said, 1 no voice, no order or nobody who listens, worker_refused_to_start. One thread.
 #include "app/process/descriptor.h"

@@ -1,4 +1,4 @@
-// Names of files as a stranger's stick holds them: any bytes but NUL and '/'. Only what comes out
+// Names of files as a stick holds them, untrusted: any bytes but NUL and '/'. Only what comes out
 // of these functions and of spoken_name.h is shown or said; only the bytes themselves open
 // the file again.
 // Threads: pure functions. O(n).

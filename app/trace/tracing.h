@@ -1,5 +1,5 @@
 // A page that was opened becomes the map that is felt, by workers that can do nothing else: no
-// pixel of a stranger's picture and no line of it meets an algorithm in the process of the kiosk.
+// pixel of an untrusted picture and no line of it meets an algorithm in the process of the kiosk.
 // Threads: any, each call by itself; a call waits for its worker, at most its deadline.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The voice itself, espeak-ng: text in, samples out. Strangers' texts reach its C code here, so it
+// The voice itself, espeak-ng: text in, samples out. Untrusted texts reach its C code here, so it
 // runs in a process of its own (app/speak). Threads: one; one engine a process (its state is
 // global).
 #pragma once

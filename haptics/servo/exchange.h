@@ -25,8 +25,8 @@
 namespace touchline {
 
 /// The latest value, from one writer to one reader, lock-free and wait-free: three slots, one with
-/// each side and one between them that both swap. In memory that two processes share a peer gone
-/// mad can spoil the values, but no index: there are as many slots as an index has values.
+/// each side and one between them that both swap. In memory that two processes share a
+/// corrupted peer can spoil the values, but no index: there are as many slots as an index has values.
 template <class T>
 class TripleBuffer {
     static_assert(std::is_trivially_copyable_v<T>, "values are copied while nobody can wait");
@@ -84,8 +84,8 @@ class EventRing {
         end_.store(end + 1, std::memory_order_release);
     }
 
-    /// Reader: the oldest not yet read. More than `capacity` cannot be: a peer gone mad, and
-    /// nothing is read.
+    /// Reader: the oldest not yet read. More than `capacity` cannot be: the peer is
+    /// corrupted, and nothing is read.
     std::optional<T> pop() {
         const std::uint32_t begin = begin_.load(std::memory_order_relaxed);
         const std::uint32_t waiting = end_.load(std::memory_order_acquire) - begin;

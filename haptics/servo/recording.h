@@ -1,4 +1,4 @@
-// A recording of the black box as a file: bytes that are checked as if a stranger had sent them.
+// A recording of the black box as a file: untrusted bytes, all of them checked.
 // Threads: values and pure functions.
 #pragma once
 

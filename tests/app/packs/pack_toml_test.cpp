@@ -112,7 +112,7 @@ TEST(PackToml, LanguageTagsAreToldApart) {
         EXPECT_FALSE(is_language_tag(tag)) << tag;
 }
 
-/// Every kind has words, and what a stranger wrote stays on their one line.
+/// Every kind has words, and what a pack names stays on their one line.
 TEST(PackFinding, OneIsAWord) {
     const auto told = [](double megabytes) {
         return sentence_of({FindingKind::file_too_large, "", 0, "", megabytes}, Language());

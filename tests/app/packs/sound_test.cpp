@@ -1,4 +1,4 @@
-// Recordings of strangers, through the worker.
+// Untrusted recordings, through the worker.
 #include "app/packs/unpacking.h"
 #include "audio-cues/words/language.h"
 #include "tests/app/decode/liar_in_place.h"

@@ -57,7 +57,7 @@ TEST(HandRoom, TheRimIsThreeMillimetresWide) {
     EXPECT_TRUE(is_near_rim(line(0, -39.1, 0, 0), Area{}));
 }
 
-/// 400 m of line in a square centimetre, as a stranger might send.
+/// 400 m of line in a square centimetre, as an attacker might send.
 TEST(HandRoom, ATangleIsLookedAtInBoundedTime) {
     std::vector<Outline> tangle;
     for (int i = 0; i < 40'000; ++i) {

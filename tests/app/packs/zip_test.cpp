@@ -1,4 +1,4 @@
-// Zip files of strangers, through the worker: what is taken, and what is refused with which words.
+// Untrusted zip files, through the worker: what is taken, and what is refused with which words.
 #include "app/packs/pack_export.h"
 #include "app/packs/pack_limits.h"
 #include "app/packs/unpacking.h"

@@ -221,7 +221,7 @@ TEST(GuardWords, AreInTheCatalogue) {
     }
 }
 
-/// A kiosk gone mad: it scribbles over all that is shared, sends nonsense, and dies.
+/// A corrupted kiosk: it scribbles over all that is shared, sends nonsense, and dies.
 TEST_F(ServoProcess, AKioskGoneMadNeitherCrashesTheServoNorLeavesTorque) {
     auto sockets = socket_pair().value();
     auto region = SharedRegion::create().value();

@@ -116,7 +116,7 @@ TEST(EventRing, NoValueIsTornLostOrOutOfOrderBetweenThreads) {
     writer.join();
 }
 
-/// Every byte of what two sides share, as a peer gone mad may leave it.
+/// Every byte of what two sides share, as a corrupted peer may leave it.
 template <class Shared>
 void fill_with(Shared& shared, unsigned char byte) {
     std::memset(static_cast<void*>(&shared), byte, sizeof shared);

@@ -1,4 +1,4 @@
-// Small and odd pictures out of any bytes: what a stranger's stick may hold, and a fuzzer turns.
+// Small and odd pictures out of any bytes: what any stick may hold, and a fuzzer turns.
 // Threads: pure functions; a ByteReader belongs to one.
 #pragma once
 
