@@ -242,22 +242,24 @@ void add_ties(std::vector<Case>& cases) {
 }
 
 void make() {
-    const auto lines = all_lines();
-    for (const auto& [name, map] : lines) write_lines(name, map);
+    write_lines(all_lines());
     std::vector<Case> cases;
     add_walls(cases);
     add_still_hands(cases);
     add_exact_hands(cases);
     add_ties(cases);
     std::vector<Trace> made;
+    std::vector<std::pair<std::string, std::vector<Row>>> runs;
     unsigned seed = 0;
     for (const Case& one : cases) {
         const TactileMap map = read_lines(one.trace.lines);  // as rounded as its readers get it
-        write_rows(one.trace.name, follow(scene_of(map, one.trace), one.trace,
-                                          hand_over(map, one.hand, one.modes, one.levels, ++seed)));
+        runs.emplace_back(one.trace.name,
+                          follow(scene_of(map, one.trace), one.trace,
+                                 hand_over(map, one.hand, one.modes, one.levels, ++seed)));
         made.push_back(one.trace);
     }
     write_traces(made);
+    write_ticks(runs);
 }
 
 }  // namespace

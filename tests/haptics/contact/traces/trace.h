@@ -9,9 +9,11 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace touchline::traces {
@@ -58,10 +60,10 @@ extern const std::array<ColumnKind, column_count> columns;
 
 using Row = std::array<std::int64_t, column_count>;
 
-/// A row of data/traces.csv.
+/// A row of traces.csv.
 struct Trace {
-    std::string name;   // data/NAME.csv
-    std::string lines;  // data/LINES.lines.csv
+    std::string name;   // of the rows of ticks.csv
+    std::string lines;  // of the rows of lines.csv
     ContactSettings settings;
     int boxes = 0;  // of the collision tree that a tick may open; 0: any number
 };
@@ -79,7 +81,7 @@ inline constexpr double per_m = 1e9;  // of every length
 [[nodiscard]] TactileMap read_lines(const std::string& name);
 [[nodiscard]] std::vector<Row> read_rows(const std::string& name);
 void write_traces(std::span<const Trace> traces);
-void write_lines(const std::string& name, const TactileMap& map);
-void write_rows(const std::string& name, std::span<const Row> rows);
+void write_lines(const std::map<std::string, TactileMap>& maps);
+void write_ticks(const std::vector<std::pair<std::string, std::vector<Row>>>& runs);
 
 }  // namespace touchline::traces

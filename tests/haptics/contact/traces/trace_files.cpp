@@ -13,24 +13,27 @@ namespace {
 
 constexpr const char* traces_head =
     "name,lines,stiffness_N_per_m,friction,radius_m,capture_m,pop_through_N,pop_through_s,boxes";
-constexpr const char* lines_head = "outline,is_closed,x,y";
+constexpr const char* lines_head = "lines,outline,is_closed,x,y";
 
-std::string path_of(const std::string& name) {
-    return std::string(TOUCHLINE_SOURCE_DIR) + "/tests/haptics/contact/traces/data/" + name +
-           ".csv";
+std::string path_of(const std::string& file) {
+    return std::string(TOUCHLINE_SOURCE_DIR) + "/tests/haptics/contact/traces/" + file + ".csv";
 }
 
-/// The lines of a file after the first, with blanks for commas.
-std::vector<std::istringstream> lines_of(const std::string& name) {
+/// The lines of a file that begin with `key`, without it, with blanks for commas; all but the head
+/// for an empty key.
+std::vector<std::istringstream> lines_of(const std::string& name, const std::string& key = {}) {
     std::ifstream file(path_of(name));
+    const std::string begin = key.empty() ? "" : key + ",";
     std::vector<std::istringstream> found;
     std::string line;
     std::getline(file, line);
     while (std::getline(file, line)) {
+        if (!line.starts_with(begin)) continue;
+        line.erase(0, begin.size());
         std::ranges::replace(line, ',', ' ');
         found.emplace_back(line);
     }
-    if (found.empty()) throw std::runtime_error(path_of(name) + " is missing or empty");
+    if (found.empty()) throw std::runtime_error(path_of(name) + " has nothing of " + key);
     return found;
 }
 
@@ -60,7 +63,7 @@ std::vector<Trace> read_traces() {
 
 TactileMap read_lines(const std::string& name) {
     TactileMap map;
-    for (std::istringstream& line : lines_of(name + ".lines")) {
+    for (std::istringstream& line : lines_of("lines", name)) {
         std::size_t outline = 0;
         bool is_closed = false;
         double x = 0.0;
@@ -76,7 +79,7 @@ TactileMap read_lines(const std::string& name) {
 
 std::vector<Row> read_rows(const std::string& name) {
     std::vector<Row> rows;
-    for (std::istringstream& line : lines_of(name)) {
+    for (std::istringstream& line : lines_of("ticks", name)) {
         for (std::int64_t& value : rows.emplace_back()) line >> value;
         check(line, name);
     }
@@ -94,24 +97,31 @@ void write_traces(std::span<const Trace> traces) {
     }
 }
 
-void write_lines(const std::string& name, const TactileMap& map) {
-    std::ofstream file = opened(name + ".lines");
+void write_lines(const std::map<std::string, TactileMap>& maps) {
+    std::ofstream file = opened("lines");
     file << lines_head << '\n';
-    for (std::size_t i = 0; i < map.outlines.size(); ++i) {
-        for (const Position& p : map.outlines[i].points) {
-            file << i << ',' << map.outlines[i].is_closed << ',' << std::llround(p.x * per_m) << ','
-                 << std::llround(p.y * per_m) << '\n';
+    for (const auto& [name, map] : maps) {
+        for (std::size_t i = 0; i < map.outlines.size(); ++i) {
+            for (const Position& p : map.outlines[i].points) {
+                file << name << ',' << i << ',' << map.outlines[i].is_closed << ','
+                     << std::llround(p.x * per_m) << ',' << std::llround(p.y * per_m) << '\n';
+            }
         }
     }
 }
 
-void write_rows(const std::string& name, std::span<const Row> rows) {
-    std::ofstream file = opened(name);
-    for (std::size_t i = 0; i < column_count; ++i) file << (i > 0 ? "," : "") << columns[i].name;
-    for (const Row& row : rows) {
-        for (std::size_t i = 0; i < column_count; ++i) file << (i > 0 ? ',' : '\n') << row[i];
-    }
+void write_ticks(const std::vector<std::pair<std::string, std::vector<Row>>>& runs) {
+    std::ofstream file = opened("ticks");
+    file << "trace";
+    for (const ColumnKind& column : columns) file << ',' << column.name;
     file << '\n';
+    for (const auto& [name, rows] : runs) {
+        for (const Row& row : rows) {
+            file << name;
+            for (const std::int64_t value : row) file << ',' << value;
+            file << '\n';
+        }
+    }
 }
 
 }  // namespace touchline::traces
