@@ -1,4 +1,4 @@
-// A sound that lasts and follows the hand: position tone, distance, sonar.
+// A continuous sound that follows the hand: position tone, distance, sonar.
 // Threads: a ContinuousTone is a value, the voice is the rendering thread's.
 #pragma once
 
@@ -18,7 +18,7 @@ struct ContinuousTone {
     Timbre timbre = Timbre::pure;
 };
 
-/// Glides to whatever it is told: the level within ramp_s, the pitch by 1/e in 20 ms.
+/// Glides to each new tone: the level within ramp_s, the pitch by 1/e in 20 ms.
 class ContinuousVoice {
   public:
     void set(const ContinuousTone& tone);
