@@ -215,7 +215,7 @@ class Joiner {
         return gap_between(way[(i + way.size() - 1) % way.size()] ^ 1U, way[i]);
     }
 
-    /// Finds a dash that is bent round a sharp corner, which is as wide as it is long.
+    /// Returns the dot at a corner: a dash bent round a sharp corner is as wide as it is long.
     [[nodiscard]] std::size_t dot_at(const cv::Point2d& corner) const {
         const auto at = std::ranges::find_if(pieces_, [&](const Piece& piece) {
             return piece.is_dot && distance(piece.middle(), corner) <= 0.75 * piece.length_px;
@@ -316,7 +316,7 @@ class Joiner {
         return std::max(widest_px, *middle);
     }
 
-    /// Short dashes may pass for dots if they are as long as those that do not.
+    /// Short dashes may look like dots; then they are as long as those that do not.
     [[nodiscard]] static bool are_of_a_kind(const Piece& one, const Piece& other) {
         constexpr double kAsLong = 0.2;
         return one.is_dot == other.is_dot || std::abs(one.length_px - other.length_px) <=
