@@ -60,8 +60,8 @@ std::vector<Straight> straight_lines(const cv::Mat1b& light) {
     return lines;
 }
 
-/// Returns the lines in two groups, along the strongest line and across it; for each pair of lines,
-/// the one before and the one behind.
+/// The four direction groups: along the strongest line or across it, and of each pair of lines the
+/// one before and the one behind.
 std::array<std::vector<Line>, 2> groups_of(const std::vector<Straight>& lines) {
     std::array<std::vector<Line>, 2> groups;
     for (const Straight& line : lines) {

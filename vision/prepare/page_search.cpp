@@ -123,7 +123,7 @@ Judged sharpened(const Judged& coarse, const cv::Mat1b& coarse_light, const cv::
     return judged(light, corners, exact_evidence(light, corners, exact_slack_px));
 }
 
-/// Measures how far the page crosses each side of the picture's frame. A page so near to it that
+/// Tells by how far the page crosses each side of the picture's frame. A page so near to it that
 /// its edge cannot be told from the frame crosses it, too.
 CaptureTrouble where_it_leaves(const Judged& page, cv::Size size) {
     double left = 0.0;

@@ -24,8 +24,8 @@ std::vector<cv::Point2f> points_of(const Quad& quad, cv::Point2d origin = {}) {
     return points;
 }
 
-/// Squared, in units of the longer side, because the two directions of the page are at right
-/// angles.
+/// Returns the square of the focal length, in units of the longer side. It follows from the right
+/// angle between the two directions of the page.
 double focal_squared(const cv::Matx33d& h) {
     const double perspective = h(2, 0) * h(2, 1);
     const double squared = -(h(0, 0) * h(0, 1) + h(1, 0) * h(1, 1)) / perspective;
