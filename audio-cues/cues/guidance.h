@@ -47,9 +47,8 @@ inline constexpr double strong_Nm = 15e-3;
 struct ContinuousChoice {
     CueAmount amount = CueAmount::cues;
     bool has_position_tone = false;
-    std::optional<Position>
-        target_W;            // target asked for: comes before all else, whatever the amount
-    double torque_Nm = 0.0;  // of a shape in the hand
+    std::optional<Position> target_W;  // asked for; comes first, whatever the amount
+    double torque_Nm = 0.0;            // of a shape in the hand
 };
 
 /// Returns the one continuous sound: the target, else the torque, else the position tone, else the

@@ -1,4 +1,4 @@
-// Which frame sounds at which time. Threads: told() by the rendering thread, the rest by any.
+// Tells which frame sounds at which time. Threads: told() by the rendering thread, the rest by any.
 #pragma once
 
 #include "audio-cues/synth/frames.h"

@@ -23,7 +23,7 @@ class ContinuousVoice {
   public:
     void set(const ContinuousTone& tone);
 
-    /// As Voice::add().
+    /// See Voice::add().
     void add(std::span<StereoFrame> out, double width);
 
     [[nodiscard]] bool is_silent() const { return level_.is_silent() && tail_left_ == 0; }

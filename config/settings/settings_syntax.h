@@ -29,7 +29,7 @@ struct SettingsTree {
 /// a fault.
 [[nodiscard]] SettingsTree settings_tree(std::string_view text, std::size_t most_faults);
 
-/// Returns the name of a table of the tree as the text has it.
+/// Returns the name of a table of the tree as it is in the text.
 [[nodiscard]] std::string_view table_name(std::string_view key);
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
 // Records that cross processes, or go into files that only this program reads. Each record names
-// its fields once, in a template that takes whatever is to be done with them:
+// its fields once, in a template that takes the operation on them:
 //
 //     template <class Fields, class Header>
 //     void fields(Fields& f, Header& header) {

@@ -30,7 +30,7 @@ struct HandState {
     double stiffness_N_per_m =
         0.0;  // before spring_gain; on its way to the possible share of what is set
     StiffnessBound stiffness_bound;
-    double spring_gain = 1.0;  // below 1 where the loop rang and was softened
+    double spring_gain = 1.0;  // below 1 if the loop rang and was softened
     Mode mode = Mode::wall;
     ContactState state = ContactState::free;
     int outline = -1;  // index in the map of the outline touched, -1 when free

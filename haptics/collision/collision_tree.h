@@ -94,7 +94,7 @@ struct Closest {
 
 /// Whether nothing comes near a place.
 struct Clearance {
-    bool is_clear = false;  // false also where the budget ended first
+    bool is_clear = false;  // also false if the budget ended first
     int boxes = 0;          // opened
 };
 

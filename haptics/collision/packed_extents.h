@@ -32,13 +32,13 @@ class PackedExtents {
         return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(half) << 16));
     }
 
-    /// The largest number of this format that is not above x.
+    /// Returns the largest number of this format that is not above x.
     static std::uint16_t below(double x) {
         const auto sign = static_cast<std::uint16_t>(0x8000);
         return static_cast<std::uint16_t>(above(-x) ^ sign);
     }
 
-    /// The smallest number of this format that is not below x.
+    /// Returns the smallest number of this format that is not below x.
     static std::uint16_t above(double x) {
         constexpr std::uint16_t largest = 0x7f7f;
         if (!(x <= static_cast<double>(std::numeric_limits<float>::max()))) return largest;

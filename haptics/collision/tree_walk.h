@@ -19,14 +19,14 @@ namespace touchline {
 ///   std::optional<double> near(const Box&)  a key, smaller is nearer; nothing: cannot matter
 ///   double cut() const                      boxes with a larger key cannot matter
 ///   void leaf(SegmentRef, const Segment&)   a rendered segment
-///   bool asks_leaf_boxes                    false: where a node holds one rendered segment, the
+///   bool asks_leaf_boxes                    false: if a node holds one rendered segment, the
 ///                                           segment is passed to leaf() without a look at its box
-///   void spare(double)                      what is not looked at stays at least this far out of
+///   void spare(double)                      boxes not looked at stay at least this far out of
 ///                                           reach of the way; only for run_near()
-///   bool spend(int)                         so many boxes are opened; false: the budget does not
+///   bool spend(int)                         this many boxes are opened; false: the budget does not
 ///                                           suffice
 /// A box is opened when its children are looked at, so n opened boxes lead to at most n + 1 leaves.
-/// Two levels are opened at once where the tree is that deep: a node and its two children.
+/// Two levels are opened at once if the tree is that deep: a node and its two children.
 template <class Visitor>
 class TreeWalk {
   public:
@@ -38,7 +38,7 @@ class TreeWalk {
           is_fraction_(level > finest_whole_),
           visitor_(visitor) {}
 
-    /// Returns the smallest key of the boxes left unopened, infinity when the walk was finished.
+    /// Returns the smallest key of the boxes left unopened; infinity if the walk was finished.
     double run() {
         if (tree_.bounds_.empty()) return INFINITY;
         push_bound(0, 0.0);

@@ -61,7 +61,7 @@ class RenderedOutlines {
         return rendered_.segment(ref.index);
     }
 
-    /// Valid until the next edge is asked for.
+    /// The result is valid until the next edge is asked for.
     [[nodiscard]] const Edge& edge(SegmentRef ref) {
         if (ref != edge_.ref) look_up_edge(ref);
         return edge_;

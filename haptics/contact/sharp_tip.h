@@ -1,4 +1,4 @@
-// Which of the two edges of a sharp tip is touched. Threads: one, the servo's. No allocation.
+// Finds which of the two edges of a sharp tip is touched. Threads: one, the servo's. No allocation.
 #pragma once
 
 #include "haptics/collision/touch.h"

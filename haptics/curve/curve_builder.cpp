@@ -171,7 +171,7 @@ class CurveSetBuilder {
     }
 
   private:
-    /// At least as many as place_points() makes.
+    /// Returns at least as many as place_points() makes.
     [[nodiscard]] double expected_points() const {
         double points = 0.0;
         for (std::size_t i = 0; i < stretches_.size(); ++i) {

@@ -23,8 +23,8 @@ struct PinPlace {
 };
 
 struct CurveOptions {
-    /// false: every vertex of the map is kept at level 0 and edges longer than the spacing are
-    /// split into equal collinear parts. true: each piece is resampled by arc length.
+    /// false: keeps every vertex of the map at level 0, and splits edges longer than the spacing
+    /// into equal collinear parts. true: resamples each piece by arc length.
     bool resample = false;
     /// Spacing of level 0 (metres). 0 means the outline's median edge, at least 0.1 mm (not
     /// resampled), or the spacing that data, device and scene need (resampled; spacing.h).
@@ -166,7 +166,7 @@ class CurveSet {
     /// those of the next finer whole level (architecture, "Levels blend").
     [[nodiscard]] int rendered_count(int piece, double level) const;
 
-    /// Segment and point of rendered(piece, level). O(1).
+    /// Returns a segment or a point of rendered(piece, level). O(1).
     [[nodiscard]] Segment rendered_segment(int piece, double level, int j) const {
         return rendered(piece, level).segment(j);
     }

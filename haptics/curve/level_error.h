@@ -1,4 +1,4 @@
-// How far a level lies from level 0, and whether a finger can tell.
+// Measures how far a level lies from level 0, and whether a finger can tell.
 // Threads: pure functions.
 #pragma once
 

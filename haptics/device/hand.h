@@ -1,6 +1,6 @@
 // Simulated hands: a mass on a spring and damper that follow an intended path, held rigidly or
 // through the skin.
-// Threads: values; intended paths say their own rule.
+// Threads: values; each intended path states its own rule.
 #pragma once
 
 #include "config/types/vec2.h"

@@ -14,7 +14,7 @@ class HandleDynamics {
     HandleDynamics(const TurningHandle& handle, const HandModel& hand, double start_rad)
         : handle_(handle), hand_(hand), angle_rad_(start_rad) {}
 
-    /// One integration step of h_s with the motor's torque and the hand's intention held.
+    /// Makes one integration step of h_s with the motor's torque and the hand's intention held.
     void step(double torque_Nm, const Intention& intention, double h_s);
 
     /// Other fingers take the handle where it is, or none do.

@@ -127,7 +127,7 @@ bool PantographBoard::write_torques(JointTorques torques) {
     judge_send();
     if (report_.state == BoardState::resyncing) return is_zero && holds_zero_;
     const bool is_passed_on = report_.state == BoardState::ready || is_zero;
-    // A send that hangs for a moment: the torque before goes on for that long.
+    // A send hangs for a moment; the torque before goes on for that long.
     if (!is_send_free()) return is_passed_on && !is_zero;
     if (!send(is_zero || !is_passed_on ? zero_command() : write_command(told, handle_Nm))) {
         start_resync(Rung::settle);

@@ -1,4 +1,4 @@
-// How long the handle has been held still.
+// Measures how long the handle has been held still.
 // Threads: a plain value.
 #pragma once
 

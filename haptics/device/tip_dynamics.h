@@ -28,7 +28,7 @@ class TipDynamics {
     TipDynamics(const TipParameters& tip, const HandModel& hand, Position start)
         : tip_(tip), hand_(hand), tip_state_{start, {}}, hand_state_{start, {}} {}
 
-    /// One integration step of h_s with the device's force and the hand's intention held.
+    /// Makes one integration step of h_s with the device's force and the hand's intention held.
     void step(Force force, const Intention& intention, double h_s);
 
     /// Stops the tip at `position`, a mechanical end stop.

@@ -32,7 +32,7 @@ constexpr MechanicsProfile metal_arms{0.08, 0.3, 0.15, 6e-4};
 constexpr MechanicsProfile small_arms{0.05, 0.2, 0.10, 6e-4};
 constexpr MechanicsProfile direct_drive{0.035, 0.05, 0.03, 1e-4};
 
-// Plugged in as the makers' own programs have it. The M0 is told twice the counts that it resolves.
+// Plugged in as in the makers' own programs. The M0 is told twice the counts that it resolves.
 constexpr JointWiring port_1_cw{1, Turn::clockwise}, port_1_ccw{1, Turn::counter_clockwise};
 constexpr JointWiring port_2_cw{2, Turn::clockwise}, port_2_ccw{2, Turn::counter_clockwise};
 constexpr BoardWiring gen3_wiring{port_2_ccw, port_1_ccw, m0_told_per_count};
@@ -92,7 +92,7 @@ constexpr DeviceProfile stopped_at(DeviceProfile profile, std::string_view name,
     return profile;
 }
 
-/// As one of the maker's programs has it.
+/// As in one of the maker's programs.
 constexpr DeviceProfile gen2_of_240() {
     DeviceProfile profile = stopped_at(gen2, "2diy-gen2-240", degrees(240.0, -60.0));
     profile.counts_per_turn = m0_counts(10978.0, 10978.0);

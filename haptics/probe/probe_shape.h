@@ -35,7 +35,7 @@ class ProbeShape {
 
     [[nodiscard]] std::span<const Segment> edges() const { return edges_; }
 
-    /// The first is the root.
+    /// The tree's nodes; the first is the root.
     [[nodiscard]] std::span<const ProbeNode> nodes() const { return nodes_; }
 
     /// The rounding radius of every edge.

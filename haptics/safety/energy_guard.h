@@ -13,8 +13,8 @@ namespace touchline {
 /// only a few mJ. Forgotten in 1 s; energy that the hand gave is no credit.
 class EnergyGuard {
   public:
-    /// One tick of dt_s > 0 in which the handle moved under `force`, and turned under a torque that
-    /// did `turning_J` of work.
+    /// Advances one tick of dt_s > 0 in which the handle moved under `force`, and turned under a
+    /// torque that did `turning_J` of work.
     void step(Force force, Position moved, double dt_s, double turning_J = 0.0) {
         const double kept_J = given_J_ * std::max(0.0, 1.0 - dt_s / forget_s);
         const double given_J = kept_J + dot(force, moved) + turning_J;

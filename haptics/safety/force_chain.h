@@ -44,7 +44,7 @@ struct ForceLimits {
 /// motors bear forever.
 [[nodiscard]] ForceLimits limits_of(const DeviceProfile& profile);
 
-/// What a tick knows, in the device's frame.
+/// The inputs of a tick, in the device's frame.
 struct ChainInput {
     Force wanted_D;                    // on the hand
     std::optional<Jacobian> jacobian;  // of the pose; nothing: unknown or out of reach

@@ -16,7 +16,7 @@ class MotorHeat {
     MotorHeat(double continuous_torque_Nm, double warming_s)
         : continuous_torque_Nm_(continuous_torque_Nm), warming_s_(warming_s) {}
 
-    /// One tick of dt_s > 0 with finite torques.
+    /// Advances one tick of dt_s > 0 with finite torques.
     void step(JointTorques torques, double dt_s) {
         const double share = std::min(1.0, dt_s / warming_s_);
         const auto warm = [&](double& rise, double torque_Nm) {

@@ -51,7 +51,7 @@ class TripleBuffer {
         return true;
     }
 
-    /// Reader: the value last taken.
+    /// Reader: returns the value taken last.
     [[nodiscard]] const T& value() const { return slots_[read_slot_ & slot_mask]; }
 
   private:

@@ -46,7 +46,7 @@ struct LatenessBars {
 /// Any thread may call this while ticks are added. O(bins).
 [[nodiscard]] LatenessBars bars_of(const LatenessHistogram& lateness);
 
-/// What the last minute was like.
+/// The timing of the last minute.
 struct LastMinute {
     std::uint64_t late = 0;       // ticks that began more than 1 ms late or not at all
     std::uint64_t long_gaps = 0;  // gaps of more than 10 ms between two ticks

@@ -1,4 +1,5 @@
-// What a loop of a given rate and delay may render with a given device (facts 7.5).
+// The stiffness and damping that a loop of a given rate and delay may render with a given device
+// (facts 7.5).
 // Threads: a pure function.
 #pragma once
 

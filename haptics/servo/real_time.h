@@ -1,4 +1,4 @@
-// Asks the system for real-time behaviour of the calling thread and says what it got.
+// Asks the system for real-time behaviour of the calling thread and reports what it granted.
 #pragma once
 
 #include "haptics/servo/lateness.h"

@@ -1,4 +1,4 @@
-// Damping of a sampled spring that never pulls where the spring pushes (facts 1.3, 1.4).
+// Damps a sampled spring without ever pulling where the spring pushes (facts 1.3, 1.4).
 // Threads: a pure function.
 #pragma once
 

@@ -81,7 +81,7 @@ class CaptureSequence {
     /// True while the frames of the one stream are stills.
     [[nodiscard]] bool is_still_running() const { return is_still_running_; }
 
-    /// Of the still kept last.
+    /// True if the still kept last is blurred; below, if it is overexposed.
     [[nodiscard]] bool is_blurred() const { return best_.sharpness < limits_.least_sharpness; }
 
     [[nodiscard]] bool is_clipped() const {

@@ -1,4 +1,4 @@
-// From pixels to a colour gradient: the working picture, its noise, and where and how steeply
+// Computes a colour gradient from pixels: the working picture, its noise, and where and how steeply
 // colours change.
 // Threads: pure functions. All are O(pixels).
 #pragma once

@@ -38,7 +38,7 @@ class RingTracer {
 
     bool is_high(int x, int y) const { return value(x, y) >= level_; }
 
-    /// Cell (x, y) has the elements x-1, x and y-1, y. The ring leaves it by its upper side;
+    /// Cell (x, y) has the elements x-1, x and y-1, y. The ring leaves it by its upper side; this
     /// follows it, high on the right, until it comes round.
     Chain ring_from(cv::Point cell) {
         Chain ring{{}, true};

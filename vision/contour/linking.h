@@ -6,7 +6,7 @@
 
 namespace touchline {
 
-/// How far linking reaches, working pixels.
+/// How far linking reaches, in working pixels.
 struct Reach {
     double junction_px = 0.0;  // a line that ends this near another one meets it
     double gap_px = 0.0;       // breaks up to this are closed if both ends point at each other

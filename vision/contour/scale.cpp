@@ -15,8 +15,7 @@ constexpr double kRounding = 0.3;   // gradient that 8-bit rounding and compress
 constexpr double kSignificance = 6.0;       // x gradient noise: 2e-8 of the pixels of pure noise
 constexpr double kMedianOverSigma = 1.177;  // of a Rayleigh distribution: the gradient of noise
 constexpr double kMostlyNoise = 2.5;  // measured over predicted gradient noise; photos 5 and more
-constexpr double kHighOverQuantile =
-    3.0;  // binds in drawings, where the strongest are all there is
+constexpr double kHighOverQuantile = 3.0;  // binds in drawings, which have only strong edges
 constexpr double kGrainOverQuantile = 2.0;
 constexpr double kHighOverStrongest = 0.45;  // F .613 on photos; .609 at 0.5, .606 at 0.6
 constexpr double kLowOverHigh = 0.4;

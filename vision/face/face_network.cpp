@@ -35,7 +35,7 @@ Window window_of(const FaceBox& found) {
             std::atan2(across.y, across.x)};
 }
 
-/// The same from a mesh that lies about right.
+/// The same from a mesh that lies roughly right.
 Window window_of(const FaceMesh& mesh) {
     const double tilt_rad = tilt_of(mesh);
     const double c = std::cos(tilt_rad);

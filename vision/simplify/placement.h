@@ -10,7 +10,7 @@
 
 namespace touchline {
 
-/// The whole picture centred in the area, as large as fits, aspect kept; row down = W y down.
+/// Centres the whole picture in the area, as large as fits, aspect kept; row down = W y down.
 class Placement {
   public:
     Placement(cv::Size picture, cv::Size working, const Area& area)

@@ -33,7 +33,7 @@ class Selection {
     /// Lines added from here on keep to these limits: to the present lines and to themselves.
     void go_on_with(const DetailLimits& limits);
 
-    /// In the order of adding, as `lines`.
+    /// The strokes in the order of adding, as in `lines`.
     [[nodiscard]] const std::vector<Stroke>& strokes() const { return strokes_; }
 
     [[nodiscard]] std::vector<Chain> lines() const { return spaced_.lines(); }
