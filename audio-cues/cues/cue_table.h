@@ -1,5 +1,6 @@
 // Which event gives which sound. This is the only such table, also for people (README.md is made
-// from it). Threads: constant data and pure functions.
+// from it).
+// Threads: constant data and pure functions.
 #pragma once
 
 #include "audio-cues/cues/cue.h"

@@ -1,5 +1,6 @@
 // Finds the move of a shape that leaves the least energy in the coupling, if contacts forbid some
-// moves. Threads: pure functions, no allocation.
+// moves.
+// Threads: pure functions, no allocation.
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
 // The only place that limits force. One chain per device, stepped once a servo tick: finite check,
 // state and gain -> pose (0 near singularities) -> heat of the motors -> damping where energy was
 // given -> vector clamp -> one-sided speed limit -> slew -> joint torques, both scaled together
-// when one motor saturates -> the energy given to the hand is booked. Every limit holds for any
-// doubles; if anything is in doubt, the force is zero. Threads: one, the servo's. A plain value; no
-// allocation, lock, clock or log.
+// when one motor saturates -> the energy given to the hand is booked.
+// Every limit holds for any doubles; if anything is in doubt, the force is zero.
+// Threads: one, the servo's. A plain value; no allocation, lock, clock or log.
 #pragma once
 
 #include "config/types/force_status.h"
