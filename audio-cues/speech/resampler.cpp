@@ -41,8 +41,7 @@ void Resampler::add(std::span<const float> samples, std::vector<float>& out) {
 }
 
 void Resampler::finish(std::vector<float>& out) {
-    constexpr std::array<float, 1>
-        silence{};  // no samples, but a valid pointer: without it the end is held back
+    constexpr std::array<float, 1> silence{};  // no samples, but a place: else the end is kept back
     process(std::span(silence).first(0), true, out);
 }
 

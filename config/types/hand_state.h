@@ -27,8 +27,7 @@ struct HandState {
     double level = 0.0;  // rendered level, with its fraction
     bool is_level_auto = true;
     LevelTerms level_terms;  // for the wanted level; the rendered one may be on its way there
-    double stiffness_N_per_m =
-        0.0;  // before spring_gain; on its way to the possible share of what is set
+    double stiffness_N_per_m = 0.0;  // before spring_gain; moves to what is set and possible
     StiffnessBound stiffness_bound;
     double spring_gain = 1.0;  // below 1 if the loop rang and was softened
     Mode mode = Mode::wall;

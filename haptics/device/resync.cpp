@@ -26,10 +26,9 @@ constexpr std::array<Attempt, 7> attempts{{
     {false, 1.1, true, 0.1, Rung::lost},
 }};
 
-constexpr double set_up_s =
-    0.005;  // the board is busy; packets that come now belong to earlier writes
-constexpr double late_s = 0.05;                // a reply that takes longer counts as lost
-constexpr double proof_s = 0.003;              // no second reply may follow the first within it
+constexpr double set_up_s = 0.005;  // the board is busy; packets now belong to earlier writes
+constexpr double late_s = 0.05;     // a reply that takes longer counts as lost
+constexpr double proof_s = 0.003;   // no second reply may follow the first within it
 constexpr double longest_end_of_send_s = 0.1;  // for the send before to end
 
 const Attempt& attempt_of(Rung rung) {

@@ -8,8 +8,7 @@
 namespace touchline {
 namespace {
 
-constexpr double largest_jump_N =
-    0.015;  // by which a change of level may change the force in a tick
+constexpr double largest_jump_N = 0.015;  // change of the force in a tick by a change of level
 constexpr int most_halvings = 4;
 
 /// Returns how far an edge is from a line along a direction, which is at most their distance.

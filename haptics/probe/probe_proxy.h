@@ -106,9 +106,8 @@ class ProbeProxy {
 
     /// Whether the lines may go to a level while the shape stays where it is.
     struct Room {
-        bool is_free = false;  // they may
-        bool is_possible =
-            false;  // they could, if the shape made room by as little as a tick allows
+        bool is_free = false;      // they may
+        bool is_possible = false;  // or could, if it made as little room as a tick allows
     };
 
     [[nodiscard]] Springs springs(const ProbeSettings& settings) const;

@@ -41,8 +41,7 @@ class LineTracer {
         find_and_link();
         std::vector<Chain> chains;
         std::vector<bool> used(crossings_.size(), false);
-        for (const bool ends_only :
-             {true, false}) {  // first the open lines, from their ends, then the rings
+        for (const bool ends_only : {true, false}) {  // open lines from their ends, then rings
             for (std::size_t i = 0; i < crossings_.size(); ++i) {
                 const bool is_end = crossings_[i].next[1] == kNone;
                 if (!used[i] && (is_end || !ends_only)) {

@@ -16,8 +16,7 @@ constexpr double kLeastPale = 0.0005;  // of the picture: less is no grid
 constexpr double kStraight = 0.03;     // of the picture's diagonal: length that identifies a line
 constexpr double kMostTilt_deg = 3.0;
 constexpr double kTiltStep_deg = 0.25;
-constexpr double kLongEnough =
-    0.25;  // of the longest line: others may be broken by what lies on them
+constexpr double kLongEnough = 0.25;  // of the longest line; others may be broken by marks on them
 constexpr std::size_t kLeastLines = 3;
 constexpr double kGapSpread = 0.2;       // of the spacing
 constexpr double kMostlyMultiple = 0.7;  // of the gaps

@@ -20,8 +20,7 @@ constexpr double kWhereTwoMeet = 2.05;
 constexpr double kStandsOutOverWidth = 5.0;  // for what stands out of a wide shape
 constexpr double kSwollen = 1.5;  // of the usual width: the deepest place of such a stroke
 constexpr double kAsWide = 0.6;   // near its end, as a share of the width half-way
-constexpr double kLeastTailOverWidth =
-    1.0;  // a part that stands out of a wide shape by less is its corner
+constexpr double kLeastTailOverWidth = 1.0;  // less that stands out of a wide shape is its corner
 
 /// Returns the part of a picture that holds all of a mask, with a rim outside it.
 cv::Rect part_with(const cv::Mat1b& mask) {

@@ -12,9 +12,8 @@ struct InkParts {
     cv::Mat1b strokes;  // 255 inside
     cv::Mat1b shapes;
     cv::Mat1f depth;  // distance to the edge of the ink
-    cv::Mat1i
-        piece;       // connected pieces of ink, from 1; strokes and shapes that touch are one piece
-    int pieces = 0;  // the number of pieces and one: 0 is the paper
+    cv::Mat1i piece;  // connected ink, from 1; strokes and shapes that touch are one piece
+    int pieces = 0;   // the number of pieces and one: 0 is the paper
 };
 
 /// Separates the ink. A shape is ink into which a disc of the greatest width clearly fits somewhere

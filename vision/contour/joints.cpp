@@ -16,14 +16,12 @@ constexpr double kTurn = 35.0 * std::numbers::pi / 180.0;  // a smaller turn is 
 const double kSharpest = std::pow(std::sin(8.0 * std::numbers::pi / 180.0), 2);  // below: parallel
 constexpr double kBesideOverDepth =
     1.2;  // a place on the way of an arm, or a course through a crossing
-constexpr double kBluntOverDepth =
-    2.0;  // distance of a place ahead of the skeleton's end in a blunt join
-constexpr double kCourse_px = 0.4;  // so far aside a course may lie; more along a sharp tip
+constexpr double kBluntOverDepth = 2.0;  // of a place ahead of the skeleton's end in a blunt join
+constexpr double kCourse_px = 0.4;       // so far aside a course may lie; more along a sharp tip
 constexpr double kBeside_px = 1.0;
 constexpr double kTipSlack = 1.25;  // times the length of a mitre
 constexpr double kTapered = 0.78;  // of the stroke's depth, on average: it is a mitre, not a stroke
-constexpr double kNoStroke_px =
-    6.0;  // longer than its width by no more than this: too short to be a stroke
+constexpr double kNoStroke_px = 6.0;  // longer than its width by at most this: too short for one
 constexpr double kParallel = 15.0 * std::numbers::pi / 180.0;
 
 /// Returns the distance of a place from the line along a ray.

@@ -15,8 +15,7 @@ namespace {
 constexpr double looked_at_pixels = 60e3;  // the surface is smooth: a small copy shows all of it
 constexpr float ink_share = 0.36F;
 constexpr double paper_level = 235.0;
-constexpr double least_level =
-    12.0;  // of paper in deep shade; anything darker is not brightened for it
+constexpr double least_level = 12.0;  // of paper in deep shade; darker is not made brighter for it
 
 /// Paper in a shade of 60 % is still brighter than 0.4 of the brightest. Anything much darker is
 /// ink and must not be taken for the commonest colour, although it may cover half the page. So it

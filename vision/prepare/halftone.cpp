@@ -15,11 +15,10 @@ constexpr int kMostCrop_px = 512;
 constexpr int kLeastCrop_px = 64;
 constexpr double kWidest_px = 16.0;  // apart
 constexpr double kClosest_px = 2.5;
-constexpr int kPeak = 2;         // steps of frequency round a peak that belong to it
-constexpr double kShare = 0.25;  // of the power at such frequencies, in both peaks
-constexpr double kOvertone =
-    0.3;  // of its power: with more at a half or a third of its frequency, it is an overtone
-constexpr double kAlike = 0.15;  // of the pitch
+constexpr int kPeak = 2;           // steps of frequency round a peak that belong to it
+constexpr double kShare = 0.25;    // of the power at such frequencies, in both peaks
+constexpr double kOvertone = 0.3;  // of its power: if more is at a half or a third of its frequency
+constexpr double kAlike = 0.15;    // of the pitch
 constexpr double kLeastAngle = 40.0 * std::numbers::pi / 180.0;
 constexpr double kBlurOverPitch = 0.55;
 

@@ -12,10 +12,9 @@ namespace {
 
 constexpr double kLeastContrast = 12.0;
 constexpr double kContrastOverNoise = 2.0;
-constexpr double kContrastOverInk =
-    0.22;                           // fainter than this, relative to the ink, is dirt and shadow
-constexpr double kInkPart = 0.002;  // this part of the picture is darker than "the ink"
-constexpr int kAround_px = 9;       // where a stroke's own darkest point is looked for
+constexpr double kContrastOverInk = 0.22;  // fainter than this beside the ink is dirt and shadow
+constexpr double kInkPart = 0.002;         // this part of the picture is darker than "the ink"
+constexpr int kAround_px = 9;              // where a stroke's own darkest point is looked for
 constexpr double kSmoothing_px = 0.7;
 
 cv::Mat1f contrast_to(const LabPicture& lab, const Paper& paper) {
@@ -39,8 +38,7 @@ double least_contrast(double noise, double strongest) {
 
 Ink ink_of(const LabPicture& lab, double noise) {
     LabPicture calm = lab;
-    if (noise >
-        1.0) {  // before the distance, because the distance of noise to the paper is never 0
+    if (noise > 1.0) {  // first: the distance of noise to the paper is never 0
         cv::GaussianBlur(lab, calm, cv::Size(), kSmoothing_px);
     }
     const Paper paper(lab);

@@ -21,14 +21,13 @@ struct PictureFeatures {
     double open_part = 0.0;      // part of the picture that is away from the edges of shapes
     double texture = 0.0;        // of that, the part that changes faster than a lamp's shade
     double changing_part = 0.0;  // of everything, the part that changes so
-    double painted_part =
-        0.0;  // of the texture, the part as a program paints: even shades, pale lines
-    double ruled_part = 0.0;  // of the texture, the part along level or upright lines
-    double paper_part = 0.0;  // part of the places that show the commonest colour
-    double ink_part = 0.0;    // part of the pixels that stand out from it
-    double thin_part = 0.0;   // of the ink, the part no wider than a pen's stroke
-    double clearness = 0.0;   // contrast of the ink over that of the paper's own spots
-    double text_part = 0.0;   // of the ink, the part in lines of text
+    double painted_part = 0.0;   // of the texture, as a program paints it: even shades, pale lines
+    double ruled_part = 0.0;     // of the texture, the part along level or upright lines
+    double paper_part = 0.0;     // part of the places that show the commonest colour
+    double ink_part = 0.0;       // part of the pixels that stand out from it
+    double thin_part = 0.0;      // of the ink, the part no wider than a pen's stroke
+    double clearness = 0.0;      // contrast of the ink over that of the paper's own spots
+    double text_part = 0.0;      // of the ink, the part in lines of text
     int text_lines = 0;
     int letters = 0;
 };

@@ -7,12 +7,10 @@
 namespace touchline {
 namespace {
 
-constexpr double kApartAlong =
-    4.0;  // gaps: places nearer than this along the line are a bend, not two lines
-constexpr double kHairpinAlong =
-    2.0;  // gaps: places further apart than this may be there and back on parallel ways
-constexpr double kParallel = 0.985;   // cosine of 10 degrees
-constexpr double kStraight_mm = 0.5;  // the way along two straight sides minus that by the corner
+constexpr double kApartAlong = 4.0;    // gaps: nearer along the line is a bend, not two lines
+constexpr double kHairpinAlong = 2.0;  // gaps: further may be there and back on parallel ways
+constexpr double kParallel = 0.985;    // cosine of 10 degrees
+constexpr double kStraight_mm = 0.5;   // the way along two straight sides minus that by the corner
 
 /// Returns whether a segment leads back along another.
 bool is_back(cv::Point2d way, const LineSegment& other) {

@@ -8,10 +8,9 @@
 namespace touchline {
 
 struct ShapingScale {
-    double step_mm = 0.25;      // between points
-    double tolerance_mm = 0.0;  // Gaussian sigma along the line
-    double least_feature_mm =
-        0.0;  // a corner is judged by the course over half of this on either side
+    double step_mm = 0.25;          // between points
+    double tolerance_mm = 0.0;      // Gaussian sigma along the line
+    double least_feature_mm = 0.0;  // a corner is judged by the course over half of it each way
 };
 
 /// Returns the line with even points. A fixed point inside it stays, exactly, if the course over

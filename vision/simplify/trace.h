@@ -19,8 +19,7 @@ struct TraceOptions {
     Area area;
     int detail = 3;  // 1 silhouette ... 5 all
     Zoom zoom = {};
-    std::optional<PictureClass> picture_class =
-        std::nullopt;  // instead of the class that it looks like
+    std::optional<PictureClass> picture_class = std::nullopt;  // instead of the apparent one
 };
 
 /// What the tracer chose, found and left out.
