@@ -166,8 +166,7 @@ class StrokeTracer {
 
     std::vector<Chain> assembled(const Piece& piece) const {
         std::vector<Chain> lines;
-        std::vector<EndId> place(2 * skeleton_.arms.size(),
-                                 0);  // of a skeleton's end among lines
+        std::vector<EndId> place(2 * skeleton_.arms.size(), 0);  // of a skeleton's end among lines
         std::vector<bool> is_free;
         for (const std::size_t arm : piece.arms) {
             place[front_of(arm)] = front_of(lines.size());
