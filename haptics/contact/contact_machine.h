@@ -74,7 +74,7 @@ class ContactMachine {
     /// machine's state does not fit it.
     [[nodiscard]] bool rebind(const Scene* scene);
 
-    /// From the next step on, `path` receives the way points of each step, beginning with its
+    /// From the next step on, `path` holds the way points of the latest step, beginning with its
     /// start; nullptr keeps none. For tests: it may allocate.
     void record_path(std::vector<Position>* path) { path_ = path; }
 

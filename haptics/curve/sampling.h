@@ -21,9 +21,9 @@ namespace touchline {
 [[nodiscard]] std::vector<Position> resample(std::span<const Position> line, std::size_t segments);
 
 /// Segments that a resampled piece can have: m 2^L with m in 4 ... 7, or fewer than 4; a closed one
-/// has 8 or more. The first returns the largest such count <= wanted (at least the smallest count),
-/// the second the smallest >= wanted, the third the nearer of the two. `wanted` is length /
-/// spacing; larger values count as 1e15. O(log n).
+/// has 8 or more. Returns the largest such count <= wanted (at least the smallest count), the
+/// smallest >= wanted, or the nearer of the two. `wanted` is length / spacing; larger values count
+/// as 1e15. O(log n).
 [[nodiscard]] std::size_t count_below(double wanted, bool is_closed);
 [[nodiscard]] std::size_t count_above(double wanted, bool is_closed);
 [[nodiscard]] std::size_t nearest_count(double wanted, bool is_closed);

@@ -20,10 +20,12 @@ class BoardFrame {
   public:
     BoardFrame(const DeviceProfile& profile, const Calibration& calibration);
 
-    /// With the handle at home: makes the board report the angles of the profile's home pose.
+    /// Returns the set-up for a handle at home: the board then reports the angles of the profile's
+    /// home pose.
     [[nodiscard]] BoardSetUp set_up_at_home() const;
 
-    /// Sets the board up again at a reading: it reports the same angles again, to the count.
+    /// Returns the set-up that continues at a reading: the board then reports the same again, to
+    /// the count.
     [[nodiscard]] BoardSetUp set_up_at(PortAngles raw, double handle_deg = 0.0) const;
 
     /// What the board reports at home: whole counts, rounded toward zero.

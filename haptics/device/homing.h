@@ -57,7 +57,7 @@ enum class HomingRemark : std::uint8_t {
     no_such_scale,  // the same, since no unit of this kind turns so far: perhaps it is another kind
     other_kind,     // the answer belongs to another kind
     lost_count,     // the encoders lost counts: the results so far are worth nothing
-    reversed,       // the stops came in the wrong order, or the plugs are swapped: once more
+    reversed,       // the stops came in the wrong order, or the plugs differ: once more
     replugged,      // a known unit reads differently than it did: it is measured anew
     measured,       // found this unit's scale, stops and plugs; store them
 };

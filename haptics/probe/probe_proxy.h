@@ -82,7 +82,7 @@ class ProbeProxy {
     /// The number of pairs kept from step to step.
     [[nodiscard]] std::size_t pairs() const { return front_.size(); }
 
-    /// From the next step on, `path` holds the poses of the last step, beginning with its start;
+    /// From the next step on, `path` holds the poses of the latest step, beginning with its start;
     /// between them the shape moved straight and turned steadily. nullptr keeps none. For tests: it
     /// may allocate.
     void record_path(std::vector<ProbePose>* path) { path_ = path; }

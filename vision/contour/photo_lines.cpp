@@ -67,7 +67,7 @@ int drop_specks(std::vector<Chain>& chains, double shortest_px) {
         std::erase_if(chains, [&](const Chain& c) { return length_of(c) < shortest_px; }));
 }
 
-/// Returns what is too narrow or too crowded for a hand as one line.
+/// Merges lines that are too close together or too crowded for a hand.
 std::vector<Chain> without_clutter(std::vector<Chain> chains, cv::Size size, double px_per_mm) {
     const double gap_px = kLeastApart_mm * px_per_mm;
     return with_textures_outlined(
