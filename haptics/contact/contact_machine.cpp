@@ -115,7 +115,7 @@ void ContactMachine::press(Position handle, double level, const ContactSettings&
     report.stored_J = 0.5 * settings.stiffness_N_per_m * dot(stretch, stretch);
 }
 
-/// A disc that overlapped a line would not be stopped by it in a corner.
+/// Refuses a proxy whose contacts do not lie in the scene.
 bool ContactMachine::rebind(const Scene* scene) {
     constexpr double most_level = 64.0;
     path_ = nullptr;

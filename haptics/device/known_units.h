@@ -23,7 +23,7 @@ struct KnownUnits {
 [[nodiscard]] double turn_of_both_rad(JointAngles turn);
 
 /// Returns whether the turn read from stop to stop is nearest to a unit of the chosen kind, leaving
-/// aside units that a question tells from it.
+/// aside units that a question tells from it, and is at most 2.5 % off that unit's turn.
 [[nodiscard]] bool is_of_kind(const std::vector<KnownUnits>& known, JointAngles read);
 
 /// Returns whether a unit whose arms lie differently at their stop would read the same.

@@ -16,8 +16,8 @@ constexpr double beyond = 5.0;  // a fifth of the picture further out
 
 using Contour = std::vector<cv::Point>;
 
-/// Returns the outline of the region's hull with few corners; it gets finer until a fifth of the
-/// tries is used up.
+/// Returns the outline of the region's hull, coarser and coarser until it has at most four corners
+/// or has become as coarse as a side may be.
 Contour polygon_of(const Contour& region) {
     Contour hull;
     cv::convexHull(region, hull);

@@ -60,8 +60,7 @@ std::vector<Straight> straight_lines(const cv::Mat1b& light) {
     return lines;
 }
 
-/// The four direction groups: along the strongest line or across it, and of each pair of lines the
-/// one before and the one behind.
+/// The two direction groups: the lines along the strongest line, and those across it.
 std::array<std::vector<Line>, 2> groups_of(const std::vector<Straight>& lines) {
     std::array<std::vector<Line>, 2> groups;
     for (const Straight& line : lines) {
