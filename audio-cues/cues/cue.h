@@ -1,4 +1,4 @@
-// The short sounds by name, and what plays one. Threads: values.
+// The short sounds by name, and the occasion of one. Threads: values.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -9,7 +9,7 @@
 
 namespace touchline {
 
-/// In pairs of opposites, the first rising or brighter than the second.
+/// In pairs of opposites; the first one rises or is brighter than the second.
 enum class Cue : std::uint8_t {
     touch,  // a line is there
     leave,
@@ -21,20 +21,20 @@ enum class Cue : std::uint8_t {
     coarser,
     area_entered,
     area_left,
-    key,      // a key was taken
-    refused,  // it means nothing here
+    key,      // a key was accepted
+    refused,  // the key means nothing here
 };
 
 inline constexpr std::size_t cue_count = 12;
 
-/// What a visitor hears of sounds, by one key: nothing but alerts; the short ones; these, the
+/// How much a visitor hears, chosen by one key: only alerts; the short sounds too; or also the
 /// distance to the nearest line and, if chosen, the position tone.
 enum class CueAmount : std::uint8_t { none, cues, full };
 
-/// A cue at a place of the picture.
+/// A cue at a place in the picture.
 struct CueAt {
     Cue cue = Cue::touch;
-    double time_s = 0.0;  // when it happened, since the servo started
+    double time_s = 0.0;  // when its event occurred, since the servo started
     double pan = 0.0;     // -1 left ... 1 right
     bool is_alert = false;
 };
@@ -45,7 +45,7 @@ struct CueArea {
     double half_height_m = 0.042;
 };
 
-/// -1 at the left rim of the area ... 1 at the right one, clamped; 0 for what is not finite.
+/// Returns -1 at the left edge of the area ... 1 at the right one, clamped; 0 if not finite.
 [[nodiscard]] double pan_of(Position place_W, const CueArea& area);
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-// Cues as the mixer takes them. Threads: pure functions.
+// Turns cues into commands for the mixer. Threads: pure functions.
 #pragma once
 
 #include "audio-cues/cues/cue.h"
@@ -6,7 +6,7 @@
 
 namespace touchline {
 
-/// `frame`: when it sounds.
+/// `frame` is when it sounds.
 [[nodiscard]] MixerCommand sound_of(const CueAt& cue, FrameTime frame);
 
 }  // namespace touchline

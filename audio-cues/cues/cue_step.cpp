@@ -6,11 +6,11 @@
 namespace touchline {
 namespace {
 
-/// Whether `cue` sounds at `at.time_s`, and remembers it.
+/// Decides whether `cue` sounds at `at.time_s`, and remembers it.
 CueStep sounded(CueState state, const CueAt& at) {
     if (state.amount == CueAmount::none && !at.is_alert) return {state, std::nullopt};
     double& last_s = state.last_s[static_cast<std::size_t>(at.cue)];
-    // A clock that began anew lies before the last time: it sounds.
+    // A restarted clock is before the last time; then the cue sounds.
     const double since_s = at.time_s - last_s;
     if (since_s >= 0.0 && since_s < row_of(at.cue).apart_s) return {state, std::nullopt};
     last_s = at.time_s;

@@ -1,4 +1,4 @@
-// From events to cues: a pure step. Threads: values and pure functions.
+// Turns events into cues: a pure step. Threads: values and pure functions.
 #pragma once
 
 #include "audio-cues/cues/cue_table.h"
@@ -12,7 +12,7 @@ struct CueState {
     CueAmount amount = CueAmount::cues;
     CueArea area;
     double level = 0.0;  // last rendered, to tell finer from coarser
-    /// When each cue last sounded, by the servo's clock; before everything at first.
+    /// When each cue last sounded, by the servo's clock; initially before everything.
     std::array<double, cue_count> last_s = [] {
         std::array<double, cue_count> times{};
         times.fill(-1e9);
@@ -25,11 +25,11 @@ struct CueStep {
     std::optional<CueAt> cue;
 };
 
-/// No cue where sounds are off, where the same sounded less than its `apart_s` ago, or where the
-/// level did not change. A kind that is none gives none. O(1).
+/// Gives no cue if sounds are off, if the same cue sounded less than its `apart_s` ago, or if the
+/// level did not change. An invalid kind gives none. O(1).
 [[nodiscard]] CueStep cue_step(const CueState& state, const ContactEvent& event);
 
-/// The same for the screen; `time_s` by the servo's clock. Always in the middle.
+/// The same for the screen; `time_s` by the servo's clock. The cue is always in the middle.
 [[nodiscard]] CueStep cue_step(const CueState& state, ScreenEvent event, double time_s);
 
 }  // namespace touchline

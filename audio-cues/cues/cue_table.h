@@ -1,4 +1,5 @@
-// Which event gives which sound: the one table, for people too (README.md is made from it).
+// Which event gives which sound. This is the only such table, also for people (README.md is made
+// from it).
 // Threads: constant data and pure functions.
 #pragma once
 
@@ -14,35 +15,35 @@
 
 namespace touchline {
 
-/// How a cue sounds, and in which words an operator finds it.
+/// How a cue sounds, and the words in which an operator finds it.
 struct CueRow {
     Cue cue;
     std::string_view name;
-    std::string_view sound;  // described
-    Earcon earcon;           // 0.25 s at most
+    std::string_view sound;  // description
+    Earcon earcon;           // at most 0.25 s
     double level;            // 0 ... 1
-    double apart_s;          // the same cue sounds again after this time at the earliest
+    double apart_s;          // earliest time after which the same cue sounds again
 };
 
-/// In the order of Cue.
+/// Returns the rows in the order of Cue.
 [[nodiscard]] std::span<const CueRow> cue_table();
 
 [[nodiscard]] const CueRow& row_of(Cue cue);
 
-/// An event of the hand or of the screen, in words, and what it gives.
+/// An event of the hand or of the screen, in words, and its cue.
 struct EventRow {
     std::string_view event;
     std::optional<Cue> cue;  // none: its sound depends on more (a level: finer or coarser)
-    bool is_alert = false;   // also where sounds are off
+    bool is_alert = false;   // sounds even if sounds are off
 };
 
-/// In the order of ContactEventKind.
+/// Returns the rows in the order of ContactEventKind.
 [[nodiscard]] std::span<const EventRow> contact_rows();
 
-/// In the order of ScreenEvent.
+/// Returns the rows in the order of ScreenEvent.
 [[nodiscard]] std::span<const EventRow> screen_rows();
 
-/// Both tables as Markdown, for the README; ends with a newline.
+/// Returns both tables as Markdown, for the README; ends with a newline.
 [[nodiscard]] std::string cues_as_markdown();
 
 }  // namespace touchline

@@ -13,7 +13,7 @@ constexpr double hum_Hz = 110.0;
 constexpr double hum_octaves = 1.5;
 constexpr double hum_pan = 0.8;
 
-/// 0 at far_m ... 1 at near_m, by halvings.
+/// Returns 0 at far_m ... 1 at near_m, by halvings.
 double nearness(double distance_m) {
     const double between = std::log(far_m / distance_m) / std::log(far_m / near_m);
     return std::clamp(between, 0.0, 1.0);

@@ -1,4 +1,4 @@
-// What happens at the keys and on the screen that is worth a sound. Threads: a plain value.
+// Events at the keys and on the screen that are worth a sound. Threads: a plain value.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@ namespace touchline {
 
 enum class ScreenEvent : std::uint8_t {
     key_taken,
-    key_refused,    // it means nothing here
-    list_end,       // the list begins anew
+    key_refused,    // the key means nothing here
+    list_end,       // the list starts again
     picture_ready,  // another picture is felt
     picture_failed,
     label_reached,  // the hand came to a named spot
@@ -17,7 +17,7 @@ enum class ScreenEvent : std::uint8_t {
     progress,       // work is under way
     time_out,       // is anybody there?
     shutter,        // the camera took a picture
-    news,           // a stick came, words were found
+    news,           // a stick was plugged in, or words were found
 };
 
 inline constexpr std::size_t screen_event_count = 11;

@@ -6,9 +6,9 @@ namespace touchline {
 namespace {
 
 constexpr std::int64_t second_ns = 1'000'000'000;
-constexpr std::int64_t jump_ns = 50'000'000;  // more is no jitter: the device stood still
+constexpr std::int64_t jump_ns = 50'000'000;  // more is not jitter: the device stood still
 
-/// Without overflow for thousands of years.
+/// Does not overflow for thousands of years.
 std::int64_t ns_of(FrameTime frame) {
     return frame / frame_rate_Hz * second_ns + frame % frame_rate_Hz * second_ns / frame_rate_Hz;
 }

@@ -1,4 +1,4 @@
-// Which frame sounds at which time. Threads: told() by the rendering thread, the rest by any.
+// Tells which frame sounds at which time. Threads: told() by the rendering thread, the rest by any.
 #pragma once
 
 #include "audio-cues/synth/frames.h"
@@ -9,16 +9,17 @@
 
 namespace touchline {
 
-/// Two clocks drift and a device asks in bursts: what is told is smoothed, so that sounds keep the
-/// times between them.
+/// Smooths the times it is told, because two clocks drift and a device asks in bursts; so sounds
+/// keep the times between them.
 class FrameClock {
   public:
-    /// The mixer is about to render `frame`, at `now_ns` of the monotonic clock.
+    /// Tells the clock that the mixer is about to render `frame`, at `now_ns` of the monotonic
+    /// clock.
     void told(FrameTime frame, std::int64_t now_ns);
 
-    /// The frame to stamp what happened at `time_ns` with, so that it is heard a block later than
-    /// the mixer was there and is not over yet: the limiter delays it by the rest of that block. 0,
-    /// which means now, before anything was told.
+    /// Returns the frame to stamp an event at `time_ns` with. It has not been rendered yet, and is
+    /// heard one block after the mixer was at that time: the limiter adds the rest of that block.
+    /// Returns 0, which means now, before told() was called.
     [[nodiscard]] FrameTime frame_at(std::int64_t time_ns) const;
 
     static constexpr int lead_frames = block_frames - Limiter::look_ahead_frames;

@@ -1,4 +1,5 @@
-// Whether headphones are in: what is known of it, from whom, and which output that makes.
+// Whether headphones are plugged in: what is known, from which source, and which output that
+// selects.
 // Threads: values and pure functions; a source belongs to one thread.
 #pragma once
 
@@ -12,13 +13,13 @@
 
 namespace touchline {
 
-/// Who tells, the surest first: a key of the keypad that has the socket, the switch of a sound chip
-/// as an input device, the same as a control of the sound card.
+/// The sources, the surest first: a key of the keypad that has the socket, a sound chip's switch as
+/// an input device, and the same as a control of the sound card.
 enum class HeadphoneSource : std::uint8_t { keypad, input_switch, jack_control };
 
 inline constexpr std::size_t headphone_source_count = 3;
 
-/// One of them. None of them need be there.
+/// One source. A kiosk may have none of them.
 class HeadphonePresence {
   public:
     virtual ~HeadphonePresence() = default;
@@ -28,18 +29,19 @@ class HeadphonePresence {
     HeadphonePresence& operator=(const HeadphonePresence&) = delete;
     HeadphonePresence& operator=(HeadphonePresence&&) = delete;
 
-    /// Often, 60 times a second say; never waits. Nothing: this source does not know.
+    /// Call often, such as 60 times a second; never waits. Returns nothing if this source does not
+    /// know.
     [[nodiscard]] virtual std::optional<bool> are_in(double now_s) = 0;
 };
 
-/// What each source said last, in the order of HeadphoneSource.
+/// Each source's last report, in the order of HeadphoneSource.
 using HeadphoneReports = std::array<std::optional<bool>, headphone_source_count>;
 
-/// By the surest source that knows; nothing where none does.
+/// Returns the report of the surest source that knows; nothing if none does.
 [[nodiscard]] std::optional<bool> are_headphones_in(const HeadphoneReports& reports);
 
-/// The output that is heard: the headset while headphones are in, the speaker while they are not,
-/// and what the operator assumes where nobody knows.
+/// Returns the output that is heard: the headset while headphones are in, the speaker while they
+/// are not, and the operator's assumption if no source knows.
 [[nodiscard]] OutputKind output_kind(std::optional<bool> are_in, const SoundSettings& settings);
 
 [[nodiscard]] const OutputProfile& profile_of(OutputKind kind, const SoundSettings& settings);

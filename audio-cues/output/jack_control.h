@@ -1,4 +1,4 @@
-// Headphones by the control that a sound card has for its socket ("Headphone Jack").
+// Detects headphones by a sound card's control for its socket ("Headphone Jack").
 // Threads: one.
 #pragma once
 
@@ -12,24 +12,24 @@
 
 namespace touchline {
 
-/// One switch of a card that tells rather than sets.
+/// A switch of a card that reports rather than sets.
 struct CardSwitch {
     std::string name;
     bool is_on = false;
 };
 
-/// "Headphone Jack", "Front Headphone Jack", "Headphone Mic Jack", "Headset Jack"; not the phantom
-/// jacks of cards that cannot tell, and no microphone's.
+/// True for "Headphone Jack", "Front Headphone Jack", "Headphone Mic Jack", "Headset Jack"; not for
+/// the phantom jacks of cards that cannot tell, nor for a microphone's.
 [[nodiscard]] bool is_headphone_jack(std::string_view control);
 
-/// In, if one of the headphone jacks is on; nothing where there is none.
+/// Returns whether one of the headphone jacks is on; nothing if there are none.
 [[nodiscard]] std::optional<bool> are_headphones_in(const std::vector<CardSwitch>& switches);
 
-/// The switches of every card's jacks, as ALSA tells them; a card that cannot be asked has none.
-/// Takes a millisecond.
+/// Returns the switches of every card's jacks, as ALSA reports them; a card that cannot be asked
+/// has none. Takes a millisecond.
 [[nodiscard]] std::vector<CardSwitch> card_switches();
 
-/// Asks the cards every `period_s`: they may come and go with a USB headset.
+/// Asks the cards every `period_s`, because they may come and go with a USB headset.
 class JackControl final : public HeadphonePresence {
   public:
     using Ask = std::function<std::vector<CardSwitch>()>;

@@ -34,7 +34,8 @@ VolumeChange change_volume(const OutputProfile& profile, std::size_t step, int c
 SetOutput output_of(const OutputProfile& profile, std::size_t step) {
     const double gain_dB =
         level_dB_of(profile, step) - profile.full_scale_dB + speech_below_full_dB;
-    // The middle gives each ear the square root of a half: the cap is of what arrives.
+    // The middle gives each ear the square root of a half, so the cap applies to what arrives
+    // there.
     const double cap = gain_of_dB(profile.cap_dB - profile.full_scale_dB - 3.01);
     return {gain_of_dB(gain_dB), std::min(cap, 1.0), profile.is_mono};
 }

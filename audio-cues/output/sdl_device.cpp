@@ -9,10 +9,10 @@
 namespace touchline {
 namespace {
 
-/// ALSA prints a page of it for every card that is not there; SDL says what matters.
+/// ALSA prints a page for every missing card; SDL reports what matters.
 void say_nothing(const char*, int, const char*, int, const char*, ...) {}
 
-/// What SDL prints, its errors tell as well.
+/// SDL's errors also tell what SDL prints.
 void log_nothing(void*, int, SDL_LogPriority, const char*) {}
 
 }  // namespace
@@ -28,7 +28,7 @@ Result<void> SdlDevice::open(FrameSource source) {
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     snd_lib_error_set_handler(&say_nothing);
     SDL_LogSetOutputFunction(&log_nothing, nullptr);
-    // Begun anew each time: a driver that came back is looked for again.
+    // Initialized anew each time, so that it looks for a driver that came back.
     if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) {
         return failure(std::string("There is no sound: ") + SDL_GetError());
     }

@@ -1,4 +1,5 @@
-// A sound card by SDL2: PipeWire, PulseAudio or ALSA, whichever there is. Threads: sound_device.h.
+// A sound card through SDL2: PipeWire, PulseAudio or ALSA, whichever exists. Threads:
+// sound_device.h.
 #pragma once
 
 #include "audio-cues/output/sound_device.h"
@@ -7,8 +8,8 @@
 
 namespace touchline {
 
-/// SDL_AUDIODRIVER of the environment chooses the driver (in tests `dummy` and `disk`). No signal
-/// handler is installed, and no window is needed.
+/// The environment's SDL_AUDIODRIVER chooses the driver (in tests `dummy` and `disk`). Installs no
+/// signal handler and needs no window.
 class SdlDevice final : public SoundDevice {
   public:
     ~SdlDevice() override { close(); }

@@ -10,7 +10,7 @@
 
 namespace touchline {
 
-/// Fills the frames, all of them, at once.
+/// Fills all the frames at once.
 using FrameSource = std::function<void(std::span<StereoFrame>)>;
 
 class SoundDevice {
@@ -22,14 +22,14 @@ class SoundDevice {
     SoundDevice& operator=(const SoundDevice&) = delete;
     SoundDevice& operator=(SoundDevice&&) = delete;
 
-    /// Closed before. From here on the device asks `source`, a block at a time. One line where
-    /// there is none, or it is in use.
+    /// The device must be closed before. From here on it asks `source` for frames, a block at a
+    /// time. Fails with one line if there is no device or it is in use.
     [[nodiscard]] virtual Result<void> open(FrameSource source) = 0;
 
-    /// Returns once the source is not being asked any more. May be closed already.
+    /// Returns once the source is not being asked any more. The device may be closed already.
     virtual void close() = 0;
 
-    /// Open, but unplugged: the system said so.
+    /// True if it is open but unplugged, as the system reports.
     [[nodiscard]] virtual bool is_gone() const = 0;
 };
 

@@ -41,7 +41,7 @@ void SoundOutput::lose(std::int64_t now_ns, std::string problem) {
     nowhere_ns_ = now_ns;
 }
 
-/// At most a second at once, should the caller have been away.
+/// Renders at most a second at once, in case the caller has been away.
 void SoundOutput::render_to_nowhere(std::int64_t now_ns) {
     const double since_s = static_cast<double>(now_ns - nowhere_ns_) / ns_per_s;
     const auto due = nowhere_frame_ + static_cast<FrameTime>(since_s * frame_rate_Hz);

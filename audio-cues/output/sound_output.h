@@ -1,4 +1,4 @@
-// The mixer's way to a device that may be missing, lost or busy. Threads: one, and the device's.
+// Connects the mixer to a device that may be missing, lost or busy. Threads: one, and the device's.
 #pragma once
 
 #include "audio-cues/output/frame_clock.h"
@@ -12,7 +12,8 @@ namespace touchline {
 
 class SoundOutput {
   public:
-    /// The mixer must outlive the output. Nothing is opened yet. `clock_ns` is the monotonic clock.
+    /// The mixer must outlive the output. The constructor opens nothing. `clock_ns` is the
+    /// monotonic clock.
     SoundOutput(std::unique_ptr<SoundDevice> device, Mixer& mixer,
                 std::function<std::int64_t()> clock_ns);
 
@@ -23,18 +24,18 @@ class SoundOutput {
     SoundOutput& operator=(const SoundOutput&) = delete;
     SoundOutput& operator=(SoundOutput&&) = delete;
 
-    /// Often, 60 times a second say. Opens the device; closes one that is gone or asked for nothing
-    /// during stall_s, and tries again every retry_s. Meanwhile the mixer renders to nowhere at its
-    /// pace, so that speech comes to its ends and everything else goes on.
+    /// Call often, such as 60 times a second. Opens the device; closes it if it is gone or asked
+    /// for nothing during stall_s, and tries again every retry_s. Meanwhile the mixer renders to
+    /// nowhere at its usual pace, so that speech comes to its ends and everything else goes on.
     void step();
 
-    /// Somebody hears it. The screen says where nobody does.
+    /// True if a device plays. The screen says so if none does.
     [[nodiscard]] bool is_working() const { return is_open_; }
 
-    /// Why not; empty where it works.
+    /// Why no device plays; empty if one does.
     [[nodiscard]] const std::string& problem() const { return problem_; }
 
-    /// For time stamps of commands.
+    /// The clock for time stamps of commands.
     [[nodiscard]] const FrameClock& clock() const { return frame_clock_; }
 
     static constexpr double stall_s = 0.5;
@@ -53,7 +54,7 @@ class SoundOutput {
     std::string problem_ = "Sound has not begun.";
     bool was_tried_ = false;
     std::int64_t tried_ns_ = 0;
-    FrameTime seen_frame_ = 0;     // that the device asked for
+    FrameTime seen_frame_ = 0;     // last frame the device asked for
     std::int64_t moved_ns_ = 0;    // when that last changed
     FrameTime nowhere_frame_ = 0;  // where rendering to nowhere began
     std::int64_t nowhere_ns_ = 0;

@@ -6,8 +6,8 @@
 
 #include <espeak-ng/speak_lib.h>
 
-/// In place of libpcaudio's: the engine would look for a sound device though it is to play nothing,
-/// and connect to the user's sound server by a thread of its own.
+/// Replaces libpcaudio's function: the engine would look for a sound device although it plays
+/// nothing, and connect to the user's sound server by a thread of its own.
 extern "C" void* create_audio_device_object(const char*, const char*, const char*) {
     return nullptr;
 }
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int piece_ms = 20;
 
-const SpeechSink* current_sink = nullptr;  // the library has one callback a process
+const SpeechSink* current_sink = nullptr;  // the library has one callback per process
 
 int take_samples(short* samples, int count, espeak_EVENT*) {
     if (samples == nullptr || count <= 0 || current_sink == nullptr) return 0;
@@ -40,9 +40,9 @@ Result<EspeakEngine> EspeakEngine::start(const std::string& voice) {
         return failure("The speech engine has no voice " + voice + ".");
     }
     EspeakEngine engine;
-    // So that every file has been read: the engine leaves to the English rules what a voice cannot
-    // read itself (here a Chinese character), and with a second copy of them, since 1.52, the words
-    // that a dictionary marks as English.
+    // Makes the engine read every file now: it leaves to the English rules what a voice cannot read
+    // itself (here a Chinese character) and, with a second copy of them since 1.52, the words that
+    // a dictionary marks as English.
     engine.speak("a 你 software", {}, [](std::span<const std::int16_t>) { return true; });
     return engine;
 }

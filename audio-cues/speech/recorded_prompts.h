@@ -14,21 +14,21 @@ namespace touchline {
 
 class RecordedPrompts {
   public:
-    /// None.
+    /// Has no prompts.
     RecordedPrompts() = default;
 
-    /// Of FOLDER/LANGUAGE/index.txt: one prompt a line, a file of that folder (wav.h), a tab and
-    /// the text that it says. A folder without languages has none. What cannot be used is left to
-    /// the synthetic voice, and `problems` has one line for each.
+    /// Reads FOLDER/LANGUAGE/index.txt: one prompt a line, with a file of that folder (wav.h), a
+    /// tab and the text that it speaks. A folder without languages has no prompts. Unusable prompts
+    /// are left to the synthetic voice, and `problems` gets one line for each.
     [[nodiscard]] static RecordedPrompts read(const std::string& folder,
                                               std::vector<std::string>& problems);
 
-    /// One more, of a text in a language (code, as of Language), mono at frame_rate_Hz, full scale
-    /// 1; it takes the place of an earlier one. Before others ask, or by the thread that asks.
+    /// Adds a prompt for a text in a language (code, as of Language), mono at frame_rate_Hz, full
+    /// scale 1; it replaces an earlier one. Call before others ask, or from the thread that asks.
     void add(std::string language, std::string text, std::vector<float> samples);
 
-    /// Mono at frame_rate_Hz, of the whole text in that language; null where nobody recorded it.
-    /// O(log prompts).
+    /// Returns the recording of the whole text in that language, mono at frame_rate_Hz; null if
+    /// nobody recorded it. O(log prompts).
     [[nodiscard]] const std::vector<float>* of(const Utterance& utterance) const;
 
     [[nodiscard]] std::size_t size() const { return prompts_.size(); }

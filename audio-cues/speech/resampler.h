@@ -1,4 +1,4 @@
-// Sound of any rate at the mixer's.
+// Converts sound of any rate to the mixer's.
 #pragma once
 
 #include <memory>
@@ -12,9 +12,9 @@ namespace touchline {
 inline constexpr int least_rate_Hz = 8000;
 inline constexpr int most_rate_Hz = 192000;
 
-/// From `rate_Hz`, least_rate_Hz to most_rate_Hz, to frame_rate_Hz, by libsamplerate's windowed
-/// sinc: what lies below 9/10 of the lower half rate passes within 0.1 dB, images are below -70 dB.
-/// Nothing is delayed. Threads: one thread's.
+/// Converts `rate_Hz`, least_rate_Hz to most_rate_Hz, to frame_rate_Hz by libsamplerate's windowed
+/// sinc: sound below 9/10 of half the lower rate passes within 0.1 dB, and images are below -70 dB.
+/// Adds no delay. Threads: one thread's.
 class Resampler {
   public:
     /// Throws std::bad_alloc.
@@ -23,7 +23,7 @@ class Resampler {
     /// O(samples).
     void add(std::span<const float> samples, std::vector<float>& out);
 
-    /// The end of the sound; nothing may be added after it.
+    /// Ends the sound; nothing may be added after it.
     void finish(std::vector<float>& out);
 
   private:
@@ -37,7 +37,8 @@ class Resampler {
     double ratio_;
 };
 
-/// All of a sound at once, within a sample as long as before. Threads: a pure function.
+/// Converts a whole sound at once; its length stays the same within a sample. Threads: a pure
+/// function.
 [[nodiscard]] std::vector<float> at_frame_rate(std::span<const float> samples, int rate_Hz);
 
 }  // namespace touchline

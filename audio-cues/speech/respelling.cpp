@@ -12,10 +12,10 @@ constexpr std::string_view ellipsis = "\u2026";
 constexpr std::string_view hard_blank = "\u00a0";
 constexpr std::string_view thin_blank = "\u202f";
 
-/// Before a word they hide nothing of it.
+/// Signs that may stand before a word without hiding any of it.
 constexpr std::array<std::string_view, 6> opening{"\u201c", "\u201e", "\u00ab", "\"", "(", "'"};
 
-/// Signs beyond ASCII that part words.
+/// Signs beyond ASCII that separate words.
 constexpr std::array<std::string_view, 9> parting{
     "\u2019", "\u201c", "\u201d", "\u201e", "\u00ab", "\u00bb", ellipsis, hard_blank, thin_blank};
 
@@ -53,7 +53,7 @@ bool goes_on_after(std::string_view after) {
     return is_letter_or_digit(after.front()) || after.starts_with('-');
 }
 
-/// A number or two letters come next.
+/// Returns whether a number or two letters come next.
 bool is_before_word(std::string_view after) {
     for (const auto sign : opening)
         if (after.starts_with(sign)) after.remove_prefix(sign.size());

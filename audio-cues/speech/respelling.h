@@ -1,5 +1,5 @@
-// What a voice says wrong, written so that it says it right: the voice alone gets it, never a
-// screen or a caption. Threads: pure functions.
+// Rewrites what a voice says wrong so that it says it right. Only the voice gets the result, never
+// a screen or a caption. Threads: pure functions.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 namespace touchline {
 
 struct Respelling {
-    std::string written;  // whole words; letters count as they are, small or capital
+    std::string written;  // whole words; case does not matter
     std::string spoken;
-    bool is_before_word = false;  // only where a number or a word of two letters or more is next
+    bool is_before_word = false;  // only if a number or a word of two or more letters follows
 };
 
-/// The rows of a catalogue's text (Language::respelling()): "A … = A …; A = eh; 1:… = une heure:…".
-/// "…" stands for the word that must follow. What has no "=" is passed over. O(length).
+/// Parses the rows of a catalogue's text (Language::respelling()): "A … = A …; A = eh; 1:… = une
+/// heure:…". "…" stands for the word that must follow. Skips rows without "=". O(length).
 [[nodiscard]] std::vector<Respelling> respellings_of(std::string_view table);
 
-/// At each place the first row that fits is taken; what it gives is not read again.
-/// O(length * rows).
+/// Takes the first fitting row at each place; does not read its replacement again. O(length *
+/// rows).
 [[nodiscard]] std::string respelled(std::string_view text, const std::vector<Respelling>& rows);
 
 }  // namespace touchline

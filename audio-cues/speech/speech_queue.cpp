@@ -18,7 +18,7 @@ void SpeechQueue::end_current(bool was_interrupted) {
     current_.reset();
 }
 
-/// The highest priority that waits, unless something is being said.
+/// Begins the waiting utterance of highest priority, unless something is being said.
 SpeechOrder SpeechQueue::begin_next(bool stop, double now_s) {
     if (current_ || waiting_.empty()) return {stop, std::nullopt};
     const auto next = std::max_element(

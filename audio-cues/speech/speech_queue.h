@@ -1,4 +1,4 @@
-// What is said, what waits, and what was said: a pure state machine.
+// What is being said, what waits, and what has been said: a pure state machine.
 // Threads: plain values; one thread's.
 #pragma once
 
@@ -10,8 +10,9 @@
 
 namespace touchline {
 
-/// hint: waits for its turn, and goes when anything else is said. text: cuts hints and older text.
-/// safety: must be heard; cuts all else, is cut by nothing, and one waits for the other.
+/// hint: waits for its turn, and is dropped when anything else is said. text: cuts hints and older
+/// text. safety: must be heard; cuts everything else and is cut by nothing; several wait for one
+/// another.
 enum class SpeechPriority : std::uint8_t { hint, text, safety };
 
 struct Utterance {
@@ -20,7 +21,7 @@ struct Utterance {
     SpeechPriority priority = SpeechPriority::text;
 };
 
-/// Of something that was said, for captions and tests.
+/// Something that was said, for captions and tests.
 struct SpeechRecord {
     double begin_s = 0.0;
     std::string language;
@@ -28,38 +29,38 @@ struct SpeechRecord {
     bool was_interrupted = false;
 };
 
-/// What the voice has to do: first stop, where it is to, then begin.
+/// What the voice must do: first stop, if asked to, then begin.
 struct SpeechOrder {
     bool stop = false;
     std::optional<Utterance> begin;
 };
 
-/// Times never go back; `now_s` is any clock. Every call O(waiting).
+/// Times never go back; `now_s` is from any clock. Every call is O(waiting).
 class SpeechQueue {
   public:
     [[nodiscard]] SpeechOrder say(const Utterance& utterance, double now_s);
 
-    /// A key was pressed: all but safety is cut and forgotten.
+    /// A key was pressed: cuts and forgets everything except safety.
     [[nodiscard]] SpeechOrder stop(double now_s);
 
-    /// The voice came to the end of what it was saying.
+    /// The voice has finished what it was saying.
     [[nodiscard]] SpeechOrder finished(double now_s);
 
-    /// Says again what was said last (the one being said, if any), as text.
+    /// Says the last utterance again (the current one, if any), as text.
     [[nodiscard]] SpeechOrder repeat(double now_s);
 
-    /// The next call resumes. Whatever begins to be said ends a pause.
+    /// Pauses; the next call resumes. Any new utterance ends a pause.
     bool toggle_pause() { return is_paused_ = !is_paused_ && current_.has_value(); }
 
     [[nodiscard]] bool is_paused() const { return is_paused_; }
 
-    /// What is being said now: the caption.
+    /// The current utterance, for the caption.
     [[nodiscard]] const std::optional<Utterance>& current() const { return current_; }
 
-    /// The last 200 that ended, oldest first. Nothing of it is ever written to a file.
+    /// The last 200 that ended, oldest first. None of it is ever written to a file.
     [[nodiscard]] const std::deque<SpeechRecord>& transcript() const { return transcript_; }
 
-    /// Nothing of a visitor stays.
+    /// Forgets everything about a visitor.
     void forget() { *this = SpeechQueue{}; }
 
   private:
@@ -68,7 +69,7 @@ class SpeechQueue {
 
     std::optional<Utterance> current_;
     double begin_s_ = 0.0;
-    std::vector<Utterance> waiting_;  // of one priority first come, first said
+    std::vector<Utterance> waiting_;  // within a priority, first come, first said
     std::optional<Utterance> last_;
     std::deque<SpeechRecord> transcript_;
     bool is_paused_ = false;

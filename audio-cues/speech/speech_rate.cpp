@@ -9,7 +9,7 @@ namespace {
 
 struct Measured {
     double setting;
-    double per_minute;  // words of English, pauses between sentences included
+    double per_minute;  // words of English, including pauses between sentences
 };
 
 constexpr std::array<Measured, 11> by_rate{{{80, 102.3},
@@ -27,7 +27,7 @@ constexpr std::array<Measured, 11> by_rate{{{80, 102.3},
 constexpr std::array<Measured, 7> by_gap{
     {{20, 48.7}, {16, 53.9}, {12, 60.4}, {8, 68.6}, {4, 79.5}, {2, 86.2}, {0, 102.3}}};
 
-/// The setting for `per_minute`, between rows by a straight line, beyond them the last.
+/// Returns the setting for `per_minute`, linear between rows; beyond them the last one.
 int setting_for(double per_minute, std::span<const Measured> rows) {
     const double wanted = std::clamp(per_minute, rows.front().per_minute, rows.back().per_minute);
     std::size_t i = 1;

@@ -1,4 +1,4 @@
-// How fast speech is, in words a minute. Threads: constants and pure functions.
+// The speed of speech, in words a minute. Threads: constants and pure functions.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@ inline constexpr std::array<double, 7> speech_rates_per_minute{65.0,  80.0,  100
 
 inline constexpr std::size_t default_speech_rate = 3;
 
-/// What the engine is set to. The pitch is never part of it.
+/// The engine's settings. They never change the pitch.
 struct EngineRate {
     int words_per_minute = 175;  // by its own count, 80 ... 450
     int word_gap = 0;            // pause between words, in the engine's units
 };
 
-/// For a step of speech_rates_per_minute (clamped) in a language of this pace (Language::pace()).
-/// Measured: English has 102 words a minute at the engine's slowest, so what is slower is made by
-/// pauses between words, which also is easier to follow than stretched vowels.
+/// Returns the setting for a step of speech_rates_per_minute (clamped) in a language of this pace
+/// (Language::pace()). Measured: at the engine's slowest, English has 102 words a minute, so slower
+/// speech uses pauses between words, which are also easier to follow than stretched vowels.
 [[nodiscard]] EngineRate engine_rate(std::size_t step, double pace);
 
 }  // namespace touchline

@@ -23,7 +23,7 @@ std::uint32_t number_at(std::span<const char> bytes, std::size_t at, std::size_t
     return number;
 }
 
-/// The contents of a chunk of that name; nothing where it is missing or cut short.
+/// Returns the contents of the chunk with that name; nothing if it is missing or cut short.
 std::optional<std::span<const char>> chunk(std::span<const char> bytes, std::string_view name) {
     for (std::size_t at = 12; at + 8 <= bytes.size();) {
         const std::size_t size = number_at(bytes, at + 4, 4);

@@ -1,4 +1,4 @@
-// Values from any number of threads to one, without a lock.
+// Passes values from any number of threads to one, without a lock.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace touchline {
 
-/// Vyukov's bounded queue, with one reader. A writer never waits for the reader: where `capacity`
-/// (a power of two) wait to be read, push() gives up. The reader never waits for a writer. Order is
-/// kept per writer. Rejected: the ring of the servo, which has one writer only.
+/// Vyukov's bounded queue, with one reader. A writer never waits for the reader: if `capacity`
+/// values (a power of two) wait to be read, push() gives up. The reader never waits for a writer.
+/// Order is kept per writer. Rejected: the servo's ring, which has only one writer.
 template <class T, std::size_t capacity>
 class CommandQueue {
     static_assert(std::is_trivially_copyable_v<T>, "values are copied while nobody can wait");
@@ -24,7 +24,7 @@ class CommandQueue {
         for (std::size_t i = 0; i < capacity; ++i) slots_[i].turn.store(i);
     }
 
-    /// Any thread. False: full, and counted.
+    /// Any thread. Returns false, and counts the loss, if the queue is full.
     bool push(const T& value) {
         std::uint64_t end = end_.load(std::memory_order_relaxed);
         while (true) {
@@ -44,7 +44,7 @@ class CommandQueue {
         }
     }
 
-    /// The reader: the oldest that is whole.
+    /// The reader: returns the oldest complete value.
     std::optional<T> pop() {
         Slot& slot = slots_[begin_ % capacity];
         if (slot.turn.load(std::memory_order_acquire) != begin_ + 1) return std::nullopt;
@@ -54,7 +54,7 @@ class CommandQueue {
         return value;
     }
 
-    /// Any thread: so far.
+    /// Any thread: the number lost so far.
     [[nodiscard]] std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
 
   private:

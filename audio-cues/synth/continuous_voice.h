@@ -1,4 +1,4 @@
-// A sound that lasts and follows the hand: position tone, distance, sonar.
+// A continuous sound that follows the hand: position tone, distance, sonar.
 // Threads: a ContinuousTone is a value, the voice is the rendering thread's.
 #pragma once
 
@@ -18,12 +18,12 @@ struct ContinuousTone {
     Timbre timbre = Timbre::pure;
 };
 
-/// Glides to whatever it is told: the level within ramp_s, the pitch by 1/e in 20 ms.
+/// Glides to each new tone: the level within ramp_s, the pitch by 1/e in 20 ms.
 class ContinuousVoice {
   public:
     void set(const ContinuousTone& tone);
 
-    /// As Voice::add().
+    /// See Voice::add().
     void add(std::span<StereoFrame> out, double width);
 
     [[nodiscard]] bool is_silent() const { return level_.is_silent() && tail_left_ == 0; }

@@ -1,4 +1,4 @@
-// Makes room: a bus steps back while another sounds. Threads: the rendering thread's.
+// Lowers one bus while another sounds. Threads: the rendering thread's.
 #pragma once
 
 namespace touchline {
@@ -10,8 +10,8 @@ inline constexpr double duck_up_s = 0.25;    // all the way
 
 class Ducker {
   public:
-    /// `seconds` later, `is_other_sounding` all that time: the gain to arrive at, 1 where nothing
-    /// sounded for duck_hold_s and duck_up_s.
+    /// Advances by `seconds`, during which `is_other_sounding` holds. Returns the gain to arrive
+    /// at, 1 if nothing has sounded for duck_hold_s and duck_up_s.
     double step(bool is_other_sounding, double seconds);
 
     [[nodiscard]] double gain() const { return gain_; }

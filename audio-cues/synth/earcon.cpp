@@ -14,7 +14,7 @@ int frames_of(const Note& note) {
     return std::max(static_cast<int>(std::lround(note.length_s * frame_rate_Hz)), 2 * ramp_frames);
 }
 
-/// 0 ... 1 ... 0: swelling and fading at the ends of the note.
+/// Goes 0 ... 1 ... 0: swells and fades at the ends of the note.
 float swell(int frame, int frames) {
     const int from_end = std::min(frame, frames - frame);
     if (from_end >= ramp_frames) return 1.0F;

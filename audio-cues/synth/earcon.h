@@ -9,7 +9,7 @@
 
 namespace touchline {
 
-/// Swells and fades within ramp_s at its ends, so that it never clicks.
+/// A note that swells and fades within ramp_s at its ends, so that it never clicks.
 struct Note {
     double begin_Hz = 440.0;  // 0 ... 8000; 0: a rest
     double end_Hz = 440.0;    // glides there
@@ -26,10 +26,10 @@ struct Earcon {
 
 [[nodiscard]] double length_s(const Earcon& earcon);
 
-/// One earcon while it sounds.
+/// An earcon while it sounds.
 class Voice {
   public:
-    /// Nothing sounds.
+    /// Silent.
     Voice() = default;
     Voice(const Earcon& earcon, double gain, double pan);
 

@@ -1,4 +1,4 @@
-// What sound is made of here. Threads: constants and values.
+// The units of sound here. Threads: constants and values.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@ namespace touchline {
 
 inline constexpr int frame_rate_Hz = 48000;
 
-/// Rendered at once, at most; 2.7 ms.
+/// The most frames rendered at once; 2.7 ms.
 inline constexpr int block_frames = 128;
 
-/// What is written as a 16-bit sample, of which full scale is 32767.
+/// Converts a 16-bit sample, of which full scale is 32767.
 [[nodiscard]] constexpr float of_full_scale(std::int16_t sample) {
     return static_cast<float>(sample) / 32767.0F;
 }

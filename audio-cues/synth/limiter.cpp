@@ -14,7 +14,7 @@ float sound_of(float sample) {
 
 }  // namespace
 
-/// The lowest gain that any of the last `window` frames wants.
+/// Returns the lowest gain that any of the last `window` frames wants.
 float Limiter::lowest_gain(float wanted) {
     const auto at = [this](int i) -> Candidate& {
         return candidates_[static_cast<std::size_t>((oldest_ + i) % window)];
@@ -39,7 +39,7 @@ void Limiter::process(std::span<StereoFrame> frames, double cap) {
         const auto slot = static_cast<std::size_t>(frame_ % window);
         sum_ += static_cast<double>(released_) - static_cast<double>(smoothed_[slot]);
         smoothed_[slot] = released_;
-        if (slot == 0) {  // sums drift; begin anew once a window
+        if (slot == 0) {  // sums drift; start again once a window
             sum_ = 0.0;
             for (const float gain : smoothed_) sum_ += static_cast<double>(gain);
         }

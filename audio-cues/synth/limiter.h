@@ -1,4 +1,5 @@
-// No sample beyond a cap, whatever comes in: the ears' safety. Threads: the rendering thread's.
+// Keeps every sample below a cap, whatever comes in, for the safety of ears. Threads: the rendering
+// thread's.
 #pragma once
 
 #include "audio-cues/synth/frames.h"
@@ -8,15 +9,16 @@
 
 namespace touchline {
 
-/// Looks `look_ahead_frames` ahead: the gain goes down before a peak arrives, without distorting
-/// what is below the cap, and comes back by 1/e in 100 ms.
+/// Looks `look_ahead_frames` ahead, so that the gain goes down before a peak arrives, without
+/// distorting what is below the cap; it comes back by 1/e in 100 ms.
 class Limiter {
   public:
-    /// 1.3 ms, by which everything is later.
+    /// 1.3 ms, by which it delays everything.
     static constexpr int look_ahead_frames = 64;
 
-    /// In place, `look_ahead_frames` later. No |sample| of the output is above `cap` (0 ... 1, else
-    /// 0: silence); what is not finite is silence. O(frames), and a peak costs no more than others.
+    /// Works in place, `look_ahead_frames` late. No |sample| of the output is above `cap` (0 ... 1,
+    /// else 0: silence); samples that are not finite become silence. O(frames), and a peak costs no
+    /// more than others.
     void process(std::span<StereoFrame> frames, double cap);
 
   private:

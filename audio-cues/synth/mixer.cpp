@@ -26,7 +26,7 @@ void Mixer::render(std::span<StereoFrame> out) {
     rendered_.store(frame_, std::memory_order_release);
 }
 
-/// Into `pending_`, those of one frame in the order in which they came.
+/// Moves commands into `pending_`; those of one frame keep their order.
 void Mixer::take_commands() {
     while (pending_count_ < pending_.size()) {
         const auto command = queue_.pop();

@@ -1,4 +1,4 @@
-// All that is heard, as a function of the commands: no device, no clock.
+// Everything that is heard, as a function of the commands: no device, no clock.
 #pragma once
 
 #include "audio-cues/synth/command_queue.h"
@@ -19,7 +19,7 @@ enum class Bus : std::uint8_t { speech, earcon, continuous, alert };
 
 inline constexpr std::size_t bus_count = 4;
 
-/// On the bus earcon or alert. At most Mixer::voice_count sound at once; more are dropped.
+/// Sounds on the earcon or alert bus. At most Mixer::voice_count sound at once; more are dropped.
 struct PlayEarcon {
     Earcon earcon;
     double level = 1.0;  // 0 ... 1
@@ -40,15 +40,15 @@ struct PauseSpeech {
     bool is_paused = false;
 };
 
-/// The output's side, from its profile (audio-cues/output/profile.h).
+/// The output's setting, from its profile (audio-cues/output/profile.h).
 struct SetOutput {
     double gain = 1.0;     // volume and calibration
-    double cap = 1.0;      // peak that no sample exceeds, 0 ... 1
+    double cap = 1.0;      // no sample exceeds this peak, 0 ... 1
     bool is_mono = false;  // the same for both ears
 };
 
 struct MixerCommand {
-    FrameTime frame = 0;  // to the frame; a past one means now
+    FrameTime frame = 0;  // exact frame; a past one means now
     std::variant<PlayEarcon, SetContinuous, SetBusLevel, PauseSpeech, SetOutput> what;
 };
 
@@ -58,24 +58,25 @@ class Mixer {
   public:
     static constexpr int voice_count = 8;
 
-    /// Frames that everything is late by: the limiter's look-ahead.
+    /// The delay of everything, in frames: the limiter's look-ahead.
     static constexpr int latency_frames = Limiter::look_ahead_frames;
 
     /// Counts frames from `first`.
     explicit Mixer(FrameTime first = 0) : frame_(first), rendered_(first) {}
 
-    /// Any thread, never waits. False: 256 wait already, and the command is lost.
+    /// Any thread, never waits. Returns false if 256 wait already; then the command is lost.
     bool send(const MixerCommand& command) { return queue_.push(command); }
 
     [[nodiscard]] SpeechFeed& speech() { return speech_; }
 
-    /// The next frames, any number. O(frames).
+    /// Renders the next frames, any number. O(frames).
     void render(std::span<StereoFrame> out);
 
     /// Any thread: the frame that the next render() begins with.
     [[nodiscard]] FrameTime now() const { return rendered_.load(std::memory_order_acquire); }
 
-    /// Any thread: commands that were lost, and earcons that found no voice, so far.
+    /// Any thread: the number of commands that were lost and of earcons that found no voice, so
+    /// far.
     [[nodiscard]] std::uint64_t lost() const {
         return queue_.dropped() + dropped_.load(std::memory_order_relaxed);
     }

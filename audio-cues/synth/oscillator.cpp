@@ -8,7 +8,7 @@ namespace touchline {
 namespace {
 
 constexpr std::size_t table_size = 2048;
-using Table = std::array<float, table_size + 1>;  // the first again at the end
+using Table = std::array<float, table_size + 1>;  // repeats the first at the end
 
 Table table_of(const std::array<double, 3>& harmonics, const std::array<int, 3>& numbers) {
     Table table;

@@ -1,4 +1,4 @@
-// Left and right, told by level and by time.
+// Places sound left and right by level and by time.
 // Threads: pure functions; a PannedSource is the rendering thread's.
 #pragma once
 
@@ -9,28 +9,28 @@
 
 namespace touchline {
 
-/// A listener with one good ear still hears what is on the other side.
+/// The limit lets a listener with one good ear still hear the other side.
 inline constexpr double pan_limit_dB = 20.0;
 
-/// What the far ear hears later.
+/// The delay of the far ear.
 inline constexpr double far_ear_delay_s = 0.0006;
 
 struct Ears {
-    float left_gain = 0.0F;  // squares add up to 1
+    float left_gain = 0.0F;  // squares sum to 1
     float right_gain = 0.0F;
     float left_delay_frames = 0.0F;  // one of the two is 0
     float right_delay_frames = 0.0F;
 };
 
 /// `pan`: -1 left ... 1 right, clamped; NaN is the middle. Constant power; the difference in dB
-/// reaches pan_limit_dB at the sides. The middle is the same for both ears bit for bit.
+/// reaches pan_limit_dB at the sides. In the middle both ears are the same, bit for bit.
 [[nodiscard]] Ears ears_of(double pan);
 
 /// A mono sound at a place that may move. It sounds far_ear_delay_s longer than it is fed.
 class PannedSource {
   public:
-    /// Adds `mono` (at most block_frames) to `out`, of the same length, and moves to `pan` on the
-    /// way; the first call begins there. O(frames).
+    /// Adds `mono` (at most block_frames) to `out`, of the same length, and moves to `pan`
+    /// meanwhile; the first call begins there. O(frames).
     void add(std::span<const float> mono, double pan, std::span<StereoFrame> out);
 
     static constexpr int tail_frames = 32;

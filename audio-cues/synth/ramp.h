@@ -7,10 +7,10 @@
 
 namespace touchline {
 
-/// Long enough for no click, short enough for no lag.
+/// Long enough to avoid a click, short enough to avoid a lag.
 inline constexpr double ramp_s = 0.005;
 
-/// From one value to another along 3t^2 - 2t^3, so that the slope is continuous at both ends.
+/// Moves from one value to another along 3t^2 - 2t^3, so that the slope is continuous at both ends.
 class Ramp {
   public:
     explicit Ramp(double value = 0.0, double length_s = ramp_s)
@@ -18,7 +18,7 @@ class Ramp {
           to_(from_),
           step_(static_cast<float>(1.0 / (length_s * frame_rate_Hz))) {}
 
-    /// From where it is now. What is not finite counts as 0.
+    /// Starts from the present value. A target that is not finite counts as 0.
     void go_to(double target) {
         const float wanted = std::isfinite(target) ? static_cast<float>(target) : 0.0F;
         if (wanted == to_) return;
@@ -27,7 +27,7 @@ class Ramp {
         progress_ = 0.0F;
     }
 
-    /// At once: for a sound that begins here.
+    /// Jumps at once: for a sound that begins here.
     void start_at(double value) { *this = Ramp(value, 1.0 / (double(step_) * frame_rate_Hz)); }
 
     [[nodiscard]] float value() const {
@@ -36,7 +36,7 @@ class Ramp {
         return from_ + (to_ - from_) * t * t * (3.0F - 2.0F * t);
     }
 
-    /// The value of the next frame.
+    /// Returns the next frame's value.
     float next() {
         if (!is_still()) progress_ += step_;
         return value();

@@ -35,7 +35,7 @@ float SpeechFeed::next(bool is_paused) {
     }
     const bool is_late = read_ == written_;
     if (is_paused ? level_.is_silent() : is_late) return 0.0F;
-    // A pause fades while the voice is late, too: else what comes then would sound in the pause.
+    // A pause also fades while the voice is late; otherwise late samples would sound in the pause.
     const float level = level_.next();
     return is_late ? 0.0F : level * samples_[read_++ % samples_.size()];
 }

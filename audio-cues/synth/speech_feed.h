@@ -1,4 +1,4 @@
-// Samples of speech on their way to the mixer: from one thread to one, without a lock.
+// Passes samples of speech to the mixer, from one thread to one, without a lock.
 #pragma once
 
 #include "audio-cues/synth/ramp.h"
@@ -11,23 +11,23 @@
 
 namespace touchline {
 
-/// Mono at frame_rate_Hz. Writer: whoever makes speech; reader: the rendering thread.
+/// Mono at frame_rate_Hz. Writer: the thread that makes speech; reader: the rendering thread.
 class SpeechFeed {
   public:
     /// Holds `capacity_frames`, one second by default.
     explicit SpeechFeed(std::size_t capacity_frames = frame_rate_Hz);
 
-    /// Writer: appends as much as there is room for; returns how much. Never waits.
+    /// Writer: appends as many samples as there is room for and returns how many. Never waits.
     std::size_t write(std::span<const float> samples);
 
-    /// Writer: what was written so far is not to be heard any more. It fades within ramp_s.
+    /// Writer: drops everything written so far. It fades within ramp_s.
     void cut() { cut_.store(end_.load(std::memory_order_relaxed), std::memory_order_release); }
 
-    /// Any thread: frames that wait, cut or not.
+    /// Any thread: the number of waiting frames, cut or not.
     [[nodiscard]] std::size_t waiting() const;
 
-    /// Reader: the next frames, 0 after the last; while `is_paused` nothing is used up, after a
-    /// fade. Returns whether speech sounds: any frame was read. O(frames).
+    /// Reader: gives the next frames, 0 after the last. While `is_paused`, nothing is used up,
+    /// after a fade. Returns whether speech sounds, which means any frame was read. O(frames).
     bool read(std::span<float> out, bool is_paused);
 
   private:
@@ -36,8 +36,8 @@ class SpeechFeed {
     std::vector<float> samples_;
     std::atomic<std::uint64_t> end_{0};
     std::atomic<std::uint64_t> begin_{0};
-    std::atomic<std::uint64_t> cut_{0};  // up to here it is not wanted
-    Ramp level_{1.0};                    // the reader's, as is all below
+    std::atomic<std::uint64_t> cut_{0};  // frames up to here are dropped
+    Ramp level_{1.0};                    // the reader's, like everything below
     std::uint64_t cut_seen_ = 0;
     std::uint64_t read_ = 0;
     std::uint64_t written_ = 0;

@@ -1,4 +1,4 @@
-// What cues say in words. Threads: pure functions.
+// Puts cues into words. Threads: pure functions.
 #pragma once
 
 #include "audio-cues/cues/guidance.h"
@@ -8,10 +8,10 @@
 
 namespace touchline {
 
-/// "upper left".
+/// Returns words such as "upper left".
 [[nodiscard]] std::string words_of(Place place, const Language& language);
 
-/// The name of a sound, as the list of sounds says it.
+/// Returns the name of a sound, as in the list of sounds.
 [[nodiscard]] std::string words_of(Cue cue, const Language& language);
 
 }  // namespace touchline

@@ -18,7 +18,8 @@ namespace {
 
 using Messages = boost::locale::message_format<char>;
 
-/// `pattern` with its {n} replaced. Rather than fmt: a catalogue's slip must not throw.
+/// Returns `pattern` with its {n} replaced. Not fmt, because a mistake in a catalogue must not
+/// throw.
 std::string filled(std::string_view pattern, std::span<const std::string_view> values) {
     std::string text;
     while (!pattern.empty()) {
@@ -46,7 +47,7 @@ Messages* messages_of(std::vector<char> bytes, const std::string& code) {
     info.language = code;
     info.encoding = "UTF-8";
     info.domains.emplace_back("touchline");
-    info.paths.emplace_back(".");  // any: the bytes are here already
+    info.paths.emplace_back(".");  // any path will do: the bytes are already here
     info.callback = [&bytes](const std::string&, const std::string&) { return bytes; };
     return boost::locale::gnu_gettext::create_messages_facet<char>(info);
 }
@@ -85,7 +86,7 @@ std::string Language::text(const std::string& context, const std::string& englis
                   std::span(values.begin(), values.size()));
 }
 
-/// What is said of `count`, its place not filled yet.
+/// Returns the form for `count`, with its placeholder not yet filled.
 std::string Language::form(const std::string& context, const std::string& one,
                            const std::string& many, int count) const {
     const char* found = nullptr;
@@ -106,7 +107,7 @@ std::string Language::counted(const std::string& context, const std::string& one
 std::string Language::measured(const std::string& context, const std::string& one,
                                const std::string& many, double value) const {
     const std::string digits = fmt::format("{:.6g}", value);
-    double heard = value;  // 0.9999999 is 1
+    double heard = value;  // 0.9999999 reads as 1
     (void)std::from_chars(digits.data(), digits.data() + digits.size(), heard);
     const double whole = std::clamp(std::trunc(heard), -1e6, 1e6);
     const bool is_small_fraction = whole != heard && std::abs(heard) < 2.0;
@@ -127,7 +128,7 @@ std::string Language::number(double value, int decimals) const {
     return with_sign(fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 6)));
 }
 
-/// In English a lone "A" is an article to the voice, unless a pause follows.
+/// A lone English "A" is an article to the voice, unless a pause follows.
 std::string Language::respelling() const {
     return text("respelling",
                 "letter A … = letter eh …; Letter A … = Letter eh …; A and = eh and; A or = eh or; "

@@ -8,13 +8,14 @@ namespace touchline {
 namespace {
 
 constexpr int kMostCounted = 4;
-/// As a share of the picture's area: from a half on "most" is true.
+/// As a share of the picture's area: from a half on, "most" is true.
 constexpr double kMostFrom = 0.5;
-/// As a share of its width: things that reach over three of the five columns are in none of them.
+/// As a share of the picture's width: things that span three of the five columns are in none of
+/// them.
 constexpr double kAcrossFrom = 0.6;
 constexpr int kColumns = 5;
-/// As shares of its height: the middle row is a little higher than the others, so that a thing only
-/// somewhat off the middle is not told as at the top or at the bottom.
+/// As shares of the picture's height: the middle row is a little higher than the others, so that a
+/// thing only somewhat off the middle is not said to be at the top or at the bottom.
 constexpr double kTop = 0.3;
 constexpr double kBottom = 0.7;
 
@@ -23,7 +24,7 @@ struct ThingText {
     const char* many;
 };
 
-/// The texts stand in the order of ThingName.
+/// The texts are in the order of ThingName.
 constexpr std::array<ThingText, thing_name_count> kTexts{{{"a person", "{0} people"},
                                                           {"a bicycle", "{0} bicycles"},
                                                           {"a car", "{0} cars"},
@@ -63,7 +64,7 @@ constexpr std::array<std::array<const char*, kColumns>, 3> kPlaces{
      {"at the bottom left", "at the bottom, left of the middle", "at the bottom",
       "at the bottom, right of the middle", "at the bottom right"}}};
 
-/// All things of one name.
+/// All things with one name.
 struct Group {
     ThingName name;
     ThingBox box;  // around all of them
@@ -86,7 +87,8 @@ std::vector<Group> groups_of(std::span<const NamedThing> things) {
     return groups;
 }
 
-/// The words for the middle of the box, or for how much of the picture the largest thing covers.
+/// Returns the words for the middle of the box, or for how much of the picture the largest thing
+/// covers.
 std::string place_of(const ThingBox& box, double largest_area, const Language& language) {
     if (largest_area >= kMostFrom) return language.text("thing place", "in most of the picture");
     const double x = (box.left + box.right) / 2.0;

@@ -15,7 +15,7 @@
 namespace touchline {
 namespace {
 
-/// Reads one table key by key; the first thing that is wrong stays in `wrong`.
+/// Reads one table key by key, and keeps the first fault in `wrong`.
 class TableReader {
   public:
     TableReader(const toml::table& table, std::string_view file) : table_(table), file_(file) {}
@@ -50,7 +50,7 @@ class TableReader {
         return read<bool>(key, "true or false", false).value_or(false);
     }
 
-    /// [joint 1, joint 2].
+    /// Reads [joint 1, joint 2].
     std::pair<bool, bool> read_flags(std::string_view key) {
         const toml::node* node = table_.get(key);
         if (node == nullptr) return {};
@@ -63,7 +63,7 @@ class TableReader {
         return {one.value_or(false), two.value_or(false)};
     }
 
-    /// [joint 1, joint 2].
+    /// Reads [joint 1, joint 2].
     std::optional<JointAngles> read_pair(std::string_view key, double least, double greatest) {
         const toml::node* node = table_.get(key);
         if (node == nullptr) return std::nullopt;
@@ -79,7 +79,7 @@ class TableReader {
         return std::nullopt;
     }
 
-    /// Nothing where there is none.
+    /// Returns nothing if the key is missing.
     std::optional<double> read_number(std::string_view key, double least, double greatest) {
         const auto value = read<double>(key, "a number", false);
         if (value && !(*value >= least && *value <= greatest))
@@ -139,7 +139,7 @@ std::optional<double> read_torque_limit(TableReader& reader, const toml::table& 
     return limit_Nm;
 }
 
-/// It had a scale and an offset for each joint, and its kind was assumed.
+/// Version 0 had a scale and an offset for each joint, and assumed the kind.
 bool is_of_version_0(const toml::table& table) {
     return table.contains("offset_rad") || table["scale"].is_array();
 }
@@ -174,7 +174,7 @@ UnitSettings read_unit(TableReader& reader, const toml::table& table) {
     return unit;
 }
 
-/// Every table of the array `key`, by `read`; nothing where there is none.
+/// Reads every table of the array `key` by `read`; an empty list if it is missing.
 template <class T, class Read>
 Result<std::vector<T>> read_all(const toml::table& file, std::string_view name,
                                 std::string_view key, Read read) {

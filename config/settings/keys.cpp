@@ -12,7 +12,7 @@
 namespace touchline {
 namespace {
 
-constexpr std::size_t most_keys = 64;  // of a role
+constexpr std::size_t most_keys = 64;  // per role
 
 struct NamedKey {
     std::string_view name;
@@ -187,7 +187,8 @@ struct Reader {
     }
 };
 
-/// config/defaults/keys.toml, compiled in: the kiosk has keys whatever became of its files.
+/// config/defaults/keys.toml, compiled in, so that the kiosk has keys whatever happened to its
+/// files.
 constexpr std::array default_names{
     std::pair{KeyRole::up, "up"},
     std::pair{KeyRole::up, "F17"},

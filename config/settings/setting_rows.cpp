@@ -67,7 +67,7 @@ struct Put {
     }
 };
 
-/// On the grid of steps from the least on, so that sums of tenths stay tenths.
+/// Steps on the grid that starts at the least value, so that sums of tenths stay tenths.
 double next_on_grid(const SettingRange& range, double value, bool is_up) {
     const double steps = (value - range.least) / range.step + (is_up ? 1.0 : -1.0);
     const double whole = is_up ? std::floor(steps + 1e-9) : std::ceil(steps - 1e-9);

@@ -1,6 +1,6 @@
-// The one table of what can be set: from it come validation, the operator's screens, what is said
-// of a setting, and the reference page in config/README.md. A new setting is a member of Settings
-// and a row. Threads: constant data and pure functions.
+// The only table of settings. Validation, the operator's screens, the spoken texts and the
+// reference page in config/README.md all come from it. A new setting is a member of Settings and a
+// row. Threads: constant data and pure functions.
 #pragma once
 
 #include "config/settings/settings.h"
@@ -14,24 +14,24 @@
 
 namespace touchline {
 
-/// Where a value comes from; a later one goes before an earlier one.
+/// Where a value comes from; a later layer overrides an earlier one.
 enum class SettingLayer : std::uint8_t { defaults, site, profile, session };
 
 /// The member of Settings that a row is about. An int is one of the row's choices if it has any.
 using SettingField =
     std::variant<bool Settings::*, int Settings::*, double Settings::*, std::string Settings::*>;
 
-/// Hard bounds: no file and no screen passes them. NaN is in none.
+/// Hard bounds: no file and no screen may exceed them. NaN is in no range.
 struct SettingRange {
     double least = 0.0;
     double most = 0.0;
-    double step = 1.0;  // of one key press
+    double step = 1.0;  // per key press
 };
 
-/// What a text is. path: from the root, or none. device: a path below /dev/input, or none. hours:
-/// "09:00-17:00"; quiet: the same, or none. languages: codes with blanks between; language: one
-/// code. notice: a line of at most 200 bytes, or none. name: of small
-/// letters, digits and "-", or none.
+/// What a text may hold. path: from the root, or empty. device: a path below /dev/input, or empty.
+/// hours: "09:00-17:00"; quiet: the same, or empty. languages: codes with blanks between; language:
+/// one code. notice: a line of at most 200 bytes, or empty. name: small letters, digits and "-", or
+/// empty.
 enum class TextKind : std::uint8_t {
     path,
     device,
@@ -48,56 +48,59 @@ struct SettingRow {
     std::string_view key;
     SettingField field;
     SettingRange range;                               // of numbers
-    std::span<const std::string_view> choices;        // of an int that is one of these; else empty
+    std::span<const std::string_view> choices;        // for an int that is one of these; else empty
     std::string_view name;                            // said and shown
-    std::string_view unit;                            // said after a number; may be empty
+    std::string_view unit;                            // spoken after a number; may be empty
     std::string_view help;                            // one sentence
-    SettingLayer last_layer = SettingLayer::session;  // that may set it
-    TextKind text = TextKind::path;                   // of a std::string
+    SettingLayer last_layer = SettingLayer::session;  // last layer that may set it
+    TextKind text = TextKind::path;                   // for a std::string
 };
 
-/// In the order of the file and of the screens; the rows of a table are neighbours.
+/// Returns the rows in the order of the file and of the screens; the rows of a table are
+/// neighbours.
 [[nodiscard]] std::span<const SettingRow> setting_rows();
 
-/// The row of TABLE.KEY.
+/// Returns the row of TABLE.KEY.
 [[nodiscard]] const SettingRow* find_setting(std::string_view table, std::string_view key);
 
-/// What may be written: "a number from 200 to 700", "\"wall\" or \"groove\"", "true or false".
+/// Describes what may be written: "a number from 200 to 700", "\"wall\" or \"groove\"", "true or
+/// false".
 [[nodiscard]] std::string allowed_values(const SettingRow& row);
 
-/// Any value that TOML has, as far as settings have it.
+/// Any TOML value that a setting can have.
 using SettingValue = std::variant<bool, double, std::string>;
 
-/// The settings with this one changed; nothing if the value is of another kind, out of range, not
-/// finite, none of the choices, no whole number where one is due, or a text that cannot be.
+/// Returns the settings with this one changed. Returns nothing if the value is of another kind, out
+/// of range, not finite, not one of the choices, not a whole number although one is due, or a text
+/// that is not allowed.
 [[nodiscard]] std::optional<Settings> with_value(Settings settings, const SettingRow& row,
                                                  const SettingValue& value);
 
-/// What a later layer may not do to an earlier one, as one sentence; empty if it did not: a profile
-/// or a visit may lower the ceiling of the force, never raise it.
+/// Describes in one sentence what a later layer changed without being allowed to; empty if nothing.
+/// A profile or a visit may lower the ceiling of the force, never raise it.
 [[nodiscard]] std::string trespass(const Settings& before, const Settings& after);
 
-/// What two settings say against each other.
+/// Two settings that contradict each other.
 struct SettingConflict {
     std::string_view one;    // TABLE.KEY
     std::string_view other;  // likewise
     std::string sentence;
 };
 
-/// Empty where none do.
+/// Returns an empty list if there are no conflicts.
 [[nodiscard]] std::vector<SettingConflict> conflicts(const Settings& settings);
 
-/// As with_value() takes it: a choice is its name.
+/// Returns the value as with_value() takes it: a choice by its name.
 [[nodiscard]] SettingValue value_of(const Settings& settings, const SettingRow& row);
 
-/// One key press up or down: a step of the range, the next choice, the other of two. Stays at the
-/// ends of a range and of the choices. Texts have no next.
+/// Returns the settings after one key press up or down: a step of the range, the next choice, or
+/// the other of two. Stays at the ends of a range and of the choices. Texts do not change.
 [[nodiscard]] Settings stepped(const Settings& settings, const SettingRow& row, bool is_up);
 
-/// "500 newtons per metre", "groove", "on", for voice and screen.
+/// Returns "500 newtons per metre", "groove" or "on", for voice and screen.
 [[nodiscard]] std::string value_in_words(const Settings& settings, const SettingRow& row);
 
-/// The table as Markdown, for config/README.md; ends with a newline.
+/// Returns the table as Markdown, for config/README.md; ends with a newline.
 [[nodiscard]] std::string settings_as_markdown();
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-// The rows themselves. Their order is that of the file and of the screens.
+// The rows themselves, in the order of the file and of the screens.
 #include "config/settings/setting_rows.h"
 
 #include <array>

@@ -16,7 +16,7 @@ bool is_line(const std::string& text, std::size_t longest) {
     return text.size() <= longest && std::none_of(text.begin(), text.end(), is_control);
 }
 
-/// Empty, or a path from the root: nothing depends on where the program was started.
+/// Empty, or a path from the root, so that nothing depends on where the program was started.
 bool is_path(const std::string& text) {
     constexpr std::size_t longest = 4000;
     return text.empty() || (text.front() == '/' && is_line(text, longest));
@@ -28,7 +28,7 @@ bool is_device(const std::string& text) {
                             text.find("..") == std::string::npos && is_path(text));
 }
 
-/// "09:05" in minutes; 24:00 is the end of the day.
+/// Converts "09:05" to minutes; 24:00 is the end of the day.
 std::optional<int> minute_in(std::string_view text) {
     const auto digit = [&](std::size_t at) { return text[at] - '0'; };
     const auto is_digit = [&](std::size_t at) { return text[at] >= '0' && text[at] <= '9'; };

@@ -1,5 +1,5 @@
-// What an operator can set, with the values that hold where nobody set anything. Ranges, names and
-// texts of each: setting_rows.h. Threads: plain values.
+// What an operator can set, with the default values. Ranges, names and texts of each:
+// setting_rows.h. Threads: plain values.
 #pragma once
 
 #include "config/types/hand_state.h"
@@ -10,15 +10,15 @@ namespace touchline {
 
 struct Settings {
     // feel
-    int mode = static_cast<int>(Mode::groove);  // Mode, of a visitor who has chosen none
+    int mode = static_cast<int>(Mode::groove);  // Mode, until a visitor has chosen one
     double stiffness_N_per_m = 500.0;
     double friction = 0.0;
     double force_ceiling_N = 3.0;
     double capture_mm = 3.0;
     bool has_pop_through = false;
     double pop_through_N =
-        1.5;  // twice what one needs to feel a line: nobody falls through by chance
-    bool offers_shapes = false;  // a visitor may hold one instead of a point
+        1.5;  // twice the force needed to feel a line: nobody falls through by chance
+    bool offers_shapes = false;  // a visitor may hold a shape instead of a point
     // levels
     bool is_level_automatic = true;
     int fixed_level = 0;
@@ -29,9 +29,9 @@ struct Settings {
     // sound
     int sounds = 1;  // 0 none, 1 short ones, 2 all: CueAmount
     bool is_speech_on = true;
-    int speech_rate = 4;  // 1 ... 7: a step of speech_rates_per_minute, from 1
+    int speech_rate = 4;  // 1 ... 7: a step of speech_rates_per_minute, counted from 1
     // language
-    std::string languages = "en de fr es it";  // codes; in the order in which they are offered
+    std::string languages = "en de fr es it";  // codes, in the order in which they are offered
     std::string first_language = "en";         // one of them
     // time
     double inactivity_s = 90.0;
@@ -48,7 +48,7 @@ struct Settings {
     double scan_s = 2.0;
     // screen
     double viewing_distance_m = 0.6;
-    double screen_inches = 0.0;  // diagonal; 0: as the screen itself says
+    double screen_inches = 0.0;  // diagonal; 0: as the screen reports
     int text_size = 0;           // 0.7, 1.0, 1.4, 2.0 degrees
     int palette = 0;             // white on black, black on white, yellow on black, low glare
     // hours
@@ -64,7 +64,7 @@ struct Settings {
     // profile
     std::string profile;  // its name; empty: none
     // stick
-    bool more_file_systems = false;  // ext4 and NTFS beside FAT and exFAT
+    bool more_file_systems = false;  // ext4 and NTFS besides FAT and exFAT
     std::string watched_folder;
     // operator
     std::string operator_device;

@@ -37,7 +37,7 @@ bool is_header(std::string_view line) {
     return trimmed(line).starts_with('[');
 }
 
-/// What is wrong with a line by itself; nothing where it is sound.
+/// Returns what is wrong with a line by itself; nothing if it is sound.
 std::optional<std::string> fault_alone(const std::string& line) {
     try {
         (void)toml::parse(line);
@@ -47,7 +47,7 @@ std::optional<std::string> fault_alone(const std::string& line) {
     }
 }
 
-/// Does a text of several lines begin or end there?
+/// Returns whether a text of several lines begins or ends here.
 bool has_long_quote(std::string_view line) {
     const auto count = [line](std::string_view quote) {
         int found = 0;
@@ -59,8 +59,8 @@ bool has_long_quote(std::string_view line) {
     return count("\"\"\"") % 2 == 1 || count("'''") % 2 == 1;
 }
 
-/// The line that has to change, from 0: where the parser stopped, unless that line is sound by
-/// itself and one above it is not, as a text or a list that never ends.
+/// Returns the line that must change, from 0: the one where the parser stopped, unless that line is
+/// sound by itself and a line above it is not, such as a text or a list that never ends.
 std::size_t culprit_of(const std::vector<std::string>& lines, const toml::parse_error& error) {
     const std::size_t told = std::max<std::size_t>(error.source().begin.line, 1) - 1;
     std::size_t at = std::min(told, lines.size() - 1);

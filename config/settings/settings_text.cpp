@@ -50,7 +50,7 @@ bool is_known_table(std::string_view table) {
                        [&](const SettingRow& row) { return row.table == table; });
 }
 
-/// A file being judged: what is sound of it, and all that is not.
+/// Judges a file: collects its sound settings and all its faults.
 class Judge {
   public:
     Judge(const Settings& base, SettingLayer layer) : base_(base), settings_(base), layer_(layer) {}
@@ -59,7 +59,7 @@ class Judge {
         for (const auto& [key, node] : file) read_table(table_name(key.str()), node);
     }
 
-    /// What the sound ones say against each other.
+    /// Finds contradictions between the sound ones.
     void compare() {
         for (const SettingConflict& conflict : conflicts(settings_))
             fault(std::max(line_of(conflict.one), line_of(conflict.other)), conflict.sentence);
@@ -68,7 +68,7 @@ class Judge {
         if (!why.empty()) fault(line_of("feel.force_ceiling_N"), why);
     }
 
-    /// `languages`: the codes of those that there are; empty: nobody asks.
+    /// `languages` holds the codes of the existing languages; if empty, they are not checked.
     void ask_for(std::span<const std::string> languages) {
         if (languages.empty()) return;
         const auto wanted = languages_in_text(settings_.languages);
@@ -84,7 +84,7 @@ class Judge {
         faults_.insert(faults_.end(), faults.begin(), faults.end());
     }
 
-    /// They are in the order of the lines.
+    /// Returns the faults in the order of the lines.
     std::vector<SettingFault> take_faults() {
         std::ranges::stable_sort(faults_, {}, &SettingFault::line);
         return std::move(faults_);
@@ -125,7 +125,7 @@ class Judge {
         settings_ = std::move(*changed);
     }
 
-    /// 0 for a key that the file does not set.
+    /// Returns 0 for a key that the file does not set.
     [[nodiscard]] std::size_t line_of(std::string_view key) const {
         const auto at = lines_.find(key);
         return at == lines_.end() ? 0 : at->second;

@@ -36,7 +36,7 @@ struct KindName {
 constexpr std::array kinds{KindName{OutputKind::headset, "headset"},
                            KindName{OutputKind::speaker, "speaker"}};
 
-/// Reads the tables; the first thing that is wrong stays in `wrong`.
+/// Reads the tables, and keeps the first fault in `wrong`.
 class SoundReader {
   public:
     explicit SoundReader(std::string_view file) : file_(file) {}

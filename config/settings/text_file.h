@@ -1,4 +1,4 @@
-// Files of settings as text. Threads: pure functions but for the reading of the file.
+// Reads settings files as text. Threads: pure functions, except for reading the file.
 #pragma once
 
 #include "config/types/result.h"
@@ -9,10 +9,11 @@
 
 namespace touchline {
 
-/// No file of settings is larger: 1 MB.
+/// The largest size of a settings file: 1 MB.
 inline constexpr std::size_t largest_settings_bytes = std::size_t{1} << 20U;
 
-/// All of the file; one line for one that cannot be read or is larger than that. Reads no more.
+/// Reads the whole file. A file that cannot be read, or is larger than that, gives a one-line
+/// error. Reads no more.
 [[nodiscard]] Result<std::string> read_settings_file(const std::filesystem::path& file);
 
 }  // namespace touchline

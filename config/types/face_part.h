@@ -1,4 +1,4 @@
-// The parts of a face that a hand meets, one to a line. Threads: plain values.
+// The parts of a face that a hand meets, one line each. Threads: plain values.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace touchline {
 
-/// Left and right are those of the hand, so the left eye lies on the left of the picture.
+/// Left and right are as the hand feels them, so the left eye lies on the left of the picture.
 enum class FacePart : std::uint8_t {
     face,  // its oval, from the hairline to the chin
     left_brow,
@@ -21,7 +21,7 @@ enum class FacePart : std::uint8_t {
     person,  // the outline of hair, hat and shoulders
 };
 
-/// Names the parts in maps; what is said is in audio-cues/words (context "part").
+/// Names of the parts in maps; the spoken words are in audio-cues/words (context "part").
 inline constexpr std::array<std::string_view, 9> face_part_ids{
     "face", "left brow", "right brow", "left eye",          "right eye",
     "nose", "nostrils",  "mouth",      "hair and shoulders"};

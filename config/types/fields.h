@@ -1,5 +1,5 @@
-// A record that crosses a process, or goes into a file that only this program reads, says its
-// fields once, in a template that takes whatever is to be done with them:
+// Records that cross processes, or go into files that only this program reads. Each record names
+// its fields once, in a template that takes the operation on them:
 //
 //     template <class Fields, class Header>
 //     void fields(Fields& f, Header& header) {
@@ -9,8 +9,8 @@
 //         f.flag(header.is_closed);
 //     }
 //
-// ByteWriter and ByteReader make them bytes and back: little-endian, one field behind the other.
-// FieldCheck asks whether each is in its range. Threads: plain values.
+// ByteWriter and ByteReader convert them to bytes and back: little-endian, one field after the
+// other. FieldCheck checks whether each is in its range. Threads: plain values.
 #pragma once
 
 #include <bit>
@@ -63,7 +63,7 @@ class ByteWriter {
 
     void flag(const bool& value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
 
-    /// How long it is, as a Size, then the text; what is longer than a Size can say is cut off.
+    /// Writes the length as a Size, then the text; cuts off what is longer than a Size can count.
     template <Number Size>
     void text(std::string_view value) {
         value = value.substr(0, std::numeric_limits<Size>::max());
@@ -87,8 +87,8 @@ class ByteWriter {
     std::vector<std::byte> bytes_;
 };
 
-/// Any bytes may be read. It never reads past the end: what fails once has failed, and gives zeros
-/// and empty texts from there on.
+/// Reads any bytes, and never past the end. After a failure it stays failed, and returns zeros and
+/// empty texts.
 class ByteReader {
   public:
     explicit ByteReader(std::span<const std::byte> bytes) : left_(bytes) {}
@@ -100,7 +100,7 @@ class ByteReader {
         if (!from.empty()) std::memcpy(&value, from.data(), sizeof(T));
     }
 
-    /// Not checked against its range.
+    /// Does not check the range.
     template <Number T>
     void number(T& value, std::type_identity_t<T> /*least*/, std::type_identity_t<T> /*most*/) {
         number(value);
@@ -118,7 +118,7 @@ class ByteReader {
         return value;
     }
 
-    /// Fails for what comes after `last`.
+    /// Fails for values after `last`.
     template <Choice T>
     void choice(T& value, T last) {
         using Told = std::underlying_type_t<T>;
@@ -127,7 +127,7 @@ class ByteReader {
         value = is_good_ ? static_cast<T>(told) : T{};
     }
 
-    /// Fails for what is neither 0 nor 1.
+    /// Fails for anything but 0 and 1.
     void flag(bool& value) {
         const auto told = number<std::uint8_t>();
         is_good_ = is_good_ && told <= 1;
@@ -163,7 +163,7 @@ class ByteReader {
     bool is_good_ = true;
 };
 
-/// Any bytes may lie where the record is. Every comparison is one that a number that is none fails.
+/// Any bytes may lie where the record is. Every comparison is written so that NaN fails it.
 class FieldCheck {
   public:
     template <Number T>

@@ -1,4 +1,4 @@
-// What the kiosk asks of a handle that leads the hand, and what it is told of it.
+// What the kiosk asks of a handle that leads the hand, and what it reports back.
 // Threads: plain values; handed over with the servo's commands and its report.
 #pragma once
 
@@ -9,29 +9,30 @@
 
 namespace touchline {
 
-/// none: leads nowhere, which stops what leads now. tour: along outlines, from their start to their
-/// end. to_place: straight to a place. to_line: to the nearest point of any outline.
+/// none: leads nowhere, and stops the present guidance. tour: along outlines, from start to end.
+/// to_place: straight to a place. to_line: to the nearest point of any outline.
 enum class GuidanceKind : std::uint8_t { none, tour, to_place, to_line };
 
-/// none: nothing was asked yet. waiting: it leads but does not go on, because the hand is held
-/// back, force is not on yet or the kiosk holds it. pausing: at a corner or label. arrived,
-/// stopped: it has ended.
+/// none: no command yet. waiting: it leads but does not go on, because the hand is held back, force
+/// is not on yet or the kiosk holds it. pausing: at a corner or label. arrived, stopped: it has
+/// ended.
 enum class GuidancePhase : std::uint8_t { none, running, waiting, pausing, arrived, stopped };
 
-/// Another serial number is a new command: what led before ends within 50 ms. The first number that
-/// a servo is told begins nothing, so that one that starts anew never moves the handle by itself.
+/// A new serial number is a new command: the guidance before it ends within 50 ms. The first number
+/// that a servo receives begins nothing, so that a restarted servo never moves the handle by
+/// itself.
 struct GuidanceCommand {
     GuidanceKind kind = GuidanceKind::none;
-    bool is_held = false;  // of a tour: stay where it leads to now; may change at any time
+    bool is_held = false;  // tour: stay where it leads now; may change at any time
     std::uint32_t serial = 0;
-    std::int32_t outline = -1;     // of a tour: index in the map; -1: all, in the map's order
+    std::int32_t outline = -1;     // tour: index in the map; -1: all, in the map's order
     Position place;                // to_place: in W; kept within the drawing area
     double speed_m_per_s = 0.035;  // 0.005 ... 0.1
 
     friend bool operator==(const GuidanceCommand&, const GuidanceCommand&) = default;
 };
 
-/// Another serial number plays it, once; the first that a servo is told plays nothing.
+/// A new serial number plays the pattern once; the first that a servo receives plays nothing.
 struct PatternCommand {
     HandlePattern pattern = HandlePattern::none;
     std::uint32_t serial = 0;
@@ -40,13 +41,13 @@ struct PatternCommand {
 };
 
 struct GuidanceStatus {
-    std::uint32_t serial = 0;  // of the command that this is about
+    std::uint32_t serial = 0;  // the command that this report is about
     GuidancePhase phase = GuidancePhase::none;
-    bool is_on_line = false;           // a tour leads along an outline, not to where one begins
-    std::int32_t outline = -1;         // a tour is on it, or on its way there; -1: none
-    std::int32_t label = -1;           // of the map; a tour has come to it last; -1: none
-    Position leading;                  // the point that leads, in W; while none leads the handle
-    std::uint32_t pattern_serial = 0;  // of the last pattern that was begun or left out
+    bool is_on_line = false;    // a tour leads along an outline, not to the start of one
+    std::int32_t outline = -1;  // the tour is on it, or on its way there; -1: none
+    std::int32_t label = -1;    // map label that the tour reached last; -1: none
+    Position leading;           // the leading point in W; the handle's place while nothing leads
+    std::uint32_t pattern_serial = 0;  // last pattern that was begun or left out
 
     friend bool operator==(const GuidanceStatus&, const GuidanceStatus&) = default;
 };

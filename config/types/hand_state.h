@@ -1,4 +1,4 @@
-// What the servo tells the rest of the kiosk, once a tick.
+// What the servo reports to the rest of the kiosk, once a tick.
 // Threads: a plain value; handed over by haptics/servo/exchange.h.
 #pragma once
 
@@ -26,10 +26,10 @@ struct HandState {
     double speed_m_per_s = 0.0;
     double level = 0.0;  // rendered level, with its fraction
     bool is_level_auto = true;
-    LevelTerms level_terms;          // of the level wanted; that rendered may be on its way there
-    double stiffness_N_per_m = 0.0;  // before spring_gain; on its way to what is set and possible
+    LevelTerms level_terms;  // for the wanted level; the rendered one may be on its way there
+    double stiffness_N_per_m = 0.0;  // before spring_gain; moves to what is set and possible
     StiffnessBound stiffness_bound;
-    double spring_gain = 1.0;  // below 1 where the loop rang and was softened
+    double spring_gain = 1.0;  // below 1 if the loop rang and was softened
     Mode mode = Mode::wall;
     ContactState state = ContactState::free;
     int outline = -1;  // index in the map of the outline touched, -1 when free
@@ -37,11 +37,11 @@ struct HandState {
     std::uint64_t missed_ticks = 0;  // ticks that could not run in their period and were skipped
     std::uint64_t map_version = 0;   // of the map felt
     GuidanceStatus guidance;
-    HeldShape shape = HeldShape::none;  // felt with
-    bool is_shape_placed = false;       // false: lines pass through it still, and nothing is felt
-    double angle_rad = 0.0;             // of the handle
+    HeldShape shape = HeldShape::none;  // shape felt with
+    bool is_shape_placed = false;       // false: lines still pass through it, and nothing is felt
+    double angle_rad = 0.0;             // the handle's turn
     double proxy_angle_rad = 0.0;
-    double torque_Nm = 0.0;  // of the shape on the hand, whether or not a motor can tell it
+    double torque_Nm = 0.0;  // of the shape on the hand, whether or not a motor can show it
 };
 
 }  // namespace touchline

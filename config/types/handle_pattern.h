@@ -1,4 +1,4 @@
-// What the handle itself can say to somebody who neither sees nor hears: short shakes that differ.
+// What the handle can say to a visitor who neither sees nor hears: short shakes that differ.
 // Threads: a plain value.
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace touchline {
 
-/// focus: another item. chosen: it was taken. error: that cannot be. edge: the end of a list or of
-/// the drawing area. time_out: the session ends soon. What each feels like:
+/// focus: another item. chosen: it was taken. error: that is not possible. edge: the end of a list
+/// or of the drawing area. time_out: the session ends soon. How each one feels:
 /// haptics/guidance/pattern.h.
 enum class HandlePattern : std::uint8_t { none, focus, chosen, error, edge, time_out };
 

@@ -1,4 +1,4 @@
-// What a hand holds to probe a picture with. Threads: a plain value.
+// The shape that a hand holds to probe a picture. Threads: a plain value.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace touchline {
 
-/// none: a point, as nearly everybody does.
+/// none: a point, as for nearly everybody.
 enum class HeldShape : std::uint8_t { none, disc, bar, ell, key };
 
 inline constexpr std::size_t held_shape_count = 5;

@@ -1,11 +1,11 @@
-// A key as pressed, without any window system in it. Threads: constants.
+// A key as pressed, independent of any window system. Threads: constants.
 #pragma once
 
 #include <cstdint>
 
 namespace touchline {
 
-/// A key that prints is its upper-case character.
+/// A printing key has the value of its upper-case character.
 enum class Key : std::uint32_t {
     unknown = 0,
     left = 256,
@@ -36,7 +36,7 @@ enum class Key : std::uint32_t {
     f12,
     f13,  // keypads for the blind send F13 to F24
     f14,
-    f15,  // some with a socket for headphones send this and the next
+    f15,  // some keypads with a headphone socket send this and the next
     f16,
     f17,
     f18,

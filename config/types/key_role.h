@@ -1,4 +1,4 @@
-// What a key means, whatever the key is. Threads: constants.
+// What a key means, whichever key it is. Threads: constants.
 #pragma once
 
 #include <array>
@@ -8,13 +8,13 @@
 
 namespace touchline {
 
-/// One meaning everywhere (accessibility IN-1, IN-2). The first six reach all there is.
+/// Each role means the same everywhere (accessibility IN-1, IN-2). The first six reach everything.
 enum class KeyRole : std::uint8_t { up, down, back, repeat, select, help, louder, softer };
 
 inline constexpr std::size_t key_role_count = 8;
 inline constexpr std::size_t needed_role_count = 6;  // up ... help
 
-/// As files write them, in the order of KeyRole.
+/// Names in files, in the order of KeyRole.
 inline constexpr std::array<std::string_view, key_role_count> key_role_names{
     "up", "down", "back", "repeat", "select", "help", "louder", "softer"};
 

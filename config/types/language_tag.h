@@ -6,8 +6,8 @@
 
 namespace touchline {
 
-/// Any text is a tag: a language that nobody wrote in gets what is there. Empty is English. It
-/// comes from who chose a language, never from the process's locale.
+/// Any text is a tag: a language without texts gets what exists. Empty means English. The tag comes
+/// from the person who chose a language, never from the process's locale.
 struct LanguageTag {
     std::string text = "en";
 

@@ -1,4 +1,4 @@
-// What bounds the level of resolution, term by term, and which term decides.
+// The terms that bound the level of resolution, and the one that decides.
 // Threads: plain values and pure functions.
 #pragma once
 
@@ -17,17 +17,17 @@ enum class LevelTerm : std::uint8_t {
     safe
 };
 
-/// Levels: 0 is the finest; those that the rule works out are whole, the operator's may be
+/// Levels: 0 is the finest. Levels that the rule computes are whole; the operator's may be
 /// fractional.
 struct LevelTerms {
     double speed = 0.0;      // at least this coarse for the speed of the hand
-    double percept = 0.0;    // the coarsest that no finger can tell from level 0
+    double percept = 0.0;    // coarsest level that no finger can tell from level 0
     double finest = 0.0;     // the operator's bounds; both the same: a fixed level
     double coarsest = 16.0;  //
-    double encoder = 0.0;    // the finest that the device can tell
-    double radius = 0.0;     // the finest that the proxy's radius leaves something of
-    double cost = 0.0;       // the finest that the tick has time for
-    double safe = 16.0;      // the coarsest at which no two outlines meet that did not meet before
+    double encoder = 0.0;    // finest level that the device can tell
+    double radius = 0.0;     // finest level that the proxy's radius does not smooth away
+    double cost = 0.0;       // finest level that the tick has time for
+    double safe = 16.0;  // coarsest level at which no two outlines meet that did not meet before
 
     friend bool operator==(const LevelTerms&, const LevelTerms&) = default;
 };
@@ -37,10 +37,10 @@ struct LevelChoice {
     LevelTerm by = LevelTerm::speed;
 };
 
-/// min(safe, max(encoder, radius, cost, min(coarsest, max(speed, percept, finest)))): with an
-/// operator's coarsest no finer than encoder, radius and cost allow, the least of safe, coarsest
-/// and the largest of the rest. `by` is the last term that changed the level. A term that is not a
-/// number bounds nothing.
+/// Returns min(safe, max(encoder, radius, cost, min(coarsest, max(speed, percept, finest)))): if
+/// the operator's coarsest is no finer than encoder, radius and cost allow, that is the least of
+/// safe, coarsest and the largest of the rest. `by` is the last term that changed the level. A NaN
+/// term bounds nothing.
 [[nodiscard]] constexpr LevelChoice choose_level(const LevelTerms& terms) {
     LevelChoice chosen;
     const auto at_least = [&chosen](double level, LevelTerm term) {

@@ -30,7 +30,7 @@ void map_fields(Fields& f, Map& map) {
     f.template text<std::uint32_t>(map.description);
 }
 
-/// Without its points.
+/// An outline without its points.
 template <class Fields, class Line>
 void outline_fields(Fields& f, Line& outline) {
     f.flag(outline.is_closed);

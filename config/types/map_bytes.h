@@ -1,13 +1,12 @@
-// A TactileMap as flat bytes, to cross between processes in sealed memory. Nobody who reads them
-// trusts them.
+// A TactileMap as flat bytes, which cross between processes in sealed memory. Their reader must not
+// trust them.
 //
 //   header    magic u32, layout u32, area f64 f64, version u64, title, description
-//   outlines  how many u32; each: closed u8, weight f64, detail i32, id, label, how many points
-//   u32,
-//             the points f64 f64
+//   outlines  how many u32; each: closed u8, weight f64, detail i32, id, label, how many
+//             points u32, the points f64 f64
 //   labels    how many u32; each: place f64 f64, text
 //
-// A text is its bytes u32 and the bytes. Little-endian. There are no offsets, so nothing can
+// A text is its byte count u32 and the bytes. Little-endian. There are no offsets, so nothing can
 // overlap or point outside. Threads: pure functions.
 #pragma once
 
@@ -21,12 +20,12 @@
 namespace touchline {
 
 /// Fails, with one line, for a map beyond its limits (map_limits.h): with a number that is not
-/// finite, an outline of fewer than two points or an id given twice. Bytes of a text that are no
-/// UTF-8 become '?'. O(n log n) for the ids.
+/// finite, an outline of fewer than two points, or an id that appears twice. Bytes of a text that
+/// are not UTF-8 become '?'. O(n log n) for the ids.
 [[nodiscard]] Result<std::vector<std::byte>> bytes_of(const TactileMap& map);
 
-/// The map; fails, with one line, unless the bytes are exactly what bytes_of() gives for some map.
-/// Any bytes may be given. Allocates at most some bytes for each of them. O(n log n).
+/// Returns the map. Fails, with one line, unless the bytes are exactly what bytes_of() returns for
+/// some map. `bytes` may be anything. Allocates at most a few bytes for each of them. O(n log n).
 [[nodiscard]] Result<TactileMap> map_of(std::span<const std::byte> bytes);
 
 }  // namespace touchline

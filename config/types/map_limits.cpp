@@ -7,7 +7,7 @@
 namespace touchline {
 namespace {
 
-// Every comparison is written so that a number that is none fails it.
+// Every comparison is written so that NaN fails it.
 bool is_within(double value, double least, double most) {
     return value >= least && value <= most;
 }

@@ -1,4 +1,4 @@
-// What a sound map may hold, for whoever hands one over and whoever takes one.
+// What a sound map may hold, for both the giver and the taker of a map.
 // Threads: pure functions.
 #pragma once
 
@@ -21,14 +21,14 @@ struct MapLimits {
     static constexpr int most_detail = 5;  // from 1
 };
 
-/// Points of all outlines. O(outlines).
+/// Returns the number of points of all outlines. O(outlines).
 [[nodiscard]] std::size_t point_count(const TactileMap& map);
 
-/// Bytes of all texts. O(outlines + labels).
+/// Returns the number of bytes of all texts. O(outlines + labels).
 [[nodiscard]] std::size_t text_bytes(const TactileMap& map);
 
-/// Why the map breaks config/types/tactile_map.h or a limit, in a few words; empty when it is
-/// sound. Texts are not looked into. O(n log n) for the ids.
+/// Returns in a few words how the map breaks config/types/tactile_map.h or a limit; empty if it is
+/// sound. Does not look into texts. O(n log n) for the ids.
 [[nodiscard]] std::string_view fault_of(const TactileMap& map);
 
 }  // namespace touchline

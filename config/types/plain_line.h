@@ -1,5 +1,5 @@
-// Any text as one harmless line for a terminal or a log: names of files, words of devices and of
-// users go through here where a line is printed. Threads: pure functions.
+// Makes any text one harmless line for a terminal or a log. File names and texts from devices and
+// users go through here before a line is printed. Threads: pure functions.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace touchline {
 
-/// A blank for every control character (newline, ESC, the 8-bit ones), separator of lines, and mark
-/// that turns the direction of writing or shows nothing; '?' for what is not UTF-8. O(n).
+/// Puts a blank for every control character (newline, ESC, the 8-bit ones), separator of lines, and
+/// mark that turns the direction of writing or shows nothing; and '?' for what is not UTF-8. O(n).
 [[nodiscard]] std::string plain_line(std::string_view text);
 
 }  // namespace touchline

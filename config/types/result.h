@@ -1,5 +1,5 @@
-// What the world can cause (files, devices, users) comes back as a Result; what only a bug can
-// cause is an assert. No exception leaves a folder.
+// Failures that the world can cause (files, devices, users) are returned as a Result; those that
+// only a bug can cause are asserts. No exception leaves a folder.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The monotonic clock, where a deadline or a timing is asked for, and what it does not count.
+// The monotonic clock, for deadlines and timings, and the sleep that it does not count.
 // Threads: any.
 #pragma once
 
@@ -14,8 +14,8 @@ namespace touchline {
         .count();
 }
 
-/// How long the machine has slept since it was switched on. Too little by what passes within the
-/// call, never too much.
+/// Returns how long the machine has slept since it was switched on. Too little by the time that
+/// passes within the call, never too much.
 [[nodiscard]] inline std::int64_t slept_ns() {
     timespec with_sleep{};
     timespec without{};

@@ -18,14 +18,14 @@ struct Area {
     friend bool operator==(const Area&, const Area&) = default;
 };
 
-/// A polyline in W. Closed: the last point joins the first, which is not repeated.
+/// A polyline in W. If closed, the last point joins the first, which is not repeated.
 struct Outline {
     std::vector<Position> points;  // >= 2 points, all finite
     bool is_closed = false;
     std::string id;       // unique in its map; may be empty
     std::string label;    // the name of the part, for speech; may be empty
     double weight = 1.0;  // importance, > 0
-    int detail = 1;       // the lowest detail (1 silhouette ... 5 all) at which it is shown
+    int detail = 1;       // lowest detail (1 silhouette ... 5 all) at which it is shown
 };
 
 /// A text tied to a place in W.
@@ -40,7 +40,7 @@ struct TactileMap {
     std::vector<Label> labels;
     std::string title;
     std::string description;
-    std::uint64_t version = 0;  // changes with every map that is made; nothing crosses versions
+    std::uint64_t version = 0;  // changes with every new map; nothing mixes versions
 };
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-// Where in a picture a thing is.
+// The place of a thing in a picture.
 // Threads: plain values and pure functions.
 #pragma once
 
@@ -16,18 +16,19 @@ struct ThingBox {
     friend bool operator==(const ThingBox&, const ThingBox&) = default;
 };
 
-/// Whether it lies in the picture and is not empty; never where a side is not a number.
+/// Returns whether it lies in the picture and is not empty; false if a side is NaN.
 [[nodiscard]] constexpr bool is_sound(const ThingBox& box) {
     return box.left >= 0.0 && box.left < box.right && box.right <= 1.0 && box.top >= 0.0 &&
            box.top < box.bottom && box.bottom <= 1.0;
 }
 
-/// The share of the picture that it covers.
+/// Returns the share of the picture that it covers.
 [[nodiscard]] constexpr double area_of(const ThingBox& box) {
     return (box.right - box.left) * (box.bottom - box.top);
 }
 
-/// The area of both over that of either: 1 where they are the same, 0 where they do not meet.
+/// Returns the area of their intersection over that of their union: 1 if they are the same, 0 if
+/// they do not meet.
 [[nodiscard]] constexpr double overlap_of(const ThingBox& a, const ThingBox& b) {
     const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
     const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
@@ -35,7 +36,7 @@ struct ThingBox {
     return width * height / (area_of(a) + area_of(b) - width * height);
 }
 
-/// The least box that holds both.
+/// Returns the smallest box that holds both.
 [[nodiscard]] constexpr ThingBox around(const ThingBox& a, const ThingBox& b) {
     return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
             std::max(a.bottom, b.bottom)};

@@ -1,4 +1,4 @@
-// What may be said of a picture that a network named, and nothing else: never anybody's age,
+// The only things that the kiosk may say about a picture by a network's word: never anybody's age,
 // gender, feelings or identity, nor food, sports gear, ties or small goods.
 // Threads: plain values and pure functions.
 #pragma once
@@ -13,8 +13,8 @@
 
 namespace touchline {
 
-/// `animal`, `vehicle`: an animal or a vehicle, of which no more is known. `screen`: that of a
-/// television or a computer.
+/// `animal`, `vehicle`: an animal or a vehicle of unknown kind. `screen`: of a television or a
+/// computer.
 enum class ThingName : std::uint8_t {
     person,
     bicycle,
@@ -48,7 +48,7 @@ enum class ThingName : std::uint8_t {
     vehicle
 };
 
-/// Files and reports have these; what visitors hear is in audio-cues/words.
+/// Names for files and reports; what visitors hear is in audio-cues/words.
 inline constexpr std::array<std::string_view, 30> thing_ids{
     "person", "bicycle", "car",     "motorcycle",   "aeroplane", "bus",    "train", "truck",
     "boat",   "bird",    "cat",     "dog",          "horse",     "sheep",  "cow",   "elephant",
@@ -58,7 +58,7 @@ inline constexpr std::array<std::string_view, 30> thing_ids{
 inline constexpr std::size_t thing_name_count = thing_ids.size();
 static_assert(static_cast<std::size_t>(ThingName::vehicle) + 1 == thing_name_count);
 
-/// Reads a number from another process; none where it names nothing.
+/// Reads a number from another process; returns nothing if it names no thing.
 [[nodiscard]] constexpr std::optional<ThingName> thing_name_of(std::uint32_t number) {
     if (number >= thing_name_count) return std::nullopt;
     return static_cast<ThingName>(number);
@@ -76,11 +76,11 @@ static_assert(static_cast<std::size_t>(ThingName::vehicle) + 1 == thing_name_cou
     return name == ThingName::vehicle || (name >= ThingName::bicycle && name <= ThingName::boat);
 }
 
-/// A guess: a network takes what is in the box for this.
+/// A guess: the thing that a network sees in the box.
 struct NamedThing {
     ThingName name = ThingName::person;
     ThingBox box;
-    double likelihood = 0.0;  // 0 to 1; not a share of being right
+    double likelihood = 0.0;  // 0 to 1; not the chance of being right
 
     friend bool operator==(const NamedThing&, const NamedThing&) = default;
 };

@@ -6,8 +6,9 @@
 namespace touchline {
 namespace {
 
-/// Characters by their first byte, and what their second byte may be: that is where overlong forms,
-/// surrogates and what lies above U+10FFFF show. The third and fourth are 80 ... BF.
+/// Characters by their first byte, and the range of their second byte, which is what rules out
+/// overlong forms, surrogates and characters above U+10FFFF. The third and fourth bytes are 80 ...
+/// BF.
 struct Form {
     unsigned char first, last;
     std::size_t bytes;

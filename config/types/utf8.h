@@ -1,4 +1,4 @@
-// UTF-8 by the letter of RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF. What
+// UTF-8 strictly by RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF. Code that
 // draws or speaks text need not cope with anything else.
 // Threads: pure functions.
 #pragma once
@@ -9,13 +9,14 @@
 
 namespace touchline {
 
-/// Bytes of the character that the text begins with; 0 where it begins with none. O(1).
+/// Returns the number of bytes of the text's first character; 0 if it does not begin with one.
+/// O(1).
 [[nodiscard]] std::size_t utf8_character_bytes(std::string_view text);
 
 /// O(n).
 [[nodiscard]] bool is_utf8(std::string_view text);
 
-/// The text with '?' for every byte that belongs to no character. O(n).
+/// Returns the text with '?' for every byte that belongs to no character. O(n).
 [[nodiscard]] std::string utf8_of(std::string_view text);
 
 }  // namespace touchline

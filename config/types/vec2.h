@@ -1,6 +1,6 @@
-// Plane vectors, typed by quantity, so that adding a force to a position does not compile.
-// Frames: W is the picture frame (origin in the centre of the drawing area, x right, y away from
-// the user, metres). Names carry the frame only where more than one is alive: p_WH, p_DH.
+// Plane vectors, typed by quantity, so that adding a force to a position does not compile. Frames:
+// W is the picture frame (origin in the centre of the drawing area, x right, y away from the user,
+// metres). Names carry the frame only if more than one is in use: p_WH, p_DH.
 #pragma once
 
 #include <cmath>
@@ -37,33 +37,33 @@ template <class A, class B>
     return a.x * b.x + a.y * b.y;
 }
 
-/// Positive when b lies to the left of a.
+/// Positive if b lies to the left of a.
 template <class A, class B>
 [[nodiscard]] constexpr double cross(Vec2<A> a, Vec2<B> b) noexcept {
     return a.x * b.y - a.y * b.x;
 }
 
-/// Of vectors between 1e-150 and 1e150, far beyond any length here: no scaling as hypot does, which
-/// costs more than the whole of a slide along an edge.
+/// For vectors between 1e-150 and 1e150, far beyond any length here. Does not scale as hypot does,
+/// which would cost more than a whole slide along an edge.
 template <class A>
 [[nodiscard]] inline double norm(Vec2<A> a) noexcept {
     return std::sqrt(dot(a, a));
 }
 
-/// a turned by +90 degrees.
+/// Returns a turned by +90 degrees.
 template <class A>
 [[nodiscard]] constexpr Vec2<A> left_of(Vec2<A> a) noexcept {
     return {-a.y, a.x};
 }
 
-/// The direction of a; {1, 0} where a has no length.
+/// Returns the direction of a; {1, 0} if a has no length.
 template <class A>
 [[nodiscard]] inline Direction direction_of(Vec2<A> a) noexcept {
     const double length = norm(a);
     return length > 0.0 ? Direction{a.x / length, a.y / length} : Direction{1.0, 0.0};
 }
 
-/// A vector of another quantity along v, scaled: the only cast between quantities.
+/// Returns a vector of another quantity along v, scaled: the only cast between quantities.
 template <class Out, class In>
 [[nodiscard]] constexpr Out along(Vec2<In> v, double scale) noexcept {
     return {scale * v.x, scale * v.y};

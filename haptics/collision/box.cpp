@@ -3,7 +3,7 @@
 namespace touchline {
 namespace {
 
-/// True when `other` lies further than `reach_m` outside one side of the box.
+/// Returns true if `other` lies further than `reach_m` outside one side of the box.
 bool separates(const Box& box, const Box& other, double reach_m) {
     const Shadow at = shadow(other, box.origin, box.axis);
     const double square = dot(box.axis, box.axis);

@@ -11,33 +11,33 @@
 
 namespace touchline {
 
-/// The axis of a segment's frame: the segment itself, or 1 m to the right where it is so short
-/// (1e-15 m) that its direction says nothing.
+/// Returns the axis of a segment's frame: the segment itself, or 1 m to the right if it is so short
+/// (1e-15 m) that its direction means nothing.
 [[nodiscard]] inline Position frame_axis(const Segment& segment) {
     constexpr double least_square_m2 = 1e-30;
     const Position e = segment.b - segment.a;
     return dot(e, e) > least_square_m2 ? e : Position{1.0, 0.0};
 }
 
-/// A rectangle along and across an axis that starts at its origin. Extents in axis lengths.
+/// A rectangle along and across an axis that starts at `origin`. Extents in axis lengths.
 struct Box {
     Position origin;
     Position axis;
     double along_low = 0.0, along_high = 0.0, across_low = 0.0, across_high = 0.0;
 };
 
-/// A segment that holds nothing beside itself.
+/// The box of a segment that holds nothing beside itself.
 [[nodiscard]] inline Box box_of(const Segment& s) {
     const Position axis = frame_axis(s);
     return {s.a, axis, 0.0, axis == s.b - s.a ? 1.0 : 0.0, 0.0, 0.0};
 }
 
-/// What something takes up along and across an axis, in axis lengths times metres.
+/// The extent of something along and across an axis, in axis lengths times metres.
 struct Shadow {
     double along_low = 0.0, along_high = 0.0, across_low = 0.0, across_high = 0.0;
 };
 
-/// A box seen along an axis that starts at `origin`.
+/// The shadow of a box along an axis that starts at `origin`.
 [[nodiscard]] inline Shadow shadow(const Box& box, Position origin, Position axis) {
     const Position w = box.origin - origin;
     const double s = dot(axis, w);
@@ -51,27 +51,27 @@ struct Shadow {
     return {s + uc_low - vd_high, s + uc_high - vd_low, n + ud_low + vc_low, n + ud_high + vc_high};
 }
 
-/// A straight way and how near to it something matters.
+/// A straight way, and how near to it something matters.
 struct Way {
     Position from;
     Position by;
     double reach_m = 0.0;
 };
 
-/// At least the length of v, by at most 42 %, without a root.
+/// Returns at least the length of v, at most 42 % more, without a root.
 [[nodiscard]] inline double length_bound(Position v) {
     return std::abs(v.x) + std::abs(v.y);
 }
 
-/// How a way lies to a box.
+/// How a way lies relative to a box.
 struct Approach {
     bool is_met = false;   // false only when no point of the way comes within its reach of the box
     double entry = 0.0;    // where met: share of the way, never later than the first point in reach
     double gap2_m2 = 0.0;  // else: the way stays at least this far (squared) out of reach
 };
 
-/// Separating axes, the reach taken up to 42 % too large, so that no root is needed. About 40
-/// operations, without calls.
+/// Tests by separating axes, with the reach up to 42 % too large, so that it needs no root. About
+/// 40 operations, without calls.
 [[nodiscard]] [[gnu::always_inline]] inline Approach approach(const Box& box, const Way& way) {
     const Position w = way.from - box.origin;
     const double square = dot(box.axis, box.axis);
@@ -92,20 +92,20 @@ struct Approach {
     if (std::abs(turn) > std::abs(ds) * (n_high - n_low) + std::abs(dn) * (s_high - s_low)) {
         return {};
     }
-    // Shares at which the two slabs are entered. A way along a slab starts in it.
+    // Shares of the way at which it enters the two slabs. A way along a slab starts in it.
     double entry = 0.0;
     if (s < s_low || s > s_high) entry = ((s < s_low ? s_low : s_high) - s) / ds;
     if (n < n_low || n > n_high) entry = std::max(entry, ((n < n_low ? n_low : n_high) - n) / dn);
     return {true, std::min(entry, 1.0), 0.0};
 }
 
-/// 0 inside.
+/// Returns 0 inside the box.
 [[nodiscard]] double distance_m(const Box& box, Position p);
 
-/// False only when the boxes are further apart than `reach_m`.
+/// Returns false only if the boxes are further apart than `reach_m`.
 [[nodiscard]] bool overlap(const Box& a, const Box& b, double reach_m);
 
-/// Counter-clockwise.
+/// Returns the corners counter-clockwise.
 [[nodiscard]] std::array<Position, 4> corners_of(const Box& box);
 
 }  // namespace touchline

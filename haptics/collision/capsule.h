@@ -17,7 +17,7 @@ struct Capsule {
     double thickness_m = 0.0;
 };
 
-/// Holds the box; its chord runs along the longer side.
+/// Returns a capsule that holds the box; its chord runs along the longer side.
 [[nodiscard]] inline Capsule capsule_of(const Box& box) {
     const double along_m = box.along_high - box.along_low;
     const double across_m = box.across_high - box.across_low;
@@ -33,7 +33,7 @@ struct Capsule {
             0.5 * along_m * length};
 }
 
-/// At a share along a segment, exactly its end beyond its ends.
+/// Returns the point at a share along a segment; beyond its ends, exactly the end.
 [[nodiscard]] inline Position point_at(const Segment& s, double share) {
     if (share >= 1.0) return s.b;
     return s.a + std::max(share, 0.0) * (s.b - s.a);
@@ -47,8 +47,8 @@ struct Separation {
     Position on_second;
 };
 
-/// About 40 operations and a root; one end is always among the nearest points of segments that do
-/// not cross.
+/// About 40 operations and a root. Of segments that do not cross, one end is always among the
+/// nearest points.
 [[nodiscard]] inline Separation separation(const Segment& first, const Segment& second) {
     const Position e = first.b - first.a;
     const Position f = second.b - second.a;

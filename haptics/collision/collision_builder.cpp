@@ -1,4 +1,5 @@
-// Building the collision tree: boxes, the hierarchy over the coarsest segments, and who is alone.
+// Builds the collision tree: the boxes, the hierarchy over the coarsest segments, and which nodes
+// are alone.
 #include "haptics/collision/box.h"
 #include "haptics/collision/collision_tree.h"
 #include "haptics/collision/crowding.h"
@@ -103,7 +104,7 @@ class CollisionTreeBuilder {
         add_stretches(piece, coarsest, tree_.roots_);
     }
 
-    /// A level of a piece, four neighbouring nodes at a time.
+    /// Adds a level of a piece, four neighbouring nodes at a time.
     void add_stretches(int piece, int level, std::vector<Stretch>& stretches) const {
         const int count = curves_.segment_count(piece, level);
         for (int first = 0; first < count; first += Fan::width) {
@@ -111,8 +112,9 @@ class CollisionTreeBuilder {
         }
     }
 
-    /// Holds the segment and the points of every finer level over its stretch: points down to
-    /// `scanned` levels below, then the boxes of that level, which hold the rest. O(2^scanned).
+    /// Returns extents that hold the segment and the points of every finer level over its stretch:
+    /// it takes points down to `scanned` levels below, then the boxes of that level, which hold the
+    /// rest. O(2^scanned).
     [[nodiscard]] PackedExtents extents(int piece, int level, int j) const {
         constexpr int scanned = 3;
         Growing box(segment(piece, level, j));
@@ -139,7 +141,7 @@ class CollisionTreeBuilder {
         }
     }
 
-    /// One past the last segment of level `finer` over the stretch of segment j.
+    /// Returns one past the last segment of level `finer` over the stretch of segment j.
     [[nodiscard]] std::size_t last_of(int piece, int level, int j, int finer) const {
         return std::min((static_cast<std::size_t>(j) + 1) << (level - finer),
                         static_cast<std::size_t>(curves_.segment_count(piece, finer)));
@@ -149,7 +151,7 @@ class CollisionTreeBuilder {
         return curves_.rendered_segment(piece, level, j);
     }
 
-    /// Node `at` over roots [first, last), halved at the median of the longer side.
+    /// Builds node `at` over roots [first, last), halved at the median of the longer side.
     void bound_roots(std::size_t at, std::size_t first, std::size_t last) {
         Bound bound = bound_of(first, last);
         if (last - first == 1) {
@@ -193,7 +195,7 @@ class CollisionTreeBuilder {
         return extent;
     }
 
-    /// Of level 0.
+    /// The mean edge length at level 0.
     [[nodiscard]] double mean_edge_m() const {
         double length_m = 0.0;
         double edges = 0.0;
@@ -206,8 +208,9 @@ class CollisionTreeBuilder {
         return edges > 0.0 ? length_m / edges : 1.0;
     }
 
-    /// Every piece in stretches of four nodes of the level at which they are 1 mm long, or of its
-    /// coarsest. One level for all: a level coarser than a stretch's cannot start there.
+    /// Puts every piece into the grid, in stretches of four nodes of the level at which they are 1
+    /// mm long, or of its coarsest level. All pieces have one starting level: a query at a level
+    /// coarser than a stretch's cannot start there.
     void lay_grid() {
         constexpr double node_m = 1e-3;
         const double octaves = std::ceil(std::log2(node_m / std::max(mean_edge_m(), 1e-12)));

@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-/// Keys are distances, rounded down.
+/// Returns distances as keys, rounded down.
 Sifted distances(const Fan& fan, Position p) {
     Sifted out{(1U << Fan::width) - 1U, {}, 0.0F};
     for (std::size_t k = 0; k < static_cast<std::size_t>(fan.count); ++k) {
@@ -101,7 +101,7 @@ class ClosestPoint {
         closest_ = {ref, at.parameter, at.point, at.distance_m, 0, true};
     }
 
-    /// `unopened`: the distance of the nearest box left unopened.
+    /// `unopened` is the distance of the nearest box left unopened.
     Closest result(double unopened) {
         closest_.boxes = spender_.opened();
         closest_.is_complete = unopened > closest_.distance_m;
@@ -145,7 +145,7 @@ class AnyNear {
     bool is_met_ = false;
 };
 
-/// Boxes of the coarser level hold every blend, so what may sweep over p has its box there.
+/// The coarser level's boxes hold every blend, so whatever may sweep over p has its box there.
 class FirstWall {
   public:
     static constexpr bool asks_leaf_boxes = false;

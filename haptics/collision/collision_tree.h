@@ -1,7 +1,7 @@
-// The paper's collision tree (section 3): each node (level, j) is a segment of the wavelet
-// approximation with a box aligned to it that holds the segment and every finer level over the same
-// stretch. The coarsest segments of all pieces hang under a bounding hierarchy. Threads: immutable
-// once built; queries are const and keep their state on the stack. No allocation.
+// The paper's collision tree (section 3). Each node (level, j) is a segment of the wavelet
+// approximation with a box aligned to it, which holds the segment and every finer level over the
+// same stretch. The coarsest segments of all pieces hang under a bounding hierarchy. Threads:
+// immutable once built; queries are const and keep their state on the stack. No allocation.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -42,7 +42,7 @@ struct NodeRange {
     bool is_blend = false;  // each holds two rendered segments, 2j and 2j + 1, not one
 };
 
-/// A node of the hierarchy over the coarsest segments (piece -1) or of a piece.
+/// A node of the hierarchy over the coarsest segments (piece -1), or a node of a piece.
 struct TreeNode {
     std::int32_t piece = -1;
     std::int32_t level = 0;
@@ -56,19 +56,19 @@ struct TreeChildren {
 };
 
 /// With less than about 64 boxes, or a deadline of under 7 us, a motion that starts among many
-/// lines may get nowhere: what is not looked at counts as an obstacle from the start.
+/// lines may get nowhere: what the query does not look at counts as an obstacle from the start.
 struct Budget {
     int boxes = std::numeric_limits<int>::max();  // boxes that may be opened
-    std::int64_t deadline_ns = 0;  // of the steady clock, by which to be back; 0: none
+    std::int64_t deadline_ns = 0;  // on the steady clock, by which to return; 0: none
 };
 
-/// First contact of a motion. Boxes that the budget left unopened count as obstacles: `clear` is
-/// the share of the motion proven free of them, and a hit counts only before all of them
+/// The first contact of a motion. Boxes that the budget left unopened count as obstacles: `clear`
+/// is the share of the motion proven free of them, and a hit counts only before all of them
 /// (architecture section 4, "Anytime"). `clear` never falls as the budget grows.
 struct Hit {
     bool is_hit = false;
-    double clear = 1.0;  // share of the motion proven free; where is_hit, that of the contact
-    SegmentRef segment;  // lowest of those touched at the same moment
+    double clear = 1.0;  // share of the motion proven free; if is_hit, the contact's
+    SegmentRef segment;  // lowest of the segments touched at the same moment
     Touch touch;
     int boxes = 0;         // opened
     double spare_m = 0.0;  // without a hit: nothing comes within reach of the motion's end before
@@ -78,12 +78,12 @@ struct Hit {
 /// The paper's own stop (section 3): the answer at the finest level that all candidates reached.
 struct HitAtLevel {
     Hit hit;                // boxes: those opened
-    double level = 0.0;     // the answer's; the level asked for where the budget sufficed
+    double level = 0.0;     // the answer's; the level asked for if the budget sufficed
     bool is_known = false;  // false: the budget ended above the coarsest level; clear is 0
 };
 
 struct Closest {
-    SegmentRef segment;  // piece -1: nothing within the distance asked
+    SegmentRef segment;  // piece -1: nothing within the distance asked for
     double parameter = 0.0;
     Position point;
     double distance_m = 0.0;
@@ -94,7 +94,7 @@ struct Closest {
 
 /// Whether nothing comes near a place.
 struct Clearance {
-    bool is_clear = false;  // false also where the budget ended first
+    bool is_clear = false;  // also false if the budget ended first
     int boxes = 0;          // opened
 };
 
@@ -103,72 +103,73 @@ class CollisionTree {
     /// O(N log N).
     [[nodiscard]] static CollisionTree build(const CurveSet& curves, double radius_m);
 
-    /// The first moment at which the disc touches a segment that it comes nearer to. A segment that
-    /// the disc overlaps at the start counts as touched at the distance it has.
+    /// Finds the first moment at which the disc touches a segment that it is approaching. A segment
+    /// that the disc overlaps at the start counts as touched at its present distance.
     [[nodiscard]] Hit first_hit(const CurveSet& curves, const Motion& motion,
                                 const Budget& budget) const;
 
-    /// The paper's query (section 3): boxes that the motion meets are refined level by level, and
-    /// when the budget ends the motion is answered exactly for the level that all of them reached.
-    /// That level never coarsens as the budget grows. At most 1024 boxes of a level are held.
+    /// The paper's query (section 3): refines the boxes that the motion meets level by level, and
+    /// when the budget ends, answers exactly for the level that all of them reached. That level
+    /// never coarsens as the budget grows. Holds at most 1024 boxes of a level.
     [[nodiscard]] HitAtLevel first_hit_at_level_reached(const CurveSet& curves,
                                                         const Motion& motion,
                                                         const Budget& budget) const;
 
-    /// How often the straight way from p to q crosses the curves as rendered at `level`, counted so
-    /// that the parity is right at vertices and along segments: for a closed curve it is odd
-    /// exactly when one of p and q is inside (points on the curve count as on its upper side).
+    /// Counts how often the straight way from p to q crosses the curves as rendered at `level`. The
+    /// parity is right at vertices and along segments: for a closed curve the count is odd exactly
+    /// if one of p and q is inside (points on the curve count as on its upper side).
     [[nodiscard]] int crossings(const CurveSet& curves, Position p, Position q, double level) const;
 
-    /// The nearest point of the curves as rendered at `level`, if nearer than `within_m`; ties go
-    /// to the lowest segment.
+    /// Returns the nearest point of the curves as rendered at `level`, if it is nearer than
+    /// `within_m`; ties go to the lowest segment.
     [[nodiscard]] Closest closest_point(const CurveSet& curves, Position p, double level,
                                         double within_m, const Budget& budget = {}) const;
 
-    /// Clear when no box of the nodes that hold the curve as rendered at `level` comes within
+    /// Clear if no box of the nodes that hold the curve as rendered at `level` comes within
     /// `distance_m` of p: then no finer level and no blend does either.
     [[nodiscard]] Clearance clearance(const CurveSet& curves, Position p, double distance_m,
                                       double level, const Budget& budget) const;
 
-    /// The first segment, other than those excluded, that passes over p while the level changes.
+    /// Returns the first segment, except the excluded ones, that passes over p while the level
+    /// changes.
     [[nodiscard]] WallHit first_wall(const CurveSet& curves, Position p, const LevelChange& change,
                                      const std::array<SegmentRef, 2>& excluded,
                                      const Budget& budget) const;
 
-    /// The nodes that hold a piece as rendered at `level`. O(1).
+    /// Returns the nodes that hold a piece as rendered at `level`. O(1).
     [[nodiscard]] static NodeRange nodes(const CurveSet& curves, int piece, double level);
 
-    /// True when no box but those of its neighbours along the outline meets the node's box, both
-    /// grown by the radius of build(): sliding along what it holds needs no query, only a look at
-    /// its neighbours (at a fractional level three segments each way). O(1).
+    /// True if the node's box meets no boxes but those of its neighbours along the outline, all
+    /// grown by the radius of build(). Sliding along what it holds then needs no query, only a look
+    /// at its neighbours (at a fractional level three segments each way). O(1).
     [[nodiscard]] bool is_alone(std::size_t node) const { return alone_[node]; }
 
-    /// The boundary section for a handle (paper section 3): the nodes whose box does not hold the
-    /// handle while their parent's does, and, where the boxes hold it down to `level`, the nodes of
-    /// that level. Appends to `section`; for drawing and tests, not for the tick.
+    /// Finds the boundary section for a handle (paper section 3): the nodes whose box does not hold
+    /// the handle while their parent's does, and, if the boxes hold it down to `level`, the nodes
+    /// of that level. Appends to `section`; for drawing and tests, not for the tick.
     void boundary_section(const CurveSet& curves, Position handle, int level,
                           std::vector<ErrorBox>& section) const;
 
-    /// For who keeps a front of nodes from step to step. The top of the hierarchy; without outlines
-    /// there is none.
+    /// For callers that keep a front of nodes from step to step. False without outlines: then there
+    /// is no top.
     [[nodiscard]] bool has_nodes() const { return !bounds_.empty(); }
 
-    /// The top of the hierarchy.
+    /// Returns the top of the hierarchy.
     [[nodiscard]] static TreeNode top() { return {}; }
 
-    /// A node of level 0 has none. O(1).
+    /// Returns a node's children; a node of level 0 has none. O(1).
     [[nodiscard]] TreeChildren children(const CurveSet& curves, const TreeNode& node) const;
 
-    /// What holds a node's curve as rendered at any level up to the node's. O(1).
+    /// Returns a box that holds a node's curve as rendered at any level up to the node's. O(1).
     [[nodiscard]] Box box_of_node(const CurveSet& curves, const TreeNode& node) const {
         if (node.piece >= 0) return node_box(curves, {node.piece, node.level, node.index});
         return bounds_[static_cast<std::size_t>(node.index)].box();
     }
 
-    /// The box of a node, for drawing and tests.
+    /// Returns the box of a node, for drawing and tests.
     [[nodiscard]] ErrorBox box(const CurveSet& curves, int piece, int level, int j) const;
 
-    /// What the tree adds to its curves.
+    /// The memory that the tree adds to its curves.
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
@@ -192,13 +193,13 @@ class CollisionTree {
     };
 
     [[nodiscard]] Box node_box(const CurveSet& curves, const Node& node) const;
-    /// Room for the points of a fan that do not lie in a row.
+    /// Room for the points of a fan that are not contiguous.
     using FanBuffer = std::array<Position, Fan::width + 1>;
 
     [[nodiscard]] Fan fan(const CurveSet& curves, const Stretch& nodes, FanBuffer& buffer) const;
 
     std::vector<PackedExtents> extents_;  // of levels 1 ... L, in the order of the curves' points,
-                                          // and three more, so that four may be read at any
+                                          // and three more, so that four may be read at any index
     std::vector<bool> alone_;             // of all levels, in the order of the curves' points
     std::vector<Bound> bounds_;
     std::vector<Stretch> roots_;  // the coarsest segments of all pieces

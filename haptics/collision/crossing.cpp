@@ -29,7 +29,7 @@ class Expansion {
         add(product);
     }
 
-    /// To 1 ulp; its sign is exact.
+    /// The value to 1 ulp; its sign is exact.
     [[nodiscard]] double value() const {
         double sum = 0.0;
         for (std::size_t i = 0; i < size_; ++i) sum += parts_[i];
@@ -41,7 +41,7 @@ class Expansion {
     std::size_t size_ = 0;
 };
 
-/// Twice the area of the triangle a, b, c, to 1 ulp.
+/// Returns twice the area of the triangle a, b, c, to 1 ulp.
 double exact_area(Position a, Position b, Position c) {
     Expansion sum;
     sum.add_product(b.x, c.y);
@@ -58,7 +58,7 @@ bool is_between(Position a, Position b, Position p) {
            p.y <= std::max(a.y, b.y);
 }
 
-/// Where p, on the line through a and b, lies between them; 0 where they are one point.
+/// Returns where p, on the line through a and b, lies between them; 0 if they are one point.
 double share_between(Position a, Position b, Position p) {
     const Position e = b - a;
     const bool is_wide = std::abs(e.x) >= std::abs(e.y);
@@ -66,7 +66,7 @@ double share_between(Position a, Position b, Position p) {
     return length == 0.0 ? 0.0 : (is_wide ? p.x - a.x : p.y - a.y) / length;
 }
 
-/// Way and segment on one line, or one of them a point.
+/// For a way and a segment on one line, or if one of them is a point.
 std::optional<Crossing> collinear_crossing(Position from, Position to, const Segment& segment) {
     if (is_between(segment.a, segment.b, from)) {
         return Crossing{0.0, share_between(segment.a, segment.b, from), true};

@@ -80,8 +80,8 @@ void Crowding::within_roots(std::size_t a) {
     }
 }
 
-/// Nodes whose parents are neighbours but they are not: the next but one, and from an even node the
-/// one after that. All others of the piece are met through parents that meet.
+/// Compares nodes that are not neighbours although their parents are: the next but one, and from an
+/// even node the one after that. All others of the piece are met through parents that meet.
 void Crowding::along_level(int piece, int level) {
     const int count = curves_.segment_count(piece, level);
     const Piece& own = curves_.pieces()[static_cast<std::size_t>(piece)];
@@ -121,7 +121,7 @@ void Crowding::compare(Part a, Part b, int level) {
     }
 }
 
-/// Of two pieces that share a pin: their ends at every level.
+/// Compares the ends of two pieces that share a pin, at every level.
 void Crowding::between_neighbours(Part a, Part b, int level) {
     if (level == 0) return;
     const Parts of_a = children(a, level);
@@ -139,7 +139,8 @@ void Crowding::between_strangers(Part a, Part b, int level) {
     if (overlap(box_a, box_b, reach_m_)) crowd(a, b, level);
 }
 
-/// Two strangers whose boxes meet: neither is alone, and their children may meet.
+/// For two nodes that are not neighbours and whose boxes meet: neither is alone, and their children
+/// may meet.
 void Crowding::crowd(Part a, Part b, int level) {
     mark(a, level);
     mark(b, level);
@@ -158,7 +159,7 @@ int Crowding::level_of(Part a, int level) const {
     return std::min(level, curves_.pieces()[static_cast<std::size_t>(a.piece)].coarsest);
 }
 
-/// The nodes that take part in its stead at the next finer level, level > 0.
+/// Returns the nodes that replace it at the next finer level; level > 0.
 Crowding::Parts Crowding::children(Part a, int level) const {
     if (level == 0 || level_of(a, level) < level) return {{a, a}, 1};
     const int first = 2 * a.index;

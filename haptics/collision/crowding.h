@@ -1,6 +1,6 @@
-// Which nodes of a collision tree come near others than their neighbours along the outline, and
-// which are alone. Found by walking pairs of boxes that meet down from the hierarchy, so that what
-// is far apart is never compared. Threads: off the tick.
+// Finds which nodes of a collision tree come near others than their neighbours along the outline,
+// and which are alone. Walks down from the hierarchy over pairs of boxes that meet, so that distant
+// boxes are never compared. Threads: off the tick.
 #pragma once
 
 #include "haptics/collision/collision_tree.h"
@@ -13,19 +13,21 @@ namespace touchline {
 
 class Crowding {
   public:
-    /// `reach_m`: boxes nearer than twice this crowd each other.
+    /// Boxes nearer than twice `reach_m` crowd each other.
     Crowding(const CollisionTree& tree, const CurveSet& curves, double reach_m);
 
-    /// One flag for each node, in the order of the curves' points. About 3 comparisons a node for
-    /// curves that keep clear of themselves. A scene so crowded that 64 a node do not suffice has
-    /// no node that is alone: then every slide asks the tree, which is slower and as right.
+    /// Returns one flag for each node, in the order of the curves' points. Takes about 3
+    /// comparisons a node for curves that keep clear of themselves. If a scene is so crowded that
+    /// 64 comparisons a node do not suffice, no node is alone: then every slide asks the tree,
+    /// which is slower but just as right.
     [[nodiscard]] std::vector<bool> find_alone();
 
-    /// The pairs of levels > 0 whose boxes crowd each other, at the same cost.
+    /// Returns the pairs of levels > 0 whose boxes crowd each other, at the same cost.
     [[nodiscard]] Meetings find_meetings();
 
   private:
-    /// A node as it takes part at a level: pieces with fewer levels take part with their coarsest.
+    /// A node as it takes part at a level: pieces with fewer levels take part with their coarsest
+    /// one.
     struct Part {
         int piece, index;
 

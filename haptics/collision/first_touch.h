@@ -1,4 +1,5 @@
-// The first of several segments that a motion touches. Threads: a value on the stack of the query.
+// Finds the first of several segments that a motion touches. Threads: a value on the stack of the
+// query.
 #pragma once
 
 #include "haptics/collision/collision_tree.h"
@@ -11,14 +12,14 @@
 
 namespace touchline {
 
-/// Collects the first of several touches, ties to the lowest segment.
+/// Collects the first of several touches; ties go to the lowest segment.
 class FirstTouch {
   public:
     explicit FirstTouch(const Motion& motion) : motion_(motion), way_(way_of(motion)) {}
 
     [[nodiscard]] const Way& way() const { return way_; }
 
-    /// What is not looked at stays at least this far out of reach.
+    /// Boxes not looked at stay at least this far out of reach.
     void spare(double margin_m) { least_gap2_m2_ = std::min(least_gap2_m2_, margin_m * margin_m); }
 
     Sifted sift(const Fan& fan) {
@@ -27,7 +28,7 @@ class FirstTouch {
         return found;
     }
 
-    /// The share of the way at which a box is entered; nothing where it cannot matter.
+    /// Returns the share of the way at which a box is entered; nothing if the box cannot matter.
     [[nodiscard]] std::optional<double> near(const Box& box) {
         const Approach found = approach(box, way_);
         if (found.is_met) return found.entry;
@@ -51,7 +52,7 @@ class FirstTouch {
         hit_.clear = clear;
     }
 
-    /// `unopened`: the earliest moment at which a box left unopened is met. A hit counts only
+    /// `unopened` is the earliest moment at which a box left unopened is met. A hit counts only
     /// before it.
     [[nodiscard]] Hit result(double unopened, int opened) {
         if (unopened <= cut()) {
@@ -66,12 +67,13 @@ class FirstTouch {
     }
 
   private:
-    /// The tolerance is more than all rounding: no box is entered after what it holds is touched.
+    /// The tolerance is larger than all rounding: no box is entered later than its content is
+    /// touched.
     static Way way_of(const Motion& motion) {
         return {motion.from, motion.to - motion.from, motion.radius_m + approach_tolerance_m};
     }
 
-    /// Share of the motion within which two contacts are one moment.
+    /// The share of the motion within which two contacts count as one moment.
     static double tie_of(const Motion& motion) {
         constexpr double few_ulp = 8.9e-16;
         if (motion.radius_m == 0.0) return few_ulp;

@@ -51,7 +51,7 @@ std::vector<int> in_order(std::span<const Piece> pieces) {
     return order;
 }
 
-/// A stop at the very start of a piece belongs to what ended there.
+/// A stop at the very start of a piece belongs to the leg that ended there.
 void add_piece(const CurveSet& curves, int index, std::span<const LabelStop> stops,
                std::vector<Leg>& legs) {
     const auto pieces = curves.pieces();
@@ -78,7 +78,7 @@ void add_piece(const CurveSet& curves, int index, std::span<const LabelStop> sto
     add(end, is_corner || last_label >= 0, last_label);
 }
 
-/// From lengths of legs to lengths up to the next rest.
+/// Turns lengths of legs into lengths up to the next rest.
 void add_up_runs(std::vector<Leg>& legs) {
     for (std::size_t i = legs.size(); i-- > 0;) {
         const bool is_last = i + 1 == legs.size() || legs[i + 1].starts_outline;

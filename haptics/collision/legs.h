@@ -1,5 +1,5 @@
-// The way along the outlines for a hand that is led: level 0 in the map's order, cut where the hand
-// is to rest. Threads: pure functions, off the tick.
+// The way along the outlines for a guided hand: level 0 in the map's order, cut where the hand is
+// to rest. Threads: pure functions, off the tick.
 #pragma once
 
 #include "config/types/tactile_map.h"
@@ -20,13 +20,12 @@ struct Leg {
     int last = 0;
     bool starts_outline = false;
     bool rests_at_end = false;  // a corner, a junction, a label or the outline's end
-    int label = -1;             // of the map, at its end; -1: none
-    double run_m = 0.0;         // from its start to the next place to rest
+    int label = -1;             // map label at its end; -1: none
+    double run_m = 0.0;         // from its start to the next resting place
 };
 
-/// A label counts where an outline passes within 10 mm of it, at the vertex nearest to it.
-/// O((points
-/// + labels) log).
+/// Cuts the outlines into legs. A label counts if an outline passes within 10 mm of it; the hand
+/// rests at the vertex nearest to it. O((points + labels) log).
 [[nodiscard]] std::vector<Leg> legs_of(const CurveSet& curves, const CollisionTree& tree,
                                        std::span<const Label> labels);
 

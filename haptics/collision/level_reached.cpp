@@ -1,4 +1,5 @@
-// The paper's query (section 3): refine level by level, answer at the level that the budget allows.
+// The paper's query (section 3): refines level by level and answers at the level that the budget
+// allows.
 #include "haptics/collision/first_touch.h"
 #include "haptics/collision/spender.h"
 
@@ -29,7 +30,7 @@ class LevelByLevel {
         std::int32_t piece, level, index;
     };
 
-    /// A list of fixed size: refuses what does not fit.
+    /// A list of fixed size that refuses what does not fit.
     struct Nodes {
         static constexpr std::size_t capacity = 1024;
 
@@ -74,8 +75,8 @@ class LevelByLevel {
         return true;
     }
 
-    /// From `level` to the next finer one; false, and nothing is changed, where the budget or the
-    /// room does not suffice.
+    /// Refines from `level` to the next finer one. Returns false, and changes nothing, if the
+    /// budget or the room does not suffice.
     bool refine(int level) {
         finer_->size = 0;
         for (std::size_t i = 0; i < nodes_->size; ++i) {

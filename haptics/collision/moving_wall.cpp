@@ -20,12 +20,12 @@ Seen seen_at(Position p, const Segment& from, const Segment& to, double share) {
     return {b - a, p - a};
 }
 
-/// Shares in (0, 1] at which c0 + c1 x + c2 x^2 is 0, the first first; NaN where there is none.
+/// Returns the shares in (0, 1] at which c0 + c1 x + c2 x^2 is 0, in order; NaN for a missing one.
 std::array<double, 2> roots(double c0, double c1, double c2) {
     std::array<double, 2> found{NAN, NAN};
     const double square = c1 * c1 - 4.0 * c0 * c2;
     if (square < 0.0) return found;
-    // In this form nothing cancels; one of the two is the root of the line where c2 is 0.
+    // In this form nothing cancels. If c2 is 0, one of the two is the root of the line.
     const double q = -0.5 * (c1 + std::copysign(std::sqrt(square), c1));
     found = {c0 / q, q / c2};
     if (!(found[0] <= found[1])) std::swap(found[0], found[1]);

@@ -1,4 +1,4 @@
-// When a wall that moves meets a point that rests: a change of level moves every segment of the
+// Finds when a moving wall meets a point at rest: a change of level moves every segment of the
 // curves, each end straight and evenly. Threads: pure functions, no allocation.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace touchline {
 
 /// A change of the rendered level between finer + from and finer + to; weights 0 ... 1 in either
-/// order. Segments are named as those of level `finer`, also where a weight is 1.
+/// order. Segments are named as those of level `finer`, even if a weight is 1.
 struct LevelChange {
     int finer = 0;
     double from = 0.0;
@@ -20,7 +20,7 @@ struct LevelChange {
 /// The first segment that reaches a place.
 struct WallHit {
     bool is_hit = false;
-    bool is_complete = true;  // false: the budget ended first; then nothing is known
+    bool is_complete = true;  // false: the budget ended first, and nothing is known
     double share = 1.0;       // of the change
     SegmentRef segment;
     double parameter = 0.0;  // of the point that reaches it, on the segment
@@ -34,8 +34,8 @@ struct WallMeeting {
     bool was_left = false;
 };
 
-/// The first moment at which a segment whose ends move straight and evenly passes over p, its ends
-/// taken a quarter of the contact skin longer. Nothing where it only comes near.
+/// Returns the first moment at which a segment whose ends move straight and evenly passes over p,
+/// its ends extended by a quarter of the contact skin. Returns nothing if it only comes near.
 [[nodiscard]] std::optional<WallMeeting> meeting(Position p, const Segment& from,
                                                  const Segment& to);
 

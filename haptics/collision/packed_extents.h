@@ -15,7 +15,7 @@ class PackedExtents {
   public:
     PackedExtents() = default;
 
-    /// Holds [along_low, along_high] x [across_low, across_high]; finite or not.
+    /// Holds [along_low, along_high] x [across_low, across_high], finite or not.
     PackedExtents(double along_low, double along_high, double across_low, double across_high)
         : halves_{below(along_low), above(along_high), below(across_low), above(across_high)} {}
 
@@ -32,13 +32,13 @@ class PackedExtents {
         return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(half) << 16));
     }
 
-    /// The largest number of this format that is not above x.
+    /// Returns the largest number of this format that is not above x.
     static std::uint16_t below(double x) {
         const auto sign = static_cast<std::uint16_t>(0x8000);
         return static_cast<std::uint16_t>(above(-x) ^ sign);
     }
 
-    /// The smallest number of this format that is not below x.
+    /// Returns the smallest number of this format that is not below x.
     static std::uint16_t above(double x) {
         constexpr std::uint16_t largest = 0x7f7f;
         if (!(x <= static_cast<double>(std::numeric_limits<float>::max()))) return largest;
@@ -48,7 +48,7 @@ class PackedExtents {
         return half;
     }
 
-    /// Away from zero for positive numbers, towards it for negative ones.
+    /// Rounds away from zero for positive numbers, towards it for negative ones.
     static std::uint16_t next_up(std::uint16_t half) {
         const bool is_negative = (half & 0x8000U) != 0;
         if (half == 0x8000U) return 0x0001U;
@@ -58,7 +58,7 @@ class PackedExtents {
     std::array<std::uint16_t, 4> halves_{};
 };
 
-/// The box of a node: its segment's frame, what it holds beside the segment.
+/// Returns the box of a node in its segment's frame, with what it holds beside the segment.
 [[nodiscard]] inline Box box_of(const Segment& s, const PackedExtents& e) {
     return {s.a, frame_axis(s), e.along_low(), e.along_high(), e.across_low(), e.across_high()};
 }

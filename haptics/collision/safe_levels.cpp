@@ -18,7 +18,7 @@ Segment seen_from(Position p, const Segment& s) {
     return {s.a - p, s.b - p};
 }
 
-/// An end of one passes over the other.
+/// Returns whether an end of one passes over the other.
 bool passes_over(const MovingSegment& one, const MovingSegment& other) {
     const auto meets = [&](Position from, Position to) {
         return meeting({}, seen_from(from, other.from), seen_from(to, other.to)).has_value();
@@ -26,7 +26,8 @@ bool passes_over(const MovingSegment& one, const MovingSegment& other) {
     return meets(one.from.a, one.to.a) || meets(one.from.b, one.to.b);
 }
 
-/// The changes of level of one set of curves, from fine to coarse; what is unsafe stays behind.
+/// The changes of level of one set of curves, from fine to coarse; pieces with an unsafe change
+/// stay behind.
 class Changes {
   public:
     explicit Changes(const CurveSet& curves) : curves_(curves) {
@@ -35,8 +36,9 @@ class Changes {
 
     void forbid_all() { std::fill(safe_.coarsest.begin(), safe_.coarsest.end(), 0); }
 
-    /// The pairs of one level, those of all finer ones looked at before. A piece that stays behind
-    /// stands still from then on, which may be in the way of others: until nothing changes.
+    /// Looks at the pairs of one level, after those of all finer levels. A piece that stays behind
+    /// stands still from then on, which may put it in the way of others, so this repeats until
+    /// nothing changes.
     void look_at(const MeetingNodes* first, const MeetingNodes* last) {
         bool is_changed = true;
         while (is_changed) {
@@ -77,7 +79,7 @@ class Changes {
         });
     }
 
-    /// What the node holds on the way from `level` - 1 to `level`.
+    /// Returns what the node holds on the way from `level` - 1 to `level`.
     [[nodiscard]] std::vector<MovingSegment> segments(SegmentRef node, int level) const {
         const bool is_moving = moves(node, level);
         const int finer = is_moving ? level - 1 : coarsest(node);

@@ -1,6 +1,6 @@
-// Which levels of a piece are safe: on the way from one level to the next no line passes over a
-// line that is not its neighbour. Found once, when a map is built (architecture section 4, "Safe
-// levels"; facts G5). Threads: pure functions, off the tick.
+// Finds which levels of a piece are safe: on the way from one level to the next, no line passes
+// over a line that is not its neighbour. Done once, when a map is built (architecture section 4,
+// "Safe levels"; facts G5). Threads: pure functions, off the tick.
 #pragma once
 
 #include "haptics/curve/curve_set.h"
@@ -11,7 +11,7 @@
 namespace touchline {
 
 /// Two nodes, not neighbours along an outline, whose boxes meet: each of `level`, or of its piece's
-/// coarsest where that is finer.
+/// coarsest level if that is finer.
 struct MeetingNodes {
     int level = 0;  // > 0
     std::array<SegmentRef, 2> nodes;
@@ -19,7 +19,7 @@ struct MeetingNodes {
 
 struct Meetings {
     std::vector<MeetingNodes> pairs;
-    bool is_complete = true;  // false: too many to be looked for
+    bool is_complete = true;  // false: too many to look for
 };
 
 /// A node over which something passes while its piece goes from `level` - 1 to `level`.
@@ -33,12 +33,13 @@ struct SafeLevels {
     std::vector<UnsafeNode> unsafe;
 };
 
-/// `meetings`: all of the curves' nodes. Lines that cross at level 0 already may go on doing so; no
-/// vertex passes over a line. O(pairs), each a few times.
+/// `meetings` holds all of the curves' nodes. Lines that already cross at level 0 may continue to;
+/// no vertex passes over a line. O(pairs), each a few times.
 [[nodiscard]] SafeLevels find_safe_levels(const CurveSet& curves, Meetings meetings);
 
-/// Pins that part what is unsafe from the rest of its outline, so that the rest keeps its levels.
-/// None where what is lost is coarser than a hand at 0.5 m/s asks for (facts 5.3).
+/// Returns pins that separate the unsafe parts from the rest of their outline, so that the rest
+/// keeps its levels. Returns none if the lost levels are coarser than a hand at 0.5 m/s asks for
+/// (facts 5.3).
 [[nodiscard]] std::vector<PinPlace> pins_for(const CurveSet& curves, const SafeLevels& safe);
 
 }  // namespace touchline

@@ -31,7 +31,7 @@ Result<Scene> build_scene(const TactileMap& map, const CurveOptions& options, do
             wanted.pins.insert(wanted.pins.end(), pins.begin(), pins.end());
             continue;
         }
-        // Who is alone depends on the levels that there are.
+        // Which nodes are alone depends on the levels that exist.
         const bool is_limited = !safe.unsafe.empty() || !is_complete;
         curves->limit_levels(safe.coarsest);
         if (is_limited) tree = CollisionTree::build(*curves, radius_m);

@@ -1,4 +1,4 @@
-// What the servo feels: the curves of a map and the collision tree over them.
+// What the servo feels: a map's curves and the collision tree over them.
 // Threads: immutable once built (off the tick); any thread may read.
 #pragma once
 
@@ -18,11 +18,11 @@ struct Scene {
     CollisionTree tree;
     Area area;
     std::uint64_t map_version = 0;
-    int percept_level = 0;       // of the curves (level_error.h): none finer is told from it
+    int percept_level = 0;  // curve level (level_error.h) from which no finer one can be told apart
     std::vector<Leg> legs = {};  // of all outlines, in the map's order
 };
 
-/// O(N log N). `radius_m` >= 0 is the largest proxy radius that will be used on this scene: it
+/// O(N log N). `radius_m` >= 0 is the largest proxy radius that will be used on this scene; it
 /// decides which segments are crowded (see collision_tree.h).
 [[nodiscard]] Result<Scene> build_scene(const TactileMap& map, const CurveOptions& options,
                                         double radius_m);

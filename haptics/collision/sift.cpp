@@ -32,7 +32,7 @@ Floats upper_halves(Halves low_first) {
     return out;
 }
 
-/// Four packed extents turned on their side: a half is the upper part of a float.
+/// Transposes four packed extents: a half is the upper part of a float.
 Extents unpacked(const PackedExtents* four) {
     Halves first;
     Halves second;
@@ -52,7 +52,7 @@ Extents unpacked(const PackedExtents* four) {
     return {low(along), high(along), low(across), high(across)};
 }
 
-/// Shares of the way at which slabs are entered; 0 where it starts inside or never gets there.
+/// Shares of the way at which it enters the slabs; 0 if it starts inside or never gets there.
 Floats slab_entry(Floats start, Floats by, Floats low, Floats high) {
     const Floats border = start < low ? low : (start > high ? high : start);
     const Floats entry = (border - start) / by;
@@ -71,7 +71,7 @@ struct Points {
     Floats x, y;
 };
 
-/// Rounds four differences of points and turns them on their side.
+/// Rounds four differences of points and transposes them.
 Points rounded(Pair a, Pair b, Pair c, Pair d) {
     const SmallPair fa = __builtin_convertvector(a, SmallPair);
     const SmallPair fb = __builtin_convertvector(b, SmallPair);
@@ -80,7 +80,7 @@ Points rounded(Pair a, Pair b, Pair c, Pair d) {
     return {Floats{fa[0], fb[0], fc[0], fd[0]}, Floats{fa[1], fb[1], fc[1], fd[1]}};
 }
 
-/// The bits set in any lane.
+/// Returns the bits set in any lane.
 unsigned gathered(Masks bits) {
     const Masks halves = bits | __builtin_shufflevector(bits, bits, 2, 3, 0, 1);
     const Masks whole = halves | __builtin_shufflevector(halves, halves, 1, 0, 3, 2);
@@ -126,7 +126,7 @@ Sifted sift(const Fan& fan, const Way& way) {
     const Floats gap = larger(beside, off);
     const Floats turn = ds * (n_low + n_high - 2.0F * n) - dn * (s_low + s_high - 2.0F * s);
     const Floats room = absolute(ds) * (n_high - n_low) + absolute(dn) * (s_high - s_low);
-    // An axis too short for its square says nothing: such a box counts as near.
+    // An axis too short for its square says nothing, so such a box counts as near.
     const Masks is_known = square > 1e-30F;
     const Masks is_beside = (gap > 0.0F) & is_known;
     const Masks is_passed = (absolute(turn) > 1.000002F * room) & is_known;

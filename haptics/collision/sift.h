@@ -1,6 +1,6 @@
-// Up to four neighbouring boxes against one way at once, in single precision: most boxes that a
-// walk looks at are far from the motion, and four at a time cost little more than one. What may be
-// near is left to the exact test. Threads: pure functions, no allocation.
+// Tests up to four neighbouring boxes against one way at once, in single precision: most boxes that
+// a walk looks at are far from the motion, and four at a time cost little more than one. The exact
+// test then judges those that may be near. Threads: pure functions, no allocation.
 #pragma once
 
 #include "haptics/collision/box.h"
@@ -17,7 +17,7 @@ struct Fan {
 
     const Position* points = nullptr;        // width + 1 may be read
     const PackedExtents* extents = nullptr;  // of width nodes; null: the segments themselves
-    int count = 0;                           // nodes, 1 ... width: what is read beyond is ignored
+    int count = 0;                           // nodes, 1 ... width; values read beyond are ignored
 
     [[nodiscard]] Box box(std::size_t k) const {
         const Segment s{points[k], points[k + 1]};
@@ -25,7 +25,7 @@ struct Fan {
     }
 };
 
-/// What a sift leaves.
+/// The result of a sift.
 struct Sifted {
     unsigned near = 0;                    // bit k: node k may matter
     std::array<float, Fan::width> key{};  // smaller is nearer: here the share of the way at which
@@ -34,7 +34,7 @@ struct Sifted {
 };
 
 /// Conservative: coordinates are taken relative to the way's start before they are rounded, and the
-/// reach is widened by 4e-6 of the distance, more than all rounding.
+/// reach is widened by 4e-6 of the distance, which is more than all rounding.
 [[nodiscard]] Sifted sift(const Fan& fan, const Way& way);
 
 }  // namespace touchline

@@ -6,7 +6,7 @@
 
 namespace touchline {
 
-/// Counts boxes; looks at the clock only where a deadline is set.
+/// Counts boxes; reads the clock only if a deadline is set.
 class Spender {
   public:
     explicit Spender(const Budget& budget) : budget_(budget) {}

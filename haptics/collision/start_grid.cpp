@@ -58,7 +58,8 @@ StartGrid::StartGrid(std::vector<Stretch> stretches, std::span<const Position> l
     });
 }
 
-/// Cells of one axis. Beyond the grid there is nothing: its border sets no margin.
+/// Returns the cells along one axis. There is nothing beyond the grid, so its border sets no
+/// margin.
 StartGrid::Interval StartGrid::interval(double from, double to, double reach_m, double low,
                                         int count) const {
     constexpr double far = std::numeric_limits<double>::infinity();

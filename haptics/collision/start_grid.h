@@ -1,7 +1,7 @@
-// Where a walk through the collision tree starts when the motion is short: a uniform grid that
-// says, for every cell, which stretches of about 4 mm have a box there. A step of the hand is
-// shorter than a cell, so it starts next to what it may meet, however many outlines there are; the
-// descent from the top would cost more than all the rest. Threads: immutable once built.
+// Where a walk through the collision tree starts if the motion is short: a uniform grid that says
+// for every cell which stretches of about 4 mm have a box there. A step of the hand is shorter than
+// a cell, so the walk starts next to what it may meet, however many outlines there are; the descent
+// from the top would cost more than all the rest. Threads: immutable once built.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -21,7 +21,7 @@ struct Stretch {
 
 class StartGrid {
   public:
-    /// Cells touched by a way, and how far the way stays from everything outside them.
+    /// The cells that a way touches, and how far the way stays from everything outside them.
     struct Cells {
         int x_first = 0, x_last = -1, y_first = 0, y_last = -1;  // none where last < first
         double margin_m = 0.0;
@@ -29,11 +29,11 @@ class StartGrid {
 
     StartGrid() = default;
 
-    /// `low`, `high`: what stretch i occupies. O(stretches + cells).
+    /// `low` and `high` bound each stretch. O(stretches + cells).
     StartGrid(std::vector<Stretch> stretches, std::span<const Position> low,
               std::span<const Position> high);
 
-    /// Nothing where the way is too long to be worth it: more than nine cells. O(1).
+    /// Returns nothing if the way is too long to be worth it: more than nine cells. O(1).
     [[nodiscard]] std::optional<Cells> cells_near(const Way& way) const;
 
     [[nodiscard]] std::span<const std::int32_t> stretches_in(int x, int y) const {

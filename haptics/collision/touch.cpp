@@ -8,8 +8,9 @@
 namespace touchline {
 namespace {
 
-// A way whose point nearest to an end lies no further ahead passes it by: rounding makes this much
-// of a tangent, and it brings a disc that keeps half a skin or more nearer by 1e-21 m at most.
+// A way whose point nearest to an end lies no further ahead than this passes the end by. Rounding
+// makes this much of a tangent, and it brings a disc that keeps half a skin or more nearer by at
+// most 1e-21 m.
 constexpr double tangential_m = 1e-16;
 
 /// A motion seen from one segment.
@@ -56,15 +57,15 @@ std::optional<Touch> touch_line(const Course& motion, const Descent& d) {
     const double fraction = std::clamp(gap / d.approach_m, 0.0, 1.0);
     const double t = d.start + fraction * d.advance;
     if (!(t >= 0.0 && t <= 1.0)) return {};
-    // Over the segment it comes no nearer any more: its end decides, or a proxy that leaves an end
-    // along the line is stopped by what it leaves.
+    // Over the segment it comes no nearer any more: its end decides, or else a proxy that leaves an
+    // end along the line would be stopped by what it leaves.
     const double ahead = d.advance > 0.0 ? 1.0 - t : t;
     const bool is_leaving = ahead * d.approach_m <= motion.tolerance_m * std::abs(d.advance);
     if (d.advance != 0.0 && is_leaving) return {};
     return side_touch(motion, d, fraction, t, d.height_m);
 }
 
-/// The disc has passed an end so nearly at its radius that the end did not count as touched, and is
+/// The disc has passed an end so close to its radius that the end did not count as touched, and is
 /// still coming nearer as its foot enters the segment.
 std::optional<Touch> touch_on_entering(const Course& motion, const Descent& d) {
     const bool is_before = d.start < 0.0 && d.advance > 0.0;
@@ -88,7 +89,7 @@ std::optional<Touch> touch_end(const Course& motion, Position end, double parame
     const double pass = cross(u, w);  // distance at which it is passed
     const double nearest = ahead <= length ? std::abs(pass) : norm(w + motion.way);
     if (!(ahead > tangential_m) || !(nearest < motion.radius_m - motion.tolerance_m)) return {};
-    // Written as a product of the two ways to the circle: no cancellation at long ways.
+    // Written as a product of the two ways to the circle, so that nothing cancels at long ways.
     const double half_chord =
         std::sqrt((motion.radius_m - std::abs(pass)) * (motion.radius_m + std::abs(pass)));
     const double fraction = std::clamp((ahead - half_chord) / length, 0.0, 1.0);
@@ -114,8 +115,8 @@ std::optional<Touch> touch(Position from, Position to, double radius_m, const Se
     const Position e = segment.b - segment.a;
     const double length = norm(e);
     const double start = foot(from, segment).distance_m;
-    // A tolerance a motion would add up over many: there is none once the skin is half gone, also
-    // of a disc that keeps less than its radius by now.
+    // Over many motions a tolerance would add up, so there is none once half the skin is gone, even
+    // for a disc that keeps less than its radius by now.
     const bool is_kept = start > std::max(radius_m - 0.5 * contact_skin_m, 0.5 * contact_skin_m);
     const Course motion{from, to - from, std::min(radius_m, start),
                         is_kept ? approach_tolerance_m : 0.0};
@@ -125,7 +126,8 @@ std::optional<Touch> touch(Position from, Position to, double radius_m, const Se
     };
     if (!is_point(segment)) {
         const Descent descent = descent_of(motion, segment, e, length);
-        // The disc comes as near to the line as to anything on it: a touched side is the first.
+        // The disc comes at least as near to the line as to any point of the segment, so a touched
+        // side is the first.
         if (const auto side = touch_line(motion, descent)) return side;
         take(touch_on_entering(motion, descent));
     }

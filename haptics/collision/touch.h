@@ -1,5 +1,5 @@
-// When a moving disc touches one segment: the leaf test of the collision tree, also used on its own
-// where the segment is known. Threads: pure functions, no allocation.
+// Finds when a moving disc touches one segment: the leaf test of the collision tree, also used
+// alone if the segment is known. Threads: pure functions, no allocation.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -26,10 +26,11 @@ struct Touch {
     bool is_end = false;      // an end of the segment is touched, not its side
 };
 
-/// The first moment at which a disc of `radius_m` >= contact_skin_m moving from `from` to `to`
-/// comes as near to the segment as its radius, or as it was at the start where that is nearer;
-/// nothing if it does not come nearer by more than the tolerance. At radius 0 a point: the first
-/// point of the way on the segment, touching at the start included, decided exactly (crossing.h).
+/// Returns the first moment at which a disc of `radius_m` >= contact_skin_m moving from `from` to
+/// `to` comes as near to the segment as its radius, or as its distance at the start if that is
+/// less. Returns nothing if it does not come nearer by more than the tolerance. Radius 0 means a
+/// point: the first point of the way on the segment, including a touch at the start, decided
+/// exactly (crossing.h).
 [[nodiscard]] std::optional<Touch> touch(Position from, Position to, double radius_m,
                                          const Segment& segment);
 

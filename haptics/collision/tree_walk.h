@@ -1,6 +1,6 @@
-// The one traversal of the collision tree: top down, near children first, on a fixed stack. What to
-// look for is the visitor's: it says how near a box is, what to do with a leaf's segment, and when
-// a box is too far to matter. Threads: a value on the stack of the query. No allocation.
+// The one traversal of the collision tree: top down, near children first, on a fixed stack. A
+// visitor decides what to look for: it says how near a box is, what to do with a leaf's segment,
+// and when a box is too far to matter. Threads: a value on the stack of the query. No allocation.
 #pragma once
 
 #include "haptics/collision/box.h"
@@ -19,14 +19,14 @@ namespace touchline {
 ///   std::optional<double> near(const Box&)  a key, smaller is nearer; nothing: cannot matter
 ///   double cut() const                      boxes with a larger key cannot matter
 ///   void leaf(SegmentRef, const Segment&)   a rendered segment
-///   bool asks_leaf_boxes                    false: where a node holds one rendered segment, the
+///   bool asks_leaf_boxes                    false: if a node holds one rendered segment, the
 ///                                           segment is passed to leaf() without a look at its box
-///   void spare(double)                      what is not looked at stays at least this far out of
+///   void spare(double)                      boxes not looked at stay at least this far out of
 ///                                           reach of the way; only for run_near()
-///   bool spend(int)                         so many boxes are opened; false: the budget does not
+///   bool spend(int)                         this many boxes are opened; false: the budget does not
 ///                                           suffice
 /// A box is opened when its children are looked at, so n opened boxes lead to at most n + 1 leaves.
-/// Two levels are opened at once where the tree is that deep: a node and its two children.
+/// Two levels are opened at once if the tree is that deep: a node and its two children.
 template <class Visitor>
 class TreeWalk {
   public:
@@ -38,15 +38,15 @@ class TreeWalk {
           is_fraction_(level > finest_whole_),
           visitor_(visitor) {}
 
-    /// Returns the smallest key of the boxes left unopened, infinity when the walk was finished.
+    /// Returns the smallest key of the boxes left unopened; infinity if the walk was finished.
     double run() {
         if (tree_.bounds_.empty()) return INFINITY;
         push_bound(0, 0.0);
         return finish();
     }
 
-    /// The same for what matters only near a way. Starts at the grid where the way is short and the
-    /// level no coarser than the grid's.
+    /// The same for a search that only matters near a way. Starts at the grid if the way is short
+    /// and the level is no coarser than the grid's.
     double run_near(const Way& way) {
         std::optional<StartGrid::Cells> cells;
         if (level_ <= tree_.start_level_) cells = tree_.start_grid_.cells_near(way);
@@ -71,7 +71,7 @@ class TreeWalk {
         return INFINITY;
     }
 
-    /// One of several cells that share it has led to this stretch already, as far as remembered.
+    /// Whether another cell that shares the stretch has already led to it, as far as remembered.
     bool has_met(std::int32_t stretch) {
         for (const std::int32_t met : met_) {
             if (met == stretch) return true;
@@ -81,7 +81,7 @@ class TreeWalk {
         return false;
     }
 
-    /// A stretch of the grid, and all that is below it.
+    /// Walks a stretch of the grid and everything below it.
     double start(const Stretch& stretch) {
         look_up(stretch.piece);
         first_of_fan_ = size_;
@@ -112,8 +112,8 @@ class TreeWalk {
         std::int32_t piece, level, index;
     };
 
-    /// Deeper than any tree: the hierarchy over 2^32 fans, and 32 levels of a piece, three nodes
-    /// left behind for every two of them.
+    /// Deeper than any tree: the hierarchy over 2^32 fans, and 32 levels of a piece, with three
+    /// nodes left behind for every two of them.
     static constexpr std::size_t capacity = 96;
 
     [[nodiscard]] double smallest_key() const {
@@ -122,7 +122,7 @@ class TreeWalk {
         return key;
     }
 
-    /// A child's box may stick out of its parent's, its content does not: so keys never fall.
+    /// A child's box may stick out of its parent's, but its content does not: so keys never fall.
     void push(double key, double parent_key, Entry entry) {
         entry.key = std::max(key, parent_key);
         if (entry.key > visitor_.cut()) return;
@@ -167,7 +167,7 @@ class TreeWalk {
         open_fan(level, first, count, entry.key);
     }
 
-    /// Levels opened at once.
+    /// The number of levels opened at once.
     [[nodiscard]] int depth_of(const Entry& entry) const {
         return entry.level - leaf_level_ >= 2 ? 2 : 1;
     }

@@ -17,8 +17,8 @@ struct Slide {
     double way_m = 0.0;
 };
 
-/// On the neighbour ahead (behind), where the foot there is nearer than the one here: its near end
-/// where this segment's end is reached, else, inside a bend, the foot itself.
+/// Goes on to the neighbour ahead (behind) if the foot there is nearer than the one here: to its
+/// near end if this segment's end is reached, or, inside a bend, to the foot itself.
 std::optional<Slide> onward(RenderedOutlines& outlines, const Attachment& at, const Foot& here,
                             Position handle, bool is_forward) {
     const SegmentRef next = outlines.next(at.segment, is_forward);

@@ -1,4 +1,4 @@
-// What a line does to the hand near it, by its distance: the law of groove, ridge and stay. Each is
+// The force of a line on a hand near it, by distance: the laws of groove, ridge and stay. Each is
 // the gradient of a potential and ends smoothly at the capture width. Threads: pure functions.
 #pragma once
 
@@ -21,12 +21,13 @@ class CaptureLaw {
 
     [[nodiscard]] double capture_m() const { return capture_m_; }
 
-    /// Of the force over the distance: K, and 8 K where stay gives way.
+    /// The steepest slope of the force over the distance: K, and 8 K where stay gives way.
     [[nodiscard]] double steepest_N_per_m() const {
         return (mode_ == Mode::stay ? 8.0 : 1.0) * stiffness_N_per_m_;
     }
 
-    /// Towards the line where positive. Zero for a distance or capture width that is no number.
+    /// Returns the pull, positive towards the line. Zero if the distance or the capture width is
+    /// NaN.
     [[nodiscard]] double pull_N(double distance_m) const {
         if (!(distance_m < capture_m_)) return 0.0;
         const double spring_N = stiffness_N_per_m_ * distance_m;
@@ -38,7 +39,7 @@ class CaptureLaw {
         return (mode_ == Mode::ridge ? -1.0 : 1.0) * spring_N * rest * rest;
     }
 
-    /// Its potential, >= 0: 0 on the line of a groove, and where a ridge ends.
+    /// The law's potential, >= 0: it is 0 on the line of a groove, and where a ridge ends.
     [[nodiscard]] double energy_J(double distance_m) const {
         const double q = distance_m < capture_m_ ? square_of_share(distance_m) : 1.0;
         const double scale_J = stiffness_N_per_m_ * capture_m_ * capture_m_;

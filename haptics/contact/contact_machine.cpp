@@ -9,8 +9,8 @@
 namespace touchline {
 namespace {
 
-// What a step may still need to return once late, and the first one on a scene, which finds neither
-// data nor code in any cache.
+// The time a step may still need to return once it is late. The first step on a scene needs more,
+// because it finds neither data nor code in any cache.
 constexpr std::int64_t return_ns = 3000;
 constexpr std::int64_t cold_return_ns = 6500;
 
@@ -46,8 +46,8 @@ void ContactMachine::start_free(Position handle) {
     pop_through_ = {};
     is_fresh_ = true;
     const Scene& scene = outlines_.scene();
-    // Nearer than the skin to a line: onto its left. A second line as near is met at the next
-    // round.
+    // A handle nearer to a line than the skin goes onto its left. A second line as near is met in
+    // the next round.
     for (int i = 0; i < 8 && is_finite(handle); ++i) {
         const Closest at = scene.tree.closest_point(scene.curves, proxy_.centre, outlines_.level(),
                                                     contact_skin_m);
@@ -89,7 +89,7 @@ ContactReport ContactMachine::step(Position handle, double level, const ContactS
     return report;
 }
 
-/// A wall: it may give way, move to another level, and then the proxy follows the handle.
+/// Wall mode: the wall may give way or move to another level; then the proxy follows the handle.
 void ContactMachine::press(Position handle, double level, const ContactSettings& settings,
                            const Budget& budget, double dt_s, ContactReport& report) {
     Budget left = budget;
@@ -115,7 +115,7 @@ void ContactMachine::press(Position handle, double level, const ContactSettings&
     report.stored_J = 0.5 * settings.stiffness_N_per_m * dot(stretch, stretch);
 }
 
-/// A disc that overlapped a line would not be stopped by it in a corner.
+/// Refuses a proxy whose contacts do not lie in the scene.
 bool ContactMachine::rebind(const Scene* scene) {
     constexpr double most_level = 64.0;
     path_ = nullptr;
@@ -152,15 +152,15 @@ void ContactMachine::take_mode(Position handle, Mode mode) {
     mode_ = mode;
 }
 
-/// The force goes on from what it was where the machine itself has changed it.
+/// If the machine itself has changed the force, continues from what it was.
 void ContactMachine::join(ContactReport& report, double dt_s) {
     if (is_gap_) gap_.start(force_, report.force);
     is_gap_ = false;
     report.force += gap_.step(dt_s);
 }
 
-/// What the proxy's move took from the spring, less what a sampled spring may give back at the next
-/// move of the hand.
+/// Books what the proxy's move took from the spring, less what a sampled spring may give back at
+/// the hand's next move.
 void ContactMachine::book(Position handle, Position start, double stiffness_N_per_m, double dt_s) {
     const Position rest = handle - proxy_.centre;
     const Position moved = handle - handle_;
@@ -169,7 +169,7 @@ void ContactMachine::book(Position handle, Position start, double stiffness_N_pe
     account_.earn(0.5 * stiffness_N_per_m * square_m2, dt_s);
 }
 
-/// Groove, ridge, stay: the proxy is the attachment.
+/// Groove, ridge and stay: the proxy is the attachment.
 void ContactMachine::hold(Position handle, double level, const ContactSettings& settings,
                           const Budget& budget, double dt_s, ContactReport& report) {
     const GrooveForce held = groove_.step(outlines_, level, handle, settings, budget, dt_s);
@@ -210,8 +210,9 @@ int ContactMachine::change_level(double level, Position handle, const ContactSet
     return boxes;
 }
 
-/// Towards `level`, not over a whole level, by one try a tick: as far as pushes the hand by no more
-/// than a touch of force, as the tick before has found; a little way after one that found no place.
+/// Moves towards `level`, not past a whole level, with one try a tick. It goes as far as pushes the
+/// hand by no more than a touch of force, as the tick before has found; after a try that found no
+/// place, only a little way.
 int ContactMachine::move_wall(double level, Position handle, const ContactSettings& settings,
                               const Budget& budget, double dt_s) {
     const double from = outlines_.level();
@@ -234,7 +235,7 @@ int ContactMachine::move_wall(double level, Position handle, const ContactSettin
     return motion.boxes();
 }
 
-/// Unless the wall would do work on the hand that is not covered.
+/// Adopts the motion unless the wall would do work on the hand that is not covered.
 void ContactMachine::adopt(const Carried& carried, const RenderedOutlines& outlines,
                            Position handle, double stiffness_N_per_m) {
     const Position before = handle - proxy_.centre;
@@ -267,8 +268,8 @@ void ContactMachine::fill(ContactReport& report) {
     report.is_at_end = is_at_vertex && outlines_.next(at.segment, at.parameter > 0.5).piece < 0;
 }
 
-/// True where a proxy that is free again slid off the end of an open line: it is beside the end,
-/// further on.
+/// Returns true if a proxy that is free again slid off the end of an open line: it is beside the
+/// end, further on.
 bool ContactMachine::is_beyond_end(int piece) {
     const CurveSet& curves = outlines_.scene().curves;
     const Piece& line = curves.pieces()[static_cast<std::size_t>(piece)];

@@ -25,7 +25,7 @@ inline constexpr int max_tree_queries = 4;       // in a step; as many again whe
                                                  // vertices among other lines
 inline constexpr int max_moves = 4 * max_walks;  // walks, arcs and changes of state in a step
 
-/// What one step did.
+/// The result of one step.
 struct ContactReport {
     Force force;  // K (proxy - handle) in wall mode: the contact force itself, no limits; fading
                   // from the one before for a while after a switch of mode or a pop through
@@ -47,19 +47,20 @@ struct ContactReport {
 
 class ContactMachine {
   public:
-    /// Starts free at the handle; exactly on a line it starts on the line's left. A disc that has
-    /// no room there stays narrower until it is free with more. `scene` must outlive the machine's
-    /// use of it.
+    /// Starts free at the handle; if that is exactly on a line, the proxy starts on the line's
+    /// left. A disc that has no room there stays narrower until there is more. The machine uses
+    /// `scene`, which must outlive that use.
     void reset(const Scene& scene, Position handle, double level);
 
-    /// One tick of `dt_s` > 0. First the rendered level comes nearer to `level`: at once where the
-    /// proxy is free and outside all boxes of the coarser of both, else by at most half an octave
-    /// and 0.015 N a tick, as a motion of the wall that takes the proxy along (wall_motion.h); it
-    /// waits where there is no place for the proxy or the energy account does not cover it. Then
-    /// the proxy moves towards the handle. At most 256 walks and 4 tree queries; the rest is
-    /// carried. |handle - proxy| never grows by that. A handle that is not finite gives zero force
-    /// and moves nothing. In the other modes see Groove::step(). A mode other than that of the step
-    /// before takes over at once, a wall with the proxy at the handle, and the force fades over
+    /// Advances one tick of `dt_s` > 0. First the rendered level moves towards `level`. If the
+    /// proxy is free and outside all boxes of the coarser of both levels, it moves there at once;
+    /// else by at most half an octave and 0.015 N a tick, as a motion of the wall that takes the
+    /// proxy along (wall_motion.h). It waits if there is no place for the proxy or the energy
+    /// account does not cover it.
+    /// Then the proxy moves towards the handle, with at most 256 walks and 4 tree queries; the rest
+    /// of the way is carried to the next tick. |handle - proxy| never grows by that. A handle that
+    /// is not finite gives zero force and moves nothing. For the other modes see Groove::step(). A
+    /// new mode takes over at once, a wall with the proxy at the handle, and the force fades over
     /// (gap_fade.h). After that, and after a pop through, the proxy is as small as the place is.
     [[nodiscard]] ContactReport step(Position handle, double level, const ContactSettings& settings,
                                      const Budget& budget, double dt_s = 1e-3);
@@ -68,19 +69,20 @@ class ContactMachine {
 
     [[nodiscard]] double rendered_level() const { return outlines_.level(); }
 
-    /// For a machine that was copied byte by byte: goes on with `scene`, the same as before but
-    /// elsewhere in memory; null: without one, until reset(). False where it does not fit.
+    /// For a machine that was copied byte by byte: continues with `scene`, which is the same as
+    /// before but elsewhere in memory, or null for no scene until reset(). Returns false if the
+    /// machine's state does not fit it.
     [[nodiscard]] bool rebind(const Scene* scene);
 
-    /// From the next step on `path` holds the way points of the last step, the first where it
-    /// started; nullptr: none are kept. For tests: it may allocate.
+    /// From the next step on, `path` holds the way points of the latest step, beginning with its
+    /// start; nullptr keeps none. For tests: it may allocate.
     void record_path(std::vector<Position>* path) { path_ = path; }
 
   private:
-    /// Makes the disc as wide as `wanted_m`, or as there is room where it is free. Returns the
-    /// boxes opened.
+    /// Makes the disc as wide as `wanted_m`, or as wide as the room allows while it is free.
+    /// Returns the number of boxes opened.
     int widen(double wanted_m, const Budget& budget);
-    /// `level` is another than the rendered one. Returns the boxes opened.
+    /// Moves to `level`, which differs from the rendered one. Returns the number of boxes opened.
     int change_level(double level, Position handle, const ContactSettings& settings,
                      const Budget& budget, double dt_s);
     void adopt(const Carried& carried, const RenderedOutlines& outlines, Position handle,

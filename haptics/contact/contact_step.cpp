@@ -84,8 +84,8 @@ ContactStep::Next ContactStep::move_on_edge() {
     return slide(way_m - std::copysign(held_m, way_m));
 }
 
-/// `way_m` along the contact's edge, or to the end of the last edge that lies in line with it. An
-/// edge that is alone is the only one: its sweeps look no further than its neighbours.
+/// Goes `way_m` along the contact's edge, or to the end of the last edge in line with it. An edge
+/// that is alone is the only one, because its sweeps look no further than its neighbours.
 ContactStep::InLine ContactStep::go_in_line(double way_m) {
     InLine to{first(), way_m, 0};
     const Edge start = outlines_.edge(to.at.segment);
@@ -121,15 +121,16 @@ ContactStep::InLine ContactStep::go_in_line(double way_m) {
     return to;
 }
 
-/// A slide in general: whatever is near, however thick the proxy. Edges in line are one sweep.
+/// The general slide, for whatever is near and however thick the proxy is. Edges in line are one
+/// sweep.
 ContactStep::Next ContactStep::slide(double way_m) {
     const Contact from = first();
     const InLine goal = go_in_line(way_m);
     walks_ += goal.edges;
     const Position to = point_of(outlines_.segment(goal.at.segment), goal.at.parameter) +
                         along<Position>(from.normal, from.offset_m);
-    // What has come nearer to the line by rounding is no wider than that, or the line's next edge
-    // would stop it.
+    // If rounding has brought the disc nearer to the line, it counts as only that wide; else the
+    // line's next edge would stop it.
     const Sweep found = sweep(to, std::min(radius_m_, from.offset_m),
                               {from.segment, goal.at.segment}, outlines_.is_alone(from.segment));
     first() = found.share >= 1.0 ? goal.at : go_in_line(found.share * goal.way_m).at;
@@ -145,14 +146,14 @@ bool ContactStep::is_late() const {
     return budget_.deadline_ns != 0 && steady_now_ns() >= budget_.deadline_ns;
 }
 
-/// The proxy is a point but for its skin.
+/// Whether the proxy is a point except for its skin.
 bool ContactStep::is_thin(const Contact& at) const {
     return radius_m_ == contact_skin_m && at.offset_m <= 1.5 * contact_skin_m &&
            at.offset_m >= 0.5 * contact_skin_m;
 }
 
-/// A slide that stops short of the end of an open edge: it needs no sweep. False, and nothing done,
-/// where that is not all there is to it.
+/// A slide that stops short of the end of an open edge, and so needs no sweep. Returns false, and
+/// does nothing, if there is more to it.
 bool ContactStep::rest_on_edge() {
     Contact& at = first();
     const Edge& edge = outlines_.edge(at.segment);
@@ -170,8 +171,8 @@ bool ContactStep::rest_on_edge() {
     return true;
 }
 
-/// Over as many vertices as the handle clearly pulls a thin proxy. False, and nothing done, where
-/// there is none.
+/// Passes as many vertices as the handle clearly pulls a thin proxy over. Returns false, and does
+/// nothing, if there are none.
 bool ContactStep::stride() {
     Contact& at = first();
     const EdgeRow& row = outlines_.row(at.segment.piece);
@@ -202,8 +203,8 @@ bool ContactStep::stride() {
     return true;
 }
 
-/// Into a concave vertex at the end of an open edge, where the handle does not pull a thin proxy
-/// on: both edges hold it. False, and nothing done, where that is not all there is to it.
+/// Goes into a concave vertex at the end of an open edge if the handle does not pull a thin proxy
+/// on: both edges hold it. Returns false, and does nothing, if there is more to it.
 bool ContactStep::rest_in_corner() {
     Contact& at = first();
     const Edge edge = outlines_.edge(at.segment);
@@ -240,7 +241,7 @@ bool ContactStep::rest_in_corner() {
     return true;
 }
 
-/// From one edge of the contact's piece to the next, up (step 1) or down the row (-1).
+/// From one edge of the contact's piece to the next, up the row (step 1) or down (-1).
 Passage ContactStep::passage_after(int index, int step) {
     const Contact& at = first();
     const Segment before = outlines_.segment({at.segment.piece, index});

@@ -19,8 +19,8 @@ inline constexpr double still_m = 1e-14;  // a motion this short is rounding
 
 class ContactStep {
   public:
-    /// `radius_m`: of the proxy now, at most that of the settings. Way points are added to `path`
-    /// where there is one.
+    /// `radius_m` is the proxy's now, at most the one in the settings. Way points are added to
+    /// `path` if it is not null.
     ContactStep(RenderedOutlines& outlines, const ContactSettings& settings, double radius_m,
                 Budget budget, ProxyState& proxy, std::vector<Position>* path)
         : outlines_(outlines),
@@ -30,16 +30,16 @@ class ContactStep {
           path_(path),
           radius_m_(std::max(radius_m, contact_skin_m)) {}
 
-    /// Moves the proxy; fills transitions, carried motion, boxes and clear.
+    /// Moves the proxy and fills in transitions, carried motion, boxes and clear.
     void run(Position handle, ContactReport& report);
 
   private:
-    /// What a state's move came to.
+    /// Whether a state's move goes on or has ended the step.
     enum class Next { again, done };
 
     using Excluded = std::array<SegmentRef, 2>;
 
-    /// Result of a sweep: the share of the way gone and, if something stopped it, what.
+    /// The result of a sweep: the share of the way gone and, if something stopped it, the contact.
     struct Sweep {
         double share = 1.0;
         bool is_cut = false;   // by the budget
@@ -47,7 +47,7 @@ class ContactStep {
         std::optional<Contact> contact;
     };
 
-    /// Where a slide along a contact's edge comes to, see go_in_line().
+    /// Where a slide along a contact's edge ends, see go_in_line().
     struct InLine {
         Contact at;
         double way_m = 0.0;  // of it that is gone, with its sign

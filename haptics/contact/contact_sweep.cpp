@@ -1,4 +1,5 @@
-// What stops a servo step's motions: by a query, or among the neighbours of an edge that is alone.
+// Finds what stops a servo step's motions: by a query, or among the neighbours of an edge that is
+// alone.
 #include "haptics/contact/contact_step.h"
 #include "haptics/contact/sharp_tip.h"
 
@@ -28,8 +29,8 @@ ContactStep::Sweep ContactStep::sweep_tree(Position to, double radius_m, const E
     return result;
 }
 
-/// Nothing but the neighbours along the outline is within reach: three each way cover the nodes
-/// beside this one at a fractional level, one at a whole level.
+/// Only the neighbours along the outline are within reach: three each way cover the nodes beside
+/// this one at a fractional level, one each way at a whole level.
 ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
                                                  const Excluded& excluded) {
     Sweep result;
@@ -49,8 +50,8 @@ ContactStep::Sweep ContactStep::sweep_neighbours(Position to, double radius_m,
     return result;
 }
 
-/// What a smaller disc met nowhere on its way, the whole one may overlap at the end: left there it
-/// would sink a little at every pass.
+/// Although a smaller disc met nothing on its way, the whole disc may overlap something at the end.
+/// Left there, it would sink a little at every pass.
 std::optional<Contact> ContactStep::too_near(Position centre, double radius_m) {
     if (radius_m <= contact_skin_m || overlap_queries_ == max_tree_queries) return {};
     ++overlap_queries_;
@@ -74,8 +75,8 @@ Contact ContactStep::contact_of(SegmentRef segment, Touch touch) {
         touch.parameter = before.piece >= 0 ? 1.0 : 0.0;
     }
     if (const auto front = contact_in_front(outlines_, segment, touch)) return *front;
-    // At a joint an edge alone cannot tell: seen from a sharp tip the normal may point to the other
-    // side of either edge. It always lies on the outer side of the two together.
+    // At a joint one edge alone is not enough: seen from a sharp tip, the normal may point to the
+    // other side of either edge. It always lies on the outer side of the two together.
     Direction left = normal_of(outlines_.segment(segment), Side::left);
     if (touch.is_end) {
         const SegmentRef over = outlines_.next(segment, touch.parameter > 0.5);

@@ -1,4 +1,4 @@
-// State 2 of a servo step: at the end of an edge, round a vertex, held by two contacts.
+// State 2 of a servo step: at the end of an edge, round a vertex, or held by two contacts.
 #include "haptics/contact/contact_step.h"
 #include "haptics/contact/round_vertex.h"
 
@@ -23,9 +23,9 @@ struct Arc {
     double radius_m = 0.0;  // of the disc
 };
 
-/// On an arc about `vertex` a disc is swept along a chord and smaller by the chord's sagitta, so
-/// that what stops it is met late, at normal `met`: the last normal from `from` on at which the
-/// whole disc keeps its radius from it, or what it kept at the start.
+/// On an arc about `vertex`, a disc is swept along a chord and is smaller by the chord's sagitta,
+/// so it meets what stops it late, at normal `met`. Returns the last normal from `from` on at which
+/// the whole disc keeps its radius from the obstacle, or the distance that it kept at the start.
 Direction back_to_touch(const Arc& arc, Direction from, Direction met, const Segment& obstacle) {
     const auto distance_m = [&](Direction normal) {
         return foot(arc.vertex + along<Position>(normal, arc.offset_m), obstacle).distance_m;
@@ -47,13 +47,13 @@ Direction back_to_touch(const Arc& arc, Direction from, Direction met, const Seg
 
 }  // namespace
 
-/// Stopped on the way by a second contact, or by the budget with `left_m` to go.
+/// Handles a stop on the way: by a second contact, or by the budget with `left_m` to go.
 ContactStep::Next ContactStep::arrive(const Sweep& sweep, double left_m) {
     if (!sweep.contact) {
         report_->carried_m = left_m;
         return Next::done;
     }
-    // Seen from where the centre came to lie, which on an arc is not quite where the sweep stopped.
+    // Seen from where the centre now lies, which on an arc is not quite where the sweep stopped.
     Contact second = *sweep.contact;
     const Segment segment = outlines_.segment(second.segment);
     const Foot at = foot(proxy_.centre, segment);
@@ -74,7 +74,7 @@ ContactStep::Next ContactStep::arrive(const Sweep& sweep, double left_m) {
     return Next::again;
 }
 
-/// At the end of the edge: round it where the outline turns away or ends, else go on or hold.
+/// At the end of the edge: goes round it if the outline turns away or ends, else goes on or holds.
 ContactStep::Next ContactStep::reach_end(bool is_forward) {
     Contact& at = first();
     const SegmentRef next = outlines_.next(at.segment, is_forward);
@@ -87,7 +87,7 @@ ContactStep::Next ContactStep::reach_end(bool is_forward) {
     const Direction normal = normal_of(s, at.side);
     const Direction away = (is_forward ? 1.0 : -1.0) * direction_of(s.b - s.a);
     const double arc = at.offset_m * norm(normal - at.normal);
-    // An outline that runs back on itself turns away to neither side: it is rounded like an end.
+    // An outline that runs back on itself turns away to neither side, so it is rounded like an end.
     const bool runs_back = dot(normal, at.normal) < 0.0 && dot(away, at.normal) < parallel;
     if ((dot(away, at.normal) < 0.0 || runs_back) && arc > approach_tolerance_m) {
         at.is_round = true;
@@ -101,7 +101,8 @@ ContactStep::Next ContactStep::reach_end(bool is_forward) {
 ContactStep::Next ContactStep::walk_or_hold(SegmentRef next, bool at_start, Direction away,
                                             Direction normal) {
     const Contact& at = first();
-    // No further off than it is: a level may have moved the edges nearer than the disc is wide.
+    // Not further off than it is: a change of level may have moved the edges nearer than the disc
+    // is wide.
     const Position vertex = point_of(outlines_.segment(next), at_start ? 0.0 : 1.0);
     const double apart_m = dot(proxy_.centre - vertex, normal);
     const double offset_m = apart_m < at.offset_m - approach_tolerance_m
@@ -144,8 +145,8 @@ ContactStep::Next ContactStep::move_round() {
     const Contact other = goal.turn > 0.0 ? right_edge : left_edge;
     const bool is_alone =
         outlines_.is_alone(left_edge.segment) && outlines_.is_alone(right_edge.segment);
-    // The chord passes nearer to the vertex than the arc; the disc is taken that much smaller, so
-    // that other lines through the same vertex do not stop it.
+    // The chord passes nearer to the vertex than the arc, so the disc is made that much smaller;
+    // otherwise other lines through the same vertex would stop it.
     const Arc arc{vertex, at.offset_m, std::min(radius_m_, at.offset_m)};
     const Position end = vertex + along<Position>(to, at.offset_m);
     const double chord_radius = arc.radius_m * std::cos(0.5 * step);
@@ -171,7 +172,7 @@ ContactStep::Next ContactStep::move_round() {
             if (step == 0.0) {
                 const Foot below = foot(proxy_.centre, outlines_.segment(edge.segment));
                 first().parameter = below.parameter;
-                // No further off than it is, or it would move away from the handle.
+                // Not further off than it is, or it would move away from the handle.
                 if (below.distance_m < at.offset_m - approach_tolerance_m) {
                     first().offset_m = below.distance_m;
                 }
@@ -188,12 +189,13 @@ ContactStep::Next ContactStep::move_round() {
     return Next::done;
 }
 
-/// Angle from a round contact to the end of its arc, turning left or right, and the edge found
-/// there.
+/// Returns the angle from a round contact to the end of its arc, turning left or right, and the
+/// edge found there.
 double ContactStep::arc_to(const Contact& at, double turn, Contact& edge) {
     const bool at_end = at.parameter > 0.5;  // of its own segment
-    // Seen from the left of the outline the edge before a convex vertex lies to the left of the
-    // vertex's normal, the edge after it to the right; from the right side the other way round.
+    // Seen from the left of the outline, the edge before a convex vertex lies to the left of the
+    // vertex's normal and the edge after it to the right; from the right side it is the other way
+    // round.
     const bool wants_before = turn * sign_of(at.side) > 0.0;
     edge = at;
     edge.is_round = false;
@@ -232,23 +234,24 @@ ContactStep::Next ContactStep::move_at_corner() {
     const bool can_a = can_slide(a, b, pull_a);
     const bool can_b = can_slide(b, a, pull_b);
     if (!can_a && !can_b) return Next::done;
-    // The greater pull; where that has led back here, the other one.
+    // Takes the greater pull; if that has led back here, the other one.
     const bool wants_a = (pull_a >= pull_b) == (visits_ % 2 == 1);
     leave_corner(can_a && (!can_b || wants_a) ? 0 : 1);
     return Next::again;
 }
 
-/// True when the handle pulls the proxy along one contact, pressed on it and away from the other.
+/// Returns true if the handle pulls the proxy along one contact, pressed on it and away from the
+/// other.
 bool ContactStep::can_slide(const Contact& along_this, const Contact& other, double& pull_m) const {
     const Position pull = handle_ - proxy_.centre;
     const double depth = -dot(pull, along_this.normal);
     const double sideways = cross(along_this.normal, pull);
     pull_m = std::abs(sideways) - settings_.friction * std::max(depth, 0.0);
     const Direction way = std::copysign(1.0, sideways) * left_of(along_this.normal);
-    // Round an end the way bends down at once: never into a line that it starts along.
+    // Round an end, the way bends down at once, so it must not go into a line that it starts along.
     double least = -parallel;
     if (along_this.is_round) least = other.is_round ? -same_end : parallel;
-    // Past an end almost at right angles to it, which comes nearer to it by rounding only.
+    // Past an end almost at right angles to it, the way comes nearer to it only by rounding.
     if (!along_this.is_round && other.is_round) {
         least = std::min(least, -std::sqrt(2.0 * passing_m / other.offset_m));
     }

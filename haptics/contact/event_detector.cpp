@@ -96,8 +96,8 @@ void EventDetector::tell_places(const EventInput& input, TickEvents& events) {
     last_parameter_ = contact.parameter;
 }
 
-/// Into another piece, or round a loop of a single piece past its one pin; by the piece's nearer
-/// end.
+/// True on a change into another piece, or round a loop of a single piece past its one pin; by the
+/// piece's nearer end.
 bool EventDetector::has_passed_corner(const EventInput& input) const {
     const ContactReport& contact = input.contact;
     const CurveSet& curves = input.scene->curves;
@@ -110,7 +110,7 @@ bool EventDetector::has_passed_corner(const EventInput& input) const {
     return piece.next < 0 || curves.pieces()[static_cast<std::size_t>(piece.next)].starts_at_corner;
 }
 
-/// Left when 1 mm outside, entered when 1 mm inside.
+/// The area is left when the hand is 1 mm outside, and entered when it is 1 mm inside.
 void EventDetector::tell_area(const EventInput& input, TickEvents& events) {
     const double out_m = beyond_m(input.p_WH, input.scene->area);
     const bool is_inside = is_inside_.told() ? out_m <= area_margin_m : out_m <= -area_margin_m;

@@ -1,4 +1,4 @@
-// What is worth telling of the hand, found in what the contact machine reports tick by tick.
+// Finds the events worth telling of the hand in the contact machine's reports, tick by tick.
 // Threads: one, the servo's. A plain value; no allocation.
 #pragma once
 
@@ -39,7 +39,7 @@ class TickEvents {
     std::size_t count_ = 0;
 };
 
-/// A hand at rest whose position is noisy by up to 0.2 mm is not worth a word a tick:
+/// Filters events, so that a hand at rest with up to 0.2 mm of noise does not cause one a tick:
 /// * contact, outline, level and area tell of a change once it has lasted for 20 ms, and at the
 ///   soonest 100 ms after the last: at most 10 a second, of contact and area 5 each way;
 /// * a vertex, a line crossed and an end are told at most 20 times a second each, and like another
@@ -49,7 +49,7 @@ class EventDetector {
   public:
     [[nodiscard]] TickEvents step(const EventInput& input);
 
-    /// A new scene: nothing is touched, and nothing is told of that.
+    /// Starts a new scene: nothing is touched, and no event tells of that.
     void reset() { *this = {}; }
 
   private:
@@ -59,7 +59,7 @@ class EventDetector {
       public:
         explicit Settled(T value) : told_(value), next_(value) {}
 
-        /// True where `value` is now told instead of the one before.
+        /// Returns true if `value` is now told instead of the one before.
         bool update(T value, double time_s) {
             if (value != next_) since_s_ = time_s;
             next_ = value;
@@ -70,7 +70,7 @@ class EventDetector {
             return true;
         }
 
-        /// Without a word.
+        /// Takes the value without an event.
         void take(T value) { told_ = next_ = value; }
 
         [[nodiscard]] T told() const { return told_; }
@@ -84,7 +84,7 @@ class EventDetector {
         double told_s_ = -1.0;
     };
 
-    /// A place that is told once while the hand is near it.
+    /// A place that is told only once while the hand is near it.
     class Place {
       public:
         bool tell(Position p, double time_s) {

@@ -1,21 +1,21 @@
-// Joins the force before and after a change that the hand did not make: a switch of mode, a wall
-// that lets the hand through. Threads: a plain value.
+// Joins the forces before and after a change that the hand did not make: a switch of mode, or a
+// wall that lets the hand through. Threads: a plain value.
 #pragma once
 
 #include "config/types/vec2.h"
 
 namespace touchline {
 
-/// What is missing to the force before the change, shrinking by 20 N/s: 0.02 N a tick, 50 ms for
+/// What is missing from the force before the change. It shrinks by 20 N/s: 0.02 N a tick, 50 ms for
 /// 1 N. Its work on a hand at speed v is at most gap^2 v / (40 N/s).
 class GapFade {
   public:
-    /// From here on the force continues from `before`, where the change made it `after`.
+    /// From here on the force continues from `before`, although the change made it `after`.
     void start(Force before, Force after) {
         gap_ = is_finite(before - after) ? before - after : Force{};
     }
 
-    /// To be added in this tick.
+    /// Returns the force to add in this tick.
     [[nodiscard]] Force step(double dt_s) {
         const Force now = gap_;
         const double size_N = norm(gap_);

@@ -53,8 +53,8 @@ GrooveForce Groove::step(RenderedOutlines& outlines, double level, Position hand
     return result;
 }
 
-/// Within an octave every point of the curve runs straight, so that a part of the way moves the
-/// attachments by that part.
+/// Within an octave every point of the curve moves in a straight line, so a part of the way moves
+/// the attachments by the same part.
 void Groove::change_level(RenderedOutlines& outlines, double level, const CaptureLaw& law) {
     const double from = outlines.level();
     if (level == from) return;
@@ -87,7 +87,7 @@ void Groove::change_level(RenderedOutlines& outlines, double level, const Captur
     }
 }
 
-/// A line beyond the capture width has no force and is given up; its share goes to none.
+/// A line beyond the capture width has no force and is given up; its share goes to no line.
 void Groove::slide(RenderedOutlines& outlines, Position handle, const CaptureLaw& law,
                    double longest_m, double longest_hop_m) {
     for (Attachment* const at : {&now_, &before_}) {
@@ -105,7 +105,8 @@ void Groove::look_for_nearer(RenderedOutlines& outlines, Position handle, const 
                              const Budget& budget, double most_N, GrooveForce& result) {
     is_crowded_ = false;
     const bool was_tied = is_tied();
-    // A handover is ended before the next; of two ridges one must lose its share to a third.
+    // A handover ends before the next one begins; of two ridges, one must lose its share to a
+    // third.
     if (was_tied && share_ < 1.0 && mode_ != Mode::ridge) return;
     double within_m = law.capture_m();
     for (const Attachment& at : {now_, before_}) {
@@ -121,7 +122,7 @@ void Groove::look_for_nearer(RenderedOutlines& outlines, Position handle, const 
     if (found.segment.piece < 0) return;
     take_over({found.segment, found.parameter});
     if (was_tied) return;
-    // The force comes on as the hand comes near, or where it was not looked for in time, gently.
+    // The force comes on as the hand comes near, or gently if the line was found late.
     const double force_N = std::abs(law.pull_N(found.distance_m));
     share_ = is_fresh_ || force_N <= most_N ? 1.0 : most_N / force_N;
 }

@@ -11,7 +11,7 @@
 
 namespace touchline {
 
-/// What a tick came to.
+/// The result of a tick.
 struct GrooveForce {
     Force force;
     Attachment at;  // the line that has the greater share of the force; none: no line is near
@@ -22,22 +22,22 @@ struct GrooveForce {
     bool is_complete = true;  // false: the budget ended before all nearer lines were looked at
 };
 
-/// The hand is tied to one attachment, which slides along its line towards the hand. A line that
-/// is nearer by 0.2 mm takes over: for 30 ms both have a share of the force, longer where it would
-/// change by more than 0.015 N a tick. Of a ridge both keep their share by their distances as long
-/// as both are near, so that a hand between two lines rests.
+/// Ties the hand to one attachment, which slides along its line towards the hand. A line that is
+/// nearer by 0.2 mm takes over: for 30 ms both share the force, longer if it would change by more
+/// than 0.015 N a tick. In ridge mode, both lines keep a share by their distances while both are
+/// near, so that a hand between two lines rests.
 ///
-/// Work on the hand: with the stored energy U of the laws (capture_law.h) and the force F of the
-/// tick before, no tick leaves more than U - F dh + 1/2 K |dh|^2 plus what the account covers
-/// (energy_account.h: what lines have dissipated, and 0.1 mW). Where sliding, handing over, a
-/// change of level or of stiffness would, the strength of all is less, and comes back as it is
-/// covered. So no closed loop of the hand gains more than the sum of 1/2 K |dh|^2 and 0.1 mW.
+/// Work on the hand: let U be the stored energy of the laws (capture_law.h) and F the force of the
+/// tick before. No tick leaves more than U - F dh + 1/2 K |dh|^2 plus what the account covers
+/// (energy_account.h: what lines have dissipated, and 0.1 mW). If sliding, handing over, or a
+/// change of level or stiffness would leave more, the strength of all is reduced, and comes back as
+/// it is covered. So no closed loop of the hand gains more than the sum of 1/2 K |dh|^2 and 0.1 mW.
 class Groove {
   public:
-    /// One tick of `dt_s` > 0. The level of `outlines` comes nearer to `level`: at once while no
-    /// line is near, else at most half an octave and as far as the force changes by 0.0075 N; the
-    /// attachments keep their parameter and slide as much. One query at most, none while the
-    /// attachment is nearer than 0.2 mm.
+    /// Advances one tick of `dt_s` > 0. The level of `outlines` moves towards `level`: at once
+    /// while no line is near, else by at most half an octave and only so far that the force changes
+    /// by 0.0075 N. The attachments keep their parameters meanwhile, and their slide is limited in
+    /// the same way. Makes at most one query, and none while the attachment is nearer than 0.2 mm.
     [[nodiscard]] GrooveForce step(RenderedOutlines& outlines, double level, Position handle,
                                    const ContactSettings& settings, const Budget& budget,
                                    double dt_s);
@@ -49,7 +49,8 @@ class Groove {
     }
 
   private:
-    /// A line's part in the force before shares and strength. Of no line: as at the capture width.
+    /// A line's part in the force, before shares and strength. Without a line it is as at the
+    /// capture width.
     struct Part {
         Force force;
         double energy_J = 0.0;

@@ -6,8 +6,7 @@ namespace {
 constexpr double longest_slide_m = 5e-4;
 constexpr double least_cosine = 0.7;  // of a turn that is none: a corner turns by 45 degrees
 
-/// The edge that the line goes on with at the nearer end, where it goes on: none of it is passed
-/// that the edge itself is not.
+/// Returns the edge with which the line goes on at the nearer end, if it does.
 SegmentRef continuation(RenderedOutlines& outlines, const Contact& at) {
     const bool at_end = at.parameter > 0.5;
     const SegmentRef next = outlines.next(at.segment, at_end);
@@ -18,7 +17,7 @@ SegmentRef continuation(RenderedOutlines& outlines, const Contact& at) {
     return dot(own, direction_of(other.b - other.a)) > least_cosine ? next : SegmentRef{};
 }
 
-/// On one line, that is: on an edge of it, or where two edges of it go on from each other.
+/// True on an edge of one line, or where two of its edges follow each other.
 bool is_on_one_line(RenderedOutlines& outlines, const ProxyState& proxy) {
     if (proxy.state == ContactState::edge) return true;
     if (proxy.state == ContactState::free) return false;

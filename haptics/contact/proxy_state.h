@@ -1,4 +1,4 @@
-// What the contact machine keeps from step to step, and what it is set to.
+// What the contact machine keeps from step to step, and its settings.
 // Threads: plain values.
 #pragma once
 
@@ -27,12 +27,12 @@ enum class Side : std::int8_t { right = -1, left = 1 };
     return static_cast<double>(side);
 }
 
-/// Of a segment, towards one side.
+/// The normal of a segment towards one side.
 [[nodiscard]] inline Direction normal_of(const Segment& segment, Side side) {
     return sign_of(side) * left_of(direction_of(segment.b - segment.a));
 }
 
-/// Exactly the end where the end is meant.
+/// The point at a parameter; exactly the segment's end at 0 and 1.
 [[nodiscard]] inline Position point_of(const Segment& segment, double parameter) {
     return parameter < 0.5 ? segment.a + parameter * (segment.b - segment.a)
                            : segment.b + (parameter - 1.0) * (segment.b - segment.a);
@@ -57,7 +57,7 @@ struct ProxyState {
     Position centre;
     std::array<Contact, 2> contacts{};
     int contact_count = 0;
-    // While free: how far it may still go before anything can be met, as the last query found.
+    // While free: how far the proxy may still go before it can meet anything, by the last query.
     double spare_m = 0.0;
 };
 

@@ -25,7 +25,7 @@ void RenderedOutlines::look_up_edge(SegmentRef ref) {
     edge_.is_open_behind = is_open(edge_, false);
 }
 
-/// Only where both are whole segments of their levels: of what is blended, alone says less.
+/// Only if both are whole segments of their levels: for a blend, "alone" says less.
 bool RenderedOutlines::is_open(const Edge& edge, bool is_forward) {
     if (is_fractional() || !is_alone(edge.ref)) return false;
     const SegmentRef neighbour = next(edge.ref, is_forward);

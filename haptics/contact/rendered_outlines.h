@@ -1,6 +1,5 @@
-// The outlines as rendered at one level: a piece is looked up once for the many edges that the
-// proxy visits there, an edge once for the many steps that it stays on it. Threads: one, the
-// servo's.
+// The outlines as rendered at one level. Looks a piece up once for the many edges that the proxy
+// visits there, and an edge once for the many steps that it stays on it. Threads: one, the servo's.
 #pragma once
 
 #include "haptics/collision/scene.h"
@@ -18,8 +17,8 @@ struct Edge {
     Direction along;
     double length_m = 0.0;
     double per_length_m = 0.0;  // 1 / length; 0 where there is none
-    // A slide towards its end (start) that stops short of it can meet nothing: the edge is alone,
-    // and the next one does not run back beside it.
+    // A slide towards the edge's end (start) that stops short of it can meet nothing: the edge is
+    // alone, and the next one does not run back beside it.
     bool is_open_ahead = false;
     bool is_open_behind = false;
 };
@@ -32,8 +31,8 @@ struct EdgeRow {
 
 inline constexpr double largest_octaves = 0.5;  // of a change of level under the hand, in a tick
 
-/// `level`, or the whole level next to `from` on the way there: up to it every point of the curves
-/// runs straight.
+/// Returns `level`, or the whole level next to `from` on the way there: up to that level every
+/// point of the curves moves in a straight line.
 [[nodiscard]] inline double within_octave(double from, double level) {
     return level > from ? std::min(level, std::floor(from) + 1.0)
                         : std::max(level, std::ceil(from) - 1.0);
@@ -54,7 +53,7 @@ class RenderedOutlines {
 
     [[nodiscard]] double level() const { return level_; }
 
-    /// Some pieces may be blends of two levels.
+    /// True if some pieces may be blends of two levels.
     [[nodiscard]] bool is_fractional() const { return is_fractional_; }
 
     [[nodiscard]] Segment segment(SegmentRef ref) {
@@ -62,7 +61,7 @@ class RenderedOutlines {
         return rendered_.segment(ref.index);
     }
 
-    /// Valid until the next edge is asked for.
+    /// The result is valid until the next edge is asked for.
     [[nodiscard]] const Edge& edge(SegmentRef ref) {
         if (ref != edge_.ref) look_up_edge(ref);
         return edge_;
@@ -73,16 +72,16 @@ class RenderedOutlines {
         return row_;
     }
 
-    /// Whether there is such a segment.
+    /// Whether the segment exists.
     [[nodiscard]] bool has(SegmentRef ref) const {
         const auto pieces = static_cast<int>(scene_->curves.pieces().size());
         return ref.piece >= 0 && ref.piece < pieces && ref.index >= 0 &&
                ref.index < scene_->curves.rendered_count(ref.piece, level_);
     }
 
-    /// The segment after (before) one along its outline, across pins and over segments that are
-    /// points: an outline that runs back on itself has such at coarse levels. Piece -1 at an open
-    /// end.
+    /// Returns the segment after (before) `ref` along its outline, across pins and over segments
+    /// that are points, which an outline that runs back on itself has at coarse levels. Piece -1 at
+    /// an open end.
     [[nodiscard]] SegmentRef next(SegmentRef ref, bool is_forward) {
         SegmentRef found = neighbour(ref, is_forward);
         while (found.piece >= 0 && found != ref && is_point(segment(found))) [[unlikely]] {

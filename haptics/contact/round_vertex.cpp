@@ -39,7 +39,7 @@ ArcGoal arc_goal(Direction n, Position pull, double offset_m, double to_left_rad
         return {};
     }
     ArcGoal goal;
-    // Exactly behind the vertex both ways are equally good: take the shorter one.
+    // Exactly behind the vertex both ways are equally good, so take the shorter one.
     if (std::abs(sideways) <= rest_m) {
         goal.turn = to_left_rad < to_right_rad ? 1.0 : -1.0;
     } else {

@@ -1,5 +1,5 @@
-// The way of a disc's centre round a convex vertex or the end of a line: an arc about the vertex
-// between the normals of its two edges. With a radius of 1.4 F/K or more the force turns there
+// Moves a disc's centre round a convex vertex or the end of a line: on an arc about the vertex
+// between the normals of its two edges. With a radius of 1.4 F/K or more, the force turns there
 // instead of jumping. Threads: pure functions.
 #pragma once
 
@@ -10,20 +10,20 @@
 
 namespace touchline {
 
-/// Longest chord of the arc walked at once, as an angle: 15 degrees, so that the chord passes
-/// inside the arc by 1 % of the radius at most; 90 degrees for a radius of nanometres, where
+/// The longest chord of the arc walked at once, as an angle: 15 degrees, so that the chord passes
+/// inside the arc by at most 1 % of the radius; 90 degrees for a radius of nanometres, where
 /// nothing can be felt.
 [[nodiscard]] double largest_arc_step_rad(double offset_m);
 
-/// n turned left by an angle.
+/// Returns n turned left by an angle.
 [[nodiscard]] Direction turned(Direction n, double angle_rad);
 
-/// Angle in [0, 7/4 pi] from n to m, turning left (turn > 0) or right (turn < 0). More counts as 0:
-/// no arc is longer than half a turn, so n lies beyond its end m, where a touch of the vertex and
-/// one of the edge are the same moment.
+/// Returns the angle in [0, 7/4 pi] from n to m, turning left (turn > 0) or right (turn < 0). A
+/// larger one counts as 0: no arc is longer than half a turn, so n lies beyond its end m, where
+/// touching the vertex and touching the edge are the same moment.
 [[nodiscard]] double angle_between(Direction n, Direction m, double turn);
 
-/// Where a proxy that slides round a vertex under the pull of the handle is going.
+/// Where a proxy goes that slides round a vertex under the pull of the handle.
 struct ArcGoal {
     enum class End { rest, edge, free } end = End::rest;
     double turn = 0.0;       // +1 left, -1 right, 0: stays
@@ -32,8 +32,8 @@ struct ArcGoal {
 
 /// `n`: normal of the proxy now; `pull`: handle - vertex; `offset_m`: radius of the arc;
 /// `to_left_rad`, `to_right_rad`: angles to the ends of the arc. The proxy rests where the force is
-/// along the normal (or inside the friction cone), leaves where it becomes zero, else goes on to
-/// the edge.
+/// along the normal or inside the friction cone, leaves where the force becomes zero, and otherwise
+/// goes on to the edge.
 [[nodiscard]] ArcGoal arc_goal(Direction n, Position pull, double offset_m, double to_left_rad,
                                double to_right_rad, double friction);
 

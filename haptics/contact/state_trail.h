@@ -7,16 +7,16 @@
 
 namespace touchline {
 
-/// Up to 16 states in order, the first as it was before the step; further ones are left out. Two
-/// bits each: a step makes one, and clearing an array of them took longer than a free step's
-/// arithmetic.
+/// Up to 16 states in order, beginning with the one before the step; further ones are left out.
+/// Packed in two bits each, because clearing an array of them took longer than the arithmetic of a
+/// free step.
 class StateTrail {
   public:
     StateTrail() = default;
 
     explicit StateTrail(ContactState first) : states_(static_cast<std::uint32_t>(first)) {}
 
-    /// 1: no change.
+    /// 1 means no change.
     [[nodiscard]] int size() const { return size_; }
 
     /// State i, 0 <= i < size().
@@ -24,7 +24,7 @@ class StateTrail {
         return static_cast<ContactState>((states_ >> (2 * (size_ - 1 - i))) & 3U);
     }
 
-    /// An edge, a vertex and again an edge is a walk along the outline and counts as one edge.
+    /// A walk along the outline (an edge, a vertex, an edge again) counts as one edge.
     void add(ContactState state) {
         const auto bits = static_cast<std::uint32_t>(state);
         if ((states_ & 3U) == bits) return;

@@ -7,7 +7,7 @@
 namespace touchline {
 namespace {
 
-// Where the centre lies beside a vertex, two skins off at most, moves its distance to the handle
+// The centre may lie up to two skins off beside a vertex, which moves its distance to the handle
 // and, by friction, what holds it.
 constexpr double slack_m = 5.0 * contact_skin_m;
 constexpr double least_square_m2 = 64.0 * contact_skin_m * contact_skin_m;  // of an edge's length

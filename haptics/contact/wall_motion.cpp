@@ -26,8 +26,8 @@ WallMotion::WallMotion(const RenderedOutlines& outlines, double to, double radiu
       radius_m_(std::max(radius_m, contact_skin_m)),
       budget_(budget) {}
 
-/// How far the motion takes the proxy, now and by the slide that follows it: along an edge to the
-/// foot of the handle.
+/// How far the motion takes the proxy, by itself and by the slide along an edge to the handle's
+/// foot that follows it.
 double WallMotion::way_m(const ProxyState& from, const ProxyState& to, Position handle) const {
     const double carried_m = norm(to.centre - from.centre);
     const auto foot_of = [&](const ProxyState& at) {
@@ -58,7 +58,7 @@ std::optional<ProxyState> WallMotion::carry_free(const ProxyState& proxy) {
     return hit.is_hit ? pushed(proxy, hit) : std::optional(proxy);
 }
 
-/// A wall that reaches a free proxy takes it along on the side where it lay.
+/// A wall that reaches a free proxy takes it along, on the side where it lay.
 std::optional<ProxyState> WallMotion::pushed(const ProxyState& proxy, const WallHit& hit) {
     Contact at;
     at.segment = hit.segment;
@@ -74,7 +74,7 @@ std::optional<ProxyState> WallMotion::pushed(const ProxyState& proxy, const Wall
     next.contact_count = 1;
     next.centre = point_of(s, at.parameter) + along<Position>(at.normal, at.offset_m);
     const Excluded halves{hit.segment};
-    // First the proxy goes ahead of the wall, which is not there yet, then the wall follows.
+    // First the proxy goes ahead of the wall, which is not there yet; then the wall follows.
     const bool is_ok =
         is_free(before_, proxy.centre, next.centre, {}) && !is_swept(next.centre, halves);
     return is_ok ? std::optional(next) : std::nullopt;
@@ -93,9 +93,9 @@ std::optional<ProxyState> WallMotion::carry_edge(const ProxyState& proxy) {
     return is_ok ? std::optional(next) : std::nullopt;
 }
 
-/// Round a vertex the normal stays as it is while the arc between the edges' normals holds it; else
-/// the proxy is carried by the edge that it lies on. An edge is left out of the tests only where
-/// the new place lies on its right side by construction.
+/// Round a vertex the normal stays as it is while it lies in the arc between the edges' normals;
+/// else the edge under the proxy carries it. An edge is left out of the tests only if the new place
+/// lies on its right side by construction.
 std::optional<ProxyState> WallMotion::carry_round(const ProxyState& proxy) {
     const Contact& old = proxy.contacts[0];
     const Contact half = halved(old);
@@ -142,8 +142,9 @@ bool WallMotion::Joint::holds(Direction normal) const {
     return is_outward && (beside.piece < 0 || cross(own, other) * cross(normal, other) >= 0.0);
 }
 
-/// Held by two edges: where the lines kept from both cross after the motion, on the same sides. If
-/// that lies on neither any more, one of them carries the proxy on.
+/// Held by two edges: goes to where the lines at the proxy's distance from both cross after the
+/// motion, on the same sides. If that place lies on neither edge any more, one of them carries the
+/// proxy on.
 std::optional<ProxyState> WallMotion::carry_corner(const ProxyState& proxy) {
     const bool is_edges = !proxy.contacts[0].is_round && !proxy.contacts[1].is_round;
     if (is_edges) {
@@ -195,8 +196,8 @@ std::optional<ProxyState> WallMotion::carry_between(const ProxyState& proxy) {
     return next;
 }
 
-/// Either the proxy goes first and the walls follow or the other way round: both bring it to the
-/// same side of everything. Its own edges stay beside it all the way.
+/// Either the proxy goes first and the walls follow, or the other way round: both must bring it to
+/// the same side of everything. Its own edges stay beside it all the way.
 bool WallMotion::is_way_free(Position from, Position to, const Excluded& before,
                              const Excluded& halves, const Excluded& after) {
     if (is_free(before_, from, to, before) && !is_swept(to, halves)) return true;
@@ -226,7 +227,7 @@ WallHit WallMotion::first_wall(Position p, const Excluded& halves) {
     return hit;
 }
 
-/// True where a half is one of two that make a segment of the coarser level.
+/// True if a half is one of the two that make a segment of the coarser level.
 bool WallMotion::is_pair(SegmentRef half) const {
     const CurveSet& curves = before_.scene().curves;
     return (half.index | 1) < curves.segment_count(half.piece, change_.finer);
@@ -245,7 +246,7 @@ Contact WallMotion::halved(Contact contact) const {
     return contact;
 }
 
-/// The other way, at the level after.
+/// Converts back, at the level after.
 Contact WallMotion::joined(Contact half) const {
     const CurveSet& curves = before_.scene().curves;
     const int coarsest = curves.pieces()[static_cast<std::size_t>(half.segment.piece)].coarsest;

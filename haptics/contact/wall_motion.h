@@ -1,7 +1,6 @@
-// A change of level under the hand, as a motion of the wall: the rendered curve moves a little way
-// from one level towards another and carries the proxy along, on the side it had. Where no
-// consistent place is found, nothing moves and the change waits. Threads: one, the servo's. No
-// allocation.
+// Changes the level under the hand as a motion of the wall: the rendered curve moves a little way
+// from one level towards another and carries the proxy along, on the side it had. If it finds no
+// consistent place, nothing moves and the change waits. Threads: one, the servo's. No allocation.
 #pragma once
 
 #include "haptics/contact/proxy_state.h"
@@ -11,7 +10,7 @@
 
 namespace touchline {
 
-/// Of a proxy in contact: the segments' numbers are those of one rendered level.
+/// The result for a proxy in contact. Its segments are numbered at a single rendered level.
 struct Carried {
     ProxyState proxy;
     double moved_m = 0.0;  // with the slide to the handle's foot that follows
@@ -19,11 +18,12 @@ struct Carried {
 
 class WallMotion {
   public:
-    /// `to`: the level after the motion; it lies within one octave with that of `outlines`.
+    /// `to` is the level after the motion; it lies within one octave with that of `outlines`.
     WallMotion(const RenderedOutlines& outlines, double to, double radius_m, const Budget& budget);
 
-    /// The proxy after the motion, no line crossed on the way; nothing where there is no such place
-    /// or the budget ended. A free proxy that a wall reaches becomes a contact. At most 6 queries.
+    /// Returns the proxy after the motion, with no line crossed on the way. Returns nothing if
+    /// there is no such place or the budget ended. A free proxy that a wall reaches becomes a
+    /// contact. At most 6 queries.
     [[nodiscard]] std::optional<Carried> carry(const ProxyState& proxy, Position handle);
 
     /// The outlines after the motion.
@@ -34,7 +34,7 @@ class WallMotion {
   private:
     using Excluded = std::array<SegmentRef, 2>;
 
-    /// A vertex after the motion: the edge of a contact there and the one beside it.
+    /// A vertex after the motion: the edge of a contact there and the edge beside it.
     struct Joint {
         SegmentRef beside;       // none at a line's end
         Direction own, other;    // normals on the contact's side

@@ -1,4 +1,5 @@
-// Building a CurveSet: clean, cut at pins, place the level-0 points, transform.
+// Builds a CurveSet: cleans the outlines, cuts them at pins, places the level-0 points and
+// transforms.
 #include "haptics/curve/curve_set.h"
 #include "haptics/curve/pins.h"
 #include "haptics/curve/sampling.h"
@@ -14,7 +15,7 @@
 
 namespace touchline {
 
-/// A stretch of outline that becomes a piece, both its ends included.
+/// A stretch of outline that becomes a piece, including both its ends.
 struct OutlineStretch {
     std::vector<Position> line;
     int outline = 0;
@@ -27,9 +28,9 @@ struct OutlineStretch {
 namespace {
 
 constexpr double repeated_point_m =
-    1e-9;  // nearer points are one point: far below any device's step
+    1e-9;  // nearer points count as one: far below any device's step
 constexpr double largest_coordinate_m = 1.0;
-constexpr double most_points = 4e6;  // of a map: more than any picture gives, and within 1 GB
+constexpr double most_points = 4e6;  // per map: more than any picture gives, and within 1 GB
 
 bool is_repeated(Position p, Position q) {
     return dot(p - q, p - q) <= repeated_point_m * repeated_point_m;
@@ -78,7 +79,8 @@ std::vector<Outline> cleaned(std::vector<Outline> outlines) {
     return outlines;
 }
 
-/// The stretch from vertex a to vertex b > a, indices running on past the end of a closed outline.
+/// Returns the stretch from vertex a to vertex b > a; indices run on past the end of a closed
+/// outline.
 std::vector<Position> line_between(const std::vector<Position>& points, std::size_t a,
                                    std::size_t b) {
     const auto from = points.begin() + static_cast<std::ptrdiff_t>(a);
@@ -92,7 +94,7 @@ std::vector<Position> line_between(const std::vector<Position>& points, std::siz
     return line;
 }
 
-/// `corners`: those of the pins that were found in the outline itself. Both ascend.
+/// `corners` are the pins that were found in the outline itself. Both ascend.
 void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins,
          const std::vector<std::size_t>& corners, std::vector<OutlineStretch>& out) {
     const std::size_t count = outline.points.size();
@@ -112,7 +114,7 @@ void cut(const Outline& outline, int index, const std::vector<std::size_t>& pins
     }
 }
 
-/// The vertex nearest to `place` becomes a pin; `pins` ascend.
+/// Makes the vertex nearest to `place` a pin; `pins` ascend.
 void add_pin(const Outline& outline, Position place, std::vector<std::size_t>& pins) {
     const auto& points = outline.points;
     const auto nearest =
@@ -129,7 +131,7 @@ void add_pin(const Outline& outline, Position place, std::vector<std::size_t>& p
 
 class CurveSetBuilder {
   public:
-    /// The outlines outlive the builder.
+    /// The outlines must outlive the builder.
     CurveSetBuilder(const std::vector<Outline>& outlines, const CurveOptions& options)
         : outlines_(outlines), options_(options) {}
 
@@ -169,7 +171,7 @@ class CurveSetBuilder {
     }
 
   private:
-    /// At least as many as place_points() makes.
+    /// Returns at least as many as place_points() makes.
     [[nodiscard]] double expected_points() const {
         double points = 0.0;
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
@@ -188,7 +190,7 @@ class CurveSetBuilder {
         return spacing_.outlines[static_cast<std::size_t>(stretch.outline)].spacing_m;
     }
 
-    /// The stretches' lines become their level 0.
+    /// Turns the stretches' lines into their level 0.
     void place_points() {
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
             OutlineStretch& stretch = stretches_[i];
@@ -203,7 +205,7 @@ class CurveSetBuilder {
         }
     }
 
-    /// Noise is white on the data's own points: split or resampled, it would not be.
+    /// Noise is white on the data's own points, but not on split or resampled ones.
     void denoise_stretches() {
         for (OutlineStretch& stretch : stretches_) {
             std::vector<Position> points = stretch.line;
@@ -220,7 +222,7 @@ class CurveSetBuilder {
         }
     }
 
-    /// Level 0 becomes what the details that are left make of it.
+    /// Rebuilds level 0 from the remaining details.
     void compress() {
         std::vector<Decomposition> curves;
         for (std::size_t i = 0; i < firsts_.size(); ++i) {
@@ -236,8 +238,8 @@ class CurveSetBuilder {
         }
     }
 
-    /// Moves of some of an outline's `count` points; shrunk_rms_m holds the mean square until all
-    /// are in.
+    /// Adds the moves of some of an outline's `count` points; shrunk_rms_m holds the mean square
+    /// until all are in.
     void add_moves(std::size_t outline, const std::vector<Position>& from,
                    const std::vector<Position>& to, std::size_t count) {
         OutlineReport& report = set_.reports_[outline];
@@ -248,7 +250,7 @@ class CurveSetBuilder {
         }
     }
 
-    /// Names every piece, stores its levels, and says who follows whom.
+    /// Names every piece, stores its levels, and links it to its neighbours.
     void link() {
         store_points();
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
@@ -300,7 +302,7 @@ class CurveSetBuilder {
         }
     }
 
-    /// Level 0 of all pieces first, then each piece's coarser levels.
+    /// Stores level 0 of all pieces first, then each piece's coarser levels.
     void store_points() {
         place_levels();
         std::vector<Position> details(set_.finest_count_ / 2);

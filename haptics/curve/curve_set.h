@@ -1,5 +1,5 @@
-// All outlines of a map as wavelet multiresolution curves: cut at their pins into pieces, each
-// piece held as one polyline per level. Threads: immutable once built; any thread may read.
+// All outlines of a map as wavelet multiresolution curves: cut at their pins into pieces, with one
+// polyline per level for each piece. Threads: immutable once built; any thread may read.
 #pragma once
 
 #include "config/types/result.h"
@@ -23,43 +23,43 @@ struct PinPlace {
 };
 
 struct CurveOptions {
-    /// false: every vertex of the map is kept at level 0 and edges longer than the spacing are
-    /// split into equal collinear parts. true: each piece is resampled by arc length.
+    /// false: keeps every vertex of the map at level 0, and splits edges longer than the spacing
+    /// into equal collinear parts. true: resamples each piece by arc length.
     bool resample = false;
-    /// Spacing of level 0 (metres). 0: the outline's median edge, at least 0.1 mm (not resampled),
-    /// or the spacing that data, device and scene need (resampled; spacing.h).
+    /// Spacing of level 0 (metres). 0 means the outline's median edge, at least 0.1 mm (not
+    /// resampled), or the spacing that data, device and scene need (resampled; spacing.h).
     double spacing_m = 0.0;
-    /// Smallest motion that the device can tell (metres, > 0): resampling goes no finer.
+    /// The smallest motion that the device can tell (metres, > 0): resampling goes no finer.
     double device_step_m = 1e-4;
-    /// Share of the wavelet details that is kept, largest first, 0 ... 1 (compression, paper
-    /// section 5).
+    /// The share of the wavelet details to keep, largest first, 0 ... 1 (compression, paper section
+    /// 5).
     double keep_details = 1.0;
-    /// Standard deviation per coordinate of the noise on the map's points (metres): details are
+    /// Standard deviation per coordinate of the noise on the map's points (metres). Details are
     /// shrunk on the levels that are mostly noise (denoising, paper section 5; shrink.h). 0: none.
     double denoise_m = 0.0;
-    /// More pins than the map's corners, junctions and ends.
+    /// Pins besides the map's corners, junctions and ends.
     std::vector<PinPlace> pins{};
 };
 
-/// A stretch of an outline between pins; the unit that has levels.
+/// A stretch of an outline between pins. Each piece has its own levels.
 struct Piece {
     int outline = 0;                // index in the map
-    bool is_closed = false;         // one periodic piece; else its two ends are pins
-    bool starts_at_corner = false;  // or at a junction or end; else at a pin of CurveOptions
+    bool is_closed = false;         // one periodic piece; otherwise its two ends are pins
+    bool starts_at_corner = false;  // or at a junction or end; otherwise at a pin of CurveOptions
     int next = -1,
         previous = -1;  // pieces that share a pin with it along the outline; -1: open end
     double first_parameter = 0.0;  // outline parameter of its first point, in level-0 segments
     int coarsest = 0;              // L: levels 0 ... L exist
 };
 
-/// What was kept of one outline and why, for `curve --json`.
+/// What was kept of one outline, and why, for `curve --json`.
 struct OutlineReport {
     std::size_t points_in = 0;
     std::size_t points_kept = 0;  // at level 0
     double spacing_m = 0.0;
     std::string reason;
-    // How far denoising moved its data points and compression its level-0 points: the root of the
-    // sum of both mean squares, and the largest move of either.
+    // How far denoising moved the outline's data points and compression its level-0 points: the
+    // root of the sum of both mean squares, and the largest move of either.
     double shrunk_rms_m = 0.0;
     double shrunk_max_m = 0.0;
 };
@@ -73,19 +73,19 @@ struct SegmentRef {
 };
 
 /// One piece as rendered at one level, looked up once for many segments. At a fraction w above
-/// level k its points are (1 - w) p_k + w p_(k+1), p_(k+1) being the coarser polyline with its
+/// level k its points are (1 - w) p_k + w p_(k+1), where p_(k+1) is the coarser polyline with its
 /// midpoints (architecture, "Levels blend"). A view: valid as long as its CurveSet.
 class RenderedPiece {
   public:
     [[nodiscard]] int segment_count() const { return segment_count_; }
 
-    /// Segment j, 0 <= j < segment_count(). O(1).
+    /// Returns segment j, 0 <= j < segment_count(). O(1).
     [[nodiscard]] Segment segment(int j) const {
         const int end = j + 1 == fine_count_ ? 0 : j + 1;
         return {point(j), point(end)};
     }
 
-    /// Point i; an open piece has segment_count() + 1 of them. O(1).
+    /// Returns point i; an open piece has segment_count() + 1 points. O(1).
     [[nodiscard]] Position point(int i) const {
         return weight_ > 0.0 ? blended_point(i) : fine_[i];
     }
@@ -105,13 +105,12 @@ class RenderedPiece {
 
 class CurveSet {
   public:
-    /// O(N). Repeated points (closer than 1 nm) are dropped; an outline left with fewer than two
-    /// points is left out. Fails when a point is not finite or lies further than 1 m from the
-    /// origin.
+    /// O(N). Drops repeated points (closer than 1 nm) and outlines left with fewer than two points.
+    /// Fails if a point is not finite or lies further than 1 m from the origin.
     [[nodiscard]] static Result<CurveSet> build(const TactileMap& map, const CurveOptions& options);
 
-    /// No piece has a level coarser than its number here from now on; those at or above the
-    /// piece's coarsest change nothing. Before the curves are shared.
+    /// Limits each piece to levels up to its number here; a number at or above the piece's coarsest
+    /// changes nothing. Call before the curves are shared.
     void limit_levels(std::span<const int> coarsest);
 
     [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
@@ -121,8 +120,8 @@ class CurveSet {
     /// The coarsest level that any piece has.
     [[nodiscard]] int coarsest() const { return coarsest_; }
 
-    /// Points of one level of a piece, 0 <= level <= its coarsest. An open piece has one point more
-    /// than segments; a closed one repeats no point.
+    /// Returns the points of one level of a piece, 0 <= level <= its coarsest. An open piece has
+    /// one point more than segments; a closed one repeats no point.
     [[nodiscard]] std::span<const Position> points(int piece, int level) const {
         const Level& at = level_of(piece, level);
         return {points_.data() + at.first, at.count};
@@ -133,41 +132,41 @@ class CurveSet {
         return pieces_[static_cast<std::size_t>(piece)].is_closed ? count : count - 1;
     }
 
-    /// Where the points of a level lie among all points: those of level 0 of all pieces first. A
-    /// tree over the curves keeps its nodes in the same order.
+    /// Where the points of a level lie among all points: level 0 of all pieces comes first. A tree
+    /// over the curves keeps its nodes in the same order.
     [[nodiscard]] std::size_t first_point(int piece, int level) const {
         return level_of(piece, level).first;
     }
 
     [[nodiscard]] std::size_t point_count() const { return points_.size(); }
 
-    /// Points of level 0 of all pieces.
+    /// The number of points at level 0 of all pieces.
     [[nodiscard]] std::size_t finest_count() const { return finest_count_; }
 
-    /// The smallest median edge of any outline's level 0, as it is stored: what the level rule
-    /// counts from. 1 m where there is no outline.
+    /// The smallest median edge of any outline's stored level 0, from which the level rule counts.
+    /// 1 m if there is no outline.
     [[nodiscard]] double finest_spacing_m() const { return finest_spacing_m_; }
 
-    /// A piece as rendered at `level` (fractional, >= 0). O(1).
+    /// Returns a piece as rendered at `level` (fractional, >= 0). O(1).
     [[nodiscard]] RenderedPiece rendered(int piece, double level) const;
 
-    /// A piece as rendered at `finer` + `weight`, 0 <= weight <= 1, in segments of level `finer`
-    /// even where the weight is 1: for a change of level within one octave. A piece without that
-    /// octave is what it is at its coarsest level. O(1).
+    /// Returns a piece as rendered at `finer` + `weight`, 0 <= weight <= 1, in segments of level
+    /// `finer` even if the weight is 1: for a change of level within one octave. A piece without
+    /// that octave stays at its coarsest level. O(1).
     [[nodiscard]] RenderedPiece blend(int piece, int finer, double weight) const;
 
-    /// The level at which a piece is rendered when `level` (fractional, >= 0) is wanted: min(level,
-    /// L).
+    /// Returns the level at which a piece is rendered if `level` (fractional, >= 0) is wanted:
+    /// min(level, L).
     [[nodiscard]] double rendered_level(int piece, double level) const {
         return std::min(level,
                         static_cast<double>(pieces_[static_cast<std::size_t>(piece)].coarsest));
     }
 
-    /// Segments of the piece as rendered at `level`: those of the next finer whole level where it
-    /// is fractional (architecture, "Levels blend").
+    /// Counts the segments of the piece as rendered at `level`; at a fractional level they are
+    /// those of the next finer whole level (architecture, "Levels blend").
     [[nodiscard]] int rendered_count(int piece, double level) const;
 
-    /// Segment and point of rendered(piece, level). O(1).
+    /// Returns a segment or a point of rendered(piece, level). O(1).
     [[nodiscard]] Segment rendered_segment(int piece, double level, int j) const {
         return rendered(piece, level).segment(j);
     }
@@ -176,14 +175,14 @@ class CurveSet {
         return rendered(piece, level).point(i);
     }
 
-    /// The segment after (before) one along its outline, across pins; piece -1 at an open end.
-    /// O(1).
+    /// Returns the segment after (before) one along its outline, across pins; piece -1 at an open
+    /// end. O(1).
     [[nodiscard]] SegmentRef next(SegmentRef segment, double level) const;
     [[nodiscard]] SegmentRef previous(SegmentRef segment, double level) const;
 
-    /// The outline parameter, in level-0 segments from the start of the outline's first piece, at
-    /// share t of rendered segment j. The same at every level, so that a contact survives a change
-    /// of level. O(1).
+    /// Returns the outline parameter, in level-0 segments from the start of the outline's first
+    /// piece, at share t of rendered segment j. It is the same at every level, so that a contact
+    /// survives a change of level. O(1).
     [[nodiscard]] double outline_parameter(int piece, double level, int j, double t) const;
 
   private:

@@ -24,7 +24,7 @@ double turn_rad(const Segment& fine, const Segment& coarse) {
     return std::abs(std::atan2(cross(e, c), dot(e, c)));
 }
 
-/// Edges of level 0 for which one segment of a level stands.
+/// The edges of level 0 that one segment of a level stands for.
 struct EdgeRange {
     int first = 0;
     int end = 0;
@@ -84,7 +84,7 @@ class ErrorSum {
     std::size_t points_ = 0;
 };
 
-/// What may be changed without being told.
+/// The largest change that cannot be told.
 struct Tolerance {
     double distance_m;
     double slope;  // tangent of the angle
@@ -96,7 +96,7 @@ bool keeps_slope(const Segment& fine, const Segment& coarse, double slope) {
     return std::abs(cross(e, c)) <= slope * dot(e, c);
 }
 
-/// Whether a segment can be told from the edges of level 0 that it stands for.
+/// Returns whether a segment can be told from the edges of level 0 that it stands for.
 bool is_told(const RenderedPiece& level_0, EdgeRange edges, const Segment& coarse,
              const Tolerance& kept) {
     bool is_near_a = false;

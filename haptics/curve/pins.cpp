@@ -11,7 +11,7 @@
 namespace touchline {
 namespace {
 
-/// Arc length at every vertex; one entry more than points, the last being the whole length.
+/// Arc length at every vertex, with one entry more than points: the last is the whole length.
 std::vector<double> arc_lengths(const Outline& outline) {
     const auto& p = outline.points;
     std::vector<double> s(p.size() + 1, 0.0);
@@ -20,8 +20,8 @@ std::vector<double> arc_lengths(const Outline& outline) {
     return s;
 }
 
-/// Walks along an outline once, giving the point at an arc length that grows from call to call,
-/// from -length to 2 length. Where the outline is open, what lies beyond its ends is the end.
+/// Walks along an outline once and returns the point at an arc length that grows from call to call,
+/// from -length to 2 length. Beyond the ends of an open outline it returns the end.
 class Walker {
   public:
     Walker(const Outline& outline, const std::vector<double>& s, double from)
@@ -70,14 +70,14 @@ struct Corner {
     double turn_rad = 0.0;
 };
 
-/// The vertices of an outline where it turns by more than the rule asks, measured over +-reach
-/// (less near the ends of an open outline; the ends themselves do not turn). O(N).
+/// Returns the vertices of an outline where it turns by more than the rule asks, measured over
+/// +-reach (less near the ends of an open outline; the ends themselves do not turn). O(N).
 std::vector<Corner> sharp_turns(const Outline& outline, const std::vector<double>& s,
                                 const PinRule& rule) {
     const auto& p = outline.points;
     // On a small closed outline the two chords must not reach round to each other.
     const double reach = outline.is_closed ? std::min(rule.reach_m, s.back() / 16.0) : rule.reach_m;
-    const double least_rad = rule.turn_rad - 1e-9;  // the arc tangent decides at the border
+    const double least_rad = rule.turn_rad - 1e-9;  // the arc tangent decides on the limit itself
     const double sine = std::sin(least_rad);
     const double cosine = std::cos(least_rad);
     const std::size_t margin = outline.is_closed ? 0 : 1;
@@ -91,8 +91,8 @@ std::vector<Corner> sharp_turns(const Outline& outline, const std::vector<double
         const Position out = after.at(s[i] + reach) - p[i];
         const double along = dot(in, out);
         const double across = std::abs(cross(in, out));
-        // Chords are no longer than the reach and change by no more than 2 d over an arc of d, so
-        // that this changes by less than 5 d reach: where it is large, no vertex near is sharp.
+        // Chords are no longer than the reach and change by at most 2 d over an arc of d, so this
+        // value changes by less than 5 d reach: if it is large, no vertex near is sharp.
         const double calm = along * sine - across * cosine;
         if (calm > 0.0) {
             calm_until = s[i] + calm / (5.0 * reach);
@@ -104,7 +104,7 @@ std::vector<Corner> sharp_turns(const Outline& outline, const std::vector<double
     return sharp;
 }
 
-/// Corners of one outline, strongest first, none nearer than `apart` to another pin.
+/// Returns the corners of one outline, strongest first, none nearer than `apart` to another pin.
 std::vector<std::size_t> corners(const Outline& outline, const PinRule& rule) {
     const std::vector<double> s = arc_lengths(outline);
     const double length = s.back();
@@ -128,7 +128,7 @@ std::vector<std::size_t> corners(const Outline& outline, const PinRule& rule) {
     return kept;
 }
 
-/// The outline with its noise taken out, so that noise is not taken for corners.
+/// Returns the outline with its noise taken out, so that noise is not taken for corners.
 Outline without_noise(Outline outline, double noise_m) {
     const std::size_t segments = outline.points.size() - (outline.is_closed ? 0 : 1);
     Decomposition curve = decompose(std::move(outline.points), {segments, 1, outline.is_closed},

@@ -1,5 +1,5 @@
-// Pins: the vertices that coincide at every level, so that corners stay sharp and linked pieces
-// never come apart. Decided once, when a map is built. Threads: pure functions.
+// Finds pins: the vertices that coincide at every level, so that corners stay sharp and linked
+// pieces never come apart. Done once, when a map is built. Threads: pure functions.
 #pragma once
 
 #include "config/types/tactile_map.h"
@@ -16,9 +16,9 @@ struct PinRule {
     double noise_m = 0.0;  // standard deviation per coordinate, taken out before turns are measured
 };
 
-/// Pins of every outline of a map, as ascending vertex indices: the ends of open outlines, vertices
-/// where the end of another outline lies (junctions), and corners, strongest first. A closed
-/// outline may have none. O(N log N).
+/// Returns the pins of every outline of a map, as ascending vertex indices: the ends of open
+/// outlines, vertices where the end of another outline lies (junctions), and corners, strongest
+/// first. A closed outline may have none. O(N log N).
 [[nodiscard]] std::vector<std::vector<std::size_t>> find_pins(const std::vector<Outline>& outlines,
                                                               const PinRule& rule);
 

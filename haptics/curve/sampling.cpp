@@ -11,7 +11,7 @@ namespace {
 constexpr double rounding = 1e-9;  // of length / spacing
 constexpr double most = 1e15;      // exact as a double, more than any memory holds
 
-/// 2^L with count / 2^L in 4 ... 7, 1 below.
+/// Returns 2^L with count / 2^L in 4 ... 7; 1 if count is below 4.
 std::size_t stride_of(std::size_t count) {
     std::size_t stride = 1;
     while (count >= 8 * stride) stride *= 2;
@@ -117,7 +117,7 @@ double median(std::vector<double> values) {
     if (values.empty()) return 0.0;
     auto rank = static_cast<std::ptrdiff_t>(values.size() / 2);
     constexpr std::size_t samples = 2048;  // whose median has a rank within 5 % of the whole's
-    if (values.size() >= 8 * samples) {    // sort only what lies near that
+    if (values.size() >= 8 * samples) {    // sort only the values near that
         std::vector<double> sample;
         const std::size_t stride = values.size() / samples;
         for (std::size_t i = 0; i < values.size(); i += stride) sample.push_back(values[i]);

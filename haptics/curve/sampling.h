@@ -1,4 +1,4 @@
-// Placing the level-0 points of a stretch of outline.
+// Places the level-0 points of a stretch of outline.
 // Threads: pure functions.
 #pragma once
 
@@ -11,37 +11,36 @@
 
 namespace touchline {
 
-/// Sum of the edges of a polyline.
+/// Returns the sum of a polyline's edges.
 [[nodiscard]] double polyline_length_m(std::span<const Position> line);
 
-/// The polyline with edges longer than `spacing_m` split into equal collinear parts: no shape
-/// changes.
+/// Splits edges longer than `spacing_m` into equal collinear parts; the shape does not change.
 [[nodiscard]] std::vector<Position> split_edges(std::vector<Position> line, double spacing_m);
 
-/// `segments` + 1 points at equal arc length; the ends are those of the line.
+/// Returns `segments` + 1 points at equal arc length; the ends are the line's.
 [[nodiscard]] std::vector<Position> resample(std::span<const Position> line, std::size_t segments);
 
-/// Segments that a resampled piece can have: m 2^L with m in 4 ... 7, or fewer than 4; 8 or more
-/// where it is closed. The largest such count <= wanted (at least the least there is), the smallest
-/// >= wanted, and the nearer of the two. `wanted` is length / spacing; taken as 1e15 beyond. O(log
-/// n).
+/// Segments that a resampled piece can have: m 2^L with m in 4 ... 7, or fewer than 4; a closed one
+/// has 8 or more. Returns the largest such count <= wanted (at least the smallest count), the
+/// smallest >= wanted, or the nearer of the two. `wanted` is length / spacing; larger values count
+/// as 1e15. O(log n).
 [[nodiscard]] std::size_t count_below(double wanted, bool is_closed);
 [[nodiscard]] std::size_t count_above(double wanted, bool is_closed);
 [[nodiscard]] std::size_t nearest_count(double wanted, bool is_closed);
 
-/// Halvings down to 4 ... 7 segments (closed: 8 ... 15). O(log n).
+/// Returns the number of halvings down to 4 ... 7 segments (closed: 8 ... 15). O(log n).
 [[nodiscard]] int halvings(std::size_t segments, bool is_closed);
 
-/// Largest distance from a point of `line` to the polyline `kept`, both running the same way: each
-/// point is compared with the part of `kept` at its own share of the arc length, +-1 segment. Ends
-/// with the first distance above `enough_m`. O(N).
+/// Returns the largest distance from a point of `line` to the polyline `kept`; both run the same
+/// way. Each point is compared with the part of `kept` at its own share of the arc length, +-1
+/// segment. Stops at the first distance above `enough_m`. O(N).
 [[nodiscard]] double deviation_m(std::span<const Position> line, std::span<const Position> kept,
                                  double enough_m = std::numeric_limits<double>::infinity());
 
-/// The middle one of the values by size, the upper of two. 0 where there is none. O(N).
+/// Returns the middle value by size, the upper one of two; 0 if there are none. O(N).
 [[nodiscard]] double median(std::vector<double> values);
 
-/// Median edge length of a polyline. 0 where there is no edge.
+/// Returns the median edge length of a polyline; 0 if it has no edge.
 [[nodiscard]] double median_edge_m(std::span<const Position> line);
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-// One straight stretch of a curve, and its point nearest to a place. Threads: pure functions.
+// One straight stretch of a curve, and its nearest point to a place. Threads: pure functions.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -11,7 +11,7 @@ struct Segment {
     Position a, b;
 };
 
-/// Shorter than 1e-13 m: it has ends, but rounding decides its direction.
+/// True if shorter than 1e-13 m: the segment has ends, but rounding decides its direction.
 [[nodiscard]] inline bool is_point(const Segment& segment) {
     const Position e = segment.b - segment.a;
     return dot(e, e) <= 1e-26;
@@ -19,7 +19,7 @@ struct Segment {
 
 /// The nearest point of a segment.
 struct Foot {
-    double parameter = 0.0;  // 0 ... 1; 0 where the segment is one point
+    double parameter = 0.0;  // 0 ... 1; 0 if the segment is one point
     Position point;
     double distance_m = 0.0;
 };

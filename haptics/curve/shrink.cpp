@@ -14,13 +14,13 @@ constexpr std::array low_pass{348.0 / 512, 144.0 / 512, -63.0 / 512, -16.0 / 512
 constexpr std::array high_pass{1.0, -9.0 / 16, 0.0, 1.0 / 16};
 constexpr int most_correlated = 12;  // twice the reach of the low-pass
 
-/// A symmetric sequence that is given from its middle on, 0 beyond.
+/// Reads a symmetric sequence given from its middle on; it is 0 beyond.
 double at(std::span<const double> half, int i) {
     const auto distance = static_cast<std::size_t>(std::abs(i));
     return distance < half.size() ? half[distance] : 0.0;
 }
 
-/// The covariance at `lag` of noise of a covariance after a filter.
+/// Returns the covariance, at `lag`, of noise after a filter.
 double filtered(std::span<const double> covariance, std::span<const double> taps, int lag) {
     const int reach = static_cast<int>(taps.size()) - 1;
     double sum = 0.0;
@@ -38,7 +38,7 @@ CurveShape at_level(const CurveShape& shape, std::size_t level) {
     return finer;
 }
 
-/// Energy weight of a detail: it stands for twice as much of the curve on each coarser level.
+/// The energy weight of a detail: it stands for twice as much of the curve on each coarser level.
 double scaled_size(Position detail, std::size_t level) {
     return norm(detail) * std::exp2(0.5 * static_cast<double>(level));
 }

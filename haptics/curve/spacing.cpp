@@ -12,7 +12,7 @@
 namespace touchline {
 namespace {
 
-constexpr double least_read_spacing_m = 1e-4;  // of a map read as it is, on any device
+constexpr double least_read_spacing_m = 1e-4;  // for a map read as it is, on any device
 constexpr double finest_spacing_m = 1e-6;      // whatever the device claims
 constexpr double scan_step = 0.995;            // far below the quarter between two counts
 constexpr double uniform_ratio = 1.01;         // of the longest edge to the shortest
@@ -28,7 +28,7 @@ bool is_uniform(std::span<const Position> line) {
     return longest <= uniform_ratio * shortest;
 }
 
-/// What decides the count of a line, the strongest last.
+/// What decides a line's count, the strongest last.
 enum class Limit { picture, data, scene, device };
 
 /// The counts that one line can take. Threads: one; it remembers what it tried.
@@ -39,13 +39,13 @@ class LineCounts {
           length_m_(polyline_length_m(line.points)),
           most_(count_below(length_m_ / device_step_m, line.is_closed)) {}
 
-    /// No count near this spacing is lower.
+    /// The lowest count near this spacing.
     [[nodiscard]] std::size_t least(double spacing_m) const {
         return count_below(length_m_ / spacing_m, line_.is_closed);
     }
 
-    /// The lower count next to length / spacing that stays near the data, or all that the device
-    /// can tell; none: the spacing is too wide.
+    /// Returns the lower count next to length / spacing that stays near the data, or the finest one
+    /// that the device can tell. Nothing if the spacing is too wide.
     std::optional<std::size_t> near(double spacing_m) {
         const std::size_t lower = least(spacing_m);
         if (lower >= most_ || fits(lower)) return lower;
@@ -54,7 +54,7 @@ class LineCounts {
         return fits(upper) ? std::optional(upper) : std::nullopt;
     }
 
-    /// Why the line has this count.
+    /// Returns why the line has this count.
     Limit limit(std::size_t count) {
         if (!fits(count)) return Limit::device;
         if (count + 1 == line_.points.size() && is_uniform(line_.points)) return Limit::data;
@@ -92,7 +92,7 @@ class LineCounts {
     std::vector<Tried> tried_;  // four an octave at most
 };
 
-/// Counts of all lines at one spacing.
+/// The counts of all lines at one spacing.
 struct Counts {
     double spacing_m = 0.0;
     std::size_t total = std::numeric_limits<std::size_t>::max();
@@ -116,9 +116,10 @@ std::optional<Counts> counts_at(std::vector<LineCounts>& lines, double spacing_m
     return counts;
 }
 
-/// Every spacing from one segment a line to narrow ones, until none narrower can take fewer points.
-/// A scan, since rounding to m 2^L makes the total go up and down, and a curve may fit its data by
-/// luck where a slightly narrower spacing does not. The device's step itself always works.
+/// Tries every spacing from one segment a line to narrow ones, until no narrower one can take fewer
+/// points. It must scan, since rounding to m 2^L makes the total go up and down, and a curve may
+/// fit its data by luck at one spacing but not at a slightly narrower one. The device's step itself
+/// always works.
 Counts fewest_points(std::vector<LineCounts>& lines, double device_step_m) {
     Counts best;
     double widest_m = device_step_m;
@@ -185,7 +186,7 @@ SpacingChoice as_asked(std::span<const SpacedLine> lines, std::size_t outlines, 
     return choice;
 }
 
-/// The median edge, or the least spacing where that is longer: then counting is enough.
+/// Returns the median edge, or the least spacing if that is longer: then counting is enough.
 double read_spacing_m(std::span<const Position> line) {
     std::size_t shorter = 0;
     for (std::size_t i = 1; i < line.size(); ++i) {

@@ -9,7 +9,7 @@ namespace {
 
 using Index = std::ptrdiff_t;
 
-/// Counts of one lifting step; `fine` are segments of the finer level.
+/// Counts of one lifting step; `fine` is the number of segments of the finer level.
 struct Step {
     Index fine;
     Index coarse;
@@ -28,13 +28,13 @@ struct Step {
           length(static_cast<double>(shape.finest_segments)),
           is_closed(shape.is_closed) {}
 
-    /// Index in the finer level of coarse point i. The last point of an open curve with an odd
-    /// number of segments is kept although its index is odd.
+    /// Returns the index in the finer level of coarse point i. The last point of an open curve with
+    /// an odd number of segments is kept although its index is odd.
     [[nodiscard]] Index fine_index(Index i) const {
         return is_closed ? 2 * i : std::min(2 * i, fine);
     }
 
-    /// Parameter of coarse point i, also beyond the seam of a closed curve.
+    /// Returns the parameter of coarse point i, also beyond the seam of a closed curve.
     [[nodiscard]] double parameter(Index i) const {
         if (!is_closed) return std::min(2.0 * stride * static_cast<double>(i), length);
         const Index turns = i >= 0 ? i / coarse : -((coarse - 1 - i) / coarse);
@@ -42,12 +42,13 @@ struct Step {
                static_cast<double>(turns) * length;
     }
 
-    /// The last coarse segment, of an odd count, is less than half as long as the others.
+    /// True if the last coarse segment, of an odd count, is less than half as long as the others.
     [[nodiscard]] bool ends_short() const {
         return length - 2.0 * stride * static_cast<double>(coarse - 1) < stride;
     }
 
-    /// Details from 1 to before this one have two regular coarse points on either side.
+    /// Details from 1 up to but not including this one have two regular coarse points on either
+    /// side.
     [[nodiscard]] Index regular_end() const {
         return is_closed ? coarse - 2 : static_cast<Index>(length / (2.0 * stride)) - 1;
     }
@@ -76,10 +77,10 @@ void lagrange(const Step& step, double u, Index first, int count, Stencil& stenc
     }
 }
 
-/// Near an end, a seam or an unpaired segment: the cubic (or what the points allow) through the
-/// nearest points, which equals regular_prediction() wherever the spacing is regular. It never
-/// reaches over a segment shorter than half the others: the slope over so short a stretch, carried
-/// on over a long one, throws coarse levels metres away.
+/// Predicts near an end, a seam or an unpaired segment, by the cubic (or what the points allow)
+/// through the nearest points, which equals regular_prediction() wherever the spacing is regular.
+/// It never reaches over a segment shorter than half the others: the slope over so short a stretch,
+/// continued over a long one, throws coarse levels metres away.
 Stencil prediction(const Step& step, Index k) {
     Stencil stencil;
     const bool has_seam = step.is_closed && !step.ends_short();
@@ -105,7 +106,7 @@ Position regular_prediction(const Position* even) {
            (-1.0 / 16) * even[2];
 }
 
-/// Calls take(k, what the evens predict for odd point 2k + 1) for every k.
+/// Calls take(k, the prediction of odd point 2k + 1 from the evens) for every k.
 template <class Take>
 void for_each_prediction(const Step& step, std::span<const Position> evens, Take take) {
     const Index regular_end = std::max<Index>(1, step.regular_end());
@@ -115,8 +116,9 @@ void for_each_prediction(const Step& step, std::span<const Position> evens, Take
     for (Index k = regular_end; k < step.odds; ++k) near_an_end(k);
 }
 
-/// The detail at an odd index of the finer level, extended: odd about the ends of an open curve (so
-/// that their update is exactly 0), periodic on a closed one. Where parity breaks (unpaired): 0.
+/// Returns the detail at an odd index of the finer level, extended: odd about the ends of an open
+/// curve (so that their update is exactly 0), periodic on a closed one. If the parity breaks
+/// (unpaired): 0.
 Position detail_at(const Step& step, std::span<const Position> details, Index index) {
     double sign = 1.0;
     if (step.is_closed) {
@@ -135,7 +137,7 @@ Position detail_at(const Step& step, std::span<const Position> details, Index in
     return sign * details[static_cast<std::size_t>(index / 2)];
 }
 
-/// What the lifting step adds to coarse point i.
+/// Returns what the lifting step adds to coarse point i.
 Position update(const Step& step, std::span<const Position> details, Index i) {
     const Index at = step.fine_index(i);
     if (!step.is_closed && (at == 0 || at == step.fine)) return {};

@@ -1,8 +1,8 @@
 // One level of the paper's interpolating biorthogonal wavelet transform ("pseudocoiflets", four
-// vanishing moments; paper section 2) in lifting form: predict each odd point from its even
-// neighbours by the four-point Deslauriers-Dubuc rule (-1, 9, 9, -1)/16, update the evens with half
-// the adjoint of that rule. Analysis low-pass = P (3 - 2P), P the Deslauriers-Dubuc half-band
-// filter: 13 taps. Threads: pure functions.
+// vanishing moments; paper section 2) in lifting form: predicts each odd point from its even
+// neighbours by the four-point Deslauriers-Dubuc rule (-1, 9, 9, -1)/16, and updates the evens with
+// half the adjoint of that rule. Analysis low-pass = P (3 - 2P), with P the Deslauriers-Dubuc
+// half-band filter: 13 taps. Threads: pure functions.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -13,38 +13,38 @@
 
 namespace touchline {
 
-/// A curve at one level and what was left out of it on the way from the next finer level.
+/// A curve at one level, and the details left out on the way from the next finer level.
 struct WaveletLevel {
     std::vector<Position> points;  // scaling coefficients: the approximating polyline
     std::vector<Position>
         details;  // wavelet coefficients, one for each odd point of the finer level
 };
 
-/// Which points of a polyline lie where. An open polyline of n segments has n + 1 points and keeps
-/// its ends; a closed one has n points. An odd last segment passes up unpaired, as a shorter
+/// How the points of a polyline are laid out. An open polyline of n segments has n + 1 points and
+/// keeps its ends; a closed one has n points. An odd last segment passes up unpaired, as a shorter
 /// segment.
 struct CurveShape {
-    std::size_t finest_segments = 0;  // of level 0: the parameter runs from 0 to this
+    std::size_t finest_segments = 0;  // at level 0: the parameter runs from 0 to this
     std::size_t stride = 1;  // 2^level: parameter of point i is min(i * stride, finest_segments)
     bool is_closed = false;
 };
 
-/// Segments of the next coarser level: ceil(n / 2).
+/// Returns the number of segments of the next coarser level: ceil(n / 2).
 [[nodiscard]] constexpr std::size_t coarser_count(std::size_t segments) {
     return (segments + 1) / 2;
 }
 
-/// One analysis step from the level with `shape` to the next coarser. Cubics in the parameter are
-/// reproduced (details 0) everywhere; the ends of an open curve stay where they are. O(n).
+/// Makes one analysis step from the level with `shape` to the next coarser one. Reproduces cubics
+/// in the parameter everywhere (details 0); the ends of an open curve stay where they are. O(n).
 [[nodiscard]] WaveletLevel analyze(const std::vector<Position>& points, const CurveShape& shape);
 
-/// The same into the caller's arrays: `coarser` holds coarser_count(n) points (open: one more),
+/// The same into the caller's arrays: `coarser` holds coarser_count(n) points (open: one more) and
 /// `details` n / 2, where n is the number of segments of the level with `shape`. The three arrays
-/// do not overlap. O(n), allocates nothing.
+/// must not overlap. O(n), allocates nothing.
 void analyze(std::span<const Position> points, const CurveShape& shape, std::span<Position> coarser,
              std::span<Position> details);
 
-/// The inverse of analyze() to rounding: `shape` is that of the finer level. O(n).
+/// Inverts analyze() up to rounding; `shape` is the finer level's. O(n).
 [[nodiscard]] std::vector<Position> synthesize(const WaveletLevel& level, const CurveShape& shape);
 
 }  // namespace touchline

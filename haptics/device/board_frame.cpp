@@ -12,7 +12,7 @@ constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 constexpr double most_counts = 1e6;  // many turns of any encoder; no arm turns one
 
-// The board takes the whole part: half a count more makes it the same count again, however the
+// The board keeps only the whole part. Half a count more gives the same count again, however the
 // float was rounded.
 double within_count(double raw_deg, double quantum_deg) {
     return raw_deg + std::copysign(0.5 * quantum_deg, raw_deg);
@@ -24,7 +24,7 @@ double whole_counts(float offset_deg, double counts_per_turn) {
            counts_per_turn;
 }
 
-// To a thousandth, or as well as a float of degrees can tell.
+// To a thousandth, or as closely as a float of degrees can tell.
 bool is_whole(double raw_deg, double quantum_deg) {
     const double counts = raw_deg / quantum_deg;
     const double tolerance =
@@ -36,8 +36,8 @@ double handle_quantum_deg(const TurningHandle& handle) {
     return degrees_per_radian * encoder_quantum_rad(handle);
 }
 
-// Values of the two ports in the order of the joints, or the other way round: it is its own
-// inverse.
+// Puts the values of the two ports in the order of the joints, or the other way round: it is its
+// own inverse.
 template <class Out, class In>
 Vec2<Out> reordered(Vec2<In> v, bool is_crossed, double scale) {
     return is_crossed ? Vec2<Out>{scale * v.y, scale * v.x} : Vec2<Out>{scale * v.x, scale * v.y};

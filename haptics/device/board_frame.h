@@ -1,5 +1,5 @@
-// Between what the board counts by port and the angles and torques of the joints. The board is set
-// up as the maker's programs do it; what is otherwise in a unit is put right here.
+// Converts between what the board counts by port and the joints' angles and torques. The board is
+// set up as the maker's programs do it; how a unit differs from that is corrected here.
 // Threads: immutable values and pure functions. No allocation. O(1).
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace touchline {
 
-/// The profile with the unit's own limit of torque and its own counts.
+/// The profile with the unit's own torque limit and encoder counts.
 [[nodiscard]] DeviceProfile calibrated(const DeviceProfile& profile,
                                        const Calibration& calibration);
 
@@ -20,43 +20,46 @@ class BoardFrame {
   public:
     BoardFrame(const DeviceProfile& profile, const Calibration& calibration);
 
-    /// The handle is at home: the board is to say the angles of the profile's home pose.
+    /// Returns the set-up for a handle at home: the board then reports the angles of the profile's
+    /// home pose.
     [[nodiscard]] BoardSetUp set_up_at_home() const;
 
-    /// Sets the board up again where it was: it says the same again to the count.
+    /// Returns the set-up that continues at a reading: the board then reports the same again, to
+    /// the count.
     [[nodiscard]] BoardSetUp set_up_at(PortAngles raw, double handle_deg = 0.0) const;
 
-    /// What the board says at home: whole counts, rounded toward zero.
+    /// What the board reports at home: whole counts, rounded toward zero.
     [[nodiscard]] PortAngles home_reading() const;
 
-    /// By home + offset + scale (raw - home reading), each joint from where its encoder is.
+    /// home + offset + scale (raw - home reading), each joint from the port of its encoder.
     [[nodiscard]] JointAngles joint_angles(PortAngles raw) const;
 
-    /// Each angle is a whole number of counts, as all are that a board sends.
+    /// Returns whether each angle is a whole number of counts, as all are that a board sends.
     [[nodiscard]] bool is_whole_counts(PortAngles raw, double handle_deg = 0.0) const;
 
-    /// For a unit of which it is not known yet: the board counts all that it is told, where others
-    /// of its kind count half. Every whole count of theirs is one of these too.
+    /// For a unit not known yet: the board counts every count that it is told, while others of its
+    /// kind count half. Every whole count of theirs is one of these too.
     [[nodiscard]] BoardFrame with_all_counts() const;
 
-    /// Where the motor of joint 1 or 2 is plugged in.
+    /// The port of the motor of joint 1 or 2.
     [[nodiscard]] int motor_port(int joint) const;
 
     [[nodiscard]] bool has_handle() const { return profile_.handle.has_value(); }
 
-    /// What to write for a torque of the handle: within its limit, zero where it is not finite.
-    /// Nothing where the handle does not turn.
+    /// The torque to write for the handle: within its limit, zero if it is not finite. Nothing if
+    /// the handle does not turn.
     [[nodiscard]] std::optional<double> handle_torque_Nm(double torque_Nm) const;
 
-    /// Turn of one count, degrees.
+    /// The turn of one count, degrees.
     [[nodiscard]] PortAngles quantum() const { return quantum_; }
 
-    /// Both scaled together to the unit's limit, so that the direction stays; not finite: zero.
+    /// Scales both torques together to the unit's limit, which keeps the direction. Zero if one is
+    /// not finite.
     [[nodiscard]] PortTorques port_torques(JointTorques torques) const;
 
     [[nodiscard]] const Calibration& calibration() const { return calibration_; }
 
-    /// As it was given, without the calibration.
+    /// The profile as given, without the calibration.
     [[nodiscard]] const DeviceProfile& profile() const { return profile_; }
 
     [[nodiscard]] const DeviceProfile& calibrated_profile() const { return unit_; }

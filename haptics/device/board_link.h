@@ -1,6 +1,6 @@
-// One opened board, whatever carries the bytes. A command is one transfer, a reply is one packet.
-// send() and receive() never block: the driver submits at the end of a tick and looks for the
-// answer at the next one. Nothing here waits but rest() and set_lines().
+// One opened board, over any transport. A command is one transfer, a reply is one packet. send()
+// and receive() never block: the driver submits at the end of a tick and looks for the answer at
+// the next one. Only rest() and set_lines() wait.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 
 namespace touchline {
 
-/// done. under_way: not ended yet, or nothing has come. timed_out: given up, or called back. gone:
+/// done. under_way: not ended yet, or nothing has come. timed_out: given up, or cancelled. gone:
 /// the board is unplugged. stalled: the endpoint is halted until clear_stall(). failed: anything
 /// else.
 enum class LinkStatus : std::uint8_t { done, under_way, timed_out, gone, stalled, failed };
 
 /// How the newest send() ended.
 struct Sent {
-    LinkStatus status = LinkStatus::done;  // done when nothing was ever sent
-    std::size_t bytes = 0;                 // that the board took
+    LinkStatus status = LinkStatus::done;  // done if nothing was ever sent
+    std::size_t bytes = 0;                 // taken by the board
 };
 
-/// A packet from the board; 64 bytes are the largest there are.
+/// A packet from the board, at most 64 bytes.
 struct Received {
     LinkStatus status = LinkStatus::under_way;
     std::array<std::uint8_t, 64> data{};
@@ -31,8 +31,8 @@ struct Received {
 };
 
 /// Threads: one at a time. No call logs; send(), sent() and receive() allocate and lock nothing of
-/// their own (usb_link.h says what libusb does). Destroying it gives the board back: transfers
-/// cancelled, lines low.
+/// their own (usb_link.h says what libusb does). The destructor gives the board back, with
+/// transfers cancelled and lines low.
 class BoardLink {
   public:
     BoardLink() = default;
@@ -42,28 +42,30 @@ class BoardLink {
     BoardLink& operator=(const BoardLink&) = delete;
     BoardLink& operator=(BoardLink&&) = delete;
 
-    /// Starts one transfer with the whole command, at most 64 bytes. The status is done when it is
-    /// on its way, under_way when the one before has not ended: then nothing was started.
+    /// Starts one transfer with the whole command, at most 64 bytes. Returns done if it is on its
+    /// way. Returns under_way if the one before has not ended; then it starts nothing.
     [[nodiscard]] virtual LinkStatus send(std::span<const std::uint8_t> command) = 0;
 
-    /// Ends as timed_out after the link's own time-out at the latest.
+    /// How the newest send() ended. It ends as timed_out after the link's own time-out at the
+    /// latest.
     [[nodiscard]] virtual Sent sent() = 0;
 
-    /// Calls the newest send back: it ends as timed_out as soon as it can, with the bytes that the
-    /// board took, which may be all. Nothing where none is under way.
+    /// Cancels the newest send: it ends as timed_out as soon as it can, with the bytes that the
+    /// board took, which may be all. Does nothing if none is under way.
     virtual void cancel_send() = 0;
 
-    /// The oldest packet not taken yet, which may be empty; under_way: there is none.
+    /// Returns the oldest packet not taken yet, which may be empty; under_way if there is none.
     [[nodiscard]] virtual Received receive() = 0;
 
-    /// DTR and RTS, 115200 baud 8N1: never 1200, at which the board erases its firmware. Waits.
+    /// Sets DTR and RTS at 115200 baud 8N1, never at 1200, at which the board erases its firmware.
+    /// Waits.
     [[nodiscard]] virtual LinkStatus set_lines(bool are_high) = 0;
 
-    /// Has both endpoints work again, in the background: under_way until they do, or cannot. Each
-    /// call looks what became of it; the first one after an end begins anew.
+    /// Makes both endpoints work again, in the background. Each call returns under_way until they
+    /// do or cannot; the first call after an end begins anew.
     [[nodiscard]] virtual LinkStatus clear_stall() = 0;
 
-    /// Lets span_s pass.
+    /// Waits for span_s.
     virtual void rest(double span_s) = 0;
 };
 

@@ -7,26 +7,27 @@
 
 namespace touchline {
 
-/// Threads: one at a time, the servo's while it runs. No call allocates, locks or logs. All
-/// give up rather than wait longer than a servo period.
+/// Threads: one at a time, the servo's while it runs. No call allocates, locks or logs. Every call
+/// gives up rather than wait longer than a servo period.
 class ForceDevice {
   public:
     virtual ~ForceDevice() = default;
 
-    /// Joint angles in D, read at now_s (servo time, never going back). At most 4.5 ms
-    /// old. Nothing when the device does not answer.
+    /// Returns the joint angles in D, read at now_s (servo time, never going back), at most 4.5 ms
+    /// old. Returns nothing if the device does not answer.
     [[nodiscard]] virtual std::optional<JointAngles> read_angles(double now_s) = 0;
 
-    /// How far the handle is turned, counter-clockwise, since the device was set up: as old as the
-    /// joint angles last read. Nothing where it does not turn, or where there were none.
+    /// How far the handle has turned, counter-clockwise, since the device was set up; as old as the
+    /// joint angles last read. Nothing if the handle does not turn or those angles were missing.
     [[nodiscard]] virtual std::optional<double> handle_angle_rad() const { return std::nullopt; }
 
-    /// On the hand, counter-clockwise: goes with the next torques. Nothing where it does not turn.
+    /// Sets the torque on the hand, counter-clockwise, which goes with the next torques. Does
+    /// nothing if the handle does not turn.
     virtual void turn_handle(double /*torque_Nm*/) {}
 
-    /// Torques that act from now on until the next call. Zero: true when the device is known to
-    /// hold zero, which with a real one is a call or more later. Other torques: false when the
-    /// device did not take them.
+    /// Sets torques that act until the next call. For zero, returns true once the device is known
+    /// to hold zero, which with a real one is a call or more later. For other torques, returns
+    /// false if the device did not take them.
     [[nodiscard]] virtual bool write_torques(JointTorques torques) = 0;
 
   protected:

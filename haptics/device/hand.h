@@ -1,6 +1,6 @@
 // Simulated hands: a mass on a spring and damper that follow an intended path, held rigidly or
 // through the skin.
-// Threads: values; intended paths say their own rule.
+// Threads: values; each intended path states its own rule.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -13,7 +13,7 @@
 namespace touchline {
 
 struct HandModel {
-    /// Between the tip and the hand's mass. Without it the hand is rigidly attached.
+    /// Between the tip and the hand's mass. Without it the hand holds the tip rigidly.
     struct Skin {
         double stiffness_N_per_m = 0.0;
         double damping_Ns_per_m = 0.0;
@@ -35,14 +35,14 @@ inline constexpr HandModel stiff_arm{0.4, 12.0, 1000.0, {}};     // H4
 struct Intention {
     Position position;
     Velocity velocity;
-    double angle_rad = 0.0;  // of a handle that turns
+    double angle_rad = 0.0;  // if the handle turns
     double turn_rad_per_s = 0.0;
 };
 
 class IntendedPath {
   public:
     virtual ~IntendedPath() = default;
-    /// In W, at t_s >= 0. No allocation, no lock.
+    /// Returns the intention in W, at t_s >= 0. No allocation, no lock.
     [[nodiscard]] virtual Intention at(double t_s) const = 0;
 
   protected:
@@ -53,7 +53,7 @@ class IntendedPath {
     IntendedPath& operator=(IntendedPath&&) = default;
 };
 
-/// Straight from way point to way point; still before the first and after the last.
+/// Goes straight from way point to way point, and stands still before the first and after the last.
 /// Threads: immutable. at() is O(log n).
 class WaypointPath final : public IntendedPath {
   public:
@@ -63,7 +63,7 @@ class WaypointPath final : public IntendedPath {
         double angle_rad = 0.0;
     };
 
-    /// At least one way point.
+    /// Takes at least one way point.
     explicit WaypointPath(std::vector<Waypoint> waypoints) : waypoints_(std::move(waypoints)) {}
 
     [[nodiscard]] Intention at(double t_s) const override;
@@ -72,13 +72,13 @@ class WaypointPath final : public IntendedPath {
     std::vector<Waypoint> waypoints_;
 };
 
-/// A hand led by a pointer: it means to be where it was last told.
+/// A hand led by a pointer: it means to be at the place it was told last.
 /// Threads: move_to() from any one thread, at() from any other; lock-free.
 class MouseHand final : public IntendedPath {
   public:
     explicit MouseHand(Position start) { move_to(start); }
 
-    /// In W; kept to 10 nm within 0.1 m of the origin. A position that is not finite is ignored.
+    /// In W; rounded to 10 nm within 0.1 m of the origin. A position that is not finite is ignored.
     void move_to(Position position);
 
     [[nodiscard]] Intention at(double t_s) const override;

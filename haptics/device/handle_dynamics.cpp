@@ -19,7 +19,7 @@ void HandleDynamics::step(double torque_Nm, const Intention& intention, double h
     const double share_s = h_s / inertia_kg_m2;
     const double damped_rad_per_s = (speed_rad_per_s_ + share_s * push_Nm) /
                                     (1.0 + share_s * (damping_Nms + handle_.viscous_Nms));
-    // Friction takes away at most the speed there is, so what it stops stays where it is.
+    // Friction takes away at most the present speed, so a stopped handle stays where it is.
     const double friction_rad_per_s = share_s * handle_.coulomb_Nm;
     const double left_rad_per_s = std::abs(damped_rad_per_s) - friction_rad_per_s;
     const double next_rad_per_s =

@@ -6,24 +6,23 @@
 namespace touchline {
 namespace {
 
-constexpr double listen_s = 3.0;         // of a step's words, before a rest counts
+constexpr double listen_s = 3.0;         // after a step's prompt begins, before a rest counts
 constexpr double rest_s = 1.0;           // of stillness
-constexpr double patience_s = 30.0;      // without a motion: say the step again
-constexpr double longest_wait_s = 60.0;  // for a rest of a hand that moves: say the step again
+constexpr double patience_s = 30.0;      // without motion: say the step again
+constexpr double longest_wait_s = 60.0;  // for a moving hand to rest: say the step again
 constexpr double longest_silence_s = 0.5;
-constexpr double fit_m = 3e-3;  // of the elbows, between where they read and must be
-constexpr double stops_apart_m =
-    2e-3;                              // by which a unit's stop may stand elsewhere than its kind's
-constexpr double same_place_m = 1e-3;  // two rests at one stop
-constexpr double leave_m = 3e-3;       // from where the words began, before a rest counts
-constexpr double least_aside = 0.25;   // of the arms' opening, where the hand also came nearer
-constexpr double aside_m = 10e-3;      // of the elbows: to the left, or to the right
+constexpr double fit_m = 3e-3;          // at the elbows, between where they read and must be
+constexpr double stops_apart_m = 2e-3;  // by which a unit's stop may stand away from its kind's
+constexpr double same_place_m = 1e-3;   // between two rests at one stop
+constexpr double leave_m = 3e-3;        // from where the prompt began, before a rest counts
+constexpr double least_aside = 0.25;    // of the arms' opening, if the hand also came nearer
+constexpr double aside_m = 10e-3;       // at the elbows: to the left, or to the right
 constexpr int largest_misses = 3;
 constexpr int most_reversals = 3;
 constexpr double beyond_m = 2e-3;  // past a stop
 constexpr double beyond_s = 0.3;
 
-// Encoders do not differ from each other; where the two joints do, a stop stands elsewhere.
+// Encoders do not differ from each other; if the two joints do, a stop stands elsewhere.
 double scale_of(JointAngles wanted, JointAngles turn) {
     return turn_of_both_rad(wanted) / turn_of_both_rad(turn);
 }
@@ -33,7 +32,7 @@ Plugs mirrored(const Plugs& plugs) {
     return {!plugs.are_swapped, !plugs.is_2_reversed, !plugs.is_1_reversed};
 }
 
-/// Two counts and what a hand that leans on a stop still trembles.
+/// Two counts, and the tremble of a hand that leans on a stop.
 JointAngles resting_band(const HomingPlan& plan) {
     const double tremble = 3e-4 / plan.arm_m;
     return {2.0 * plan.quantum.x + tremble, 2.0 * plan.quantum.y + tremble};
@@ -71,7 +70,7 @@ double Homing::elbow_m(JointAngles turn) const {
     return plan_.arm_m * std::max(std::abs(turn.x), std::abs(turn.y));
 }
 
-/// From home to check, of this unit.
+/// This unit's turn from home to check.
 JointAngles Homing::wanted_turn() const {
     const double sign = plan_.is_home_stretched ? 1.0 : -1.0;
     return plan_.check - plan_.home + sign * calibration_.stop_off;
@@ -102,7 +101,7 @@ HomingView Homing::step(const std::optional<JointAngles>& read, double dt_s) {
     watch(*read, dt_s);
     if (since_s_ >= patience_s && !has_left_) lose_patience();
     if (since_s_ >= longest_wait_s) say_again();
-    // Nobody who has not moved since the words began has understood them.
+    // A hand that has not moved since the prompt began has not understood it.
     if (!has_left_) return view_;
     view_.held = std::min(1.0, stillness_.still_s() / rest_s);
     if (view_.held == 1.0) rest(*read);
@@ -128,13 +127,13 @@ void Homing::watch(JointAngles read, double dt_s) {
     if (!(since_s_ >= listen_s)) stillness_.start_again();
 }
 
-/// Who leans on a stop that does not fit cannot move on.
+/// A hand that leans on a stop that does not fit cannot move on.
 void Homing::lose_patience() {
     if (view_.remark == HomingRemark::misfit) return miss(view_.misfit_m);
     go(view_.step, HomingRemark::not_moved);
 }
 
-/// Where the hand has come to meanwhile stays good.
+/// The place that the hand has reached meanwhile stays good.
 void Homing::say_again() {
     view_.remark = HomingRemark::none;
     ++view_.prompts;
@@ -197,8 +196,8 @@ void Homing::rest_at_check(JointAngles read) {
     advance(HomingStep::to_left);
 }
 
-/// Plugs that were changed read as the two stops do when they are visited in the wrong order. So it
-/// must come again and again before the unit is measured anew.
+/// Swapped plugs read as the two stops do when they are visited in the wrong order. So it must come
+/// again and again before the unit is measured anew.
 void Homing::check_known(const Plugs& fitting) {
     if (fitting == calibration_.encoders) return finish(HomingRemark::none);
     if (++reversals_ < most_reversals) return go(HomingStep::to_home, HomingRemark::reversed);
@@ -208,8 +207,8 @@ void Homing::check_known(const Plugs& fitting) {
     go(HomingStep::to_home, HomingRemark::replugged);
 }
 
-/// To the left both joints turn down. Nothing where the handle is neither to the left nor to the
-/// right.
+/// To the left both joints turn down. Returns nothing if the handle is neither to the left nor to
+/// the right.
 std::optional<bool> Homing::is_left(JointAngles read) const {
     const JointAngles turn = scale_ * at_joints(encoders_, read - read_at_check_);
     const double aside = 0.5 * (turn.x + turn.y);
@@ -219,8 +218,8 @@ std::optional<bool> Homing::is_left(JointAngles read) const {
     return is_aside ? std::optional(aside < 0.0) : std::nullopt;
 }
 
-/// The left is the right in the mirror image. What is otherwise than the profile has it could be
-/// the stops in the wrong order: it must come twice.
+/// The left is the right in the mirror image. A difference from the profile could also come from
+/// stops in the wrong order, so it must come twice.
 void Homing::rest_at_left(JointAngles read) {
     const auto is_to_left = is_left(read);
     if (!is_to_left) return go(HomingStep::to_left, HomingRemark::not_left);
@@ -237,7 +236,7 @@ void Homing::rest_at_home_again(JointAngles read) {
     advance(HomingStep::to_check_again);
 }
 
-/// The same place twice: a stop, and not where a hand happened to pause.
+/// The same place twice is a stop, and not a place where a hand happened to pause.
 void Homing::rest_at_check_again(JointAngles read) {
     const double misfit_m = scale_ * elbow_m(read - read_at_check_);
     const JointAngles turn = read - read_at_home_;
@@ -248,7 +247,7 @@ void Homing::rest_at_check_again(JointAngles read) {
     measure();
 }
 
-/// A hand that rests anywhere else is still feeling.
+/// A hand that rests anywhere else is still feeling its way.
 void Homing::rest_at_answer(JointAngles read) {
     const auto is_yes = is_left(read);
     if (!is_yes) return;
@@ -267,7 +266,7 @@ void Homing::measure() {
     finish(HomingRemark::measured);
 }
 
-/// By both stops, for each is only as good as the hand that leans on it.
+/// Averages both stops, since each is only as good as the hand that leans on it.
 void Homing::finish(HomingRemark remark) {
     const JointAngles unit_home =
         plan_.home + (plan_.is_home_stretched ? JointAngles{} : calibration_.stop_off);

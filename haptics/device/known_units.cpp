@@ -8,12 +8,12 @@
 namespace touchline {
 namespace {
 
-// Within what the counts of units of one kind are held to differ. With more, those stopped at 168
-// degrees could not be told from those stopped at 172, which turn by 5.6 per cent farther.
+// The counts of units of one kind differ by less than this. With more, units stopped at 168 degrees
+// could not be told from those stopped at 172, which turn by 5.6 per cent farther.
 constexpr double scale_tolerance = 0.025;
 constexpr double straight_rad = 0.05;
-// Measured at the elbows. Less cannot be read where the stretched arms lie straight, as those of a
-// gen 2 do.
+// Measured at the elbows. Smaller differences cannot be read if the stretched arms lie straight, as
+// those of a gen 2 do.
 constexpr double kinds_apart_m = 2e-3;
 
 JointAngles bent_of(const DeviceProfile& kind) {
@@ -31,8 +31,8 @@ bool is_alike(const DeviceProfile& kind, const DeviceProfile& chosen) {
            links.base_m == others.base_m && kind.handle.has_value() == chosen.handle.has_value();
 }
 
-/// On boards driven as those of the chosen kind. A decoder that sees each edge is known on boards
-/// that are told twice what they resolve.
+/// Adds a kind's units, on boards driven as the chosen kind's. A decoder that sees each edge is
+/// known on boards that are told twice their resolution.
 void add_known(const DeviceProfile& kind, const DeviceProfile& chosen, bool are_own,
                std::vector<KnownUnits>& known) {
     const double turn_rad = turn_of_both_rad(kind.check.angles - kind.home);
@@ -47,7 +47,7 @@ void add_known(const DeviceProfile& kind, const DeviceProfile& chosen, bool are_
     }
 }
 
-/// The share by which such a turn misses that of the nearest of the units that count.
+/// The share by which this turn misses that of the nearest unit for which `counts` is true.
 template <class Counts>
 double off_by(const std::vector<KnownUnits>& known, JointAngles read, Counts counts) {
     double least = std::numeric_limits<double>::infinity();

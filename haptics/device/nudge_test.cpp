@@ -12,7 +12,7 @@ constexpr double enough_rad = 0.02;  // of motion: the pulse may end
 constexpr double enough_counts = 4.0;
 constexpr double motion_counts = 2.0;  // more than that is motion
 constexpr double rest_s = 0.05;        // of stillness before a pulse
-constexpr double patience_s = 2.0;     // for it
+constexpr double patience_s = 2.0;     // to wait for that stillness
 constexpr double longest_silence_s = 0.02;
 constexpr double fastest_rad_per_s = 15.0;  // about 1 m/s at the elbow
 
@@ -89,7 +89,7 @@ NudgeTest::Answer NudgeTest::judge(JointAngles turn) const {
     return own > 0.0 ? Answer::right : Answer::reversed;
 }
 
-/// Up and down alike: a hand that moves the handle meanwhile is not taken for a motor.
+/// Up and down must agree, so that a hand that moves the handle meanwhile is not taken for a motor.
 NudgeTest::Answer NudgeTest::answer_of(int motor) const {
     const auto first = static_cast<std::size_t>(2 * motor);
     return answers_[first] == answers_[first + 1] ? answers_[first] : Answer::unclear;

@@ -1,8 +1,8 @@
-// Whether the motors have power and push the handle the way they are told: short pulses of each
-// motor, and a look at what the arms did. The power switch of the adaptor is invisible to USB, and
-// so are plugs: without this test a person meets walls that are not there, or that pull. For a
-// handle that nobody holds, where both arms can turn both ways: a motor that moves nothing, or not
-// twice, proves nothing. Threads: plain values, one thread.
+// Tests whether the motors have power and push the handle the way they are told, by short pulses of
+// each motor and a look at what the arms did. USB shows neither the adaptor's power switch nor the
+// motor plugs: without this test a person meets walls that are missing, or that pull. The test
+// needs a handle that nobody holds, where both arms can turn both ways: a motor that moves nothing,
+// or not twice, proves nothing. Threads: plain values, one thread.
 #pragma once
 
 #include "config/types/calibration.h"
@@ -18,43 +18,43 @@ namespace touchline {
 enum class NudgeVerdict : std::uint8_t {
     running,
     works,
-    no_power,     // nothing moves: the motors' switch or adaptor, or a hand that holds
-    motor_1_off,  // only the other one moves
+    no_power,     // nothing moves: the motors' switch or adaptor is off, or a hand holds the handle
+    motor_1_off,  // only the other motor moves
     motor_2_off,
-    reversed_1,     // the arm of joint 1 goes the other way
-    reversed_2,     // that of joint 2
-    reversed_both,  // both
+    reversed_1,     // joint 1's arm goes the other way
+    reversed_2,     // joint 2's arm does
+    reversed_both,  // both arms do
     swapped,        // the arms answer for each other
     restless,       // the handle is held, moved by a hand, or much too fast: let go and try again
     silent,         // the board does not answer
 };
 
-/// A motor moved the handle otherwise than it was told, twice: no force may come.
+/// True if a motor twice moved the handle differently than it was told: no force may come.
 [[nodiscard]] constexpr bool is_wrong(NudgeVerdict verdict) {
     return verdict >= NudgeVerdict::reversed_1 && verdict <= NudgeVerdict::swapped;
 }
 
 class NudgeTest {
   public:
-    /// quantum (rad): of one encoder count; a motion of two counts is one.
+    /// quantum (rad): one encoder count; a motion of two counts is one.
     explicit NudgeTest(JointAngles quantum);
 
-    /// One tick of dt_s later: angles after calibration, nothing when the board does not answer.
-    /// The torques to write now: at most 0.03 Nm, one motor at a time, for 80 ms or until
-    /// an arm has moved by a degree; zero once the
-    /// verdict has fallen or anything is in doubt. O(1), no allocation.
+    /// Advances one tick of dt_s with calibrated angles, or nothing if the board does not answer.
+    /// Returns the torques to write now: at most 0.03 Nm, one motor at a time, for 80 ms or until
+    /// an arm has moved by a degree; zero once there is a verdict or anything is in doubt. O(1), no
+    /// allocation.
     [[nodiscard]] JointTorques step(const std::optional<JointAngles>& angles, double dt_s);
 
     [[nodiscard]] NudgeVerdict verdict() const { return verdict_; }
 
-    /// What the motors must be taken for that were taken for `taken` during the test; for a verdict
-    /// that is wrong.
+    /// Returns how the motors are really plugged if the test ran with them as `taken`; for a
+    /// verdict that is wrong.
     [[nodiscard]] Plugs motors(const Plugs& taken) const;
 
   private:
-    /// Of an arm to a motor: its own, or that of the other joint, this way or the other.
+    /// Which arm answered a motor: its own or the other joint's, this way or the other.
     enum class Answer : std::uint8_t { none, right, reversed, other, other_reversed, unclear };
-    static constexpr int pulses = 4;  // of motor 1 up and down, then of motor 2
+    static constexpr int pulses = 4;  // up and down with motor 1, then with motor 2
 
     JointTorques rest(JointAngles angles, double dt_s);
     JointTorques pull(JointAngles angles);
@@ -67,7 +67,7 @@ class NudgeTest {
     Stillness stillness_;
     NudgeVerdict verdict_ = NudgeVerdict::running;
     int pulse_ = 0;
-    bool is_pulling_ = false;  // else waiting for rest
+    bool is_pulling_ = false;  // false: waiting for rest
     double since_s_ = 0.0;
     double silent_s_ = 0.0;
     std::optional<JointAngles> last_;

@@ -8,23 +8,23 @@
 namespace touchline {
 namespace {
 
-constexpr double oldest_angles_s = 0.0045;  // four ticks that went without a reply
+constexpr double oldest_angles_s = 0.0045;  // four ticks without a reply
 constexpr double lost_reply_s = 0.02;
 constexpr double longest_send_s = 0.0015;  // seen at the second tick; a good one takes 0.2 ms
 constexpr int most_untaken_in_a_row = 3;
 constexpr double tip_speed_m_per_s = 1.5;        // faster than any hand at the handle
-constexpr double joint_speed_per_s = 60.0;       // where the tip moves little for a turn
+constexpr double joint_speed_per_s = 60.0;       // where a turn moves the tip little
 constexpr double handle_speed_rad_per_s = 40.0;  // faster than fingers twirl a knob
 constexpr double handle_step_rad = 0.01;         // more than two counts of any handle
-constexpr double sampling_s = 0.001;  // how much later a board may have looked than it was asked
+constexpr double sampling_s = 0.001;  // how much later than asked a board may have looked
 constexpr int jumps_that_count = 3;
 constexpr int most_packets_a_tick = 16;
 constexpr double rest_s = 0.001;
 constexpr int longest_end_ms = 20;
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-// Half a count of play to each side: a counter that steps back by one, or trembles on an edge,
-// moves nothing.
+// Half a count of play to each side, so that a counter that steps back by one, or trembles on an
+// edge, moves nothing.
 PortAngles followed(PortAngles before, PortAngles said, PortAngles quantum) {
     const auto follow = [](double last, double now, double play) {
         return std::clamp(last, now - play, now + play);
@@ -73,7 +73,7 @@ bool PantographBoard::stop() {
     return is_zero;
 }
 
-// Answers are of no interest any more, and states neither: bytes are.
+// Answers and states do not matter any more; only the bytes sent do.
 bool PantographBoard::end_in_zero() {
     for (int i = 0; i < longest_end_ms && link_ && report_.last_failure != LinkStatus::gone; ++i) {
         judge_send();
@@ -127,7 +127,7 @@ bool PantographBoard::write_torques(JointTorques torques) {
     judge_send();
     if (report_.state == BoardState::resyncing) return is_zero && holds_zero_;
     const bool is_passed_on = report_.state == BoardState::ready || is_zero;
-    // A send that hangs for a moment: the torque before goes on for that long.
+    // A send hangs for a moment; the torque before goes on for that long.
     if (!is_send_free()) return is_passed_on && !is_zero;
     if (!send(is_zero || !is_passed_on ? zero_command() : write_command(told, handle_Nm))) {
         start_resync(Rung::settle);
@@ -193,7 +193,7 @@ void PantographBoard::judge_send() {
     }
     const Sending ended = std::exchange(sending_, {});
     const bool is_from_before = std::exchange(is_old_send_open_, false);
-    // Called back after its last byte is as good as done.
+    // A send cancelled after its last byte is as good as done.
     const bool may_be_whole =
         sent.status == LinkStatus::done || sent.status == LinkStatus::timed_out;
     if (may_be_whole && sent.bytes == ended.size) {
@@ -257,7 +257,7 @@ void PantographBoard::judge_age(double elapsed_s) {
 
 void PantographBoard::judge_position(const Said& raw) {
     if (!is_jump(raw)) {
-        // The first odd count tells that this board does not count half.
+        // The first odd count shows that this board does not count half.
         if (!frame_.is_whole_counts(raw.joints, raw.handle_deg)) frame_ = frame_.with_all_counts();
         steady_ = raw_ ? followed(steady_, raw.joints, frame_.quantum()) : raw.joints;
         raw_ = raw;
@@ -331,7 +331,7 @@ void PantographBoard::step_resync(const Arrivals& arrivals, double elapsed_s) {
     if (heard_) judge_position(*heard_);
 }
 
-// On a clock of its own; the next caller's may begin anywhere.
+// On a clock of its own, since the next caller's may begin anywhere.
 void PantographBoard::run_resync() {
     last_s_ = 0.0;
     while (report_.state == BoardState::resyncing) {

@@ -1,6 +1,7 @@
-// A pantograph behind a board: the driver over any BoardLink. One write at the end of a tick, its
-// reply at the next. The board holds the last torque for ever, so whatever goes wrong a zero is
-// sent first; while the two are out of step no angles are given and no torque is passed on.
+// A pantograph behind a board: the driver over any BoardLink. It writes once at the end of a tick
+// and reads the reply at the next. The board holds the last torque forever, so if anything goes
+// wrong, a zero is sent first. While driver and board are out of step, no angles are given and no
+// torque is passed on.
 #pragma once
 
 #include "config/types/calibration.h"
@@ -17,70 +18,76 @@
 
 namespace touchline {
 
-/// From good to bad. ready: one reply a write. resyncing: the driver finds its way back by itself,
-/// force is zero. jumped: the angles leapt, until accept_position(). lost: unplugged or given up.
+/// From good to bad. ready: one reply per write. resyncing: the driver finds its way back by
+/// itself, and force is zero. jumped: the angles leapt, until accept_position(). lost: unplugged or
+/// given up.
 enum class BoardState : std::uint8_t { closed, ready, resyncing, jumped, lost };
 
-/// What the driver saw, for the operator and the log. Counts since it was made.
+/// What the driver saw, for the operator and the log. Counts start when it is made.
 struct BoardReport {
     BoardState state = BoardState::closed;
     bool is_position_doubtful = false;  // counts may have been missed: go home again
     bool was_torque_not_finite = false;
-    LinkStatus last_failure = LinkStatus::done;  // of the link
+    LinkStatus last_failure = LinkStatus::done;  // the link's
     std::uint64_t replies = 0;
-    std::uint64_t late = 0;  // ticks that went on with the angles of the one before
+    std::uint64_t late = 0;  // ticks that used the angles of the tick before
     std::uint64_t lost_replies = 0;
     std::uint64_t empty_packets = 0;
-    std::uint64_t wrong_packets = 0;  // wrong length, address, count, or one too many
+    std::uint64_t wrong_packets = 0;  // wrong length, address or count, or one too many
     std::uint64_t unconfigured = 0;
-    std::uint64_t jumps = 0;  // angles that no hand could reach
+    std::uint64_t jumps = 0;  // to angles that no hand could reach
     std::uint64_t failed_sends = 0;
     std::uint64_t resyncs = 0;
 };
 
-/// Threads: as ForceDevice. open(), end_in_zero(), stop() and the destructor wait; nothing else.
+/// Threads: as ForceDevice. Only open(), end_in_zero(), stop() and the destructor wait.
 class PantographBoard final : public ForceDevice {
   public:
     PantographBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
                     const Calibration& calibration);
-    /// stop().
+    /// Calls stop().
     ~PantographBoard() override;
     PantographBoard(const PantographBoard&) = delete;
     PantographBoard(PantographBoard&&) = delete;
     PantographBoard& operator=(const PantographBoard&) = delete;
     PantographBoard& operator=(PantographBoard&&) = delete;
 
-    /// The handle is at home, or will be said to have been by set_calibration(). Lines up, drain,
-    /// set-up, zero write, exact checks. Takes 30 ms; up to 4 s before it fails.
+    /// Call with the handle at home, unless set_calibration() will say where home was. Raises the
+    /// lines, drains, sets the board up, writes zero and checks the replies exactly. Takes 30 ms,
+    /// or up to 4 s before it fails.
     [[nodiscard]] Result<void> open();
 
-    /// Those of the newest reply, to half a count. Nothing while resyncing, jumped or lost; at most
-    /// 4 ms after the tick that it came in.
+    /// Returns the newest reply's angles, to half a count. Returns nothing while resyncing, jumped
+    /// or lost, and at most 4 ms after the tick in which the reply came.
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
 
-    /// Scaled to the limit. Zero: true when the send of a zero has ended and none but zeros were
-    /// sent since, so the call after the first at the soonest. Other torques: false when they could
-    /// not be passed on. Not finite counts as zero and is reported.
+    /// Scales torques to the limit. For zero, returns true once the send of a zero has ended and
+    /// only zeros were sent since, so at the call after the first at the earliest. For other
+    /// torques, returns false if they could not be passed on. A torque that is not finite counts as
+    /// zero and is reported.
     [[nodiscard]] bool write_torques(JointTorques torques) override;
 
-    /// Writes zeros until write_torques({}) would be true, whatever is under way; a send that hangs
-    /// is called back. Takes a millisecond or two, 20 before it gives up. For who has no next tick.
+    /// Writes zeros until write_torques({}) would return true, whatever is under way; a send that
+    /// hangs is cancelled. Takes a millisecond or two, or 20 before it gives up. For callers that
+    /// have no next tick.
     bool end_in_zero();
 
     [[nodiscard]] std::optional<double> handle_angle_rad() const override;
 
     void turn_handle(double torque_Nm) override;
 
-    /// From the next call on; for when no force acts. The position counts as known. That the board
-    /// has all counts is never forgotten: an odd count told it.
+    /// Takes effect from the next call on. Call it only while no force acts. The position counts as
+    /// known afterwards. The driver never forgets that a board has all counts, once an odd count
+    /// has shown it.
     void set_calibration(const Calibration& calibration);
 
-    /// After `jumped`, or doubt: the angles count as they are. With the force off only.
+    /// After `jumped`, or in doubt: takes the angles as they are. Call it only with the force off.
     void accept_position();
 
-    /// Zero torque, then a set-up if that is not answered, then lines low and the board given back.
-    /// Also for a board that was never opened here. Takes 10 ms; up to 4 s before it gives up.
-    /// True when the board confirmed zero. Nothing more is read or written.
+    /// Writes zero torque, then a set-up if that is not answered, then lowers the lines and gives
+    /// the board back. Also works for a board that was never opened here. Takes 10 ms, or up to 4 s
+    /// before it gives up. Returns true if the board confirmed zero. Nothing is read or written
+    /// afterwards.
     bool stop();
 
     [[nodiscard]] const BoardReport& report() const { return report_; }
@@ -88,10 +95,10 @@ class PantographBoard final : public ForceDevice {
     [[nodiscard]] const BoardFrame& frame() const { return frame_; }
 
   private:
-    /// What the board says of its encoders.
+    /// What the board reports of its encoders.
     struct Said {
         PortAngles joints;
-        double handle_deg = 0.0;  // where the handle turns
+        double handle_deg = 0.0;  // if the handle turns
     };
 
     struct Arrivals {
@@ -116,11 +123,11 @@ class PantographBoard final : public ForceDevice {
 
     [[nodiscard]] bool is_send_free() const { return sending_.size == 0 && !is_stalled_; }
 
-    /// A command whose end was not seen yet.
+    /// A command whose end has not been seen yet.
     struct Sending {
         std::size_t size = 0;  // bytes; 0: none
         bool is_zero = false;  // a write of zero torque
-        bool is_rest = false;  // of a write that was cut off
+        bool is_rest = false;  // completes a write that was cut off
         double age_s = 0.0;
     };
 
@@ -130,8 +137,8 @@ class PantographBoard final : public ForceDevice {
     BoardReport report_;
     std::optional<Said> raw_;       // last accepted
     PortAngles steady_;             // follows it with half a count of play
-    std::optional<Said> heard_;     // last that came while resyncing
-    double handle_Nm_ = 0.0;        // that goes with the next write
+    std::optional<Said> heard_;     // last one that came while resyncing
+    double handle_Nm_ = 0.0;        // goes with the next write
     std::optional<double> last_s_;  // on the caller's clock
     double raw_age_s_ = 0.0;        // since raw_ came
     double owed_age_s_ = 0.0;       // since every reply was last in
@@ -139,17 +146,17 @@ class PantographBoard final : public ForceDevice {
     int jumps_in_a_row_ = 0;
     double jump_age_s_ = 0.0;  // raw_age_s_ at the first of them
     Sending sending_;
-    bool holds_zero_ = false;        // the board: the newest write that it took is a zero
-    int untaken_in_a_row_ = 0;       // sends of which it took nothing
+    bool holds_zero_ = false;        // the newest write that the board took is a zero
+    int untaken_in_a_row_ = 0;       // sends of which the board took nothing
     bool is_stalled_ = false;        // until clear_stall() has ended
     bool is_zero_due_ = false;       // as soon as a send is free, before the resync's own
     bool is_old_send_open_ = false;  // sending_ began before the resync
     bool has_send_failed_ = false;   // since the last step of the resync
 };
 
-/// Zero torque on a board that somebody else drove, as stop() does it. A board that does not answer
-/// is set up again, which stops its motors but forgets where the handle is. True when confirmed.
-/// `profile` tells whether a motor at the handle has to be stopped too.
+/// Makes a board hold zero torque that somebody else drove, as stop() does. A board that does not
+/// answer is set up again, which stops its motors but forgets where the handle is. Returns true if
+/// the board confirmed zero. `profile` tells whether a motor at the handle must be stopped too.
 bool zero_torque(std::unique_ptr<BoardLink> link, const DeviceProfile& profile = default_profile());
 
 }  // namespace touchline

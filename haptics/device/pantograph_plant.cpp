@@ -36,7 +36,7 @@ void PantographPlant::advance(double span_s) {
         dynamics_.step(force_W(), intention, h_s);
         if (handle_) handle_->step(handle_Nm_, intention, h_s);
         time_s_ += h_s;
-        // The links stop the tip where they end.
+        // The links stop the tip at their full reach.
         if (!angles()) dynamics_.stop_at(before);
     }
 }

@@ -1,5 +1,6 @@
-// The mechanics of a pantograph and the hand that holds it: torques of the joints in, motion of the
-// tip out. What is between a program and the motors (boards, delays, counts) is not in here.
+// The mechanics of a pantograph and the hand that holds it: joint torques in, motion of the tip
+// out. Boards, delays and counts, which lie between a program and the motors, are not modelled
+// here.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -13,16 +14,16 @@
 
 namespace touchline {
 
-/// Threads: one at a time; the path may be led from another thread if it says so. No allocation
+/// Threads: one at a time; another thread may lead the path if the path allows it. No allocation
 /// after construction.
 class PantographPlant {
   public:
-    /// The tip starts at rest where the path starts, or at the centre of the drawing area when that
-    /// is out of reach. longest_step_s > 0: of the integration.
+    /// The tip starts at rest where the path starts, or at the centre of the drawing area if that
+    /// is out of reach. longest_step_s > 0 is the longest integration step.
     PantographPlant(const DeviceProfile& profile, const HandModel& hand, double longest_step_s,
                     std::shared_ptr<const IntendedPath> path);
 
-    /// Torques of the motors from now on.
+    /// Sets the motors' torques from now on.
     void turn_motors(JointTorques torques, double handle_Nm = 0.0) {
         torques_ = torques;
         handle_Nm_ = handle_Nm;
@@ -34,10 +35,10 @@ class PantographPlant {
         if (handle_) handle_->grip(hand);
     }
 
-    /// Lives through span_s in even steps; nothing where that is not above 0.
+    /// Runs through span_s in even steps. Does nothing if it is not above 0.
     void advance(double span_s);
 
-    /// Time passes and nothing moves.
+    /// Lets time pass while nothing moves.
     void skip_to(double t_s) { time_s_ = t_s; }
 
     [[nodiscard]] double time_s() const { return time_s_; }
@@ -45,12 +46,12 @@ class PantographPlant {
     /// The true state of the tip in W.
     [[nodiscard]] const MassState& tip() const { return dynamics_.tip(); }
 
-    /// The true angles; nothing where the tip was put out of reach.
+    /// The true angles; nothing if the tip was put out of reach.
     [[nodiscard]] std::optional<JointAngles> angles() const;
 
     [[nodiscard]] JointTorques torques() const { return torques_; }
 
-    /// Of a handle that turns; else nothing.
+    /// A turning handle's state; nothing if it does not turn.
     [[nodiscard]] const std::optional<HandleDynamics>& handle() const { return handle_; }
 
     [[nodiscard]] double handle_torque_Nm() const { return handle_Nm_; }

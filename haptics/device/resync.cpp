@@ -14,7 +14,7 @@ struct Attempt {
     Rung next = Rung::lost;
 };
 
-// quiet: 20 ms let the board work off 32 zeros, 1.1 s outlast its wait for the rest of a float.
+// quiet: in 20 ms the board works off 32 zeros; 1.1 s outlasts its wait for the rest of a float.
 // Setting up takes it 4 ms.
 constexpr std::array<Attempt, 7> attempts{{
     {false, 0.005, false, 0.05, Rung::set_up_again},
@@ -26,8 +26,8 @@ constexpr std::array<Attempt, 7> attempts{{
     {false, 1.1, true, 0.1, Rung::lost},
 }};
 
-constexpr double set_up_s = 0.005;  // the board is busy; what comes still belongs to before
-constexpr double late_s = 0.05;     // a reply that takes longer is taken for lost
+constexpr double set_up_s = 0.005;  // the board is busy; packets now belong to earlier writes
+constexpr double late_s = 0.05;     // a reply that takes longer counts as lost
 constexpr double proof_s = 0.003;   // no second reply may follow the first within it
 constexpr double longest_end_of_send_s = 0.1;  // for the send before to end
 
@@ -81,7 +81,7 @@ ResyncAction Resync::step(const ResyncEvents& events) {
     }
 }
 
-// A reply that is only late must not pass for that to the zero write.
+// A late reply must not pass for the reply to the zero write.
 bool Resync::is_quiet() const {
     const bool is_settling = rung_ == Rung::settle && owed_ > 0;
     return in_stage_s_ >= (is_settling ? late_s : attempt_of(rung_).quiet_s);

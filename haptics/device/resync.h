@@ -1,5 +1,5 @@
-// The way back to a board that answers one write with one reply. A ladder of attempts, each slower
-// and surer than the one before; time and events in, what to send out.
+// Finds the way back to a board that answers one write with one reply. Attempts form a ladder, each
+// slower and surer than the one before. Time and events go in, what to send comes out.
 // Threads: a plain value. No allocation, clock or log. O(1).
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace touchline {
 
-/// Where to start: settle when only an answer went astray, opening and set_up_again when the board
-/// must be told everything, flush when it may be waiting for the rest of a command.
+/// Where to start: settle if only an answer went astray; opening and set_up_again if the board must
+/// be told everything; flush if it may wait for the rest of a command.
 enum class Rung : std::uint8_t {
     settle,
     set_up_again,
@@ -20,7 +20,7 @@ enum class Rung : std::uint8_t {
     lost
 };
 
-/// What the driver has to send now.
+/// What the driver must send now.
 enum class ResyncAction : std::uint8_t { none, flush, set_up, write_zero };
 
 enum class ResyncState : std::uint8_t { under_way, in_step, lost };
@@ -29,24 +29,24 @@ enum class ResyncState : std::uint8_t { under_way, in_step, lost };
 struct ResyncEvents {
     double elapsed_s = 0.0;
     int good_replies = 0;  // angles
-    int bad_packets = 0;   // anything else that is not empty
+    int bad_packets = 0;   // any other that is not empty
     bool is_send_free = true;
     bool has_send_failed = false;
 };
 
 class Resync {
   public:
-    /// In step; nothing to do.
+    /// Starts in step, with nothing to do.
     Resync() = default;
 
-    /// owed >= 0: replies to earlier writes that may still come.
+    /// owed >= 0 is the number of replies to earlier writes that may still come.
     Resync(Rung first, int owed) : owed_(owed) { enter(first); }
 
-    /// To be called until state() is no longer under_way, at least every few ms. The action has to
-    /// be sent at once; is_send_free says that it can.
+    /// Call it until state() is no longer under_way, at least every few ms. Send the action at
+    /// once; is_send_free says that this is possible.
     [[nodiscard]] ResyncAction step(const ResyncEvents& events);
 
-    /// One more write was sent whose reply is of no interest.
+    /// Notes that one more write was sent whose reply does not matter.
     void owe_one() { ++owed_; }
 
     [[nodiscard]] ResyncState state() const { return state_; }

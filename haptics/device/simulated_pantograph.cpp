@@ -9,7 +9,7 @@ namespace {
 
 constexpr double longest_gap_s = 0.1;
 
-// As the firmware does, but that a torque that is not finite counts as zero.
+// As the firmware does, except that a torque that is not finite counts as zero.
 double motor_torque(double torque_Nm, double limit_Nm) {
     return std::isfinite(torque_Nm) ? std::clamp(torque_Nm, -limit_Nm, limit_Nm) : 0.0;
 }
@@ -50,7 +50,7 @@ void SimulatedPantograph::turn_handle(double torque_Nm) {
 }
 
 bool SimulatedPantograph::write_torques(JointTorques torques) {
-    if (pending_count_ == pending_.size()) --pending_count_;  // the newest is overtaken
+    if (pending_count_ == pending_.size()) --pending_count_;  // the newest gives way
     const std::size_t slot = (first_pending_ + pending_count_) % pending_.size();
     const double limit = profile_.torque_limit_Nm;
     pending_[slot] = {plant_.time_s() + profile_.mechanics.delay_s,

@@ -1,6 +1,6 @@
-// A pantograph and a hand in software, on the clock that the servo passes in: same calls, same
-// bits. Models five-bar geometry, tip mass, viscous and Coulomb friction, encoder counts, motor
-// limits, transport delay, a scale error of one arm and, where the profile has one, a turning
+// A pantograph and a hand in software, on the clock that the servo passes in: the same calls give
+// the same bits. Models five-bar geometry, tip mass, viscous and Coulomb friction, encoder counts,
+// motor limits, transport delay, a scale error of one arm and, if the profile has one, a turning
 // handle.
 #pragma once
 
@@ -22,10 +22,10 @@ struct SimulationOptions {
     double arm_1_scale_error = 0.0;  // relative error of encoder 1, e.g. 0.015
 };
 
-/// Threads: as ForceDevice; the path may be led from another thread if it says so.
+/// Threads: as ForceDevice; another thread may lead the path if the path allows it.
 class SimulatedPantograph final : public ForceDevice {
   public:
-    /// The tip starts at rest where the path starts, or at the centre of the drawing area when that
+    /// The tip starts at rest where the path starts, or at the centre of the drawing area if that
     /// is out of reach.
     SimulatedPantograph(const DeviceProfile& profile, const SimulationOptions& options,
                         std::shared_ptr<const IntendedPath> path);
@@ -34,8 +34,8 @@ class SimulatedPantograph final : public ForceDevice {
     /// reads the encoders.
     [[nodiscard]] std::optional<JointAngles> read_angles(double now_s) override;
 
-    /// Clamped per motor as the firmware does; not finite counts as zero. Takes effect after the
-    /// profile's delay.
+    /// Clamps each motor's torque as the firmware does; a torque that is not finite counts as zero.
+    /// Takes effect after the profile's delay.
     [[nodiscard]] bool write_torques(JointTorques torques) override;
 
     [[nodiscard]] std::optional<double> handle_angle_rad() const override;
@@ -45,7 +45,7 @@ class SimulatedPantograph final : public ForceDevice {
     /// The true state of the tip in W, for tests and drawings.
     [[nodiscard]] const MassState& tip() const { return plant_.tip(); }
 
-    /// Torques that act now.
+    /// The torques that act now.
     [[nodiscard]] JointTorques acting_torques() const { return plant_.torques(); }
 
     [[nodiscard]] double acting_handle_torque_Nm() const { return plant_.handle_torque_Nm(); }
@@ -62,8 +62,8 @@ class SimulatedPantograph final : public ForceDevice {
     DeviceProfile profile_;
     double arm_1_scale_error_;
     PantographPlant plant_;
-    double handle_Nm_ = 0.0;                  // that goes with the next torques
-    std::array<TimedTorques, 64> pending_{};  // in order of time; first_pending_ is the oldest
+    double handle_Nm_ = 0.0;                  // goes with the next torques
+    std::array<TimedTorques, 64> pending_{};  // by time; first_pending_ is the oldest
     std::size_t first_pending_ = 0;
     std::size_t pending_count_ = 0;
 };

@@ -27,7 +27,7 @@ void StallClearer::clear_when_asked() {
     for (;;) {
         asked_.acquire();
         if (is_closing_) return;
-        int error = 0;  // the first there is
+        int error = 0;  // the first error
         for (const std::uint8_t endpoint : endpoints_)
             if (error == 0) error = libusb_clear_halt(handle_, endpoint);
         error_ = error;

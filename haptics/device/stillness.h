@@ -1,4 +1,4 @@
-// How long the handle has been held still.
+// Measures how long the handle has been held still.
 // Threads: a plain value.
 #pragma once
 
@@ -10,11 +10,10 @@ namespace touchline {
 
 class Stillness {
   public:
-    /// band > 0 (rad): a hand that rests moves each joint by less, its encoder's last count
-    /// included.
+    /// band > 0 (rad): a resting hand moves each joint by less, including its encoder's last count.
     explicit Stillness(JointAngles band) : band_(band) {}
 
-    /// One tick of dt_s later. Angles that are not finite are motion.
+    /// Advances one tick of dt_s. Angles that are not finite count as motion.
     void step(JointAngles angles, double dt_s) {
         const JointAngles moved = angles - middle_;
         const bool is_inside = std::abs(moved.x) <= band_.x && std::abs(moved.y) <= band_.y;

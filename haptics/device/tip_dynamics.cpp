@@ -5,7 +5,8 @@
 namespace touchline {
 namespace {
 
-/// All forces on a mass but those that its own velocity causes, and these.
+/// What acts on a mass: the forces that do not depend on its own velocity, and the two effects that
+/// do.
 struct Load {
     Force force;
     double damping_Ns_per_m = 0.0;
@@ -15,7 +16,7 @@ struct Load {
 void integrate(MassState& mass, double mass_kg, const Load& load, double h_s) {
     const Velocity pushed = mass.velocity + along<Velocity>(load.force, h_s / mass_kg);
     const Velocity damped = 1.0 / (1.0 + h_s * load.damping_Ns_per_m / mass_kg) * pushed;
-    // Friction takes away at most the velocity there is, so what it stops stays where it is.
+    // Friction takes away at most the present velocity, so a stopped tip stays where it is.
     const double speed = norm(damped);
     const double friction = h_s * load.coulomb_N / mass_kg;
     const Velocity next = speed > friction ? (1.0 - friction / speed) * damped : Velocity{};

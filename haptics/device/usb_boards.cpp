@@ -42,7 +42,7 @@ std::string node_of(int bus, int device_number) {
     return node.str();
 }
 
-// The process that has the node open, in words.
+// Describes the process that has the node open.
 std::string holder_of(const std::string& node) {
     std::error_code error;
     for (const auto& process : std::filesystem::directory_iterator("/proc", error)) {
@@ -96,7 +96,7 @@ std::optional<SerialPipes> pipes_of(libusb_device* device) {
     return pipes;
 }
 
-// The kernel's serial driver is no obstacle, another program is.
+// Tells whether another program holds the board. The kernel's serial driver is no obstacle.
 bool is_held(libusb_device_handle* handle, const SerialPipes& pipes) {
     if (libusb_kernel_driver_active(handle, pipes.data_interface) == 1) return false;
     if (libusb_claim_interface(handle, pipes.data_interface) == LIBUSB_ERROR_BUSY) return true;
@@ -168,7 +168,7 @@ std::string all_of(const std::vector<Plugged>& boards) {
     return line;
 }
 
-/// The board meant by `serial`; else why there is none.
+/// Returns the board meant by `serial`, or why there is none.
 Result<const Plugged*> choose(const std::vector<Plugged>& boards, std::span<const BoardId> known,
                               std::string_view serial) {
     if (boards.empty()) return failure(none_found(known));
@@ -237,7 +237,7 @@ Result<OpenedBoard> UsbBoards::open(const FoundBoard& board, const UsbLinkOption
     };
     const auto pipes = pipes_of(same->device.get());
     if (!pipes) return failure(name_of(board) + " is no serial board");
-    // Not opened by libusb, which keeps the descriptor to itself.
+    // Opened here and not by libusb, which keeps the descriptor to itself.
     const int bus = libusb_get_bus_number(same->device.get());
     const int node = ::open(node_of(bus, same->found.device_number).c_str(), O_RDWR | O_CLOEXEC);
     if (node < 0) return cannot(std::strerror(errno));

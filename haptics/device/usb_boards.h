@@ -1,5 +1,5 @@
-// Boards on the USB: which are there, and opening one, through libusb. A board is named by its
-// serial number, never by its place in a list.
+// Finds and opens boards on the USB, through libusb. A board is named by its serial number, never
+// by its place in a list.
 #pragma once
 
 #include "config/settings/boards.h"
@@ -16,19 +16,20 @@
 
 namespace touchline {
 
-/// available: it can be opened. busy: another program holds it. denied: this user may not.
+/// available: it can be opened. busy: another program holds it. denied: this user may not open it.
 enum class BoardAccess : std::uint8_t { available, busy, denied, unknown };
 
 struct FoundBoard {
     BoardId id;
-    std::string serial;    // empty when it cannot be read
-    std::string bus_path;  // "1-2.3": bus and ports, the same as long as the plug stays
+    std::string serial;    // empty if it cannot be read
+    std::string bus_path;  // "1-2.3": bus and ports; stays the same as long as the plug stays
     int device_number = 0;
     BoardAccess access = BoardAccess::unknown;
-    std::string holder;  // who has it, when busy; empty when that cannot be seen
+    std::string holder;  // the program that has it, if busy; empty if that cannot be seen
 };
 
-/// One line for a person: what it is, where, and what to do if it cannot be used.
+/// Describes the board in one line for a person: what it is, where it is, and what to do if it
+/// cannot be used.
 [[nodiscard]] std::string describe(const FoundBoard& board);
 
 struct UsbLinkOptions {
@@ -37,14 +38,14 @@ struct UsbLinkOptions {
 
 struct OpenedBoard {
     std::unique_ptr<BoardLink> link;
-    UsbNode node;  // as long as the link lives
+    UsbNode node;  // lives as long as the link
 };
 
-/// Threads: one at a time; links opened here may outlive it. All calls allocate and wait:
-/// not for the tick.
+/// Threads: one at a time; links opened here may outlive it. All calls allocate and wait, so keep
+/// them out of the tick.
 class UsbBoards {
   public:
-    /// Fails when the system has no USB.
+    /// Fails if the system has no USB.
     [[nodiscard]] static Result<UsbBoards> create();
 
     UsbBoards(UsbBoards&&) noexcept;
@@ -53,17 +54,19 @@ class UsbBoards {
     UsbBoards& operator=(const UsbBoards&) = delete;
     ~UsbBoards();
 
-    /// Every plugged board that the table knows, sorted by bus path. Boards that run are opened for
-    /// a moment, to read the serial number and to see who may; nothing is sent to them.
+    /// Returns every plugged board that the table knows, sorted by bus path. Running boards are
+    /// opened for a moment to read the serial number and to see who may open them; nothing is sent
+    /// to them.
     [[nodiscard]] std::vector<FoundBoard> list(std::span<const BoardId> known) const;
 
-    /// The running board with that serial number. Without one: the only running board that may be
-    /// probed. The error says what was looked for and what was found instead.
+    /// Returns the running board with that serial number; without one, the only running board that
+    /// may be probed. The error says what was looked for and what was found instead.
     [[nodiscard]] Result<FoundBoard> find(std::span<const BoardId> known,
                                           std::string_view serial) const;
 
-    /// Opens what find() or list() found. Takes the interface from the kernel's serial driver and
-    /// gives it back when the link goes. Busy, denied or gone: an error in words.
+    /// Opens a board from find() or list(). Takes the interface from the kernel's serial driver and
+    /// gives it back when the link is destroyed. A board that is busy, denied or gone gives an
+    /// error in words.
     [[nodiscard]] Result<OpenedBoard> open(const FoundBoard& board,
                                            const UsbLinkOptions& options = {}) const;
 

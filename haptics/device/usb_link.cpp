@@ -72,7 +72,8 @@ UsbLink::~UsbLink() {
     cancel_all();
     const std::int64_t end_ns = steady_now_ns() + static_cast<std::int64_t>(1e9 * longest_close_s);
     while (is_anything_under_way() && steady_now_ns() < end_ns) handle_events(0.01);
-    // What the system never gave back may still be written to: better lost than freed.
+    // The system may still write to a transfer that it never gave back, so leak it rather than free
+    // it.
     if (!is_sending_) libusb_free_transfer(out_);
     for (InTransfer& in : in_)
         if (!in.is_under_way) libusb_free_transfer(in.transfer);
@@ -179,7 +180,7 @@ void UsbLink::listen(InTransfer& in) {
     is_gone_ = is_gone_ || error == LIBUSB_ERROR_NO_DEVICE;
 }
 
-// Nobody who talks to a board leaves so many unread; the oldest goes.
+// A program that talks to a board never leaves this many unread; the oldest is dropped.
 void UsbLink::keep(const Received& received) {
     if (waiting_count_ == waiting_.size()) {
         first_waiting_ = (first_waiting_ + 1) % waiting_.size();

@@ -1,5 +1,5 @@
-// An opened USB board as a BoardLink: asynchronous transfers of libusb, one OUT and two IN under
-// way; a thread of its own clears halted endpoints. Of usb_boards.cpp only.
+// An opened USB board as a BoardLink: asynchronous libusb transfers, one OUT and two IN under way.
+// A thread of its own clears halted endpoints. Only for usb_boards.cpp.
 #pragma once
 
 #include "haptics/device/board_link.h"
@@ -16,12 +16,12 @@
 
 namespace touchline {
 
-/// send(), sent() and receive() make system calls but never wait; libusb itself allocates a small
-/// block a transfer and takes its own locks, which nobody else holds.
+/// send(), sent() and receive() make system calls but never wait. libusb itself allocates a small
+/// block per transfer and takes its own locks, which nobody else holds.
 class UsbLink final : public BoardLink {
   public:
-    /// Both interfaces are claimed; `context` lives as long as the link. Closes `handle`, and then
-    /// the node that it was made of.
+    /// Both interfaces are claimed; `context` lives as long as the link. The destructor closes
+    /// `handle`, and then the node that it was made from.
     UsbLink(std::shared_ptr<libusb_context> context, libusb_device_handle* handle, int node,
             const SerialPipes& pipes, unsigned send_time_out_ms);
     ~UsbLink() override;
@@ -69,7 +69,7 @@ class UsbLink final : public BoardLink {
     bool is_sending_ = false;
     Sent sent_;
     std::array<InTransfer, in_transfers> in_{};
-    std::array<Received, most_waiting> waiting_{};  // in order; first_waiting_ is the oldest
+    std::array<Received, most_waiting> waiting_{};  // by time; first_waiting_ is the oldest
     std::size_t first_waiting_ = 0;
     std::size_t waiting_count_ = 0;
     bool is_gone_ = false;

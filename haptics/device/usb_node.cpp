@@ -14,8 +14,8 @@ constexpr unsigned longest_send_ms = 10;
 
 }  // namespace
 
-// Not by libusb: transfers that a dead process began would be given to this one, with addresses of
-// the other's memory to be written to. Giving the interface back ends them all, unread.
+// Does not use libusb: it would get the transfers that a dead process began, with addresses of that
+// process's memory to write to. Giving the interface back ends them all, unread.
 bool write_zero(int descriptor, const SerialPipes& pipes, const DeviceProfile& profile) {
     auto interface = static_cast<unsigned>(pipes.data_interface);
     (void)ioctl(descriptor, USBDEVFS_RELEASEINTERFACE, &interface);

@@ -1,5 +1,5 @@
-// A board's node on the USB, opened: what one process passes to another, so that this one can turn
-// the motors off without looking for the board, opening it or asking who has it.
+// A board's USB node, opened. One process passes it to another, which can then turn the motors off
+// without looking for the board, opening it or asking who has it.
 // Threads: a value; write_zero() by one at a time.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace touchline {
 
-/// Addresses as the descriptors name them.
+/// Addresses, as in the descriptors.
 struct SerialPipes {
     int control_interface = 0;
     int data_interface = 1;
@@ -19,14 +19,14 @@ struct SerialPipes {
 };
 
 struct UsbNode {
-    int descriptor = -1;  // of somebody else, who closes it
+    int descriptor = -1;  // owned and closed by somebody else
     SerialPipes pipes;
-    std::string bus_path;  // as FoundBoard has it
+    std::string bus_path;  // as in FoundBoard
 };
 
-/// Ends all transfers that are under way, whoever began them, and sends zero torque. True: all its
-/// bytes went. Nobody else may drive the board by then, or their next write undoes it; what the
-/// board answers is not read. Takes 20 ms at most, without a heap; 1 ms where all is well.
+/// Ends all transfers under way, whoever began them, and sends zero torque. Returns true if all its
+/// bytes went. Nobody else may drive the board by then, or their next write undoes it. The board's
+/// answer is not read. Takes 20 ms at most, without a heap; 1 ms if all is well.
 [[nodiscard]] bool write_zero(int descriptor, const SerialPipes& pipes,
                               const DeviceProfile& profile);
 

@@ -1,4 +1,4 @@
-// The pantograph that is plugged in, with what is known of the unit: the way in for programs.
+// Opens the plugged-in pantograph with what is known of the unit; programs start here.
 #pragma once
 
 #include "config/settings/boards.h"
@@ -18,9 +18,9 @@ struct UsbPantograph {
     std::unique_ptr<PantographBoard> driver;
 };
 
-/// Takes the board with that serial number, or the only one where none is given; profile and
-/// calibration are the unit's in `settings`, else `profile_name` and none. The board was told
-/// nothing yet: driver->open() does, with the handle at home. Allocates and waits.
+/// Takes the board with that serial number, or the only one if none is given. Profile and
+/// calibration are the unit's in `settings`, else `profile_name` and none. Nothing has been sent to
+/// the board yet: driver->open() does that, with the handle at home. Allocates and waits.
 [[nodiscard]] Result<UsbPantograph> take_pantograph(const UsbBoards& usb,
                                                     const BoardSettings& settings,
                                                     std::string_view serial,

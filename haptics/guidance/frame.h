@@ -1,4 +1,4 @@
-// The frame of the drawing area: beyond its edge the hand is pushed back, so that there is always a
+// The frame of the drawing area: pushes the hand back beyond the edge, so that there is always a
 // place to begin from. Threads: a pure function.
 #pragma once
 
@@ -16,7 +16,7 @@ struct FramePush {
 };
 
 inline constexpr double frame_N_per_m = 500.0;
-inline constexpr double most_frame_N = 1.5;  // of each side: who wants out comes out
+inline constexpr double most_frame_N = 1.5;  // per side: a hand that wants out comes out
 
 /// A spring beyond each side of the area, no stiffer than stiffness_N_per_m > 0. O(1).
 [[nodiscard]] inline FramePush frame_push(const Area& area, Position handle,
@@ -34,7 +34,7 @@ inline constexpr double most_frame_N = 1.5;  // of each side: who wants out come
     return push;
 }
 
-/// The place of the area that is nearest to p.
+/// Returns the place in the area that is nearest to p.
 [[nodiscard]] inline Position within(const Area& area, Position p) {
     return {std::clamp(p.x, -0.5 * area.width_m, 0.5 * area.width_m),
             std::clamp(p.y, -0.5 * area.height_m, 0.5 * area.height_m)};

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pull_N_per_m = 250.0;
 constexpr double damping_Ns_per_m = 1.5;
-constexpr double free_lag_m = 0.002;     // up to here the point goes its speed ...
+constexpr double free_lag_m = 0.002;     // up to here the point keeps its speed ...
 constexpr double longest_lag_m = 0.004;  // ... from here on it waits
 constexpr double arrived_m = 0.0025;
 constexpr double fade_in_s = 0.3;
@@ -20,7 +20,8 @@ constexpr double corner_pause_s = 0.25;
 constexpr double label_pause_s = 1.2;
 constexpr double line_reach_m = 0.3;
 constexpr int query_boxes = 4096;
-// Waiting is told of at the one, going on at the other, so that a hand between does not flutter.
+// Waiting begins below the one rate and ends above the other, so that a hand in between does not
+// flutter.
 constexpr double waiting_rate = 0.05;
 constexpr double running_rate = 0.3;
 
@@ -119,7 +120,7 @@ void Guidance::begin_to_line(const Scene& scene, Position handle) {
     point_.go_straight(at.point, command_.speed_m_per_s);
 }
 
-/// From rest: on along the line, or first to where an outline begins.
+/// Leaves a rest: on along the line, or first to where an outline begins.
 void Guidance::go_on(const Scene& scene) {
     const Leg& next = scene.legs[static_cast<std::size_t>(next_leg_)];
     status_.outline = next.outline;
@@ -132,7 +133,7 @@ void Guidance::go_on(const Scene& scene) {
     }
 }
 
-/// The point has come to where it rests.
+/// The point has reached a resting place.
 void Guidance::rest(const Scene& scene) {
     if (is_approaching_) {
         pause_s_ = corner_pause_s;
@@ -156,7 +157,7 @@ void Guidance::lead(const GuideInput& input, double dt_s) {
         std::clamp((longest_lag_m - lag_m) / (longest_lag_m - free_lag_m), 0.0, 1.0);
     const double goal = command_.is_held ? 0.0 : follows;
     rate_ = std::clamp(goal, rate_ - dt_s / rate_change_s, rate_ + dt_s / rate_change_s);
-    // A hand that stops must not be pulled on by what is left of the rate.
+    // A hand that stops must not be pulled on by the remaining rate.
     rate_ = std::min(rate_, goal);
     if (!point_.has_arrived()) {
         point_.step(scene, rate_ * dt_s);

@@ -1,5 +1,5 @@
-// A handle that leads the hand: along the outlines, to a place, or to the nearest line. It pulls
-// towards a point that goes ahead, waits for the hand, and lets go within 50 ms.
+// Leads the hand by the handle: along the outlines, to a place, or to the nearest line. The force
+// pulls towards a point that goes ahead and waits for the hand; it lets go within 50 ms.
 // Threads: one, the servo's. A plain value; no allocation, lock, clock or log.
 #pragma once
 
@@ -13,10 +13,10 @@
 namespace touchline {
 
 struct GuideInput {
-    const Scene* scene = nullptr;  // that is felt; null: none
+    const Scene* scene = nullptr;  // scene that is felt; null: none
     Position handle;
     Velocity velocity;
-    bool is_live = false;  // force may act in full: a hand holds the handle, nothing is changed
+    bool is_live = false;  // force may act in full: a hand holds the handle, no change is under way
     GuidanceCommand command;
 };
 
@@ -24,24 +24,25 @@ inline constexpr double most_guide_N = 1.0;
 
 class Guidance {
   public:
-    /// One tick of dt_s > 0; the force is at most 1 N and grows from nothing in 0.3 s. A command
-    /// that is new, force that is no longer live, and another scene stop what leads: its force is
-    /// gone after 40 ms. What was asked before force is live waits for it. One query of the tree
-    /// where to_line begins, else O(1).
+    /// Advances one tick of dt_s > 0. The force is at most 1 N and grows from zero in 0.3 s. A new
+    /// command, force that is no longer live, or another scene stops the guidance, and its force is
+    /// gone after 40 ms. A command given before force is live waits for it. Makes one query of the
+    /// tree when to_line begins, else O(1).
     [[nodiscard]] Force step(const GuideInput& input, double dt_s);
 
-    /// Force of guidance acts, or is about to.
+    /// True while guidance force acts or is about to.
     [[nodiscard]] bool leads() const { return is_leading_ || gain_ > 0.0; }
 
-    /// It begins as soon as force is live: until then lines should push less than keeps force off.
+    /// True if guidance begins as soon as force is live; until then, lines should push less than
+    /// what keeps force off.
     [[nodiscard]] bool is_pending() const { return is_wanted_; }
 
     [[nodiscard]] const GuidanceStatus& status() const { return status_; }
 
-    /// The scene is another one now; every place on the old one is forgotten.
+    /// Another scene takes over: forgets every place on the old one.
     void leave_scene();
 
-    /// Whether all its places are on the scene (null: none). After a copy from elsewhere.
+    /// Whether all its places are on the scene (null: none), for a copy from elsewhere.
     [[nodiscard]] bool fits(const Scene* scene) const;
 
   private:
@@ -57,10 +58,10 @@ class Guidance {
     void tell_phase(bool is_held_back);
     [[nodiscard]] Force pull(const GuideInput& input, Velocity ahead) const;
 
-    bool is_first_ = true;    // no command was told yet
-    bool is_wanted_ = false;  // begins as soon as it can
+    bool is_first_ = true;    // no command has come yet
+    bool is_wanted_ = false;  // begins as soon as possible
     bool is_leading_ = false;
-    bool is_approaching_ = false;  // of a tour: straight to where an outline begins
+    bool is_approaching_ = false;  // on a tour: straight to where an outline begins
     GuidanceCommand command_;
     GuidanceStatus status_;
     LeadingPoint point_;

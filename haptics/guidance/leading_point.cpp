@@ -49,7 +49,7 @@ void LeadingPoint::step(const Scene& scene, double dt_s) {
         position_ = is_over ? to_ : from_ + way_m / whole_m * (to_ - from_);
         return;
     }
-    // At the end a trace more than the length, which was added up in another order.
+    // At the end goes a trace beyond the length, which was summed in another order.
     constexpr double trace_m = 1e-6;
     walk(scene, way_m - gone_m_ + (is_over ? trace_m : 0.0));
 }

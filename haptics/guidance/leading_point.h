@@ -1,5 +1,5 @@
-// The point that leads the hand: straight to a place, or along the outlines up to the next place to
-// rest. Threads: a plain value; no allocation.
+// The point that leads the hand: straight to a place, or along the outlines up to the next resting
+// place. Threads: a plain value; no allocation.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -10,7 +10,7 @@
 namespace touchline {
 
 /// Each ramp is the one of least jerk between rest and an even speed, v (3 u^2 - 2 u^3). A way too
-/// short for the speed is gone at a lower one.
+/// short for the speed gets a lower one.
 class SpeedProfile {
   public:
     SpeedProfile() = default;
@@ -23,7 +23,7 @@ class SpeedProfile {
         return speed_m_per_s_ > 0.0 ? length_m_ / speed_m_per_s_ + ramp_s : 0.0;
     }
 
-    /// Gone after t_s; any t_s.
+    /// Returns the way covered after t_s, for any t_s.
     [[nodiscard]] double gone_m(double t_s) const {
         const double left_s = duration_s() - t_s;
         if (!(left_s > 0.0)) return length_m_;
@@ -46,27 +46,27 @@ class SpeedProfile {
 
 class LeadingPoint {
   public:
-    /// Rests there.
+    /// Puts the point at p, at rest.
     void put(Position p) { *this = LeadingPoint(p); }
 
-    /// From where it is.
+    /// Goes straight from where it is.
     void go_straight(Position to, double speed_m_per_s);
 
-    /// From the start of that leg, where it must be, to the next rest.
+    /// Goes from the start of that leg, where it must be, to the next rest.
     void go_along(const Scene& scene, int leg, double speed_m_per_s);
 
-    /// dt_s >= 0 of its own time goes by. At most 64 edges are passed, the rest is gone later. The
-    /// scene is that of go_along().
+    /// Lets dt_s >= 0 of its own time go by. Passes at most 64 edges; the rest of the way follows
+    /// later. `scene` is that of go_along().
     void step(const Scene& scene, double dt_s);
 
     [[nodiscard]] bool has_arrived() const { return has_arrived_; }
 
     [[nodiscard]] Position position() const { return position_; }
 
-    /// That it is on, or was on last; -1: none.
+    /// The leg that it is on, or was on last; -1: none.
     [[nodiscard]] int leg() const { return leg_; }
 
-    /// Whether it lies on what there is. After a copy from elsewhere.
+    /// Whether its places exist in the scene, for a copy from elsewhere.
     [[nodiscard]] bool fits(const Scene& scene) const;
 
     LeadingPoint() = default;
@@ -84,7 +84,7 @@ class LeadingPoint {
     bool has_arrived_ = true;
     bool is_straight_ = true;
     int leg_ = -1;
-    int point_ = 0;         // where the edge begins that it is on
+    int point_ = 0;         // start of the edge that it is on
     double on_edge_m_ = 0;  // gone on that edge
 };
 

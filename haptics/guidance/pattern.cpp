@@ -14,7 +14,8 @@ constexpr Direction sideways{1.0, 0.0};
 constexpr Direction away{0.0, 1.0};
 constexpr Direction slanting{half_root, half_root};
 
-// A hand tells shaking of 10 to 60 Hz well and its direction fairly; below 10 Hz it is moved.
+// A hand feels shaking of 10 to 60 Hz well and its direction fairly; below 10 Hz the shaking moves
+// it.
 constexpr std::array rows{
     PatternRow{HandlePattern::focus, 1, sideways, 25.0, 0.6, 3, 0.06},
     PatternRow{HandlePattern::chosen, 2, away, 25.0, 0.7, 3, 0.10},

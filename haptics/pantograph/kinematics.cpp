@@ -12,12 +12,14 @@ Position elbow(double motor_x_m, double proximal_m, double angle_rad) {
     return {motor_x_m + proximal_m * std::cos(angle_rad), proximal_m * std::sin(angle_rad)};
 }
 
-// Angle of a vector, in (-pi/2, 3 pi/2]: the cut lies straight behind the motor, out of the way.
+// Returns the angle of a vector, in (-pi/2, 3 pi/2]: the cut lies straight behind the motor, out of
+// the way.
 double bearing(Position v) {
     return std::numbers::pi / 2.0 - std::atan2(v.x, v.y);
 }
 
-// Angle at the motor between the direction of the tip and the proximal link. NaN when out of reach.
+// Returns the angle at the motor between the direction of the tip and the proximal link; NaN if out
+// of reach.
 double motor_angle(const Geometry& g, double reach_m) {
     const double cosine =
         (g.proximal_m * g.proximal_m + reach_m * reach_m - g.distal_m * g.distal_m) /
@@ -61,7 +63,8 @@ std::optional<JointAngles> inverse(const Geometry& geometry, Position p_DH) {
     const JointAngles angles{bearing(from_1) + motor_angle(geometry, norm(from_1)),
                              bearing(from_2) - motor_angle(geometry, norm(from_2))};
     if (!is_finite(angles)) return std::nullopt;
-    // The same links also close on the other side of both elbows; that branch is not this tip's.
+    // The same links also close on the other side of both elbows, but that branch is not this
+    // tip's.
     const Position a = elbow(0.0, geometry.proximal_m, angles.x);
     const Position b = elbow(geometry.base_m, geometry.proximal_m, angles.y);
     if (!(cross(p_DH - a, p_DH - b) > 0.0)) return std::nullopt;

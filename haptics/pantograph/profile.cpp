@@ -14,7 +14,7 @@ constexpr JointAngles degrees(double joint_1, double joint_2) {
     return {joint_1 * pi / 180.0, joint_2 * pi / 180.0};
 }
 
-// The M0 board of every 2diy resolves half of the counts that its set-up command is told.
+// The M0 board of every 2diy resolves half of the counts that its set-up command gives.
 constexpr double m0_told_per_count = 2.0;
 
 constexpr JointAngles m0_counts(double joint_1, double joint_2) {
@@ -26,31 +26,31 @@ constexpr Geometry gen2_links{0.070, 0.090, 0.0};
 constexpr Geometry haplet_links{0.050, 0.070, 0.020};
 constexpr Geometry mk2_links{0.063, 0.075, 0.025};  // with joint 1 the paper's joint 5
 
-// Mechanics: middle of the ranges that users of the devices report or estimate.
+// Mechanics: the middle of the ranges that users of the devices report or estimate.
 constexpr MechanicsProfile plastic_arms{0.07, 0.2, 0.10, 6e-4};
 constexpr MechanicsProfile metal_arms{0.08, 0.3, 0.15, 6e-4};
 constexpr MechanicsProfile small_arms{0.05, 0.2, 0.10, 6e-4};
 constexpr MechanicsProfile direct_drive{0.035, 0.05, 0.03, 1e-4};
 
-// As the makers' own programs plug them in. The M0 is told twice the counts that it resolves.
+// Plugged in as in the makers' own programs. The M0 is told twice the counts that it resolves.
 constexpr JointWiring port_1_cw{1, Turn::clockwise}, port_1_ccw{1, Turn::counter_clockwise};
 constexpr JointWiring port_2_cw{2, Turn::clockwise}, port_2_ccw{2, Turn::counter_clockwise};
 constexpr BoardWiring gen3_wiring{port_2_ccw, port_1_ccw, m0_told_per_count};
 constexpr BoardWiring gen2_wiring{port_2_ccw, port_1_cw, m0_told_per_count};
 constexpr BoardWiring gen2_alike_wiring{port_2_ccw, port_1_ccw, m0_told_per_count};
 constexpr BoardWiring haplet_wiring{port_1_cw, port_2_cw, 1.0};
-constexpr BoardWiring mk2_wiring{port_1_ccw, port_2_ccw, 1.0};  // a board of one's own
+constexpr BoardWiring mk2_wiring{port_1_ccw, port_2_ccw, 1.0};  // a custom board
 
 // The two ends of a gen 3's reach are the home poses of its two generations. No other stop is
-// published: the others are checked with both arms stretched towards the person.
+// published, so the others are checked with both arms stretched towards the person.
 constexpr JointAngles gen3_retracted = degrees(168.0, 12.0);
 constexpr JointAngles gen3_extended = degrees(97.23, 82.77);
 constexpr CheckStop gen2_stretched{degrees(90.0, 90.0), StopPlace::towards};
 constexpr CheckStop haplet_stretched{degrees(85.2198, 94.7802), StopPlace::towards};
 constexpr CheckStop mk2_stretched{degrees(84.8030, 95.1970), StopPlace::towards};
 
-// Nobody sells one: the arms of a gen 3.1 on a board with four ports, which resolves every count it
-// is told, and a third motor of the same make straight at the handle.
+// Not sold by anyone: the arms of a gen 3.1 on a board with four ports, which resolves every count
+// it is told, and a third motor of the same make straight at the handle.
 constexpr BoardWiring turning_wiring{port_2_ccw, port_1_ccw, 1.0};
 constexpr TurningHandle turning_handle{2048.0, 0.1, Turn::counter_clockwise, 2e-5, 2e-4, 1e-3};
 
@@ -85,14 +85,14 @@ constexpr DeviceProfile gen2{"2diy-gen2",
                              gen2_stretched,
                              std::nullopt};
 
-/// Users' programs hold their units to be stopped elsewhere.
+/// For units that are stopped elsewhere, as users' programs assume.
 constexpr DeviceProfile stopped_at(DeviceProfile profile, std::string_view name, JointAngles home) {
     profile.name = name;
     profile.home = home;
     return profile;
 }
 
-/// As one of the maker's programs has it.
+/// As in one of the maker's programs.
 constexpr DeviceProfile gen2_of_240() {
     DeviceProfile profile = stopped_at(gen2, "2diy-gen2-240", degrees(240.0, -60.0));
     profile.counts_per_turn = m0_counts(10978.0, 10978.0);
@@ -115,7 +115,7 @@ constexpr std::array profiles{
     DeviceProfile{"haplet", haplet_links, JointAngles{13824.0, 13824.0}, 0.123, degrees(180.0, 0.0),
                   Area{0.104, 0.076}, Position{0.010, 0.060}, 3.0, 100.0, small_arms, haplet_wiring,
                   StopPlace::sideways, haplet_stretched, std::nullopt},
-    // No home pose is published: the symmetric one near the centre of the area.
+    // No home pose is published, so this is the symmetric one near the centre of the area.
     DeviceProfile{"mk2", mk2_links, JointAngles{65536.0, 65536.0}, 0.1, degrees(150.0, 30.0),
                   Area{0.096, 0.072}, Position{0.0125, 0.084}, 2.8, 400.0, direct_drive, mk2_wiring,
                   StopPlace::sideways, mk2_stretched, std::nullopt},

@@ -1,4 +1,4 @@
-// The devices that are known, by name, and the two frames: picture W and device D.
+// The known devices, by name, and the two frames: picture W and device D.
 // Threads: immutable values.
 #pragma once
 
@@ -14,23 +14,23 @@
 
 namespace touchline {
 
-/// What a simulation of the device and the guards of its force start from. Estimates: no maker
-/// publishes them.
+/// The mechanics that a simulation of the device and the guards of its force start from. Estimates,
+/// because no maker publishes them.
 struct MechanicsProfile {
     double tip_mass_kg = 0.05;      // effective, at the tip
     double viscous_Ns_per_m = 0.1;  // at the tip
     double coulomb_N = 0.05;        // at the tip
     double delay_s = 0.0;           // from writing a torque to its effect
-    // What a motor bears for ever, as a share of its limit: about 1 N on the hand where 1.7 N are
-    // the most, as users of the devices report; and how slowly it warms.
+    // What a motor bears forever, as a share of its limit, and how slowly it warms. By users'
+    // reports, the share gives about 1 N on the hand if 1.7 N is the most.
     double continuous_torque = 0.6;
     double warming_s = 60.0;
 };
 
-/// Which way a motor or an encoder is told to count as positive, as the board numbers it.
+/// The direction that a motor or an encoder counts as positive, as the board numbers it.
 enum class Turn : std::uint8_t { clockwise = 0, counter_clockwise = 1 };
 
-/// Where a joint's motor and encoder are plugged in.
+/// The ports of a joint's motor and encoder, and their directions.
 struct JointWiring {
     int port = 1;  // 1 or 2
     Turn turn = Turn::counter_clockwise;
@@ -41,8 +41,8 @@ struct BoardWiring {
     double told_per_count = 1.0;   // counts a turn that the board is told, over those it resolves
 };
 
-/// A handle that turns about its own axis, with a motor and an encoder on port 3: whoever holds a
-/// shape turns it and feels its torque. Mechanics are estimates, as those of the tip.
+/// A handle that turns about its own axis, with a motor and an encoder on port 3: a person who
+/// holds a shape turns it and feels its torque. Its mechanics are estimates, like the tip's.
 struct TurningHandle {
     double counts_per_turn = 0.0;  // that the board resolves
     double torque_limit_Nm = 0.0;  // on the hand, at full duty
@@ -52,7 +52,7 @@ struct TurningHandle {
     double coulomb_Nm = 0.0;
 };
 
-/// Where the arms are stopped, as a person finds it. away: the handle pushed towards the motors.
+/// Where stops hold the arms, as a person finds it. away: the handle pushed towards the motors.
 /// towards: pulled towards the person. sideways: the arms straight out to both sides.
 enum class StopPlace : std::uint8_t { away, towards, sideways };
 
@@ -76,8 +76,8 @@ struct DeviceProfile {
     BoardWiring wiring;
     StopPlace home_place = StopPlace::away;
     CheckStop check;
-    std::optional<TurningHandle> handle;  // nothing: it does not turn
-    double other_counts_per_turn = 0.0;   // with which units of this kind are found too; 0: none
+    std::optional<TurningHandle> handle;  // nothing: the handle does not turn
+    double other_counts_per_turn = 0.0;   // some units of this kind have these counts; 0: none do
 };
 
 /// 2diy-gen3.1 (the default), the same stopped at 172/8 and 180/0 degrees, 2diy-gen3, 2diy-gen2,
@@ -86,13 +86,15 @@ struct DeviceProfile {
 
 [[nodiscard]] const DeviceProfile& default_profile();
 
-/// The error lists the names there are.
+/// The error lists the known names.
 [[nodiscard]] Result<DeviceProfile> find_profile(std::string_view name);
 
-/// Of a device whose kind is not known yet the default's, where any will do.
+/// Returns the named profile, or the default one if the name is not known; for uses where any
+/// profile will do.
 [[nodiscard]] DeviceProfile profile_or_default(std::string_view name);
 
-/// W is D turned by 180 degrees about the centre of the drawing area: each is its own inverse.
+/// W is D turned by 180 degrees about the centre of the drawing area, so each function is its own
+/// inverse.
 [[nodiscard]] constexpr Position device_from_picture(const DeviceProfile& profile, Position p_W) {
     return profile.centre - p_W;
 }
@@ -107,14 +109,14 @@ template <class Quantity>
     return -v;
 }
 
-/// Turn of each joint for one encoder count (rad).
+/// Returns the turn of each joint for one encoder count (rad).
 [[nodiscard]] JointAngles encoder_quantum(const DeviceProfile& profile);
 
-/// Turn of a handle for one count of its encoder (rad).
+/// Returns the turn of a handle for one count of its encoder (rad).
 [[nodiscard]] double encoder_quantum_rad(const TurningHandle& handle);
 
-/// The step of the tip for one encoder count, in the pose's worst direction, at the centre of the
-/// drawing area: the smallest motion that the device can surely tell.
+/// Returns the tip's step for one encoder count, in the pose's worst direction, at the centre of
+/// the drawing area: the smallest motion that the device can surely tell.
 [[nodiscard]] double encoder_step_m(const DeviceProfile& profile);
 
 }  // namespace touchline

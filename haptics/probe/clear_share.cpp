@@ -9,9 +9,10 @@ namespace {
 
 constexpr int most_advances = 24;
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double near_enough_m = 1e-10;  // of the distance kept: there the motion ends
+constexpr double near_enough_m = 1e-10;  // to the kept distance: the motion ends there
 
-/// The first moment at which room + rate t - bend t^2 / 2 falls to 0; infinity: never.
+/// Returns the first moment at which room + rate t - bend t^2 / 2 falls to 0; infinity if it never
+/// does.
 double exhausted(double room, double rate, double bend) {
     if (room <= 0.0 && rate <= 0.0) return rate < 0.0 || bend > 0.0 ? 0.0 : never;
     const double root = std::sqrt(rate * rate + 2.0 * bend * room);
@@ -19,12 +20,14 @@ double exhausted(double room, double rate, double bend) {
     return bend > 0.0 ? (root + rate) / bend : never;
 }
 
-/// Whether exhausted() is `share` or later: between its ends a falling parabola is above them.
+/// Returns whether exhausted() is `share` or later: a falling parabola is above its ends in
+/// between.
 bool lasts(double room, double rate, double bend, double share) {
     return room + share * (rate - 0.5 * bend * share) >= 0.0;
 }
 
-/// What free_beside_line() finds is `share` or more: most pairs, and without a root.
+/// Returns whether free_beside_line() would find `share` or more. This settles most pairs, and
+/// without a root.
 bool is_free_beside_line(const Segment& edge, const Segment& line, Direction n, Position origin,
                          const ProbeMove& move, double keep_m, double share) {
     const double reach = std::max(dot(n, line.a), dot(n, line.b)) + keep_m;
@@ -37,7 +40,7 @@ bool is_free_beside_line(const Segment& edge, const Segment& line, Direction n, 
     return true;
 }
 
-/// Until the ends of the edge are too near along a direction that stands still.
+/// Goes until the ends of the edge are too near along a fixed direction.
 double free_beside_line(const Segment& edge, const Segment& line, Direction n, Position origin,
                         const ProbeMove& move, double keep_m) {
     const double reach = std::max(dot(n, line.a), dot(n, line.b)) + keep_m;
@@ -51,7 +54,7 @@ double free_beside_line(const Segment& edge, const Segment& line, Direction n, P
     return free;
 }
 
-/// Until the ends of the line are too near along a direction that turns with the edge.
+/// Goes until the ends of the line are too near along a direction that turns with the edge.
 double free_beside_edge(const Segment& edge, const Segment& line, Direction n, Position origin,
                         const ProbeMove& move, double keep_m) {
     const double reach = std::min(dot(n, edge.a), dot(n, edge.b)) - keep_m;

@@ -1,4 +1,4 @@
-// The shapes that a visitor may hold, and a shape's step in the words of a point's.
+// The shapes that a visitor may hold, and a shape's step reported like a point's.
 // Threads: values and pure functions.
 #pragma once
 
@@ -9,11 +9,12 @@
 
 namespace touchline {
 
-/// As large as a thumb, so that they turn among the outlines of a picture; none: a point.
-/// Allocates.
+/// Builds a shape as large as a thumb, so that it can turn among the outlines of a picture; none
+/// gives a point. Allocates.
 [[nodiscard]] ProbeShape held_shape(HeldShape shape);
 
-/// What events, sounds and screens know of a contact. Of several the first counts.
+/// Returns what events, sounds and screens know of a contact. If there are several, the first
+/// counts.
 [[nodiscard]] ContactReport contact_of(const ProbeReport& report, const CurveSet& curves);
 
 }  // namespace touchline

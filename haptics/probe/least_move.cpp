@@ -15,7 +15,7 @@ double dot3(const Coupled& a, const Coupled& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Pushes on k <= 3 rows so that each is just kept; false where rows say the same.
+/// Finds pushes on k <= 3 rows so that each is just kept. Returns false if rows say the same.
 bool solve(const std::array<const Constraint*, most_active>& rows, int k, const Coupled& wanted,
            std::array<double, most_active>& push) {
     std::array<double, 3> lack{};
@@ -66,9 +66,9 @@ class Candidates {
 
     void add(int constraint) { index_[static_cast<std::size_t>(count_++)] = constraint; }
 
-    /// The allowed move nearest to the one wanted; false: none found. The newest candidate forbids
-    /// the nearest that the others allow, so it holds the next one back: only subsets with it can
-    /// be the one, and the first that pushes and breaks nothing is.
+    /// Finds the allowed move nearest to the wanted one; returns false if there is none. The newest
+    /// candidate forbids the nearest move that the others allow, so it holds the next one back:
+    /// only subsets with it can be right, and the first that pushes and breaks nothing is.
     bool best(LeastMove& out) {
         const int newest = count_ - 1;
         if (is_least({newest}, 1, out)) return true;
@@ -119,7 +119,7 @@ class Candidates {
     int count_ = 0;
 };
 
-/// -1: none is broken by more than the tolerance.
+/// Returns -1 if none is broken by more than the tolerance.
 int most_broken(std::span<const Constraint> constraints, const Coupled& move,
                 const Candidates& candidates) {
     double least = -tolerance_m;

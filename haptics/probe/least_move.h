@@ -1,4 +1,5 @@
-// The move of a shape that leaves the least energy in the coupling, where contacts forbid some.
+// Finds the move of a shape that leaves the least energy in the coupling, if contacts forbid some
+// moves.
 // Threads: pure functions, no allocation.
 #pragma once
 
@@ -8,8 +9,8 @@
 
 namespace touchline {
 
-/// A move as (x, y, angle times the lever of the turning spring), all in metres: in these the
-/// coupling's energy is K_t / 2 times the square of the distance left.
+/// A move as (x, y, angle times the lever of the turning spring), all in metres: in these
+/// coordinates the coupling's energy is K_t / 2 times the square of the distance left.
 using Coupled = std::array<double, 3>;
 
 [[nodiscard]] inline double square(const Coupled& move) {
@@ -20,7 +21,7 @@ using Coupled = std::array<double, 3>;
     return {share * move[0], share * move[1], share * move[2]};
 }
 
-/// A contact allows moves with row . move + gap_m >= 0.
+/// A contact that allows moves with row . move + gap_m >= 0.
 struct Constraint {
     Coupled row{};
     double gap_m = 0.0;
@@ -30,7 +31,7 @@ inline constexpr std::size_t most_constraints = 64;
 
 inline constexpr int most_active = 3;  // contacts that can hold three freedoms
 
-/// The nearest move to the one wanted that the constraints allow.
+/// The allowed move nearest to the wanted one.
 struct LeastMove {
     Coupled move{};
     std::array<int, most_active> active{-1, -1, -1};  // constraints that hold it back
@@ -38,9 +39,10 @@ struct LeastMove {
     int active_count = 0;
 };
 
-/// Most violated first: what a move breaks most joins at most eight candidates, of which the
-/// subsets of three or fewer with the newest are tried (29 at most). Where no allowed move is found
-/// it is one that breaks the constraints least late; the caller's sweep stops it.
+/// Takes the most violated constraint first: the one that a move breaks most joins at most eight
+/// candidates, of which the subsets of three or fewer that include the newest are tried (29 at
+/// most). If it finds no allowed move, it returns one that breaks the constraints least late; the
+/// caller's sweep stops that one.
 [[nodiscard]] LeastMove least_move(std::span<const Constraint> constraints, const Coupled& wanted);
 
 }  // namespace touchline

@@ -11,8 +11,8 @@ namespace {
 constexpr std::size_t most_pairs = 4096;
 constexpr std::size_t most_near = 512;
 constexpr std::size_t block = 32;
-constexpr double margin_m = 2e-3;     // of the way before a front is made anew
-constexpr double straight_m = 1e-10;  // a node no thicker is the line that it holds
+constexpr double margin_m = 2e-3;     // of the way, before a front is made anew
+constexpr double straight_m = 1e-10;  // a node no thicker counts as the line that it holds
 constexpr double now = -std::numeric_limits<double>::infinity();
 constexpr std::int32_t rendered = -1;  // as a node's level
 
@@ -158,13 +158,13 @@ void ProbeFront::drop(std::size_t i) {
     due_m_.pop_back();
 }
 
-/// The level of the nodes that hold a piece as rendered.
+/// Returns the level of the nodes that hold a piece as rendered.
 int ProbeFront::leaf_level(int piece) const {
     return static_cast<int>(
         std::ceil(outlines_.scene().curves.rendered_level(piece, outlines_.level())));
 }
 
-/// Down to the nodes that hold the rendered curve, then its segments: two of a blend.
+/// Goes down to the nodes that hold the rendered curve, then to its segments: two for a blend.
 TreeChildren ProbeFront::parts_of(const TreeNode& node) const {
     const Scene& scene = outlines_.scene();
     if (node.piece < 0 || node.level > leaf_level(node.piece)) {

@@ -1,6 +1,6 @@
-// Which edges of a shape are near which lines, kept from step to step: pairs of a node of the
-// scene's tree and a node of the shape's, each with the way that must be spent before it can
-// matter. Threads: one, the servo's. Allocates only in reset().
+// Keeps track, from step to step, of which edges of a shape are near which lines: pairs of a node
+// of the scene's tree and a node of the shape's, each with the way that the shape must move before
+// the pair can matter. Threads: one, the servo's. Allocates only in reset().
 #pragma once
 
 #include "haptics/collision/scene.h"
@@ -18,46 +18,46 @@ namespace touchline {
 /// An edge of the shape and a rendered segment that it can reach.
 struct NearPair {
     EdgeAndLine geometry;
-    TreeNode node;  // level -1: the index is a rendered segment's; else a node that is straight
+    TreeNode node;  // level -1: index of a rendered segment; else a node that is straight
 };
 
-/// What a front ends at.
+/// What the pairs of a front end at.
 enum class FrontEnd : std::uint8_t {
     segments,  // as rendered
-    nodes,     // that hold whatever is rendered up to the next whole level
+    nodes,     // that hold everything rendered up to the next whole level
 };
 
 class ProbeFront {
   public:
-    /// Takes all memory: room for 4096 pairs.
+    /// Allocates all memory: room for 4096 pairs.
     void reserve();
 
-    /// Both must outlive its use.
+    /// Both must outlive its use of them.
     void reset(const ProbeShape& shape, const Scene& scene, double level,
                FrontEnd end = FrontEnd::segments);
 
-    /// Another level: the front is made anew at the next look.
+    /// Sets another level; the next look makes the front anew.
     void set_level(double level);
 
     [[nodiscard]] double level() const { return outlines_.level(); }
 
-    /// Finds what comes within `keep_m` of the shape before `reach_m` of way are spent. A pair is
-    /// looked at only when its allowance is used up; nodes are opened within the budget.
+    /// Finds what comes within `keep_m` of the shape before it has moved by `reach_m`. Looks at a
+    /// pair only if its allowance is used up; opens nodes within the budget.
     void look(const ProbePlacement& shape, double keep_m, double reach_m, Spender& spender);
 
-    /// What the last look found.
+    /// The pairs that the last look found.
     [[nodiscard]] std::span<const NearPair> near() const { return near_; }
 
-    /// The rendered segment of a pair, at the line's point nearest to the edge.
+    /// Returns the rendered segment of a pair, at the line's point nearest to the edge.
     [[nodiscard]] SegmentRef segment_of(const NearPair& pair) const;
 
-    /// The way that is free of whatever the last look left unopened; infinity: all was opened.
+    /// The way that is free of everything the last look left unopened; infinity if it opened all.
     [[nodiscard]] double unopened_m() const { return unopened_m_; }
 
-    /// The shape has moved, none of its points by more than this.
+    /// Tells the front that the shape has moved, no point of it by more than `way_m`.
     void spend(double way_m) { way_m_ += way_m; }
 
-    /// Pairs kept.
+    /// The number of pairs kept.
     [[nodiscard]] std::size_t size() const { return due_m_.size(); }
 
     /// The outlines at the rendered level.
@@ -67,7 +67,7 @@ class ProbeFront {
     struct Pair {
         TreeNode node;
         std::int32_t probe = 0;
-        bool is_known = false;  // the scene's side below: worked out once
+        bool is_known = false;  // the scene's side below has been worked out
         bool is_end = false;
         Capsule scene{};
     };
@@ -82,7 +82,7 @@ class ProbeFront {
     void remake(double reach_m);
     void look_at_block(std::size_t first, const Look& look);
     void add(const Pair& pair);
-    /// Whether pair i is done with; else there is another at its place, or none.
+    /// Returns whether pair i is done; if not, its place holds another pair or none.
     bool examine(std::size_t i, const Look& look);
     bool split(std::size_t i, bool is_scene);
     void replace(std::size_t i, std::span<const Pair> parts);
@@ -94,11 +94,11 @@ class ProbeFront {
     const ProbeShape* shape_ = nullptr;
     RenderedOutlines outlines_;
     FrontEnd end_ = FrontEnd::segments;
-    std::vector<double> due_m_;        // of the way, at which a pair may matter
-    std::vector<double> block_due_m_;  // the least of 32 neighbours, or less: most are passed by
+    std::vector<double> due_m_;        // the way at which a pair may matter
+    std::vector<double> block_due_m_;  // the least of 32 neighbours, or less: most are skipped
     std::vector<Pair> pairs_;
     std::vector<NearPair> near_;
-    double way_m_ = 0.0;  // spent since the front was made
+    double way_m_ = 0.0;  // moved since the front was made
     double far_m_ = 0.0;  // nothing that was dropped matters before
     double unopened_m_ = 0.0;
     bool is_stale_ = true;

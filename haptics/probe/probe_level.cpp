@@ -1,4 +1,4 @@
-// A change of the rendered level under a shape, as a motion of the lines.
+// Changes the rendered level under a shape, as a motion of the lines.
 #include "haptics/probe/probe_distances.h"
 #include "haptics/probe/probe_proxy.h"
 
@@ -8,10 +8,10 @@
 namespace touchline {
 namespace {
 
-constexpr double largest_jump_N = 0.015;  // of the force, in a tick, by a change of level
+constexpr double largest_jump_N = 0.015;  // change of the force in a tick by a change of level
 constexpr int most_halvings = 4;
 
-/// How far an edge is from a line along a direction: less than their distance, or as much.
+/// Returns how far an edge is from a line along a direction, which is at most their distance.
 double room_along(Direction normal, const Segment& edge, const Segment& line) {
     return std::min(dot(normal, edge.a), dot(normal, edge.b)) -
            std::max(dot(normal, line.a), dot(normal, line.b));
@@ -30,8 +30,8 @@ void ProbeProxy::change_level(double level, const ProbePose& handle, const Sprin
     }
 }
 
-/// Within an octave every point of a line runs straight. So two that lie apart along a direction
-/// before and after do so all the time.
+/// Within an octave every point of a line moves straight. So two lines that lie apart along a
+/// direction before and after lie apart all the time.
 ProbeProxy::Room ProbeProxy::room_at(double level, const Springs& springs, Spender& spender) {
     const double from = front_.level();
     const int finer = static_cast<int>(std::floor(std::min(from, level)));
@@ -72,7 +72,7 @@ bool ProbeProxy::try_level(double level, const ProbePose& handle, const Springs&
     Room room = room_at(level, springs, spender);
     if (!room.is_possible) return false;
     if (!room.is_free) {
-        // The shape goes first, the lines follow.
+        // The shape goes first; the lines follow.
         const LeastMove least = least_move(constraints_, {});
         const ProbeMove move = move_of(least.move, springs);
         const double reach_m = move.reach_m(shape_->r_max_m());

@@ -1,4 +1,4 @@
-// Where a rigid shape is, and how it moves. Threads: plain values, pure functions.
+// Where a rigid shape is and how it moves. Threads: plain values, pure functions.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -8,7 +8,7 @@
 
 namespace touchline {
 
-/// Of a shape's origin in W, and how far it is turned, counter-clockwise; full turns count.
+/// The place of a shape's origin in W, and its turn, counter-clockwise; full turns count.
 struct ProbePose {
     double x_m = 0.0;
     double y_m = 0.0;
@@ -23,12 +23,12 @@ struct ProbePose {
     return std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.angle_rad);
 }
 
-/// Straight, and turning at a steady rate on the way.
+/// A straight move that turns at a steady rate on the way.
 struct ProbeMove {
     Position by;
     double turn_rad = 0.0;
 
-    /// No point within `r_max_m` of the origin moves further.
+    /// No point within `r_max_m` of the origin moves further than this.
     [[nodiscard]] double reach_m(double r_max_m) const {
         return norm(by) + std::abs(turn_rad) * r_max_m;
     }
@@ -42,7 +42,7 @@ struct ProbeMove {
     return {pose.x_m + move.by.x, pose.y_m + move.by.y, pose.angle_rad + move.turn_rad};
 }
 
-/// From `from` to `to`.
+/// The move from `from` to `to`.
 [[nodiscard]] inline ProbeMove operator-(const ProbePose& to, const ProbePose& from) {
     return {to.place() - from.place(), to.angle_rad - from.angle_rad};
 }
@@ -53,7 +53,7 @@ class ProbePlacement {
     explicit ProbePlacement(const ProbePose& pose)
         : origin_(pose.place()), cos_(std::cos(pose.angle_rad)), sin_(std::sin(pose.angle_rad)) {}
 
-    /// From the shape's frame to W.
+    /// Maps a point from the shape's frame to W.
     [[nodiscard]] Position operator()(Position p) const {
         return {origin_.x + (cos_ * p.x - sin_ * p.y), origin_.y + (sin_ * p.x + cos_ * p.y)};
     }

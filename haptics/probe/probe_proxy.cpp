@@ -9,10 +9,10 @@ namespace touchline {
 namespace {
 
 constexpr double least_lever_m = 5e-3;
-constexpr double rest_m = 1e-10;          // a shorter move is none
+constexpr double rest_m = 1e-10;          // a shorter move counts as none
 constexpr int most_moves = 16;            // in a step
 constexpr std::size_t most_swept = 1024;  // pairs in a step; the rest is carried
-constexpr int most_bends = 3;             // corrections of a move for what curves
+constexpr int most_bends = 3;             // corrections of a move for curving distances
 // A chord cuts off a quarter of the bend between its ends.
 constexpr double most_bend_m = 3.0 * probe_slack_m;
 
@@ -21,7 +21,7 @@ ContactState state_of(int contacts) {
     return contacts == 1 ? ContactState::edge : ContactState::vertex;
 }
 
-/// Twice the energy left after a move, over the stiffness.
+/// Returns twice the energy that a move leaves, divided by the stiffness.
 double left_of_move(const Coupled& wanted, const Coupled& move) {
     return square({wanted[0] - move[0], wanted[1] - move[1], wanted[2] - move[2]});
 }
@@ -103,7 +103,7 @@ ProbeReport ProbeProxy::step(const ProbePose& handle, double level, const ProbeS
     return report;
 }
 
-/// The proxy jumps to the handle, and stays there for good where nothing is near.
+/// The proxy jumps to the handle, and is placed there for good if nothing is near.
 void ProbeProxy::place(const ProbePose& handle, Spender& spender) {
     front_.spend((handle - pose_).reach_m(shape_->r_max_m()));
     pose_ = handle;
@@ -144,8 +144,9 @@ void ProbeProxy::press(const ProbePose& handle, const Springs& springs, Spender&
     hold(held, springs, report);
 }
 
-/// After a move that was none. A curve that another line cuts short is not where its bend puts it:
-/// it is found again, as short as was free. One that ends under the move is followed straight.
+/// Chooses what follows a move that was none. If another line cuts a curve short, the curve does
+/// not end where its bend puts it, so it is found again, as short as was free. A curve that ends
+/// under the move is followed straight.
 bool ProbeProxy::follow_otherwise(Following& following) const {
     if (!following.is_curved) return false;
     const bool is_cut_short = free_m_ >= rest_m && following.longest_m == longest_move_m;
@@ -173,8 +174,8 @@ void ProbeProxy::find_touching(const Springs& springs) {
     }
 }
 
-/// The move of least energy that what touches allows, no longer than is looked at at once. Its
-/// energy is no more than that of staying.
+/// Returns the move of least energy that the touching lines allow, no longer than is looked at
+/// once. Its energy is no more than that of staying.
 LeastMove ProbeProxy::wanted_move(const ProbePose& handle, const Springs& springs,
                                   const Following& following) {
     find_touching(springs);
@@ -182,7 +183,7 @@ LeastMove ProbeProxy::wanted_move(const ProbePose& handle, const Springs& spring
     const Coupled wanted{left.by.x, left.by.y, springs.lever_m * left.turn_rad};
     LeastMove least = least_move(constraints_, wanted);
     if (!(left_of_move(wanted, least.move) <= square(wanted))) {
-        // Making room again would cost energy: all are taken to be as much further off.
+        // Making room again would cost energy, so all lines are taken to be that much further off.
         for (const Constraint& c : constraints_) sunk_m_ = std::max(sunk_m_, -c.gap_m);
         for (Constraint& c : constraints_) c.gap_m += sunk_m_;
         least = least_move(constraints_, wanted);
@@ -205,21 +206,22 @@ LeastMove ProbeProxy::wanted_move(const ProbePose& handle, const Springs& spring
     return least;
 }
 
-/// The share of a move that is looked at at once.
+/// Returns the share of a move that is looked at once.
 double ProbeProxy::shortening(const Coupled& move, const Springs& springs, double longest_m) const {
     const double reach_m = move_of(move, springs).reach_m(shape_->r_max_m());
     return reach_m > longest_m ? longest_m / reach_m : 1.0;
 }
 
-/// The share of a move under which no distance bends by more than the straight way may cut off.
+/// Returns the share of a move over which no distance bends by more than the straight way may cut
+/// off.
 double ProbeProxy::gentleness(const Coupled& move) const {
     double most_m = most_bend_m;
     for (const Touching& touching : touching_) most_m = std::max(most_m, touching.bend_m(move));
     return std::sqrt(most_bend_m / most_m);
 }
 
-/// The least move along distances that curve: their bend under the move is found, and the move
-/// again.
+/// Returns the least move along distances that curve: finds their bend under the move, then the
+/// move again.
 Coupled ProbeProxy::curved_move(const CurvedEnergy& energy, const Coupled& wanted, Coupled move) {
     for (int round = 0; round < most_bends; ++round) {
         for (std::size_t i = 0; i < constraints_.size(); ++i) {
@@ -233,8 +235,8 @@ Coupled ProbeProxy::curved_move(const CurvedEnergy& energy, const Coupled& wante
     return move;
 }
 
-/// How much of the move is free of all that the last look found. What touches may come nearer on
-/// the way, by the slack, but not at its end.
+/// Returns how much of the move is free of everything the last look found. A touching line may come
+/// nearer on the way, by the slack, but not at its end.
 double ProbeProxy::clear_share_of(const ProbeMove& move) {
     const double reach_m = move.reach_m(shape_->r_max_m());
     double share = 1.0;
@@ -264,7 +266,7 @@ double ProbeProxy::clear_share_of(const ProbeMove& move) {
     return share;
 }
 
-/// Moves as far as nothing is in the way. Returns the share of the move.
+/// Moves until something is in the way. Returns the share of the move.
 double ProbeProxy::advance(const ProbeMove& move, ProbeReport& report) {
     const double reach_m = move.reach_m(shape_->r_max_m());
     if (front_.unopened_m() < reach_m) {

@@ -21,55 +21,56 @@ namespace touchline {
 
 struct ProbeSettings {
     double stiffness_N_per_m = 500.0;        // K_t, 0 < K_t <= 20000
-    double turn_stiffness_Nm_per_rad = 0.0;  // K_r; 0: turn_stiffness() of the shape
+    double turn_stiffness_Nm_per_rad = 0.0;  // K_r; 0: turn_stiffness() for the shape
 };
 
-/// K_t r^2, r the shape's r_max, at least 5 mm: what is felt at the rim as stiff as in the middle.
+/// Returns K_t r^2, with r the shape's r_max, at least 5 mm: the rim then feels as stiff as the
+/// middle.
 [[nodiscard]] double turn_stiffness_Nm_per_rad(const ProbeShape& shape, double stiffness_N_per_m);
 
 /// What holds the shape back: one line at one point.
 struct ProbeContact {
     SegmentRef segment;      // as rendered
     double parameter = 0.0;  // on it, 0 ... 1
-    Side side = Side::left;  // of the outline, on which the shape's edge lies there
+    Side side = Side::left;  // the side of the outline on which the shape's edge lies there
     Position place;          // on the shape's edge
     Direction normal;        // from the line to the edge
     double force_N = 0.0;    // on the shape, >= 0
 };
 
-/// What one step did.
+/// The result of one step.
 struct ProbeReport {
     Force force;                              // on the hand: K_t (proxy - handle)
     double torque_Nm = 0.0;                   // on the hand: K_r (proxy - handle)
     double stored_J = 0.0;                    // in both springs
     ProbePose pose;                           // of the proxy
-    bool is_placed = false;                   // false: there was no room yet; no force
+    bool is_placed = false;                   // false: there has been no room yet, and no force
     ContactState state = ContactState::free;  // edge: one contact, vertex: two or three
     double level = 0.0;                       // rendered
     std::array<ProbeContact, most_active> contacts{};
     int contact_count = 0;
     StateTrail transitions;
-    double carried_m = 0.0;  // of the last move that was wanted, left for the next tick
+    double carried_m = 0.0;  // of the last wanted move, left for the next tick
     int boxes = 0;           // opened
-    double clear = 1.0;      // smallest share of a move proven free of what was left unopened
+    double clear = 1.0;      // smallest share of a move proven free of unopened nodes
 };
 
 class ProbeProxy {
   public:
-    /// Takes the memory that steps need, so that reset() allocates nothing.
+    /// Allocates the memory that steps need, so that reset() allocates nothing.
     void reserve();
 
-    /// At the handle. Where lines pass through the shape, or nearer than its radius, it is not
-    /// placed: it follows the handle without force until it is clear of all. `shape` and `scene`
-    /// must outlive its use of them. Allocates the first time.
+    /// Places the shape at the handle. If lines pass through the shape, or nearer than its radius,
+    /// it is not placed: it follows the handle without force until it is clear of all of them.
+    /// `shape` and `scene` must outlive the proxy's use of them. Allocates the first time.
     void reset(const ProbeShape& shape, const Scene& scene, const ProbePose& handle, double level);
 
-    /// One tick of `dt_s` > 0. The rendered level comes nearer to `level`, then the proxy moves so
-    /// that the energy K_t/2 |d|^2 + K_r/2 angle^2 falls as far as contacts allow: straight to its
-    /// least under those that count, stopped where another line is reached, and on from there, at
-    /// most 16 times. No line passes through an edge of the shape at any moment. The energy never
-    /// grows by it but for a change of level, which the energy account covers. A handle that is not
-    /// finite gives no force and moves nothing.
+    /// Advances one tick of `dt_s` > 0. The rendered level moves towards `level`. Then the proxy
+    /// moves so that the energy K_t/2 |d|^2 + K_r/2 angle^2 falls as far as contacts allow:
+    /// straight to its least under those that count, stopped where it reaches another line, and on
+    /// from there, at most 16 times. No line passes through an edge of the shape at any moment. The
+    /// energy never grows by that, except by a change of level, which the energy account covers. A
+    /// handle that is not finite gives no force and moves nothing.
     [[nodiscard]] ProbeReport step(const ProbePose& handle, double level,
                                    const ProbeSettings& settings, const Budget& budget,
                                    double dt_s = 1e-3);
@@ -78,12 +79,12 @@ class ProbeProxy {
 
     [[nodiscard]] double rendered_level() const { return front_.level(); }
 
-    /// Pairs kept from step to step.
+    /// The number of pairs kept from step to step.
     [[nodiscard]] std::size_t pairs() const { return front_.size(); }
 
-    /// From the next step on `path` holds the poses of the last step, the first where it started;
-    /// between them the shape moved straight and turned steadily. nullptr: none are kept. For
-    /// tests: it may allocate.
+    /// From the next step on, `path` holds the poses of the latest step, beginning with its start;
+    /// between them the shape moved straight and turned steadily. nullptr keeps none. For tests: it
+    /// may allocate.
     void record_path(std::vector<ProbePose>* path) { path_ = path; }
 
   private:
@@ -94,7 +95,7 @@ class ProbeProxy {
         [[nodiscard]] double energy_J(const ProbeMove& to) const;
     };
 
-    /// Of one move: what a longer one may meet would not fit in the front.
+    /// The longest single move: the front has no room for what a longer one may meet.
     static constexpr double longest_move_m = 5e-4;
 
     /// How a move follows what touches.
@@ -106,7 +107,7 @@ class ProbeProxy {
     /// Whether the lines may go to a level while the shape stays where it is.
     struct Room {
         bool is_free = false;      // they may
-        bool is_possible = false;  // or could, if it made room by as little as a tick allows
+        bool is_possible = false;  // or could, if it made as little room as a tick allows
     };
 
     [[nodiscard]] Springs springs(const ProbeSettings& settings) const;
@@ -139,14 +140,14 @@ class ProbeProxy {
     ProbeFront wide_;  // of nodes, for a change of level
     std::vector<Constraint> constraints_;
     std::vector<Constraint> seen_;    // the same, as a curved energy sees them
-    std::vector<Touching> touching_;  // of each constraint
+    std::vector<Touching> touching_;  // for each constraint
     std::vector<NearPair> pairs_;     // the same
-    double free_m_ = 0.0;             // of the last move, before what touches was asked
-    double sunk_m_ = 0.0;             // by which the deepest is nearer than kept, and stays so
+    double free_m_ = 0.0;             // in the last move, before the touching lines were asked
+    double sunk_m_ = 0.0;             // by how much the deepest is nearer than kept, and stays so
     EnergyAccount account_;
     std::vector<ProbePose>* path_ = nullptr;
     ContactState state_ = ContactState::free;
-    double last_reach_m_ = 0.0;  // of the last tick's first move: how far to look at once
+    double last_reach_m_ = 0.0;  // in the last tick's first move: how far to look at once
     bool is_placed_ = false;
 };
 

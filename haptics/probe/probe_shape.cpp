@@ -11,7 +11,7 @@ namespace {
 
 constexpr double largest_radius_m = 0.02;
 
-/// Chord along the direction from the first point to the one furthest from it.
+/// Returns a capsule whose chord points from the first point to the one furthest from it.
 Capsule capsule_of_edges(std::span<const Segment> edges) {
     if (edges.size() == 1) return {edges[0], 0.0};
     const Position first = edges[0].a;

@@ -1,5 +1,5 @@
 // A rigid shape in the hand: straight edges as thin as the lines of a scene, rounded by a radius,
-// and a small tree over them. Threads: immutable once built; any thread may read.
+// with a small tree over them. Threads: immutable once built; any thread may read.
 #pragma once
 
 #include "config/types/result.h"
@@ -16,7 +16,7 @@ namespace touchline {
 inline constexpr std::size_t most_probe_edges = 4096;
 inline constexpr double largest_probe_m = 0.1;  // of a point from the origin
 
-/// What of a shape's edges lies in a capsule, in the shape's frame.
+/// A part of a shape's edges, inside a capsule in the shape's frame.
 struct ProbeNode {
     Capsule capsule;
     std::int32_t left = -1;  // child; the right one is left + 1. -1: a leaf
@@ -25,20 +25,20 @@ struct ProbeNode {
 
 class ProbeShape {
   public:
-    /// Edges and radius in metres, about the point that the hand holds. Fails, with a line that
-    /// says why, without an edge, with more than 4096, with a point that is not finite or further
-    /// than 0.1 m from the origin, or a radius that is not 0 ... 0.02 m.
+    /// Takes edges and radius in metres, about the point that the hand holds. Fails, with a line
+    /// that says why, if there is no edge, more than 4096 edges, a point that is not finite or
+    /// further than 0.1 m from the origin, or a radius outside 0 ... 0.02 m.
     [[nodiscard]] static Result<ProbeShape> build(std::vector<Segment> edges, double radius_m);
 
-    /// All outlines of a map; the hand holds the middle of the drawing area.
+    /// Makes a shape of all outlines of a map; the hand holds the middle of the drawing area.
     [[nodiscard]] static Result<ProbeShape> of_map(const TactileMap& map, double radius_m);
 
     [[nodiscard]] std::span<const Segment> edges() const { return edges_; }
 
-    /// The first is the root.
+    /// The tree's nodes; the first is the root.
     [[nodiscard]] std::span<const ProbeNode> nodes() const { return nodes_; }
 
-    /// How far every edge is rounded.
+    /// The rounding radius of every edge.
     [[nodiscard]] double radius_m() const { return radius_m_; }
 
     /// The largest distance of a point of the edges from the origin.
@@ -53,19 +53,20 @@ class ProbeShape {
     double r_max_m_ = 0.0;
 };
 
-/// Ready shapes, in metres, as polylines that any outline may be.
+/// Ready shapes, in metres, as polylines like any other outline.
 namespace probes {
 
-/// One point with a radius: round, so that it feels no torque.
+/// A point with a radius. It is round, so it feels no torque.
 [[nodiscard]] ProbeShape disc(double radius_m);
 
 /// A rectangle about its centre.
 [[nodiscard]] Outline bar(double length_m, double width_m);
 
-/// Two legs of a width, their outer corner at the origin.
+/// Two legs of equal width, with their outer corner at the origin.
 [[nodiscard]] Outline ell(double leg_m, double width_m);
 
-/// A bow (a polygon), a shank to the right, and a bit with two teeth at its end, about the bow.
+/// A bow (a polygon), a shank to the right, and a bit with two teeth at its end; the bow is at the
+/// origin.
 [[nodiscard]] Outline key(double length_m);
 
 /// The edges of an outline.

@@ -13,7 +13,7 @@ bool is_end(Position p, const Segment& s) {
     return p == s.a || p == s.b;
 }
 
-/// Lower triangle with L L^T = m; false where m is not clearly positive.
+/// Finds the lower triangle with L L^T = m. Returns false if m is not clearly positive.
 bool factor(Curvature& m) {
     for (std::size_t j = 0; j < 3; ++j) {
         for (std::size_t i = j; i < 3; ++i) {
@@ -26,7 +26,7 @@ bool factor(Curvature& m) {
     return true;
 }
 
-/// L x = b.
+/// Solves L x = b.
 Coupled forward(const Curvature& l, const Coupled& b) {
     Coupled x{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -37,7 +37,7 @@ Coupled forward(const Curvature& l, const Coupled& b) {
     return x;
 }
 
-/// L^T x = b.
+/// Solves L^T x = b.
 Coupled backward(const Curvature& l, const Coupled& b) {
     Coupled x{};
     for (std::size_t i = 3; i-- > 0;) {

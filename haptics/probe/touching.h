@@ -1,4 +1,4 @@
-// What one touching line allows a shape, to first and second order. Threads: pure functions.
+// What one touching line allows a shape to do, to first and second order. Threads: pure functions.
 #pragma once
 
 #include "haptics/collision/capsule.h"
@@ -18,7 +18,7 @@ class Touching {
   public:
     Touching() = default;
 
-    /// `edge` in W, of a shape at `origin`; lever of the turning spring > 0.
+    /// `edge` is in W, of a shape at `origin`; lever of the turning spring > 0.
     Touching(const Segment& edge, const Segment& line, const Separation& at, Position origin,
              double lever_m);
 
@@ -28,7 +28,7 @@ class Touching {
     /// The distance's second derivative.
     [[nodiscard]] Curvature curvature() const;
 
-    /// How far the distance after a move is from what row() says.
+    /// Returns how far the distance after a move differs from what row() says.
     [[nodiscard]] double bend_m(const Coupled& move) const;
 
   private:
@@ -42,17 +42,17 @@ class Touching {
 };
 
 /// The coupling's energy along distances that curve, held back by the pushes of a least move; the
-/// plain energy where the curved one has no clear least.
+/// plain energy if the curved one has no clear least.
 class CurvedEnergy {
   public:
     CurvedEnergy(std::span<const Touching> touching, const LeastMove& least);
 
-    /// As least_move(), of this energy.
+    /// As least_move(), for this energy.
     [[nodiscard]] Coupled least(std::span<const Constraint> constraints, const Coupled& wanted,
                                 std::vector<Constraint>& seen) const;
 
   private:
-    Curvature factor_{};  // lower triangle L, the energy being L L^T
+    Curvature factor_{};  // lower triangle L; the energy is L L^T
 };
 
 }  // namespace touchline

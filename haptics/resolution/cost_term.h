@@ -1,5 +1,5 @@
-// l_cost: the finest level that the tick has time for, from work that was counted, not timed, so
-// that a run can be repeated. Threads: one, the servo's. No allocation, no clock.
+// l_cost: the finest level that the tick has time for. It comes from counted work, not from time,
+// so that a run can be repeated. Threads: one, the servo's. No allocation, no clock.
 #pragma once
 
 #include "haptics/contact/contact_machine.h"
@@ -7,7 +7,7 @@
 
 namespace touchline {
 
-/// What the contact of one tick took.
+/// The work of one tick's contact.
 struct Work {
     int boxes = 0;        // opened
     bool is_cut = false;  // a limit of the step ended it: part of the motion is carried over
@@ -15,29 +15,30 @@ struct Work {
 
 [[nodiscard]] Work work_of(const ContactReport& report);
 
-/// Boxes worth three tenths of a period, the share of a tick that contact may take.
+/// Returns the number of boxes worth three tenths of a period, the share of a tick that contact may
+/// take.
 [[nodiscard]] int affordable_boxes(double period_s);
 
-/// Coarsens at once when a tick took more than is affordable, or when each of the last four was
-/// cut, however few boxes they opened: to the level above the one that was rendered. What a single
-/// tick leaves over is made up by the next. Refines one level at a time, after half a second at
-/// least, and only if none of the last 64 ticks was cut and the most that any of them took stays
-/// affordable when each level down to there takes twice what the one above takes. Where a
-/// refinement does not last, the next waits twice as long, up to 8 s.
+/// Coarsens at once to the level above the rendered one if a tick took more than is affordable, or
+/// if each of the last four was cut, however few boxes they opened. What a single tick leaves over,
+/// the next one makes up. Refines one level at a time, after at least half a second, and only if
+/// none of the last 64 ticks was cut and the largest of them stays affordable if each finer level
+/// takes twice the work of the one above. If a refinement does not last, the next waits twice as
+/// long, up to 8 s.
 class CostTerm {
   public:
-    /// period_s > 0: of the servo.
+    /// period_s > 0 is the servo's.
     explicit CostTerm(double period_s);
 
-    /// One tick. `rendered_level` is the one that the work was done at: a change of level may take
+    /// Advances one tick. The work was done at `rendered_level`, since a change of level may take
     /// several ticks. Returns level().
     double step(const Work& work, double rendered_level);
 
-    /// Whole, >= 0, for the next tick. Coarser than the scene's coarsest: not even that one is
-    /// affordable.
+    /// The level for the next tick: whole, >= 0. A level coarser than the scene's coarsest means
+    /// that not even that one is affordable.
     [[nodiscard]] double level() const { return level_; }
 
-    /// Whether a copy from bytes may be stepped.
+    /// Whether a copy made from bytes may be stepped.
     [[nodiscard]] bool is_sound() const { return recent_.is_sound(); }
 
   private:

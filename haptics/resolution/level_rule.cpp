@@ -16,7 +16,7 @@ constexpr double hysteresis_octaves = 0.25;
 constexpr double dwell_s = 0.15;
 constexpr double least_speed_m_per_s = 1e-9;  // keeps the logarithm finite
 
-/// The finest level with this spacing or a wider one.
+/// Returns the finest level with this spacing or a wider one.
 double level_of_spacing(const LevelLimits& limits, double least_m) {
     if (!(least_m > limits.spacing_m)) return 0.0;
     return std::ceil(std::log2(least_m / limits.spacing_m) - 1e-9);
@@ -95,8 +95,8 @@ void LevelRule::adopt_limits() {
     level_ = choose_level(terms_).level;
 }
 
-/// ceil(z) stays the same between two speeds. They are taken a rounding error inwards: beyond them
-/// the term is worked out.
+/// ceil(z) stays the same between two speeds. They are moved inwards by a rounding error; beyond
+/// them the term is computed.
 void LevelRule::set_thresholds(double dt_s) {
     constexpr double inwards = 1e-12;
     dt_s_ = dt_s;

@@ -1,7 +1,8 @@
-// The level of resolution follows the hand's speed: coarse while the hand is fast, fine while it is
-// slow. A detail of wavelength lambda crossed at speed v is a force of frequency v / lambda; what
-// is faster than the servo, the device and the hand can follow is left out (paper, sections 1 and
-// 5). Other terms bound the level: device, proxy, time, perception, topology and the operator.
+// Makes the level of resolution follow the hand's speed: coarse while the hand is fast, fine while
+// it is slow. A detail of wavelength lambda crossed at speed v is a force of frequency v / lambda;
+// the rule leaves out what is faster than the servo, the device and the hand can follow (paper,
+// sections 1 and 5). Other terms bound the level: device, proxy, time, perception, topology and the
+// operator.
 // Threads: one, the servo's. No allocation.
 #pragma once
 
@@ -13,7 +14,7 @@
 
 namespace touchline {
 
-/// What the terms other than speed come from.
+/// The inputs of all terms except speed.
 struct LevelLimits {
     double spacing_m = 1e-4;       // h0: point spacing of level 0, > 0
     double encoder_step_m = 1e-4;  // smallest motion of the tip that the device can tell, >= 0
@@ -28,35 +29,36 @@ struct LevelLimits {
     friend bool operator==(const LevelLimits&, const LevelLimits&) = default;
 };
 
-/// Shortest wavelength that level l carries: four points, lambda_l = 4 h0 2^l.
+/// Returns the shortest wavelength that level l carries: four points, lambda_l = 4 h0 2^l.
 [[nodiscard]] double wavelength_m(const LevelLimits& limits, double level);
 
-/// Highest detail frequency worth rendering: min(f_s / 10, f_device, 100 Hz), f_s = 1 / dt.
+/// Returns the highest detail frequency worth rendering: min(f_s / 10, f_device, 100 Hz), f_s = 1 /
+/// dt.
 [[nodiscard]] double highest_detail_Hz(const LevelLimits& limits, double dt_s);
 
-/// log2(v / (f_max lambda_0)): the level at which v crosses details at exactly f_max; negative for
-/// a slow hand. l_speed is the next whole level above.
+/// Returns log2(v / (f_max lambda_0)): the level at which v crosses details at exactly f_max;
+/// negative for a slow hand. l_speed is the next whole level above.
 [[nodiscard]] double speed_level(const LevelLimits& limits, double speed_m_per_s, double dt_s);
 
-/// l_encoder: the finest level whose spacing the encoders can tell, lambda_l >= 4 Delta.
+/// Returns l_encoder: the finest level whose spacing the encoders can tell, lambda_l >= 4 Delta.
 [[nodiscard]] double encoder_level(const LevelLimits& limits);
 
-/// l_radius: the finest level whose spacing is at least an eighth of the proxy's radius; a disc
-/// rolls over anything finer.
+/// Returns l_radius: the finest level whose spacing is at least an eighth of the proxy's radius; a
+/// disc rolls over anything finer.
 [[nodiscard]] double radius_level(const LevelLimits& limits);
 
-/// How much of a new velocity enters the 10 Hz low-pass after dt_s.
+/// Returns how much of a new velocity enters the 10 Hz low-pass after dt_s.
 [[nodiscard]] double low_pass_share(double dt_s);
 
-/// The hand's speed as the rule sees it: largest |10 Hz low-pass of v| of the last half second, so
-/// that a tremor does not switch levels. Starts at rest.
+/// The hand's speed as the rule sees it: the largest |10 Hz low-pass of v| of the last half second,
+/// so that a tremor does not switch levels. Starts at rest.
 class SpeedMeasure {
   public:
-    /// The handle after dt_s > 0. Returns the square of the held speed in m^2/s^2: a root at every
-    /// tick costs as much as all the rest.
+    /// Takes the handle's position after dt_s > 0. Returns the square of the held speed in m^2/s^2:
+    /// a root at every tick would cost as much as all the rest.
     double step(Position handle, double dt_s);
 
-    /// Whether a copy from bytes may be stepped.
+    /// Whether a copy made from bytes may be stepped.
     [[nodiscard]] bool is_sound() const { return peak_.is_sound(); }
 
   private:
@@ -71,20 +73,20 @@ class SpeedMeasure {
     PeakHold peak_{0.05};  // seconds a slot; squared speeds
 };
 
-/// choose_level() of all terms. The speed term is whole and changes with hysteresis: it coarsens at
-/// once, and refines a quarter of an octave later than it coarsened and not within 150 ms of its
-/// last change. All other terms act at once.
+/// Combines all terms by choose_level(). The speed term is whole and changes with hysteresis: it
+/// coarsens at once, and refines a quarter of an octave later than it coarsened and not within 150
+/// ms of its last change. All other terms act at once.
 class LevelRule {
   public:
     explicit LevelRule(const LevelLimits& limits);
 
-    /// One servo tick; dt_s > 0. Returns the wanted level.
+    /// Advances one servo tick; dt_s > 0. Returns the wanted level.
     double step(Position handle, double dt_s);
 
-    /// The same where the speed is measured elsewhere: its square, >= 0.
+    /// The same if the speed is measured elsewhere: takes its square, >= 0.
     double step_at(double speed2_m2_per_s2, double dt_s);
 
-    /// Acts on level() at once. Limits that are as they were cost a comparison.
+    /// Acts on level() at once. Unchanged limits cost only a comparison.
     void set_limits(const LevelLimits& limits);
 
     [[nodiscard]] double level() const { return level_; }
@@ -93,7 +95,7 @@ class LevelRule {
 
     [[nodiscard]] double speed_m_per_s() const { return std::sqrt(speed2_m2_per_s2_); }
 
-    /// Whether a copy from bytes may be stepped.
+    /// Whether a copy made from bytes may be stepped.
     [[nodiscard]] bool is_sound() const { return measure_.is_sound(); }
 
   private:

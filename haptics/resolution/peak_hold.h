@@ -1,4 +1,4 @@
-// The largest of the values that came lately. Threads: plain values. No allocation.
+// The largest of the recent values. Threads: plain values. No allocation.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace touchline {
 
-/// Holds the peak of each of ten slots and of the one that runs: the window is ten to eleven slots
-/// long, whatever the distance between values.
+/// Holds the peaks of ten slots and of the running one: the window is ten to eleven slots long,
+/// whatever the distance between values.
 class PeakHold {
   public:
     static constexpr std::size_t slots = 10;
@@ -16,8 +16,8 @@ class PeakHold {
     /// slot > 0, in the unit of `advance` below.
     explicit PeakHold(double slot) : slot_(slot) {}
 
-    /// A value >= 0 that came `advance` > 0 after the one before. Returns the largest of the
-    /// window; a value that is not a number is none.
+    /// Adds a value >= 0 that came `advance` > 0 after the one before. Returns the largest in the
+    /// window; NaN is ignored.
     double step(double value, double advance) {
         age_ += advance;
         if (age_ >= slot_) begin_slots();
@@ -25,7 +25,7 @@ class PeakHold {
         return std::max(older_, peaks_[newest_]);
     }
 
-    /// Whether a copy from bytes may be stepped.
+    /// Whether a copy made from bytes may be stepped.
     [[nodiscard]] bool is_sound() const { return newest_ < peaks_.size() && slot_ > 0.0; }
 
   private:

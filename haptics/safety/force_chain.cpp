@@ -9,7 +9,8 @@ namespace {
 constexpr double cuts_forgotten_s = 1.0;
 constexpr double one_cut = 0.5;
 constexpr double finger_lever_m = 0.01;  // from the handle's axis
-// The spring is at its softest after three; two more within half a second say that it was no use.
+// The spring is at its softest after three cuts; two more within half a second show that softening
+// does not help.
 constexpr double hopeless_cuts = 3.5;
 
 // Every clamp is written so that NaN fails it.
@@ -29,19 +30,19 @@ bool is_sound(const ChainInput& input, double dt_s) {
            std::isfinite(dt_s) && dt_s > 0.0 && (!input.jacobian || is_finite(*input.jacobian));
 }
 
-// 1 where the pose is good, 0 where it is (nearly) singular.
+// Returns 1 if the pose is good, 0 if it is singular or nearly so.
 double pose_gain(const Jacobian& jacobian, const ForceLimits& limits) {
     const double margin = limits.condition_zero - condition(jacobian);
     if (!(margin > 0.0)) return 0.0;
     return std::min(1.0, margin / (limits.condition_zero - limits.condition_full));
 }
 
-/// A share that is no number lets nothing through.
+/// A NaN share lets nothing through.
 double share_of(const ChainInput& input) {
     return input.share > 0.0 ? std::min(input.share, 1.0) : 0.0;
 }
 
-/// A ceiling that is no number lets nothing through either.
+/// A NaN ceiling lets nothing through either.
 double ceiling_of(const ChainInput& input) {
     return input.ceiling_N > 0.0 ? input.ceiling_N : 0.0;
 }
@@ -116,7 +117,7 @@ std::uint16_t ForceChain::faults(const ChainInput& input, double dt_s) {
     energy_.step(last_D_, moved, dt_s, handle_.told_Nm() * turned_rad);
     note(energy_.is_too_much(), Fault::energy);
     note(is_ringing(input.cuts, dt_s), Fault::ringing);
-    // Whoever only turns what is held is there too.
+    // A hand that only turns the handle is there too.
     const Position fingers_D = input.p_D + Position{finger_lever_m * input.handle_rad, 0.0};
     (void)hand_.step(last_D_, input.velocity_D, fingers_D, dt_s);
     const bool rang = recent_cuts_ > one_cut;
@@ -135,7 +136,7 @@ SafeForce ForceChain::limited(const ChainInput& input, double dt_s) {
     if (safety_.state == ForceState::fault) return none(Limit::fault);
     if (!input.jacobian) return none(Limit::unreachable);
     const Force target = bounded(input);
-    // What drives a fast hand on goes at once, not by the slew.
+    // What drives on a fast hand goes at once, not by the slew.
     const bool braked = is_braked(input.velocity_D);
     if (braked) last_D_ = without_drive(last_D_, input.velocity_D);
     Force force = slewed(target, dt_s);
@@ -153,7 +154,7 @@ SafeForce ForceChain::limited(const ChainInput& input, double dt_s) {
     return {force, torques, limited_turn(input, dt_s), Limit::none};
 }
 
-/// The same state, gains and ceiling as of the force: a torque is a force at a lever.
+/// Uses the force's state, gains and ceiling: a torque is a force at a lever.
 double ForceChain::limited_turn(const ChainInput& input, double dt_s) {
     const double ceiling = std::min(1.0, ceiling_of(input) / limits_.force_N);
     const double share = share_of(input);
@@ -161,7 +162,7 @@ double ForceChain::limited_turn(const ChainInput& input, double dt_s) {
                         share * ceiling, dt_s);
 }
 
-/// Everything but the slew and the motors' limits.
+/// Applies every limit except the slew and the motors'.
 Force ForceChain::bounded(const ChainInput& input) {
     const double share = share_of(input);
     if (safety_.gain != 1.0 || share != 1.0) limit_by(Limit::gain);
@@ -197,7 +198,7 @@ void ForceChain::book(const ChainInput& input, const SafeForce& told, double dt_
     heat_.step(told.torques, dt_s);
 }
 
-/// Without force there is nothing to judge by; a fault must not hold itself up.
+/// Without force there is nothing to judge by, and a fault must not keep itself alive.
 void ForceChain::forget_motion() {
     energy_ = {};
     hand_ = HandPresence(limits_.tip);

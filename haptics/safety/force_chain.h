@@ -1,8 +1,8 @@
 // The only place that limits force. One chain per device, stepped once a servo tick: finite check,
 // state and gain -> pose (0 near singularities) -> heat of the motors -> damping where energy was
 // given -> vector clamp -> one-sided speed limit -> slew -> joint torques, both scaled together
-// when one motor saturates -> what that gave the hand is booked.
-// Every limit holds for any doubles; where anything is in doubt the force is zero.
+// when one motor saturates -> the energy given to the hand is booked.
+// Every limit holds for any doubles; if anything is in doubt, the force is zero.
 // Threads: one, the servo's. A plain value; no allocation, lock, clock or log.
 #pragma once
 
@@ -40,11 +40,11 @@ struct ForceLimits {
     HandleLimits handle;
 };
 
-/// Limits of a device: min(most_force_N, the device's), 0.9 of its torque, what its motors bear for
-/// ever.
+/// Returns a device's limits: min(most_force_N, the device's), 0.9 of its torque, and what its
+/// motors bear forever.
 [[nodiscard]] ForceLimits limits_of(const DeviceProfile& profile);
 
-/// What a tick knows, in the device's frame.
+/// The inputs of a tick, in the device's frame.
 struct ChainInput {
     Force wanted_D;                    // on the hand
     std::optional<Jacobian> jacobian;  // of the pose; nothing: unknown or out of reach
@@ -75,21 +75,21 @@ struct SafeForce {
 
 class ForceChain {
   public:
-    /// Off.
+    /// Starts in the off state.
     explicit ForceChain(const ForceLimits& limits);
 
-    /// One tick of dt_s > 0. |force| <= force_N, |torque| <= torque_Nm; |force| grows by at most
-    /// rise_N_per_s dt_s, changes by at most change_N_per_s dt_s unless it must go to zero, would
-    /// drive on a hand that is too fast, or a motor saturates, which keeps its direction. Anything
-    /// that is not finite is a fault. O(1).
+    /// Advances one tick of dt_s > 0. |force| <= force_N, |torque| <= torque_Nm; |force| grows by
+    /// at most rise_N_per_s dt_s. The force changes by at most change_N_per_s dt_s, unless it must
+    /// go to zero, would drive on a hand that is too fast, or a motor saturates, which keeps its
+    /// direction. Anything that is not finite is a fault. O(1).
     [[nodiscard]] SafeForce step(const ChainInput& input, double dt_s);
 
     [[nodiscard]] ForceState state() const { return safety_.state; }
 
-    /// No force can act: gain 0.
+    /// True if no force can act, because the gain is 0.
     [[nodiscard]] bool is_faded() const { return safety_.gain == 0.0; }
 
-    /// Of the last tick.
+    /// The last tick's status.
     [[nodiscard]] const ForceStatus& status() const { return status_; }
 
   private:

@@ -13,8 +13,8 @@ constexpr double neutral_longest_s = 0.5;
 constexpr double lag_s = 0.003;  // of the measured velocity and of the motors together
 constexpr double still_m = 2e-4;
 constexpr double still_N = 0.5;
-// Friction holds a hand that rests against a wall as still as this for seconds: with 3 s a pen grip
-// with a tremor of 0.05 mm lost its wall.
+// Friction holds a hand that rests against a wall this still for seconds: with 3 s, a pen grip with
+// a tremor of 0.05 mm lost its wall.
 constexpr double still_s = 20.0;
 constexpr double coasting_s = 0.5;
 

@@ -1,5 +1,5 @@
-// What a motor at the handle may be told: its limit, its heat, its rise, and nothing that drives a
-// fast turn on. haptics/safety/force_chain.h decides whether it may be told anything at all.
+// Limits the torque of a motor at the handle: its size, its heat and its rise, and it never drives
+// on a fast turn. haptics/safety/force_chain.h decides whether the motor may act at all.
 // Threads: a plain value.
 #pragma once
 
@@ -25,8 +25,8 @@ class HandleLimit {
     explicit HandleLimit(const HandleLimits& limits)
         : limits_(limits), heat_(limits.continuous_torque_Nm, limits.warming_s) {}
 
-    /// One tick of dt_s > 0 with finite numbers. `gain` of what is wanted and `share` of the limit
-    /// are let through, both 0 ... 1. The torque to tell.
+    /// Advances one tick of dt_s > 0 with finite numbers. Lets through `gain` of the wanted torque
+    /// and `share` of the limit, both 0 ... 1. Returns the torque to tell the motor.
     [[nodiscard]] double step(double wanted_Nm, double turn_rad_per_s, double gain, double share,
                               double dt_s) {
         const double most_Nm = share * limits_.torque_Nm;
@@ -43,12 +43,12 @@ class HandleLimit {
         return told_Nm_;
     }
 
-    /// Zero, at once.
+    /// Sets the torque to zero at once.
     void stop() { told_Nm_ = 0.0; }
 
     [[nodiscard]] double told_Nm() const { return told_Nm_; }
 
-    /// A wanted torque that nobody would be pushed by.
+    /// True for a wanted torque that would push nobody.
     [[nodiscard]] bool is_quiet(double wanted_Nm) const {
         return limits_.torque_Nm == 0.0 || std::abs(wanted_Nm) < limits_.arm_torque_Nm;
     }

@@ -1,4 +1,4 @@
-// How warm the motors are by what they were told, and how much of the force that leaves.
+// Estimates how warm the motors are from the torques told, and how much force that leaves.
 // Threads: a plain value.
 #pragma once
 
@@ -8,15 +8,15 @@
 
 namespace touchline {
 
-/// First order, a rise of 1 is the rated one, which the continuous torque reaches in the end: heat
-/// goes with the square of the current, and so of the torque.
+/// A first-order model. A rise of 1 is the rated one, which the continuous torque reaches in the
+/// end. Heat goes with the square of the current, and so of the torque.
 class MotorHeat {
   public:
-    /// Both > 0: the torque that a motor bears for ever, and the time constant of its warming.
+    /// Both > 0: the torque that a motor bears forever, and the time constant of its warming.
     MotorHeat(double continuous_torque_Nm, double warming_s)
         : continuous_torque_Nm_(continuous_torque_Nm), warming_s_(warming_s) {}
 
-    /// One tick of dt_s > 0 with finite torques.
+    /// Advances one tick of dt_s > 0 with finite torques.
     void step(JointTorques torques, double dt_s) {
         const double share = std::min(1.0, dt_s / warming_s_);
         const auto warm = [&](double& rise, double torque_Nm) {
@@ -27,10 +27,11 @@ class MotorHeat {
         warm(rise_2_, torques.y);
     }
 
-    /// Of the warmer motor, 1: rated.
+    /// The warmer motor's rise; 1 is rated.
     [[nodiscard]] double rise() const { return std::max(rise_1_, rise_2_); }
 
-    /// Of the force: 1 up to 70 % of the rated rise, 0 from 90 % on, straight in between.
+    /// The share of the force allowed: 1 up to 70 % of the rated rise, 0 from 90 % on, linear in
+    /// between.
     [[nodiscard]] double allowed() const {
         return std::clamp((derated_to_zero - rise()) / (derated_to_zero - derated_from), 0.0, 1.0);
     }

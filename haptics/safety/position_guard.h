@@ -1,4 +1,5 @@
-// A handle cannot jump: a position too far from the last one is the encoder's, not the hand's.
+// A handle cannot jump, so a position too far from the last one is the encoder's error, not the
+// hand's motion.
 // Threads: a plain value.
 #pragma once
 
@@ -8,16 +9,16 @@
 
 namespace touchline {
 
-/// good: use it. held: use the last good one. jumped: it stays where it jumped to; use it, without
-/// force.
+/// good: use it. held: use the last good one. jumped: the position stays where it jumped to; use
+/// it, but without force.
 enum class Sample : std::uint8_t { good, held, jumped };
 
 class PositionGuard {
   public:
-    /// `count_m` > 0: of the tip for one encoder count.
+    /// `count_m` > 0: the tip's motion for one encoder count.
     explicit PositionGuard(double count_m) : count_m_(count_m) {}
 
-    /// A measured position dt_s > 0 after the tick before. The first is good.
+    /// Judges a position measured dt_s > 0 after the tick before. The first one is good.
     Sample step(Position measured, double dt_s) {
         since_good_s_ += dt_s;
         const double possible_m = fastest_m_per_s * since_good_s_ + 2.0 * count_m_;
@@ -26,7 +27,7 @@ class PositionGuard {
         return take(measured, Sample::jumped);
     }
 
-    /// A tick without a position.
+    /// Advances a tick without a position.
     void miss(double dt_s) { since_good_s_ += dt_s; }
 
   private:

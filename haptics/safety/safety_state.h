@@ -1,5 +1,5 @@
 // Whether force may act: off -> armed -> ramp -> live, any -> fault. A pure function of the state
-// before, what holds now and the time passed, so that every combination can be tried.
+// before, the conditions now and the time passed, so that every combination can be tried.
 // Threads: values and pure functions.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace touchline {
 
-/// How a fault ends once what caused it is gone. The operator ends every one.
+/// How a fault ends once its cause is gone. The operator can end every fault.
 enum class FaultClears : std::uint8_t {
     when_gone,    // by itself
     on_rearm,     // when force is switched off
@@ -22,16 +22,16 @@ struct FaultRule {
     FaultClears clears = FaultClears::when_gone;
 };
 
-/// One rule for each fault but none, in order of severity, the gravest last. What is graver is not
-/// easier to clear.
+/// One rule for each fault except none, in order of severity, the gravest last. A graver fault is
+/// never easier to clear.
 [[nodiscard]] std::span<const FaultRule> fault_rules();
 
-/// Faults as a set, a bit each.
+/// Faults are a set, one bit each.
 [[nodiscard]] constexpr std::uint16_t bit_of(Fault fault) {
     return static_cast<std::uint16_t>(1U << static_cast<unsigned>(fault));
 }
 
-/// What holds in a tick.
+/// The conditions in a tick.
 struct SafetyFlags {
     bool is_wanted = true;     // force is switched on
     bool is_quiet = true;      // the wanted force is small
@@ -58,8 +58,8 @@ struct SafetyTimes {
     double fade_s = 0.05;   // gain 1 -> 0
 };
 
-/// The state dt_s later. A dt_s that is not above 0 is a fault of a number. Where two faults meet,
-/// the graver is kept. O(1).
+/// Returns the state dt_s later. A dt_s that is not above 0 is a fault of a number. If two faults
+/// meet, the graver one stays. O(1).
 [[nodiscard]] SafetyState next(const SafetyState& before, const SafetyFlags& flags,
                                const SafetyTimes& times, double dt_s);
 

@@ -17,7 +17,7 @@ constexpr double apart_s = 0.1;
 constexpr double least_gain = 0.125;
 constexpr double restore_per_s = 0.05;
 
-/// Share of the way that a first-order low pass goes in a tick.
+/// The share of the way that a first-order low pass goes in a tick.
 double share(double cutoff_Hz, double dt_s) {
     return 1.0 - std::exp(-2.0 * std::numbers::pi * cutoff_Hz * dt_s);
 }
@@ -51,7 +51,7 @@ double StabilityMonitor::step(const Tick& tick, double dt_s) {
     stored_J_ = tick.stored_J;
     slow_ += share(low_Hz, dt_s) * (tick.force - slow_);
     fast_ += share(high_Hz, dt_s) * (tick.force - fast_);
-    // Twice through the high pass, or pressing and letting go would look like ringing.
+    // The high pass is applied twice; otherwise pressing and letting go would look like ringing.
     const Force band = fast_ - slow_;
     rest_ += share(low_Hz, dt_s) * (band - rest_);
     count_swings(band - rest_, dt_s);

@@ -18,7 +18,7 @@ struct MonitorLimits {
 
 enum class Ringing : std::uint8_t { none, ripple, energy };
 
-/// Gain of the spring, 1 while all is well. A cut halves it within 20 ms, at most every 0.1 s and
+/// The spring's gain, 1 while all is well. A cut halves it within 20 ms, at most every 0.1 s and
 /// not below an eighth; it comes back by 5 % of the whole a second.
 class StabilityMonitor {
   public:
@@ -32,13 +32,13 @@ class StabilityMonitor {
         double turning_J = 0.0;    // given to the hand by a torque, since the tick before
     };
 
-    /// `dt_s` > 0. A tick that is not finite, or not continued, begins anew with the gain kept.
-    /// Returns the gain to use.
+    /// `dt_s` > 0. A tick that is not finite or not continued starts the watch anew but keeps the
+    /// gain. Returns the gain to use.
     double step(const Tick& tick, double dt_s);
 
     [[nodiscard]] double gain() const { return gain_; }
 
-    /// What the last cut was for.
+    /// Why the last cut was made.
     [[nodiscard]] Ringing cause() const { return cause_; }
 
     [[nodiscard]] std::uint64_t cuts() const { return cuts_; }

@@ -1,23 +1,23 @@
-// Changes of stiffness under the hand, ramped and booked.
+// Changes the stiffness under the hand in ramps, and books their energy.
 // Threads: one, the servo's. A plain value.
 #pragma once
 
 namespace touchline {
 
-/// A stiffer wall under a hand that presses does work on it, so stiffness rises by at most 5 % of
-/// itself a second. It falls as fast as takes 15 N a second off the hand: at once where nothing
+/// A wall that gets stiffer does work on a hand that presses it, so stiffness rises by at most 5 %
+/// of itself a second. It falls so fast that the hand loses 15 N a second: at once if nothing
 /// presses.
 class StiffnessRamp {
   public:
     explicit StiffnessRamp(double stiffness_N_per_m) : stiffness_N_per_m_(stiffness_N_per_m) {}
 
-    /// One tick towards `wanted_N_per_m` with the spring stretched by depth_m; values that are not
-    /// finite or not positive change nothing. Returns the stiffness to use.
+    /// Advances one tick towards `wanted_N_per_m` with the spring stretched by depth_m. Values that
+    /// are not finite or not positive change nothing. Returns the stiffness to use.
     double step(double wanted_N_per_m, double depth_m, double dt_s);
 
     [[nodiscard]] double stiffness_N_per_m() const { return stiffness_N_per_m_; }
 
-    /// Energy that the changes have put into the spring so far: the sum of 1/2 dK depth^2.
+    /// The energy that the changes have put into the spring so far: the sum of 1/2 dK depth^2.
     [[nodiscard]] double booked_J() const { return booked_J_; }
 
   private:

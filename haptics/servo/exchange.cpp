@@ -9,12 +9,12 @@
 namespace touchline {
 namespace {
 
-// Every comparison is written so that a number that is none fails it.
+// Every comparison is written so that NaN fails it.
 bool is_within(double value, double least, double most) {
     return value >= least && value <= most;
 }
 
-// A bool from elsewhere may hold any byte.
+// A bool from another process may hold any byte.
 bool is_bool(const bool& value) {
     unsigned char byte = 0;
     std::memcpy(&byte, &value, 1);
@@ -74,7 +74,7 @@ const ServoReport& ServoExchange::report() {
 const ServoCommands& ServoExchange::commands() {
     if (channel_.commands.update()) {
         const ServoCommands told = channel_.commands.value();
-        // Copied before it is judged, whatever the other side does to it meanwhile.
+        // Copied before it is checked, so that the other side cannot change it in between.
         std::atomic_signal_fence(std::memory_order_acq_rel);
         if (is_sound(told)) commands_ = told;
     }

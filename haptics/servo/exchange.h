@@ -1,5 +1,5 @@
 // What crosses between the servo and the rest of the kiosk: the latest commands and the scene in,
-// the latest hand state and every event out. Nobody ever waits, and nobody trusts the other side.
+// the latest hand state and every event out. Neither side waits for the other or trusts it.
 #pragma once
 
 #include "config/types/contact_event.h"
@@ -24,9 +24,10 @@
 
 namespace touchline {
 
-/// The latest value, from one writer to one reader, lock-free and wait-free: three slots, one with
-/// each side and one between them that both swap. In memory that two processes share a
-/// corrupted peer can spoil the values, but no index: there are as many slots as an index has values.
+/// Hands the latest value from one writer to one reader, lock-free and wait-free. Each side owns
+/// one of three slots, and both swap theirs with the one in between. In memory that two processes
+/// share, a corrupted peer can spoil the values but not the indices: there are as many slots as an
+/// index has values.
 template <class T>
 class TripleBuffer {
     static_assert(std::is_trivially_copyable_v<T>, "values are copied while nobody can wait");
@@ -50,7 +51,7 @@ class TripleBuffer {
         return true;
     }
 
-    /// Reader: the value last taken.
+    /// Reader: returns the value taken last.
     [[nodiscard]] const T& value() const { return slots_[read_slot_ & slot_mask]; }
 
   private:
@@ -65,8 +66,8 @@ class TripleBuffer {
     std::uint8_t read_slot_ = 2;   // the reader's
 };
 
-/// Values in order, from one writer to one reader, lock-free and wait-free. Where `capacity` (a
-/// power of two) wait to be read, the newest are dropped and counted.
+/// A queue of values from one writer to one reader, lock-free and wait-free. While `capacity`
+/// values (a power of two) wait to be read, newer ones are dropped and counted.
 template <class T, std::size_t capacity>
 class EventRing {
     static_assert(std::is_trivially_copyable_v<T>, "values are copied while nobody can wait");
@@ -84,8 +85,8 @@ class EventRing {
         end_.store(end + 1, std::memory_order_release);
     }
 
-    /// Reader: the oldest not yet read. More than `capacity` cannot be: the peer is
-    /// corrupted, and nothing is read.
+    /// Reader: takes the oldest value not yet read. If more than `capacity` seem to wait, the peer
+    /// is corrupted, and nothing is read.
     std::optional<T> pop() {
         const std::uint32_t begin = begin_.load(std::memory_order_relaxed);
         const std::uint32_t waiting = end_.load(std::memory_order_acquire) - begin;
@@ -95,7 +96,7 @@ class EventRing {
         return value;
     }
 
-    /// Either: so far.
+    /// Either side: the number dropped so far.
     [[nodiscard]] std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
 
   private:
@@ -108,28 +109,28 @@ class EventRing {
     std::atomic<std::uint64_t> dropped_{0};
 };
 
-/// What the operator and the session set, within the ranges that fields() says.
+/// What the operator and the session set, within the ranges in fields().
 struct ServoCommands {
     Mode mode = Mode::wall;
     double stiffness_N_per_m = 500.0;  // rises are ramped
-    double friction = 0.0;             // Coulomb, of a line
-    double radius_m = 0.0;             // of the proxy, at most the scene's
+    double friction = 0.0;             // Coulomb friction along a line
+    double radius_m = 0.0;             // proxy's radius, at most the scene's
     double capture_m = 0.003;          // half width of groove and ridge
-    double pop_through_N = 0.0;        // push that a wall gives way to; 0: none does
-    double pop_through_s = 0.3;        // how long it must last
+    double pop_through_N = 0.0;        // push that a wall gives way to; 0: walls never give way
+    double pop_through_s = 0.3;        // how long that push must last
     bool is_level_auto = true;         // by the speed of the hand
-    double level = 0.0;                // fixed where not automatic, may be fractional
+    double level = 0.0;                // fixed level where not automatic; may be fractional
     double finest_level = 0.0;         // the operator's bounds of the automatic level
     double coarsest_level = 16.0;
     bool is_force_wanted = true;       // false: off, at once
     bool is_emergency_stop = false;    // as long as it is pressed
-    std::uint32_t faults_cleared = 0;  // another number: the operator clears what went wrong
+    std::uint32_t faults_cleared = 0;  // a changed number: the operator clears the fault
     double force_ceiling_N = 3.0;      // the operator's; rises by 1 N/s
     bool has_frame = true;             // the edge of the drawing area is felt
     GuidanceCommand guidance;
     PatternCommand pattern;
-    HeldShape shape = HeldShape::none;  // felt with; lines are walls then
-    double turn_rad = 0.0;              // of it, by keys or a knob, where the handle does not turn
+    HeldShape shape = HeldShape::none;  // shape felt with; lines are walls then
+    double turn_rad = 0.0;  // turn of the shape, by keys or a knob, if the handle does not turn
 
     friend bool operator==(const ServoCommands&, const ServoCommands&) = default;
 };
@@ -173,14 +174,15 @@ struct ServoReport {
     ForceStatus force;
 };
 
-/// Every number finite and in its range. Any bytes may be asked about.
+/// Returns whether every number is finite and in its range. `commands` may hold any bytes.
 [[nodiscard]] bool is_sound(const ServoCommands& commands);
 
-/// Positions and force finite, states that exist. Any bytes may be asked about.
+/// Returns whether positions and force are finite and all states exist. `report` may hold any
+/// bytes.
 [[nodiscard]] bool is_sound(const ServoReport& report);
 
-/// All that crosses, without a pointer: it may lie in memory that two processes share. The kiosk
-/// writes commands, kiosk_beats and is_stop_wanted, the servo the rest.
+/// Everything that crosses, without pointers, so that it may lie in memory that two processes
+/// share. The kiosk writes commands, kiosk_beats and is_stop_wanted; the servo writes the rest.
 struct ServoChannel {
     TripleBuffer<ServoCommands> commands;
     TripleBuffer<ServoReport> reports;
@@ -188,55 +190,55 @@ struct ServoChannel {
     LatenessHistogram lateness;
     std::atomic<std::uint64_t> kiosk_beats{0};      // goes up while the kiosk lives
     std::atomic<std::uint64_t> servo_beats{0};      // ticks
-    std::atomic<std::uint8_t> tier{0xff};           // a RealTimeTier once its loop is made
+    std::atomic<std::uint8_t> tier{0xff};           // a RealTimeTier, once the loop is made
     std::atomic<std::uint8_t> is_force_on{0};       // the device may hold torque
     std::atomic<std::uint8_t> fault{0};             // of the last tick
-    std::atomic<std::uint8_t> is_device_silent{0};  // it gave no angles in the last tick
+    std::atomic<std::uint8_t> is_device_silent{0};  // the device gave no angles in the last tick
     std::atomic<std::uint8_t> is_stop_wanted{0};
-    // Whose ticks they are, for a guard to see that it is gone long before its process is: the
-    // system's numbers of process and thread; 0: there is no loop, or it has ended.
+    // The process and thread, as the system numbers them, that run the loop. A guard sees by them
+    // that the loop is gone long before its process is. 0: there is no loop, or it has ended.
     std::atomic<std::int32_t> loop_process{0}, loop_thread{0};
 
-    /// The thread that calls is the one that ticks, until it calls the other.
+    /// Marks the calling thread as the one that ticks, until it calls end_loop().
     void begin_loop();
 
     void end_loop() { loop_thread = 0; }
 };
 
-/// The tier that the channel tells; nothing before a servo told one, or where it tells none that
-/// there is.
+/// Returns the tier in the channel. Returns nothing before a servo has set it, or if it is not a
+/// valid tier.
 [[nodiscard]] std::optional<RealTimeTier> tier_of(const ServoChannel& channel);
 
 /// Threads: set(), feel(), report() from the kiosk's, next_event() from any one; the rest from the
-/// servo's. Scenes are only ever freed by the kiosk's thread, once the servo has moved on to a
-/// later one.
+/// servo's. Only the kiosk's thread frees scenes, once the servo has moved on to a later one.
 class ServoExchange {
   public:
-    /// Over a channel of its own.
+    /// Owns its channel.
     ServoExchange();
 
-    /// The channel must outlive the exchange. Of the other side only the scenes are used then.
+    /// `channel` must outlive the exchange. The other side then uses nothing of this object but the
+    /// scenes.
     explicit ServoExchange(ServoChannel& channel) : channel_(channel) {}
 
     // The kiosk's side.
     void set(const ServoCommands& commands) { channel_.commands.write(commands); }
 
     void feel(std::shared_ptr<const Scene> scene);
-    /// The newest report.
+    /// Returns the newest report.
     [[nodiscard]] const ServoReport& report();
 
-    /// The oldest event not yet read. Up to 1024 wait, 10 s of the busiest hand.
+    /// Returns the oldest event not yet read. Up to 1024 wait, 10 s of the busiest hand.
     [[nodiscard]] std::optional<ContactEvent> next_event() { return channel_.events.pop(); }
 
-    /// So far, because nobody read them.
+    /// The number of events dropped so far because nobody read them.
     [[nodiscard]] std::uint64_t dropped_events() const { return channel_.events.dropped(); }
 
     // The servo's side.
-    /// The newest that are sound; others change nothing.
+    /// Returns the newest sound commands; unsound ones change nothing.
     [[nodiscard]] const ServoCommands& commands();
-    /// The newest scene offered, null before the first.
+    /// Returns the newest scene offered, null before the first.
     [[nodiscard]] const Scene* wanted_scene();
-    /// The scene named by wanted_scene() is the only one in use from here on.
+    /// From here on the scene returned by wanted_scene() is the only one in use.
     void release_older_scenes();
 
     void publish(const ServoReport& report) { channel_.reports.write(report); }

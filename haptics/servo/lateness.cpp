@@ -13,7 +13,7 @@ constexpr double long_gap_s = 10e-3;
 
 void LatenessHistogram::add(std::int64_t late_ns) {
     const std::int64_t bin = std::clamp(late_ns / 1000, std::int64_t{0}, std::int64_t{bins - 1});
-    // One writer: nobody can come between reading and writing.
+    // There is one writer, so nothing comes between reading and writing.
     std::atomic<std::uint32_t>& count = counts_[static_cast<std::size_t>(bin)];
     count.store(count.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 }

@@ -1,5 +1,5 @@
-// How late the ticks begin: all of them as a histogram, the last minute as what the tier is judged
-// by.
+// How late the ticks begin: all of them as a histogram, and the last minute, by which the tier is
+// judged.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace touchline {
 
-/// Bins of 1 us up to 10 ms; whatever is later is in the last one. Threads: add() from one, the
-/// rest from any; lock-free, also between processes.
+/// Bins of 1 us up to 10 ms; the last bin holds everything later. Threads: add() from one, the rest
+/// from any; lock-free, also between processes.
 class LatenessHistogram {
   public:
     static constexpr std::size_t bins = 10'001;
@@ -19,11 +19,11 @@ class LatenessHistogram {
 
     [[nodiscard]] std::uint64_t count() const;
 
-    /// Of the ticks that began less than so many us late, 0 to 10000. O(bins).
+    /// Counts the ticks that began less than `late_us` late, 0 to 10000. O(bins).
     [[nodiscard]] std::uint64_t count_below(std::size_t late_us) const;
 
-    /// The smallest lateness, in us, that no more than 1 - share of the ticks exceed; 0 <= share <=
-    /// 1; 0 without ticks; 10000 stands for that and more. O(bins).
+    /// Returns the smallest lateness, in us, that at most 1 - share of the ticks exceed; 0 <= share
+    /// <= 1. Returns 0 without ticks; 10000 stands for that and more. O(bins).
     [[nodiscard]] int quantile_us(double share) const;
 
   private:
@@ -32,9 +32,9 @@ class LatenessHistogram {
     std::array<std::atomic<std::uint32_t>, bins> counts_{};
 };
 
-/// The histogram in few numbers, for people.
+/// The histogram as a few numbers, for people.
 struct LatenessBars {
-    /// Upper ends, in us, of all bars but the last, which holds whatever was later.
+    /// Upper ends, in us, of all bars but the last, which holds everything later.
     static constexpr std::array<int, 5> ends_us{20, 50, 100, 200, 1000};
     static constexpr std::size_t count = ends_us.size() + 1;
 
@@ -43,20 +43,20 @@ struct LatenessBars {
     friend bool operator==(const LatenessBars&, const LatenessBars&) = default;
 };
 
-/// Any thread, while ticks are added. O(bins).
+/// Any thread may call this while ticks are added. O(bins).
 [[nodiscard]] LatenessBars bars_of(const LatenessHistogram& lateness);
 
-/// What the last minute was like.
+/// The timing of the last minute.
 struct LastMinute {
     std::uint64_t late = 0;       // ticks that began more than 1 ms late or not at all
-    std::uint64_t long_gaps = 0;  // of more than 10 ms between two ticks
+    std::uint64_t long_gaps = 0;  // gaps of more than 10 ms between two ticks
 };
 
-/// The last minute, second by second. A plain value; O(1) a tick.
+/// Totals over the last minute, second by second. A plain value; O(1) a tick.
 class MinuteOfTicks {
   public:
-    /// A tick began at now_s (never going back), `late_s` after it was due, `gap_s` after the one
-    /// before, of which `skipped` ticks in between were not run.
+    /// Adds a tick that began at now_s (never going back), `late_s` after it was due and `gap_s`
+    /// after the one before it; `skipped` ticks in between were not run.
     void add(double now_s, double late_s, double gap_s, std::uint64_t skipped);
 
     [[nodiscard]] const LastMinute& last_minute() const { return total_; }

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double light_hand_Ns_per_m = 1.0;
 constexpr double finest_wall_N_per_m = 1500.0;
-constexpr double fast_loop_s = 5.5e-4;  // 2 kHz with what it may be late
+constexpr double fast_loop_s = 5.5e-4;  // 2 kHz, with some lateness
 
 }  // namespace
 

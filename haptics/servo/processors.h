@@ -1,4 +1,4 @@
-// Which processor is the servo's. Threads: any.
+// Which processor the servo runs on. Threads: any.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,8 @@
 
 namespace touchline {
 
-/// The last that `allowed` names, which is not empty: interrupts and windows live on the first.
+/// Returns the last processor in `allowed`, which is not empty: interrupts and windows use the
+/// first ones.
 [[nodiscard]] inline std::size_t servos_processor(const cpu_set_t& allowed) {
     std::size_t last = CPU_SETSIZE - 1;
     while (last > 0 && !CPU_ISSET(last, &allowed)) --last;

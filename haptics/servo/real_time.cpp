@@ -17,7 +17,7 @@ namespace {
 
 constexpr int servo_priority = 70;  // below the kernel's own threads
 constexpr int guard_priority = 80;
-constexpr int enough_processors = 4;  // to give one away
+constexpr int enough_processors = 4;  // so that one can be given away
 constexpr double late_share = 1e-3;   // of a minute's ticks
 constexpr int best_effort_nice = -10;
 
@@ -27,7 +27,8 @@ bool schedule_fifo(int priority) {
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
 }
 
-// Only with no limit on locked memory: with one, locking future pages makes later allocations fail.
+// Locks only if locked memory has no limit: with a limit, locking future pages makes later
+// allocations fail.
 bool lock_memory(MemoryLock lock) {
     rlimit limit{RLIM_INFINITY, RLIM_INFINITY};
     if (setrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;
@@ -45,7 +46,7 @@ void take_a_processor() {
     (void)pthread_setaffinity_np(pthread_self(), sizeof own, &own);
 }
 
-// So that the tick never meets an untouched page of its stack.
+// Touches the stack so that the tick never meets an untouched page.
 void touch_stack() {
     std::array<std::byte, std::size_t{256} * 1024> stack;
     volatile std::byte* const bytes = stack.data();
@@ -68,7 +69,7 @@ RealTimeTier become_real_time(MemoryLock lock) {
         take_a_processor();
         return is_locked && is_real_time_kernel() ? RealTimeTier::real_time : RealTimeTier::fifo;
     }
-    // A refusal costs jitter, not the session; both calls may be refused as well.
+    // A refusal costs jitter, not the session, so both results are ignored.
     (void)prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
     (void)setpriority(PRIO_PROCESS, 0, best_effort_nice);
     return RealTimeTier::best_effort;

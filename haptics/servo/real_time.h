@@ -1,4 +1,4 @@
-// Asks the system for real-time behaviour of the calling thread and says what it got.
+// Asks the system for real-time behaviour of the calling thread and reports what it granted.
 #pragma once
 
 #include "haptics/servo/lateness.h"
@@ -8,32 +8,33 @@
 
 namespace touchline {
 
-/// How far a loop can be trusted to be in time, best first.
+/// How well a loop keeps time, best first.
 ///   A real_time    SCHED_FIFO, memory locked, real-time kernel
 ///   B fifo         SCHED_FIFO on a plain kernel or with memory that may be paged
 ///   C best_effort  refused; finer timers only
 ///   D too_late     measured: too many ticks came late
 enum class RealTimeTier : std::uint8_t { real_time, fifo, best_effort, too_late };
 
-/// as_touched: what nobody uses takes no memory, but a first touch may fault in the tick; for a
-/// process that does more than the servo. whole: every page is there from the start; for one that
-/// does nothing else.
+/// as_touched: unused pages take no memory, but a first touch may fault within a tick; for a
+/// process that does more than the servo. whole: every page is there from the start; for a process
+/// that only runs the servo.
 enum class MemoryLock : std::uint8_t { as_touched, whole };
 
-/// For the thread that calls it: priority, locked memory, a touched stack, and a processor of its
-/// own where there are at least four. Never fails: what is refused lowers the tier.
+/// Gives the calling thread priority, locked memory, a touched stack, and a processor of its own if
+/// there are at least four. Never fails: a refusal only lowers the tier.
 [[nodiscard]] RealTimeTier become_real_time(MemoryLock lock);
 
-/// Above the servo, for the thread that watches it. Without effect where that is refused.
+/// Gives the calling thread, which watches the servo, a priority above the servo's. Does nothing if
+/// the system refuses.
 void become_guard();
 
-/// What the last minute makes of the tier that was granted: too_late with more than 0.1 % of a
-/// minute's ticks later than 1 ms, or with a gap of more than 10 ms. period_s > 0.
+/// Judges the granted tier by the last minute: too_late if more than 0.1 % of its ticks were later
+/// than 1 ms, or if there was a gap of more than 10 ms. period_s > 0.
 [[nodiscard]] RealTimeTier judge(RealTimeTier granted, const LastMinute& last_minute,
                                  double period_s);
 
 /// What a device with motors may render in a tier: A and B everything; C half the stiffness and
-/// force and more damping; D nothing.
+/// force with more damping; D nothing.
 struct TierLimits {
     double stiffness_share = 1.0;
     double force_share = 1.0;
@@ -42,7 +43,7 @@ struct TierLimits {
 
 [[nodiscard]] TierLimits limits_of(RealTimeTier tier);
 
-/// A few words for the operator, what it means for the force included.
+/// Describes the tier to the operator in a few words, including what it means for the force.
 [[nodiscard]] std::string_view describe(RealTimeTier tier);
 
 }  // namespace touchline

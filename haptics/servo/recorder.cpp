@@ -8,7 +8,7 @@
 namespace touchline {
 namespace {
 
-/// Not one byte of what they were is left in their place; a compiler cannot leave this out.
+/// Leaves not one byte of the old values; a compiler cannot leave this out.
 template <class T>
 void overwrite(std::span<T> values) {
     for (T& value : values) {
@@ -69,7 +69,7 @@ void Recorder::begin(const ServoStep& before) {
     Kept& kept = steps_[pushed_ / ticks_per_step % steps_.size()];
     kept.tick = pushed_;
     kept.map_version = before.scene() == nullptr ? 0 : before.scene()->map_version;
-    // A shape in the hand is no flat value: from within its use nothing can be run again.
+    // A shape in the hand is not part of the flat step, so a run cannot start while one is held.
     kept.step = before.holds_shape() ? std::nullopt : std::optional(before);
 }
 

@@ -1,6 +1,6 @@
-// The black box: the newest ticks, what went in and what came out, and now and then the whole step,
+// The black box: the newest ticks with their inputs and outputs, and now and then the whole step,
 // so that they can be run again.
-// Threads: the servo's pushes; reading is for when it rests, or when the recorder is held.
+// Threads: the servo's pushes; others read while it rests or while the recorder is held.
 #pragma once
 
 #include "config/types/force_status.h"
@@ -17,25 +17,25 @@
 namespace touchline {
 
 struct TickRecord {
-    // In.
-    StepInput input;                   // its scene is left out: ...
-    std::uint64_t wanted_version = 0;  // ... of the map wanted; 0: none
+    // Inputs.
+    StepInput input;                   // without its scene: ...
+    std::uint64_t wanted_version = 0;  // ... version of the wanted map instead; 0: none
     bool is_fading_out = false;        // the servo is about to end
     bool is_refused = false;           // the device did not take the torques
-    // Out.
+    // Outputs.
     double time_s = 0.0;
     Position p_WH;  // handle
     Position p_WP;  // proxy
     Force force;    // commanded
     JointTorques torques;
     double handle_Nm = 0.0;        // torque at the handle
-    double proxy_angle_rad = 0.0;  // of a shape that is held
+    double proxy_angle_rad = 0.0;  // of a held shape
     double level = 0.0;
     double stiffness_N_per_m = 0.0;
     double spring_gain = 1.0;
     ContactState state = ContactState::free;
     int outline = -1;
-    std::uint64_t map_version = 0;  // felt
+    std::uint64_t map_version = 0;  // map that was felt
     ForceState force_state = ForceState::off;
     Fault fault = Fault::none;
     Limit limit = Limit::none;
@@ -43,47 +43,47 @@ struct TickRecord {
     std::uint32_t guidance_serial = 0;
 };
 
-/// What a tick was, read from the step after it.
+/// Makes the record of a tick from the step after it.
 [[nodiscard]] TickRecord record_of(const StepInput& input, const ServoStep& after,
                                    JointTorques torques, bool is_refused);
 
 class Recorder {
   public:
-    /// Keeps the newest `capacity` ticks; 0 keeps none. All memory is taken and touched here.
+    /// Keeps the newest `capacity` ticks; 0 keeps none. Allocates and touches all its memory here.
     explicit Recorder(std::size_t capacity = 0);
 
     // The servo's side. No allocation; O(1).
-    /// Before a tick.
+    /// Call before a tick.
     void begin(const ServoStep& before);
-    /// After it.
+    /// Call after the tick.
     void push(const TickRecord& tick);
 
-    /// The last one that was pushed; null: none is kept.
+    /// Returns the tick pushed last; null if none is kept.
     [[nodiscard]] const TickRecord* newest() const {
         return ring_.empty() || pushed_ == 0 ? nullptr : &ring_[(pushed_ - 1) % ring_.size()];
     }
 
     // The other side: any one thread.
-    /// Asks the servo to leave the ticks as they are; is_held() tells when it does. Not while an
-    /// earlier hold is left.
+    /// Asks the servo to leave the ticks alone; is_held() tells when it does. Not allowed until an
+    /// earlier hold is over.
     void hold() { gate_.is_asked.store(true, std::memory_order_relaxed); }
 
     [[nodiscard]] bool is_held() const { return gate_.is_shut.load(std::memory_order_acquire); }
 
-    /// After is_held(): from here on ticks are recorded again, and those before are gone, so that
-    /// there is no gap among the rest.
+    /// Call after is_held(). Recording goes on, and the ticks before are dropped, so that the rest
+    /// has no gap.
     void release() { gate_.is_asked.store(false, std::memory_order_release); }
 
-    /// While it is held: every tick and step is overwritten. O(capacity), some 10 ms.
+    /// Call while held. Overwrites every tick and step. O(capacity), some 10 ms.
     void wipe();
 
-    /// Oldest first. O(n).
+    /// The ticks, oldest first. O(n).
     [[nodiscard]] std::vector<TickRecord> ticks() const;
 
-    /// The step before one of ticks(), as early as there is one.
+    /// The step before one of ticks(), the earliest that is kept.
     struct Start {
         std::size_t tick = 0;           // in ticks()
-        std::uint64_t map_version = 0;  // felt then; 0: none
+        std::uint64_t map_version = 0;  // map felt then; 0: none
         ServoStep step;                 // its scene may be gone by now
     };
 
@@ -94,7 +94,7 @@ class Recorder {
   private:
     static constexpr std::size_t ticks_per_step = 5000;
 
-    /// Copies of a recorder begin open.
+    /// A copy of a recorder begins with an open gate.
     struct Gate {
         std::atomic<bool> is_asked{false};
         std::atomic<bool> is_shut{false};
@@ -111,7 +111,7 @@ class Recorder {
     };
 
     struct Kept {
-        std::uint64_t tick = 0;  // counted as pushed_
+        std::uint64_t tick = 0;  // counts as pushed_ does
         std::uint64_t map_version = 0;
         std::optional<ServoStep> step;
     };

@@ -33,8 +33,7 @@ class Hash {
     std::uint64_t value_ = 0xcbf29ce484222325U;
 };
 
-// A field that is added to one of these must be named in its fields(), or a run could not be
-// repeated.
+// Name every field added to one of these in its fields(); otherwise a run cannot be repeated.
 static_assert(sizeof(ServoCommands) == 176 && sizeof(StepInput) == 256);
 
 template <class Bytes, class Vector>
@@ -69,7 +68,7 @@ void angle(ByteReader& bytes, std::optional<double>& angle_rad) {
     if (is_there) angle_rad = told_rad;
 }
 
-/// What came out of a tick.
+/// A tick's outputs.
 template <class Bytes, class Tick>
 void outputs(Bytes& bytes, Tick& t) {
     bytes.number(t.time_s);

@@ -8,7 +8,7 @@ namespace {
 
 using SceneOf = std::function<Result<std::shared_ptr<const Scene>>(std::uint64_t version)>;
 
-/// Every scene that the ticks name, by version; 0 is none.
+/// Every scene that the ticks name, by version; 0 means no scene.
 using Scenes = std::map<std::uint64_t, std::shared_ptr<const Scene>>;
 
 Result<Scenes> scenes_of(const Recording& recording, const SceneOf& scene_of) {

@@ -1,4 +1,4 @@
-// The ticks of a recording run again through the servo step.
+// Runs the ticks of a recording through the servo step again.
 // Threads: any one.
 #pragma once
 
@@ -14,14 +14,14 @@
 namespace touchline {
 
 struct Replay {
-    std::size_t first = 0;                  // tick of the recording from which on it was run
-    std::vector<TickRecord> ticks;          // as they came out now
-    std::optional<std::size_t> differs_at;  // the first of them that is not the same, bit for bit
+    std::size_t first = 0;                  // first tick of the recording that was run
+    std::vector<TickRecord> ticks;          // with the outputs they have now
+    std::optional<std::size_t> differs_at;  // first tick that is not the same, bit for bit
 };
 
-/// `scene_of` gives the scene of a version, built as it was then; nothing: it cannot be had, and
-/// the error says why. Fails with one line where the recording holds no start, or one that another
-/// build wrote or that does not fit its scene. O(ticks).
+/// `scene_of` returns the scene of a version, built as it was then, or an error that says why it is
+/// not available. Fails with one line if the recording holds no start, or if its start comes from
+/// another build or does not fit its scene. O(ticks).
 [[nodiscard]] Result<Replay> run_again(
     const Recording& recording,
     const std::function<Result<std::shared_ptr<const Scene>>(std::uint64_t version)>& scene_of);

@@ -1,5 +1,5 @@
 // The servo: the loop that owns the device and turns motion into force, 1000 times a second. Only
-// app/ knows whether it is a thread of the kiosk or a process (app/servo).
+// app/ knows whether it runs as a thread of the kiosk or as a process of its own (app/servo).
 #pragma once
 
 #include "config/types/contact_event.h"
@@ -32,57 +32,58 @@ struct ServoOptions {
 class Servo {
   public:
     Servo();
-    /// Commands, reports and events cross in a channel of somebody else's, which must outlive this;
-    /// of the calls below only start(), feel(), tier(), cut() and stop() are for such a servo.
+    /// Uses a channel owned by somebody else, which must outlive the servo, for commands, reports
+    /// and events. Of the calls below, only start(), feel(), tier(), cut() and stop() then apply.
     explicit Servo(ServoChannel& channel);
-    /// Stops.
+    /// Calls stop().
     ~Servo();
     Servo(const Servo&) = delete;
     Servo(Servo&&) = delete;
     Servo& operator=(const Servo&) = delete;
     Servo& operator=(Servo&&) = delete;
 
-    /// Takes the device and starts the loop, force off -> armed -> ramp -> live. Commands and scene
-    /// given before count from the first tick. Fails when the servo runs already or the thread
-    /// cannot be made.
+    /// Takes the device and starts the loop: force off -> armed -> ramp -> live. Commands and a
+    /// scene given before count from the first tick. Fails if the servo is already running or the
+    /// thread cannot be made.
     [[nodiscard]] Result<void> start(std::unique_ptr<ForceDevice> device,
                                      const DeviceProfile& profile, const ServoOptions& options);
 
-    /// From the next tick on. A change of radius or capture width goes through zero force like a
-    /// new scene; one of mode fades under the hand (haptics/contact/gap_fade.h).
+    /// Takes effect from the next tick on. A new radius or capture width goes through zero force,
+    /// like a new scene; a new mode fades in under the hand (haptics/contact/gap_fade.h).
     void set(const ServoCommands& commands);
 
-    /// A new picture: force fades to zero (<= 50 ms), the old contact is dropped, force fades in.
-    /// The servo keeps the scene alive as long as it needs it; this thread frees it.
+    /// Changes the picture: force fades to zero (<= 50 ms), the old contact is dropped, and force
+    /// fades in. The servo keeps the scene alive as long as it needs it; the calling thread frees
+    /// it.
     void feel(std::shared_ptr<const Scene> scene);
 
-    /// The newest tick. O(1); while nothing runs, the last one there was.
+    /// The newest tick's hand state; the last tick's once the servo has stopped. O(1).
     [[nodiscard]] const HandState& latest();
 
-    /// Of the newest tick.
+    /// The newest tick's force status.
     [[nodiscard]] ForceStatus force_status();
 
-    /// The oldest event not yet read; to be called until there is none, at least every few seconds:
-    /// of more than 1024 that wait, the newest are dropped and counted. O(1).
+    /// Returns the oldest event not yet read. Call it until it returns nothing, at least every few
+    /// seconds: when more than 1024 wait, the newest are dropped and counted. O(1).
     [[nodiscard]] std::optional<ContactEvent> next_event();
 
     [[nodiscard]] std::uint64_t dropped_events() const;
 
-    /// How far the loop can be trusted to be in time; nothing while none runs.
+    /// How well the loop keeps time; nothing while none runs.
     [[nodiscard]] std::optional<RealTimeTier> tier() const;
 
-    /// How late its ticks began.
+    /// How late the servo's ticks began.
     [[nodiscard]] const LatenessHistogram& lateness() const { return exchange_.channel().lateness; }
 
-    /// Fades force out, writes zero torque, ends the loop and gives the device back. Null when
+    /// Fades force out, writes zero torque, ends the loop and returns the device. Returns null if
     /// nothing runs.
     std::unique_ptr<ForceDevice> stop();
 
-    /// Zero torque with the next tick, which is the last. From any thread and from a handler of
-    /// signals, while start() or stop() do not run.
+    /// Makes the next tick the last one, with zero torque. May be called from any thread and from a
+    /// signal handler, but not during start() or stop().
     void cut() noexcept;
 
-    /// The ticks recorded; to be read while nothing runs, or while it is held.
+    /// The recorded ticks. Read them while nothing runs or while the recorder is held.
     [[nodiscard]] Recorder& recording();
 
   private:

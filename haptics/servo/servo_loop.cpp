@@ -5,9 +5,9 @@
 namespace touchline {
 namespace {
 
-constexpr int last_writes = 20;  // ticks; a send that hangs is called back within two
+constexpr int last_writes = 20;  // ticks; a send that hangs is cancelled within two
 
-// A step of silence counts for so many periods at most: what stops this loop stops the kiosk too.
+// A step of silence counts for at most this many periods: what stops this loop stops the kiosk too.
 constexpr double most_periods_of_silence = 2.0;
 
 DeviceProfile limited(DeviceProfile profile, const TierLimits& limits) {
@@ -32,8 +32,8 @@ ServoLoop::ServoLoop(ForceDevice& device, const DeviceProfile& profile, double p
     exchange_.channel().tier.store(static_cast<std::uint8_t>(tier_), std::memory_order_relaxed);
 }
 
-/// False: refused. Whoever looks at a loop that died in between must take it that there is torque,
-/// until the device holds zero.
+/// Returns false if the device refused. Until the device holds zero, anyone who finds this loop
+/// dead must assume that there is torque.
 bool ServoLoop::write(JointTorques torques, double handle_Nm) {
     const bool is_zero = torques == JointTorques{} && handle_Nm == 0.0;
     std::atomic<std::uint8_t>& is_force_on = exchange_.channel().is_force_on;
@@ -78,7 +78,7 @@ void ServoLoop::judge_timing(double now_s, const Moment& moment, std::uint64_t m
     exchange_.channel().tier.store(static_cast<std::uint8_t>(tier_), std::memory_order_relaxed);
 }
 
-/// What share of the force the kiosk's life and the tier allow.
+/// Works out the share of the force that the kiosk's life and the tier allow.
 void ServoLoop::watch(const Moment& moment) {
     ServoChannel& channel = exchange_.channel();
     const double dt_s = 1e-9 * static_cast<double>(moment.begun_ns - last_begun_ns_);

@@ -1,5 +1,5 @@
-// The tick with its device and its exchange, and the loop that runs it. The same code on a virtual
-// clock in any thread and on the real one in the servo's.
+// The tick with its device and its exchange, and the loop that runs it. The same code runs on a
+// virtual clock in any thread and on the real clock in the servo's thread.
 #pragma once
 
 #include "haptics/device/force_device.h"
@@ -18,23 +18,23 @@
 
 namespace touchline {
 
-/// What the loop holds its force against, besides the hand.
+/// What limits the loop's force, besides the hand.
 struct LoopRules {
     RealTimeTier granted = RealTimeTier::best_effort;
-    bool has_motors = false;     // force follows the tier; a simulation has none to protect
+    bool has_motors = false;     // force follows the tier; a simulation has no motors to protect
     bool watches_kiosk = false;  // without the kiosk's heartbeat there is no force
 };
 
-/// Zero <= 20 ms after the last heartbeat: 10 ms of silence, then a fade of 8 ms.
+/// Force is zero <= 20 ms after the last heartbeat: 10 ms of silence, then a fade of 8 ms.
 inline constexpr double longest_kiosk_silence_s = 0.010;
 
-/// Asked of a loop from any thread, or from a handler of signals.
+/// Asks a loop to end, from any thread or a signal handler.
 struct LoopEnd {
     std::atomic<bool> is_wanted{false};  // fade out, then end
     std::atomic<bool> is_cut{false};     // zero torque at once, then end
 };
 
-/// Threads: one at a time; the exchange's other side may be another one.
+/// Threads: one at a time; the exchange's other side may be another thread.
 class ServoLoop {
   public:
     /// All references must outlive the loop.
@@ -45,11 +45,11 @@ class ServoLoop {
     void tick(double now_s, std::uint64_t missed_ticks);
 
     /// Ticks until an end is wanted, here or in the channel, and force has faded out, or until it
-    /// is cut; then writes zero torque until the device holds it, for 20 periods at most.
+    /// is cut. Then writes zero torque until the device holds it, for at most 20 periods.
     void run(Clock& clock, std::int64_t period_ns, const LoopEnd& end);
 
   private:
-    /// When a tick was due and when it began.
+    /// When a tick was due and when it began, ns.
     struct Moment {
         std::int64_t due_ns = 0;
         std::int64_t begun_ns = 0;
@@ -75,7 +75,7 @@ class ServoLoop {
     RealTimeTier tier_;
     std::int64_t last_begun_ns_ = 0;
     std::uint64_t last_missed_ = 0;
-    double delay_s_ = 0.0;  // of the last tick, from when it was due to its torques written
+    double delay_s_ = 0.0;  // in the last tick, from its due time to its torques' write
 };
 
 }  // namespace touchline

@@ -17,13 +17,13 @@ namespace {
 constexpr int most_boxes_per_tick = 4096;
 constexpr double longest_silence_s = 0.02;
 constexpr double measuring_s = 1.0;
-constexpr double longest_period_s = 0.02;  // a longer one is a pause, not the loop's
+constexpr double longest_period_s = 0.02;  // a longer one is a pause, not the loop's period
 constexpr double ceiling_rise_N_per_s = 1.0;
-constexpr double groove_peak = 0.287;      // of K w: what a groove pulls at most
-constexpr double led_groove_N = 0.2;       // of that, while the hand is led
+constexpr double groove_peak = 0.287;      // of K w: a groove's strongest pull
+constexpr double led_groove_N = 0.2;       // strongest pull while the hand is led
 constexpr double pending_groove_N = 0.05;  // the same, until force is live
 constexpr double share_per_s = 1.0 / 0.3;
-constexpr double least_carried_m = 1e-9;  // a rest below is rounding, no lack of time
+constexpr double least_carried_m = 1e-9;  // a remainder below this is rounding, not lack of time
 constexpr double finger_lever_m = 0.01;   // from the handle's axis
 
 double count_of(const std::optional<TurningHandle>& handle) {
@@ -65,7 +65,7 @@ std::optional<ServoStep> ServoStep::from_memory(std::span<const std::byte> bytes
     return step;
 }
 
-/// Whatever points into the old memory.
+/// Mends every pointer into the old memory.
 bool ServoStep::rebind(const Scene* scene, const DeviceProfile& profile) {
     constexpr double shortest_s = 1e-5;
     const bool had_scene = felt_.scene != nullptr;
@@ -110,8 +110,8 @@ JointTorques ServoStep::step(const StepInput& input) {
     return safe.torques;
 }
 
-/// What the loop may render follows from how it runs, not from what was asked: slow averages over a
-/// second, worked out again once in as many ticks.
+/// What the loop may render follows from how it runs, not from what was asked for. Averages slowly
+/// over a second, and works the settings out again once a second.
 void ServoStep::measure_loop(const StepInput& input, double dt_s) {
     const double weight = std::min(1.0, dt_s / measuring_s);
     measured_period_s_ += weight * (std::min(dt_s, longest_period_s) - measured_period_s_);
@@ -124,7 +124,7 @@ void ServoStep::measure_loop(const StepInput& input, double dt_s) {
     loop_ = loop_settings(profile_, measured_period_s_, measured_delay_s_);
 }
 
-/// Where the handle is, or for a few ticks was: one that jumps is not believed at once.
+/// Where the handle is, or was a few ticks ago: a jump is not believed at once.
 std::optional<Pose> ServoStep::find_pose(const StepInput& input, double dt_s) {
     silent_s_ = input.angles ? 0.0 : silent_s_ + period_s_;
     const auto pose = input.angles ? forward(profile_.geometry, *input.angles) : std::nullopt;
@@ -187,7 +187,7 @@ void ServoStep::follow_speed(double dt_s) {
     }
 }
 
-/// A hand that is led holds a point: lines must not stop it.
+/// A hand that is led holds a point, because lines must not stop it.
 void ServoStep::follow_wishes(const StepInput& input) {
     const ServoCommands& commands = input.commands;
     const bool may_hold =
@@ -231,7 +231,7 @@ StiffnessBound ServoStep::stiffness_bound() const {
 Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
     const double level = level_rule_.level();
     const double wanted_N_per_m = possible_N_per_m(stiffness_bound(), commands.stiffness_N_per_m);
-    // Without force a change of stiffness does no work, so it need not be ramped.
+    // Without force, a change of stiffness does no work, so it need not be ramped.
     if (chain_.is_faded()) stiffness_ = StiffnessRamp(wanted_N_per_m);
     const double depth_m = norm(contact_report_.p_WP - p_WH_);
     (void)stiffness_.step(wanted_N_per_m, depth_m, dt_s);
@@ -254,7 +254,7 @@ Force ServoStep::feel(const ServoCommands& commands, double dt_s) {
         commands.has_frame ? frame_push(felt_.scene->area, p_WH_, stiffness_.stiffness_N_per_m())
                            : FramePush{};
     frame_J_ = frame.stored_J;
-    // Softened where it rang, with the damping that keeps it from ringing.
+    // Softened if it rang, with the damping that keeps it from ringing.
     return damped(monitor_.gain() * (line_share_ * contact_report_.force + frame.force),
                   velocity_.velocity(), loop_.damping_Ns_per_m + tier_.extra_damping_Ns_per_m);
 }
@@ -281,7 +281,7 @@ void ServoStep::feel_shape(double level) {
     (void)cost_.step({report.boxes, report.carried_m > least_carried_m}, report.level);
 }
 
-/// As damped() has it of a force: here of the force at the fingers.
+/// Damps the twist as damped() does a force, by the force at the fingers.
 double ServoStep::damped_twist_Nm() const {
     const Force spring{monitor_.gain() * line_share_ * twist_Nm_ / finger_lever_m, 0.0};
     const Velocity fingers{turn_.rad_per_s() * finger_lever_m, 0.0};
@@ -289,8 +289,8 @@ double ServoStep::damped_twist_Nm() const {
     return finger_lever_m * damped(spring, fingers, damping_Ns_per_m).x;
 }
 
-/// The hand is led across lines too: they must not hold it against what leads it, nor keep force
-/// from coming on before.
+/// The hand is led across lines too, so they must not hold it back, nor keep force from coming on
+/// before.
 void ServoStep::share_lines(const ServoCommands& commands, bool is_led) {
     const double groove_N = groove_peak * stiffness_.stiffness_N_per_m() * commands.capture_m;
     const double led_N = guidance_.leads() ? led_groove_N : pending_groove_N;
@@ -299,7 +299,7 @@ void ServoStep::share_lines(const ServoCommands& commands, bool is_led) {
     line_share_ = std::clamp(goal, line_share_ - step, line_share_ + step);
 }
 
-/// What pushes of its own accord, in a tick with a pose; a shape is put down before.
+/// Adds what pushes by itself, in a tick with a pose; a held shape has been put down before.
 void ServoStep::lead(const StepInput& input) {
     const bool is_live = chain_.state() == ForceState::live && !is_swapping_ && !is_stopping_ &&
                          input.commands.is_force_wanted && !input.commands.is_emergency_stop;
@@ -309,13 +309,12 @@ void ServoStep::lead(const StepInput& input) {
     active_ += pattern_.step(input.commands.pattern, is_live, period_s_);
 }
 
-/// Of what the motors were told, not of what was asked: that is what rings. A spring whose force is
-/// cut short gives back no more than what is told; pressed beyond that it would seem to give
-/// energy.
+/// Watches what the motors were told, not what was asked for, because that is what rings. A spring
+/// whose force is cut short gives back no more than what is told; pressed beyond that it would seem
+/// to give energy.
 void ServoStep::watch(Force told, Force wanted, double dt_s) {
     const double gain = monitor_.gain();
-    // What leads the hand is meant to give energy and a pattern to swing: only the rest is looked
-    // at.
+    // Guidance is meant to give energy and a pattern to swing, so only the rest is watched.
     const double let_through = norm(wanted) > norm(told) ? norm(told) / norm(wanted) : 1.0;
     told = told - let_through * active_;
     const double lost_N =

@@ -33,68 +33,71 @@ namespace touchline {
 
 struct StepInput {
     double now_s = 0.0;                 // since the servo started
-    std::uint64_t missed_ticks = 0;     // so far
-    std::optional<JointAngles> angles;  // nothing when the device did not answer
+    std::uint64_t missed_ticks = 0;     // total so far
+    std::optional<JointAngles> angles;  // nothing if the device did not answer
     ServoCommands commands;
-    const Scene* scene = nullptr;  // wanted; must live until scene() is another one
+    const Scene* scene = nullptr;  // wanted scene; must live until scene() is another one
     double delay_s = 0.0;          // from reading the angles to the torques' effect, as measured
-    // Of the force that is let through, 0 ... 1. At 0 it is off and comes on again by the arm rule.
+    // The share of the force that is let through, 0 ... 1. At 0 force is off, and it comes back by
+    // the arm rule.
     double force_share = 1.0;
-    std::optional<double> handle_rad = std::nullopt;  // of a handle that turns
+    std::optional<double> handle_rad = std::nullopt;  // if the handle turns
 };
 
 class ServoStep {
   public:
-    /// period_s > 0: of the loop. Of `tier` the stiffness and the damping. Force is armed at once.
+    /// `period_s` > 0 is the loop's. Of `tier`, the stiffness and the damping are used. Force is
+    /// armed at once.
     ServoStep(const DeviceProfile& profile, double period_s, const TierLimits& tier = {});
 
-    /// The step that lay in memory as these bytes, in the same build, and felt `scene` (null:
-    /// none), which may lie elsewhere now. Nothing where they cannot have been such a step: sizes
-    /// and indices are checked, values are not.
+    /// Restores the step that lay in memory as these bytes, in the same build, and felt `scene`
+    /// (null: none), which may lie elsewhere now. Returns nothing if the bytes cannot be such a
+    /// step: sizes and indices are checked, values are not.
     [[nodiscard]] static std::optional<ServoStep> from_memory(std::span<const std::byte> bytes,
                                                               const Scene* scene,
                                                               const DeviceProfile& profile);
 
-    /// What holds a shape and must outlive the step; without one every hand holds a point.
+    /// Gives the step the object that holds shapes, which must outlive it. Without one, every hand
+    /// holds a point.
     void lend(ShapeInHand* hand) { hand_ = hand; }
 
     /// kinematics -> handle in W -> level -> contact -> damping -> frame, guidance, pattern ->
-    /// force chain. Stiffness is what the tier leaves of the one that is set, kept
-    /// below what the period and delay measured so far allow (loop_settings.h). A new scene, proxy
-    /// radius or capture width fades force to zero first, drops the contact and fades in again; a
-    /// new mode takes over under the hand, its force fading from the one before. A device that does
-    /// not answer has no force, and after 20 ms it is a fault; so is one that refuses torques. In a
-    /// fault everything goes on but the force (haptics/safety/safety_state.h).
-    /// While it leads, lines are a weak groove in every mode.
+    /// force chain. The stiffness is the commanded one times the tier's share, kept below what the
+    /// measured period and delay allow (loop_settings.h). A new scene, proxy radius or capture
+    /// width first fades force to zero, drops the contact and fades in again; a new mode takes over
+    /// under the hand, and the old mode's force fades into its own. A device that does not answer
+    /// gets no force, and after 20 ms it is a fault, as is one that refuses torques. In a fault
+    /// everything goes on except the force (haptics/safety/safety_state.h). While guidance leads
+    /// the hand, lines are a weak groove in every mode.
     [[nodiscard]] JointTorques step(const StepInput& input);
 
-    /// Of the last step, for a motor at the handle.
+    /// The last step's torque for a motor at the handle.
     [[nodiscard]] double handle_torque_Nm() const { return handle_Nm_; }
 
-    /// Part of what the step knows lies elsewhere.
+    /// True if part of the step's state lies in another object.
     [[nodiscard]] bool holds_shape() const { return felt_.shape != HeldShape::none; }
 
-    /// Fades force out for good; is_silent() tells when.
+    /// Fades force out for good; is_silent() tells when it has.
     void fade_out() { is_stopping_ = true; }
 
     [[nodiscard]] bool is_fading_out() const { return is_stopping_; }
 
     [[nodiscard]] bool is_silent() const { return chain_.is_faded(); }
 
-    /// The device took no torques.
+    /// Tells the step that the device took no torques.
     void lose_device() { is_refused_ = true; }
 
-    /// Of the last step.
+    /// The last step's report.
     [[nodiscard]] const ServoReport& report() const { return report_; }
 
-    /// Of the last step.
+    /// The last step's events.
     [[nodiscard]] std::span<const ContactEvent> events() const { return events_.all(); }
 
     /// The scene felt now.
     [[nodiscard]] const Scene* scene() const { return felt_.scene; }
 
   private:
-    /// What cannot change under a hand that is in contact.
+    /// What cannot change while the hand is in contact.
     struct Felt {
         const Scene* scene = nullptr;
         double radius_m = 0.0;
@@ -139,7 +142,7 @@ class ServoStep {
     ForceChain chain_;
     PositionGuard position_guard_;
     Sample sample_ = Sample::good;
-    std::optional<Pose> good_pose_;  // the last one to be used
+    std::optional<Pose> good_pose_;  // last one used
     LevelLimits level_limits_;
     LevelRule level_rule_;
     CostTerm cost_;
@@ -156,10 +159,10 @@ class ServoStep {
     EventDetector detector_;
     Guidance guidance_;
     PatternPlayer pattern_;
-    Mode mode_ = Mode::wall;   // as rendered
-    Force active_;             // of guidance and pattern, in this tick
+    Mode mode_ = Mode::wall;   // being rendered
+    Force active_;             // from guidance and pattern, in this tick
     double frame_J_ = 0.0;     // stored in the frame
-    double line_share_ = 1.0;  // of what lines would push
+    double line_share_ = 1.0;  // of what lines would push with
     double ceiling_N_ = most_force_N;
     TickEvents events_;
     Felt felt_;
@@ -167,15 +170,15 @@ class ServoStep {
     HandleTurn turn_;
     ShapeSpeed shape_speed_{0.0};
     double proxy_angle_rad_ = 0.0;
-    double twist_Nm_ = 0.0;   // of the shape, on the hand
-    double handle_Nm_ = 0.0;  // told to the motor of the handle
+    double twist_Nm_ = 0.0;   // the shape's, on the hand
+    double handle_Nm_ = 0.0;  // sent to the handle's motor
     bool is_shape_placed_ = false;
-    Position p_WH_;   // the last that was known
-    Position moved_;  // by the handle since the tick before
+    Position p_WH_;   // last known
+    Position moved_;  // handle's way since the tick before
     double last_s_ = 0.0;
     double silent_s_ = 0.0;  // since the device last answered
     bool is_swapping_ = false;
-    bool is_refused_ = false;  // the last torques
+    bool is_refused_ = false;  // the last torques were
     std::uint32_t faults_cleared_ = 0;
     bool is_stopping_ = false;
     ServoReport report_;

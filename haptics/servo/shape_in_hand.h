@@ -1,5 +1,5 @@
-// The shapes that may be held and the proxy of the one that is: all of a servo's step that is not
-// one flat value. Threads: one, the servo's, but for the constructor.
+// The shapes that may be held, and the proxy of the one that is. It is the only part of the servo's
+// step that is not one flat value. Threads: one, the servo's, except for the constructor.
 #pragma once
 
 #include "config/types/held_shape.h"
@@ -13,10 +13,11 @@ namespace touchline {
 
 class ShapeInHand {
   public:
-    /// Builds the shapes and takes all memory that steps need.
+    /// Builds the shapes and allocates all memory that steps need.
     ShapeInHand();
 
-    /// Holds another one, or the same anew, in a scene that must outlive its use. No allocation.
+    /// Takes another shape in hand, or the same one anew, in a scene that must outlive its use. No
+    /// allocation.
     void take(HeldShape shape, const Scene& scene, const ProbePose& handle, double level) {
         proxy_.reset(shape_of(shape), scene, handle, level);
     }

@@ -1,17 +1,17 @@
-// Time for the loop: a clock behind an interface, and which tick is due when.
+// Time for the loop: a clock behind an interface, and a schedule of the ticks.
 #pragma once
 
 #include <cstdint>
 
 namespace touchline {
 
-/// Threads: as the implementation says.
+/// Threads: each implementation says.
 class Clock {
   public:
     virtual ~Clock() = default;
-    /// Nanoseconds since some fixed moment; never goes back.
+    /// Nanoseconds since a fixed moment; never goes back.
     [[nodiscard]] virtual std::int64_t now_ns() = 0;
-    /// Returns at t_ns or later; at once when that has passed.
+    /// Returns at t_ns or later; at once if that has passed.
     virtual void sleep_until(std::int64_t t_ns) = 0;
 
   protected:
@@ -29,8 +29,8 @@ class MonotonicClock final : public Clock {
     void sleep_until(std::int64_t t_ns) override;
 };
 
-/// Ticks on an even grid. A tick that could not begin within its own period is skipped and counted,
-/// never made up for: a burst of late ticks would act on old positions.
+/// Schedules ticks on an even grid. A tick that could not begin within its own period is skipped
+/// and counted, never made up for: a burst of late ticks would act on old positions.
 class TickSchedule {
   public:
     /// The first tick is due at start_ns. period_ns > 0.
@@ -39,10 +39,10 @@ class TickSchedule {
 
     [[nodiscard]] std::int64_t due_ns() const { return due_ns_; }
 
-    /// When the tick is due, since the first one.
+    /// When the tick is due, counted from the first tick.
     [[nodiscard]] double due_s() const { return static_cast<double>(due_ns_ - start_ns_) * 1e-9; }
 
-    /// The tick that was due has run and it is now_ns.
+    /// Ends the tick that was due; it is now_ns.
     void finish(std::int64_t now_ns);
 
     [[nodiscard]] std::uint64_t missed() const { return missed_; }

@@ -10,7 +10,7 @@ namespace {
 /// the longest line that did.
 class Axis {
   public:
-    /// `rise_m`: from a sample to the newest, `span_s` later.
+    /// `rise_m`: from a sample to the newest, which came `span_s` later.
     void look_at(double rise_m, double span_s, double noise_m) {
         if (is_over_) return;
         const double slope = rise_m / span_s;

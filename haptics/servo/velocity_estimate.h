@@ -1,6 +1,6 @@
-// Velocity of the handle from positions that jump by encoder steps: first-order adaptive windowing
-// (Janabi-Sharifi, Hayward, Chen 2000), each axis on its own. Threads: one, the servo's. A plain
-// value.
+// Estimates the handle's velocity from positions that jump by encoder steps, by first-order
+// adaptive windowing (Janabi-Sharifi, Hayward, Chen 2000), each axis on its own. Threads: one, the
+// servo's. A plain value.
 #pragma once
 
 #include "config/types/vec2.h"
@@ -12,19 +12,20 @@ namespace touchline {
 
 class VelocityEstimate {
   public:
-    /// `noise_m` > 0: how far a sample may lie from the truth; one encoder step.
+    /// `noise_m` > 0: how far a sample may lie from the truth, which is one encoder step.
     explicit VelocityEstimate(double noise_m) : noise_m_(noise_m) {}
 
-    /// Slope from the newest sample back over the longest window, at most 16 periods, on whose line
-    /// all samples between lie to within the noise. The first sample gives 0, and so does one that
-    /// is not finite, which also forgets all others. `dt_s` > 0 since the last one.
+    /// Returns the slope from the newest sample back over the longest window, at most 16 periods,
+    /// whose line passes all samples between within the noise. Returns 0 for the first sample and
+    /// for one that is not finite, which also clears all others. `dt_s` > 0 is the time since the
+    /// last sample.
     Velocity step(Position position, double dt_s);
 
     void reset() { count_ = 0; }
 
     [[nodiscard]] Velocity velocity() const { return velocity_; }
 
-    /// Whether a copy from bytes may be stepped.
+    /// Whether a copy made from bytes may be stepped.
     [[nodiscard]] bool is_sound() const {
         return newest_ < samples_.size() && count_ <= samples_.size();
     }

@@ -1,4 +1,4 @@
-// Damping of a sampled spring that never pulls where the spring pushes (facts 1.3, 1.4).
+// Damps a sampled spring without ever pulling where the spring pushes (facts 1.3, 1.4).
 // Threads: a pure function.
 #pragma once
 
@@ -10,8 +10,8 @@ namespace touchline {
 
 inline constexpr double damped_in_full_N = 0.2;
 
-/// The spring's force with B v taken off along its own direction, at least 0: leaving the wall the
-/// hand is never held back by it, and along the wall nothing is damped. A spring of less than 0.2 N
+/// Takes B v off the spring's force along its own direction, but leaves at least 0: it never holds
+/// back a hand that leaves the wall, and damps nothing along the wall. A spring of less than 0.2 N
 /// is damped in proportion, so that nothing jumps where it begins or ends. O(1).
 [[nodiscard]] inline Force damped(Force spring, Velocity velocity, double damping_Ns_per_m) {
     const double spring_N = norm(spring);

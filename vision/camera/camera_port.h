@@ -1,5 +1,5 @@
-// The seam to a system of cameras: libcamera's, or one that a test makes up. It carries orders out
-// and tells what the camera said; when to order what is capture_sequence.h.
+// The interface to a camera system: libcamera's, or a made-up one in a test. It carries out orders
+// and reports what the camera says; capture_sequence.h decides when to order what.
 #pragma once
 
 #include "config/types/result.h"
@@ -13,7 +13,7 @@
 namespace touchline {
 
 struct CameraName {
-    std::string id;    // the same again when it is plugged into the same socket
+    std::string id;    // stays the same if plugged into the same socket again
     std::string name;  // for people
 };
 
@@ -23,7 +23,7 @@ struct StreamMode {
     bool operator==(const StreamMode&) const = default;
 };
 
-/// What this camera can do, as it was asked. Nothing here is true of all cameras.
+/// The abilities of this camera, as it reports them. No ability is common to all cameras.
 struct CameraAbilities {
     std::vector<StreamMode> modes;  // only formats that to_bgr() knows
     bool has_two_streams = false;   // preview and still at once
@@ -31,13 +31,13 @@ struct CameraAbilities {
     bool has_exposure_lock = false;
 };
 
-/// The still mode is asked for only with two streams.
+/// The still mode is used only with two streams.
 struct StreamPlan {
     StreamMode preview;
     std::optional<StreamMode> still;
 };
 
-/// What the camera's own control loops shall do from the next frame on.
+/// What the camera's own control loops must do from the next frame on.
 enum class LoopOrder : std::uint8_t { lock_exposure, free_exposure, focus_once, focus_freely };
 
 struct TakenFrame {
@@ -56,19 +56,20 @@ class CameraPort {
     CameraPort& operator=(CameraPort&&) = delete;
     virtual ~CameraPort() = default;
 
-    /// Those plugged in now.
+    /// Returns the cameras that are plugged in now.
     [[nodiscard]] virtual std::vector<CameraName> list() = 0;
-    /// Takes the camera for this program and asks what it can do. One at a time.
+    /// Takes the camera for this program and returns its abilities. One camera at a time.
     [[nodiscard]] virtual Result<CameraAbilities> open(const std::string& id) = 0;
-    /// Stops what runs, configures, starts. The camera may change the sizes; frames tell theirs.
+    /// Stops the running streams, configures and starts. The camera may change the sizes; frames
+    /// carry their own.
     [[nodiscard]] virtual Result<void> start(const StreamPlan& plan) = 0;
     virtual void order(LoopOrder order) = 0;
-    /// One frame of the second stream, please.
+    /// Requests one frame of the second stream.
     virtual void request_still() = 0;
-    /// The newest frame that was not taken yet; never waits. Nothing while none came, and for ever
-    /// when the stream has died: a camera does not tell.
+    /// Returns the newest frame not taken yet; never waits. Returns nothing while none came, and
+    /// forever once the stream has died: a camera does not report that.
     [[nodiscard]] virtual std::optional<TakenFrame> take() = 0;
-    /// Stops and gives the camera back. Harmless when none is open.
+    /// Stops and gives the camera back. Harmless if none is open.
     virtual void close() = 0;
 };
 

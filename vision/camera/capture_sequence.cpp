@@ -76,8 +76,8 @@ void CaptureSequence::enter(State state) {
     steady_ = 0;
 }
 
-/// The camera is gone, or gone silent. A still that was asked for is not taken when it comes back:
-/// by then the visitor has moved on.
+/// The camera is gone or silent. A requested still is not taken when it comes back, because the
+/// visitor has moved on by then.
 void CaptureSequence::lose(State next) {
     if (is_still_pending_) order(CaptureAction::give_up);
     is_still_pending_ = false;
@@ -106,7 +106,7 @@ void CaptureSequence::begin_attempt() {
     enter(abilities_.has_focus_lock ? State::focusing : State::settling);
 }
 
-/// No change for a few frames.
+/// True after a few frames without change.
 bool CaptureSequence::is_steady(const FrameQuality& quality) {
     const bool is_same = std::abs(quality.brightness - steady_brightness_) <= limits_.steady_levels;
     steady_ = is_same ? steady_ + 1 : 0;
@@ -137,9 +137,9 @@ void CaptureSequence::begin_sharpening() {
     }
 }
 
-/// The stream at its new size starts dark and blurred on many cameras: the best of what comes is
-/// kept until nothing better comes. While the light is not yet that of the preview, or jumps, the
-/// search starts anew.
+/// On many cameras the stream starts dark and blurred at its new size, so the best frame is kept
+/// until no better one comes. The search starts again while the light is not yet that of the
+/// preview, or jumps.
 void CaptureSequence::sharpen(const CaptureInputs& in) {
     if (in.has_frame && (in.is_frame_still || is_still_running_)) {
         if (!first_still_s_) first_still_s_ = now_s_;
@@ -157,7 +157,7 @@ void CaptureSequence::sharpen(const CaptureInputs& in) {
         if (abilities_.has_two_streams) order(CaptureAction::request_still);
     }
     const bool is_time_over = first_still_s_ && now_s_ - *first_still_s_ >= limits_.sharpen_s;
-    // Of two streams the second may fail alone; the first one's frames hide that.
+    // The second of two streams may fail alone, which the first one's frames hide.
     const bool has_none = !first_still_s_ && elapsed_s() > limits_.start_s;
     if (steady_ >= limits_.steady_frames || is_time_over || has_none) finish();
 }

@@ -1,5 +1,6 @@
-// When to order what from a camera: find it, start it, notice that it died, take a still. A state
-// machine on the time that it is told; it orders, the caller carries out (stream_camera.h).
+// Decides when to order what from a camera: find it, start it, notice that it died, take a still. A
+// state machine on the time that it is told; it gives orders, and the caller carries them out
+// (stream_camera.h).
 //
 //   absent -> opening -> starting -> previewing -> focusing -> settling -> locking -> sharpening
 //                ^                    (still asked for)                                    |
@@ -21,14 +22,14 @@ struct CaptureLimits {
     double start_s = 8.0;    // until the first frame of a stream
     double stall_s = 2.0;    // between frames: longer, and the stream is dead
     double retry_s = 2.0;    // before a dead camera is opened again
-    double focus_s = 3.0;    // a focus that does not come is gone without
-    double settle_s = 2.0;   // an exposure that does not settle, too
-    double sharpen_s = 2.0;  // from the first frame of the still on
-    int steady_frames = 3;   // without change: settled, or as sharp as it gets
+    double focus_s = 3.0;    // after this time, goes on without focus
+    double settle_s = 2.0;   // after this time, goes on without a settled exposure
+    double sharpen_s = 2.0;  // from the still's first frame on
+    int steady_frames = 3;   // without change: settled, or as sharp as it will get
     double steady_levels = 3.0;
     double brightness_tolerance = 0.25;  // share by which still and preview may differ
     double steady_ratio = 1.05;          // sharpness that grows by less does not grow
-    /// At up to 0.8 megapixel a page of text has some 500 and more, out of focus below 20.
+    /// At up to 0.8 megapixel, a page of text has about 500 or more, and one out of focus below 20.
     double least_sharpness = 30.0;
     double most_clipped_share = 0.02;
 };
@@ -38,19 +39,19 @@ enum class CameraCondition : std::uint8_t {
     starting,  // no frame yet
     ready,     // previews come
     taking,    // a still is under way
-    stopped,   // it is plugged in and gives no frames
+    stopped,   // it is plugged in but gives no frames
 };
 
 enum class CaptureAction : std::uint8_t {
     open,
     start_preview,
-    start_still,    // one stream only: the same stream, at the largest size
-    request_still,  // two streams only
+    start_still,    // with one stream only: the same stream, at the largest size
+    request_still,  // with two streams only
     focus,
     lock_exposure,
     free_loops,  // exposure and focus run by themselves again
     keep,        // the frame of this step is the best still so far
-    deliver,     // what was kept is the still
+    deliver,     // the kept frame is the still
     give_up,     // there will be no still
     close,
 };
@@ -59,7 +60,7 @@ struct CaptureInputs {
     bool is_present = false;                // the chosen camera is plugged in
     std::optional<CameraAbilities> opened;  // the answer to `open`
     bool has_refused = false;               // an action of the last step could not be carried out
-    bool has_frame = false;                 // one came, and could be read
+    bool has_frame = false;                 // one came and was readable
     bool is_frame_still = false;            // from the second of two streams
     FrameQuality quality;                   // of that frame
     LoopReport loops;
@@ -77,10 +78,10 @@ class CaptureSequence {
 
     [[nodiscard]] bool is_still_pending() const { return is_still_pending_; }
 
-    /// Frames of the one stream are stills now.
+    /// True while the frames of the one stream are stills.
     [[nodiscard]] bool is_still_running() const { return is_still_running_; }
 
-    /// Of the still last kept.
+    /// True if the still kept last is blurred; below, if it is overexposed.
     [[nodiscard]] bool is_blurred() const { return best_.sharpness < limits_.least_sharpness; }
 
     [[nodiscard]] bool is_clipped() const {
@@ -138,7 +139,7 @@ class CaptureSequence {
     FrameQuality best_;
 };
 
-/// What to say, at most 15 words; empty when all is well.
+/// Returns what to say, in at most 15 words; empty if all is well.
 [[nodiscard]] std::string_view sentence(CameraCondition condition);
 
 }  // namespace touchline

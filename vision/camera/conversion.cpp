@@ -14,8 +14,8 @@ namespace {
 
 using Decoder = std::unique_ptr<void, int (*)(tjhandle)>;
 
-/// Padding between the scan and the end marker is usual with cameras. All other warnings say that
-/// some of the pixels were guessed.
+/// Cameras usually put padding between the scan and the end marker. All other warnings mean that
+/// some pixels were guessed.
 bool is_harmless(tjhandle decoder) {
     return tjGetErrorCode(decoder) == TJERR_WARNING &&
            std::string_view(tjGetErrorStr2(decoder)).find("extraneous bytes") !=
@@ -30,8 +30,8 @@ cv::Size divided(cv::Size size, int by) {
     return {(size.width + by - 1) / by, (size.height + by - 1) / by};
 }
 
-/// The smallest of full, half, quarter and eighth size that is not below the wanted one: those are
-/// the transforms that libjpeg-turbo has vector code for.
+/// Returns the smallest of full, half, quarter and eighth size that is not below the wanted one:
+/// libjpeg-turbo has vector code for these transforms.
 cv::Size decoded_size(cv::Size size, cv::Size wanted) {
     for (const int by : {8, 4, 2}) {
         const cv::Size reduced = divided(size, by);
@@ -61,7 +61,7 @@ Result<cv::Mat> decode_jpeg(const CameraFrame& frame, cv::Size wanted) {
     return bgr;
 }
 
-/// Bytes that the rows of a frame take; the last row need not be padded.
+/// Returns the number of bytes that a frame's rows take; the last row need not be padded.
 std::size_t least_bytes(const CameraFrame& frame) {
     const auto width = static_cast<std::size_t>(frame.size.width);
     const auto height = static_cast<std::size_t>(frame.size.height);
@@ -106,7 +106,7 @@ cv::Mat rows_of(const CameraFrame& frame, int type, std::size_t offset, cv::Size
     return {size, type, data, frame.stride_bytes};
 }
 
-/// Brightness and colour are averaged down before they are mixed, which is less work; the pairs of
+/// Averages brightness and colour down before it mixes them, which is less work; the pairs of
 /// colour need even sides for that.
 cv::Mat convert_nv12(const CameraFrame& frame, cv::Size wanted) {
     const cv::Mat luma = rows_of(frame, CV_8UC1, 0, frame.size);
@@ -136,7 +136,7 @@ cv::Size reduced_size(cv::Size size, std::int64_t pixels) {
     const double area = static_cast<double>(size.width) * size.height;
     const double scale = std::min(1.0, std::sqrt(static_cast<double>(pixels) / area));
     const auto scaled = [&](int side) { return static_cast<int>(side * scale); };
-    // A side that would vanish stays 1, and the other one has all the pixels.
+    // A side that would vanish becomes 1, and the other one gets all the pixels.
     const auto most = [&](int side) {
         return static_cast<int>(std::min<std::int64_t>(side, std::max<std::int64_t>(1, pixels)));
     };

@@ -37,7 +37,7 @@ std::optional<CameraAbilities> FolderCamera::abilities() const {
     return CameraAbilities{{{PixelFormat::bgr, picture_.size()}}, false, false, false};
 }
 
-/// A folder that is not there, or cannot be read, is a camera that is not plugged in.
+/// A missing or unreadable folder is a camera that is not plugged in.
 void FolderCamera::look_into_folder() {
     files_.clear();
     std::error_code error;
@@ -47,7 +47,7 @@ void FolderCamera::look_into_folder() {
     std::sort(files_.begin(), files_.end());
 }
 
-/// The next by name that can be read, round and round. False when there is none.
+/// Loads the next readable file by name, round and round. Returns false if there is none.
 bool FolderCamera::load_next() {
     const auto after = std::upper_bound(files_.begin(), files_.end(), last_);
     std::rotate(files_.begin(), after, files_.end());

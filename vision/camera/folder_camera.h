@@ -1,5 +1,6 @@
-// The pictures of a folder, as if from a camera: for demonstrations and tests. The preview stands
-// on one picture, a still takes it, and the next one comes. Files are decoded by who owns decoders.
+// The pictures of a folder, as if from a camera: for demonstrations and tests. The preview shows
+// one picture, a still takes it, and then the next one follows. Whoever owns decoders decodes the
+// files.
 // Threads: one caller. A step reads the folder now and then, and decodes one picture.
 #pragma once
 
@@ -10,14 +11,14 @@
 
 namespace touchline {
 
-/// The upright picture in a file, 8-bit BGR, or why there is none.
+/// Returns the upright picture in a file, 8-bit BGR, or why there is none.
 using ReadPicture = std::function<Result<cv::Mat>(const std::filesystem::path& file)>;
 
 class FolderCamera : public Camera {
   public:
     FolderCamera(std::filesystem::path folder, ReadPicture read);
 
-    /// One, while the folder holds a file.
+    /// Returns one camera while the folder holds a file.
     [[nodiscard]] std::vector<CameraName> list() override;
 
     void choose(const std::string& id) override { wanted_id_ = id; }

@@ -1,4 +1,4 @@
-// A frame as a camera gives it, and what was measured on it.
+// A frame as a camera gives it, and its measurements.
 // Values. Threads: any.
 #pragma once
 
@@ -23,16 +23,17 @@ struct CameraFrame {
     std::vector<std::uint8_t> bytes;
 };
 
-/// What the camera says of its own control loops at this frame; nothing where it does not say.
+/// The camera's report on its own control loops at this frame; nothing if it does not report.
 struct LoopReport {
     std::optional<bool> is_focused;
     std::optional<bool> is_exposure_settled;
 };
 
-/// Of a frame at a fixed size: sharpness compares frames of one size and one scene only.
+/// Measured on a frame at a fixed size: sharpness only compares between frames of one size and one
+/// scene.
 struct FrameQuality {
     double sharpness = 0.0;      // variance of the Laplacian, grey levels squared
-    double clipped_share = 0.0;  // 0 ... 1, pixels as bright as can be told
+    double clipped_share = 0.0;  // 0 ... 1, pixels at full brightness
     double brightness = 0.0;     // mean, 0 ... 255
 };
 

@@ -91,7 +91,7 @@ LibcameraPort::LibcameraPort(std::unique_ptr<Cameras> cameras) : cameras_(std::m
 LibcameraPort::~LibcameraPort() = default;
 
 Result<std::unique_ptr<LibcameraPort>> LibcameraPort::create() {
-    // What goes wrong is said in our own words, by the return values.
+    // Errors are reported in our own words, by the return values.
     libcamera::logSetTarget(libcamera::LoggingTargetNone);
     auto cameras = std::make_unique<Cameras>();
     if (cameras->manager.start() != 0) return failure("libcamera does not start");
@@ -127,7 +127,7 @@ Result<void> LibcameraPort::start(const StreamPlan& plan) {
     return {};
 }
 
-/// An order may come with a new stream right behind it, before any request could carry it.
+/// An order may be followed at once by a new stream, before any request could carry it.
 void LibcameraPort::order(LoopOrder order) {
     std::erase(orders_, order);
     orders_.push_back(order);

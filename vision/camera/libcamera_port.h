@@ -1,7 +1,7 @@
 // Cameras through libcamera 0.0.3 (Debian 12) or 0.4 (Debian 13): USB cameras of the UVC class,
-// which have one stream and neither focus nor a report of their exposure there, and those of boards
-// with an image processor, which have more. Frames arrive on libcamera's own thread and wait here,
-// the newest only. Threads: one caller; one object in a process, which libcamera demands.
+// which have one stream there and neither focus nor exposure reports, and those of boards with an
+// image processor, which have more. Frames arrive on libcamera's own thread and wait here, the
+// newest only. Threads: one caller; one object per process, as libcamera demands.
 #pragma once
 
 #include "vision/camera/camera_port.h"
@@ -14,7 +14,7 @@ class LibcameraStream;
 
 class LibcameraPort : public CameraPort {
   public:
-    /// Fails where libcamera does not start; no camera at all is no failure.
+    /// Fails if libcamera does not start. Having no camera is not a failure.
     [[nodiscard]] static Result<std::unique_ptr<LibcameraPort>> create();
     ~LibcameraPort() override;
     LibcameraPort(const LibcameraPort&) = delete;
@@ -36,7 +36,7 @@ class LibcameraPort : public CameraPort {
     explicit LibcameraPort(std::unique_ptr<Cameras> cameras);
 
     std::unique_ptr<Cameras> cameras_;
-    std::vector<LoopOrder> orders_;             // in force: a new stream is told them again
+    std::vector<LoopOrder> orders_;             // in force: a new stream gets them again
     std::unique_ptr<LibcameraStream> running_;  // after cameras_: goes first
 };
 

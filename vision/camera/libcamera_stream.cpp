@@ -41,7 +41,7 @@ void set_mode(libcamera::StreamConfiguration& stream, const StreamMode& mode) {
     stream.bufferCount = buffers_wanted;
 }
 
-/// Reported in another way since libcamera 0.5, which Raspberry Pi OS has; compiled with 0.7, not
+/// libcamera reports this differently since 0.5, which Raspberry Pi OS has; compiled with 0.7, not
 /// tried.
 std::optional<bool> is_exposure_settled(const libcamera::ControlList& told) {
 #if LIBCAMERA_VERSION_MAJOR == 0 && LIBCAMERA_VERSION_MINOR < 5
@@ -67,7 +67,7 @@ LibcameraStream::LibcameraStream(std::shared_ptr<libcamera::Camera> camera)
     : camera_(std::move(camera)), allocator_(camera_), orders_(controls::controls) {}
 
 LibcameraStream::~LibcameraStream() {
-    // After this no thread of libcamera is in has_completed().
+    // After this, no thread of libcamera is in has_completed().
     if (is_started_) camera_->stop();
     camera_->requestCompleted.disconnect(this);
     requests_.clear();
@@ -136,7 +136,7 @@ Result<void> LibcameraStream::map(const libcamera::FrameBuffer& buffer) {
     return {};
 }
 
-/// Called by libcamera, on its thread.
+/// libcamera calls this on its own thread.
 void LibcameraStream::has_completed(libcamera::Request* request) {
     if (request->status() != libcamera::Request::RequestComplete) return;
     const std::lock_guard lock(mutex_);
@@ -161,8 +161,8 @@ void LibcameraStream::order(LoopOrder order) {
     }
 }
 
-/// The request asks for the buffer of its number; a still uses the first of its stream, and no
-/// second is asked for before it came.
+/// The request takes the buffer of its number. A still takes the first of its stream, and no second
+/// one is requested before it came.
 void LibcameraStream::queue(libcamera::Request& request) {
     request.reuse();
     const auto* preview = configuration_->at(0).stream();
@@ -198,7 +198,7 @@ TakenFrame LibcameraStream::copy_of(const libcamera::Request& request) const {
     return taken;
 }
 
-/// Frames that nobody took in time go back unseen, but a still is never passed over.
+/// Frames that nobody took in time go back unseen, but a still is never skipped.
 std::optional<TakenFrame> LibcameraStream::take() {
     std::vector<libcamera::Request*> completed;
     {

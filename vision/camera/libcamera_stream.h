@@ -1,5 +1,5 @@
-// One run of a camera's stream or two: buffers, requests, the newest frame. Private to
-// vision/camera. Threads: one caller, beside libcamera's own thread that calls has_completed().
+// One run of a camera's stream, or of its two: buffers, requests, the newest frame. Private to
+// vision/camera. Threads: one caller, besides libcamera's own thread, which calls has_completed().
 #pragma once
 
 #include "vision/camera/camera_port.h"
@@ -16,7 +16,8 @@ namespace touchline {
 
 class LibcameraStream {
   public:
-    /// Configures, starts and asks for frames. `camera` is acquired and stays so while this lives.
+    /// Configures, starts and requests frames. `camera` is acquired, and stays so while this object
+    /// lives.
     [[nodiscard]] static Result<std::unique_ptr<LibcameraStream>> start(
         std::shared_ptr<libcamera::Camera> camera, const StreamPlan& plan,
         const std::vector<LoopOrder>& orders);
@@ -33,7 +34,7 @@ class LibcameraStream {
     [[nodiscard]] std::optional<TakenFrame> take();
 
   private:
-    /// The memory of a buffer's planes, seen from here.
+    /// The memory of a buffer's planes, mapped into this process.
     struct Mapping {
         std::uint8_t* start = nullptr;
         std::size_t size_bytes = 0;

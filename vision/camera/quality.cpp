@@ -5,7 +5,7 @@
 namespace touchline {
 namespace {
 
-/// Converters and compression end a little below 255.
+/// Converters and compression stop a little below 255.
 constexpr int clipped_from = 253;
 
 }  // namespace

@@ -1,11 +1,11 @@
-// Is a frame sharp, and does light drown it? Threads: pure functions, O(pixels).
+// Measures whether a frame is sharp and not overexposed. Threads: pure functions, O(pixels).
 #pragma once
 
 #include "vision/camera/frame.h"
 
 namespace touchline {
 
-/// Of an 8-bit BGR picture.
+/// Measures an 8-bit BGR picture.
 [[nodiscard]] FrameQuality measure_quality(const cv::Mat& bgr);
 
 }  // namespace touchline

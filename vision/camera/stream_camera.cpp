@@ -9,7 +9,8 @@
 namespace touchline {
 namespace {
 
-/// Stills are judged at the size that outlines are found at: a blur that this hides does no harm.
+/// Stills are judged at the size at which outlines are found: a blur that this size hides does no
+/// harm.
 constexpr std::int64_t judged_pixels = std::int64_t{1024} * 768;
 
 }  // namespace
@@ -32,7 +33,7 @@ void StreamCamera::choose(const std::string& id) {
     sequence_ = CaptureSequence(limits_);
 }
 
-/// The one in use, while it is there; else the wanted one, or any if none is.
+/// Looks for the camera in use; if there is none, for the wanted one, or any.
 bool StreamCamera::is_present() {
     const std::vector<CameraName> cameras = port_->list();
     const auto has = [&](const std::string& id) {
@@ -60,7 +61,7 @@ CameraView StreamCamera::step(double now_s) {
     return view;
 }
 
-/// A frame that cannot be read counts as none: where all are so, the stream is as good as dead.
+/// An unreadable frame counts as none: if all are unreadable, the stream is as good as dead.
 void StreamCamera::read_frame(CaptureInputs& in, CameraView& view) {
     std::optional<TakenFrame> taken = port_->take();
     if (!taken) return;

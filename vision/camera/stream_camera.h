@@ -1,4 +1,4 @@
-// A camera that streams, behind a port: carries out what the capture sequence orders.
+// A camera that streams, behind a port. Carries out the orders of the capture sequence.
 // Threads: one caller.
 #pragma once
 
@@ -37,13 +37,13 @@ class StreamCamera : public Camera {
     CaptureLimits limits_;
     CaptureSequence sequence_;
     std::string wanted_id_;
-    std::string id_;  // of the camera in use, or to be opened
+    std::string id_;  // of the camera in use or to be opened
     std::optional<CameraAbilities> abilities_;
     bool has_just_opened_ = false;
     bool has_refused_ = false;
     bool is_still_wanted_ = false;
-    bool has_given_up_ = false;  // a still of the camera before
-    CameraFrame frame_;          // of this step
+    bool has_given_up_ = false;  // on a still of the camera before
+    CameraFrame frame_;          // this step's
     FrameQuality quality_;
     Still best_;
 };

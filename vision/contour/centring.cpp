@@ -10,11 +10,11 @@ namespace touchline {
 namespace {
 
 constexpr double kStep_px = 0.25;
-constexpr double kNarrowest = 0.5;  // of the width that is known: a sound measurement
+constexpr double kNarrowest = 0.5;  // of the known width: a sound measurement
 constexpr double kWidest = 1.3;
 constexpr int kSmoothingPasses = 3;
 
-/// Bilinear; outside the picture as on its border.
+/// Interpolates bilinearly; outside the picture it returns the value at the border.
 double darkness_at(const cv::Mat1f& darkness, const cv::Point2d& at) {
     const double x = std::clamp(at.x, 0.0, darkness.cols - 1.0);
     const double y = std::clamp(at.y, 0.0, darkness.rows - 1.0);
@@ -36,7 +36,7 @@ bool is_inside(const cv::Mat1f& darkness, const cv::Point2d& at) {
            at.y <= darkness.rows - 0.5;
 }
 
-/// How far the ink goes on from a place in it, at most `far_px`.
+/// Returns how far the ink goes on from a place in it, at most `far_px`.
 std::optional<double> ink_ahead(const cv::Mat1f& darkness, const cv::Point2d& from,
                                 const cv::Point2d& way, double far_px) {
     double before = darkness_at(darkness, from);
@@ -76,7 +76,7 @@ class Centring {
   private:
     int count() const { return static_cast<int>(line_.points.size()); }
 
-    /// The point `i`, round a ring; none beyond an open end.
+    /// Returns point `i`, counted on round a ring; none beyond an open end.
     const EdgePoint* point(int i) const {
         if (line_.is_closed) {
             i = (i % count() + count()) % count();
@@ -161,7 +161,7 @@ class Centring {
 
     /// The end is the first point.
     void move_end(std::vector<EdgePoint>& points) const {
-        // The last half width is bent by the corners of the stroke's end.
+        // The corners of the stroke's end bend the last half width.
         const Ray ray = ray_at(points, false, 0.5 * line_.width_px, 1.5 * line_.width_px + 2.0);
         while (points.size() > 2 && distance(points[1].at, ray.from) > 0.0 &&
                points.front().at != ray.from) {

@@ -1,4 +1,4 @@
-// An edge line in working pixels: the form that linking, corners and ranking pass along.
+// An edge line in working pixels: the form that passes between linking, corners and ranking.
 #pragma once
 
 #include <vector>
@@ -11,22 +11,22 @@ namespace touchline {
 struct EdgePoint {
     cv::Point2d at;
     double strength = 0.0;  // grey levels per pixel
-    bool is_fixed = false;  // a junction, a corner or an end: kept exactly by everything after
-    /// Unit vector across the line towards the lighter side (where lightness does not differ, the
-    /// redder and yellower one); (0, 0) where that is not known.
+    bool is_fixed = false;  // a junction, a corner or an end: every later step keeps it exactly
+    /// Unit vector across the line towards the lighter side (if the lightness is the same, the
+    /// redder and yellower one); (0, 0) if that is not known.
     cv::Vec2f to_light{0.0F, 0.0F};
 };
 
-/// What a line is of: an edge or a stroke; the many short lines inside it; letters in a row; a
+/// What a line shows: an edge or a stroke; the outline of many short lines; letters in a row; a
 /// picture on a page of text; dashes or dots in a row; the main thing of a photograph, and what
 /// lies behind it.
 enum class LineOf { edge, texture, text, figure, dashed, dotted, ring, background };
 
-/// Closed: the last point joins the first, which is not repeated.
+/// If closed, the last point joins the first, which is not repeated.
 struct Chain {
     std::vector<EdgePoint> points;
     bool is_closed = false;
-    double width_px = 0;  // where the line stands for a drawn stroke; else 0
+    double width_px = 0;  // if the line stands for a drawn stroke; else 0
     LineOf of = LineOf::edge;
 };
 
@@ -34,7 +34,7 @@ struct Chain {
     return cv::norm(a - b);
 }
 
-/// Arc length in pixels; a closed chain's closing segment counts.
+/// Returns the arc length in pixels; a closed chain's closing segment counts.
 [[nodiscard]] inline double length_of(const Chain& chain) {
     double sum = 0.0;
     for (std::size_t i = 1; i < chain.points.size(); ++i) {

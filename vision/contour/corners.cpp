@@ -15,7 +15,7 @@ namespace {
 constexpr double kSample_px = 0.5;
 constexpr double kLeastTurn = 35.0 * std::numbers::pi / 180.0;
 constexpr double kGreatestTurn =
-    155.0 * std::numbers::pi / 180.0;    // beyond it, the end of a stroke
+    155.0 * std::numbers::pi / 180.0;    // a sharper turn is the end of a stroke
 constexpr double kLeastCourse_px = 2.5;  // of a course, to fit a line
 constexpr double kCourseSpan_px = 7.0;
 constexpr double kCourseStraight_px = 0.25;  // rms about the fitted line
@@ -53,7 +53,7 @@ class Run {
         }
     }
 
-    /// The samples, with sharp corners.
+    /// Returns the samples, with sharp corners.
     std::vector<EdgePoint> sharpened(const Accepts& accepts) const {
         const std::vector<int> apexes = turning_points();
         std::vector<Corner> corners;
@@ -70,7 +70,8 @@ class Run {
   private:
     int count() const { return static_cast<int>(samples_.size()); }
 
-    /// As many as a run may have: the steps of a very short one are as short as it is.
+    /// Returns at most the largest number that a run may have: a very short one has very short
+    /// steps.
     int samples_in(double length_px) const {
         constexpr double kMost = 1e8;
         return static_cast<int>(std::min(length_px / step_px_, kMost));
@@ -83,7 +84,8 @@ class Run {
         return samples_[static_cast<std::size_t>(is_ring_ ? (i % n + n) % n : i)];
     }
 
-    /// Angle by which the chords over `reach` samples before and after i differ; 0 near an end.
+    /// Returns the angle by which the chords over `reach` samples before and after i differ; 0 near
+    /// an end.
     double turn_at(int i, int reach) const {
         if (!has(i - reach) || !has(i + reach)) {
             return 0.0;
@@ -93,7 +95,7 @@ class Run {
         return std::abs(std::atan2(in.cross(out), in.dot(out)));
     }
 
-    /// Strongest turns, none within the reach of a stronger one.
+    /// Returns the strongest turns, none within the reach of a stronger one.
     std::vector<int> turning_points() const {
         const int reach = std::max(2, samples_in(2.5 * blur_px_ + 1.0));
         std::vector<double> turns(samples_.size(), 0.0);
@@ -121,7 +123,8 @@ class Run {
         return apexes;
     }
 
-    /// Samples between an apex and its neighbour on one side (or the end of the run).
+    /// Returns the number of samples between an apex and its neighbour on one side (or the run's
+    /// end).
     int room(const std::vector<int>& apexes, std::size_t i, int side) const {
         const std::size_t n = apexes.size();
         const int here = apexes[i];
@@ -136,7 +139,7 @@ class Run {
         return here - (i > 0 ? apexes[i - 1] : 0);
     }
 
-    /// Line through the samples `skip` ... `skip + span` away from the apex, away from its
+    /// Fits a line through the samples `skip` ... `skip + span` away from the apex, clear of its
     /// neighbour too.
     std::optional<FittedCourse> course(int apex, int side, int room, double skip_px) const {
         const int skip = std::min(samples_in(skip_px), (2 * room) / 5);
@@ -172,7 +175,7 @@ class Run {
         return fit;
     }
 
-    /// How far from a vertex the blur bends the sides, by the angle between them.
+    /// Returns how far from a vertex the blur bends the sides, by the angle between them.
     double bent_px(double turn) const {
         return blur_px_ * std::clamp(1.5 / std::cos(0.5 * turn), 2.0, 6.0);
     }
@@ -183,7 +186,7 @@ class Run {
         std::optional<FittedCourse> in;
         std::optional<FittedCourse> out;
         double turn = 0.0;
-        for (int pass = 0; pass < 2; ++pass) {  // the second knows the angle
+        for (int pass = 0; pass < 2; ++pass) {  // the second pass knows the angle
             in = course(apex, -1, room_before, skip_px);
             out = course(apex, 1, room_after, skip_px);
             if (!in || !out ||
@@ -208,7 +211,7 @@ class Run {
         return rounding_px <= explained_px ? std::optional(corner) : std::nullopt;
     }
 
-    /// Where the courses cross, after the first and before the second.
+    /// Returns where the courses cross, after the first and before the second.
     static std::optional<cv::Point2d> crossing(const FittedCourse& in, const FittedCourse& out) {
         const cv::Point2d between = out.centre - in.centre;
         const double sine = in.direction.cross(out.direction);
@@ -240,7 +243,7 @@ class Run {
         return kept;
     }
 
-    /// Of a sample, counted on round a ring.
+    /// The index of a sample, counted on round a ring.
     std::size_t index(int i) const {
         return static_cast<std::size_t>((i % count() + count()) % count());
     }

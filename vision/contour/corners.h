@@ -1,4 +1,4 @@
-// Corners that smoothing has rounded, put back.
+// Restores corners that smoothing has rounded.
 // Threads: pure function, O(points).
 #pragma once
 
@@ -8,15 +8,15 @@
 
 namespace touchline {
 
-/// The blur of a drawing's edges, by whatever painted or scanned it (Gaussian sigma).
+/// The blur of a drawing's edges, from the program or scanner that made it (Gaussian sigma).
 inline constexpr double kDrawingBlur_px = 0.7;
 
-/// Where a line turns by more than 35 degrees within the reach of the blur and its course before
-/// and after is straight, the rounded stretch is replaced by the crossing of the two courses, a
-/// fixed point. Courses are lines fitted beyond the blur. A corner that is rounder than `blur_px`
-/// (Gaussian sigma of picture and smoothing together) explains is a round one and stays as it is.
-/// Fixed points stay, and a chain without length or points. A corner that `accepts`, asked with its
-/// place and the turn in radians, refuses stays as it is.
+/// Replaces a rounded stretch by the crossing of the courses before and after it, a fixed point, if
+/// the line turns by more than 35 degrees within the reach of the blur and both courses are
+/// straight. Courses are lines fitted beyond the blur. A corner that is rounder than `blur_px`
+/// explains (Gaussian sigma of picture and smoothing together) is really round and stays as it is.
+/// Fixed points stay, as does a chain without length or points. `accepts` gets a corner's place and
+/// its turn in radians; a corner that it refuses stays as it is.
 [[nodiscard]] Chain with_sharp_corners(
     const Chain& chain, double blur_px,
     const std::function<bool(const cv::Point2d&, double)>& accepts = [](const cv::Point2d&,

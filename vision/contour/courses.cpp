@@ -7,14 +7,14 @@
 namespace touchline {
 namespace {
 
-constexpr double kDeep = 1.12;         // times the stroke's own depth, and more: ink of two strokes
-constexpr double kDeepSlack_px = 0.8;  // whole pixels: a slanting stroke is now 2, now 2.8 deep
+constexpr double kDeep = 1.12;  // times the stroke's own depth: deeper ink belongs to two strokes
+constexpr double kDeepSlack_px = 0.8;    // whole pixels: a slanting stroke is now 2, now 2.8 deep
 constexpr double kSpanOverDepth = 12.0;  // of a course, at most: the longer, the surer
 constexpr double kEndSpan_px = 24.0;
 constexpr double kLeastEnd_px = 3.0;
 constexpr double kStraightEnd_px = 0.7;  // rms about the fitted line
 constexpr double kOwnPart = 0.3;         // of an arm's depths: half the width of its stroke
-constexpr double kLongOverDepth = 6.0;   // shorter arms tell nothing of it
+constexpr double kLongOverDepth = 6.0;   // shorter arms do not show it
 
 double quantile_of(std::vector<float> values, double part) {
     if (values.empty()) return 1.0;
@@ -24,7 +24,7 @@ double quantile_of(std::vector<float> values, double part) {
     return std::max(1.0, static_cast<double>(*at));
 }
 
-/// Least squares through the points between from_px and from_px + span_px of arc length.
+/// Fits by least squares through the points between from_px and from_px + span_px of arc length.
 std::pair<Ray, double> fitted(const Chain& arm, EndId end, double from_px, double span_px) {
     std::vector<cv::Point2d> part;
     double passed_px = 0.0;
@@ -86,7 +86,8 @@ Courses::Courses(const Skeleton& skeleton, const cv::Mat1f& depth,
     for (EndId end = 0; end < 2 * skeleton.arms.size(); ++end) courses_.push_back(course_at(end));
 }
 
-/// Where the ink is that of one stroke; half of the arm at most, for the other end has its own.
+/// Returns where the ink is that of one stroke; at most half of the arm, because the other end has
+/// its own.
 double Courses::flowed_px(EndId end) const {
     const std::vector<EdgePoint>& points = skeleton_.arms[chain_of(end)].points;
     const std::vector<float>& depths = depths_[chain_of(end)];

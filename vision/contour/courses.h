@@ -1,4 +1,4 @@
-// Which way strokes go before they come to where they meet.
+// The directions of strokes before they come to where they meet.
 // Threads: values.
 #pragma once
 
@@ -17,28 +17,28 @@ struct Course {
     double from_px = 0.0;  // along the arm from the end
 };
 
-/// How deep the ink is at each point of an arm.
+/// Returns how deep the ink is at each point of an arm.
 [[nodiscard]] std::vector<float> depths_of(const Chain& arm, const cv::Mat1f& depth);
 
-/// Half the width of the stroke that an arm with such depths is of.
+/// Returns half the width of the stroke that an arm with these depths belongs to.
 [[nodiscard]] double stroke_depth_px(const std::vector<float>& depths);
 
-/// Deeper, and the ink is not that of one such stroke.
+/// Ink deeper than this is not that of one such stroke.
 [[nodiscard]] double flowed_depth_px(double stroke_depth_px);
 
-/// The courses of all ends of a skeleton. Refers to the skeleton it was made from.
+/// The courses of all ends of a skeleton. Refers to the skeleton that it was made from.
 class Courses {
   public:
-    /// As joints_of() of joints.h. O(points of the arms).
+    /// As joints_of() in joints.h. O(points of the arms).
     Courses(const Skeleton& skeleton, const cv::Mat1f& depth, std::vector<double> usual_depth_px);
 
-    /// Nothing where the arm is bent, or all flowed together.
+    /// Returns nothing if the arm is bent or all flowed together.
     [[nodiscard]] const std::optional<Course>& at(EndId end) const { return courses_[end]; }
 
-    /// Half the width of the stroke that the arm is of.
+    /// Returns half the width of the stroke that the arm belongs to.
     [[nodiscard]] double depth_px(EndId end) const { return own_depth_px_[chain_of(end)]; }
 
-    /// At each point of an arm.
+    /// Returns the depth at each point of an arm.
     [[nodiscard]] const std::vector<float>& depths(std::size_t arm) const { return depths_[arm]; }
 
   private:

@@ -32,8 +32,8 @@ constexpr std::size_t kMostAtTip = 4;      // so near
 constexpr std::size_t kMostPieces = 2000;  // more are grain, or a tone that is printed in dots
 constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
-/// A dash or a dot. Its two ends are EndIds of its place in the list of pieces; those of a dot
-/// point nowhere.
+/// A dash or a dot. Its two ends are EndIds of its place in the list of pieces; a dot's ends point
+/// nowhere.
 struct Piece {
     std::size_t line = 0;
     std::vector<EdgePoint> way;  // the middle line of a dash; of a dot its middle
@@ -44,7 +44,7 @@ struct Piece {
     [[nodiscard]] const cv::Point2d& middle() const { return way[way.size() / 2].at; }
 };
 
-/// A ring of ink: a dot, or a dash too short to have been a stroke.
+/// Returns a ring of ink as a piece: a dot, or a dash too short to have been a stroke.
 std::optional<Piece> piece_of_ring(const Chain& line, std::size_t number, double mm_px) {
     std::vector<cv::Point2f> points;
     for (const EdgePoint& p : line.points) {
@@ -96,7 +96,7 @@ std::vector<Piece> pieces_of(const std::vector<Chain>& lines, double mm_px) {
     return pieces;
 }
 
-/// What lies between the ink of two pieces.
+/// The gap between the ink of two pieces.
 struct Gap {
     double length_px = 0.0;             // along the way
     std::optional<cv::Point2d> corner;  // where the courses of the two meet, off the straight way
@@ -160,7 +160,7 @@ class Joiner {
         return is_back(end) ? piece(end).way.back().at : piece(end).way.front().at;
     }
 
-    /// Outward, as far back as the dash is straight.
+    /// The direction outward, as far back as the dash is straight.
     [[nodiscard]] cv::Point2d straight_direction(EndId end) const {
         const std::vector<EdgePoint>& way = piece(end).way;
         double straight_px = 0.0;
@@ -178,7 +178,7 @@ class Joiner {
 
     [[nodiscard]] const cv::Point2d& direction(EndId end) const { return directions_[end]; }
 
-    /// How far the ink goes beyond an end.
+    /// Returns how far the ink goes beyond an end.
     [[nodiscard]] double beyond_px(EndId end) const { return 0.5 * piece(end).width_px; }
 
     [[nodiscard]] Gap gap_between(EndId a, EndId b) const {
@@ -209,12 +209,13 @@ class Joiner {
         return {0.5 * (bent.length_px - pieces_[bent.dash].length_px), corner, bent.dash};
     }
 
-    /// What lies before the i-th piece of a way; before the first, what leads to it from the last.
+    /// Returns the gap before the i-th piece of a way; before the first, the one from the last
+    /// piece.
     [[nodiscard]] Gap gap_before(const std::vector<EndId>& way, std::size_t i) const {
         return gap_between(way[(i + way.size() - 1) % way.size()] ^ 1U, way[i]);
     }
 
-    /// A dash that is bent round a sharp corner is as wide as it is long.
+    /// Returns the dot at a corner: a dash bent round a sharp corner is as wide as it is long.
     [[nodiscard]] std::size_t dot_at(const cv::Point2d& corner) const {
         const auto at = std::ranges::find_if(pieces_, [&](const Piece& piece) {
             return piece.is_dot && distance(piece.middle(), corner) <= 0.75 * piece.length_px;
@@ -226,8 +227,8 @@ class Joiner {
         return piece(end).is_dot ? 0.0 : angle_between(direction(end), way);
     }
 
-    /// Dots with many others about as near as the second lie in a field, and so do those at its
-    /// rim. A sharp tip of a line has three or four.
+    /// Dots with many others about as near as the second lie in a field, as do those at its rim. A
+    /// sharp tip of a line has three or four.
     void find_fields() {
         std::vector<bool> is_amid(pieces_.size(), false);
         std::vector<std::vector<std::size_t>> nearest(pieces_.size());
@@ -264,7 +265,7 @@ class Joiner {
             directions_.push_back(straight_direction(end));
         }
         link_where(kWidestGap_mm * mm_px_, kMostTurnAtDot, [](EndId) { return true; });
-        // What was begun goes on round a sharp tip of dots, or past a dash that was lost.
+        // Continues what was begun round a sharp tip of dots, or past a missing dash.
         link_where(usual_pitch_px(), kMostTurnAtTip,
                    [&](EndId end) { return to_[end] != kNobody || to_[end ^ 1U] != kNobody; });
     }
@@ -296,7 +297,7 @@ class Joiner {
         }
     }
 
-    /// From one piece across the next to the one after it, in the middle of all; at least the
+    /// Returns the median distance from one piece across the next to the one after it; at least the
     /// widest gap.
     [[nodiscard]] double usual_pitch_px() const {
         std::vector<double> pitches;
@@ -315,7 +316,7 @@ class Joiner {
         return std::max(widest_px, *middle);
     }
 
-    /// Short dashes may pass for dots: then they are as long as those that do not.
+    /// Short dashes may look like dots; then they are as long as those that do not.
     [[nodiscard]] static bool are_of_a_kind(const Piece& one, const Piece& other) {
         constexpr double kAsLong = 0.2;
         return one.is_dot == other.is_dot || std::abs(one.length_px - other.length_px) <=
@@ -343,7 +344,7 @@ class Joiner {
         }
     }
 
-    /// A dot's end that is not taken yet.
+    /// Returns a dot's end that is not taken yet.
     [[nodiscard]] EndId free_end(EndId end) const {
         return piece(end).is_dot && to_[end] != kNobody ? end ^ 1U : end;
     }
@@ -361,7 +362,7 @@ class Joiner {
         return angle_between(before, place(to) - place(from)) < most_turn;
     }
 
-    /// The ends by which the pieces are entered, from an end, or round.
+    /// Returns the ends through which the pieces are entered, from an end, or round.
     [[nodiscard]] std::vector<EndId> walked(std::size_t piece, std::vector<bool>& is_walked) const {
         std::vector<EndId> way;
         EndId in = to_[front_of(piece)] == kNobody ? front_of(piece) : back_of(piece);
@@ -417,7 +418,7 @@ class Joiner {
             if (is_back(way[i])) {
                 std::ranges::reverse(points);
             }
-            points.front().is_fixed = false;  // what was an end is none any more
+            points.front().is_fixed = false;  // no longer an end
             points.back().is_fixed = false;
             if (is_ring || i > 0) {
                 add_corner(gap_before(way, i), line);

@@ -28,8 +28,8 @@ std::vector<EdgePoint> part(const std::vector<EdgePoint>& points, std::size_t fr
             points.begin() + static_cast<std::ptrdiff_t>(to)};
 }
 
-/// How a stripe's middle goes on beyond the stripe: where both sides run into one point, straight
-/// there, else along the side that runs on longer.
+/// Continues a stripe's middle beyond the stripe: straight if both sides run into one point, else
+/// along the side that runs on longer.
 std::vector<EdgePoint> run_on(std::vector<EdgePoint> a, std::vector<EdgePoint> b, bool at_front) {
     const auto last = [&](const std::vector<EdgePoint>& run) {
         return at_front ? run.front() : run.back();
@@ -99,8 +99,8 @@ class Merger {
         return line.has_value();
     }
 
-    /// The line in the middle; nothing where the sides hardly face each other. Turns the sides so
-    /// that they run the same way.
+    /// Returns the line in the middle; nothing if the sides hardly face each other. Turns the sides
+    /// so that they run the same way.
     std::optional<Chain> merged(Chain& side, Chain& opposite, Stripe stripe,
                                 double width_px) const {
         std::vector<Middle> middles = middles_of(side, opposite, stripe);
@@ -135,7 +135,7 @@ class Merger {
         return line;
     }
 
-    /// Where `side` faces `opposite`, along `side`.
+    /// Returns where `side` faces `opposite`, along `side`.
     std::vector<Middle> middles_of(const Chain& side, const Chain& opposite, Stripe stripe) const {
         const std::vector<Chain> other{opposite};
         const PointGrid grid(other, picture_, widest_px_);
@@ -153,7 +153,7 @@ class Merger {
         return middles;
     }
 
-    /// A ring's longest stretch without the other side comes last.
+    /// Puts a ring's longest stretch without the other side last.
     static void begin_after_longest_break(Chain& ring, std::vector<Middle>& middles) {
         const std::size_t n = ring.points.size();
         std::size_t begin = 0;
@@ -174,7 +174,7 @@ class Merger {
         }
     }
 
-    /// The fixed points of a line that is gone are now on the new one, wherever they are shared.
+    /// Moves the fixed points of a removed line onto the new one, wherever they are shared.
     void move_fixed_points(const Chain& old, Chain& line) {
         for (const EdgePoint& point : old.points) {
             if (!point.is_fixed) {

@@ -19,14 +19,14 @@ struct Profile {
 };
 
 /// Whether the strength rises along the normal. A slope of exactly 0 counts as one whose maximum
-/// lies a hair to the right (then below): the same answer for either sign of the normal.
+/// lies a hair to the right (or below): the same answer for either sign of the normal.
 bool is_rising(float slope, const cv::Vec2f& normal) {
     return slope > 0.0F ||
            (slope == 0.0F && (normal[0] > 0.0F || (normal[0] == 0.0F && normal[1] > 0.0F)));
 }
 
-/// A point where a line crosses an edge of the pixel grid, with its (at most two) neighbours on the
-/// line, one through each cell at that grid edge.
+/// A point where a line crosses an edge of the pixel grid, with its neighbours on the line: at most
+/// two, one through each cell at that grid edge.
 struct Crossing {
     EdgePoint point;
     std::array<int, 2> next{kNone, kNone};
@@ -41,7 +41,7 @@ class LineTracer {
         find_and_link();
         std::vector<Chain> chains;
         std::vector<bool> used(crossings_.size(), false);
-        for (const bool ends_only : {true, false}) {  // open lines from their ends, then the rings
+        for (const bool ends_only : {true, false}) {  // open lines from their ends, then rings
             for (std::size_t i = 0; i < crossings_.size(); ++i) {
                 const bool is_end = crossings_[i].next[1] == kNone;
                 if (!used[i] && (is_end || !ends_only)) {
@@ -70,7 +70,7 @@ class LineTracer {
                 n[0] * n[0] * dxx + 2.0F * n[0] * n[1] * dxy + n[1] * n[1] * dyy, n};
     }
 
-    /// The crossing on the grid edge from pixel a to pixel b, or kNone.
+    /// Returns the crossing on the grid edge from pixel a to pixel b, or kNone.
     int crossing_between(cv::Point a, cv::Point b) {
         const float strength_a = field_.strength(a);
         const float strength_b = field_.strength(b);
@@ -101,7 +101,8 @@ class LineTracer {
         return static_cast<int>(crossings_.size()) - 1;
     }
 
-    /// Row by row: crossings on the grid edges of a row of cells, then the links through its cells.
+    /// Goes row by row: crossings on the grid edges of a row of cells, then the links through its
+    /// cells.
     void find_and_link() {
         const int cols = field_.strength.cols;
         const int rows = field_.strength.rows;
@@ -127,8 +128,8 @@ class LineTracer {
         return ids;
     }
 
-    /// Two crossings of a cell are one line. Of three or four the closest two are joined first,
-    /// then what is left; a third stays an end.
+    /// Two crossings of a cell are one line. Of three or four, the closest two are joined first,
+    /// then the rest; a third stays an end.
     void link_through_cell(const std::array<int, 4>& sides) {
         std::array<int, 4> ids{};
         std::size_t count = 0;
@@ -165,7 +166,7 @@ class LineTracer {
 
     const Crossing& crossing(int id) const { return crossings_[static_cast<std::size_t>(id)]; }
 
-    /// From a crossing along the line until it ends or comes round.
+    /// Follows the line from a crossing until it ends or comes round.
     Chain follow(int start, std::vector<bool>& used) const {
         Chain chain;
         int previous = kNone;

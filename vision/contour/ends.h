@@ -1,4 +1,4 @@
-// The ends of lines, and finding what is near them.
+// The ends of lines, and how to find what is near them.
 // Threads: values.
 #pragma once
 
@@ -31,7 +31,7 @@ using EndId = std::size_t;
     return end % 2 == 1;
 }
 
-/// A point as a key: arms of a junction share theirs bit for bit.
+/// A point as a key: the arms of a junction share theirs, bit for bit.
 using Place = std::pair<double, double>;
 
 [[nodiscard]] inline Place place_of(const cv::Point2d& p) {
@@ -44,25 +44,26 @@ struct Ray {
     cv::Point2d direction;  // unit vector, outward
 };
 
-/// The direction of the line near an end, from its points between `skip_px` and `skip_px + span_px`
-/// of arc length from the end (fewer on a short line); `from` is the first of them.
+/// Returns the direction of the line near an end, from its points between `skip_px` and `skip_px +
+/// span_px` of arc length from the end (fewer on a short line); `from` is the first of them.
 [[nodiscard]] Ray ray_at(const std::vector<EdgePoint>& line, bool at_back, double skip_px,
                          double span_px);
 
-/// Angle between two directions, 0 to pi.
+/// Returns the angle between two directions, 0 to pi.
 [[nodiscard]] double angle_between(const cv::Point2d& a, const cv::Point2d& b);
 
-/// Angle by which whoever comes along the one ray turns to leave along the other, 0 to pi.
+/// Returns the angle by which a line coming along the one ray turns to leave along the other, 0 to
+/// pi.
 [[nodiscard]] double turn(const Ray& in, const Ray& out);
 
-/// A line that turns by less, in radians, goes straight on.
+/// A line that turns by less than this, in radians, goes straight on.
 inline constexpr double kStraightOn = 30.0 * std::numbers::pi / 180.0;
 
-/// Where the lines along some rays cross, in least squares; nothing where the determinant is below
-/// `least`: for two rays, the square of the sine between them.
+/// Returns the least-squares crossing of the lines along some rays; nothing if the determinant is
+/// below `least`. For two rays it is the square of the sine between them.
 [[nodiscard]] std::optional<cv::Point2d> crossing_of(const std::vector<Ray>& rays, double least);
 
-/// Where a point of a chain lies in the list of chains.
+/// The place of a point in a list of chains.
 struct PointRef {
     std::size_t chain = 0;
     std::size_t index = 0;
@@ -71,10 +72,10 @@ struct PointRef {
 /// All points of some chains in square cells, for range queries. Holds no reference to the chains.
 class PointGrid {
   public:
-    /// cell_px > 0: about the radius that will be asked for.
+    /// cell_px > 0 should be about the radius of the queries.
     PointGrid(const std::vector<Chain>& chains, cv::Size picture, double cell_px);
 
-    /// Points in the cells that the disc touches: a superset of those within the radius.
+    /// Visits the points in the cells that the disc touches: a superset of those within the radius.
     template <class Visit>
     void near(const cv::Point2d& centre, double radius_px, Visit&& visit) const {
         const int left = column(centre.x - radius_px);

@@ -24,8 +24,8 @@ struct Faced {
     double widths_px = 0.0;
 };
 
-/// Of `across`, pairs of points of a ring of n, most have one on either side when it is begun at
-/// `tip`.
+/// The best place to begin a ring of n points, and how many of the pairs of points in `across` then
+/// have one point in either half.
 struct Tip {
     std::size_t tip = 0;
     std::size_t parted = 0;

@@ -1,4 +1,4 @@
-// Points of lines that face each other across a narrow stripe, as its two edges do.
+// Finds points of lines that face each other across a narrow stripe, as its two edges do.
 // Threads: pure functions.
 #pragma once
 
@@ -19,12 +19,12 @@ struct Facing {
     double width_px = 0.0;
 };
 
-/// The stripe between two edge points: they are edges of one if their light sides are opposite
-/// (within 30 degrees) and the way over runs across both (within 35 degrees).
+/// Returns the stripe between two edge points: they are edges of one if their light sides are
+/// opposite (within 30 degrees) and the way over runs across both (within 35 degrees).
 [[nodiscard]] std::optional<Stripe> stripe_between(const EdgePoint& p, const EdgePoint& q);
 
-/// The nearest of the chains' points (all in `grid`) that faces `p` at less than `widest_px`;
-/// `may_face` chooses among them by PointRef.
+/// Returns the nearest of the chains' points (all in `grid`) that faces `p` at less than
+/// `widest_px`; `may_face` chooses among them by PointRef.
 template <class MayFace>
 std::optional<Facing> facing(const EdgePoint& p, const std::vector<Chain>& chains,
                              const PointGrid& grid, double widest_px, MayFace&& may_face) {
@@ -52,19 +52,19 @@ struct FacingPair {
     double width_px = 0.0;  // mean
 };
 
-/// All such pairs, narrowest first; each point faces the nearest line only.
+/// Returns all such pairs, narrowest first; each point faces the nearest line only.
 [[nodiscard]] std::vector<FacingPair> facing_pairs(const std::vector<Chain>& chains,
                                                    cv::Size picture, double widest_px);
 
 /// A ring round a stripe.
 struct ThinRing {
-    std::size_t tip = 0;  // begun here, its two halves (by points) are the stripe's sides
+    std::size_t tip = 0;  // if begun here, its two halves (by points) are the stripe's sides
     Stripe stripe = Stripe::dark;
     double width_px = 0.0;  // mean
 };
 
-/// Whether a ring's halves face each other along more than 70 % of them, over less than a third of
-/// their length.
+/// Returns the ring if its halves face each other along more than 70 % of them, over less than a
+/// third of their length.
 [[nodiscard]] std::optional<ThinRing> thin_ring(const std::vector<Chain>& chains, std::size_t ring,
                                                 const PointGrid& grid, double widest_px);
 

@@ -12,14 +12,14 @@
 namespace touchline {
 namespace {
 
-constexpr float kFlatStep = 0.3F;       // of the two colours' difference: less is no step
-constexpr float kLeastBeside = 0.3F;    // of the change at the border, on either side of it
+constexpr float kFlatStep = 0.3F;       // share of the two colours' difference: less is no step
+constexpr float kLeastBeside = 0.3F;    // share of the change at the border, on either side of it
 constexpr float kBothBeside = 1.0F;     // on both together
 constexpr double kTrue = 60.0;          // grey levels off the region's colour
-constexpr double kPlateauSpread = 4.0;  // grey levels off the region's colour: of a plateau
-constexpr double kMostlyPlateau = 0.6;  // of its pixels; of a band in a gradient half are
+constexpr double kPlateauSpread = 4.0;  // grey levels off the region's colour, for a plateau
+constexpr double kMostlyPlateau = 0.6;  // of its pixels; in a band of a gradient it is half
 constexpr double kMostlySoft = 0.75;    // of a border
-constexpr double kWidestBlur_px = 8.0;  // a wider band between two plateaus is no blurred step
+constexpr double kWidestBlur_px = 8.0;  // a wider band between two plateaus is not a blurred step
 constexpr std::ptrdiff_t kMostRegions = 1500;  // more are grain: nothing but specks
 constexpr std::size_t kMostColours = 256;
 constexpr int kReach_px = 4;
@@ -31,7 +31,7 @@ struct Pair {
     cv::Point at;
     cv::Point along;  // to the other one
     bool is_soft = false;
-    bool is_step = false;  // a blurred one at least
+    bool is_step = false;  // at least a blurred one
 };
 
 /// Pairs along the border of two regions.
@@ -51,7 +51,7 @@ Regions both(std::size_t a, std::size_t b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
-/// Without the parts that are not long either way.
+/// Removes the parts that are not long in either direction.
 cv::Mat1b without_short_parts(const cv::Mat1b& mask) {
     cv::Mat1i label;
     cv::Mat1i stats;
@@ -76,7 +76,7 @@ class Fading {
         }
     }
 
-    /// Gives the borders that are left without a step.
+    /// Joins the regions and returns the remaining borders without a step.
     cv::Mat1b join() {
         const auto regions = std::ranges::count_if(
             runs_, [&](const Run& run) { return &run == &runs_[run.region]; });
@@ -98,7 +98,7 @@ class Fading {
     }
 
   private:
-    /// Regions that are of one colour, but for their rims.
+    /// Finds regions of a single colour, except at their rims.
     void find_plateaus() {
         is_plateau_.assign(runs_.size(), false);
         pixels_.assign(runs_.size(), 0);
@@ -141,7 +141,7 @@ class Fading {
         pairs_.push_back({p, along, is_soft(p, along), is_step(p, along)});
     }
 
-    /// A border is soft where most of it nearby is: single pixels tell little.
+    /// A border is soft if most of it nearby is, because single pixels show little.
     void ask_neighbours() {
         cv::Mat1f votes(map_.size(), 0.0F);
         for (const Pair& pair : pairs_) {
@@ -154,7 +154,8 @@ class Fading {
         }
     }
 
-    /// Stretches of what is still a border, but of a blurred one between two even areas.
+    /// Returns stretches that are still a border, except those of a blurred one between two even
+    /// areas.
     [[nodiscard]] cv::Mat1b soft_borders() const {
         cv::Mat1b soft(map_.size(), uchar{0});
         for (const Pair& pair : pairs_) {
@@ -168,7 +169,7 @@ class Fading {
         return without_short_parts(soft);
     }
 
-    /// Not of a speck that something else has grown over.
+    /// False for a speck that something else has grown over.
     [[nodiscard]] bool is_true(const cv::Point& p) const {
         return cv::norm(lab_(p) - palette_[map_(p)]) < kTrue;
     }
@@ -177,7 +178,8 @@ class Fading {
         return static_cast<std::size_t>(region_(p));
     }
 
-    /// Whether colours change beside the border as they do across it, or hardly change across it.
+    /// Returns whether colours change beside the border as they do across it, or hardly change
+    /// across it.
     [[nodiscard]] bool is_soft(const cv::Point& p, const cv::Point& along) const {
         const cv::Vec3f& before = lab_(p - along);
         const cv::Vec3f& after = lab_(p + 2 * along);
@@ -188,7 +190,7 @@ class Fading {
         if (std::max(step, at_once) < kFlatStep * static_cast<float>(cv::norm(colours))) {
             return true;
         }
-        if (step <= at_once) {  // a line of a pixel or two: what is beyond it is as before it
+        if (step <= at_once) {  // a line of a pixel or two: beyond it the colour is as before it
             return false;
         }
         const float on = (lab_(p + (kReach_px + 1) * along) - after).dot(across) / step;
@@ -196,7 +198,7 @@ class Fading {
         return std::min(on, back) >= kLeastBeside * step && on + back >= kBothBeside * step;
     }
 
-    /// Whether half the difference of the two colours lies near the border.
+    /// Returns whether half the difference of the two colours lies near the border.
     [[nodiscard]] bool is_step(const cv::Point& p, const cv::Point& along) const {
         const cv::Vec3f colours = palette_[map_(p + along)] - palette_[map_(p)];
         const cv::Vec3f nearby =
@@ -235,13 +237,13 @@ class Fading {
         return region;
     }
 
-    /// Wider than a blur: its two sides are its border.
+    /// True if wider than a blur: its two sides are its border.
     [[nodiscard]] bool is_broad(std::size_t region) const {
         return 2.0 * pixels_[region] > kWidestBlur_px * border_[region];
     }
 
-    /// The second becomes part of the first, its borders too. A plateau and the blur of its rim are
-    /// a plateau; one that goes over into a broad slope is a part of that.
+    /// Makes the second region part of the first, with its borders. A plateau and the blur of its
+    /// rim are a plateau; one that blends into a broad slope is a part of that.
     void take_in(std::size_t whole, std::size_t part) {
         part_of_[part] = whole;
         const auto stays = [this](std::size_t region) {
@@ -270,7 +272,7 @@ class Fading {
         }
     }
 
-    /// Each whole in a colour of its own; the largest region, the ground, keeps its colour.
+    /// Paints each joined region in its own colour; the largest one, the ground, keeps its colour.
     void paint() {
         std::map<std::size_t, std::pair<cv::Vec3f, int>> sums;  // of each region's pixels
         for (const Run& run : runs_) {
@@ -319,7 +321,7 @@ class Fading {
     std::vector<Run> runs_;
     cv::Mat1i region_;
     std::vector<Pair> pairs_;
-    // Of regions, and of what has taken them in.
+    // For each region, and for the one that has taken it in.
     std::vector<bool> is_plateau_;
     std::vector<int> pixels_;
     std::vector<int> border_;  // pixels beside others, all counted once for each

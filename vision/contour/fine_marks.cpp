@@ -13,13 +13,13 @@ namespace touchline {
 namespace {
 
 constexpr int kAround_px = 9;          // where a mark's own darkest point is looked for
-constexpr double kOfItsDarkest = 0.4;  // half of it is lost where a hair lies between two pixels
+constexpr double kOfItsDarkest = 0.4;  // half is lost if a hair lies between two pixels
 constexpr int kBeside_px = 3;          // from a border: mixtures of both colours
-constexpr double kMostUneven = 0.2;    // of an area's pixels; more, and it is no flat colour
+constexpr double kMostUneven = 0.2;    // of an area's pixels; with more it is not a flat colour
 constexpr int kJustOutside_px = 2;
-constexpr double kFadedOut = 0.4;        // of the contrast within: less just outside of a mark
-constexpr double kMostlyCrisp = 0.6;     // of what is just outside
-constexpr int kLeastPixels = 8;          // fewer are a speck
+constexpr double kFadedOut = 0.4;     // of the contrast within: this little just outside of a mark
+constexpr double kMostlyCrisp = 0.6;  // of what is just outside
+constexpr int kLeastPixels = 8;       // fewer are a speck
 constexpr double kLongerThanDash = 2.3;  // of the greatest width: longer than a dash
 
 cv::Mat square(int half_px) {
@@ -36,7 +36,7 @@ cv::Mat1f contrast_to(const LabPicture& lab, const Areas& areas) {
     return contrast;
 }
 
-/// Pixels near which another area begins.
+/// Returns the pixels near which another area begins.
 cv::Mat1b near_borders(const cv::Mat1b& map, int within_px) {
     cv::Mat1b low;
     cv::Mat1b high;
@@ -45,7 +45,7 @@ cv::Mat1b near_borders(const cv::Mat1b& map, int within_px) {
     return cv::Mat(low != high);
 }
 
-/// Pixels of areas that are of one colour, but for few of them.
+/// Returns the pixels of areas that have a single colour, except for a few pixels.
 cv::Mat1b on_even_areas(const cv::Mat1b& map, const cv::Mat1b& differs) {
     std::array<int, 256> all{};
     std::array<int, 256> uneven{};
@@ -72,7 +72,7 @@ double strongest_of(const Areas& areas) {
     return strongest;
 }
 
-/// What is known of a piece of ink.
+/// The measurements of a piece of ink.
 struct PieceOfInk {
     cv::Point low{1 << 30, 1 << 30};
     cv::Point high{-1, -1};
@@ -80,7 +80,7 @@ struct PieceOfInk {
     float deepest_px = 0.0F;  // half its greatest width
     bool has_stroke = false;
     int beside = 0;  // pixels just outside
-    int crisp = 0;   // of these, where the picture is as if the piece were not there
+    int crisp = 0;   // of these, where the picture looks as if the piece were not there
 
     [[nodiscard]] bool is_mark(double greatest_width_px) const {
         return pixels >= kLeastPixels &&
@@ -130,7 +130,7 @@ class Finder {
             }
     }
 
-    /// A shadow goes on outside, or up to what throws it; a mark ends.
+    /// A shadow goes on outside, or up to what casts it; a mark ends.
     void measure_outside(const cv::Mat1f& strongest_around, const cv::Mat1b& mixed) {
         cv::Mat1f apart;
         cv::Mat1i nearest;
@@ -166,7 +166,7 @@ class Finder {
 
 FineMarks fine_marks(const LabPicture& lab, const Areas& areas, const cv::Mat1b& strokes,
                      double noise, double smoothing_px, double greatest_width_px) {
-    // There is no dirt on what no camera saw.
+    // A picture that no camera saw has no dirt.
     const double floor = least_contrast(noise, noise < kNoGrain ? 0.0 : strongest_of(areas));
     cv::Mat1f contrast = contrast_to(lab, areas);
     const cv::Mat1b mixed = near_borders(areas.map, kBeside_px + cvCeil(2.0 * smoothing_px));

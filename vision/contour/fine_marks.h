@@ -1,4 +1,4 @@
-// What is drawn on the areas of a flat picture and is too small for an area of its own: hair lines,
+// Marks on the areas of a flat picture that are too small for an area of their own: hair lines,
 // dashes, dots.
 // Threads: pure function.
 #pragma once
@@ -10,8 +10,8 @@
 namespace touchline {
 
 struct FineMarks {
-    cv::Mat1b lines;     // 255 inside: long, or parts of the strokes that are known
-    cv::Mat1b bits;      // what else there is: dashes, dots, letters
+    cv::Mat1b lines;     // 255 inside: long, or parts of the known strokes
+    cv::Mat1b bits;      // all others: dashes, dots, letters
     cv::Mat1f contrast;  // to the area around, grey levels
 };
 
@@ -21,8 +21,8 @@ struct Areas {
     const std::vector<cv::Vec3f>& palette;
 };
 
-/// Thin pixels of a picture that differ from their area, clearly and at once. `strokes` are those
-/// known already; the picture was smoothed by so much. O(pixels).
+/// Finds thin pixels of a picture that differ from their area clearly and abruptly. `strokes` are
+/// the ones already known; `smoothing_px` is the picture's smoothing. O(pixels).
 [[nodiscard]] FineMarks fine_marks(const LabPicture& lab, const Areas& areas,
                                    const cv::Mat1b& strokes, double noise, double smoothing_px,
                                    double greatest_width_px);

@@ -21,7 +21,7 @@ class Frame {
 
     double length_px() const { return 2.0 * (width_ + height_); }
 
-    /// How far along the way a point on it lies.
+    /// Returns how far along the way a point on it lies.
     std::optional<double> place_of(const cv::Point2d& p) const {
         const double to_right = p.x + 0.5;
         const double to_bottom = p.y + 0.5;
@@ -37,12 +37,12 @@ class Frame {
         return p.x == -0.5 ? std::optional(length_px() - to_bottom) : std::nullopt;
     }
 
-    /// How far one has to go on from one place to another.
+    /// Returns the way ahead from one place to another.
     double ahead(double from, double to) const {
         return std::fmod(to - from + length_px(), length_px());
     }
 
-    /// The corners between a place and another `way_px` further on, in this order.
+    /// Returns the corners between a place and another `way_px` further on, in this order.
     std::vector<cv::Point2d> corners_after(double from, double way_px) const {
         struct Corner {
             double ahead_px;
@@ -70,13 +70,13 @@ class Frame {
     double height_;
 };
 
-/// 1 for a disc, 0.77 for a quarter of one, 0.54 for half a square, less for a sliver.
+/// Returns 1 for a disc, 0.77 for a quarter of one, 0.54 for half a square, less for a sliver.
 double roundness(const Chain& ring) {
     const double length = length_of(ring);
     return 4.0 * std::numbers::pi * std::abs(area_within(ring)) / (length * length);
 }
 
-/// The chain with the frame between its ends, the shorter way.
+/// Returns the chain with the frame between its ends, the shorter way.
 std::optional<Chain> closed_along(const Frame& frame, const Chain& chain) {
     const std::optional<double> front = frame.place_of(chain.points.front().at);
     const std::optional<double> back = frame.place_of(chain.points.back().at);

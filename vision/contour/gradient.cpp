@@ -17,8 +17,8 @@ constexpr double kQuantileToSigma = 1.0 / 0.31864;  // of a normal distribution
 constexpr double kLaplacianGain = 6.0;              // root of the kernel's summed squares: 36
 constexpr float kGreyLevelsPerL = 2.55F;            // L runs 0..100
 
-/// sRGB to CIE Lab (D65) for 8-bit input. OpenCV's own conversion spends 0.2 s of every process on
-/// building its tables.
+/// Converts sRGB to CIE Lab (D65) for 8-bit input. OpenCV's own conversion takes 0.2 s of every
+/// process to build its tables.
 class LabTables {
   public:
     LabTables() {
@@ -47,7 +47,7 @@ class LabTables {
   private:
     static constexpr int kRootSteps = 4096;
 
-    /// Linear interpolation in the table, t in 0..1.
+    /// Interpolates linearly in the table, t in 0..1.
     float root(float t) const {
         const float at = std::clamp(t, 0.0F, 1.0F) * kRootSteps;
         const auto i = std::min<std::size_t>(kRootSteps - 1, static_cast<std::size_t>(at));

@@ -1,4 +1,4 @@
-// From pixels to a colour gradient: the working picture, its noise, and where and how steeply
+// Computes a colour gradient from pixels: the working picture, its noise, and where and how steeply
 // colours change.
 // Threads: pure functions. All are O(pixels).
 #pragma once
@@ -12,45 +12,45 @@ namespace touchline {
 using LabPicture = cv::Mat3f;
 
 /// The weight at which a difference of colour counts as much as one of lightness that looks as
-/// large. At 1 colour counts less, and so do JPEG's errors of colour.
+/// large. At 1, colour counts less, and so do JPEG's colour errors.
 inline constexpr float kFullColour = 2.55F;
 
-/// The picture reduced to at most `max_pixels` by area averaging (never enlarged), 8-bit, BGR or
-/// grey as it came.
+/// Returns the picture reduced to at most `max_pixels` by area averaging (never enlarged), 8-bit,
+/// BGR or grey as it came.
 [[nodiscard]] cv::Mat reduced(const cv::Mat& picture, double max_pixels);
 
 [[nodiscard]] LabPicture to_lab(const cv::Mat& bgr_or_grey, float colour_weight = 1.0F);
 
-/// Standard deviation of the picture's white noise in grey levels, all channels together. From the
-/// |second differences both ways| (Immerkaer 1996, by their lower quartile, so that edges do not
-/// count).
+/// Returns the standard deviation of the picture's white noise in grey levels, all channels
+/// together. Uses the |second differences both ways| (Immerkaer 1996, by their lower quartile, so
+/// that edges do not count).
 [[nodiscard]] double noise_of(const LabPicture& lab);
 
-/// With less noise than this no camera saw the picture.
+/// Below this noise, the picture did not come from a camera.
 inline constexpr double kNoGrain = 0.5;
 
-/// What white noise of this size leaves in the gradient after Gaussian smoothing (one component,
-/// standard deviation): noise / (sqrt(8 pi) sigma^2).
+/// Returns what white noise of this size leaves in the gradient after Gaussian smoothing (one
+/// component, standard deviation): noise / (sqrt(8 pi) sigma^2).
 [[nodiscard]] double gradient_noise(double noise, double sigma_px);
 
 /// strength: greatest rate of colour change, grey levels per pixel. normal: unit vector of that
-/// change, towards where the sum of the channels grows (lighter, else redder and yellower). Both at
-/// pixel centres.
+/// change, towards where the sum of the channels grows (lighter, else redder and yellower). Both
+/// are at pixel centres.
 struct GradientField {
     cv::Mat1f strength;
     cv::Mat2f normal;
     bool has_light_side = true;  // false: the normal's sign means nothing
 };
 
-/// Unit eigenvector of the larger eigenvalue of the symmetric matrix (xx xy; xy yy), x >= 0;
-/// (1, 0) where the eigenvalues are equal.
+/// Returns the unit eigenvector of the larger eigenvalue of the symmetric matrix (xx xy; xy yy), x
+/// >= 0; (1, 0) if the eigenvalues are equal.
 [[nodiscard]] cv::Vec2f major_axis(float xx, float yy, float xy);
 
-/// Gaussian smoothing, then the structure tensor of the three channels (Di Zenzo 1986).
+/// Applies Gaussian smoothing, then the structure tensor of the three channels (Di Zenzo 1986).
 [[nodiscard]] GradientField colour_gradient(const LabPicture& lab, double sigma_px);
 
-/// The value below which this fraction of the elements lie (0..1), from a sample of at most about
-/// 250 000 elements.
+/// Returns the value below which this fraction of the elements lies (0..1), from a sample of at
+/// most about 250 000 elements.
 [[nodiscard]] float quantile(const cv::Mat1f& values, double fraction);
 
 }  // namespace touchline

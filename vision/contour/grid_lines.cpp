@@ -13,18 +13,18 @@ namespace touchline {
 namespace {
 
 constexpr double kLeastPale = 0.0005;  // of the picture: less is no grid
-constexpr double kStraight = 0.03;     // of the picture's diagonal: what a line is known by
+constexpr double kStraight = 0.03;     // of the picture's diagonal: length that identifies a line
 constexpr double kMostTilt_deg = 3.0;
 constexpr double kTiltStep_deg = 0.25;
-constexpr double kLongEnough = 0.25;  // of the longest line: others are broken by what lies on them
+constexpr double kLongEnough = 0.25;  // of the longest line; others may be broken by marks on them
 constexpr std::size_t kLeastLines = 3;
 constexpr double kGapSpread = 0.2;       // of the spacing
 constexpr double kMostlyMultiple = 0.7;  // of the gaps
-constexpr double kOnSpacing = 0.05;   // of the spacing: where a line that is broken belongs to it
-constexpr double kMostlyGrid = 0.55;  // of all that is as pale
-constexpr int kEdge_px = 2;           // beside a line, what is left of it
+constexpr double kOnSpacing = 0.05;      // of the spacing: how near to it a broken line must lie
+constexpr double kMostlyGrid = 0.55;     // of everything that is as pale
+constexpr int kEdge_px = 2;              // beside a line, where remains of it may be
 
-/// Places across lines of one direction, tilted by an angle: x cos - y sin, say.
+/// Places across lines of one direction, tilted by an angle: x cos - y sin, for example.
 struct Bundle {
     bool is_level = true;
     double tilt = 0.0;  // of y per x, or x per y
@@ -62,7 +62,7 @@ class Counts {
 
     [[nodiscard]] int most() const { return *std::ranges::max_element(counts_); }
 
-    /// Stretches of places that hold more pixels than these.
+    /// Returns the stretches of places that hold more pixels than `few`.
     [[nodiscard]] std::vector<Band> bands(double few) const {
         std::vector<Band> bands;
         for (std::size_t i = 0; i < counts_.size();) {
@@ -111,7 +111,7 @@ bool is_multiple(double gap, double spacing, double tolerance) {
     return std::abs(gap / spacing - std::round(gap / spacing)) <= tolerance;
 }
 
-/// Each gap a multiple of the least, near enough.
+/// Returns whether each gap is close enough to a multiple of the smallest.
 bool are_even(const std::vector<double>& gaps) {
     const double least = *std::ranges::min_element(gaps);
     const auto even = std::ranges::count_if(
@@ -119,8 +119,9 @@ bool are_even(const std::vector<double>& gaps) {
     return static_cast<double>(even) >= kMostlyMultiple * static_cast<double>(gaps.size());
 }
 
-/// What of all that is straight lies as far from the nearest line as lines do from each other, or a
-/// multiple: between high bars there is little to be seen of a line, and yet it is one of them.
+/// Returns the straight pieces that lie as far from the nearest line as lines do from each other,
+/// or a multiple of that: between high bars, little of a line can be seen, and yet it is one of
+/// them.
 std::vector<Band> on_spacing(const std::vector<Band>& all, const std::vector<Band>& lines) {
     const double spacing = std::ranges::min(gaps_of(lines));
     std::vector<Band> found;
@@ -134,7 +135,7 @@ std::vector<Band> on_spacing(const std::vector<Band>& all, const std::vector<Ban
     return found;
 }
 
-/// What of the pale strokes lies on evenly spaced lines of one direction.
+/// Returns the part of the pale strokes that lies on evenly spaced lines of one direction.
 cv::Mat1b on_even_lines(const cv::Mat1b& pale, bool is_level, double greatest_width_px) {
     cv::Mat1b found(pale.size(), uchar{0});
     const int length = static_cast<int>(kStraight * std::hypot(pale.cols, pale.rows));

@@ -1,5 +1,5 @@
-// The pale lines behind a chart, and the squares of squared paper: they help an eye to measure, and
-// hide a chart from a hand.
+// Finds the pale lines behind a chart and the squares of squared paper, which help an eye to
+// measure but hide a chart from a hand.
 // Threads: pure function.
 #pragma once
 
@@ -7,13 +7,13 @@
 
 namespace touchline {
 
-/// Of the strongest contrast in a picture; what is stronger is no grid.
+/// As a share of the strongest contrast in a picture; anything stronger is no grid.
 inline constexpr double kPalest = 0.4;
 
-/// Which of the pale strokes (255) are such a grid: three parallel straight lines or more, level or
-/// upright but for 3 degrees, evenly spaced, the pieces that are left of others on their spacing,
-/// and more than half of all that is as pale. 255 there; an empty matrix where there is none.
-/// O(pixels).
+/// Returns 255 where the pale strokes (255) are such a grid; an empty matrix if there is none. A
+/// grid is three or more evenly spaced parallel straight lines, level or upright to within 3
+/// degrees, with the remaining pieces of others on their spacing, and more than half of everything
+/// that is as pale. O(pixels).
 [[nodiscard]] cv::Mat1b grid_of(const cv::Mat1b& pale, double greatest_width_px);
 
 }  // namespace touchline

@@ -15,7 +15,7 @@ constexpr double kTurn = 145.0 * std::numbers::pi / 180.0;
 constexpr double kSpanOverDepth = 2.0;
 constexpr double kLeastArm_px = 6.0;
 
-/// The points of an arm and the ink at them; of a ring, the first comes after the last.
+/// The points of an arm and the ink at them. In a ring the first comes after the last.
 class Way {
   public:
     Way(const Chain& arm, const cv::Mat1f& depth)
@@ -26,7 +26,7 @@ class Way {
         span_ = static_cast<int>(std::max(kLeastArm_px, kSpanOverDepth * stroke_px));
     }
 
-    /// The middles of deep ink in which the arm turns back, in order.
+    /// Returns the middles of deep ink in which the arm turns back, in order.
     [[nodiscard]] std::vector<std::size_t> hairpins() const {
         std::vector<std::size_t> found;
         const int n = count();
@@ -73,10 +73,11 @@ class Way {
     std::vector<float> depths_;
     double limit_px_ = 0.0;
     int bent_ = 0;  // points beside the deep ink that the tip still bends
-    int span_ = 0;  // points after these that show where the stroke comes from or goes
+    int span_ = 0;  // points after these that show where the stroke comes from or goes to
 };
 
-/// An arm in parts, from place to place; of a ring the last ends where the first begins.
+/// Cuts an arm into parts, from place to place; in a ring the last part ends where the first
+/// begins.
 std::vector<Chain> parted(Chain arm, std::vector<std::size_t> places) {
     if (arm.is_closed) {
         const std::size_t first = places.front();
@@ -102,7 +103,7 @@ std::vector<Chain> parted(Chain arm, std::vector<std::size_t> places) {
 
 Skeleton with_hairpins_parted(const Skeleton& skeleton, const cv::Mat1f& depth) {
     Skeleton made;
-    std::vector<EndId> place;  // of each end, among those that are made
+    std::vector<EndId> place;  // for each end, among the new ones
     for (const Chain& arm : skeleton.arms) {
         const std::size_t first = made.arms.size();
         const std::vector<std::size_t> places = Way(arm, depth).hairpins();

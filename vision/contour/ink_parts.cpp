@@ -14,15 +14,15 @@ constexpr int kLeastArea_px = 8;  // less ink is a speck, less paper a pinhole
 constexpr double kClearlyWide = 1.25;
 constexpr float kAlike = 0.2F;         // of the depth: along a stroke
 constexpr double kMostAlike = 0.55;    // of the ridges
-constexpr double kHair = 0.4;          // of the greatest width: a stroke, however it swells
+constexpr double kHair = 0.4;          // of the greatest width: always a stroke, however it swells
 constexpr double kStillAStroke = 1.1;  // of the greatest width: strokes of a piece stay strokes
 constexpr double kWhereTwoMeet = 2.05;
-constexpr double kStandsOutOverWidth = 5.0;  // what stands out of a wide shape
+constexpr double kStandsOutOverWidth = 5.0;  // for what stands out of a wide shape
 constexpr double kSwollen = 1.5;  // of the usual width: the deepest place of such a stroke
-constexpr double kAsWide = 0.6;   // near its end, of what it is half-way
-constexpr double kLeastTailOverWidth = 1.0;  // what stands out of a wide shape less is its corner
+constexpr double kAsWide = 0.6;   // near its end, as a share of the width half-way
+constexpr double kLeastTailOverWidth = 1.0;  // less that stands out of a wide shape is its corner
 
-/// The part of a picture that holds all of a mask, and a rim of what is not.
+/// Returns the part of a picture that holds all of a mask, with a rim outside it.
 cv::Rect part_with(const cv::Mat1b& mask) {
     constexpr int kRim_px = 2;
     const cv::Rect box = cv::boundingRect(mask);
@@ -31,7 +31,7 @@ cv::Rect part_with(const cv::Mat1b& mask) {
     return box.empty() ? cv::Rect() : around & cv::Rect({}, mask.size());
 }
 
-/// Takes the pieces out of a mask that are too small, by neighbours of 4 or of 8.
+/// Removes the pieces of a mask that are too small, by neighbours of 4 or of 8.
 void drop_specks(cv::Mat1b& mask, int neighbours) {
     cv::Mat1i label;
     cv::Mat1i stats;
@@ -45,8 +45,8 @@ void drop_specks(cv::Mat1b& mask, int neighbours) {
     }
 }
 
-/// Half the width of the strokes of each piece: the middle one of the depths along its ridges; 0
-/// for what is no stroke.
+/// Returns half the width of the strokes of each piece: the median of the depths along its ridges;
+/// 0 for a piece that is not a stroke.
 std::vector<float> usual_depths(const cv::Mat1f& depth, const cv::Mat1i& piece, int pieces) {
     cv::Mat around;
     cv::dilate(depth, around, cv::Mat::ones(3, 3, CV_8U));
@@ -68,7 +68,7 @@ std::vector<float> usual_depths(const cv::Mat1f& depth, const cv::Mat1i& piece, 
             const auto alike = std::ranges::count_if(ridges[i], [depth_px](float each) {
                 return std::abs(each - depth_px) <= kAlike * depth_px + 0.5F;
             });
-            // Towards the corners of a shape its ridges are of every depth.
+            // Towards the corners of a shape its ridges have every depth.
             usual[i] =
                 static_cast<double>(alike) >= kMostAlike * static_cast<double>(ridges[i].size())
                     ? depth_px
@@ -78,8 +78,8 @@ std::vector<float> usual_depths(const cv::Mat1f& depth, const cv::Mat1i& piece, 
     return usual;
 }
 
-/// Where the ink is deeper than a stroke's, in places clearly so. Where two strokes of a piece meet
-/// at a sharp angle it is up to twice as deep as they are.
+/// Returns where the ink is deeper than a stroke's, in places clearly so. Where two strokes of a
+/// piece meet at a sharp angle, it is up to twice as deep as they are.
 cv::Mat wide_cores(const InkParts& parts, const std::vector<float>& usual,
                    double greatest_width_px) {
     const cv::Mat1f& depth = parts.depth;
@@ -109,8 +109,8 @@ cv::Mat wide_cores(const InkParts& parts, const std::vector<float>& usual,
     return cores;
 }
 
-/// What stands out of a wide shape in one piece: how far, and how deep it is half-way and near its
-/// end.
+/// A part that stands out of a wide shape in one piece: how far it does, and how deep it is
+/// half-way and near its end.
 struct Tail {
     double reach_px = 0.0;
     double middle_px = 0.0;
@@ -122,7 +122,8 @@ struct Tail {
     }
 };
 
-/// The wide parts of the ink, with the corners round them; tails that are strokes stay strokes.
+/// Returns the wide parts of the ink, with the corners round them. Tails that are strokes stay
+/// strokes.
 cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vector<float>& usual,
                     double greatest_width_px) {
     const cv::Mat core = wide_cores(parts, usual, greatest_width_px);
@@ -170,8 +171,9 @@ cv::Mat1b wide_part(const cv::Mat1b& mask, const InkParts& parts, const std::vec
     return wide;
 }
 
-/// Strokes that swell and shrink, but for the finest, are shapes, however narrow: a star of rays.
-/// What stands out of a wide shape is asked by itself, and is a stroke where it is long and even.
+/// Strokes that swell and shrink are shapes, however narrow, such as a star of rays; only the
+/// finest are not. A part that stands out of a wide shape is judged by itself, and is a stroke if
+/// it is long and even.
 void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<float>& usual_of_piece,
                   double greatest_width_px) {
     const cv::Mat1b rest = cv::Mat(mask & ~parts.shapes);
@@ -189,7 +191,7 @@ void add_swelling(InkParts& parts, const cv::Mat1b& mask, const std::vector<floa
     struct Stroke {
         float deepest_px = 0.0F;
         int pixels = 0;
-        bool is_of_a_stroke = false;  // its whole piece is one
+        bool is_of_a_stroke = false;  // its whole piece is a stroke
     };
 
     std::vector<Stroke> strokes(usual.size());

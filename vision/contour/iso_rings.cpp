@@ -17,7 +17,7 @@ class RingTracer {
         : values_(values), level_(level), is_done_(values.rows + 1, values.cols + 1, uchar{0}) {}
 
     /// Every ring runs round an element that is high with a low one to its left or right, so it
-    /// passes a cell's upper side on its way up or down; begun where it comes up.
+    /// passes a cell's upper side on its way up or down. It begins where it comes up.
     std::vector<Chain> trace() {
         std::vector<Chain> rings;
         for (int y = 0; y <= values_.rows; ++y) {
@@ -38,7 +38,7 @@ class RingTracer {
 
     bool is_high(int x, int y) const { return value(x, y) >= level_; }
 
-    /// Cell (x, y) has the elements x-1, x and y-1, y. The ring leaves it by its upper side;
+    /// Cell (x, y) has the elements x-1, x and y-1, y. The ring leaves it by its upper side; this
     /// follows it, high on the right, until it comes round.
     Chain ring_from(cv::Point cell) {
         Chain ring{{}, true};
@@ -57,15 +57,16 @@ class RingTracer {
         return cell + cv::Point(kStep[side][0], kStep[side][1]);
     }
 
-    /// The elements at a side's ends, clockwise round the cell.
+    /// Returns the elements at a side's ends, clockwise round the cell.
     static std::array<cv::Point, 2> ends(cv::Point cell, Side side) {
         const std::array<cv::Point, 4> corners{cell - cv::Point(1, 1), cell - cv::Point(0, 1), cell,
                                                cell - cv::Point(1, 0)};
         return {corners[side], corners[(side + 1U) % 4U]};
     }
 
-    /// A side that the ring may leave by has a low element first, then a high one. Of two such
-    /// sides (high ones across a corner) the first to the right, which keeps the high ones apart.
+    /// A side through which the ring may leave has first a low element, then a high one. Of two
+    /// such sides (high ones across a corner), returns the first to the right, which keeps the high
+    /// ones apart.
     Side way_out(cv::Point cell, Side in) const {
         for (const std::size_t turn : {3U, 2U}) {
             const Side side = static_cast<Side>((in + turn) % 4);
@@ -91,7 +92,7 @@ class RingTracer {
 
     const cv::Mat1f& values_;
     float level_;
-    cv::Mat1b is_done_;  // of each cell: its upper side has been left by a ring
+    cv::Mat1b is_done_;  // for each cell: a ring has left through its upper side
 };
 
 }  // namespace

@@ -12,19 +12,19 @@
 namespace touchline {
 namespace {
 
-constexpr double kTurn = 35.0 * std::numbers::pi / 180.0;  // less is a bend, not a corner
+constexpr double kTurn = 35.0 * std::numbers::pi / 180.0;  // a smaller turn is a bend, not a corner
 const double kSharpest = std::pow(std::sin(8.0 * std::numbers::pi / 180.0), 2);  // below: parallel
 constexpr double kBesideOverDepth =
     1.2;  // a place on the way of an arm, or a course through a crossing
-constexpr double kBluntOverDepth = 2.0;  // a place ahead of the skeleton's end in a blunt join
-constexpr double kCourse_px = 0.4;       // so far aside a course may be: more, along a sharp tip
+constexpr double kBluntOverDepth = 2.0;  // of a place ahead of the skeleton's end in a blunt join
+constexpr double kCourse_px = 0.4;       // so far aside a course may lie; more along a sharp tip
 constexpr double kBeside_px = 1.0;
-constexpr double kTipSlack = 1.25;    // times the length of a mitre
-constexpr double kTapered = 0.78;     // of the stroke's depth, on average: a mitre, not a stroke
-constexpr double kNoStroke_px = 6.0;  // longer than its width by no more: too short to be one
+constexpr double kTipSlack = 1.25;  // times the length of a mitre
+constexpr double kTapered = 0.78;  // of the stroke's depth, on average: it is a mitre, not a stroke
+constexpr double kNoStroke_px = 6.0;  // longer than its width by at most this: too short for one
 constexpr double kParallel = 15.0 * std::numbers::pi / 180.0;
 
-/// Distance of a place from the line along a ray.
+/// Returns the distance of a place from the line along a ray.
 double beside(const Ray& ray, const cv::Point2d& at) {
     return std::abs(ray.direction.cross(at - ray.from));
 }
@@ -70,8 +70,8 @@ class Solver {
         return others;
     }
 
-    /// Two strokes that cross at a sharp angle: the arm is the bridge between two forks, and each
-    /// prong of the one goes straight on as one of the other.
+    /// Handles two strokes that cross at a sharp angle: the arm is the bridge between two forks,
+    /// and each prong of the one goes straight on as one of the other.
     void cross_over(std::size_t arm) {
         const EndId front = front_of(arm);
         const EndId back = back_of(arm);
@@ -104,8 +104,8 @@ class Solver {
                beside(b, a.from) <= aside_px;
     }
 
-    /// The ends of a node once the arms to tips have gone, and what they do; nothing where their
-    /// courses do not tell.
+    /// The ends of a node without the arms to tips, and what they do; nothing if their courses do
+    /// not tell.
     struct Solution {
         std::vector<EndId> tips;
         SolvedJunction junction;
@@ -131,7 +131,8 @@ class Solver {
         found_.solved.push_back(std::move(solution.junction));
     }
 
-    /// An arm between two nodes that is all flowed together: both are one, if that can be solved.
+    /// An arm between two nodes that is all flowed together: makes both one node, if that can be
+    /// solved.
     void join_over(std::size_t arm) {
         const EndId front = front_of(arm);
         const EndId back = back_of(arm);
@@ -146,7 +147,7 @@ class Solver {
         nodes_[node_of_[back]].clear();
     }
 
-    /// Between two nodes, neither of which is solved.
+    /// True if it lies between two nodes of which neither is solved.
     [[nodiscard]] bool is_bridge(std::size_t arm) const {
         const std::size_t front = node_of_[front_of(arm)];
         const std::size_t back = node_of_[back_of(arm)];
@@ -173,7 +174,8 @@ class Solver {
         return {{ends[0], ends[1]}};
     }
 
-    /// All courses lead through the place, which is ahead of them and no farther than their ink.
+    /// Returns whether all courses lead through the place, which must be ahead of them and no
+    /// farther than their ink.
     [[nodiscard]] bool is_near(const cv::Point2d& at, const std::vector<EndId>& ends) const {
         return std::ranges::all_of(ends, [&](EndId end) {
             const Course& course = *courses_.at(end);
@@ -184,7 +186,8 @@ class Solver {
         });
     }
 
-    /// From the beginning of its course to where a stroke that meets it at this node can be met.
+    /// Returns the distance from the beginning of its course to where a stroke that meets it at
+    /// this node can be met.
     [[nodiscard]] double reach_px(EndId end, const std::vector<EndId>& ends) const {
         double sharpest = std::numbers::pi;
         for (const EndId other : ends) {
@@ -218,7 +221,7 @@ class Solver {
         return chosen;
     }
 
-    /// Those whose arms lead to the tip of a corner.
+    /// Returns the ends whose arms lead to the tip of a corner.
     [[nodiscard]] std::vector<EndId> tips_of(std::vector<EndId> ends) const {
         std::vector<EndId> tips;
         for (const EndId tip : std::vector<EndId>(ends)) {
@@ -257,7 +260,7 @@ class Solver {
                beyond.mean_depth_px <= kTapered * depth_px + 0.3;
     }
 
-    /// What of an arm lies beyond the place on it that is nearest to `at`.
+    /// The part of an arm beyond the place on it that is nearest to `at`.
     struct Beyond {
         double aside_px = 0.0;
         double length_px = 0.0;

@@ -41,7 +41,7 @@ std::vector<Chain> JunctionSet::assembled(std::vector<Chain> lines) {
     }
     is_walked_.assign(arms_.size(), false);
     std::vector<Chain> outlines;
-    for (const bool from_ends : {true, false}) {  // what is left after the open ones are rings
+    for (const bool from_ends : {true, false}) {  // first the open ones; the rest are rings
         for (std::size_t arm = 0; arm < arms_.size(); ++arm) {
             for (const EndId end : {front_of(arm), back_of(arm)}) {
                 if (!is_walked_[arm] && (!from_ends || partner_[end] == kNobody)) {
@@ -88,7 +88,7 @@ void JunctionSet::cut_hosts() {
     std::erase_if(junctions_, [](const Junction& j) { return j.arms.empty(); });
 }
 
-/// The first piece stays in the line's place, the others are appended.
+/// The first piece stays in the line's place; the others are appended.
 void JunctionSet::cut(std::size_t host, const std::vector<Cut>& cuts) {
     Chain line = std::move(arms_[host]);
     std::size_t offset = 0;
@@ -128,7 +128,8 @@ Ray JunctionSet::ray_of(EndId end) const {
     return ray_at(arms_[chain_of(end)].points, is_back(end), blur_px_, span_px_);
 }
 
-/// On a line that runs straight through, the junction stays on it; else it is where all arms point.
+/// On a line that runs straight through, the junction stays on it; else it lies where all arms
+/// point.
 void JunctionSet::place(Junction& junction) {
     std::vector<Ray> rays;
     double straightest = std::numbers::pi;
@@ -146,7 +147,7 @@ void JunctionSet::place(Junction& junction) {
     pin_arms(junction, is_moved);
 }
 
-/// Where the arms' lines cross; `otherwise` if that is far away or undetermined.
+/// Returns where the arms' lines cross; `otherwise` if that is far away or undetermined.
 cv::Point2d JunctionSet::place_of(const std::vector<Ray>& rays, cv::Point2d otherwise) const {
     constexpr double kLeastDeterminant = 0.05;
     const auto crossing = crossing_of(rays, kLeastDeterminant);
@@ -180,7 +181,8 @@ void JunctionSet::join_through(const std::vector<EndId>& ends, const std::vector
     }
 }
 
-/// Ends every arm in the junction's point. If the point has moved, the bent stretch before it goes.
+/// Ends every arm in the junction's point. If the point has moved, removes the bent stretch before
+/// it.
 void JunctionSet::pin_arms(const Junction& junction, bool is_moved) {
     for (const EndId end : junction.arms) {
         std::vector<EdgePoint>& points = arms_[chain_of(end)].points;
@@ -235,7 +237,8 @@ void JunctionSet::join(EndId a, EndId b) {
     partner_[b] = a;
 }
 
-/// From an end through its arm and all that is joined to it, to the last end or round to the first.
+/// Walks from an end through its arm and all that is joined to it, to the last end or round to the
+/// first.
 Chain JunctionSet::walked(EndId start) {
     Chain line;
     EndId in = start;

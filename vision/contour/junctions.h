@@ -1,5 +1,5 @@
-// Lines that meet: cutting them into arms, placing the junction, and putting arms that continue
-// each other together again. Threads: one object, one thread.
+// Lines that meet: cuts them into arms, places the junction, and joins arms that continue each
+// other again. Threads: one object, one thread.
 #pragma once
 
 #include "vision/contour/ends.h"
@@ -8,11 +8,11 @@
 
 namespace touchline {
 
-/// A junction whose place is known, and which of its arms are one line there.
+/// A junction with a known place, and which of its arms are one line there.
 struct SolvedJunction {
     struct Arm {
         EndId end;
-        double bent_px;  // so much of the line before its end gives way to a straight one
+        double bent_px;  // length of line before its end that a straight one replaces
     };
 
     cv::Point2d at;
@@ -20,39 +20,39 @@ struct SolvedJunction {
     std::vector<std::pair<EndId, EndId>> through;
 };
 
-/// Collects who meets whom while the lines stay as they are; `assembled` then does all of it at
-/// once. Ends and points are named by their place in the list of lines that `assembled` will get;
-/// an end may be added once.
+/// Collects which lines meet while they stay as they are; `assembled` then does all of it at once.
+/// Ends and points are named by their place in the list of lines that `assembled` will get; an end
+/// may be added once.
 class JunctionSet {
   public:
-    /// Within `blur_px` of a junction lines are bent by smoothing: their course is taken from the
-    /// next `span_px` of them.
+    /// Smoothing bends lines within `blur_px` of a junction, so their course is taken from the next
+    /// `span_px` of them.
     JunctionSet(double blur_px, double span_px) : blur_px_(blur_px), span_px_(span_px) {}
 
-    /// Two ends that are one line, over a straight bridge.
+    /// Adds two ends that are one line, over a straight bridge.
     void add_joint(EndId a, EndId b) { joints_.emplace_back(a, b); }
 
-    /// Three or more ends that meet near `centre`.
+    /// Adds three or more ends that meet near `centre`.
     void add_cluster(std::vector<EndId> ends, cv::Point2d centre);
 
     void add_solved(SolvedJunction junction) { solved_.push_back(std::move(junction)); }
 
-    /// An end that meets a line at one of its points.
+    /// Adds an end that meets a line at one of its points.
     void add_meeting(EndId end, PointRef host);
 
-    /// The outlines. Each end at a junction becomes the junction's point, fixed, bit for bit the
-    /// same for all; arms that continue each other within 30 degrees run through it. O(points +
-    /// arms squared of each junction).
+    /// Returns the outlines. Each end at a junction becomes the junction's point, fixed, and the
+    /// same for all, bit for bit; arms that continue each other within 30 degrees run through it.
+    /// O(points + arms squared of each junction).
     [[nodiscard]] std::vector<Chain> assembled(std::vector<Chain> lines);
 
-    /// Junctions, after `assembled`.
+    /// The number of junctions, after `assembled`.
     [[nodiscard]] int size() const { return static_cast<int>(junctions_.size()); }
 
   private:
     struct Junction {
         cv::Point2d at;
         std::vector<EndId> arms;
-        bool is_on_line = false;  // placed on the line that is met
+        bool is_on_line = false;  // placed on the line that it meets
     };
 
     struct Cut {
@@ -78,7 +78,7 @@ class JunctionSet {
     std::vector<SolvedJunction> solved_;
     std::vector<Cut> cuts_;
 
-    // While assembling:
+    // Used while assembling:
     std::vector<Chain> arms_;
     std::vector<std::pair<std::size_t, EndId>> host_arms_;  // junction, end of a piece cut there
     std::vector<EndId> moved_;    // where the back end of a line is after cutting

@@ -14,12 +14,12 @@ namespace touchline {
 namespace {
 
 constexpr double kLeastCell_px = 4.0;       // a grid of smaller cells costs more than it saves
-constexpr double kRaySpan_px = 6.0;         // of a line, to know its direction
+constexpr double kRaySpan_px = 6.0;         // length of line that shows its direction
 constexpr double kOwnGapOverLength = 0.05;  // a ring with a break is still a ring
 constexpr double kCone =
     70.0 * std::numbers::pi / 180.0;  // where a line may meet another, off its course
 
-/// Two ends that may be one line, and what joining them costs in pixels.
+/// Two ends that may be one line, and the cost of joining them in pixels.
 struct GapCandidate {
     double cost_px = 0.0;
     EndId a = 0;
@@ -67,7 +67,8 @@ class Linker {
 
     double length_of_chain(EndId end) const { return lengths_[chain_of(end)]; }
 
-    /// An end beside the frame runs on to it; it is then no loose end any more. All others are.
+    /// Leads an end beside the frame to it, so that it is no loose end any more. All others are
+    /// loose.
     void lead_to_frame() {
         for (std::size_t c = 0; c < lines_.size(); ++c) {
             lengths_.push_back(length_of(lines_[c]));
@@ -90,7 +91,7 @@ class Linker {
         }
     }
 
-    /// The end at a point, if the point is a free one.
+    /// Returns the end at a point, if it is a free one.
     std::optional<EndId> free_end_at(const PointRef& ref) const {
         const Chain& chain = lines_[ref.chain];
         if (chain.is_closed) {
@@ -105,7 +106,7 @@ class Linker {
         return std::nullopt;
     }
 
-    /// Three or more free ends together are a junction.
+    /// Makes three or more free ends together a junction.
     void meet_ends(const PointGrid& grid, JunctionSet& junctions) {
         for (EndId end = 0; end < is_free_.size(); ++end) {
             if (!is_free_[end]) {
@@ -131,8 +132,8 @@ class Linker {
         }
     }
 
-    /// For each free end the best place on another line (or far along its own) within reach and
-    /// ahead.
+    /// Finds for each free end the best place on another line (or far along its own) within reach
+    /// and ahead.
     std::vector<std::optional<Meeting>> nearest_meetings(const PointGrid& grid) const {
         std::vector<std::optional<Meeting>> meetings(is_free_.size());
         for (EndId end = 0; end < is_free_.size(); ++end) {
@@ -154,8 +155,9 @@ class Linker {
         return meetings;
     }
 
-    /// Inner points of other lines that are not specks, unless one of their free ends is as near
-    /// (then the two ends belong together); of the end's own line those a good way back.
+    /// True for inner points of other lines that are not specks, unless one of their free ends is
+    /// as near (then the two ends belong together); on the end's own line, for points a good way
+    /// back.
     bool can_host(const PointRef& ref, EndId end) const {
         const Chain& host = lines_[ref.chain];
         const auto is_near_end = [&](EndId other) {
@@ -226,7 +228,7 @@ class Linker {
         }
     }
 
-    /// How much a line turns from one end over the straight bridge into the other, radians.
+    /// Returns how much a line turns from one end over the straight bridge into the other, radians.
     double bending(EndId a, EndId b) const {
         const cv::Point2d bridge = point_at(b).at - point_at(a).at;
         return cv::norm(bridge) > 0.0 ? angle_between(rays_[a].direction, bridge) +

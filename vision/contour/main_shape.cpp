@@ -17,16 +17,16 @@ namespace {
 
 constexpr int kCoarse_px = 160;  // longer side, for GrabCut
 constexpr double kFinePixels = 1.2e5;
-constexpr int kBorder_px = 2;  // of the coarse copy: at least so wide
+constexpr int kBorder_px = 2;  // of the coarse copy: at least this wide
 constexpr int kRounds = 2;
 constexpr double kLeastShapePart = 0.02;  // of the picture
 constexpr double kGreatestPart = 0.7;
 constexpr double kGreatestOnFrame = 0.3;    // of the outline
 constexpr double kGreatestLikeness = 0.55;  // of the colours inside and outside, 0 to 1
-constexpr double kLeastEdge = 1.6;  // mean gradient on the outline over the picture's middle one
+constexpr double kLeastEdge = 1.6;  // mean gradient on the outline, over the picture's median one
 constexpr double kSnap_px = 5.0;    // of the fine copy: how far off the coarse outline may be
 
-/// A copy of at most `side_px` on its longer side.
+/// Returns a copy of at most `side_px` on its longer side.
 cv::Mat sized(const cv::Mat& picture, int side_px) {
     const double scale =
         std::min(1.0, static_cast<double>(side_px) / std::max(picture.cols, picture.rows));
@@ -38,7 +38,8 @@ cv::Mat sized(const cv::Mat& picture, int side_px) {
     return copy;
 }
 
-/// How unlike the colours of the border each pixel is, grey levels, less far from the middle.
+/// Returns how much each pixel differs from the colours of the border, grey levels, less far from
+/// the middle.
 cv::Mat1f salience(const LabPicture& lab) {
     const int band = std::max(kBorder_px, std::min(lab.cols, lab.rows) / 20);
     LabPicture border(2 * band, lab.cols + lab.rows);
@@ -72,7 +73,7 @@ cv::Mat1f salience(const LabPicture& lab) {
     return unlike;
 }
 
-/// GrabCut's beginning: sure background at the border, probable object where it is salient.
+/// Seeds GrabCut: sure background at the border, probable object where it is salient.
 cv::Mat1b seeded_by_salience(const LabPicture& lab) {
     const cv::Mat1f unlike = salience(lab);
     const float limit = std::max(10.0F, 0.5F * quantile(unlike, 0.98));
@@ -92,7 +93,7 @@ cv::Mat1b seeded_by_spot(const LabPicture& lab, const cv::Point& spot) {
     return seed;
 }
 
-/// The same numbers on every call, whatever else used the thread's random state.
+/// Gives the same random numbers on every call, whatever else used the thread's random state.
 class FixedRandomState {
   public:
     FixedRandomState() : before_(cv::theRNG().state) { cv::theRNG().state = 20051; }
@@ -106,7 +107,8 @@ class FixedRandomState {
     std::uint64_t before_;
 };
 
-/// The largest part of the object (or the one at the spot), holes filled; empty if there is none.
+/// Returns the largest part of the object (or the one at the spot), with holes filled; empty if
+/// there is none.
 cv::Mat1b one_part(const cv::Mat& object, const std::optional<cv::Point>& spot) {
     cv::Mat1i label;
     cv::Mat1i stats;
@@ -121,7 +123,7 @@ cv::Mat1b one_part(const cv::Mat& object, const std::optional<cv::Point>& spot) 
     if (best == 0) {
         return {};
     }
-    cv::Mat outside = label != best;  // flooded from a frame round the picture; what stays is holes
+    cv::Mat outside = label != best;  // flooded from a frame round the picture; the rest is holes
     cv::copyMakeBorder(outside, outside, 1, 1, 1, 1, cv::BORDER_CONSTANT, 255);
     cv::floodFill(outside, {0, 0}, 128);
     return cv::Mat(outside != 128)(cv::Rect({1, 1}, object.size())).clone();
@@ -141,7 +143,8 @@ cv::Mat1b cut_out(const cv::Mat& coarse, const std::optional<cv::Point>& spot) {
     return one_part((mask & 1) * 255, spot);
 }
 
-/// Bhattacharyya coefficient of the colours inside and outside: 0 nothing in common, 1 the same.
+/// Returns the Bhattacharyya coefficient of the colours inside and outside: 0 if they have nothing
+/// in common, 1 if they are the same.
 double likeness(const LabPicture& lab, const cv::Mat1b& inside) {
     constexpr int kBins = 10;
     std::array<std::vector<double>, 2> histogram{std::vector<double>(kBins * kBins * kBins, 0.0),
@@ -167,8 +170,8 @@ double likeness(const LabPicture& lab, const cv::Mat1b& inside) {
     return common / std::sqrt(std::max(1.0, sum[0] * sum[1]));
 }
 
-/// The longest ring round the mask, in its pixels; the frame closes what it cuts. Nothing round a
-/// mask that is one pixel wide everywhere: smoothing leaves no inside.
+/// Returns the longest ring round the mask, in its pixels; the frame closes what it cuts. Returns
+/// nothing round a mask that is one pixel wide everywhere, because smoothing leaves no inside.
 std::optional<Chain> ring_round(const cv::Mat1b& mask) {
     cv::Mat1f soft;
     mask.convertTo(soft, CV_32F, 2.0 / 255.0);
@@ -199,7 +202,8 @@ void scale(Chain& ring, double x, double y) {
     }
 }
 
-/// Strengths, and whether the outline lies on edges more than the picture does anywhere.
+/// Sets the strengths, and returns whether the outline lies on edges more than the picture does on
+/// average.
 bool is_on_edges(Chain& ring, const cv::Mat1f& strength) {
     double sum = 0.0;
     int on_frame = 0;
@@ -223,7 +227,7 @@ std::optional<Chain> main_shape(const cv::Mat& picture, std::optional<cv::Point2
         return std::nullopt;
     }
     const cv::Mat coarse = sized(picture, kCoarse_px);
-    if (std::min(coarse.cols, coarse.rows) < kBorder_px) {  // of a strip nothing is left but border
+    if (std::min(coarse.cols, coarse.rows) < kBorder_px) {  // a strip is nothing but border
         return std::nullopt;
     }
     std::optional<cv::Point> coarse_spot;

@@ -11,9 +11,9 @@ namespace {
 
 constexpr int kBins = 32;       // along each axis
 constexpr float kBin = 8.0F;    // grey levels
-constexpr float kSame = 16.0F;  // colours that are nearer are one
+constexpr float kSame = 16.0F;  // colours nearer than this are one
 constexpr std::size_t kMost = 64;
-constexpr float kNear = 45.0F;  // beside a common colour, a colour must be no ripple of it
+constexpr float kNear = 45.0F;  // a colour this near to a common one may be a ripple of it
 constexpr double kLeastOverNear = 0.006;  // of the common colour's pixels
 constexpr double kLeastInkPart = 0.0005;  // of the picture
 constexpr float kFlat = 6.0F;             // grey levels across two pixels
@@ -37,8 +37,8 @@ std::size_t bin_of(const cv::Vec3f& lab) {
         cell(lab[2], -128.0F, kBin, kBins));
 }
 
-/// Whether a pixel is no mixture along an axis: both sides of it are alike, as in the middle of a
-/// line, or of it and one beside it, as in a line of two pixels.
+/// Returns whether a pixel is not a mixture along an axis: both sides of it are alike, as in the
+/// middle of a line, or it and one beside it are, as in a line of two pixels.
 bool is_plain(const LabPicture& lab, const cv::Point& at, const cv::Point& along, float flat) {
     const auto alike = [&](int i, int j) {
         return squared(lab(at + i * along) - lab(at + j * along)) < flat * flat;
@@ -46,7 +46,7 @@ bool is_plain(const LabPicture& lab, const cv::Point& at, const cv::Point& along
     return alike(-1, 1) || (alike(0, 1) && alike(-1, 2)) || (alike(0, -1) && alike(1, -2));
 }
 
-/// Colours of pixels that are no mixtures.
+/// Counts the colours of pixels that are not mixtures.
 std::vector<Bin> histogram(const LabPicture& lab, double noise) {
     std::vector<Bin> bins(static_cast<std::size_t>(kBins * kBins * kBins));
     const float flat = kFlat + 3.0F * static_cast<float>(noise);
@@ -62,7 +62,7 @@ std::vector<Bin> histogram(const LabPicture& lab, double noise) {
     return bins;
 }
 
-/// The mean of all filled bins within reach of `colour`.
+/// Returns the mean of all filled bins within reach of `colour`.
 Bin around(const std::vector<Bin>& filled, const cv::Vec3f& colour) {
     Bin all;
     for (const Bin& bin : filled) {
@@ -78,7 +78,8 @@ cv::Vec3f mean_of(const Bin& bin) {
     return bin.sum * (1.0F / static_cast<float>(bin.count));
 }
 
-/// How many pixels make a colour: more near a common one, whose blur and compression look like it.
+/// Returns how many pixels make a colour: more near a common one, whose blur and compression look
+/// like it.
 double least_count(const Bin& peak, const std::vector<Bin>& found, double least) {
     double most = found.empty() ? 1.0 : std::max(1.0, least);
     for (const Bin& common : found) {
@@ -102,7 +103,7 @@ std::vector<cv::Vec3f> palette_of(const LabPicture& lab, double noise) {
     std::vector<Bin> found;
     while (!filled.empty() && found.size() < kMost) {
         Bin peak = around(filled, mean_of(filled.front()));
-        peak = around(filled, mean_of(peak));  // once uphill
+        peak = around(filled, mean_of(peak));  // one step uphill
         if (peak.count < least_count(peak, found, least)) {
             filled.erase(filled.begin());
             if (filled.empty() || filled.front().count < least / 16.0) {

@@ -17,7 +17,7 @@ namespace touchline {
 namespace {
 
 constexpr double kWorkingPixels = 1e6;  // 0.1 mm a pixel on a drawing area of 116 x 84 mm
-constexpr double kPhotoPixels = 3e5;    // finer edges of a photo are texture, and cost
+constexpr double kPhotoPixels = 3e5;    // finer edges of a photo are texture, and cost time
 constexpr double kPhotoSmoothing_px = 2.0;
 constexpr double kLongestTexture_mm = 20.0;
 constexpr double kSmallestTexture_mm = 20.0;
@@ -26,7 +26,7 @@ constexpr double kGrain =
     1.0;  // grey levels; more noise than that in an otherwise empty picture is its content
 constexpr double kPhotoBlur_px = 0.8;  // sigma, of lens and sampling
 
-/// The picture at working size, with what it says about itself.
+/// The picture at working size, with its measurements.
 struct Working {
     LabPicture lab;
     double noise = 0.0;
@@ -67,7 +67,7 @@ int drop_specks(std::vector<Chain>& chains, double shortest_px) {
         std::erase_if(chains, [&](const Chain& c) { return length_of(c) < shortest_px; }));
 }
 
-/// What is too narrow or too crowded for a hand, as one line.
+/// Merges lines that are too close together or too crowded for a hand.
 std::vector<Chain> without_clutter(std::vector<Chain> chains, cv::Size size, double px_per_mm) {
     const double gap_px = kLeastApart_mm * px_per_mm;
     return with_textures_outlined(
@@ -75,7 +75,7 @@ std::vector<Chain> without_clutter(std::vector<Chain> chains, cv::Size size, dou
         {gap_px, kLongestTexture_mm * px_per_mm, kSmallestTexture_mm * px_per_mm});
 }
 
-/// The lines that these thresholds give.
+/// Finds the lines that these thresholds give.
 void find(const GradientField& field, const Hysteresis& limits, double px_per_mm,
           PhotoLines& found) {
     std::vector<Chain> lines = edge_lines(field, limits);

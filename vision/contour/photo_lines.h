@@ -1,4 +1,4 @@
-// The lines of a picture that is taken as it comes: edges, linked, corners put back.
+// Finds the lines of any picture as it is: edges, linked, corners restored.
 //
 // picture -> at most 1 megapixel -> Lab -> Gaussian -> colour gradient
 // -> lines of greatest strength (sub-pixel) with hysteresis -> junctions, gaps, closing -> stripes,
@@ -13,8 +13,8 @@
 
 namespace touchline {
 
-/// Lines with what was measured on the way. Pixels are working pixels: those of the picture after
-/// the reduction to at most a megapixel.
+/// Lines with the measurements made on the way. Pixels are working pixels: those of the picture
+/// after the reduction to at most a megapixel.
 struct PhotoLines {
     std::vector<Chain> chains;
     cv::Size size;              // working
@@ -22,7 +22,7 @@ struct PhotoLines {
     double smoothing_px = 0.0;  // Gaussian sigma
     double low = 0.0;           // hysteresis, grey levels per pixel
     double high = 0.0;
-    bool is_grain = false;  // nothing stands out: these are lines of the picture's own noise
+    bool is_grain = false;  // nothing stands out: the lines are the picture's own noise
     int lines_found = 0;    // after hysteresis
     int gaps_closed = 0;
     int junctions = 0;       // places where three or more arms meet
@@ -33,11 +33,12 @@ struct PhotoLines {
     cv::Mat edge_strength;
 };
 
-/// The lines of an 8-bit picture, BGR or grey, whose longer side will be `longer_side_mm` long at
-/// the handle; arms of a junction share their point bit for bit. Lines shorter than 4 mm (and 8
-/// working pixels) are specks. In photos stripes narrower than 3.2 mm become one line and textures
-/// one outline. Empty chains: nothing was found. Throws cv::Exception without memory.
-/// Deterministic. Threads: pure function (OpenCV may use its own threads inside). O(pixels).
+/// Returns the lines of an 8-bit picture, BGR or grey, whose longer side will be `longer_side_mm`
+/// long at the handle; arms of a junction share their point bit for bit. Lines shorter than 4 mm
+/// (and 8 working pixels) are specks. In photos, stripes narrower than 3.2 mm become one line and
+/// textures one outline. Chains are empty if nothing was found. Throws cv::Exception without
+/// memory. Deterministic. Threads: pure function (OpenCV may use its own threads inside).
+/// O(pixels).
 [[nodiscard]] PhotoLines photo_lines(const cv::Mat& picture, double longer_side_mm);
 
 }  // namespace touchline

@@ -7,13 +7,12 @@
 namespace touchline {
 namespace {
 
-// What a step between flat colours gives as gradient: a Gaussian's peak over sigma, sigma about
-// 1 px.
+// The gradient of a step between flat colours: a Gaussian's peak over sigma, with sigma about 1 px.
 constexpr double kGradientOverStep = 0.4;
 constexpr int kNone = -1;
 
-/// A place where a line crosses from one pixel to the next, and what it is linked to on either
-/// side: other crossings, or nodes (junctions) as -2 - index.
+/// A place where a line crosses from one pixel to the next, and its links on either side: other
+/// crossings, or nodes (junctions) as -2 - index.
 struct Crossing {
     EdgePoint point;
     std::array<int, 2> next{kNone, kNone};
@@ -39,7 +38,7 @@ class BorderTracer {
         }
         is_used_.assign(crossings_.size(), false);
         std::vector<Chain> lines;
-        for (const bool is_open : {true, false}) {  // what is left after the open ones are rings
+        for (const bool is_open : {true, false}) {  // first the open ones; the rest are rings
             for (std::size_t i = 0; i < crossings_.size(); ++i) {
                 const bool is_end = crossings_[i].next[0] < 0 || crossings_[i].next[1] < 0;
                 if (!is_used_[i] && is_end == is_open) {
@@ -70,7 +69,7 @@ class BorderTracer {
         const float square = step.dot(step);
         const float at_p = (lab_(p) - from).dot(step) / square;
         const float at_q = (lab_(q) - from).dot(step) / square;
-        constexpr float kSteep = 0.1F;  // a flatter course says nothing about the place
+        constexpr float kSteep = 0.1F;  // a flatter course does not tell the place
         const float t =
             at_q - at_p > kSteep ? std::clamp((0.5F - at_p) / (at_q - at_p), 0.02F, 0.98F) : 0.5F;
         Crossing crossing;
@@ -104,8 +103,8 @@ class BorderTracer {
         }
     }
 
-    /// Whether the colour of the upper left and lower right pixel runs through between the other
-    /// two: if those differ, yes; else if the middle of the cell looks more like it.
+    /// Returns whether the colour of the upper left and lower right pixel runs through between the
+    /// other two: if those differ, yes; else if the middle of the cell looks more like it.
     bool is_diagonal_joined(int y, int x) const {
         if (map_(y, x + 1) != map_(y + 1, x)) {
             return true;
@@ -139,7 +138,7 @@ class BorderTracer {
         nodes_.push_back(junction);
     }
 
-    /// From a crossing along its links to the next junction, the frame, or round to itself.
+    /// Walks from a crossing along its links to the next junction, the frame, or round to itself.
     Chain walked(int start) {
         Chain line;
         int here = start;

@@ -11,11 +11,11 @@
 namespace touchline {
 namespace {
 
-constexpr int kReach_px = 3;       // how far the pure colours beside an edge are looked for
+constexpr int kReach_px = 3;       // how far away to look for the pure colours beside an edge
 constexpr float kMixture = 14.0F;  // grey levels off the line between two colours
 constexpr float kMixtureOverStep = 0.12F;
 
-/// Pixels all of whose neighbours have the same colour.
+/// Returns the pixels whose neighbours all have the same colour.
 cv::Mat1b uniform_pixels(const cv::Mat1b& colours) {
     cv::Mat1b uniform(colours.size(), uchar{0});
     for (int y = 1; y + 1 < colours.rows; ++y) {
@@ -62,7 +62,7 @@ class Mixtures {
     }
 
   private:
-    /// Colours nearby, each with how well a pixel there shows it.
+    /// Looks at the colours nearby, each with how well a pixel there shows it.
     [[nodiscard]] uchar true_colour(int y, int x) const {
         std::array<uchar, 8> near{};
         std::size_t n = 0;
@@ -113,7 +113,7 @@ class Mixtures {
     cv::Mat1b uniform_;
 };
 
-/// The runs of regions below `least_px`; none if there are no others.
+/// Returns the runs of regions below `least_px`; none if there are no others.
 std::vector<Run> small_regions(const cv::Mat1b& map, int least_px) {
     const std::vector<Run> runs = runs_of(map);
     std::vector<int> area_px(runs.size(), 0);

@@ -1,4 +1,4 @@
-// A map of colours as runs of pixels, by region: flat pictures have few.
+// A map of colours as runs of pixels, by region. Flat pictures have few runs.
 // Threads: pure function.
 #pragma once
 
@@ -13,7 +13,7 @@ struct Run {
     int row = 0;
     int from = 0;  // columns from ... to - 1
     int to = 0;
-    std::size_t region = 0;  // the place of the first run of the same 4-connected region
+    std::size_t region = 0;  // index of the first run of the same 4-connected region
 };
 
 /// Row by row, from the left. O(pixels).

@@ -29,13 +29,13 @@ namespace touchline {
 namespace {
 
 constexpr double kSpeckPart = 0.001;        // of the picture: a smaller region is a speck
-constexpr double kLeastPaper = 0.3;         // less, and the paper says nothing about the light
-constexpr std::ptrdiff_t kLeastPoints = 4;  // of what a stroke leaves of a border
+constexpr double kLeastPaper = 0.3;         // with less, the paper does not show the light
+constexpr std::ptrdiff_t kLeastPoints = 4;  // of the rest that a stroke leaves of a border
 constexpr double kBorderBlur_px = 1.5;
 constexpr double kBorderSpan_px = 8.0;
 constexpr double kCalm = 1.0;  // grey levels of noise that need no smoothing
 
-/// Sigma that brings noise down to a grey level or two, but rounds no corner by a pixel.
+/// Returns a sigma that brings noise down to a grey level or two, but rounds no corner by a pixel.
 double smoothing_for_noise(double noise) {
     constexpr double kGreatest_px = 1.5;
     return noise > kCalm ? std::min(kGreatest_px, 0.5 + 0.1 * noise) : 0.0;
@@ -66,7 +66,7 @@ uchar commonest(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palette) {
     return static_cast<uchar>(std::ranges::max_element(counts) - counts.begin());
 }
 
-/// The colours that differ from the ground, but much less than others.
+/// Returns the colours that differ from the ground, but much less than others do.
 cv::Mat1b pale_pixels(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palette, uchar ground) {
     double strongest = 0.0;
     for (const cv::Vec3f& colour : palette) {
@@ -80,13 +80,13 @@ cv::Mat1b pale_pixels(const cv::Mat1b& map, const std::vector<cv::Vec3f>& palett
     return pale;
 }
 
-/// The picture's regions, once a grid behind them is gone.
+/// Finds the picture's regions after removing a grid behind them.
 void find_regions(FlatPicture& flat, double greatest_width_px) {
     flat.map = region_map(flat.lab, flat.palette);
     const uchar ground = commonest(flat.map, flat.palette);
     const cv::Mat1b pale = pale_pixels(flat.map, flat.palette, ground);
     cv::Mat1b grid;
-    if (cv::countNonZero(pale) > 0) {  // most flat pictures have nothing pale to look through
+    if (cv::countNonZero(pale) > 0) {  // most flat pictures have nothing pale to examine
         grid = grid_of(parts_of(pale, greatest_width_px).strokes, greatest_width_px);
     }
     if (!grid.empty()) {
@@ -114,7 +114,7 @@ FlatPicture flat_picture(const LabPicture& lab, double noise, double greatest_wi
     return flat;
 }
 
-/// Marks of any colour as ink on what lies beneath them.
+/// Returns marks of any colour as ink on what lies beneath them.
 Ink ink_of_marks(const cv::Mat1b& mask, const cv::Mat1f& contrast) {
     Ink ink;
     ink.mask = mask;
@@ -124,7 +124,7 @@ Ink ink_of_marks(const cv::Mat1b& mask, const cv::Mat1f& contrast) {
     return ink;
 }
 
-/// Strokes with a colour of their own, and what else is drawn as thin.
+/// Returns strokes with a colour of their own, and whatever else is drawn as thin.
 Ink ink_of_strokes(const FlatPicture& flat, const ThinParts& thin, const FineMarks& marks) {
     Ink ink = ink_of_marks(cv::Mat1b(cv::Mat(thin.strokes | marks.lines)), marks.contrast.clone());
     for (int y = 0; y < thin.map.rows; ++y) {
@@ -137,7 +137,8 @@ Ink ink_of_strokes(const FlatPicture& flat, const ThinParts& thin, const FineMar
     return ink;
 }
 
-/// Dashes and dots in a row, of what is too small for an area; what is left are letters and specks.
+/// Returns dashes and dots in a row among what is too small for an area; the rest are letters and
+/// specks.
 std::vector<Chain> broken_lines(const FineMarks& marks, double greatest_width_px) {
     if (cv::countNonZero(marks.bits) == 0) {
         return {};
@@ -149,7 +150,7 @@ std::vector<Chain> broken_lines(const FineMarks& marks, double greatest_width_px
     return lines;
 }
 
-/// What of the lines lies outside a mask, in pieces; a ring that does as a whole stays one.
+/// Returns the parts of the lines outside a mask; a ring that is wholly outside stays one.
 std::vector<Chain> outside(const std::vector<Chain>& lines, const cv::Mat& mask) {
     std::vector<Chain> kept;
     for (const Chain& line : lines) {
@@ -179,8 +180,8 @@ std::vector<Chain> outside(const std::vector<Chain>& lines, const cv::Mat& mask)
     return kept;
 }
 
-/// Ends of borders that a stroke has cut meet its middle line, ends of strokes that stop at an area
-/// meet its border.
+/// Makes ends of borders that a stroke has cut meet its middle line, and ends of strokes that stop
+/// at an area meet its border.
 std::vector<Chain> joined(std::vector<Chain> lines, std::size_t strokes, cv::Size size,
                           double greatest_width_px) {
     JunctionSet junctions(kBorderBlur_px, kBorderSpan_px);

@@ -40,7 +40,7 @@ void snap(Chain& ring, const cv::Mat1f& strength, double reach_px) {
             }
         }
     }
-    constexpr int kAgree = 7;  // points, middle one of
+    constexpr int kAgree = 7;  // points, of which the median is taken
     for (int i = 0; i < n; ++i) {
         std::array<double, kAgree> around{};
         for (int k = 0; k < kAgree; ++k) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kSmoothingPasses = 2;  // of (1 2 1)/4: a Gaussian of one spacing
 
-/// Binomial smoothing of the inner points.
+/// Smooths the inner points binomially.
 void smooth(std::vector<EdgePoint>& line) {
     for (int pass = 0; pass < kSmoothingPasses; ++pass) {
         cv::Point2d before = line.front().at;

@@ -7,7 +7,7 @@
 namespace touchline {
 namespace {
 
-constexpr double kFinest_px = 1.0;  // below it the pixel grid shows in the slopes
+constexpr double kFinest_px = 1.0;  // below it, the pixel grid shows in the slopes
 constexpr double kPhoto_px = 2.5;   // best of 1, 1.4, 2, 2.5, 2.8, 4 on photos
 constexpr double kDrawing = 0.20;   // at most this part of the picture changes: a drawing
 constexpr double kPhoto = 0.40;     // at least this part: a photo
@@ -15,15 +15,14 @@ constexpr double kRounding = 0.3;   // gradient that 8-bit rounding and compress
 constexpr double kSignificance = 6.0;       // x gradient noise: 2e-8 of the pixels of pure noise
 constexpr double kMedianOverSigma = 1.177;  // of a Rayleigh distribution: the gradient of noise
 constexpr double kMostlyNoise = 2.5;  // measured over predicted gradient noise; photos 5 and more
-constexpr double kHighOverQuantile =
-    3.0;  // binds in drawings, where the strongest are all there is
+constexpr double kHighOverQuantile = 3.0;  // binds in drawings, which have only strong edges
 constexpr double kGrainOverQuantile = 2.0;
 constexpr double kHighOverStrongest = 0.45;  // F .613 on photos; .609 at 0.5, .606 at 0.6
 constexpr double kLowOverHigh = 0.4;
 
-/// The part of the pixels whose lightness differs across them by more than noise and rounding
-/// explain. Unsmoothed: close lines of a drawing leave flat pixels between them, the texture of a
-/// photo does not.
+/// Returns the share of the pixels whose lightness differs across them by more than noise and
+/// rounding explain. Unsmoothed, because close lines of a drawing leave flat pixels between them,
+/// and the texture of a photo does not.
 double changing_part(const LabPicture& lab, double noise) {
     const double limit = std::max(2.0 * kRounding, 3.0 * noise / std::numbers::sqrt2);
     const auto limit_squared = static_cast<float>(4.0 * limit * limit);
@@ -49,7 +48,7 @@ Hysteresis hysteresis(double high) {
 }  // namespace
 
 double smoothing_for(const LabPicture& lab, double noise) {
-    // The least sigma that brings the gradient's noise down to one grey level a pixel.
+    // The smallest sigma that brings the gradient's noise down to one grey level a pixel.
     const double fine_px = std::clamp(kFinest_px * std::sqrt(gradient_noise(noise, kFinest_px)),
                                       kFinest_px, kPhoto_px);
     const double part = changing_part(lab, noise);
@@ -61,7 +60,7 @@ Hysteresis thresholds_for(const GradientField& field, double noise, double sigma
     const double median = quantile_of(field, 0.5);
     const double predicted = gradient_noise(noise, sigma_px);
     const double measured = median / kMedianOverSigma;
-    // Where most of the gradient is noise the gradient itself measures it best.
+    // If most of the gradient is noise, the gradient itself measures it best.
     const double floor =
         kSignificance *
         (measured < kMostlyNoise * predicted ? std::max(predicted, measured) : predicted);

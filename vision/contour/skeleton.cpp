@@ -57,7 +57,7 @@ class Tracer {
         }
     }
 
-    /// Pixels with three neighbours or more, in clusters.
+    /// Finds pixels with three neighbours or more, in clusters.
     void find_nodes(const cv::Mat1b& thin) {
         std::vector<cv::Point> branches;
         for (int y = 0; y < thin.rows; ++y) {
@@ -101,7 +101,7 @@ class Tracer {
         }
     }
 
-    /// From nodes, then from free ends, then round what is left.
+    /// Traces arms from nodes, then from free ends, then round what is left.
     void trace_arms() {
         for (const cv::Point& p : pixels_) {
             if (node_(p) >= 0) {
@@ -181,7 +181,7 @@ class Tracer {
             const std::size_t b = root(arm.to);
             const double width_px = nodes_[a].depth + nodes_[b].depth;
             const double limit = (a == b ? kLoopOverWidth : kBridgeOverWidth) * width_px;
-            // The nodes as they are by now: many short bridges in a row do not make one node.
+            // The nodes as they are now: many short bridges in a row do not make one node.
             const bool is_far = a != b && distance(nodes_[a].centre(), nodes_[b].centre()) > limit;
             if (length(arm) > limit || is_far) {
                 continue;
@@ -198,7 +198,7 @@ class Tracer {
         }
     }
 
-    /// All bumps of a node at once, if something longer is left there.
+    /// Drops all bumps of a node at once, if something longer is left there.
     void drop_spurs() {
         std::vector<std::vector<std::size_t>> spurs(nodes_.size());
         std::vector<int> others(nodes_.size(), 0);

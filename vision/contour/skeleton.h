@@ -1,4 +1,4 @@
-// The lines of a thinned shape and where they meet.
+// The lines of a thinned shape, and where they meet.
 // Threads: pure function.
 #pragma once
 
@@ -15,7 +15,8 @@ struct Skeleton {
     std::vector<std::vector<EndId>> nodes;  // the ends that meet, two or more each
 };
 
-/// The arms of a thinned mask. depth: distance to the shape's edge; it says how wide the stroke is.
+/// Returns the arms of a thinned mask. depth: distance to the shape's edge; it tells how wide the
+/// stroke is.
 /// * A free arm shorter than 0.8 stroke widths at its node is a bump of the edge, and left out.
 /// * Nodes less than one stroke width apart are one node (a crossing thins to two).
 /// * Loops shorter than a stroke width are left out.

@@ -1,4 +1,4 @@
-// A line in stretches, by where its points lie. Threads: pure function.
+// Cuts a line into stretches by where its points lie. Threads: pure function.
 #pragma once
 
 #include "vision/contour/chain.h"
@@ -10,9 +10,9 @@
 
 namespace touchline {
 
-/// `add(Chain, place)` for every longest stretch of a line whose points have one place by
-/// `place_of(point)`: open, but for a closed line of one place. A closed line has
-/// points. O(points).
+/// Calls `add(Chain, place)` for every longest stretch of a line whose points have one place by
+/// `place_of(point)`. Stretches are open, except for a closed line with a single place. A closed
+/// line must have points. O(points).
 template <class PlaceOf, class Add>
 void cut_by_place(const Chain& line, PlaceOf place_of, Add add) {
     std::vector<EdgePoint> points = line.points;

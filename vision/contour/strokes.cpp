@@ -20,16 +20,16 @@
 namespace touchline {
 namespace {
 
-constexpr double kGradientOverStep = 0.4;      // as of a step smoothed with sigma 1 px
-constexpr double kLeastLengthOverWidth = 2.5;  // with shorter arms it is a dot, or a small star
-// At a corner of angle a the middle of the ink is 0.25 (1 / sin(a / 2) - 1) widths inside it, over
-// half a width / tan(a / 2) of either side: what a blur of this many widths would do.
+constexpr double kGradientOverStep = 0.4;      // as for a step smoothed with sigma 1 px
+constexpr double kLeastLengthOverWidth = 2.5;  // with shorter arms it is a dot or a small star
+// At a corner of angle a, the middle of the ink is 0.25 (1 / sin(a / 2) - 1) widths inside it, over
+// half a width / tan(a / 2) of either side: as a blur of this many widths would move it.
 constexpr double kRoundingOverWidth = 0.5;
-// A bevelled join of angle a leaves half a width x sin(a / 2) of ink beyond the corner, and others
-// more; a bend's vertex is nearer to the edge.
+// A bevelled join of angle a leaves half a width x sin(a / 2) of ink beyond the corner, and other
+// joins leave more; a bend's vertex is nearer to the edge.
 constexpr double kDepthAtCorner = 0.48;
 
-/// What was found in one connected piece of ink.
+/// The contents of one connected piece of ink.
 struct Piece {
     std::vector<std::size_t> arms;  // of the skeleton
     std::vector<const SolvedJunction*> solved;
@@ -79,7 +79,7 @@ class StrokeTracer {
     }
 
   private:
-    /// The piece of ink at a place or right beside it.
+    /// Returns the piece of ink at a place or right beside it.
     int piece_at(const cv::Point2d& at) const {
         for (const double dy : {0.0, -1.0, 1.0}) {
             for (const double dx : {0.0, -1.0, 1.0}) {
@@ -105,7 +105,7 @@ class StrokeTracer {
         return pieces;
     }
 
-    /// Which ends meet, and where; the arms that nobody drew go.
+    /// Finds which ends meet, and where; drops the arms that nobody drew.
     void solve_joints(std::vector<Piece>& pieces) {
         std::vector<double> usual_depth_px(skeleton_.arms.size(), 1.0);
         for (const Piece& piece : pieces) {
@@ -152,7 +152,8 @@ class StrokeTracer {
         }
     }
 
-    /// Borders of the shapes, where the darkness is 1: a picture of two colours, 0 and 2.
+    /// Returns the borders of the shapes, where the darkness is 1: a picture of two colours, 0 and
+    /// 2.
     std::vector<Chain> outlines() const {
         if (cv::countNonZero(parts_.shapes) == 0) {
             return {};
@@ -210,7 +211,7 @@ class StrokeTracer {
         return network;
     }
 
-    /// Free ends of strokes that stop at a wide shape meet its outline.
+    /// Makes free ends of strokes that stop at a wide shape meet its outline.
     static void meet_outlines(const std::vector<Chain>& lines, std::size_t strokes,
                               const std::vector<bool>& is_free, JunctionSet& junctions) {
         for (EndId end = 0; end < 2 * strokes; ++end) {
@@ -258,8 +259,8 @@ class StrokeTracer {
         return line;
     }
 
-    /// A border half-way between two pixels may be rounded to the paper's side all along, where the
-    /// contrast is nothing: the ink beside it tells how strong it is.
+    /// A border half-way between two pixels may be rounded to the paper's side all along, where
+    /// there is no contrast, so the ink beside it tells how strong it is.
     void take_strength_beside(Chain& line) const {
         for (EdgePoint& point : line.points) {
             for (const double dy : {-0.5, 0.5}) {
@@ -272,7 +273,7 @@ class StrokeTracer {
         }
     }
 
-    /// The greatest within a pixel.
+    /// Returns the greatest depth within a pixel.
     double depth_near(const cv::Point2d& at) const {
         const cv::Point p = pixel_at(at);
         const cv::Rect around =
@@ -293,7 +294,7 @@ class StrokeTracer {
     Joints joints_;
 };
 
-/// The contrast that all but one in fifty of the ink's pixels keep below.
+/// Returns the contrast that all but one in fifty of the ink's pixels stay below.
 double strongest_contrast(const Ink& ink) {
     std::vector<float> contrasts;
     for (int y = 0; y < ink.mask.rows; ++y) {

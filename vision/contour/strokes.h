@@ -1,4 +1,4 @@
-// Lines drawn with a pen: drawings, handwriting, maps.
+// Finds lines drawn with a pen: drawings, handwriting, maps.
 // Threads: pure function.
 #pragma once
 
@@ -8,24 +8,24 @@
 
 namespace touchline {
 
-/// Wider, and a hand feels its two edges.
+/// A hand feels the two edges of a wider stroke.
 inline constexpr double kWidestStroke_mm = 3.0;
 
-/// The middle line of every stroke no wider than `greatest_width_px`, with its width (width_px),
-/// and the outline of everything wider (width_px 0) and of every dot.
+/// Returns the middle line of every stroke no wider than `greatest_width_px`, with its width
+/// (width_px), and the outline of everything wider (width_px 0) and of every dot.
 /// * Strokes stand out from the paper, whatever its colour and shade (prepare/ink.h).
 /// * Sub-pixel: half-way between the two edges of the stroke.
-/// * Bumps shorter than 0.8 widths are left out; junctions within one width are one; there the
+/// * Bumps shorter than 0.8 widths are left out. Junctions within one width are one; there the
 ///   lines share their point bit for bit, fixed, and lines that continue each other within 30
 ///   degrees run through as one. A stroke that ends on a wide shape meets its outline.
 /// * An end is half a width before the end of the ink, or on the frame; fixed.
 /// * Corners are sharp and fixed.
-/// noise: of the picture, grey levels (noise_of). Strength: of the stroke's edges, grey levels per
+/// noise: the picture's, grey levels (noise_of). Strength: of the stroke's edges, grey levels per
 /// pixel. Deterministic. O(pixels), about 50 ms a megapixel.
 [[nodiscard]] std::vector<Chain> stroke_lines(const LabPicture& lab, double noise,
                                               double greatest_width_px);
 
-/// The same of ink that is known.
+/// The same for ink that is already known.
 [[nodiscard]] std::vector<Chain> stroke_lines(const Ink& ink, double greatest_width_px);
 
 }  // namespace touchline

@@ -40,7 +40,7 @@ class TextureMap {
         return area_of_[chain] > 0 && is_texture(area_of_[chain]);
     }
 
-    /// Round every area, once.
+    /// Returns an outline round every area, once.
     [[nodiscard]] std::vector<Chain> outlines() const {
         std::vector<Chain> rings = iso_rings(density_, least_density());
         std::erase_if(rings, [&](const Chain& ring) {
@@ -76,7 +76,8 @@ class TextureMap {
 
     float least_density() const { return static_cast<float>(1.0 / scale_.spacing_px); }
 
-    /// Length of short lines per area, smoothed; what lies beyond the frame does not count.
+    /// Measures the length of short lines per area, smoothed; what lies beyond the frame does not
+    /// count.
     void measure() {
         for (std::size_t c = 0; c < chains_.size(); ++c) {
             const std::vector<EdgePoint>& points = chains_[c].points;
@@ -109,7 +110,7 @@ class TextureMap {
         }
     }
 
-    /// Which area each short line belongs to: the one that most of its points are in, or 0.
+    /// Finds the area of each short line: the one that most of its points are in, or 0.
     void sort_lines() {
         area_of_.assign(chains_.size(), 0);
         for (std::size_t c = 0; c < chains_.size(); ++c) {
@@ -137,8 +138,8 @@ class TextureMap {
         return is_sized_[i] && lines_in_[i].count >= kFewestLines;
     }
 
-    /// The area inside a ring, from the high element beside its first crossing, which lies on a
-    /// side between two elements of a row.
+    /// Returns the area inside a ring, from the high element beside its first crossing, which lies
+    /// on a side between two elements of a row.
     int area_at(const Chain& ring) const {
         const cv::Point2d first = ring.points.front().at;
         return areas_(static_cast<int>(std::lround(first.y)), static_cast<int>(std::ceil(first.x)));

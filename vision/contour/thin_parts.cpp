@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kMostColours = 256;
 
-/// The pieces of a mask that are strokes all over, but for what runs along the picture's edge: a
-/// frame leaves it over.
+/// Returns the pieces of a mask that are strokes all over, except for parts that run along the
+/// picture's edge, which a frame leaves over.
 cv::Mat wholly_thin(const InkParts& parts, double greatest_width_px) {
     struct Piece {
         int pixels = 0;
@@ -33,7 +33,7 @@ cv::Mat wholly_thin(const InkParts& parts, double greatest_width_px) {
             piece.has_shape = piece.has_shape || parts.shapes(y, x) != 0;
         }
     }
-    pieces.front().has_shape = true;  // what is not of the mask
+    pieces.front().has_shape = true;  // what is not part of the mask
     cv::Mat thin(parts.piece.size(), CV_8U);
     std::ranges::transform(parts.piece, thin.begin<uchar>(), [&](int number) {
         const Piece& piece = pieces[static_cast<std::size_t>(number)];
@@ -43,7 +43,7 @@ cv::Mat wholly_thin(const InkParts& parts, double greatest_width_px) {
     return thin;
 }
 
-/// How many pixels a colour has, and the box around them.
+/// The number of pixels of a colour, and the box around them.
 struct ColourExtent {
     int pixels = 0;
     cv::Rect box;
@@ -76,7 +76,8 @@ ThinParts thin_parts_of(const cv::Mat1b& map, double greatest_width_px) {
     for (int colour = 0; colour < kMostColours; ++colour) {
         const ColourExtent& extent = extents[static_cast<std::size_t>(colour)];
         if (extent.pixels == 0) continue;
-        // A rim of other colours, so that the box's sides are not taken for more of the colour.
+        // Adds a rim of other colours, so that the box's sides are not taken for more of the
+        // colour.
         const cv::Rect box =
             (extent.box + cv::Size(4, 4) - cv::Point(2, 2)) & cv::Rect({}, map.size());
         const cv::Mat mask = map(box) == colour;

@@ -12,7 +12,8 @@ namespace {
 constexpr float kSteps = 8.0F;  // of depth, per pixel
 
 /// Whether a pixel may go, by its eight neighbours (bit k: neighbour k, round the pixel, even bits
-/// beside it): it is no end, and its neighbours hang together without it (Yokoi's number is 1).
+/// beside it): it is not an end, and its neighbours stay connected without it (Yokoi's number is
+/// 1).
 constexpr std::array<bool, 256> removable_table() {
     std::array<bool, 256> table{};
     for (unsigned code = 0; code < 256; ++code) {
@@ -44,8 +45,8 @@ class Thinning {
         }
     }
 
-    /// Level by level, from the four sides in turn: all from one side would eat a line that is two
-    /// pixels wide from its end.
+    /// Goes level by level, from the four sides in turn: going from one side only would remove a
+    /// line that is two pixels wide from its end.
     void peel() {
         for (std::size_t level = 0; level < queues_.size(); ++level) {
             std::vector<std::size_t> asked = std::move(queues_[level]);
@@ -91,7 +92,7 @@ class Thinning {
         return code;
     }
 
-    /// What lies open to that side now goes, if it may; its neighbours are asked again.
+    /// Removes what now lies open to that side, if it may go; its neighbours are checked again.
     void peel_side(const std::vector<std::size_t>& asked, std::size_t side, int level,
                    std::vector<std::size_t>& again) {
         std::vector<std::size_t> open;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostBoxes = 16;
 constexpr double kLeastLikelihood = 0.5;
-constexpr double kShared = 0.3;  // of a box that is the same face again
+constexpr double kShared = 0.3;  // of a box: then it is the same face again
 constexpr double kLeastSide_px = 4.0;
 
 cv::Point2d anchor(int row) {

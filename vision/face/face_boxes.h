@@ -1,4 +1,4 @@
-// Where faces may be: what BlazeFace answers, decoded. Threads: pure functions.
+// Decodes BlazeFace's answer: where faces may be. Threads: pure functions.
 #pragma once
 
 #include <vector>
@@ -15,15 +15,15 @@ struct FaceBox {
     double likelihood = 0.0;  // 0.5..1
 };
 
-/// The side of the network's input; a larger square of places than this it does not know.
+/// The side of the network's input, the largest square of places that it knows.
 inline constexpr int kFaceInput_px = 256;
 
-/// Decodes its outputs. They have a row for each anchor, 16 x 16 x 2 of stride 16 and then 8 x 8 x
-/// 6 of stride 32, each place's anchors behind one another, row by row. `scores`: logits; `places`:
-/// centre, size and six points (x, y) about the anchor. Numbers are finite, and may be any: a box
-/// that is no box of the input, or has an eye far from it, is left out. The likeliest first, 16 at
-/// most; of two that share three tenths of the less likely the likelier stays. Source: Bazarevsky
-/// et al. 2019.
+/// Decodes the network's outputs. They have a row for each anchor, 16 x 16 x 2 of stride 16 and
+/// then 8 x 8 x 6 of stride 32, each place's anchors one after the other, row by row. `scores`:
+/// logits; `places`: centre, size and six points (x, y) about the anchor. Numbers are finite and
+/// may be anything: a box that is not a box in the input, or has an eye far from it, is left out.
+/// The likeliest come first, 16 at most; of two that share three tenths of the less likely, the
+/// likelier stays. Source: Bazarevsky et al. 2019.
 [[nodiscard]] std::vector<FaceBox> face_boxes(const cv::Mat1f& scores, const cv::Mat1f& places);
 
 /// Adds those of `more` that lie on none of `boxes` yet, by the same measure. O(`more` x all).

@@ -1,4 +1,4 @@
-// A face in a picture, with the person whose it is, as a map of its own.
+// Draws a face in a picture, with its person, as a map of its own.
 // Threads: one at a time for a network.
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace touchline {
 
-/// The map of a mesh that lies on a face of an 8-bit BGR picture, in the area's usual size. Fails
-/// as the network does. 24 ms on one core.
+/// Returns the map of a mesh that lies on a face of an 8-bit BGR picture, in the area's usual size.
+/// Fails as the network does. 24 ms on one core.
 [[nodiscard]] Result<FaceMap> drawn_face(const cv::Mat3b& picture, const FaceMesh& mesh,
                                          PersonNetwork& persons);
 

@@ -19,7 +19,7 @@ namespace {
 constexpr double kNearProfile = -0.02;
 constexpr double kTurnedAway = 0.15;
 
-// The openings of what is closed, in its widths.
+// The openings of closed eyes and mouths, in their widths.
 constexpr double kClosedMouth = 0.07;
 constexpr double kClosedEye = 0.12;
 
@@ -31,7 +31,7 @@ constexpr std::array<std::size_t, 36> kOval{
 constexpr std::array<std::size_t, 6> kRidge{168, 6, 197, 195, 5, 4};
 constexpr std::array<std::size_t, 9> kNostrils{129, 64, 98, 97, 2, 326, 327, 294, 358};
 
-/// These run from the top of the forehead over nose and lips to the chin.
+/// These points run from the top of the forehead over nose and lips to the chin.
 constexpr std::array<std::size_t, 26> kMiddle{10, 151, 9,  8,  168, 6,   197, 195, 5,
                                               4,  1,   19, 94, 2,   164, 0,   11,  12,
                                               15, 16,  17, 18, 200, 199, 175, 152};
@@ -59,8 +59,8 @@ constexpr Slit kMouth{kUpperLip, kLowerLip};
 constexpr Slit kLeftBrow{kLeftBrowTop, kLeftBrowBottom};
 constexpr Slit kRightBrow{kRightBrowTop, kRightBrowBottom};
 
-/// A line through points of the mesh. They are the corners of a net, which a hand must not feel: it
-/// runs smoothly between them, sharp in fixed ones alone.
+/// Draws a line through points of the mesh. They are the corners of a net, which a hand must not
+/// feel: the line runs smoothly between them, and is sharp only in fixed ones.
 Chain smooth(Chain line) {
     const double apart_px = length_of(line) / static_cast<double>(line.points.size());
     if (!(apart_px > 0.0)) return line;
@@ -73,7 +73,7 @@ Chain through(const FaceMesh& mesh, Points points, bool is_closed) {
     return smooth(std::move(line));
 }
 
-/// The middle of a slit: one line.
+/// Returns the middle of a slit as one line.
 Chain middle_line(const FaceMesh& mesh, const Slit& slit) {
     Chain line;
     for (std::size_t i = 0; i < slit.upper.size(); ++i) {
@@ -82,8 +82,8 @@ Chain middle_line(const FaceMesh& mesh, const Slit& slit) {
     return smooth(std::move(line));
 }
 
-/// The ring from its first corner on, both of them fixed again: smoothing forgets those where a
-/// wide open slit hardly turns.
+/// Returns the ring from its first corner on, with both fixed again: smoothing forgets corners
+/// where a wide open slit hardly turns.
 Chain with_corners(Chain ring, cv::Point2d first, cv::Point2d second) {
     const auto nearest = [&ring](cv::Point2d corner) {
         return std::ranges::min_element(
@@ -106,19 +106,19 @@ Chain ring_round(const FaceMesh& mesh, const Slit& slit) {
     return with_corners(smooth(std::move(line)), mesh[slit.upper.front()], mesh[slit.upper.back()]);
 }
 
-/// Height over width.
+/// Returns height over width.
 double opening_of(const FaceMesh& mesh, const Slit& slit) {
     const std::size_t middle = slit.upper.size() / 2;
     const double width_px = distance(mesh[slit.upper.front()], mesh[slit.upper.back()]);
     return distance(mesh[slit.upper[middle]], mesh[slit.lower[middle]]) / std::max(width_px, 1e-9);
 }
 
-/// What is open is a ring.
+/// Returns a ring if it is open, else one line.
 Chain line_of(const FaceMesh& mesh, const Slit& slit, double closed) {
     return opening_of(mesh, slit) < closed ? middle_line(mesh, slit) : ring_round(mesh, slit);
 }
 
-/// The grey level that this share of them is darker than; nothing, where there are none.
+/// Returns the grey level that this share of the levels is darker than; nothing if there are none.
 std::optional<double> level_at(std::vector<uchar> levels, double share) {
     if (levels.empty()) return std::nullopt;
     const auto at = levels.begin() +
@@ -127,7 +127,7 @@ std::optional<double> level_at(std::vector<uchar> levels, double share) {
     return static_cast<double>(*at);
 }
 
-/// The grey levels within a ring, as far as the picture has them.
+/// Returns the grey levels within a ring, as far as it lies in the picture.
 std::vector<uchar> greys_within(const cv::Mat3b& picture, const std::vector<cv::Point2d>& ring) {
     std::vector<cv::Point> points(ring.begin(), ring.end());
     const cv::Rect box = cv::boundingRect(points) & cv::Rect({}, picture.size());
@@ -146,15 +146,15 @@ std::vector<uchar> greys_within(const cv::Mat3b& picture, const std::vector<cv::
     return levels;
 }
 
-/// What tells an eye from a lens, in grey levels of the cheek below it.
+/// The signs that tell an eye from a lens, in grey levels of the cheek below it.
 struct EyeSigns {
-    double light_around = 0.0;  // what a quarter of all that is round the eye exceeds
-    double contrast = 0.0;      // within the eye, but for a tenth on either side
+    double light_around = 0.0;  // level that a quarter of everything round the eye exceeds
+    double contrast = 0.0;      // within the eye, without a tenth at either end
 };
 
 std::optional<EyeSigns> eye_signs(const cv::Mat3b& picture, const FaceMesh& mesh,
                                   const Slit& slit) {
-    constexpr double kBeside = 0.15;  // of the eye's width: what counts as round it, to its sides
+    constexpr double kBeside = 0.15;  // of the eye's width: what counts as round it, at its sides
     constexpr double kAbove = 0.4;    // likewise, above and below
     constexpr double kLight = 0.75;
     constexpr double kLeftOut = 0.1;
@@ -192,7 +192,7 @@ Sides sides_of(const FaceTurn& turn) {
     return {!is_turned_away || !turn.is_left_narrower, !is_turned_away || turn.is_left_narrower};
 }
 
-/// The half of a mouth that is seen from the side, as one line.
+/// Returns the half of a mouth that is seen from the side, as one line.
 Chain half_mouth(const FaceMesh& mesh, bool is_left) {
     constexpr std::size_t kHalf = 6;
     return middle_line(mesh, is_left ? Slit{kMouth.upper.first(kHalf), kMouth.lower.first(kHalf)}

@@ -19,12 +19,12 @@
 namespace touchline {
 namespace {
 
-constexpr double kMargin_mm = 2.0;  // above the head: a finger goes round it
+constexpr double kMargin_mm = 2.0;  // above the head, so that a finger can go round it
 constexpr double kStep_mm = 0.25;
 constexpr double kClear_mm = kLeastApart_mm + 0.5 * kStep_mm;  // of points
 constexpr double kSmallBreak_mm = 4.0;
 constexpr double kMostMoved_mm = 3.0;
-constexpr double kLeastShown = 0.4;  // of a part that is shown at all
+constexpr double kLeastShown = 0.4;  // of a part, or it is not shown at all
 
 constexpr ShapingScale kOutlineScale{kStep_mm, 0.7, 6.0};
 constexpr ShapingScale kPartScale{kStep_mm, 0.3, 2.0};
@@ -52,7 +52,7 @@ bool is_eye(FacePart part) {
     return part == FacePart::left_eye || part == FacePart::right_eye;
 }
 
-/// The top of hair or hat, above the face.
+/// Returns the top of hair or hat, above the face.
 double top_of(const cv::Rect2d& face, const std::vector<PartLine>& lines) {
     constexpr double kBeside = 0.75;  // of the face's width, from its middle
     constexpr double kHighest = 1.0;  // of its height, above it
@@ -68,7 +68,7 @@ double top_of(const cv::Rect2d& face, const std::vector<PartLine>& lines) {
     return std::max(top, face.y - kHighest * face.height);
 }
 
-/// What of the picture fills the area.
+/// Returns the part of the picture that fills the area.
 cv::Rect2d part_shown(const cv::Rect2d& face, const std::vector<PartLine>& lines,
                       cv::Size2d area_mm) {
     constexpr double kShoulders = 0.35;  // of the face's height, below the chin
@@ -83,8 +83,8 @@ cv::Rect2d part_shown(const cv::Rect2d& face, const std::vector<PartLine>& lines
             size.height};
 }
 
-/// The way that leads along the line through eyes and mouth, or through what there is of them, to
-/// the right of an upright face.
+/// Returns the direction along the line through eyes and mouth, or through what there is of them,
+/// to the right of an upright face.
 cv::Point2d across_face(const std::vector<PartLine>& lines) {
     cv::Point2d across;
     for (const PartLine& line : lines) {
@@ -99,8 +99,8 @@ cv::Point2d across_face(const std::vector<PartLine>& lines) {
     return length > 0.0 ? across / length : cv::Point2d(1.0, 0.0);
 }
 
-/// The way along which, there or back, a part may be moved from what is there: eyes and mouth
-/// across the face, from its sides; brows and nostrils up, from what lies below them.
+/// Returns the direction in which, to and fro, a part may be moved away from what is there: eyes
+/// and mouth across the face, from its sides; brows and nostrils up, from what lies below them.
 cv::Point2d way_out(FacePart part, cv::Point2d across) {
     switch (part) {
         case FacePart::left_eye:
@@ -123,7 +123,7 @@ class FaceDrawing {
     explicit FaceDrawing(cv::Size2d area_mm)
         : area_mm_(area_mm), spaced_(area_mm, kLeastApart_mm, kStep_mm) {}
 
-    /// What of a line lies in the area.
+    /// Adds the part of a line that lies in the area.
     void add_outline(FacePart part, const Chain& line) {
         const auto is_within = [&](const EdgePoint& p) {
             return p.at.x >= 0.0 && p.at.y >= 0.0 && p.at.x <= area_mm_.width &&
@@ -137,8 +137,8 @@ class FaceDrawing {
         });
     }
 
-    /// A part by itself, moved a little if that keeps it clear; it touches nothing. A ring is shown
-    /// whole, or as one line; one without corners, which has no middle, not at all.
+    /// Adds a part by itself, moved a little if that keeps it clear; it touches nothing. A ring is
+    /// shown whole or as one line; one without corners, which has no middle, is left out.
     void add_part(FacePart part, const Chain& whole, cv::Point2d way) {
         Chain line = clear_of_others(shaped(whole, kPartScale), way);
         if (line.is_closed && !(is_clear(line) && !too_near_itself(line, spaced_.scale()))) {
@@ -172,7 +172,7 @@ class FaceDrawing {
         return std::ranges::all_of(line.points, [&](const EdgePoint& p) { return has_room(p); });
     }
 
-    /// Moved as little as it needs; as it is, where that is too far.
+    /// Returns the line moved as little as needed, or unchanged if that is too far.
     [[nodiscard]] Chain clear_of_others(const Chain& line, cv::Point2d way) const {
         if (way == cv::Point2d() || is_clear(line)) return line;
         for (double by_mm = kStep_mm; by_mm <= kMostMoved_mm; by_mm += kStep_mm) {
@@ -185,14 +185,15 @@ class FaceDrawing {
         return line;
     }
 
-    /// Whether a line goes along others all the way: a hand that follows them misses nothing of it.
+    /// Returns whether a line goes along others all the way, so that a hand that follows them
+    /// misses nothing of it.
     [[nodiscard]] bool runs_beside(const Chain& line) const {
         return std::ranges::all_of(line.points, [&](const EdgePoint& p) {
             return spaced_.has_near(p.at, 2.0 * kLeastApart_mm);
         });
     }
 
-    /// All of a line that is clear of the others; where it is not, it meets them.
+    /// Adds everything of a line that is clear of the others; elsewhere it meets them.
     void add_spaced(FacePart part, Candidate candidate) {
         std::vector<Candidate> open{std::move(candidate)};
         while (!open.empty()) {
@@ -216,7 +217,7 @@ class FaceDrawing {
     std::vector<FacePart> parts_;
 };
 
-/// The lower end of the ridge goes where the nostrils are nearer than a finger can tell.
+/// Removes the lower end of the ridge if the nostrils are nearer than a finger can tell.
 void shorten_ridge(std::vector<PartLine>& lines) {
     const auto nose = std::ranges::find(lines, FacePart::nose, &PartLine::part);
     const auto nostrils = std::ranges::find(lines, FacePart::nostrils, &PartLine::part);

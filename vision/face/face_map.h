@@ -10,20 +10,20 @@ namespace touchline {
 
 struct FaceMap {
     TactileMap map;
-    std::vector<FacePart> parts;  // of each outline; their labels are set by the caller
-    cv::Rect2d shown;             // what of the picture fills the area, pixels; may reach beyond it
+    std::vector<FacePart> parts;  // for each outline; the caller sets their labels
+    cv::Rect2d shown;  // part of the picture that fills the area, pixels; may reach beyond it
 };
 
-/// The head with the beginning of the shoulders. `face`: the box of its mesh; `lines`: of face and
-/// person, pixels. Detail 1 has outline and oval, 2 eyes and mouth as well, 3 nose and brows, 4 the
-/// nostrils. Outlines lie in the area, cross neither themselves nor one another and are 3.2 mm
-/// apart, or two places of one that are four times as far apart along it; but the oval's ends meet
-/// the person's outline where it would run along it. An eye or mouth that is open is opened as far
-/// as a finger needs. Brows and nostrils are moved up or down, eyes and mouth across the face, by
-/// 3 mm at most, where they are too near to what is there; an eye or mouth that then has no room as
-/// a ring is one line; of a line without room the rest stays, or nothing, where that is little. Ids
-/// "outline-1" ..., the most important first. No outlines, where the box is none. O(points x points
-/// near).
+/// Draws the head with the beginning of the shoulders. `face`: the box of its mesh; `lines`: the
+/// face's and the person's, pixels. Detail 1 has the outline and the oval, 2 also eyes and mouth, 3
+/// nose and brows, 4 the nostrils. Outlines lie in the area, cross neither themselves nor one
+/// another and are 3.2 mm apart, as are two places of one outline that are four times as far apart
+/// along it; but the oval's ends meet the person's outline where it would run along it. An open eye
+/// or mouth is opened as far as a finger needs. If they are too near to what is there, brows and
+/// nostrils are moved up or down, and eyes and mouth across the face, by at most 3 mm. An eye or
+/// mouth that then has no room as a ring is one line; of a line without room the rest stays, or
+/// nothing if that is little. Ids "outline-1" ..., the most important first. No outlines if the box
+/// is invalid. O(points x points near).
 [[nodiscard]] FaceMap face_map(const cv::Rect2d& face, const std::vector<PartLine>& lines,
                                const Area& area);
 

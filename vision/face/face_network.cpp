@@ -20,14 +20,14 @@ constexpr double kLeastSure = 0.9;  // measured: tests/bench/vision/faces_and_na
 constexpr std::size_t kMostPersons = 8;
 constexpr std::size_t kMostFaces = 8;
 
-/// An upright square that a face lies in as if it were upright itself.
+/// An upright square in which a face lies as if it were upright itself.
 struct Window {
     cv::Point2d centre;  // pixels of the picture
     double side_px = 0.0;
     double tilt_rad = 0.0;
 };
 
-/// Where the network of the mesh looks, from a box and the eyes in it.
+/// Returns where the network of the mesh looks, from a box and the eyes in it.
 Window window_of(const FaceBox& found) {
     const cv::Point2d across = found.right_eye - found.left_eye;
     const cv::Rect2d& box = found.box;
@@ -35,7 +35,7 @@ Window window_of(const FaceBox& found) {
             std::atan2(across.y, across.x)};
 }
 
-/// The same from a mesh that lies about right.
+/// The same from a mesh that lies roughly right.
 Window window_of(const FaceMesh& mesh) {
     const double tilt_rad = tilt_of(mesh);
     const double c = std::cos(tilt_rad);
@@ -59,8 +59,9 @@ cv::Matx23d from_window(const Window& window) {
             s, c,  window.centre.y - s * half - c * half};
 }
 
-/// What lies in the window; beyond the picture its rim goes on. A picture much finer than the
-/// window's square is reduced first, by means. Empty, where the window lies beside the picture.
+/// Returns what lies in the window; beyond the picture, its rim continues. A picture much finer
+/// than the window's square is first reduced by averaging. Empty if the window lies beside the
+/// picture.
 cv::Mat3b seen_in(const cv::Mat3b& picture, const Window& window) {
     constexpr double kReach = 0.75;  // of the side: half of the diagonal, and a little
     const cv::Point2d reach(kReach * window.side_px, kReach * window.side_px);
@@ -83,7 +84,8 @@ cv::Mat3b seen_in(const cv::Mat3b& picture, const Window& window) {
     return seen;
 }
 
-/// The mesh in the picture; nothing where its points lie nowhere near the window, or in one place.
+/// Returns the mesh in the picture; nothing if its points lie nowhere near the window, or all in
+/// one place.
 std::optional<FaceMesh> mesh_of(const cv::Mat1f& answer, const Window& window) {
     constexpr double kLeastMesh = 0.1;  // of the window's side
     const cv::Matx23d way = from_window(window);
@@ -100,7 +102,7 @@ std::optional<FaceMesh> mesh_of(const cv::Mat1f& answer, const Window& window) {
     return mesh;
 }
 
-/// Whether a face is the head of one of the persons, and wide enough.
+/// Returns whether a face is the head of one of the persons, and wide enough.
 bool counts(const FaceMesh& mesh, std::span<const cv::Rect2d> persons) {
     constexpr double kWidest = 1.2;  // in widths of the person: boxes of heads are tight
     const cv::Rect2d face = box_of(mesh);
@@ -110,7 +112,7 @@ bool counts(const FaceMesh& mesh, std::span<const cv::Rect2d> persons) {
     });
 }
 
-/// The first of the boxes, as far as they lie in the picture; those that do not are left out.
+/// Returns the first boxes, as far as they lie in the picture; those outside it are left out.
 std::vector<cv::Rect2d> boxes_within(std::span<const cv::Rect2d> boxes, cv::Size picture) {
     std::vector<cv::Rect2d> within;
     for (const cv::Rect2d& box : boxes.first(std::min(boxes.size(), kMostPersons))) {
@@ -120,7 +122,7 @@ std::vector<cv::Rect2d> boxes_within(std::span<const cv::Rect2d> boxes, cv::Size
     return within;
 }
 
-/// The upper end of a person, where the head is.
+/// Returns the upper end of a person, where the head is.
 cv::Rect head_part(const cv::Rect2d& person, cv::Size picture) {
     constexpr double kLeastPart_px = 40.0;
     constexpr double kSide = 0.9;   // of the person's width
@@ -132,7 +134,7 @@ cv::Rect head_part(const cv::Rect2d& person, cv::Size picture) {
 }
 
 void add_unless_there(const FaceMesh& mesh, std::vector<FaceMesh>& faces) {
-    constexpr double kSameFace = 0.4;  // of the smaller box, where both are the same face
+    constexpr double kSameFace = 0.4;  // of the smaller box, if both are the same face
     const cv::Rect2d box = box_of(mesh);
     const bool is_there = std::ranges::any_of(faces, [&](const FaceMesh& other) {
         return (box & box_of(other)).area() >=
@@ -152,7 +154,7 @@ Result<FaceNetwork> FaceNetwork::from_onnx(std::span<const std::byte> finder,
     return FaceNetwork(std::move(*finds), std::move(*lays));
 }
 
-/// The part lies in the upper left of the input, as large as it fits; the rest is black.
+/// The part lies in the upper left of the input, as large as fits; the rest is black.
 Result<std::vector<FaceBox>> FaceNetwork::boxes_in(const cv::Mat3b& picture, cv::Rect part) {
     const double scale = static_cast<double>(kFaceInput_px) / std::max(part.width, part.height);
     const cv::Size size(std::clamp(cvRound(scale * part.width), 1, kFaceInput_px),
@@ -184,7 +186,7 @@ Result<std::vector<FaceBox>> FaceNetwork::boxes_in(const cv::Mat3b& picture, cv:
     return boxes;
 }
 
-/// Lays the mesh twice: the second time where the first lies.
+/// Lays the mesh twice: the second time where the first one lies.
 Result<std::optional<FaceNetwork::Laid>> FaceNetwork::laid_on(const cv::Mat3b& picture,
                                                               const FaceBox& box) {
     const std::array<std::vector<int>, 2> shapes{{{1, 1404}, {1, 1}}};

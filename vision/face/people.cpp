@@ -12,7 +12,7 @@ namespace {
 constexpr int kMostPeople = 5;
 constexpr double kLeastShare = 1.0 / 80.0;  // of the picture
 constexpr double kSeenBeyond = 0.12;   // of a box's longer side: what the network sees round it
-constexpr double kTakenBeyond = 0.04;  // and what counts of that
+constexpr double kTakenBeyond = 0.04;  // and how much of that counts
 
 cv::Rect grown(const cv::Rect2d& box, double share, cv::Size picture) {
     const double by = share * std::max(box.width, box.height);
@@ -20,7 +20,7 @@ cv::Rect grown(const cv::Rect2d& box, double share, cv::Size picture) {
                        picture);
 }
 
-/// False for a box without width or height as well, and for one whose numbers are none.
+/// Also false for a box without width or height, and for one with NaN.
 bool is_large(const cv::Rect2d& box, cv::Size picture) {
     return box.width > 0.0 && box.height > 0.0 &&
            box.width * box.height >= kLeastShare * picture.width * picture.height;

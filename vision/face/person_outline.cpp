@@ -13,12 +13,12 @@
 namespace touchline {
 namespace {
 
-constexpr int kWorking_px = 320;  // the longer side of the mask that is worked on
+constexpr int kWorking_px = 320;  // longer side of the mask at working size
 constexpr float kLevel = 127.5F;
-constexpr double kRim_px = 2.0;  // a line so near to the part's side runs along it
+constexpr double kRim_px = 2.0;  // a line this near to the part's side runs along it
 constexpr double kShortest_px = 12.0;
 
-/// Maps pixels of the picture to those of the mask that is worked on.
+/// Maps pixels of the picture to those of the mask at working size.
 class Working {
   public:
     explicit Working(const PersonMask& person)
@@ -46,8 +46,8 @@ class Working {
     cv::Size size_;
 };
 
-/// The mask without notches and tongues that are narrower than a finger can tell, when the face is
-/// felt as large as it fits. All of the face is person.
+/// Returns the mask without notches and tongues that are too narrow for a finger when the face is
+/// felt as large as it fits. All of the face counts as person.
 cv::Mat1f soft_mask(const PersonMask& person, const FaceMesh& mesh, const Working& working) {
     constexpr double kNarrow = 0.03;     // of the face's height, to either side
     constexpr double kSmoothing = 0.02;  // likewise

@@ -1,4 +1,5 @@
-// What of a box lies in a picture. Numbers may be any: boxes come from networks.
+// The part of a box that lies in a picture. Numbers may be anything, because boxes come from
+// networks.
 // Threads: pure functions, O(1).
 #pragma once
 
@@ -8,8 +9,8 @@
 
 namespace touchline {
 
-/// The part of a box that lies in the picture, pixels. Empty where there is none, where a side of
-/// the box is negative, or where its numbers are none.
+/// Returns the part of the box that lies in the picture, pixels. Empty if there is none, if a side
+/// of the box is negative, or if its numbers are NaN.
 [[nodiscard]] inline cv::Rect2d box_within(const cv::Rect2d& box, cv::Size picture) {
     const double left = std::max(box.x, 0.0);
     const double top = std::max(box.y, 0.0);

@@ -21,7 +21,7 @@ struct RingSides {
     }
 };
 
-/// Nothing of a ring without two corners, or of what is none.
+/// Returns nothing for a ring without two corners, or for a line that is not a ring.
 std::optional<RingSides> sides_of(const Chain& ring) {
     if (!ring.is_closed || std::ranges::count(ring.points, true, &EdgePoint::is_fixed) != 2)
         return std::nullopt;
@@ -36,7 +36,7 @@ std::optional<RingSides> sides_of(const Chain& ring) {
     return RingSides{evenly_spaced(upper, kParts), evenly_spaced(lower, kParts)};
 }
 
-/// The ring with its sides this much farther apart.
+/// Returns the ring with its sides `factor` times as far apart.
 Chain widened(const RingSides& sides, double factor) {
     Chain ring{{}, true};
     const std::size_t last = sides.upper.size() - 1;

@@ -19,7 +19,7 @@ constexpr float kFigureLevel = 127.5F;
 constexpr double kReach_mm = 1.5;  // the edge of a thing may lie off its mask
 constexpr double kSmoothing_px = 1.5;
 
-/// The mask at the lines' size, with edges as smooth as the picture's.
+/// Returns the mask at the lines' size, with edges as smooth as the picture's.
 cv::Mat1f fitted(const cv::Mat1b& mask, cv::Size size) {
     cv::Mat1f soft;
     mask.convertTo(soft, CV_32F);
@@ -48,7 +48,7 @@ std::vector<Chain> rings_of(const cv::Mat1f& soft, const cv::Mat1f& strength, do
     return rings;
 }
 
-/// Distance of each pixel to the nearest ring.
+/// Returns the distance of each pixel to the nearest ring.
 cv::Mat1f to_rings(const std::vector<Chain>& rings, cv::Size size) {
     cv::Mat1b free(size, uchar{255});
     for (const Chain& ring : rings) {
@@ -65,8 +65,8 @@ cv::Mat1f to_rings(const std::vector<Chain>& rings, cv::Size size) {
 
 enum class Place { on_ring, inside, outside };
 
-/// The rings without what runs along the picture's frame: a thing that the frame cuts has no edge
-/// there.
+/// Returns the rings without the parts along the picture's frame: a thing cut by the frame has no
+/// edge there.
 std::vector<Chain> off_frame(const std::vector<Chain>& rings, cv::Size size, double shortest_px) {
     std::vector<Chain> lines;
     for (const Chain& ring : rings) {

@@ -1,4 +1,5 @@
-// The lines of a photograph with its figure: a ring round it, what lies in it, what lies behind it.
+// The lines of a photograph with its figure: a ring round it, what lies in it, and what lies behind
+// it.
 // Threads: pure function.
 #pragma once
 
@@ -8,10 +9,10 @@ namespace touchline {
 
 /// Adds to a photo's lines (of `picture`, 8-bit BGR or grey) the rings of a mask of the same
 /// proportions (128 and more: figure), each drawn onto the strongest edge within a millimetre and a
-/// half: LineOf::ring, holes too, as strong as the strongest line, open where the picture's frame
-/// cuts the figure. What of the lines lies in the figure, 3.2 mm and more from its rings, stays as
-/// it is; what lies as far outside is LineOf::background; what runs along a ring goes. Without a
-/// place of 128 nothing changes. O(pixels).
+/// half: LineOf::ring, for holes too, as strong as the strongest line, open where the picture's
+/// frame cuts the figure. Lines in the figure, 3.2 mm and more from its rings, stay as they are;
+/// lines as far outside become LineOf::background; lines along a ring go. Changes nothing if no
+/// place of the mask has 128. O(pixels).
 [[nodiscard]] PhotoLines with_figure(PhotoLines lines, const cv::Mat& picture,
                                      const cv::Mat1b& mask, double longer_side_mm);
 

@@ -10,8 +10,7 @@
 namespace touchline {
 namespace {
 
-/// Shrinking takes the mean of what becomes one pixel; enlarging goes smoothly from one to the
-/// next.
+/// Shrinking averages the pixels that become one; enlarging interpolates smoothly.
 cv::Mat3b stretched(const cv::Mat3b& picture, int side_px) {
     const bool shrinks = std::max(picture.cols, picture.rows) > side_px;
     cv::Mat3b square;

@@ -15,7 +15,7 @@ constexpr float kFigure = 0.3F;       // likelihood: measured, tests/bench/visio
 constexpr double kLeastPart = 0.05;   // of all figures
 constexpr double kLeastArea = 0.002;  // of the picture
 constexpr double kLeastHole = 0.004;  // of the picture
-constexpr double kBeside = 0.05;      // of a part: so far from a thing a hand may be that means it
+constexpr double kBeside = 0.05;      // of a part: this near to a thing, a hand means it
 constexpr double kGround = 0.8;       // of a part
 
 cv::Size mask_size(cv::Size picture) {
@@ -25,7 +25,7 @@ cv::Size mask_size(cv::Size picture) {
             std::max(1, cvRound(scale * picture.height))};
 }
 
-/// Connected pieces of a mask, the background not among them.
+/// Connected pieces of a mask, without the background.
 struct Pieces {
     explicit Pieces(const cv::Mat& mask) {
         cv::Mat1d centres;
@@ -44,7 +44,7 @@ struct Pieces {
     int count = 0;
 };
 
-/// Soft likelihood to a mask in which the limit lies at 128.
+/// Converts a soft likelihood to a mask with the limit at 128.
 cv::Mat1b soft_mask(const cv::Mat1f& likelihood) {
     cv::Mat1b mask(likelihood.size());
     std::ranges::transform(likelihood, mask.begin(), [](float value) {
@@ -59,14 +59,15 @@ bool touches_frame(const cv::Rect& box, cv::Size size) {
     return box.x == 0 || box.y == 0 || box.br().x == size.width || box.br().y == size.height;
 }
 
-/// Whether a box reaches a side of a part that is not the picture's own frame.
+/// Returns whether a box reaches a side of a part that is not the picture's own frame.
 bool is_cut(const cv::Rect& box, const cv::Rect& part, cv::Size size) {
     return (box.x == part.x && part.x > 0) || (box.y == part.y && part.y > 0) ||
            (box.br().x == part.br().x && part.br().x < size.width) ||
            (box.br().y == part.br().y && part.br().y < size.height);
 }
 
-/// The pieces that `is_out` says go to the other side of the limit, all of their pixels to `value`.
+/// Moves the pieces that `is_out` selects to the other side of the limit, all of their pixels to
+/// `value`.
 template <class IsOut>
 void change(const Pieces& pieces, uchar value, IsOut is_out, cv::Mat1b& mask) {
     std::vector<bool> goes(static_cast<std::size_t>(pieces.count), false);
@@ -78,7 +79,7 @@ void change(const Pieces& pieces, uchar value, IsOut is_out, cv::Mat1b& mask) {
     });
 }
 
-/// Parts that are too small to be a thing go, small holes are filled.
+/// Removes parts that are too small to be a thing, and fills small holes.
 void clean(cv::Mat1b& mask) {
     const auto pixels = static_cast<double>(mask.total());
     const cv::Mat is_figure = mask >= kLimit;
@@ -110,7 +111,7 @@ std::vector<cv::Rect> boxes_of(const cv::Mat1b& mask) {
     return boxes;
 }
 
-/// 0 where none is as near.
+/// Returns 0 if none is that near.
 int nearest_piece(const Pieces& pieces, cv::Point at, double reach_px) {
     int nearest = 0;
     double least_px = reach_px;
@@ -126,7 +127,7 @@ int nearest_piece(const Pieces& pieces, cv::Point at, double reach_px) {
     return nearest;
 }
 
-/// What of a mask lies a little inside of its edge; of what is thinner, all.
+/// Returns the part of a mask a little inside its edge; all of anything thinner.
 cv::Mat along_edge(const cv::Mat& mask) {
     constexpr double kNearest = 0.013;  // of the picture's side
     constexpr double kFarthest = 0.039;
@@ -145,7 +146,7 @@ double contrast_of(const cv::Mat1f& likelihood) {
            cv::mean(likelihood, along_edge(ground))[0];
 }
 
-/// Told from pictures that somebody looked at, and which of their masks are a thing.
+/// Derived from pictures that somebody looked at, and which of their masks show a thing.
 bool is_sure_of(const FigureSigns& signs) {
     constexpr double kLeastContrast = 0.67;
     constexpr double kLeastSeen = 0.003;

@@ -1,4 +1,4 @@
-// What a photograph shows: its main things, from the likelihood that a network gives each place.
+// Finds a photograph's main things from the likelihood that a network gives each place.
 // Threads: pure functions.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace touchline {
 
-/// What the rule of sureness looks at, 0..1: how much of the picture is figure; and by how much the
-/// likelihood a little inside of its edge is greater than a little outside.
+/// The input of the rule of sureness, 0..1: how much of the picture is figure; and by how much the
+/// likelihood a little inside its edge is greater than a little outside.
 struct FigureSigns {
     double area = 0.0;
     double contrast = 0.0;
@@ -20,23 +20,23 @@ struct Figures {
     cv::Mat1b mask;               // of the picture's proportions; 128 and more: figure; soft edges
     std::vector<cv::Rect> boxes;  // in the mask, of each figure, the largest first
     FigureSigns signs;
-    bool is_sure = false;  // else a visitor is told that there is no clear main thing
+    bool is_sure = false;  // if false, a visitor is told that there is no clear main thing
 };
 
 /// `likelihood`: 0..1 over the whole picture, stretched to a square or not; `picture`: its size. A
 /// place is figure from a likelihood of 0.3 on. A part counts from 5 % of all of them and 0.2 % of
-/// the picture on; a hole in it from 0.4 % of the picture on, smaller ones are filled. The mask has
-/// a megapixel at most. It is sure of a contrast from 0.67 on, and of 0.3 % of the picture at
-/// least. Without figures: no boxes. O(pixels).
+/// the picture on; a hole in it counts from 0.4 % of the picture on, and smaller ones are filled.
+/// The mask has at most a megapixel. The result is sure from a contrast of 0.67 on, and from 0.3 %
+/// of the picture on. Without figures there are no boxes. O(pixels).
 [[nodiscard]] Figures figures_of(const cv::Mat1f& likelihood, cv::Size picture);
 
-/// The part of a picture in which the thing at a place is looked for: a square of that share of the
-/// longer side round it, moved and cut so that it lies in the picture.
+/// Returns the part of a picture in which to look for the thing at a place: a square of that share
+/// of the longer side round it, moved and cut so that it lies in the picture.
 [[nodiscard]] cv::Rect part_around(cv::Size picture, cv::Point place, double share);
 
-/// The thing at a place, by the likelihood over a part of the picture that holds it: the one that
-/// lies there, or within a twentieth of the part's longer side. Not sure where the part shows none,
-/// cuts it, or is filled by it, as by a ground. O(pixels).
+/// Finds the thing at a place, by the likelihood over a part of the picture that holds it: the one
+/// that lies there, or within a twentieth of the part's longer side. Not sure if the part shows
+/// none, cuts it, or is filled by it, as by a ground. O(pixels).
 [[nodiscard]] Figures figure_at(const cv::Mat1f& likelihood, const cv::Rect& part, cv::Size picture,
                                 cv::Point place);
 

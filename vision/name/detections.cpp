@@ -13,7 +13,7 @@ constexpr double kSamePlace = 0.7;
 /// The columns of `distances` of the left, upper, right and lower side, seen in a mirror.
 constexpr std::array kMirroredSides{2, 1, 0, 3};
 
-/// The mean of the steps by their softmax, in cells.
+/// Returns the mean of the steps by their softmax, in cells.
 double distance_of(const float* logits) {
     const double greatest = *std::max_element(logits, logits + distance_steps);
     double sum = 0.0;
@@ -48,7 +48,7 @@ void add_detections(const GridAnswer& answer, const Letterbox& letterbox,
         const float* likelihoods = answer.likelihoods[cell];
         const float* at = std::max_element(likelihoods, likelihoods + known_kinds);
         const double likelihood = *at;
-        if (!(likelihood >= detected_from)) continue;  // also what is no number
+        if (!(likelihood >= detected_from)) continue;  // also if NaN
         const ThingBox box = box_of(answer, cell, letterbox);
         if (is_sound(box))
             found.push_back({static_cast<int>(at - likelihoods), std::min(1.0, likelihood), box});

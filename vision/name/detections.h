@@ -1,4 +1,4 @@
-// What NanoDet answers about a picture, read as things in boxes.
+// Reads NanoDet's answer about a picture as things in boxes.
 // Threads: pure functions.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace touchline {
 /// The side of the square that the network looks at, in pixels.
 inline constexpr int names_side_px = 416;
 
-/// How many kinds of things it knows, and into how many steps it divides a distance.
+/// The number of kinds of things it knows, and of the steps into which it divides a distance.
 inline constexpr int known_kinds = 80;
 inline constexpr int distance_steps = 11;
 
@@ -26,12 +26,12 @@ struct GridAnswer {
                             // side is k cells from the cell's middle, as logits; all finite
 };
 
-/// Where in that square the picture lies, in pixels; the rest is black.
+/// Where the picture lies in that square, in pixels; the rest is black.
 struct Letterbox {
     cv::Rect part;
 };
 
-/// The whole picture, as large as fits, in the middle.
+/// Places the whole picture, as large as fits, in the middle.
 [[nodiscard]] Letterbox letterbox_of(cv::Size picture);
 
 struct Detection {
@@ -43,13 +43,13 @@ struct Detection {
 /// Less likely ones are left out.
 inline constexpr double detected_from = 0.35;
 
-/// The mean of what was answered about the square and about its mirror image.
+/// Returns the mean of the answers about the square and about its mirror image.
 [[nodiscard]] GridAnswer mean_of(const GridAnswer& upright, const GridAnswer& mirrored);
 
 /// A cell stands for its likeliest kind, with the mean distances as a box, as far as it lies in the
-/// picture. Of boxes of one kind that overlap by more than a half, and of any that overlap by more
-/// than 0.7, the likeliest stays. The likeliest first. O(cells squared) at worst: 3549 cells take
-/// 60 ms. Source: Li et al. 2020 (generalized focal loss); RangiLyu's NanoDet.
+/// picture. The likeliest box stays among boxes of one kind that overlap by more than a half, and
+/// among any that overlap by more than 0.7. The likeliest come first. O(cells squared) at worst:
+/// 3549 cells take 60 ms. Source: Li et al. 2020 (generalized focal loss); RangiLyu's NanoDet.
 [[nodiscard]] std::vector<Detection> detections_of(std::span<const GridAnswer> answers,
                                                    const Letterbox& letterbox);
 

@@ -20,7 +20,7 @@ cv::Mat3b in_square(const cv::Mat3b& picture, const Letterbox& letterbox) {
     return square;
 }
 
-/// The means and deviations of the pictures that it was trained on: blue, green, red.
+/// Uses the means and deviations of the pictures that it was trained on: blue, green, red.
 cv::Mat input_of(const cv::Mat3b& square) {
     cv::Mat3f values;
     square.convertTo(values, CV_32F);

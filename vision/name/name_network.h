@@ -7,16 +7,16 @@
 
 namespace touchline {
 
-/// Its input is 1 x 3 x 416 x 416, planes blue, green, red about their means; its output for grids
-/// of 52, 26 and 13 cells a side what GridAnswer has. Source: NanoDet-g (RangiLyu).
+/// Its input is 1 x 3 x 416 x 416, planes blue, green, red about their means. Its output has what
+/// GridAnswer holds, for grids of 52, 26 and 13 cells a side. Source: NanoDet-g (RangiLyu).
 class NameNetwork {
   public:
-    /// Fails with one line where OpenCV cannot build it.
+    /// Fails with one line if OpenCV cannot build it.
     [[nodiscard]] static Result<NameNetwork> from_onnx(std::span<const std::byte> model);
 
-    /// The things in an 8-bit BGR picture that is not empty, by the mean of it and its mirror
-    /// image, or by it alone. Fails, with one line, where the network is of another kind, or cannot
-    /// be run; throws std::bad_alloc without memory. 0.1 s a look on one core.
+    /// Returns the things in a non-empty 8-bit BGR picture, by the mean of it and its mirror image,
+    /// or by it alone. Fails, with one line, if the network is of another kind or cannot be run;
+    /// throws std::bad_alloc without memory. 0.1 s a look on one core.
     [[nodiscard]] Result<std::vector<Detection>> detections(const cv::Mat3b& picture,
                                                             bool with_mirror_image = true);
 

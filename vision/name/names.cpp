@@ -12,15 +12,16 @@ namespace {
 /// The likelihoods from which "an animal" or "a vehicle" is said.
 constexpr double kAnimalFrom = 0.5;
 constexpr double kVehicleFrom = 0.6;
-/// Beside one that has a word, another of the same is likely: it counts from here on.
+/// Beside a thing that has a word, another of the same kind is likely: it counts from here on.
 constexpr double kCountedFrom = 0.45;
 
 /// A kind's own word is said from one of these on, by what else is taken for it (README.md). For
-/// the first hardly anything is: dolls and towels for people.
+/// the first, hardly anything is: only dolls and towels for people.
 constexpr double kHardlyMistaken = 0.6;
 /// Some things are taken for these: hills for beds, pianos for benches, llamas for dogs.
 constexpr double kMistaken = 0.68;
-/// Many things are: wild dogs for cats, lizards for birds, bisons for sheep, sharks for aeroplanes.
+/// Many things are taken for these: wild dogs for cats, lizards for birds, bisons for sheep, sharks
+/// for aeroplanes.
 constexpr double kOftenMistaken = 0.72;
 /// These have look-alikes that the network does not know, and it is almost sure of them: it takes
 /// tigers for zebras, rhinoceroses for elephants, baboons for bears.
@@ -32,7 +33,7 @@ struct SaidKind {
     double sure_from = 1.0;
 };
 
-/// What is not here is never said.
+/// A kind that is not listed here is never said.
 constexpr std::array kSaidKinds{SaidKind{0, ThingName::person, kHardlyMistaken},
                                 SaidKind{1, ThingName::bicycle, kOftenMistaken},
                                 SaidKind{2, ThingName::car, kHardlyMistaken},
@@ -70,7 +71,7 @@ const SaidKind* said_kind(const Detection& found) {
     return at == kSaidKinds.end() ? nullptr : at;
 }
 
-/// "An animal" or "a vehicle"; none for what is neither.
+/// Returns "an animal" or "a vehicle"; nothing for anything else.
 std::optional<ThingName> general_word(ThingName name) {
     if (is_animal(name)) return ThingName::animal;
     if (is_vehicle(name)) return ThingName::vehicle;
@@ -81,8 +82,8 @@ double general_from(ThingName general) {
     return general == ThingName::animal ? kAnimalFrom : kVehicleFrom;
 }
 
-/// Holds all own words, and a general one where none of its kind has an own word: beside a dog "an
-/// animal" may be the dog once more.
+/// Collects all own words, and a general one if none of its kind has an own word: beside a dog, "an
+/// animal" may be the same dog again.
 Words words_for(std::span<const Detection> found) {
     Words words;
     for (const Detection& detection : found) {

@@ -10,17 +10,17 @@
 namespace touchline {
 namespace {
 
-/// The first line of what OpenCV says, without its file and line number.
+/// Returns the first line of OpenCV's message, without its file and line number.
 std::string reason(const cv::Exception& e) {
     return e.err.substr(0, e.err.find('\n'));
 }
 
-/// Lack of memory is no fault of the network's.
+/// Lack of memory is not the network's fault.
 void no_lack_of_memory(const cv::Exception& e) {
     if (e.code == cv::Error::StsNoMem) throw std::bad_alloc();
 }
 
-/// OpenCV's importer tells its troubles to stderr as well; they come back as exceptions.
+/// OpenCV's importer also reports its errors to stderr; they come back as exceptions.
 class Quiet {
   public:
     Quiet() : before_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {}

@@ -16,8 +16,8 @@ namespace touchline {
 
 class TrainedNetwork {
   public:
-    /// `job`: what it does, as it goes on after "the network that". Fails with one line where
-    /// OpenCV cannot build it.
+    /// `job`: what it does, as the words after "the network that". Fails with one line if OpenCV
+    /// cannot build it.
     [[nodiscard]] static Result<TrainedNetwork> from_onnx(std::span<const std::byte> model,
                                                           std::string job);
 
@@ -25,14 +25,14 @@ class TrainedNetwork {
     TrainedNetwork& operator=(TrainedNetwork&&) noexcept;
     ~TrainedNetwork();
 
-    /// What it makes of an input of four dimensions: its outputs of these shapes, which differ, in
-    /// their order; each as one row for every place of all dimensions but the last. All numbers are
-    /// finite. Fails, with one line, where it cannot be run or has no such output; throws
-    /// std::bad_alloc without memory.
+    /// Runs the network on an input of four dimensions. Returns its outputs of these shapes, which
+    /// must differ, in their order; each has one row for every place of all dimensions but the
+    /// last. All numbers are finite. Fails, with one line, if it cannot be run or has no such
+    /// output; throws std::bad_alloc without memory.
     [[nodiscard]] Result<std::vector<cv::Mat1f>> outputs(const cv::Mat& input,
                                                          std::span<const std::vector<int>> shapes);
 
-    /// The line of whoever finds the numbers of an answer wrong.
+    /// Returns the error for a caller that finds the numbers of an answer wrong.
     [[nodiscard]] tl::unexpected<Error> unusable(const std::string& why) const;
 
   private:

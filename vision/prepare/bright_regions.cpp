@@ -16,7 +16,8 @@ constexpr double beyond = 5.0;  // a fifth of the picture further out
 
 using Contour = std::vector<cv::Point>;
 
-/// The outline of the region's hull with few corners, finer until a fifth of the tries is spent.
+/// Returns the outline of the region's hull, coarser and coarser until it has at most four corners
+/// or has become as coarse as a side may be.
 Contour polygon_of(const Contour& region) {
     Contour hull;
     cv::convexHull(region, hull);
@@ -37,8 +38,8 @@ bool is_on_frame(cv::Point a, cv::Point b, cv::Size size) {
            both(a.y, b.y, frame_margin_px, size.height - 1 - frame_margin_px);
 }
 
-/// The frame's line beside which this side runs, moved out of the picture: the page ends somewhere
-/// beyond.
+/// Returns the frame's line beside which this side runs, moved out of the picture, because the page
+/// ends somewhere beyond.
 Line beyond_frame(cv::Point a, cv::Point b, cv::Size size) {
     const cv::Point2d middle = (cv::Point2d(a) + cv::Point2d(b)) / 2.0;
     const cv::Point2d centre((size.width - 1) / 2.0, (size.height - 1) / 2.0);
@@ -49,8 +50,9 @@ Line beyond_frame(cv::Point a, cv::Point b, cv::Size size) {
     return {middle + out, is_upright ? cv::Point2d(0.0, 1.0) : cv::Point2d(1.0, 0.0)};
 }
 
-/// Sides along the frame are where the picture ends, not the page. Where only a corner was cut off,
-/// the neighbours of such a side are drawn on until they meet; else the page ends beyond the frame.
+/// Sides along the frame are where the picture ends, not the page. If only a corner was cut off,
+/// the neighbours of such a side are extended until they meet; otherwise the page ends beyond the
+/// frame.
 void add_pages(const Contour& polygon, cv::Size size, std::vector<Quad>& quads) {
     std::vector<Line> own;
     std::vector<Line> all;

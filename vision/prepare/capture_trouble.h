@@ -1,4 +1,4 @@
-// Why a document was not taken, and what to do: said to somebody who lays it down by touch.
+// Why a document was not captured, and what to do, as said to a visitor who lays it down by touch.
 // Threads: pure functions.
 #pragma once
 
@@ -12,18 +12,18 @@ enum class CaptureTrouble : std::uint8_t {
     none,
     too_dark,
     too_bright,
-    glare,  // a lamp is mirrored in the page
+    glare,  // a lamp reflects in the page
     no_page,
     too_small,
-    too_large,  // it leaves the picture on opposite sides
+    too_large,  // it extends beyond the picture on opposite sides
     too_far_left,
     too_far_right,
     too_far_up,
     too_far_down,
-    no_markers,  // of the stand: some are hidden
+    no_markers,  // some of the stand's markers are hidden
 };
 
-/// At most 15 words; empty for none.
+/// Returns at most 15 words; empty for none.
 [[nodiscard]] std::string_view sentence(CaptureTrouble trouble);
 
 }  // namespace touchline

@@ -17,9 +17,9 @@ constexpr float ink_share = 0.36F;
 constexpr double paper_level = 235.0;
 constexpr double least_level = 12.0;  // of paper in deep shade; darker is not made brighter for it
 
-/// Paper in a shade of 60 % is still brighter than 0.4 of the brightest; what is darker by more is
-/// ink and must not be taken for the commonest colour, though it may cover half the page. It gets
-/// colours far from all others and from each other, so that no surface goes through it.
+/// Paper in a shade of 60 % is still brighter than 0.4 of the brightest. Anything much darker is
+/// ink and must not be taken for the commonest colour, although it may cover half the page. So it
+/// gets colours far from all others and from each other, and no surface goes through it.
 void silence_ink(cv::Mat3f& picture) {
     cv::Mat1f levels;
     cv::extractChannel(picture, levels, 1);
@@ -33,8 +33,8 @@ void silence_ink(cv::Mat3f& picture) {
                 picture(y, x) = cv::Vec3f::all(-1000.0F * static_cast<float>(1 + (7 * y + x) % 97));
 }
 
-/// The paper's colour at every pixel of a small copy. The surface is fitted to blue, green and red
-/// as they are: light multiplies them, and its steps are as smooth there as in Lab.
+/// Returns the paper's colour at every pixel of a small copy. The surface is fitted to blue, green
+/// and red directly: light multiplies them, and its steps are as smooth there as in Lab.
 cv::Mat3f paper_of(const cv::Mat& bgr) {
     cv::Mat3f small;
     reduced(bgr, looked_at_pixels).convertTo(small, CV_32FC3);

@@ -15,14 +15,15 @@ constexpr int kMostCrop_px = 512;
 constexpr int kLeastCrop_px = 64;
 constexpr double kWidest_px = 16.0;  // apart
 constexpr double kClosest_px = 2.5;
-constexpr int kPeak = 2;           // steps of frequency round a peak that are of it
+constexpr int kPeak = 2;           // steps of frequency round a peak that belong to it
 constexpr double kShare = 0.25;    // of the power at such frequencies, in both peaks
-constexpr double kOvertone = 0.3;  // of its power: more at a half or a third of its frequency
+constexpr double kOvertone = 0.3;  // of its power: if more is at a half or a third of its frequency
 constexpr double kAlike = 0.15;    // of the pitch
 constexpr double kLeastAngle = 40.0 * std::numbers::pi / 180.0;
 constexpr double kBlurOverPitch = 0.55;
 
-/// The power of each frequency of the picture's middle; the middle of the matrix is standstill.
+/// Returns the power of each frequency of the picture's middle; frequency zero is in the middle of
+/// the matrix.
 cv::Mat1f spectrum(const cv::Mat& picture) {
     const int size = std::min({kMostCrop_px, picture.cols, picture.rows}) & ~1;
     const cv::Rect middle((picture.cols - size) / 2, (picture.rows - size) / 2, size, size);
@@ -63,14 +64,14 @@ class Waves {
 
     [[nodiscard]] double whole() const { return whole_; }
 
-    /// Waves per picture, across and down.
+    /// Returns waves per picture, across and down.
     [[nodiscard]] cv::Point2d strongest() const {
         cv::Point at;
         cv::minMaxLoc(power_, nullptr, nullptr, nullptr, &at);
         return of(at);
     }
 
-    /// Takes a peak out, and its mirror image: how strong both were.
+    /// Removes a peak and its mirror image, and returns how strong both were.
     double taken(const cv::Point2d& wave) {
         double sum = 0.0;
         for (const double sign : {1.0, -1.0}) {
@@ -81,8 +82,8 @@ class Waves {
         return sum;
     }
 
-    /// Whether the wave is but the second or third of a slower one: of dots that a hand can tell
-    /// apart, or of a pattern.
+    /// Returns whether the wave is only the second or third of a slower one: of dots that a hand
+    /// can tell apart, or of a pattern.
     [[nodiscard]] bool is_overtone(const cv::Point2d& wave) const {
         const double own = cv::sum(all_(around(wave)))[0];
         return std::ranges::any_of(std::array{2.0, 3.0}, [&](double times) {
@@ -110,7 +111,7 @@ class Waves {
     }
 
     cv::Mat1f all_;
-    cv::Mat1f power_;  // of the fast ones that are left
+    cv::Mat1f power_;  // of the remaining fast ones
     double whole_ = 0.0;
 };
 

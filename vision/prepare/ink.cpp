@@ -38,7 +38,7 @@ double least_contrast(double noise, double strongest) {
 
 Ink ink_of(const LabPicture& lab, double noise) {
     LabPicture calm = lab;
-    if (noise > 1.0) {  // before the distance: the distance of noise to the paper is never 0
+    if (noise > 1.0) {  // first: the distance of noise to the paper is never 0
         cv::GaussianBlur(lab, calm, cv::Size(), kSmoothing_px);
     }
     const Paper paper(lab);

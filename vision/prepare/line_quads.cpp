@@ -23,7 +23,7 @@ struct Straight {
     }
 };
 
-/// Angle between two directions without sense, 0 ... pi/2.
+/// Returns the angle between two undirected lines, 0 ... pi/2.
 double angle_between(double a, double b) {
     const double d = std::abs(std::remainder(a - b, CV_PI));
     return d;
@@ -33,10 +33,11 @@ double distance(const Line& line, cv::Point2d point) {
     return std::abs(line.direction.cross(point - line.point));
 }
 
-/// Lines by the pixels that lie on them, without near doubles, strongest first.
+/// Returns lines by the number of pixels on them, without near doubles, strongest first.
 std::vector<Straight> straight_lines(const cv::Mat1b& light) {
     cv::Mat1b edges;
-    // Page edges may be faint; the thresholds are those of a shade across the page, and above.
+    // Page edges may be faint, so the thresholds are just those of a shade across the page, and
+    // above.
     cv::Canny(light, edges, 12, 24);
     const int least_votes = std::min(light.cols, light.rows) / 6;
     std::vector<cv::Vec2f> found;
@@ -59,8 +60,7 @@ std::vector<Straight> straight_lines(const cv::Mat1b& light) {
     return lines;
 }
 
-/// The four direction groups: along the strongest line or across it, and of each pair of lines the
-/// one before and the one behind.
+/// The two direction groups: the lines along the strongest line, and those across it.
 std::array<std::vector<Line>, 2> groups_of(const std::vector<Straight>& lines) {
     std::array<std::vector<Line>, 2> groups;
     for (const Straight& line : lines) {

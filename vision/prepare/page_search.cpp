@@ -29,13 +29,13 @@ constexpr double least_visible = 1.2;   // sides' worth of outline in the pictur
 constexpr double least_visible_side = 0.7;
 constexpr double near_frame_px = 8.0;
 constexpr double least_area = 0.10;  // of the picture; below it is too small, ...
-constexpr double speck_area = 0.03;  // ... and below that no page
+constexpr double speck_area = 0.03;  // ... and below this it is no page
 
 constexpr int clipped_level = 250;
 constexpr double most_clipped_frame = 0.4;
 constexpr double most_clipped_page = 0.6;
 constexpr double least_glare = 0.02;  // of the page
-constexpr int glare_contrast = 25;    // its median is at least so far below
+constexpr int glare_contrast = 25;    // the page's median is at least this far below
 
 cv::Size size_for(cv::Size size, double pixels) {
     const double scale = std::min(1.0, std::sqrt(pixels / size.area()));
@@ -66,7 +66,8 @@ double mean_contrast(const QuadEvidence& evidence) {
     return sum / std::max(visible_of(evidence), 1e-9);
 }
 
-/// Supported outlines first; of these the larger: a frame drawn on a page has good edges, too.
+/// Prefers supported outlines; among these the larger, because a frame drawn on a page has good
+/// edges, too.
 Judged judged(const cv::Mat1b& light, const Quad& corners, const QuadEvidence& evidence) {
     Judged one{corners, evidence};
     const double share = std::min(1.0, area_of(corners) / static_cast<double>(light.total()));
@@ -90,7 +91,7 @@ bool is_same(const Quad& a, const Quad& b) {
     return true;
 }
 
-/// The best few of all candidates, without doubles.
+/// Returns the best few of all candidates, without doubles.
 std::vector<Judged> best_candidates(const cv::Mat1b& light) {
     std::vector<Quad> quads = bright_regions(light);
     const std::vector<Quad> by_lines = line_quads(light);
@@ -122,8 +123,8 @@ Judged sharpened(const Judged& coarse, const cv::Mat1b& coarse_light, const cv::
     return judged(light, corners, exact_evidence(light, corners, exact_slack_px));
 }
 
-/// By how much each of its frame's sides is crossed; a page that comes so near that its edge cannot
-/// be told from the frame crosses it, too.
+/// Tells by how far the page crosses each side of the picture's frame. A page so near to it that
+/// its edge cannot be told from the frame crosses it, too.
 CaptureTrouble where_it_leaves(const Judged& page, cv::Size size) {
     double left = 0.0;
     double right = 0.0;

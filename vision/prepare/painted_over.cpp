@@ -8,7 +8,7 @@ namespace touchline {
 
 cv::Mat3f painted_over(const cv::Mat3f& picture, const cv::Mat1b& mask) {
     cv::Mat1f apart;
-    cv::Mat1i nearest;  // the same number for all that are nearest to one pixel outside
+    cv::Mat1i nearest;  // the same number for all pixels with the same nearest one outside
     cv::distanceTransform(mask, apart, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
     std::vector<cv::Vec3f> colours(picture.total() + 1);
     for (int y = 0; y < mask.rows; ++y) {

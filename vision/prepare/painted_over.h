@@ -1,4 +1,4 @@
-// What lies beneath a part of a picture, guessed from what lies beside it.
+// Guesses what lies beneath a part of a picture from what lies beside it.
 // Threads: pure function.
 #pragma once
 
@@ -6,7 +6,8 @@
 
 namespace touchline {
 
-/// The picture with each pixel of the mask in the colour of the nearest one outside. O(pixels).
+/// Returns the picture with each pixel of the mask in the colour of the nearest one outside.
+/// O(pixels).
 [[nodiscard]] cv::Mat3f painted_over(const cv::Mat3f& picture, const cv::Mat1b& mask);
 
 }  // namespace touchline

@@ -16,7 +16,7 @@ constexpr int kSamples = 7;         // along each side of a place
 constexpr int kTries = 120;         // of random surfaces; 1 in 10 hits at 70 % paper
 constexpr double kSamePaper = 9.0;  // grey levels between a place and the surface
 
-/// One place: where it is, and the middle colour there.
+/// One place: where it is, and the median colour there.
 struct Place {
     Terms terms;
     cv::Vec3f colour;
@@ -65,7 +65,8 @@ Weights fitted(const std::vector<const Place*>& places) {
                 static_cast<double>(place->colour[c]) * place->terms;
         }
     }
-    // A little stiffness: few places in one corner do not bend the surface out of all bounds.
+    // Adds a little stiffness, so that a few places in one corner do not bend the surface out of
+    // all bounds.
     constexpr double kStiffness = 1e-3;
     for (int i = 1; i < Paper::kTerms; ++i) {
         normal(i, i) += kStiffness * static_cast<double>(places.size());
@@ -84,8 +85,8 @@ std::vector<const Place*> agreeing(const std::vector<Place>& places, const Weigh
     return agree;
 }
 
-/// Random sixes for uneven light, single places for flat paper, which needs no luck; then all that
-/// agree with the best.
+/// Tries random sets of six places for uneven light, and single places for flat paper, which needs
+/// no luck; then takes all that agree with the best.
 std::vector<const Place*> most_agreeing(const std::vector<Place>& places) {
     std::uint64_t state = 0x9E3779B97F4A7C15U;
     const auto random_place = [&] {
@@ -113,7 +114,7 @@ std::vector<const Place*> most_agreeing(const std::vector<Place>& places) {
     return best;
 }
 
-/// The places that have exactly the colour of one of them.
+/// Returns the places that have exactly the colour of one of them.
 std::vector<const Place*> alike(const std::vector<Place>& places, const Place& as) {
     constexpr double kSameColour = 0.1;  // grey levels
     std::vector<const Place*> found;
@@ -125,7 +126,7 @@ std::vector<const Place*> alike(const std::vector<Place>& places, const Place& a
     return found;
 }
 
-/// A fifth of the places or more, on four fifths of the rows and columns.
+/// Returns true for a fifth of the places or more, on four fifths of the rows and columns.
 bool reach_everywhere(const std::vector<const Place*>& some, const std::vector<Place>& places) {
     std::array<bool, kPlaces> rows{};
     std::array<bool, kPlaces> columns{};
@@ -138,8 +139,8 @@ bool reach_everywhere(const std::vector<const Place*>& some, const std::vector<P
            5 * std::ranges::count(columns, true) >= 4 * kPlaces;
 }
 
-/// A colour that reaches over the whole picture, but that the surface mostly passes by: no lamp
-/// leaves it so, and what the surface follows is painted.
+/// Returns a colour that extends over the whole picture but that the surface mostly misses. No lamp
+/// leaves it so; then the surface follows something painted.
 std::optional<cv::Vec3f> passed_by(const Weights& surface, const std::vector<Place>& places) {
     for (const Place& place : places) {
         const std::vector<const Place*> some = alike(places, place);
@@ -200,13 +201,13 @@ void Paper::fill_row(int row, std::vector<cv::Vec3f>& colours) const {
 }
 
 LabPicture evenly_lit(const LabPicture& lab, const Paper& paper) {
-    // L and light: L + 16 (stretched) goes with the cube root of the light, and so do a and b.
+    // L and light: L + 16 (stretched) goes with the cube root of the light, as do a and b.
     constexpr float kBlack = 16.0F * 2.55F;
-    constexpr float kLeast = 0.25F;  // of the light in the middle; darker is black for good
+    constexpr float kLeast = 0.25F;  // of the light in the middle; anything darker stays black
     std::vector<cv::Vec3f> colours;
     paper.fill_row(lab.rows / 2, colours);
     const float middle = colours[colours.size() / 2][0] + kBlack;
-    if (!(middle > 0.0F)) {  // where few places agree; of no light nothing can be divided out
+    if (!(middle > 0.0F)) {  // if few places agree; without light nothing can be divided out
         return lab.clone();
     }
     LabPicture lit(lab.size());

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kCopyPixels = 2e5;
 
-// Texture: on half the copy.
+// Texture: measured on half the copy.
 constexpr double kEdge_px = 1.0;   // Gaussian sigma for the edges of shapes
 constexpr double kSlow_px = 1.75;  // and for what changes between them
 constexpr int kNearEdge_px = 11;   // across, where an edge still shows at kSlow_px
@@ -28,17 +28,17 @@ constexpr int kRuled_px = 16;          // long: a line that was ruled
 constexpr int kBroad_px = 9;           // across: no line is as broad, and its edges
 constexpr int kEven_px = 15;           // across: within these a computed shade has an even slope
 
-// Decisions; what lies to either side is in README.md.
+// Decisions; README.md says what lies on either side.
 constexpr double kTextured = 0.013;  // of the open parts: a photo
 constexpr double kMuchOpen = 0.3;    // less: the picture is full of edges, and less texture tells
 constexpr double kLeastOpen = 0.15;  // less is too little to judge texture by
 constexpr double kPainted = 0.95;    // of the texture: no camera made it
-constexpr double kSpotted = 0.6;     // the same where nothing else has grain: spots of a JPEG
+constexpr double kSpotted = 0.6;     // the same if nothing else has grain: spots of a JPEG
 constexpr double kNoGrainAtAll = 0.05;  // grey levels
 constexpr double kRuled = 0.65;         // of the texture: made-up photos have up to 0.59
-constexpr double kAllOpen = 0.995;      // more: there is no shape, painted or not
+constexpr double kAllOpen = 0.995;      // with more, there is no shape, painted or not
 constexpr double kRestless = 0.6;       // of all pixels change: grass, not a pattern
-constexpr double kLittlePaper = 0.45;   // less: no colour is what the others lie on
+constexpr double kLittlePaper = 0.45;   // with less, no colour is the ground under the others
 constexpr double kPen_part = 0.025;     // of the diagonal: the widest stroke of a pen
 constexpr double kThin = 0.7;           // of the ink: drawn with a pen
 constexpr double kMuchPaper = 0.7;
@@ -53,14 +53,15 @@ double part_of(const cv::Mat& mask, double whole) {
     return whole > 0.0 ? cv::countNonZero(mask) / whole : 0.0;
 }
 
-/// The greatest of each pixel's channels.
+/// Returns the greatest channel of each pixel.
 cv::Mat greatest_channel(const cv::Mat& picture) {
     cv::Mat greatest;
     cv::reduce(picture.reshape(1, static_cast<int>(picture.total())), greatest, 1, cv::REDUCE_MAX);
     return greatest.reshape(1, picture.rows);
 }
 
-/// Where the pixels are of one colour, as no camera sees anything, and beside it.
+/// Returns where the pixels have one single colour, which no camera sees, and the pixels beside
+/// them.
 cv::Mat near_flat(const cv::Mat& picture) {
     cv::Mat low;
     cv::Mat high;
@@ -72,9 +73,9 @@ cv::Mat near_flat(const cv::Mat& picture) {
     return flat;
 }
 
-/// How much of what changes does so as a program paints: evenly, or beside flat colour, without the
-/// grain and spots of what a camera sees. Wherever it is: a page may have one shaded disc in a
-/// corner.
+/// Returns how much of what changes does so as a program paints: evenly, or beside flat colour,
+/// without the grain and spots of a camera's picture. It may be anywhere: a page may have one
+/// shaded disc in a corner.
 double painted_part(const cv::Mat& whole, const cv::Mat& whole_texture) {
     const cv::Rect changing = cv::boundingRect(whole_texture);
     if (changing.empty()) return 0.0;
@@ -97,7 +98,8 @@ double painted_part(const cv::Mat& whole, const cv::Mat& whole_texture) {
     return part_of(asked & (even | near_flat(picture)), all);
 }
 
-/// How much of what changes does so along level or upright lines, as the pale grid of a chart does.
+/// Returns how much of what changes does so along level or upright lines, as the pale grid of a
+/// chart does.
 double ruled_part(const cv::Mat& texture) {
     const auto opened = [&](int wide, int high) {
         cv::Mat kept;
@@ -110,7 +112,7 @@ double ruled_part(const cv::Mat& texture) {
     return part_of(ruled, cv::countNonZero(texture));
 }
 
-/// What changes away from edges, how much is away from edges, and how much changes at all.
+/// Measures what changes away from edges, how much is away from edges, and how much changes at all.
 void measure_texture(const cv::Mat& picture, const LabPicture& copy, PictureFeatures& features) {
     LabPicture half;
     cv::resize(copy, half, {std::max(1, copy.cols / 2), std::max(1, copy.rows / 2)}, 0.0, 0.0,
@@ -135,7 +137,7 @@ void measure_texture(const cv::Mat& picture, const LabPicture& copy, PictureFeat
         part_of(edges > std::max(kStill, kSignificance * gradient_noise(noise, kEdge_px)), all);
 }
 
-/// How much of the ink is within half a pen's width of the paper.
+/// Returns how much of the ink is within half a pen's width of the paper.
 double thin_part(const cv::Mat1b& mask, double pen_px) {
     cv::Mat1f depth;
     cv::distanceTransform(mask, depth, cv::DIST_L2, 3);
@@ -146,7 +148,7 @@ double thin_part(const cv::Mat1b& mask, double pen_px) {
     return part_of(thin, cv::countNonZero(mask));
 }
 
-/// The middle ink's contrast over that of the paper's spots (9 of 10 are fainter).
+/// Returns the median ink's contrast over that of the paper's spots (9 of 10 are fainter).
 double clearness(const Ink& ink) {
     std::vector<float> inked;
     std::vector<float> bare;
@@ -200,17 +202,18 @@ ClassDecision decided(const PictureFeatures& f) {
                 f};
     }
     const double textured = kTextured * std::min(1.0, f.open_part / kMuchOpen);
-    // On paper a ruled grid is no texture; elsewhere planks and blinds may be.
+    // On paper, a ruled grid is not texture; elsewhere planks and blinds may be.
     const bool is_ruled = is_paper && f.ruled_part >= kRuled;
     const double painted = f.noise < kNoGrainAtAll ? kSpotted : kPainted;
     const bool is_painted = f.painted_part >= painted && f.open_part < kAllOpen;
-    // What is full of edges shows little of its paper's spots.
+    // A picture full of edges shows little of its paper's spots.
     const bool is_grainy = f.noise >= kNoGrain && f.paper_part < kLittlePaper;
     const bool is_textured =
         f.open_part >= kLeastOpen
             ? f.texture > textured && !is_painted && !is_ruled
             : f.changing_part > kRestless && (f.clearness < 2.0 * kClear || is_grainy);
-    // In a scan it is the light; what a program painted pale is an area.
+    // In a scan, pale areas come from the light; in a picture that a program painted, they are
+    // areas.
     const bool has_pale_areas = f.noise < kNoGrain && 1.0 - f.paper_part - f.ink_part > kPaleAreas;
     if (is_paper && !has_pale_areas && f.thin_part >= kThin && f.clearness >= kClear &&
         (!is_textured || f.clearness >= 2.0 * kClear)) {

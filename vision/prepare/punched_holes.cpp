@@ -45,7 +45,7 @@ std::vector<Hole> discs_of(const cv::Mat1b& ink) {
     return found;
 }
 
-/// Where a hole lies beside a side of the sheet.
+/// The place of a hole beside a side of the sheet.
 struct Beside {
     double along_px = 0.0;  // from the middle of the side
     double in_px = 0.0;     // from its edge

@@ -11,16 +11,17 @@ namespace touchline {
 
 using Quad = std::array<cv::Point2d, 4>;
 
-/// Clockwise, and beginning with the corner that is upper left of the page as it lies: its top side
-/// is the one whose middle is highest.
+/// Returns the corners clockwise, beginning with the upper left one of the page as it lies: its top
+/// side is the one whose middle is highest.
 [[nodiscard]] Quad ordered(Quad quad);
 
 [[nodiscard]] double area_of(const Quad& quad);
 
-/// Convex, with no angle below 45 or above 135 degrees: what a sheet looks like from above.
+/// Returns true for a convex quad with no angle below 45 or above 135 degrees: a sheet seen from
+/// above.
 [[nodiscard]] bool is_sheet_like(const Quad& quad);
 
-/// The corners of the same place in the picture at another size.
+/// Returns the corners of the same place in the picture at another size.
 [[nodiscard]] Quad rescaled(const Quad& quad, cv::Size from, cv::Size to);
 
 struct Line {
@@ -30,10 +31,10 @@ struct Line {
 
 [[nodiscard]] Line line_through(cv::Point2d a, cv::Point2d b);
 
-/// Nothing where they are nearly parallel (below 15 degrees).
+/// Returns nothing if they are nearly parallel (below 15 degrees).
 [[nodiscard]] std::optional<cv::Point2d> crossing(const Line& a, const Line& b);
 
-/// The quad of four lines that follow each other round it; nothing where two neighbours do not
+/// Returns the quad of four lines that follow each other round it; nothing if two neighbours do not
 /// cross.
 [[nodiscard]] std::optional<Quad> quad_of(const std::array<Line, 4>& sides);
 

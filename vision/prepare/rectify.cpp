@@ -24,7 +24,8 @@ std::vector<cv::Point2f> points_of(const Quad& quad, cv::Point2d origin = {}) {
     return points;
 }
 
-/// Squared, in units of the longer side: the two directions of the page stand at right angles.
+/// Returns the square of the focal length, in units of the longer side. It follows from the right
+/// angle between the two directions of the page.
 double focal_squared(const cv::Matx33d& h) {
     const double perspective = h(2, 0) * h(2, 1);
     const double squared = -(h(0, 0) * h(0, 1) + h(1, 0) * h(1, 1)) / perspective;
@@ -60,7 +61,7 @@ cv::Mat rectified(const cv::Mat& bgr, const Quad& corners, double aspect, double
     const double pixels = std::min(most_pixels, std::max(1.0, area_of(corners)));
     const cv::Size size(std::max(1, static_cast<int>(std::sqrt(pixels * aspect))),
                         std::max(1, static_cast<int>(std::sqrt(pixels / aspect))));
-    // Where many pixels become one they are averaged first: warping would pick one of them.
+    // If many pixels become one, they are averaged first, because warping would pick one of them.
     const double reduction = std::sqrt(pixels / std::max(1.0, area_of(corners)));
     cv::Mat source = bgr;
     if (reduction < 0.7) cv::resize(bgr, source, {}, reduction, reduction, cv::INTER_AREA);

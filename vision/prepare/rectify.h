@@ -1,4 +1,4 @@
-// A page seen from aslant becomes the page seen from above. Threads: pure functions.
+// Turns a page seen from aslant into the page seen from above. Threads: pure functions.
 #pragma once
 
 #include "vision/prepare/quad.h"
@@ -8,20 +8,21 @@ namespace touchline {
 constexpr double a4_aspect = 297.0 / 210.0;
 constexpr double letter_aspect = 11.0 / 8.5;
 
-/// The focal length that is assumed, as a share of the picture's longer side: 58 degrees across.
+/// The assumed focal length, as a share of the picture's longer side: 58 degrees across.
 constexpr double usual_focal_share = 0.9;
 
-/// Width over height of the rectangle whose picture is this quad, from its perspective: the
-/// camera's focal length comes from the quad itself where it is aslant enough to tell, and else is
-/// taken as the usual one, which then hardly matters. The lens looks through
-/// the middle of the picture. O(1). Z. Zhang, L.-W. He: Whiteboard scanning (2007).
+/// Returns width over height of the rectangle whose picture is this quad, from its perspective. The
+/// camera's focal length comes from the quad itself if it is aslant enough to tell; otherwise the
+/// usual one is assumed, which then hardly matters. The lens looks through the middle of the
+/// picture. O(1). Z. Zhang, L.-W. He: Whiteboard scanning (2007).
 [[nodiscard]] double aspect_of(const Quad& corners, cv::Size picture);
 
-/// A4 or Letter, upright or lying, where the aspect is within 3 % of it; else as it is.
+/// Returns that of A4 or Letter, upright or lying, if the aspect is within 3 % of it; else as it
+/// is.
 [[nodiscard]] double snapped_aspect(double aspect);
 
-/// 8-bit BGR, width / height = aspect, at most `most_pixels` and never more than the quad has in
-/// the picture. O(pixels).
+/// Returns 8-bit BGR, width / height = aspect, at most `most_pixels` and never more than the quad
+/// has in the picture. O(pixels).
 [[nodiscard]] cv::Mat rectified(const cv::Mat& bgr, const Quad& corners, double aspect,
                                 double most_pixels = 1e6);
 

@@ -18,8 +18,8 @@ namespace touchline {
 namespace {
 
 constexpr double kScanPixels = 6e4;  // four tenths of a millimetre at the hand each
-constexpr double kMostEqual = 0.8;   // of neighbouring pixels: more are painted, not seen
-constexpr double kRim = 0.12;        // of each side: there the bed may lie
+constexpr double kMostEqual = 0.8;   // of neighbouring pixels: with more, a program painted it
+constexpr double kRim = 0.12;        // of each side: the bed may lie there
 constexpr float kDark = 0.6F;        // of the lightest: no paper, however shaded
 constexpr double kLeastPaper = 0.2;  // of the picture
 constexpr float kLikePaper = 22.0F;  // grey levels, all channels together
@@ -28,7 +28,8 @@ constexpr double kSameBed = 60.0;    // grey levels, all channels together
 constexpr double kMargin_px = 2.0;   // inside the edge, where it is soft
 constexpr double kCorner = 0.1;      // of the shorter side: the largest rounding
 
-/// Whether a program painted it, and no scanner saw it: most pixels equal their neighbours exactly.
+/// Returns whether a program painted it, and no scanner saw it: most pixels equal their neighbours
+/// exactly.
 bool is_painted(const cv::Mat& picture) {
     constexpr int kRowStep = 16;
     std::size_t equal = 0;
@@ -42,7 +43,7 @@ bool is_painted(const cv::Mat& picture) {
     return static_cast<double>(equal) >= kMostEqual * static_cast<double>(asked);
 }
 
-/// The middle colour of what lies beyond the edge.
+/// Returns the median colour of what lies beyond the edge.
 cv::Vec3f bed_beyond(const cv::Mat3f& view, const SheetEdge& edge) {
     cv::Vec3f sum;
     int count = 0;
@@ -58,8 +59,9 @@ bool is_grey(const cv::Vec3f& colour) {
     return *std::ranges::max_element(colour.val) - *std::ranges::min_element(colour.val) <= kGrey;
 }
 
-/// The picture without what is no paper, be it evener: its rim, where the bed may lie, and all that
-/// is dark in a channel. Gets colours that are far from all others and from each other.
+/// Returns the picture without what is surely not paper, even if it is more even: its rim, where
+/// the bed may lie, and everything that is dark in a channel. Those get colours that are far from
+/// all others and from each other.
 cv::Mat3f likely_paper(const cv::Mat3f& picture) {
     cv::Mat1f least(picture.size());
     std::ranges::transform(picture, least.begin(), [](const cv::Vec3f& p) {
@@ -100,13 +102,13 @@ class Scan {
         }
     }
 
-    /// The paper's colour, of the nearest place of the sheet where it is beyond: no surface is
-    /// known there.
+    /// Returns the paper's colour, taken from the nearest place of the sheet for places beyond it,
+    /// because no surface is known there.
     [[nodiscard]] cv::Mat3f paper_beside(const cv::Mat1b& beyond) const {
         return painted_over(surface_, beyond);
     }
 
-    /// What is not of the sheet, 255; empty where all is.
+    /// Returns what does not belong to the sheet, 255; empty if everything does.
     [[nodiscard]] cv::Mat1b around() {
         if (part_ < kLeastPaper) {
             return {};
@@ -124,8 +126,8 @@ class Scan {
     }
 
   private:
-    /// A lid is grey; a bed of another colour lies on all sides, so that a band of a drawing is
-    /// none.
+    /// A lid is grey, and a bed of another colour lies on all sides, so a band of a drawing is
+    /// neither.
     void find_edges() {
         for (std::size_t side = 0; side < kSides.size(); ++side) {
             edges_[side] = edge_of(kSides[side].of(paper_));
@@ -158,7 +160,7 @@ class Scan {
         cv::fillConvexPoly(beyond_, points, cv::Scalar(255));
     }
 
-    /// The bed that a rounded corner leaves free.
+    /// Adds the bed that a rounded corner leaves free.
     void add_corners() {
         for (std::size_t side = 0; side < kSides.size(); ++side) {
             const auto& one = edges_[side];
@@ -170,7 +172,7 @@ class Scan {
     }
 
     void add_corner(std::size_t side, const SheetEdge& one, const SheetEdge& other) {
-        // The corner, nearly: where one edge is as far from the frame as the other is.
+        // The approximate corner: where one edge is as far from the frame as the other.
         const bool is_far = side == 1 || side == 2;  // the next side lies at the view's far end
         const int rows = kSides[side].is_transposed ? copy_.cols : copy_.rows;
         const int next_rows = kSides[(side + 1) % 4].is_transposed ? copy_.cols : copy_.rows;
@@ -215,10 +217,10 @@ class Scan {
 
     cv::Mat3f copy_;
     cv::Mat3f surface_;  // the paper's colour everywhere
-    cv::Mat1b paper_;    // what is of that colour, 255
+    cv::Mat1b paper_;    // the part of that colour, 255
     double part_ = 0.0;  // of the picture that is paper
     SheetEdges edges_;
-    std::array<cv::Vec3f, 4> beds_;  // their colours, where there is an edge
+    std::array<cv::Vec3f, 4> beds_;  // their colours, if there is an edge
     cv::Mat1b beyond_;
 };
 

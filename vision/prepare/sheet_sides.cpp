@@ -16,10 +16,10 @@ const double kMostLean = std::tan(10.0 * std::numbers::pi / 180.0);
 constexpr double kOnEdge_px = 1.3;
 constexpr double kMostlyOnEdge = 0.7;   // of the rows: strokes may run off the sheet
 constexpr double kLeastBeyond = 0.12;   // of the rows have bed
-constexpr double kLeastDepth_px = 1.5;  // of the bed, where there is any
-constexpr int kEdgeTries = 32;          // places along a side that lines are tried through
+constexpr double kLeastDepth_px = 1.5;  // of the bed, if there is any
+constexpr int kEdgeTries = 32;          // places along a side through which lines are tried
 
-/// Where the paper begins in each row of the view; nothing where it does not.
+/// Returns where the paper begins in each row of the view; nothing where it does not.
 std::vector<std::optional<int>> depths_of(const cv::Mat1b& paper) {
     const int deepest = static_cast<int>(kDeepest * paper.cols);
     std::vector<std::optional<int>> depths(static_cast<std::size_t>(paper.rows));
@@ -35,7 +35,7 @@ std::vector<std::optional<int>> depths_of(const cv::Mat1b& paper) {
     return depths;
 }
 
-/// Through the middle of the rows that agree with it.
+/// Fits the edge through the middle of the rows that agree with it.
 SheetEdge settled(const SheetEdge& edge, const std::vector<std::optional<int>>& depths) {
     std::vector<cv::Point2f> on;
     for (std::size_t row = 0; row < depths.size(); ++row) {

@@ -1,4 +1,4 @@
-// The sides of a scan, each seen as the left one, and the straight edges of the sheet on it.
+// The sides of a scan, each seen as the left one, and the straight edges of its sheet.
 // Threads: pure functions.
 #pragma once
 
@@ -9,14 +9,14 @@
 
 namespace touchline {
 
-/// The copy of a picture, seen so that one of its four sides is the left one.
+/// A copy of a picture, seen so that one of its four sides is the left one.
 struct SideView {
-    bool is_flipped = false;  // left and right, after
+    bool is_flipped = false;  // left and right, afterwards
     bool is_transposed = false;
 
     [[nodiscard]] cv::Mat of(const cv::Mat& mat) const;
 
-    /// A place in the view, in the picture that is `size` large.
+    /// Converts a place in the view to one in the picture, which is `size` large.
     [[nodiscard]] cv::Point2d back(cv::Point2d at, cv::Size size) const;
 };
 
@@ -33,8 +33,8 @@ struct SheetEdge {
 
 using SheetEdges = std::array<std::optional<SheetEdge>, 4>;  // in the order of kSides
 
-/// The straight edge on the left of a view that most rows agree with; `paper`: 255 where it is.
-/// It leans at most 10 degrees and lies within a quarter of the width. O(pixels + rows).
+/// Returns the straight edge on the left of a view that most rows agree with; `paper`: 255 where it
+/// is. The edge leans at most 10 degrees and lies within a quarter of the width. O(pixels + rows).
 [[nodiscard]] std::optional<SheetEdge> edge_of(const cv::Mat1b& paper);
 
 }  // namespace touchline

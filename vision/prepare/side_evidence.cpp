@@ -18,10 +18,10 @@ constexpr int rough_slack_px = 2;
 constexpr double beyond_px = 3.0;   // of the slack, that the search for the steepest edge reaches
 constexpr double distant_px = 7.0;  // where contrast is taken: beyond the grain of a texture
 constexpr double stray_px = 1.5;
-constexpr int least_seen = samples / 5;  // of a side, else nothing is known of it
+constexpr int least_seen = samples / 5;  // of a side, or nothing is known of it
 constexpr double least_edges = 1.0 / 3;  // of what is seen
 
-/// Bilinear; the point must be in the picture.
+/// Interpolates bilinearly; the point must be in the picture.
 double at(const cv::Mat1b& light, cv::Point2d p) {
     const int x = std::min(static_cast<int>(p.x), light.cols - 2);
     const int y = std::min(static_cast<int>(p.y), light.rows - 2);
@@ -52,7 +52,7 @@ Side side_of(const Quad& quad, std::size_t i) {
     return {quad[i], along, cv::Point2d(-along.y, along.x) / length_px};
 }
 
-/// How much brighter it is inside than outside of p; negative where it is not.
+/// Returns how much brighter it is inside of p than outside; negative if it is darker.
 double rise(const cv::Mat1b& light, const Side& side, cv::Point2d p) {
     const double inside = at(light, p + side.inward * apart_px);
     const double outside = at(light, p - side.inward * apart_px);
@@ -65,8 +65,8 @@ bool can_look(const cv::Mat1b& light, const Side& side, cv::Point2d p, double re
            is_within(light, p - side.inward * (apart_px + reach_px));
 }
 
-/// Where on the normal through p the light rises most steeply, in pixels from p; nothing where it
-/// does not, or where the steepest place may lie beyond the reach.
+/// Returns where on the normal through p the light rises most steeply, in pixels from p; nothing if
+/// it does not rise, or if the steepest place may lie beyond the reach.
 std::optional<double> edge_near(const cv::Mat1b& light, const Side& side, cv::Point2d p,
                                 double reach_px) {
     const int steps = static_cast<int>(reach_px);
@@ -95,7 +95,7 @@ Line fitted(const std::vector<cv::Point2f>& points, cv::DistanceTypes distance) 
     return {{line[2], line[3]}, {line[0], line[1]}};
 }
 
-/// Strays are left out twice: the first fit is still drawn by them.
+/// Strays are removed twice, because they still affect the first fit.
 std::optional<Line> line_of(std::vector<cv::Point2f> points, int seen) {
     const auto is_enough = [&](const std::vector<cv::Point2f>& some) {
         return static_cast<double>(some.size()) >= least_edges * seen;
@@ -133,7 +133,7 @@ QuadEvidence gathered(const cv::Mat1b& light, const Quad& quad, double reach_px,
     return evidence;
 }
 
-/// Mean over the side.
+/// Returns the mean over the side.
 double contrast_of(const cv::Mat1b& light, const Side& side) {
     double sum = 0.0;
     int looks = 0;

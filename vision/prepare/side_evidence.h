@@ -1,32 +1,33 @@
-// Is there the side of a page? Along a line, paper on one side must be brighter than what lies on
-// the other. Threads: pure functions, O(length).
+// Judges whether a line is the side of a page: along it, paper on one side must be brighter than
+// whatever lies on the other. Threads: pure functions, O(length).
 #pragma once
 
 #include "vision/prepare/quad.h"
 
 namespace touchline {
 
-/// Of one side, from corner to corner.
+/// The evidence along one side, from corner to corner.
 struct SideEvidence {
     double visible = 0.0;   // share of it that lies in the picture
-    double support = 0.0;   // share of the visible that looks like a page's edge
+    double support = 0.0;   // share of the visible part that looks like a page's edge
     double contrast = 0.0;  // how much brighter it is inside, grey levels, at some distance
 };
 
 using QuadEvidence = std::array<SideEvidence, 4>;
 
-/// `quad` clockwise; side i runs from corner i to corner i + 1. Supported is where it is brighter
-/// inside within two pixels of the line: quick, for many candidates. Contrast is left out.
+/// `quad` is clockwise; side i runs from corner i to corner i + 1. A place counts as support if it
+/// is brighter inside within two pixels of the line: quick, for many candidates. Leaves out
+/// contrast.
 [[nodiscard]] QuadEvidence rough_evidence(const cv::Mat1b& light, const Quad& quad);
 
-/// Supported is where the steepest edge lies within `slack_px` of the line, while the search for it
-/// reaches further: lines through a texture find as good edges beside them.
+/// A place counts as support if the steepest edge lies within `slack_px` of the line, while the
+/// search for it reaches further: lines through a texture have equally good edges beside them.
 [[nodiscard]] QuadEvidence exact_evidence(const cv::Mat1b& light, const Quad& quad,
                                           double slack_px);
 
-/// Each side moved to the steepest edges within `reach_px` of it, by a line through them that
-/// leaves strays out; corners are where these cross. A side that is hardly in the picture stays.
-/// Nothing where another finds too few edges.
+/// Moves each side to the steepest edges within `reach_px` of it, by a line through them that
+/// ignores strays; corners are where these cross. A side that is hardly in the picture stays.
+/// Returns nothing if another side has too few edges.
 [[nodiscard]] std::optional<Quad> refined(const cv::Mat1b& light, const Quad& quad,
                                           double reach_px);
 

@@ -103,8 +103,8 @@ double middle_of(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// Whether most marks stand on one straight line: its slope is the middle one between marks that
-/// are some way apart.
+/// Returns whether most marks stand on one straight line, whose slope is the median between marks
+/// that are some way apart.
 bool stand_on_base_line(const std::vector<Mark>& marks) {
     std::vector<double> heights;
     std::vector<double> slopes;
@@ -178,7 +178,7 @@ PageLayout page_layout(const Ink& ink) {
     for (const Mark& mark : marks_of(ink.mask)) {
         (may_be_letters(mark, page) ? letters : others).push_back(mark);
     }
-    constexpr std::size_t kMostMarks = 20000;  // beyond it, grain: not a page
+    constexpr std::size_t kMostMarks = 20000;  // with more it is grain, not a page
     if (letters.size() > kMostMarks) {
         return {};
     }

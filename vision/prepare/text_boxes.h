@@ -1,4 +1,4 @@
-// Where the lines of text of a page are, and what else is on it. The words come with reading (OCR).
+// Finds where a page has lines of text, and what else is on it. Reading (OCR) supplies the words.
 // Threads: pure functions.
 #pragma once
 
@@ -15,12 +15,12 @@ struct TextLine {
 
 struct PageLayout {
     std::vector<TextLine> lines;    // from the top, then from the left
-    std::vector<cv::Rect> figures;  // what is neither text nor a speck, overlapping boxes merged
+    std::vector<cv::Rect> figures;  // neither text nor specks; overlapping boxes are merged
 };
 
-/// Boxes in pixels of the ink. A line of text is a row of marks of like height on one straight
-/// base line, at least three of them, near to each other as letters and words are. Slant up to
-/// about 10 degrees. Letters need 5 pixels of height. O(pixels + marks log marks).
+/// Boxes are in pixels of the ink. A line of text is a row of at least three marks of like height
+/// on one straight base line, as near to each other as letters and words are. Slant up to about 10
+/// degrees. Letters need 5 pixels of height. O(pixels + marks log marks).
 [[nodiscard]] PageLayout page_layout(const Ink& ink);
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-// Small breaks in lines, closed. Chains here are in millimetres.
+// Closes small breaks in lines. Chains here are in millimetres.
 // Threads: pure function.
 #pragma once
 
@@ -11,10 +11,10 @@ namespace touchline {
 /// A break up to this long is closed: a groove must not end by accident.
 inline constexpr double kSmallBreak_mm = 4.0;
 
-/// The lines, with free ends nearer than `reach_mm` that point at each other joined, cheapest
-/// first: cost = distance x (1 + bending in radians), at most 70 degrees at each end (any bending
-/// under a quarter of the reach). A line closes on itself where it is longer than four times the
-/// break. Ends that other lines share (junctions) are not free. O(n log n + pairs near).
+/// Joins free ends that are nearer than `reach_mm` and point at each other, cheapest first: cost =
+/// distance x (1 + bending in radians), at most 70 degrees at each end (any bending under a quarter
+/// of the reach). A line closes on itself if it is longer than four times the break. Ends that
+/// other lines share (junctions) are not free. O(n log n + pairs near).
 [[nodiscard]] std::vector<Chain> with_breaks_closed(std::vector<Chain> lines, double reach_mm);
 
 }  // namespace touchline

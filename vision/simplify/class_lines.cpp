@@ -61,7 +61,7 @@ double mean_strength(const std::vector<Chain>& lines) {
     return count == 0 ? 0.0 : sum / static_cast<double>(count);
 }
 
-/// The lines of a class other than photo.
+/// Finds the lines of a class other than photo.
 PhotoLines drawn_lines(const cv::Mat& picture, PictureClass picture_class, double longer_side_mm) {
     const LabPicture lab = to_lab(reduced(picture, kWorkingPixels));
     PhotoLines found;

@@ -8,7 +8,7 @@ namespace touchline {
 namespace {
 
 constexpr double kTableDiagonal_m = 0.215;
-constexpr int kLeastStrokes = 2;  // of two things side by side neither may be lost
+constexpr int kLeastStrokes = 2;  // of two things side by side, neither may be lost
 
 constexpr std::array<DetailLimits, kMostDetail> kTable{{
     {2, 600.0, 60.0, 12.0, 2.0, 12.0, InnerLines::none},

@@ -9,7 +9,7 @@ namespace touchline {
 namespace {
 
 constexpr double kCell_mm = 2.0;
-constexpr int kMostCuts = 200;  // a line with more is a scribble: what is left of it is dropped
+constexpr int kMostCuts = 200;  // a line with more is a scribble, and the rest of it is dropped
 
 struct SelfCrossing {
     std::size_t first = 0;   // segment that is crossed
@@ -17,8 +17,8 @@ struct SelfCrossing {
     cv::Point2d at;
 };
 
-/// Where two segments, from `low` on, cross once their points are on the grid; not where they only
-/// touch.
+/// Returns where two segments, from `low` on, cross once their points are on the grid; nothing if
+/// they only touch.
 std::optional<cv::Point2d> crossing_on_grid(const LineSegment& s, const LineSegment& t,
                                             cv::Point2d low) {
     if (!cross_on_map_grid({s.a + low, s.b + low}, {t.a + low, t.b + low})) {
@@ -31,7 +31,7 @@ std::optional<cv::Point2d> crossing_on_grid(const LineSegment& s, const LineSegm
                        : s.a + std::clamp((t.a - s.a).cross(v) / area, 0.0, 1.0) * u;
 }
 
-/// Where they meet, ends included.
+/// Returns where they meet, ends included.
 std::optional<cv::Point2d> meeting(const LineSegment& s, const LineSegment& t, cv::Point2d) {
     return crossing_of(s, t);
 }
@@ -39,7 +39,7 @@ std::optional<cv::Point2d> meeting(const LineSegment& s, const LineSegment& t, c
 using CrossingOf = std::optional<cv::Point2d> (*)(const LineSegment&, const LineSegment&,
                                                   cv::Point2d);
 
-/// The crossing that closes the shortest loop (in segments).
+/// Returns the crossing that closes the shortest loop (in segments).
 std::optional<SelfCrossing> self_crossing(const Chain& line, CrossingOf crossing) {
     const std::size_t n = line.points.size();
     const std::size_t count = line.is_closed ? n : n - 1;

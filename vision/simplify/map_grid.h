@@ -1,4 +1,4 @@
-// Crossings as a map has them: on its grid of nanometres, in whole ones.
+// Crossings as a map has them: on its nanometre grid, in whole numbers.
 // Threads: pure functions, O(1).
 #pragma once
 
@@ -16,17 +16,17 @@ struct GridPoint {
 };
 
 [[nodiscard]] inline GridPoint on_map_grid(cv::Point2d p_mm) {
-    constexpr double kNanometres = 1e6;  // on a millimetre
+    constexpr double kNanometres = 1e6;  // per millimetre
     return {std::llround(kNanometres * p_mm.x), std::llround(kNanometres * p_mm.y)};
 }
 
-/// Which side of a b the point c lies: exact within an area of a metre.
+/// Returns on which side of a b the point c lies; exact within an area of a metre.
 [[nodiscard]] inline int side_of(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
     const std::int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
-/// Whether two segments cross once their points are on the grid; not where they only touch.
+/// Returns whether two segments cross once their points are on the grid; false if they only touch.
 [[nodiscard]] inline bool cross_on_map_grid(const LineSegment& s, const LineSegment& t) {
     const GridPoint a = on_map_grid(s.a);
     const GridPoint b = on_map_grid(s.b);

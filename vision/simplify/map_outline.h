@@ -1,4 +1,4 @@
-// A line as a map has it. Threads: pure function.
+// Converts a line to a map's outline. Threads: pure function.
 #pragma once
 
 #include "config/types/map_frame.h"
@@ -6,8 +6,8 @@
 
 namespace touchline {
 
-/// A line in millimetres of the viewBox, each place on a map's grid once. A closed line has
-/// points. O(points).
+/// Converts a line in millimetres of the viewBox, with each place on the map's grid only once. A
+/// closed line must have points. O(points).
 [[nodiscard]] inline Outline outline_of(const Chain& line, const Area& area) {
     Outline outline;
     outline.is_closed = line.is_closed;

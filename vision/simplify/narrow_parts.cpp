@@ -18,7 +18,7 @@ namespace {
 constexpr double kLeastCell_mm = 0.2;
 constexpr double kPinReach_cells = 3.0;
 
-/// Of every cell within a mask to the nearest beyond it, in cells.
+/// Returns the distance of every cell in a mask to the nearest one outside, in cells.
 cv::Mat1f distances(const cv::Mat& mask) {
     cv::Mat1f result;
     cv::distanceTransform(mask, result, cv::DIST_L2, cv::DIST_MASK_PRECISE);
@@ -56,7 +56,7 @@ class Raster {
         return mask;
     }
 
-    /// What is narrower than a gap taken away; but what is no deeper than that stays, if asked for.
+    /// Takes away what is narrower than a gap, but keeps what is no deeper than a gap if asked to.
     cv::Mat opened(const cv::Mat& mask, bool keeps_shallow) const {
         const cv::Mat core = distances(mask) > radius_cells_;
         if (cv::countNonZero(core) == 0) {
@@ -72,7 +72,7 @@ class Raster {
         return 255 - opened(255 - mask, keeps_shallow);
     }
 
-    /// Round a mask and its holes, in millimetres.
+    /// Returns outlines round a mask and its holes, in millimetres.
     std::vector<Chain> outlines(const cv::Mat& mask) const {
         cv::Mat1f soft;
         mask.convertTo(soft, CV_32F, 1.0 / 255.0);
@@ -80,7 +80,8 @@ class Raster {
         return in_mm(iso_rings(soft, 0.5F));
     }
 
-    /// Of a mask's pieces, lines that go on through their junctions being one, in millimetres.
+    /// Returns the middle lines of a mask's pieces, in millimetres; lines that go on through their
+    /// junctions are one.
     std::vector<Chain> middle_lines(const cv::Mat& mask) const {
         const cv::Mat1f depth = distances(mask);
         Skeleton skeleton = skeleton_of(thinned(mask, depth), depth);
@@ -110,7 +111,7 @@ class Raster {
         return lines;
     }
 
-    /// The pieces of a mask that reach no further than a gap beyond what is bold.
+    /// Returns the pieces of a mask that reach no further than a gap beyond what is bold.
     cv::Mat shallow(const cv::Mat& narrow, const cv::Mat1f& from_core) const {
         cv::Mat1i piece;
         const int pieces = cv::connectedComponents(narrow, piece, 8, CV_32S);
@@ -136,12 +137,12 @@ class Raster {
     cv::Size size_;
 };
 
-/// The points of one line, which has to stay, to ask which is nearest.
+/// The points of a line, which must outlive it, for queries of the nearest.
 class Points {
   public:
     Points(const Chain& line, double cell_mm) : line_(line), grid_({line}, extent(line), cell_mm) {}
 
-    /// Index of the nearest within reach.
+    /// Returns the index of the nearest point within reach.
     std::optional<std::size_t> nearest(cv::Point2d p, double reach_mm) const {
         std::optional<std::size_t> best;
         double least_mm = reach_mm;
@@ -169,7 +170,7 @@ class Points {
     PointGrid grid_;
 };
 
-/// Strengths and fixed points of the ring that it came from.
+/// Returns the line with strengths and fixed points of the ring that it came from.
 Chain with_points_of(const Chain& ring, const Points& of_ring, double gap_mm, double pin_reach_mm,
                      Chain line) {
     for (EdgePoint& p : line.points) {

@@ -7,18 +7,18 @@
 namespace touchline {
 namespace {
 
-constexpr double kApartAlong = 4.0;  // gaps: nearer along the line, it is a bend and not two lines
-constexpr double kHairpinAlong = 2.0;  // gaps: further, and there and back on parallel ways
+constexpr double kApartAlong = 4.0;    // gaps: nearer along the line is a bend, not two lines
+constexpr double kHairpinAlong = 2.0;  // gaps: further may be there and back on parallel ways
 constexpr double kParallel = 0.985;    // cosine of 10 degrees
-constexpr double kStraight_mm = 0.5;   // the way along two straight sides, over that by the corner
+constexpr double kStraight_mm = 0.5;   // the way along two straight sides minus that by the corner
 
-/// Whether a segment leads back along another.
+/// Returns whether a segment leads back along another.
 bool is_back(cv::Point2d way, const LineSegment& other) {
     const cv::Point2d along = other.b - other.a;
     return way.dot(along) < -kParallel * cv::norm(way) * cv::norm(along);
 }
 
-/// Arc length up to each point.
+/// Returns the arc length up to each point.
 std::vector<double> arc_lengths(const std::vector<EdgePoint>& points) {
     std::vector<double> at_mm{0.0};
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -27,10 +27,11 @@ std::vector<double> arc_lengths(const std::vector<EdgePoint>& points) {
     return at_mm;
 }
 
-/// Places that lie on the two straight sides of one corner, which may be as sharp as it is drawn.
+/// Finds places that lie on the two straight sides of one corner, which may be as sharp as it is
+/// drawn.
 class Corners {
   public:
-    /// `around_mm`: of a ring; 0 for an open line.
+    /// `around_mm` is a ring's length; 0 for an open line.
     Corners(const std::vector<EdgePoint>& points, const std::vector<double>& at_mm,
             double around_mm)
         : points_(points), at_mm_(at_mm), around_mm_(around_mm) {
@@ -41,7 +42,7 @@ class Corners {
         }
     }
 
-    /// Whether the way from one point to another is straight but for one corner.
+    /// Returns whether the way from one point to another is straight except for one corner.
     [[nodiscard]] bool is_round_one(std::size_t from, std::size_t to) const {
         return std::ranges::any_of(corners_, [&](std::size_t corner) {
             const double straight_mm = distance(points_[from].at, points_[corner].at) +
@@ -51,7 +52,8 @@ class Corners {
     }
 
   private:
-    /// Along the line from the one by the corner to the other; endless where it lies elsewhere.
+    /// Returns the way along the line from the one point past the corner to the other; infinite if
+    /// the corner lies elsewhere.
     [[nodiscard]] double way_mm(std::size_t from, std::size_t corner, std::size_t to) const {
         const auto [low, high] = std::minmax(at_mm_[from], at_mm_[to]);
         const double between_mm = high - low;

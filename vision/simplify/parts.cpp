@@ -36,7 +36,7 @@ std::string counted(int parts) {
                        parts == 1 ? "" : "s");
 }
 
-/// "at the upper left", "in the middle".
+/// Returns "at the upper left", "in the middle".
 std::string where(std::string_view place) {
     const bool is_side = place == "left" || place == "right";
     return fmt::format("{} the {}", place == "middle" ? "in" : is_side ? "on" : "at", place);

@@ -1,4 +1,4 @@
-// Words for the parts of a map and for the whole.
+// Words for the parts of a map and for the whole map.
 // Threads: pure functions.
 #pragma once
 
@@ -10,19 +10,21 @@
 
 namespace touchline {
 
-/// Where the middle of an outline's extent lies, in thirds of the area: "upper left", "top", "upper
-/// right", "left", "middle", "right", "lower left", "bottom", "lower right". O(points).
+/// Returns where the middle of an outline's extent lies, in thirds of the area: "upper left",
+/// "top", "upper right", "left", "middle", "right", "lower left", "bottom", "lower right".
+/// O(points).
 [[nodiscard]] std::string_view place_of(const Outline& outline, const Area& area);
 
 /// Labels all outlines by kind and place: "closed line, upper left"; the second of a kind and place
-/// is "closed line 2, upper left". `of`: what each is of.
+/// is "closed line 2, upper left". `of`: what each one shows.
 void label_by_place(TactileMap& map, const std::vector<LineOf>& of);
 
-/// How hard the map is to take in, from the strokes and the length of line that a detail allows.
+/// Returns how hard the map is to take in, by the strokes and the length of line that a detail
+/// allows.
 [[nodiscard]] Complexity complexity_of(int parts, double line_mm, const Area& area);
 
-/// Sentences of at most 15 words: how many parts, how long, how hard, where the largest is, and
-/// what helps where lines were left out.
+/// Returns sentences of at most 15 words: how many parts, how long, how hard, where the largest is,
+/// and what helps if lines were left out.
 [[nodiscard]] std::string words_for(const TactileMap& map, const SimplifyReport& report,
                                     int detail);
 

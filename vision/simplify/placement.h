@@ -1,4 +1,4 @@
-// From pixels to the drawing area.
+// Maps pixels to the drawing area.
 // Threads: a value.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace touchline {
 
-/// The whole picture centred in the area, as large as fits, aspect kept; row down = W y down.
+/// Centres the whole picture in the area, as large as fits, aspect kept; row down = W y down.
 class Placement {
   public:
     Placement(cv::Size picture, cv::Size working, const Area& area)
@@ -25,7 +25,7 @@ class Placement {
 
     double metres_per_working_pixel() const { return 0.5e-3 * (mm_per_column_ + mm_per_row_); }
 
-    /// A place in working pixels to millimetres of the viewBox, x right, y down.
+    /// Converts a place in working pixels to millimetres of the viewBox, x right, y down.
     cv::Point2d in_mm(cv::Point2d at) const {
         return {left_mm_ + (at.x + 0.5) * mm_per_column_, top_mm_ + (at.y + 0.5) * mm_per_row_};
     }

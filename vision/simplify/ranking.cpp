@@ -13,8 +13,7 @@ constexpr double kLength_mm =
     150.0;  // about once round a thing of a hand's size: longer counts little more
 constexpr double kOpen = 2.0 / 3.0;
 constexpr double kInside = 0.7;
-constexpr double kLeastStrength =
-    1e-6;  // of `high`: the part of a border that a zoom shows may have none
+constexpr double kLeastStrength = 1e-6;  // of `high`: the part of a border in a zoom may have none
 
 double salience_of(const Chain& line, double outer_share, double high) {
     double sum = 0.0;

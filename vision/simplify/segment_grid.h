@@ -1,4 +1,4 @@
-// Segments of lines in square cells, to ask what is near. Lengths in millimetres.
+// Segments of lines in square cells, for queries of what is near. Lengths in millimetres.
 // Threads: values; queries change nothing.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace touchline {
 
-/// A segment of a line, by the number of the line and of the segment's first point.
+/// A segment of a line, with the numbers of the line and of the segment's first point.
 struct LineSegment {
     cv::Point2d a;
     cv::Point2d b;
@@ -20,7 +20,7 @@ struct LineSegment {
     std::size_t index = 0;
 };
 
-/// The point of segment a b nearest to p.
+/// Returns the point of segment a b nearest to p.
 [[nodiscard]] inline cv::Point2d nearest_on(const LineSegment& s, cv::Point2d p) {
     const cv::Point2d along = s.b - s.a;
     const double squared = along.dot(along);
@@ -28,7 +28,7 @@ struct LineSegment {
     return s.a + t * along;
 }
 
-/// Where two segments cross, ends included; nothing for parallel ones.
+/// Returns where two segments cross, ends included; nothing for parallel ones.
 [[nodiscard]] inline std::optional<cv::Point2d> crossing_of(const LineSegment& s,
                                                             const LineSegment& t) {
     const cv::Point2d u = s.b - s.a;
@@ -48,7 +48,7 @@ struct LineSegment {
 
 class SegmentGrid {
   public:
-    /// Cells of `cell_mm` > 0 over 0 ... size; what lies outside falls into the cells at the rim.
+    /// Cells of `cell_mm` > 0 over 0 ... size; segments outside fall into the cells at the rim.
     SegmentGrid(cv::Size2d size_mm, double cell_mm)
         : cell_mm_(cell_mm),
           columns_(1 + static_cast<int>(size_mm.width / cell_mm)),
@@ -60,7 +60,7 @@ class SegmentGrid {
                     [&](std::size_t cell) { cells_[cell].push_back(segment); });
     }
 
-    /// All segments whose cells the box of a and b, grown by `reach_mm`, touches: a superset of
+    /// Visits all segments whose cells touch the box of a and b, grown by `reach_mm`: a superset of
     /// those within reach, some more than once.
     template <class Visit>
     void near(cv::Point2d a, cv::Point2d b, double reach_mm, Visit&& visit) const {

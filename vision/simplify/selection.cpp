@@ -17,10 +17,10 @@ constexpr double kOuterShare = 0.25;   // of a line whose other side looks into 
 constexpr double kFinestStep_mm = 0.2;
 constexpr double kCoarsestStep_mm = 0.5;
 constexpr double kLengths =
-    3.0;                       // of all lines: a longer ring is a maze, and parting shows no more
+    3.0;  // of all lines: a longer ring is a maze, and splitting it shows no more
 constexpr double kBold = 1.1;  // gaps: so that smoothing leaves a gap
 
-/// A ring with what is too narrow of it as single lines, the longest last.
+/// Returns a ring whose too narrow parts are single lines, the longest last.
 std::vector<Candidate> narrow_as_lines(const Chain& ring, double gap_mm, Narrow first,
                                        const ShapingScale& scale, cv::Size2d area_mm) {
     std::vector<Candidate> result;
@@ -31,7 +31,7 @@ std::vector<Candidate> narrow_as_lines(const Chain& ring, double gap_mm, Narrow 
     return result;
 }
 
-/// A figure is known by its limbs.
+/// A figure is recognized by its limbs.
 DetailLimits for_rings(DetailLimits limits) {
     constexpr double kTolerance_mm = 0.7;
     constexpr double kFeature_mm = 6.0;
@@ -41,7 +41,7 @@ DetailLimits for_rings(DetailLimits limits) {
     return limits;
 }
 
-/// What is to be added as line `number`, with a point where its end meets itself.
+/// Returns what to add as line `number`, with a point where its end meets itself.
 Chain with_own_foot(const Fit& fit, std::size_t number) {
     Chain line = fit.line;
     if (fit.back && fit.back->line == number) {
@@ -95,10 +95,10 @@ bool Selection::may_be_shown(const RankedLine& ranked) const {
     }
 }
 
-/// Adds the line at a scale. True: some of it was too long to be added.
+/// Adds the line at a scale. Returns true if some of it was too long to be added.
 bool Selection::add_at(const ShapingScale& scale, const Chain& line, std::size_t number) {
     bool is_too_long = false;
-    // Smoothing may lead a line that runs along the rim a little beyond it.
+    // Smoothing may lead a line along the rim a little beyond it.
     const Chain smooth = within(shaped(line, scale), area_mm_);
     for (const Chain& part : without_self_crossings(smooth, limits_.least_stroke_mm)) {
         const bool needs_parting = part.is_closed && length_of(part) < kLengths * limits_.line_mm &&
@@ -110,7 +110,7 @@ bool Selection::add_at(const ShapingScale& scale, const Chain& line, std::size_t
     return is_too_long;
 }
 
-/// A ring that comes too near to itself is cut there, or parted where it is narrow, in one of two
+/// Cuts a ring that comes too near to itself there, or splits it where it is narrow, in one of two
 /// ways: whichever shows most of it.
 bool Selection::add_ring(const ShapingScale& scale, const Chain& ring, std::size_t number) {
     Selection best = *this;
@@ -126,7 +126,7 @@ bool Selection::add_ring(const ShapingScale& scale, const Chain& ring, std::size
     return is_too_long;
 }
 
-/// Adds candidates, the last first. True: some of it was too long.
+/// Adds candidates, the last first. Returns true if some of it was too long.
 bool Selection::add_all(std::vector<Candidate> open, std::size_t number) {
     bool is_too_long = false;
     while (!open.empty() && !is_full()) {
@@ -137,8 +137,8 @@ bool Selection::add_all(std::vector<Candidate> open, std::size_t number) {
     return is_too_long;
 }
 
-/// How much of a line a way of adding it shows: the share of its points that a finger meets
-/// something within a gap of, less for each further piece to be found.
+/// Returns how much of a line a way of adding it shows: the share of its points within a gap of
+/// which a finger meets something, less for each further piece to be found.
 double Selection::worth(const Selection& after, const Chain& line) const {
     constexpr double kPieces = 0.1;  // all that there may be
     const auto shown = std::ranges::count_if(line.points, [&](const EdgePoint& p) {
@@ -149,9 +149,9 @@ double Selection::worth(const Selection& after, const Chain& line) const {
            kPieces * pieces / limits_.strokes;
 }
 
-/// What leads back along itself, and middle lines that come back over themselves beyond a junction,
-/// may cross themselves only once they are shown: in parts to `open`. A candidate that only its
-/// bridges lead across itself is not shown.
+/// Lines that lead back along themselves, and middle lines that come back over themselves beyond a
+/// junction, may cross themselves only once they are shown; those go in parts to `open`. A
+/// candidate that only its bridges lead across itself is not shown.
 void Selection::add_parts(const Candidate& candidate, std::vector<Candidate>& open) {
     if (!crosses_itself_in_map(candidate.line)) {
         return;
@@ -163,7 +163,8 @@ void Selection::add_parts(const Candidate& candidate, std::vector<Candidate>& op
     }
 }
 
-/// Adds the longest stretch of a candidate that fits, what is left to `open`. False: too long.
+/// Adds the longest stretch of a candidate that fits, and puts the rest into `open`. Returns false
+/// if it is too long.
 bool Selection::add_longest(const Candidate& candidate, std::size_t number,
                             std::vector<Candidate>& open) {
     std::optional<Fit> fit = spaced_.fit(candidate);

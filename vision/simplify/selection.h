@@ -1,4 +1,4 @@
-// One detail being filled with lines, the best first. Lengths in millimetres.
+// Fills one detail with lines, the best first. Lengths in millimetres.
 // Threads: one object, one thread.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace touchline {
 
 /// An outline to be.
 struct Stroke {
-    std::size_t line = 0;  // of the ranked ones, which it came from
+    std::size_t line = 0;  // number of the ranked line that it came from
     double length_mm = 0.0;
 };
 
@@ -23,17 +23,17 @@ class Selection {
   public:
     Selection(const DetailLimits& limits, cv::Size2d area_mm);
 
-    /// Nothing more goes in, by number or by length of line.
+    /// Returns whether it is full, by number or by length of line.
     [[nodiscard]] bool is_full() const;
 
-    /// Adds what of a line may be shown. The first is always kept: where it alone is longer than
-    /// all lines may be, it is taken at coarser and coarser scales.
+    /// Adds whatever may be shown of a line. The first line is always kept: if it alone is longer
+    /// than all lines may be, it is taken at coarser and coarser scales.
     void add(const RankedLine& ranked, std::size_t number);
 
-    /// What is added from here on keeps to these: to what is there and to itself.
+    /// Lines added from here on keep to these limits: to the present lines and to themselves.
     void go_on_with(const DetailLimits& limits);
 
-    /// In the order of adding, as `lines`.
+    /// The strokes in the order of adding, as in `lines`.
     [[nodiscard]] const std::vector<Stroke>& strokes() const { return strokes_; }
 
     [[nodiscard]] std::vector<Chain> lines() const { return spaced_.lines(); }
@@ -60,11 +60,10 @@ class Selection {
     int crossings_opened_ = 0;
 };
 
-/// The lines of a detail out of all, best first. Rings of a photograph's figures, which are the
-/// first, keep their limbs: they are smoothed no more than at detail 4, and keep 3.2 mm to
-/// themselves at every detail. Where nothing lies outside, lines inside count
-/// too; where none is long enough by itself, the least length is halved until one is. Empty only if
-/// `order` is.
+/// Selects the lines of a detail from all, best first. Rings of a photograph's figures come first
+/// and keep their limbs: they are smoothed no more than at detail 4, and keep 3.2 mm to themselves
+/// at every detail. If nothing lies outside, lines inside count too; if none is long enough by
+/// itself, the least length is halved until one is. Empty only if `order` is.
 [[nodiscard]] Selection selected(const std::vector<RankedLine>& order, DetailLimits limits,
                                  cv::Size2d area_mm);
 

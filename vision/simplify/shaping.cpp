@@ -24,8 +24,8 @@ class Course {
 
     double length_mm() const { return at_mm_.back(); }
 
-    /// The turn at a point between the chords over `reach_mm` before and after (less beside an
-    /// end).
+    /// Returns the turn at a point between the chords over `reach_mm` before and after (less beside
+    /// an end).
     double turn_at(std::size_t i, double reach_mm) const {
         const cv::Point2d here = points_[i].at;
         const cv::Point2d in = here - place(at_mm_[i] - reach_mm);
@@ -60,7 +60,7 @@ class Course {
     std::vector<double> at_mm_;
 };
 
-/// Which inner points are corners at this scale, in order.
+/// Returns which inner points are corners at this scale, in order.
 std::vector<std::size_t> corners_of(const std::vector<EdgePoint>& points, bool is_ring,
                                     double least_feature_mm) {
     const Course course(points, is_ring);
@@ -100,7 +100,8 @@ std::vector<double> gaussian(double sigma_steps) {
     return weights;
 }
 
-/// A sample of a run, continued beyond its ends: round and round, or turned about the end points.
+/// Returns a sample of a run, continued beyond its ends: round and round, or turned about the end
+/// points.
 cv::Point2d continued(const std::vector<EdgePoint>& run, bool is_ring, int i) {
     const int last = static_cast<int>(run.size()) - 1;
     if (is_ring) {  // the last is the first again
@@ -115,14 +116,14 @@ cv::Point2d continued(const std::vector<EdgePoint>& run, bool is_ring, int i) {
     return i > last ? 2.0 * run.back().at - within(2 * last - i) : within(i);
 }
 
-/// One run between two corners (or a whole ring): even points, smoothed.
+/// Returns one run between two corners (or a whole ring) with even points, smoothed.
 std::vector<EdgePoint> smooth_run(const std::vector<EdgePoint>& run, bool is_ring,
                                   const ShapingScale& scale) {
     const double length_mm = length_of({run, false});
     const int n =
         std::max(is_ring ? 8 : 1, static_cast<int>(std::lround(length_mm / scale.step_mm)));
     std::vector<EdgePoint> even = evenly_spaced(run, n);
-    // Near the ends of a short run nothing is left to average but the ends themselves.
+    // Near the ends of a short run only the ends themselves are left to average.
     const double sigma_steps = std::min(scale.tolerance_mm * n / length_mm, n / 6.0);
     std::vector<EdgePoint> smooth = even;
     for (EdgePoint& p : smooth) {

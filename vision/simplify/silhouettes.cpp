@@ -28,7 +28,7 @@ std::set<Place> ends_of(const std::vector<Chain>& lines) {
     return ends;
 }
 
-/// One line in arms: from junction to junction.
+/// Cuts one line into arms: from junction to junction.
 void cut(Chain line, const std::set<Place>& junctions, Arms& arms) {
     const auto is_junction = [&](const EdgePoint& p) { return junctions.contains(place_of(p.at)); };
     if (line.is_closed) {
@@ -71,7 +71,8 @@ Side side_of(const Chain& line, const Outside& outside) {
     return outside.share_on_both_sides(line) > kMostly ? Side::outside : Side::round_a_thing;
 }
 
-/// The two ends that go round a thing at a junction where all else lies within it; or none.
+/// Returns the two ends that go round a thing at a junction where everything else lies within it;
+/// or none.
 std::vector<EndId> round_at(const std::vector<EndId>& meeting, const std::vector<Side>& sides) {
     std::vector<EndId> round;
     for (const EndId end : meeting) {

@@ -1,4 +1,4 @@
-// The lines round a thing, put together where others meet them.
+// Joins the lines round a thing where others meet them.
 // Threads: pure function.
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace touchline {
 
-/// Where lines meet and just two of their arms have the outside on one side, all others lying
-/// within the thing, those two go on as one: what was drawn in arcs that lead into it becomes one
-/// ring round it. A junction with an arm that stands out (both of its sides see the outside) stays
-/// as it is. O(points log points).
+/// If just two of the arms where lines meet have the outside on one side, and all others lie within
+/// the thing, those two become one: arcs that lead into a thing become one ring round it. A
+/// junction with an arm that stands out (the outside is on both of its sides) stays as it is.
+/// O(points log points).
 [[nodiscard]] std::vector<Chain> with_silhouettes_joined(std::vector<Chain> lines,
                                                          const Outside& outside);
 

@@ -19,9 +19,9 @@ namespace {
 constexpr int kLeastDetailOfFrame = 3;       // lower ones show what is in it
 constexpr int kLeastDetailOfBackground = 4;  // lower ones show what lies before it
 
-/// Takes the frames out of the lines, and gives the drawn ones. Such a frame is a stroke, or has an
-/// outer and an inner edge; one ring beside the rim alone is the outer line of a thing that fills
-/// the picture.
+/// Takes the frames out of the lines, and returns the drawn ones. Such a frame is a stroke, or has
+/// an outer and an inner edge; one ring alone beside the rim is the outer line of a thing that
+/// fills the picture.
 std::vector<Chain> frames_of(std::vector<Chain>& lines, const cv::Rect2d& picture_mm) {
     std::vector<Chain> inner;
     std::vector<Chain> around;
@@ -33,14 +33,14 @@ std::vector<Chain> frames_of(std::vector<Chain>& lines, const cv::Rect2d& pictur
     const bool is_one_with_the_rest =
         std::ranges::any_of(around, [&](const Chain& line) { return is_met(line, inner); });
     if ((!is_stroke && around.size() < 2) || inner.empty() || is_one_with_the_rest) {
-        return {};  // a frame around nothing is the picture, one that lines end on is a wall
+        return {};  // a frame around nothing is the picture; one that lines end on is a wall
     }
     lines = std::move(inner);
     std::erase_if(around, [&](const Chain& line) { return is_rim(line, picture_mm); });
     return around;
 }
 
-/// The rings of a photograph's figure come first, what lies behind it last, and from detail 4 on.
+/// Puts the rings of a photograph's figure first, and what lies behind it last, from detail 4 on.
 void put_figure_first(std::vector<RankedLine>& order, int detail) {
     const auto place = [](const RankedLine& ranked) {
         return ranked.line.of == LineOf::ring ? 0 : ranked.line.of == LineOf::background ? 2 : 1;
@@ -51,7 +51,7 @@ void put_figure_first(std::vector<RankedLine>& order, int detail) {
     }
 }
 
-/// The lowest detail, from `detail` down, whose number and length of strokes hold these.
+/// Returns the lowest detail, from `detail` down, whose number and length of strokes hold these.
 int lowest_detail(int strokes, double line_mm, int detail, const Area& area) {
     for (int lower = 1; lower < detail; ++lower) {
         const DetailLimits limits = limits_for(lower, area);

@@ -15,11 +15,11 @@
 namespace touchline {
 namespace {
 
-constexpr double kOpening_mm = 2.5;  // each side of a crossing
+constexpr double kOpening_mm = 2.5;  // on each side of a crossing
 constexpr double kSamePlace_mm = 1e-9;
 constexpr double kShort_mm = 1e-3;  // a thousand times the grid of a map; no finger feels it
 
-/// In the order in which they lie along their line.
+/// Sorts feet in the order in which they lie along their line.
 void sort_along(const std::vector<EdgePoint>& line, std::vector<LineFoot>& feet) {
     std::ranges::stable_sort(feet, {}, [&](const LineFoot& foot) {
         return std::pair(foot.index, distance(foot.at, line[foot.index].at));
@@ -75,8 +75,8 @@ std::optional<OwnStretch> SpacedLines::longest(const std::vector<EdgePoint>& poi
     return best && best->length_mm > 0.0 ? best : std::nullopt;
 }
 
-/// Whether a ring and all that is near it are shapes beside one another that a finger can tell
-/// apart.
+/// Returns whether a ring and everything near it are shapes beside one another that a finger can
+/// tell apart.
 bool SpacedLines::stands_beside(const Chain& ring) const {
     double least_mm = std::numeric_limits<double>::infinity();
     std::set<std::size_t> neighbours;
@@ -94,7 +94,8 @@ bool SpacedLines::stands_beside(const Chain& ring) const {
            });
 }
 
-/// A ring cut open at its first point that something is in the way of; nothing: it is clear.
+/// Returns a ring cut open at its first point that something is in the way of; nothing if it is
+/// clear.
 std::optional<Candidate> SpacedLines::opened(const Chain& ring) const {
     std::vector<EdgePoint> points = ring.points;
     const auto blocked = std::ranges::find_if(points, [&](const EdgePoint& p) {
@@ -111,8 +112,8 @@ std::optional<Candidate> SpacedLines::opened(const Chain& ring) const {
     return Candidate{{std::move(points), false, ring.width_px}, true, true};
 }
 
-/// Whether the line, from a point on and in one direction, crosses another and goes on for more
-/// than a small break while it is in its way.
+/// Returns whether the line, from a point on and in one direction, crosses another and goes on for
+/// more than a small break while it is in its way.
 bool SpacedLines::crosses_on(const std::vector<EdgePoint>& points, std::size_t from,
                              int step) const {
     bool is_crossed = false;
@@ -144,7 +145,8 @@ bool SpacedLines::append(cv::Point2d to, std::vector<EdgePoint>& line) const {
         if (crossing_of(piece, inner)) {
             return false;
         }
-        // All but the last, which it goes on from, must be clear of its first step as well.
+        // All segments except the last, from which it goes on, must be clear of its first step as
+        // well.
         const auto at = i + 1 < line.size() ? crossing_of(piece, beginning) : std::nullopt;
         if (at && distance(*at, from.at) > kSamePlace_mm) {
             return false;
@@ -158,8 +160,8 @@ bool SpacedLines::append(cv::Point2d to, std::vector<EdgePoint>& line) const {
     return true;
 }
 
-/// A segment of a line that was added, in the pieces that a map has it in: between the feet on it,
-/// those of `fit` too.
+/// Returns a segment of a line that was added, in the pieces that a map has: between the feet on
+/// it, including those of `fit`.
 std::vector<LineSegment> SpacedLines::pieces(const LineSegment& segment, const Fit& fit) const {
     std::vector<LineFoot> feet = feet_[segment.line];
     for (const std::optional<LineFoot>& foot : {fit.front, fit.back}) {
@@ -179,8 +181,8 @@ std::vector<LineSegment> SpacedLines::pieces(const LineSegment& segment, const F
     return result;
 }
 
-/// Whether, on the grid of a map, the feet of `fit` lead it across a line, or bend a line across
-/// another.
+/// Returns whether, on the grid of a map, the feet of `fit` lead it across a line, or bend a line
+/// across another.
 bool SpacedLines::crosses_in_map(const Fit& fit) const {
     const std::vector<EdgePoint>& points = fit.line.points;
     std::vector<LineSegment> changed;
@@ -205,7 +207,7 @@ bool SpacedLines::crosses_in_map(const Fit& fit) const {
     });
 }
 
-/// Makes the end of `fit.line` that was led to a foot `from` its side meet the line there.
+/// Makes the end of `fit.line` that was led to a foot, coming `from` there, meet the line.
 void SpacedLines::meet(const LineFoot& foot, cv::Point2d from, int step, Fit& fit) const {
     std::optional<LineFoot>& met = step > 0 ? fit.back : fit.front;
     met = foot;

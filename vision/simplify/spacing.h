@@ -1,5 +1,5 @@
-// Lines kept apart: what is already there stays, what comes later gives way. Lengths in
-// millimetres. Threads: one object, one thread; queries change nothing.
+// Keeps lines apart: lines already there stay, and later ones give way. Lengths in millimetres.
+// Threads: one object, one thread; queries change nothing.
 #pragma once
 
 #include "vision/contour/chain.h"
@@ -11,7 +11,7 @@
 
 namespace touchline {
 
-/// A line, or what is left of one, that may be shown. `goes_on`: beyond that end there was more.
+/// A line that may be shown, or what is left of one. `goes_on`: there was more beyond that end.
 struct Candidate {
     Chain line;
     bool front_goes_on = false;
@@ -31,24 +31,24 @@ struct Fit {
     std::optional<LineFoot> front;  // set: that end meets a line
     std::optional<LineFoot> back;
     int crossings_opened = 0;
-    std::vector<Candidate> rest;  // before and after; to be fitted again once this one is added
+    std::vector<Candidate> rest;  // before and after it; fit them again once this one is added
 };
 
 class SpacedLines {
   public:
-    /// Points of the lines are `step_mm` apart at most, gap_mm > step_mm.
+    /// The lines' points are at most `step_mm` apart; gap_mm > step_mm.
     SpacedLines(cv::Size2d area_mm, double gap_mm, double step_mm);
 
-    /// The longest stretch of the line with at least a gap to every line added and, where more than
-    /// four gaps lie between along it (two, where it leads back beside itself), to itself. Nothing:
-    /// there is none. Rings beside one another, none within another, need 3.2 mm only. Where a line
-    /// was cut, its end runs straight on to the nearest point of the line that is in the way and
-    /// meets it there; but a line that crosses the other stops 2.5 mm short,
-    /// so that the crossing is open over 5 mm, and one that ends by itself further than 4 mm from
-    /// the other stays a gap away. The bridges lie within a gap of the foot and cross nothing: no
-    /// line is nearer to any of their points. Where the line in the way leads back along itself, a
-    /// foot on one strand may be moved beyond the other by a map's grid; then the end stops a
-    /// micrometre short of it. O(points x points near).
+    /// Returns the longest stretch of the line with at least a gap to every line added and to
+    /// itself where more than four gaps lie between along it (two if it leads back beside itself);
+    /// nothing if there is none. Rings beside one another, none within another, need only 3.2 mm.
+    /// Where a line was cut, its end runs straight on to the nearest point of the line in the way
+    /// and meets it there. But a line that crosses the other stops 2.5 mm short, so that the
+    /// crossing is open over 5 mm, and one that ends by itself further than 4 mm from the other
+    /// stays a gap away. The bridges lie within a gap of the foot and cross nothing: no line is
+    /// nearer to any of their points. If the line in the way leads back along itself, a map's grid
+    /// may move a foot on one strand beyond the other; then the end stops a micrometre short of it.
+    /// O(points x points near).
     [[nodiscard]] std::optional<Fit> fit(const Candidate& candidate) const;
 
     void add(Fit fit);
@@ -56,14 +56,15 @@ class SpacedLines {
     /// Lines added from here on keep this gap.
     void set_gap(double gap_mm) { scale_.gap_mm = gap_mm; }
 
-    /// Whether a line comes nearer than `reach_mm` to a place.
+    /// Returns whether a line comes nearer than `reach_mm` to a place.
     [[nodiscard]] bool has_near(cv::Point2d p, double reach_mm) const {
         return nearest(p, reach_mm).has_value();
     }
 
     [[nodiscard]] const SpacingScale& scale() const { return scale_; }
 
-    /// The lines in the order of adding; a foot is a fixed point of both lines, bit for bit.
+    /// Returns the lines in the order of adding; a foot is a fixed point of both lines, bit for
+    /// bit.
     [[nodiscard]] std::vector<Chain> lines() const;
 
   private:

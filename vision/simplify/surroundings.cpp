@@ -12,14 +12,14 @@ namespace {
 constexpr double kCell_mm = 0.5;
 constexpr double kDisc_mm = 0.75;       // radius
 constexpr double kLeastWall_mm = 15.0;  // shorter lines hide nothing
-constexpr int kRim = 12;                // cells around the area, so that the outside is one
+constexpr int kRim = 12;                // cells around the area, so that the outside is connected
 
 cv::Point cell_of(cv::Point2d p) {
     return {kRim + static_cast<int>(std::lround(p.x / kCell_mm)),
             kRim + static_cast<int>(std::lround(p.y / kCell_mm))};
 }
 
-/// Non-zero where no line is.
+/// Non-zero where there is no line.
 cv::Mat1b free_cells(const std::vector<Chain>& lines, cv::Size2d area_mm) {
     const cv::Point far = cell_of({area_mm.width, area_mm.height});
     cv::Mat1b cells(far.y + kRim + 1, far.x + kRim + 1, uchar{255});
@@ -36,13 +36,13 @@ cv::Mat1b free_cells(const std::vector<Chain>& lines, cv::Size2d area_mm) {
     return cells;
 }
 
-/// Distances from the left, right, upper and lower edge of the picture.
+/// Returns the distances from the left, right, upper and lower edge of the picture.
 std::array<double, 4> from_edges(const cv::Point2d& at, const cv::Rect2d& picture_mm) {
     return {at.x - picture_mm.x, picture_mm.br().x - at.x, at.y - picture_mm.y,
             picture_mm.br().y - at.y};
 }
 
-/// The share of its points that lie so near to an edge of the picture.
+/// Returns the share of its points that lie within `reach_mm` of an edge of the picture.
 double share_beside(const Chain& line, const cv::Rect2d& picture_mm, double reach_mm) {
     const auto beside = std::ranges::count_if(line.points, [&](const EdgePoint& p) {
         return std::ranges::min(from_edges(p.at, picture_mm)) < reach_mm;

@@ -10,36 +10,37 @@
 
 namespace touchline {
 
-/// What can be reached from outside the area by a disc of 1.5 mm: a smaller break in the outer line
-/// does not let it in. Lines under 15 mm hide nothing. O(area / 0.25 mm^2 + points).
+/// What a disc of 1.5 mm can reach from outside the area; it does not get in through a smaller
+/// break in the outer line. Lines under 15 mm hide nothing. O(area / 0.25 mm^2 + points).
 class Outside {
   public:
     Outside(const std::vector<Chain>& lines, cv::Size2d area_mm);
 
-    /// The share of a line's points, 0..1, that it reaches. O(points).
+    /// Returns the share of a line's points, 0..1, that the outside reaches. O(points).
     [[nodiscard]] double share_of(const Chain& line) const;
 
     [[nodiscard]] std::vector<double> shares_of(const std::vector<Chain>& lines) const;
 
-    /// The share of them that it reaches from either side: of a line that stands out by itself,
-    /// where one that goes round a thing has it on one side. O(points).
+    /// Returns the share that it reaches from both sides: high for a line that stands out by
+    /// itself, while one that goes round a thing has the outside on one side. O(points).
     [[nodiscard]] double share_on_both_sides(const Chain& line) const;
 
   private:
     cv::Mat1f to_outside_;  // cells
 };
 
-/// Whether a line is the picture's own frame: nine tenths of it within 4 % of the shorter side of
-/// the picture's edges, along three of them at least.
+/// Returns whether a line is the picture's own frame: nine tenths of it lie within 4 % of the
+/// shorter side of the picture's edges, along at least three of them.
 [[nodiscard]] bool is_frame(const Chain& line, const cv::Rect2d& picture_mm);
 
-/// Whether the ink of a frame reaches the picture's edges: the rim of its ground, or of the sheet.
+/// Returns whether the ink of a frame reaches the picture's edges: the rim of its ground, or of the
+/// sheet.
 [[nodiscard]] bool is_rim(const Chain& line, const cv::Rect2d& picture_mm);
 
-/// Whether one of the others ends on this line, within a millimetre. O(points x others).
+/// Returns whether one of the others ends on this line, within a millimetre. O(points x others).
 [[nodiscard]] bool is_met(const Chain& line, const std::vector<Chain>& others);
 
-/// The area that a closed line holds, square millimetres; 0 for an open one. O(points).
+/// Returns the area that a closed line holds, square millimetres; 0 for an open one. O(points).
 [[nodiscard]] double held_area(const Chain& line);
 
 }  // namespace touchline

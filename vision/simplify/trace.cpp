@@ -53,7 +53,7 @@ Result<void> check(const TraceOptions& options) {
     return check(options.area);
 }
 
-/// For a visitor; what a library says is not. Only lack of memory is known to come to pass.
+/// For a visitor, unlike a library's own message. Only lack of memory is known to occur.
 std::string sentence_for(const std::exception& e) {
     const auto* of_opencv = dynamic_cast<const cv::Exception*>(&e);
     const bool is_memory = dynamic_cast<const std::bad_alloc*>(&e) != nullptr ||
@@ -77,7 +77,7 @@ std::string nothing_found(const cv::Mat& picture, double mm_per_pixel, const Pho
         return "no outline found, because the picture is only " + size_of(picture) +
                " pixels; use a larger one";
     }
-    // Less is one line for a finger, or has no room for an edge.
+    // A smaller picture is one line for a finger, or has no room for an edge.
     constexpr double kLeast_mm = 3.0;
     constexpr int kLeastPixels = 8;
     const int shorter = std::min(picture.cols, picture.rows);
@@ -129,7 +129,7 @@ Result<Found> find_lines(const cv::Mat& picture, const TraceOptions& options,
         const Placement placement(picture.size(), picture.size(), options.area);
         const double mm_per_pixel = 1000.0 / placement.picture_pixels_per_metre();
         const double longer_side_mm = mm_per_pixel * std::max(picture.cols, picture.rows);
-        // Reduced once: every way of finding lines starts from at most a megapixel.
+        // Reduced once, because every way of finding lines starts from at most a megapixel.
         const cv::Mat small = without_dots(reduced(picture, kClassPixels));
         const cv::Mat sheet = within_sheet(small);
         ClassDecision decision = decided(sheet, options, !figure.empty());

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLeastPart_mm = 1.0;
 
-/// Millimetres of the whole picture to millimetres of the enlargement.
+/// Converts millimetres of the whole picture to millimetres of the enlargement.
 class Enlargement {
   public:
     Enlargement(const Area& area, const Zoom& zoom)
@@ -41,8 +41,8 @@ bool is_inside(cv::Point2d p, cv::Size2d size) {
     return p.x >= 0.0 && p.y >= 0.0 && p.x <= size.width && p.y <= size.height;
 }
 
-/// The part of a segment inside the rectangle 0 ... size, as shares of it (Liang and Barsky 1984).
-/// Empty: first > second.
+/// Returns the part of a segment inside the rectangle 0 ... size, as shares of it (Liang and Barsky
+/// 1984). Empty: first > second.
 std::pair<double, double> inside_part(cv::Point2d a, cv::Point2d b, cv::Size2d size) {
     double from = 0.0;
     double to = 1.0;

@@ -1,4 +1,4 @@
-// What of a picture fills the drawing area: all of it, or a part of it enlarged.
+// The part of a picture that fills the drawing area: all of it, or a part of it enlarged.
 // Threads: values and pure functions.
 #pragma once
 
@@ -19,28 +19,28 @@ struct Zoom {
     friend bool operator==(const Zoom&, const Zoom&) = default;
 };
 
-/// A line in millimetres of the viewBox whose points beyond the area lie on its rim instead.
+/// Moves the points of a line in millimetres of the viewBox that lie beyond the area to its rim.
 /// O(points).
 [[nodiscard]] Chain within(Chain line, cv::Size2d area_mm);
 
-/// Lines in working pixels to millimetres of the viewBox, clipped by the area where it is
-/// enlarged, else within() it: a corner may be found a little beyond the picture. Cut ends are
-/// exactly on its rim, and fixed. A closed line that is cut comes out in
+/// Converts lines in working pixels to millimetres of the viewBox. Clips them by the area if it is
+/// enlarged; else moves them within() it, because a corner may be found a little beyond the
+/// picture. Cut ends are exactly on the area's rim, and fixed. A closed line that is cut becomes
 /// open parts. O(points).
 [[nodiscard]] std::vector<Chain> in_zoom(const std::vector<Chain>& lines,
                                          const Placement& placement, const Area& area,
                                          const Zoom& zoom);
 
-/// Where the picture itself lies then, millimetres of the viewBox.
+/// Returns where the picture itself then lies, millimetres of the viewBox.
 [[nodiscard]] cv::Rect2d picture_in_zoom(const Placement& placement, cv::Size working,
                                          const Area& area, const Zoom& zoom);
 
-/// A map of the whole picture as it is felt enlarged: outlines clipped by the area, labels that lie
-/// outside it left out. Parts of less than a millimetre are left out; the others of an outline keep
+/// Returns a map of the whole picture as it is felt enlarged: clips outlines by the area and leaves
+/// out labels outside it. Leaves out parts of less than a millimetre; the others of an outline keep
 /// its id with a number behind it. Factor 1 changes nothing. O(points).
 [[nodiscard]] TactileMap enlarged(const TactileMap& map, const Zoom& zoom);
 
-/// The labels of such a map alone.
+/// Returns only the labels of such a map.
 [[nodiscard]] std::vector<Label> enlarged(const std::vector<Label>& labels, const Area& area,
                                           const Zoom& zoom);
 
