@@ -45,7 +45,7 @@ std::size_t all_boxes(const AnswerHeader& header) {
     return std::size_t{header.boxes} + header.figures;
 }
 
-/// True if there are pixels for a kind that has them, and none for a refusal.
+/// True if the pixels suit the kind: words need them, a refusal has none.
 bool has_what_its_kind_has(const AnswerHeader& header) {
     const bool is_empty = header.width == 0 && header.height == 0;
     const bool is_picture = fits_a_picture(header.width, header.height);

@@ -208,7 +208,7 @@ void TiffPixels::write_inks(std::span<const Channel> channels, std::size_t count
     }
 }
 
-/// Uses lcms2's 8-bit form: 0 ... 255 for the whole range, with 128 in the middle.
+/// Uses lcms2's 8-bit form: L fills the whole range, a and b have 128 in the middle.
 void TiffPixels::write_lab(std::span<const Channel> channels, std::size_t count) {
     const Range own = own_range(form_.samples);
     const bool is_signed =

@@ -24,8 +24,8 @@ struct PixRelease {
 
 using OwnedPix = std::unique_ptr<Pix, PixRelease>;
 
-constexpr int largest_letter = 6;      // at least so many fill the longer side
-constexpr double most_of_a_box = 0.3;  // of its box: what a line fills at most
+constexpr int largest_letter = 6;      // this many of the largest letters fill the longer side
+constexpr double most_of_a_box = 0.3;  // a line fills less of its box
 constexpr int soft_edge_px = 3;
 
 /// The dark parts, as on a printed page.
