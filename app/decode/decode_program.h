@@ -10,8 +10,7 @@
 namespace touchline {
 
 struct Decoder {
-    void (*prepare)() =
-        nullptr;  // runs before the sandbox closes; only the system's files can be read
+    void (*prepare)() = nullptr;  // runs before the sandbox closes, reads only the system's files
     Result<Page> (*decode)(std::span<const std::byte> bytes, const PageOrder& order) = nullptr;
 };
 

@@ -8,8 +8,7 @@
 
 namespace touchline::decode {
 
-using UserPoint =
-    Vec2<struct UserUnit>;  // in an SVG's units; millimetres of a map once transformed
+using UserPoint = Vec2<struct UserUnit>;  // in an SVG; millimetres of a map once transformed
 
 /// x' = a x + c y + e, y' = b x + d y + f, as SVG's matrix(a b c d e f).
 struct Affine {

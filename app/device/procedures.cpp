@@ -12,12 +12,11 @@ namespace touchline {
 namespace {
 
 constexpr std::int64_t period_ns = 1'000'000;
-constexpr double let_go_s = 2.0;  // time to let go of a handle
-constexpr double words_s = 5.0;   // time to say what to do
-constexpr double between_tries_s =
-    6.0;                              // between tries of the motors: for the words, and to let go
-constexpr double outside_s = 20.0;    // time outside the middle before the words repeat
-constexpr double middle_share = 0.6;  // of the drawing area's width and height
+constexpr double let_go_s = 2.0;         // time to let go of a handle
+constexpr double words_s = 5.0;          // time to say what to do
+constexpr double between_tries_s = 6.0;  // of the motors: for the words, and to let go
+constexpr double outside_s = 20.0;       // time outside the middle before the words repeat
+constexpr double middle_share = 0.6;     // of the drawing area's width and height
 
 enum class Ending : std::uint8_t { finished, stopped, out_of_time, lost, misplaced };
 

@@ -103,8 +103,7 @@ unsigned type_of(const RawMember& member) {
 }
 
 std::optional<FindingKind> trouble_with(const RawMember& member) {
-    constexpr unsigned locked =
-        1U | (1U << 6U) | (1U << 13U);  // also strong encryption, also of the list
+    constexpr unsigned locked = 1U | (1U << 6U) | (1U << 13U);  // also strongly, also the list
     if ((member.flags & locked) != 0) return FindingKind::locked;
     const unsigned type = type_of(member);
     if (type == symbolic_link) return FindingKind::link;

@@ -13,8 +13,7 @@ namespace {
 constexpr double least_picture_px = 160.0;  // a stamp
 constexpr double least_sheet_caps = 12.0;   // width: a short word and the pointer
 constexpr double least_sheet_rows = 3.2;    // height: one row of text, and an item with its frame
-constexpr double good_sheet_caps =
-    16.0;  // width: a long word too, if the picture has room to spare
+constexpr double good_sheet_caps = 16.0;    // width: a long word too, if there is room
 constexpr double sheet_share_beside = 0.36;
 constexpr double most_share_beside = 0.55;
 constexpr double sheet_share_below = 0.40;

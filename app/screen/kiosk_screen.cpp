@@ -76,8 +76,7 @@ void KioskScreen::upload(ImageLayer& image, std::uint64_t& version, const StillL
 }
 
 void KioskScreen::update_outlines(double level, std::int64_t now_ns) {
-    constexpr double least_change =
-        1.0 / 32.0;  // of a level; a smaller change moves no line by a pixel
+    constexpr double least_change = 1.0 / 32.0;  // of a level; less moves no line by a pixel
     const ScreenContent& shown = layers_.shown();
     const bool is_new = outlined_version_ != layers_.picture().version;
     const bool is_moved = std::abs(level - level_) >= least_change;

@@ -117,8 +117,7 @@ void LiveView::update_overlay(const FrameContent& content) {
 }
 
 void LiveView::update_outlines(const Scene& scene, double level) {
-    constexpr double least_change =
-        1.0 / 32.0;  // of a level; a smaller change moves no line by a pixel
+    constexpr double least_change = 1.0 / 32.0;  // of a level; less moves no line by a pixel
     const bool is_same_scene = outlined_version_ == scene.map_version && outlined_level_ >= 0.0;
     if (is_same_scene && std::abs(level - outlined_level_) < least_change) return;
     strokes_.clear();

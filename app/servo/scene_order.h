@@ -17,8 +17,7 @@ struct SceneOrder {
     double device_step_m = 1e-4;  // 1e-7 ... 0.01
     double radius_m = 0.0;        // 0 ... 0.02
     std::uint32_t resample = 0;   // 0 or 1
-    std::int32_t detail =
-        0;  // the detail that the map was made with, for the black box; 0: unknown
+    std::int32_t detail = 0;      // the map's detail, for the black box; 0: unknown
 };
 
 /// The order for the kiosk's pictures.

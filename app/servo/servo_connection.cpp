@@ -86,8 +86,7 @@ void ServoConnection::update(ServoReport& report, std::int64_t now_ns) {
     const std::lock_guard lock(mutex_);
     if (connection_ && connection_->region.channel().reports.update()) {
         const ServoReport told = connection_->region.channel().reports.value();
-        std::atomic_signal_fence(
-            std::memory_order_acq_rel);  // the copy is judged, so it comes first
+        std::atomic_signal_fence(std::memory_order_acq_rel);  // copied first, then judged
         if (is_sound(told)) report = told;
         has_told_ = true;
     }

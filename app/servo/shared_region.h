@@ -16,8 +16,7 @@ struct ServoRegion {
     static constexpr std::uint64_t known_mark = 0x31'6f'76'72'65'73'6c'74;  // "tlservo1"
 
     std::uint64_t mark = known_mark;
-    std::uint64_t bytes =
-        sizeof(ServoRegion);  // differs if the program was built from other sources: not ours
+    std::uint64_t bytes = sizeof(ServoRegion);  // differs in a program built from other sources
     ServoChannel channel;
 };
 

@@ -65,8 +65,7 @@ struct ZoomWanted {
 struct LoadPicture {
     std::uint64_t request = 0;  // counts up
     PictureSource source = PictureSource::practice;
-    std::size_t index =
-        0;  // practice: 0 circle, 1 square; gallery, stick: row of the list; camera: 0
+    std::size_t index = 0;     // practice: 0 circle, 1 square; gallery, stick: row; camera: 0
     std::size_t language = 0;  // index of VisitWorld::languages: title, description, parts
     int page = 1;
     int view = 1;
@@ -74,8 +73,7 @@ struct LoadPicture {
     ZoomWanted zoom;
     /// Feels the whole thing of a photograph at this place of the view; nothing: the view.
     std::optional<Position> thing_at = {};
-    NameForm form =
-        {};  // stick: the name's form in its list, so that the picture is called the same
+    NameForm form = {};  // stick: as in its list, so that the picture is called the same
 
     friend bool operator==(const LoadPicture&, const LoadPicture&) = default;
 };

@@ -194,14 +194,12 @@ void pass_time(VisitWork& work, double now_s);
 
 inline constexpr int list_page = 10;  // rows of a list on a screen
 inline constexpr double hint_after_s = 1.5;
-inline constexpr double hint_again_s =
-    30.0;                             // until the same hint again: 10 s and the time of other words
-inline constexpr int hint_times = 2;  // in a visit; after that it is known
+inline constexpr double hint_again_s = 30.0;  // the same hint: 10 s, and the time of other words
+inline constexpr int hint_times = 2;          // in a visit; after that it is known
 inline constexpr double progress_after_s = 0.3;
 inline constexpr double progress_said_after_s = 2.0;
 inline constexpr double progress_said_every_s = 4.5;
-inline constexpr double private_s =
-    10.0;  // after the headphones were pulled out; then the kiosk asks the question
+inline constexpr double private_s = 10.0;  // headphones are out; then the kiosk asks
 inline constexpr double goodbye_s = 10.0;
 inline constexpr double practice_s = 60.0;
 inline constexpr double longest_lead_s = 300.0;  // longer leading no longer counts as presence

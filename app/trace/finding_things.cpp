@@ -31,11 +31,9 @@ std::uint64_t free_memory_bytes() {
 
 constexpr std::uint64_t least_free_bytes = 400'000'000;  // the small networks take 103 MB
 constexpr std::uint64_t least_free_for_figure_bytes = 2'000'000'000;
-constexpr double margin = 0.07;  // times a thing's longer side
-constexpr double most_of_thing =
-    0.6;  // of a portrait's main thing: the least share shown with the face
-constexpr double much_of_shown =
-    0.3;  // of what is shown with the face: the least share of the thing
+constexpr double margin = 0.07;        // times a thing's longer side
+constexpr double most_of_thing = 0.6;  // of a portrait's main thing; least share shown
+constexpr double much_of_shown = 0.3;  // of what the face shows; least share of the thing
 
 constexpr SaidOfEnds<const char*> said_of_things{
     "the part of Touchline that finds main things cannot be started safely here; have it installed "

@@ -16,13 +16,12 @@
 namespace touchline {
 namespace {
 
-constexpr int beside_words_px = 3;  // soft edges of letters reach out of their box
-constexpr double beyond_box =
-    0.25;                           // times the box's shorter side: how far letters lean out of it,
-constexpr int most_beyond_px = 16;  // and at most this far for large letters
-constexpr int least_contrast = 30;  // grey levels between letters and their background
-constexpr double large_box = 0.05;  // of the picture's height: words across the drawing
-constexpr int like_letters = 40;    // grey levels around the colours of letters and their edges
+constexpr int beside_words_px = 3;   // soft edges of letters reach out of their box
+constexpr double beyond_box = 0.25;  // of the box's shorter side: how far letters lean out,
+constexpr int most_beyond_px = 16;   // and at most this far for large letters
+constexpr int least_contrast = 30;   // grey levels between letters and their background
+constexpr double large_box = 0.05;   // of the picture's height: words across the drawing
+constexpr int like_letters = 40;     // grey levels around the colours of letters and their edges
 
 cv::Rect exact(const WordBox& box) {
     return {box.left, box.top, box.right - box.left, box.bottom - box.top};
