@@ -32,10 +32,9 @@ struct ViewChoice {
 struct SeenView {
     std::string path;  // the file's
     Page page;
-    std::optional<MainThings>
-        things;             // of a photograph, if the network is installed; also unsure ones
-    std::string note = {};  // one sentence worth telling the user; may be empty
-    bool is_face = false;   // drawn in lines
+    std::optional<MainThings> things;  // a photograph's, if the network is installed; also unsure
+    std::string note = {};             // one sentence worth telling the user; may be empty
+    bool is_face = false;              // drawn in lines
 };
 
 /// Opens a view of a file's first page, and looks for a photograph's main things. With

@@ -20,8 +20,7 @@ struct FoundWords {
     int height = 0;
     std::vector<WordBox> boxes;  // one for each word, within the picture
     Area area;                   // with the picture's proportions
-    std::vector<Label>
-        labels;  // one for all words that stand close in one line; places within area
+    std::vector<Label> labels;   // one per line of close words; within area
 };
 
 /// True if there is something to read: the page has pixels, no known words in them, and no lines

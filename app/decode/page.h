@@ -3,11 +3,11 @@
 //
 //   header  magic u32, layout u8, figures u8, kind u8, reduction u8, width u32, height u32,
 //           number u16, count u16, dpi u16, boxes u16, bytes of the map u32
-//   pixels  3 bytes each (blue, green, red), rows from the top, no padding; none where the kind is
+//   pixels  3 bytes each (blue, green, red), rows from the top, no padding; none if the kind is
 //           "words" (found_words.h): the kiosk has them
-//   boxes   4 u16 each: left, top, right, bottom in pixels, the right and lower end not within;
-//           `boxes` of words, then one of each figure
-//   map     config/types/map_bytes.h; its first labels are what is written of each figure
+//   boxes   4 u16 each: left, top, right, bottom in pixels, the right and lower end not included;
+//           `boxes` of words, then one per figure
+//   map     config/types/map_bytes.h; its first labels are the figures' texts
 //
 // Little-endian. No offsets and no strides: one size fits a given header. Threads: pure functions.
 #pragma once

@@ -54,8 +54,7 @@ class Shrinking {
     unsigned by_;
     unsigned shift_;  // by_ is 1 << shift_
     Picture picture_;
-    std::vector<std::uint16_t>
-        sums_;  // over at most 64 pixels; colours are weighted with their alpha
+    std::vector<std::uint16_t> sums_;  // over at most 64 pixels; colours weighted with their alpha
 };
 
 }  // namespace touchline::decode

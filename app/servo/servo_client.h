@@ -58,8 +58,8 @@ class ServoClient {
     /// Nothing while no servo runs.
     [[nodiscard]] virtual std::optional<RealTimeTier> tier() const = 0;
 
-    /// How late the ticks began since the servo started, in steps of about 30 us; nothing while
-    /// none runs.
+    /// How late the ticks began since the servo started; nothing while none runs. The call takes
+    /// some 30 us.
     [[nodiscard]] virtual LatenessBars lateness() const = 0;
 
     /// Counts on while the servo is looked after: its ticks, or the turns of the guard that watches

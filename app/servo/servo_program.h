@@ -32,10 +32,9 @@ struct OpenedDevice {
 
 /// What a device may need from the program while a person homes it.
 struct Opening {
-    std::function<void(const std::string&)> say;  // what the person has to do now; empty: nothing
-    std::function<bool()> goes_on;                // asked all the time; false: give up
-    std::function<void(const Calibration&)>
-        keep;  // what was found for this unit, for the next time
+    std::function<void(const std::string&)> say;   // what the person has to do now; empty: nothing
+    std::function<bool()> goes_on;                 // asked all the time; false: give up
+    std::function<void(const Calibration&)> keep;  // found for this unit, for the next time
     /// Called with true before a torque is asked of the device, and with false once it holds zero
     /// again, by one thread that calls goes_on every few milliseconds meanwhile.
     std::function<void(bool)> mark_force;

@@ -15,7 +15,7 @@ class ServoWatch {
     /// One look, `dt_s` after the one before. `is_end_wanted`: the servo was asked to end. True if
     /// it has to be killed, because it
     ///   - is silent for 12 ms with torque on, so that the device can be opened and zeroed,
-    ///   - is silent for 0.5 s without torque, where it may have been slow,
+    ///   - is silent for 0.5 s without torque, when it may only have been slow,
     ///   - has not begun to tick 10 s after its start, or not ended 2 s after it was asked to.
     [[nodiscard]] bool step(const ServoChannel& channel, bool is_end_wanted, double dt_s) {
         const std::uint64_t beats = channel.servo_beats.load();

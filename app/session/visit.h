@@ -207,8 +207,7 @@ struct Site {
     SiteOpening opening = SiteOpening::open;
     bool has_camera = false;
     bool has_headphones = false;
-    std::array<std::optional<std::string>, trouble_count>
-        troubles;  // those that last: as told, or empty
+    std::array<std::optional<std::string>, trouble_count> troubles;  // that last; as told, or empty
     bool is_staff_called = false;
     std::uint64_t request = 0;  // of the last LoadPicture
 };

@@ -45,10 +45,9 @@ struct KnobTurned {
 
 /// Where the handle is, as often as convenient (10 to 60 times a second).
 struct HandleSeen {
-    Position place_W;  // of the map that is felt
-    std::optional<std::size_t>
-        part;                // the index of the part under the handle in PictureFacts::parts
-    bool has_moved = false;  // more than 2 mm since the last event that said so
+    Position place_W;                 // of the map that is felt
+    std::optional<std::size_t> part;  // under the handle: index of PictureFacts::parts
+    bool has_moved = false;           // more than 2 mm since the last event that said so
     double speed_m_per_s = 0.0;
     bool is_led = false;  // it moves by itself now; false while it waits for a hand
 };

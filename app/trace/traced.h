@@ -3,11 +3,11 @@
 //
 //   header   magic u32, is a photo u8, width and height of the edges u32, bytes of the map and of
 //            the lines u32
-//   refusal  why there is no map; empty where there is one
+//   refusal  why there is no map; empty if there is one
 //   warning  one sentence
 //   report   JSON
 //   map      config/types/map_bytes.h
-//   edges    1 byte a pixel, rows from the top
+//   edges    1 byte per pixel, rows from the top
 //   lines    lines_bytes.h
 //
 // A text is its bytes u32 and the bytes. Little-endian, no offsets. Threads: pure functions.
