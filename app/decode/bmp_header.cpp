@@ -74,7 +74,7 @@ bool read_packing(const Header& from, BmpHeader& header) {
 void read_fields(Bytes bytes, const Header& from, BmpHeader& header) {
     header.fields = header.bits == 16 ? fields_of_16 : fields_of_32;
     if (header.packing != BmpPacking::fields) return;
-    // The fields stand in the header, or right behind a short one.
+    // The fields are in the header, or right behind a short one.
     const std::size_t first = from.end() - from.size() + 40;
     header.fields = {little_endian(bytes, first + 8, 4), little_endian(bytes, first + 4, 4),
                      little_endian(bytes, first, 4), 0};

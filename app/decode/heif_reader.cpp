@@ -104,7 +104,7 @@ Resolution resolution_of(const heif_image* image, const heif_image_handle* handl
     const bool is_wide =
         heif_image_get_width(image, heif_channel_B) > heif_image_get_height(image, heif_channel_B);
     if (was_wide != is_wide) std::swap(across, down);
-    // The wider a pixel is, the fewer lie on a length.
+    // The wider the pixels are, the fewer fit on a length.
     return {static_cast<double>(down), static_cast<double>(across)};
 }
 

@@ -31,7 +31,7 @@ std::string_view after_prologue(std::string_view text) {
         const auto part = std::ranges::find_if(
             parts, [&](const Part& each) { return text.starts_with(each.begin); });
         if (part == parts.end()) return text;
-        // The declarations of a DOCTYPE stand in brackets.
+        // A DOCTYPE has its declarations in brackets.
         const auto bracket = text.find('[');
         const bool has_own = part->begin == "<!DOCTYPE" && bracket < text.find('>');
         const auto from = has_own ? text.find(']', bracket) : part->begin.size();

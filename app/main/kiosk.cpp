@@ -50,7 +50,8 @@ std::atomic<bool> is_end_asked{false};
 
 constexpr unsigned longest_end_s = 3;  // a servo fades out and ends in two
 
-/// Exits if anything hangs by then: the servo zeroes the torque when its kiosk dies.
+/// Asks for the end, and exits if anything hangs by then: the servo zeroes the torque when its
+/// kiosk dies.
 void ask_for_end(int) {
     is_end_asked = true;
     (void)alarm(longest_end_s);

@@ -12,7 +12,7 @@
 
 namespace touchline {
 
-/// Holds where (argument & mask) == value.
+/// True if (argument & mask) == value.
 struct MaskedArgument {
     unsigned argument = 0;  // index of the call's argument, 0 ... 5
     std::uint64_t mask = 0;

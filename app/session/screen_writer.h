@@ -43,7 +43,7 @@ struct ScreenWriter {
     void list(const std::vector<ListRow>& rows, const char* hint);
     void back(const char* english = "Back");
 
-    /// Leaves out hints that lead to another item if there is only one item.
+    /// Rewords the hint of a single item, because it must not send anybody to another item.
     void mind_the_only_item();
 };
 

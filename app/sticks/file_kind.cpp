@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 15> office_files{"doc", "docx", "docm",  
                                                         "ppt", "pptx", "odp",     "xls",   "xlsx",
                                                         "ods", "odg",  "numbers", "pages", "key"};
 
-/// Of Windows, macOS, Linux and Android.
+/// The folders of Windows, macOS, Linux and Android.
 constexpr std::array<std::string_view, 8> folders_of_systems{"System Volume Information",
                                                              "$RECYCLE.BIN",
                                                              "RECYCLER",
