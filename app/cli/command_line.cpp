@@ -79,7 +79,7 @@ std::string parse_class(const std::string& text, std::optional<PictureClass>& pi
                        text);
 }
 
-/// A number from `low` to `largest`; unlike the library's own range, not a NaN.
+/// A number from `low` to `largest`. Unlike the library's own range, it rejects NaN.
 CLI::Validator number_in(double low, double largest, bool is_low_allowed) {
     return {[=](const std::string& text) {
                 double value = 0.0;
@@ -365,7 +365,7 @@ class CommandLine {
                  "said");
             return wrong_usage;
         }
-        // A profile that does not exist is wrong usage, like a mode that does not exist.
+        // An unknown profile is wrong usage, like an unknown mode.
         if (const auto profile = find_profile(feel_.profile); !profile) {
             tell(err, profile.error().line);
             return wrong_usage;
@@ -393,7 +393,7 @@ class CommandLine {
         return unusable_input;
     }
 
-    /// Names in it may be anything: whoever reads it has a terminal that obeys.
+    /// Names in the line may be anything, and the reader's terminal obeys control codes.
     static void tell(std::ostream& err, const std::string& line) {
         err << "touchline: " << plain_line(line) << '\n';
     }

@@ -13,8 +13,8 @@
 namespace touchline {
 
 struct KioskArguments {
-    bool in_window = false;           // else full screen
-    std::vector<std::string> files;   // pictures and maps shown before the gallery
+    bool in_window = false;           // false: full screen
+    std::vector<std::string> files;   // pictures and maps to show before the gallery
     std::optional<double> measure_s;  // run this long, print ticks and frames, and end
 };
 
@@ -24,8 +24,8 @@ struct TourArguments {
     std::string output;  // RUN.png
 };
 
-/// The two commands that need more than files: given by main, so that everything else runs without
-/// a display.
+/// The two commands that need more than files. main passes them in, so that everything else runs
+/// without a display.
 struct Programs {
     std::function<int(const KioskArguments&)> kiosk;
     std::function<Result<void>(const TourArguments&)> tour;

@@ -17,7 +17,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// The first of the separators that stands outside of quotes in the first line that is not blank.
+/// The first separator outside of quotes in the first line that is not blank.
 char separator_of(std::string_view text) {
     bool is_quoted = false;
     bool is_begun = false;
@@ -117,7 +117,7 @@ class CsvReader {
     char separator_;
 };
 
-/// The separator that a line of a spreadsheet says, with that line's length.
+/// The separator in a spreadsheet's "sep=" line, with that line's length.
 std::optional<std::pair<char, std::size_t>> said_separator(std::string_view text) {
     constexpr std::string_view begin = "sep=";
     if (!text.starts_with(begin) || text.size() <= begin.size()) return std::nullopt;

@@ -1,5 +1,5 @@
-// A table as programs write it (RFC 4180): quoted fields, any end of line, a byte order mark; also
-// parted by semicolons or tabs, with the decimal comma that goes with those.
+// Reads a table as programs write it (RFC 4180): quoted fields, any end of line, a byte order mark;
+// also with semicolons or tabs between the values, and the decimal comma that goes with those.
 // Threads: values and pure functions.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace touchline {
 
 struct CsvRow {
-    std::size_t line = 1;             // of the text, where it begins
+    std::size_t line = 1;             // where it begins in the text
     std::vector<std::string> fields;  // without quotes; unquoted ones without blanks around
 };
 
@@ -22,9 +22,9 @@ struct CsvTable {
     std::vector<CsvRow> rows;  // those that are not blank
 };
 
-/// The separator is the one that the first row has outside of quotes, a comma where it has none; a
-/// line "sep=;" before it says it too. Fails with one line that names the text's line: UTF-16, a
-/// NUL, a quote that is never closed, letters after a closing quote. O(text).
+/// The separator is the one outside of quotes in the first row, or a comma if it has none; a line
+/// "sep=;" before it sets it too. Fails with one line that names the text's line: UTF-16, a NUL, an
+/// unclosed quote, letters after a closing quote. O(text).
 [[nodiscard]] Result<CsvTable> csv_table(std::string_view text);
 
 }  // namespace touchline

@@ -25,7 +25,7 @@ std::vector<Position> rendered_points(const CurveSet& curves, int piece, double 
     return points;
 }
 
-/// The boxes of the nodes that hold the curve as rendered.
+/// The boxes of the nodes that hold the rendered curve.
 void write_boxes(std::back_insert_iterator<fmt::memory_buffer> to, const Scene& scene, double level,
                  const ViewBox& box) {
     const CurveSet& curves = scene.curves;
@@ -109,7 +109,7 @@ Result<void> run_curve(const CurveCommandOptions& options) {
     const Result<TactileMap> map = load_map(options.input, options.as_picture);
     if (!map) return tl::unexpected(map.error());
     CurveOptions wanted = options.curves;
-    wanted.device_step_m = encoder_step_m(default_profile());  // as `feel` does unless told
+    wanted.device_step_m = encoder_step_m(default_profile());  // the default of `feel`
     const Result<Scene> scene = build_scene(*map, wanted, 0.0);
     if (!scene) return tl::unexpected(scene.error());
     Result<void> drawn = write_whole_file(options.output, svg(*map, *scene, options));

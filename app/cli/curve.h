@@ -1,4 +1,4 @@
-// touchline curve: the multiresolution curve of a picture or map at one level, as a map of its own.
+// touchline curve: writes the multiresolution curve of a picture or map at one level, as a map.
 // Threads: one.
 #pragma once
 
@@ -19,7 +19,7 @@ struct CurveCommandOptions {
     CurveOptions curves;
 };
 
-/// Writes the exact polylines that `feel --level` uses, one path a piece, and the report. Files
+/// Writes the exact polylines that `feel --level` uses, one path per piece, and the report. Files
 /// appear whole or not at all.
 [[nodiscard]] Result<void> run_curve(const CurveCommandOptions& options);
 

@@ -33,7 +33,7 @@ void catch_signals() {
     std::signal(SIGHUP, want_stop);
 }
 
-/// One board that was told nothing yet, and the USB that it hangs on, which outlives it.
+/// A board before its first command, and its USB, which outlives it.
 struct TakenUnit {
     UsbBoards usb;
     UsbPantograph board;
@@ -53,8 +53,8 @@ std::string kind_wanted() {
            names;
 }
 
-/// What is stored for a unit counts for the kind that it was taken for, and no other; who names a
-/// kind to find its home has it measured, whatever is stored.
+/// What is stored for a unit counts only for the kind that it was taken for. Naming a kind to home
+/// it measures it anew, whatever is stored.
 Result<UnitSettings> unit_for(const DeviceCommandOptions& options, const BoardSettings& settings,
                               const std::string& serial) {
     const UnitSettings* const stored = find_unit(settings, serial);
@@ -108,7 +108,7 @@ Result<void> list(std::ostream& out) {
     return {};
 }
 
-/// Asks a thousand times and tells how the answers came.
+/// Asks a thousand times and reports how the answers came.
 Result<void> probe(TakenUnit& unit, std::ostream& out) {
     constexpr int asked = 1000;
     PantographBoard& board = *unit.board.driver;
@@ -151,7 +151,7 @@ Result<void> home_unit(TakenUnit& unit, std::ostream& out) {
     const auto found = make_ready(procedure(board, clock, out), board.frame().calibration());
     if (!found) return tl::unexpected(found.error());
     UnitSettings settings{unit.board.found.serial, unit.profile, *found};
-    settings.calibration.offset = {};  // holds only until the board is set up again
+    settings.calibration.offset = {};  // valid only until the board is set up again
     const BoardFiles files = board_files();
     if (auto kept = keep_unit(files, settings); !kept) return kept;
     out << fmt::format("Scale {:.3f}, {}; kept in {}.\n", found->scale, plugs(*found),
@@ -165,7 +165,7 @@ Result<void> nudge_unit(TakenUnit& unit, std::ostream& out) {
     if (!stored.is_measured) return failure("Home the handle first.");
     if (auto opened = board.open(); !opened) return opened;
     MonotonicClock clock;
-    // Where the middle is shows only then.
+    // Only homing shows where the middle is.
     const auto homed = home(procedure(board, clock, out), stored);
     if (!homed) return tl::unexpected(homed.error());
     const auto tried = nudge(procedure(board, clock, out), homed->words + " ");
@@ -176,13 +176,13 @@ Result<void> nudge_unit(TakenUnit& unit, std::ostream& out) {
     return {};
 }
 
-/// Without the units, if need be: a file that is broken must not keep a motor running.
+/// Does without the units if it must: a broken file must not keep a motor running.
 Result<BoardSettings> settings_to_stop_by() {
     auto settings = read_board_files(board_files());
     return settings ? settings : read_boards(board_files().boards);
 }
 
-/// As far as it is known: it says whether a motor is at the handle too.
+/// The profile as far as it is known: it tells whether a motor is at the handle.
 DeviceProfile profile_of(const BoardSettings& settings, const FoundBoard& board) {
     const UnitSettings* const unit = find_unit(settings, board.serial);
     return profile_or_default(unit == nullptr ? std::string_view() : unit->profile);
@@ -201,7 +201,7 @@ Result<void> stop_board(const UsbBoards& usb, const FoundBoard& board, const Dev
     return {};
 }
 
-/// Every board that the kiosk might have driven, or the one that is named.
+/// Stops every board that the kiosk might have driven, or the named one.
 Result<void> stop(const DeviceCommandOptions& options, std::ostream& out) {
     const auto settings = settings_to_stop_by();
     if (!settings) return tl::unexpected(settings.error());

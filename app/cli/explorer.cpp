@@ -10,15 +10,15 @@ namespace touchline {
 namespace {
 
 constexpr double route_step_m = 0.0005;
-constexpr std::size_t normal_reach = 4;   // route points either side: the normal is that of +-2 mm
+constexpr std::size_t normal_reach = 4;   // route points on either side: the normal spans +-2 mm
 constexpr std::size_t walked_twice = 10;  // route points, at the end of a closed outline
-constexpr std::size_t off_the_end = 8;  // route points: pressing at an end, the hand slips round it
-constexpr std::size_t look_ahead = 16;  // route points among which the proxy's place is sought
-constexpr double longest_wait_s = 3.0;  // for force to come on
-constexpr double arrival_m = 0.001;     // this near, the hand has arrived ...
-constexpr double arrival_s = 0.5;       // ... or never will
+constexpr std::size_t off_the_end = 8;    // route points: pressing at an end, a hand slips round it
+constexpr std::size_t look_ahead = 16;    // route points in which the proxy's place is sought
+constexpr double longest_wait_s = 3.0;    // for the force to come on
+constexpr double arrival_m = 0.001;       // this near, the hand has arrived ...
+constexpr double arrival_s = 0.5;         // ... or never will
 constexpr double over_the_edge_m = 0.005;  // the device reaches a little beyond the drawing area
-constexpr double least_force_N = 0.05;     // below, its direction tells nothing
+constexpr double least_force_N = 0.05;     // a smaller force has no usable direction
 constexpr double press_share = 0.8;        // of a small outline's radius
 
 /// Positive when the closed outline runs counter-clockwise.
@@ -101,8 +101,8 @@ Position Explorer::beside(const RoutePoint& point) const {
     return point.on + along<Position>(point.outward, options_.clearance_m);
 }
 
-/// A place in the hand's reach beside which the outline itself is the nearest thing, so that it is
-/// what will be touched.
+/// True for a place in the hand's reach where the outline itself is the nearest thing, so that the
+/// hand will touch it.
 bool Explorer::is_open_place(const RoutePoint& point) const {
     const Position place = beside(point);
     if (std::abs(place.x) > map_.area.width_m / 2.0 + over_the_edge_m ||
@@ -112,7 +112,8 @@ bool Explorer::is_open_place(const RoutePoint& point) const {
     return scene_.tree.closest_point(scene_.curves, place, 0.0, nearest_m).segment.piece < 0;
 }
 
-/// Towards the first place from here on at which the outline can be reached, or on to the next.
+/// Lifts the hand to the first place from here on where the outline can be reached, or goes on to
+/// the next outline.
 void Explorer::lift_to_next_place() {
     phase_ = Phase::travel;
     waited_s_ = 0.0;
@@ -123,7 +124,7 @@ void Explorer::lift_to_next_place() {
     }
 }
 
-/// Moves the intention straight towards the target; true once it is there.
+/// Moves the intention straight towards the target; true once it has arrived.
 bool Explorer::move_to(Position target, double speed_m_per_s, double dt_s) {
     const Position way = target - hand_.position;
     const double step_m = speed_m_per_s * dt_s;
@@ -161,7 +162,7 @@ void Explorer::step(const Felt& felt, double dt_s) {
     }
 }
 
-/// The map comes on again only once it was off and the hand is where it is to come on.
+/// The map turns on again only after it was off and the hand is at the place for it.
 void Explorer::travel(const Felt& felt, double dt_s) {
     const Position target = beside(route_[at_]);
     if (!move_to(target, options_.travel_m_per_s, dt_s)) return;
@@ -186,8 +187,8 @@ void Explorer::settle(const Felt& felt, double dt_s) {
     is_visited_ = true;
 }
 
-/// Pushes against what it feels and goes on at right angles to that, as a person follows an edge:
-/// around corners the felt direction turns, and the way with it.
+/// Pushes against what it feels and moves at right angles to that, as a person follows an edge.
+/// Around corners the felt direction turns, and the path with it.
 void Explorer::follow(const Felt& felt, double dt_s) {
     note_progress(felt.proxy);
     if (at_ + 1 == route_.size()) {
@@ -214,7 +215,7 @@ void Explorer::follow(const Felt& felt, double dt_s) {
     hand_.position += along<Position>(hand_.velocity, dt_s);
 }
 
-/// Outward is where the force points; without one, where the outline's own outside is.
+/// Outward is where the force points; without a force, the outline's own outside.
 void Explorer::turn_to(const Felt& felt, double dt_s) {
     const bool tells = felt.is_in_contact && norm(felt.force) > least_force_N;
     const Direction now = tells ? direction_of(felt.force) : route_[at_].outward;

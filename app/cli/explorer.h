@@ -1,6 +1,6 @@
-// A simulated hand that explores a map like somebody who knows it: to each outline in turn, along
-// it by feel with a light pressure, and off again. It decides where the hand means to be; what the
-// hand then feels is the servo's business.
+// A simulated hand that explores a map like somebody who knows it: it goes to each outline in turn,
+// follows it by feel with a light pressure, and leaves it. It decides where the hand means to be;
+// the servo decides what the hand then feels.
 // Threads: plain values, one thread. Deterministic.
 #pragma once
 
@@ -17,15 +17,15 @@ namespace touchline {
 
 struct ExplorerOptions {
     double follow_m_per_s = 0.05;    // along an outline: comfortable tracing is 30-60 mm/s
-    double search_m_per_s = 0.01;    // along it, while the hand has come off and turns back to it
+    double search_m_per_s = 0.01;    // along it, while the hand has lost it and turns back
     double travel_m_per_s = 0.15;    // between outlines, lifted
     double approach_m_per_s = 0.03;  // towards an outline and away from it
     double clearance_m = 0.003;      // beside the outline before and after; above the proxy radius
     double press_m = 0.0053;         // beyond the proxy: 1 N of a pen grip (300 N/m) on 500 N/m
-    double leash_m = 0.008;    // ahead of the proxy: the hand waits where something holds it up
-    double reaction_s = 0.02;  // of the felt direction
-    double lost_m = 0.005;     // proxy from its place on the outline: it follows something else
-    double lost_s = 0.5;       // without contact: the outline is lost
+    double leash_m = 0.008;          // ahead of the proxy: the hand waits if something holds it up
+    double reaction_s = 0.02;        // to the felt direction
+    double lost_m = 0.005;           // of the proxy from its place on the outline
+    double lost_s = 0.5;             // without contact for this long: the outline is lost
 };
 
 /// Whether the servo renders the map.
@@ -34,19 +34,19 @@ enum class Rendering : std::uint8_t { off, changing, on };
 /// What the hand feels.
 struct Felt {
     Position proxy;
-    Force force;  // on the hand
+    Force force;  // the force on the hand
     bool is_in_contact = false;
     Rendering rendering = Rendering::off;
 };
 
-/// A place on an outline and the side on which the hand keeps.
+/// A place on an outline, and the side on which the hand stays.
 struct RoutePoint {
     Position on;
     Direction outward;
 };
 
-/// The way along an outline, points about half a millimetre apart. Closed outlines are followed on
-/// their outside and a little over a full turn, open ones on their left.
+/// The route along an outline, with points about half a millimetre apart. It follows closed
+/// outlines on their outside for a little more than a full turn, and open ones on their left.
 [[nodiscard]] std::vector<RoutePoint> route_along(const Outline& outline);
 
 class Explorer {
@@ -57,17 +57,17 @@ class Explorer {
     /// Where a tour starts.
     [[nodiscard]] Position start() const { return hand_.position; }
 
-    /// One tick of dt_s > 0 later.
+    /// One tick, dt_s > 0 after the last.
     void step(const Felt& felt, double dt_s);
 
     [[nodiscard]] const Intention& intention() const { return hand_; }
 
-    /// Lifted: the hand moves between outlines and nothing is to be felt.
+    /// Lifted: the hand moves between outlines, and nothing is felt.
     [[nodiscard]] bool is_lifted() const { return phase_ == Phase::travel; }
 
     [[nodiscard]] bool is_done() const { return phase_ == Phase::done; }
 
-    /// Outlines that the hand went to so far.
+    /// How many outlines the hand has visited.
     [[nodiscard]] int visited() const { return visited_; }
 
   private:
@@ -95,15 +95,15 @@ class Explorer {
     Intention hand_;
     Phase phase_ = Phase::travel;
     std::size_t outline_ = 0;
-    std::vector<RoutePoint> route_;  // of the outline
-    double press_m_ = 0.0;           // on this outline
+    std::vector<RoutePoint> route_;  // along the current outline
+    double press_m_ = 0.0;           // for this outline
     double turn_ = 1.0;              // ahead = turn_ * left_of(outward): 1 or -1
-    std::size_t at_ = 0;             // in the route: the place nearest to the proxy
+    std::size_t at_ = 0;             // index in the route of the place nearest to the proxy
     Direction outward_;              // as felt
     Position off_;                   // where the hand goes when it leaves
-    double waited_s_ = 0.0;          // for the hand to arrive, or the map to come on
+    double waited_s_ = 0.0;          // for the hand to arrive, or for the map to turn on
     double free_s_ = 0.0;            // without contact while following
-    bool is_visited_ = false;        // the outline
+    bool is_visited_ = false;        // the current outline
     int visited_ = 0;
 };
 

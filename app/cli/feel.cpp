@@ -28,7 +28,7 @@ Result<std::vector<HandRow>> read_hand(const std::string& path, HandColumns colu
     });
 }
 
-/// One line of RUN.csv. Numbers are written so that they read back to the same bits.
+/// One line of RUN.csv. Numbers read back to the same bits.
 void write_row(fmt::memory_buffer& out, const HandRow& hand, const ContactReport& report) {
     auto to = std::back_inserter(out);
     fmt::format_to(to, "{},{},{},{},{},{},{},{},{},", hand.t_s, hand.p_WH.x, hand.p_WH.y,
@@ -93,7 +93,8 @@ class Feeling {
     }
 
   private:
-    /// The first row: proxy = handle, free (on a line: beside it by the contact skin).
+    /// The first row: the proxy is at the handle, free. On a line it is beside it, by the contact
+    /// skin.
     ContactReport start(Position handle, double level) {
         machine_.reset(scene_, handle, level);
         ContactReport report;
@@ -113,7 +114,7 @@ class Feeling {
     const FeelOptions& options_;
     LevelLimits limits_;
     LevelRule rule_;
-    CostTerm cost_{first_period_s};  // of the first two rows
+    CostTerm cost_{first_period_s};  // period of the first two rows
     ContactMachine machine_;
 };
 

@@ -1,4 +1,4 @@
-// touchline feel: a recorded or made-up hand moves over a map, one servo step a row.
+// touchline feel: a recorded or computed hand moves over a map, one servo step per row.
 // Threads: one.
 #pragma once
 
@@ -16,7 +16,7 @@ struct FeelOptions {
     bool as_picture = false;
     std::string path;    // HAND.csv
     std::string output;  // RUN.csv
-    std::string probe;   // the shape in the hand: a map; empty: a point
+    std::string probe;   // a map of the held shape; empty: a point
     ContactSettings contact;
     CurveOptions curves;
     std::optional<double> level;  // none: auto
@@ -26,7 +26,7 @@ struct FeelOptions {
     bool with_timing = false;
 };
 
-/// What a step of the run may take; a deadline counts from now.
+/// The budget of one step of the run. A deadline counts from now.
 [[nodiscard]] Budget budget_of(const FeelOptions& options);
 
 /// Writes RUN.csv whole or not at all.

@@ -15,13 +15,13 @@
 namespace touchline {
 namespace {
 
-constexpr double least_carried_m = 1e-9;  // a rest below is rounding, no lack of time
+constexpr double least_carried_m = 1e-9;  // a smaller rest is rounding, no lack of time
 
 ProbePose pose_of(const HandRow& row) {
     return {row.p_WH.x, row.p_WH.y, row.angle_rad};
 }
 
-/// One line of RUN.csv. Numbers are written so that they read back to the same bits.
+/// One line of RUN.csv. Numbers read back to the same bits.
 void write_row(fmt::memory_buffer& out, const CurveSet& curves, const HandRow& hand,
                const ProbeReport& report) {
     auto to = std::back_inserter(out);

@@ -1,4 +1,4 @@
-// touchline feel --probe: a shape in the hand moves and turns over a map, one servo step a row.
+// touchline feel --probe: a held shape moves and turns over a map, one servo step per row.
 // Threads: one.
 #pragma once
 
@@ -13,14 +13,14 @@
 
 namespace touchline {
 
-inline constexpr double first_period_s = 1e-3;  // of a path with a single row
+inline constexpr double first_period_s = 1e-3;  // for a path with a single row
 
-/// The shape of options.probe, rounded by the radius of the options; the hand holds the middle of
-/// its drawing area. The error names the file.
+/// Loads the shape of options.probe, rounded by the radius of the options. The hand holds the
+/// middle of its drawing area. The error names the file.
 [[nodiscard]] Result<ProbeShape> load_shape(const FeelOptions& options);
 
-/// RUN.csv: the columns of a point's run, then angle_rad, proxy_angle_rad and torque_Nm; where
-/// asked for, step_ns last. `limits` are those of the level rule.
+/// RUN.csv: the columns of a point's run, then angle_rad, proxy_angle_rad and torque_Nm; step_ns
+/// comes last if it was asked for. `limits` are those of the level rule.
 [[nodiscard]] std::string feel_shape(const Scene& scene, const ProbeShape& shape,
                                      const FeelOptions& options, LevelLimits limits,
                                      const std::vector<HandRow>& hand);

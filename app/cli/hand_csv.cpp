@@ -23,7 +23,7 @@ std::span<const std::string_view> names_of_columns(HandColumns wanted) {
     return std::span(names_of).first(wanted == HandColumns::place ? 3 : 4);
 }
 
-/// Where each wanted column stands, in the order of their names.
+/// The index of each required column, in the order of their names.
 using Columns = std::vector<std::size_t>;
 
 std::optional<double> number(std::string_view text) {
@@ -83,7 +83,7 @@ class HandReader {
     }
 
   private:
-    /// A value cut in two by its decimal comma must not be taken for two.
+    /// A value cut in two by its decimal comma must not count as two.
     [[nodiscard]] Result<void> has_its_columns(const CsvRow& row) const {
         const std::size_t named = table_.rows.front().fields.size();
         for (std::size_t i = 0; i < at_.size(); ++i)
@@ -98,7 +98,7 @@ class HandReader {
             row.line, filled, named));
     }
 
-    /// Where a comma parts the values, none is within a number.
+    /// If commas separate the values, no number holds one.
     [[nodiscard]] std::optional<double> value_of(const std::string& field) const {
         if (table_.separator != ',' && has_decimal_comma(field)) return number(with_point(field));
         return number(field);

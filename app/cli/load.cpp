@@ -24,7 +24,7 @@ Error of_file(const std::string& path, const Error& error) {
     return {fmt::format("{}: {}", path, error.line)};
 }
 
-/// As it is, with a report that says so.
+/// The map as it is, with a report that says so.
 Result<TracedMap> own_map(const SeenView& view, int detail) {
     return shown_at(view.page.told, detail).map([&view](TactileMap map) {
         TracedMap felt;
@@ -39,15 +39,14 @@ Result<TracedMap> own_map(const SeenView& view, int detail) {
     });
 }
 
-/// Whether a picture is a photograph is known once its lines are.
+/// Tracing tells whether a picture is a photograph.
 bool is_photo(const Page& page) {
     if (is_own_map(page) || !page.figures.empty()) return false;
     const auto traced = trace_page(page, {});
     return traced && traced->is_photo;
 }
 
-/// Looks with the networks for which there is memory. Fails without the figure's where somebody
-/// wants it.
+/// Looks with the networks for which there is memory. Fails without the figure's if it is wanted.
 Result<void> look_with(const PictureNetworkFiles& files, bool is_figure_wanted, SeenView& seen) {
     const auto networks = with_room(files.networks());
     if (!networks) return tl::unexpected(networks.error());
@@ -61,7 +60,8 @@ Result<void> look_with(const PictureNetworkFiles& files, bool is_figure_wanted, 
     });
 }
 
-/// Fails only where somebody wants them; else why there are none is a note, if it is worth one.
+/// Fails only if the things are wanted. Otherwise a note says why there are none, if that is worth
+/// one.
 Result<void> look_for_things(bool are_wanted, SeenView& seen) {
     const bool has_views = is_photo(seen.page);
     if (!are_wanted && !has_views) return {};

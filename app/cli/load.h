@@ -1,4 +1,4 @@
-// From a file name to what is felt and shown.
+// Turns a file name into what is felt and shown.
 // Threads: any, each call by itself.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace touchline {
 /// True for a name that ends in .svg, which is a map to every command but `trace`.
 [[nodiscard]] bool is_map_name(const std::string& path);
 
-/// Which view of a page: the kiosk's first, all of it, the main thing of a photograph, or one by
+/// Which view of a page: the kiosk's first, the whole, the main thing of a photograph, or one by
 /// its number (1 ..., app/trace/page_views.h).
 struct ViewChoice {
     enum class Kind : std::uint8_t { first, whole, figure, numbered };
@@ -30,31 +30,30 @@ struct ViewChoice {
 
 /// A view as the kiosk opens and draws it.
 struct SeenView {
-    std::string path;  // of its file
+    std::string path;  // the file's
     Page page;
-    std::optional<MainThings> things;  // of a photograph, where the network is installed; also
-                                       // those that it is not sure of
+    std::optional<MainThings> things;  // a photograph's, if the network is installed; also unsure
     std::string note = {};             // one sentence worth telling the user; may be empty
     bool is_face = false;              // drawn in lines
 };
 
-/// A view of a file's first page. A photograph's main things are looked for; `wants_things`: in
-/// every picture, and it is an error where they cannot be.
+/// Opens a view of a file's first page, and looks for a photograph's main things. With
+/// `wants_things` it looks in every picture, and fails if it cannot.
 [[nodiscard]] Result<SeenView> open_view(const std::string& path, const ViewChoice& view = {},
                                          bool wants_things = false);
 
-/// What the kiosk lets a hand feel of a view: its lines; a map of Touchline's own as it is. Errors
-/// start with the file.
+/// What the kiosk lets a hand feel of a view: its lines, or a map of Touchline's own as it is.
+/// Errors start with the file.
 [[nodiscard]] Result<TracedMap> trace_view(const SeenView& view, const TraceRequest& request);
 
 /// The same with the defaults of `trace`.
 [[nodiscard]] Result<TactileMap> map_of(const SeenView& view);
 
-/// The map of a file: an .svg read as it is, of another one the first view, traced.
-/// `as_picture` makes an .svg a picture.
+/// The map of a file: reads an .svg as it is, and traces the first view of any other file.
+/// `as_picture` treats an .svg as a picture.
 [[nodiscard]] Result<TactileMap> load_map(const std::string& path, bool as_picture);
 
-/// A map, its outlines above `detail` left out.
+/// A map without its outlines above `detail`.
 [[nodiscard]] Result<TactileMap> load_drawing(const std::string& path, int detail);
 
 }  // namespace touchline

@@ -26,7 +26,7 @@ Result<Recording> read_recording(const std::string& path) {
         });
 }
 
-/// A name out of a file leads nowhere but into the gallery.
+/// A name from a file must not lead out of the gallery.
 bool is_plain_name(const std::string& name) {
     return !name.empty() && name.front() != '.' && name.find('/') == std::string::npos;
 }

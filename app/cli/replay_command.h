@@ -1,4 +1,4 @@
-// touchline feel --replay: a recording of the kiosk's black box, run again.
+// touchline feel --replay: runs a recording of the kiosk's black box again.
 // Threads: one.
 #pragma once
 
@@ -13,9 +13,9 @@ struct ReplayOptions {
     std::string output;  // RUN.csv
 };
 
-/// Writes RUN.csv whole or not at all: the ticks as they came out now, or, where a visitor's
-/// picture was felt, as they were recorded. One sentence says which. Fails, with the table written,
-/// where the run is not what was recorded, bit for bit.
+/// Writes RUN.csv whole or not at all: the ticks of this run or, if a visitor's picture was felt,
+/// the recorded ones. One sentence says which. Fails, after writing the table, if the run differs
+/// from the recording in any bit.
 [[nodiscard]] Result<std::string> run_replay(const ReplayOptions& options);
 
 }  // namespace touchline

@@ -21,7 +21,7 @@ Result<std::string> text_in(const std::string& file) {
     });
 }
 
-/// Those of the catalogues; none where their folder cannot be read.
+/// The languages of the catalogues; none if their folder cannot be read.
 std::vector<std::string> languages_that_there_are() {
     return languages_in(words_folder().string()).value_or(std::vector<std::string>{});
 }

@@ -1,4 +1,4 @@
-// touchline settings: whether a file of settings can be used, and what holds with it.
+// touchline settings: checks a settings file, and prints the resulting settings.
 // Threads: one.
 #pragma once
 
@@ -15,11 +15,11 @@ enum class SettingsAction : std::uint8_t { check, print };
 
 struct SettingsCommandOptions {
     SettingsAction action = SettingsAction::check;
-    std::string file;  // empty: the site's, which need not be there
+    std::string file;  // empty: the site's, which may be missing
 };
 
-/// A line for every fault of the file (settings_text.h), among them a language that nobody has; a
-/// file that cannot be read is one. Empty: done, and nothing else was written to `out` but that.
+/// Returns a line for every fault of the file (settings_text.h), including an unknown language and
+/// an unreadable file. Empty: done. Writes nothing else to `out`.
 [[nodiscard]] std::vector<std::string> run_settings(const SettingsCommandOptions& options,
                                                     std::ostream& out);
 

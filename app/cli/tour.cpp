@@ -23,7 +23,7 @@ namespace {
 constexpr double period_s = 1e-3;
 constexpr int longest_picture_px = 2000;
 
-/// Means what it was last told. Threads: one.
+/// Means what it was last told to. Threads: one.
 class LedHand final : public IntendedPath {
   public:
     explicit LedHand(Position start) : now_{start, {}} {}
@@ -58,7 +58,7 @@ void add_figures(TourRun& run) {
     if (run.contact_s > 0.0) run.mean_force_N = force_sum_N / run.contact_s;
 }
 
-/// The way in pieces: a new one wherever the hand lifts or comes down.
+/// The path in pieces: a new one each time the hand lifts or comes down.
 std::vector<TourStretch> way_of(const TourRun& run) {
     constexpr std::size_t ticks_per_point = 4;
     std::vector<TourStretch> way;
@@ -73,7 +73,7 @@ std::vector<TourStretch> way_of(const TourRun& run) {
     return way;
 }
 
-/// A force every few millimetres of the handle's way.
+/// A force every few millimetres of the handle's path.
 std::vector<ForceMark> forces_of(const TourRun& run) {
     constexpr double apart_m = 0.003;
     std::vector<ForceMark> marks;
@@ -133,7 +133,7 @@ std::vector<std::string> describe_tour(const TourRun& run) {
                     run.mean_force_N, run.largest_force_N)};
 }
 
-/// A map is felt as it is; a picture is opened once, to be felt and to be painted.
+/// A map is felt as it is; a picture is opened once, to be felt and painted.
 Result<TactileMap> explored_map(const TourArguments& arguments, const Result<SeenView>& seen) {
     if (is_map_name(arguments.input) && !arguments.as_picture)
         return load_map(arguments.input, false);

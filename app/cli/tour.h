@@ -1,5 +1,6 @@
 // touchline tour: a simulated hand explores a picture or map on a simulated pantograph, through the
-// production servo step, on a virtual clock. No display, and the same bits every time.
+// production servo step, on a virtual clock. It needs no display and gives the same bits every
+// time.
 // Threads: one.
 #pragma once
 
@@ -16,28 +17,28 @@ namespace touchline {
 /// One tick of a tour.
 struct TourTick {
     HandState hand;
-    bool is_lifted = false;  // between outlines, nothing to be felt
+    bool is_lifted = false;  // between outlines, nothing is felt
 };
 
-/// What a tour came to.
+/// The result of a tour.
 struct TourRun {
     std::vector<TourTick> ticks;
     double period_s = 0.0;
-    int outlines = 0;  // in the map
-    int visited = 0;   // outlines that the hand went to
+    int outlines = 0;  // how many the map has
+    int visited = 0;   // how many the hand visited
     double contact_s = 0.0;
     double mean_force_N = 0.0;  // on the hand, while in contact
     double largest_force_N = 0.0;
 };
 
-/// A pen grip explores every outline of the map in wall mode, level by hand speed. `scene` must be
-/// that of the map, its map_version not 0.
+/// A pen grip explores every outline of the map in wall mode, with the level set by hand speed.
+/// `scene` must belong to the map, and its map_version must not be 0.
 [[nodiscard]] TourRun take_tour(const TactileMap& map, const Scene& scene);
 
-/// In words, a sentence or two a line.
+/// In words, a sentence or two per line.
 [[nodiscard]] std::vector<std::string> describe_tour(const TourRun& run);
 
-/// Writes the picture of the tour whole or not at all and prints what it came to.
+/// Writes the picture of the tour whole or not at all, and prints the result.
 [[nodiscard]] Result<void> run_tour(const TourArguments& arguments);
 
 }  // namespace touchline

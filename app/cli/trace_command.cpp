@@ -40,8 +40,8 @@ std::string json_list(const std::vector<Thing>& things) {
     return "[" + list + "]";
 }
 
-/// The report of the lines, and what was found of the main things, of what they are taken for and
-/// of faces: their places as shares of the picture's width and height, the largest first.
+/// The report of the lines, and of the main things, the names and the faces found: their places as
+/// shares of the picture's width and height, the largest first.
 std::string report_of(const TracedMap& felt, const std::optional<MainThings>& things) {
     const std::string lines = felt.report.substr(0, felt.report.rfind("\n}"));
     if (!things) return lines + ",\n  \"figure\": null,\n  \"names\": [],\n  \"faces\": []\n}\n";
@@ -53,7 +53,7 @@ std::string report_of(const TracedMap& felt, const std::optional<MainThings>& th
         json_list(things->faces));
 }
 
-/// Both sentences, or the one that there is.
+/// Both sentences, or the only one.
 std::string told(const std::string& first, const std::string& second) {
     return first.empty() || second.empty() ? first + second : first + "; " + second;
 }

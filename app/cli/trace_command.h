@@ -1,4 +1,4 @@
-// touchline trace: the outlines of a picture as a map.
+// touchline trace: writes the outlines of a picture as a map.
 // Threads: one.
 #pragma once
 
@@ -20,8 +20,8 @@ struct TraceCommandOptions {
     TraceOptions trace;
 };
 
-/// Writes the map and what else was asked for; a file appears whole or not at all. Returns one
-/// sentence worth telling the user (outlines cut to the budget), else an empty text.
+/// Writes the map and the other requested files, each whole or not at all. Returns one sentence
+/// worth telling the user (outlines cut to the budget), else an empty text.
 [[nodiscard]] Result<std::string> run_trace(const TraceCommandOptions& options);
 
 }  // namespace touchline

@@ -40,12 +40,12 @@ std::size_t pixel_bytes(const AnswerHeader& header) {
     return std::size_t{3} * header.width * header.height;
 }
 
-/// Of words and figures.
+/// The boxes of words and figures.
 std::size_t all_boxes(const AnswerHeader& header) {
     return std::size_t{header.boxes} + header.figures;
 }
 
-/// Pixels where words are found in them, none where there is no page.
+/// True if the pixels suit the kind: words need them, a refusal has none.
 bool has_what_its_kind_has(const AnswerHeader& header) {
     const bool is_empty = header.width == 0 && header.height == 0;
     const bool is_picture = fits_a_picture(header.width, header.height);
@@ -60,7 +60,7 @@ bool has_what_its_kind_has(const AnswerHeader& header) {
     return false;
 }
 
-/// Nothing unless every field is in its range and what follows is just as long as it says.
+/// Nothing unless every field is in its range and the rest is exactly as long as the header says.
 std::optional<AnswerHeader> header_in(ByteReader& bytes) {
     if (bytes.number<std::uint32_t>() != answer_magic || bytes.number<std::uint8_t>() != layout)
         return std::nullopt;

@@ -1,4 +1,4 @@
-// Private to app/decode: letters of ASCII; other bytes stay, whatever the locale.
+// Private to app/decode: ASCII letters. Other bytes stay as they are, whatever the locale.
 // Threads: pure function.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace touchline::decode {
 
-/// The text in small letters. O(n).
+/// The text in lower case. O(n).
 [[nodiscard]] inline std::string lower(std::string_view text) {
     std::string made(text);
     for (char& c : made)

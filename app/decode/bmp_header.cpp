@@ -11,7 +11,7 @@ constexpr std::size_t oldest_header_bytes = 12;  // OS/2: sides of 16 bits, colo
 constexpr std::array<std::uint32_t, 4> fields_of_16{0x001f, 0x03e0, 0x7c00, 0};
 constexpr std::array<std::uint32_t, 4> fields_of_32{0x0000ff, 0x00ff00, 0xff0000, 0};
 
-/// The header behind the file's: what it leaves off is 0.
+/// The picture's header, after the file's; fields that it leaves out are 0.
 class Header {
   public:
     Header(Bytes bytes, std::size_t at)
@@ -25,7 +25,7 @@ class Header {
 
     [[nodiscard]] bool is_oldest() const { return size_ == oldest_header_bytes; }
 
-    /// Windows has no header of these sizes, and OS/2 means other packings by the same numbers.
+    /// Windows has no header of these sizes. OS/2 uses the same numbers for other packings.
     [[nodiscard]] bool is_of_os2() const {
         return size_ <= 64 && size_ != 40 && size_ != 52 && size_ != 56;
     }
@@ -44,7 +44,7 @@ class Header {
     std::size_t size_;
 };
 
-/// The ways of packing, with the depths that they are for.
+/// The packings, each with its depths.
 bool read_packing(const Header& from, BmpHeader& header) {
     const auto is = [&header](std::initializer_list<int> depths) {
         return std::find(depths.begin(), depths.end(), header.bits) != depths.end();
@@ -60,9 +60,9 @@ bool read_packing(const Header& from, BmpHeader& header) {
             return set(BmpPacking::runs_of_8, {8});
         case 2:
             return set(BmpPacking::runs_of_4, {4});
-        case 3:  // of OS/2: as a fax, which nobody has been seen to write
+        case 3:  // OS/2: packed as a fax, which nobody has been seen to write
             return !from.is_of_os2() && set(BmpPacking::fields, {16, 32});
-        case 4:  // of Windows: a JPEG for printers
+        case 4:  // Windows: a JPEG for printers
             return from.is_of_os2() && set(BmpPacking::runs_of_24, {24});
         case 6:
             return set(BmpPacking::fields, {16, 32});
@@ -74,7 +74,7 @@ bool read_packing(const Header& from, BmpHeader& header) {
 void read_fields(Bytes bytes, const Header& from, BmpHeader& header) {
     header.fields = header.bits == 16 ? fields_of_16 : fields_of_32;
     if (header.packing != BmpPacking::fields) return;
-    // They stand in the header, or right behind a short one.
+    // The fields are in the header, or right behind a short one.
     const std::size_t first = from.end() - from.size() + 40;
     header.fields = {little_endian(bytes, first + 8, 4), little_endian(bytes, first + 4, 4),
                      little_endian(bytes, first, 4), 0};
@@ -83,7 +83,7 @@ void read_fields(Bytes bytes, const Header& from, BmpHeader& header) {
         header.fields[3] = little_endian(bytes, first + 12, 4);
 }
 
-/// Colours between the header and the pixels.
+/// Reads the colours between the header and the pixels.
 bool read_palette(Bytes bytes, const Header& from, BmpHeader& header) {
     header.end = from.end();
     if (header.bits > 8) return true;
@@ -99,7 +99,7 @@ bool read_palette(Bytes bytes, const Header& from, BmpHeader& header) {
         };
         header.palette.push_back({part(0), part(1), part(2)});
     }
-    header.palette.resize(most);  // black: no index is beyond the end
+    header.palette.resize(most);  // black, so that no index is beyond the end
     return count > 0;
 }
 
@@ -121,7 +121,7 @@ Result<void> read_sides(const Header& from, BmpHeader& header) {
     return {};
 }
 
-/// Pixels a metre, or of another unit of OS/2: which is of no interest.
+/// Pixels per metre, or per another unit of OS/2; only their ratio counts.
 Resolution resolution_of(const Header& from) {
     if (from.is_oldest()) return {};
     const auto number = [&from](std::size_t offset) {

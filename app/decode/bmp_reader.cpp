@@ -1,7 +1,7 @@
-// BMP, by hand: no library of Debian reads it from memory without dragging sound, windows or a
-// hundred formats along. Fuzzed (tests/fuzz/plain_picture_fuzz.cpp), and only ever run shut in.
-// OS/2 has arrays of bitmaps, each for another screen, and icons and pointers: a bitmap of colours
-// behind one of masks, or masks alone.
+// Reads BMP by hand: no library of Debian reads it from memory without bringing along sound,
+// windows or a hundred formats. It is fuzzed (tests/fuzz/plain_picture_fuzz.cpp), and only ever
+// runs inside the sandbox. OS/2 has arrays of bitmaps, each for another screen, and icons and
+// pointers: a bitmap of colours behind one of masks, or masks alone.
 #include "app/decode/bmp_header.h"
 #include "app/decode/bmp_runs.h"
 #include "app/decode/shrinking.h"
@@ -19,7 +19,7 @@ tl::unexpected<Error> cut_short() {
     return damaged("BMP", "the file ends before the picture");
 }
 
-/// A part of a packed pixel as 0 ... 255.
+/// A field of a packed pixel, scaled to 0 ... 255.
 std::uint8_t part_of(std::uint32_t pixel, std::uint32_t field) {
     if (field == 0) return 0;
     const int shift = std::countr_zero(field);
@@ -28,10 +28,10 @@ std::uint8_t part_of(std::uint32_t pixel, std::uint32_t field) {
     return static_cast<std::uint8_t>((value * 255 + most / 2) / most);
 }
 
-/// The pixels of one bitmap as they are stored, which give any of their rows.
+/// The stored pixels of one bitmap; gives any of their rows.
 class Bitmap {
   public:
-    Bitmap(const Bitmap&) = delete;  // a view of its own pixels
+    Bitmap(const Bitmap&) = delete;  // it holds a view of its own pixels
     Bitmap(Bitmap&&) = default;
     Bitmap& operator=(const Bitmap&) = delete;
     Bitmap& operator=(Bitmap&&) = default;
@@ -58,7 +58,7 @@ class Bitmap {
 
     [[nodiscard]] std::size_t height() const { return static_cast<std::size_t>(header_.height); }
 
-    /// A stored number, which is an index where there are at most 8 bits. `y` from the top.
+    /// A stored number, which is an index if there are at most 8 bits. `y` counts from the top.
     [[nodiscard]] std::uint32_t number(std::size_t x, std::size_t y) const {
         const std::size_t row = header_.is_top_down ? y : height() - 1 - y;
         const Bytes stored = stored_.subspan(row * stride_, stride_);
@@ -67,7 +67,7 @@ class Bitmap {
         return byte >> (8 - bits_ - x * bits_ % 8) & ((1U << bits_) - 1U);
     }
 
-    /// Blue, green, red and alpha: 0 where there is none.
+    /// Blue, green, red and alpha; alpha is 0 if there is none.
     [[nodiscard]] std::array<std::uint8_t, 4> pixel(std::size_t x, std::size_t y) const {
         const std::uint32_t stored = number(x, y);
         if (bits_ <= 8) {
@@ -80,7 +80,7 @@ class Bitmap {
         return parts;
     }
 
-    /// Some programs have a field for alpha and leave it empty.
+    /// Checks the values too: some programs have a field for alpha and leave it empty.
     [[nodiscard]] bool has_alpha() const {
         if (bits_ <= 8 || header_.fields[3] == 0) return false;
         for (std::size_t y = 0; y < height(); ++y)
@@ -115,8 +115,8 @@ Picture picture_of(const Bitmap& bitmap) {
     return std::move(shrinking).picture();
 }
 
-/// An icon or a pointer. The upper half of the masks says where nothing is drawn, the lower half
-/// where black, or the colour, is turned into its opposite.
+/// An icon or a pointer. The upper half of the masks tells where nothing is drawn; the lower half
+/// inverts black, or the colour.
 Picture picture_of(const Bitmap& masks, const Bitmap* colours) {
     const std::size_t width = masks.width();
     const std::size_t height = masks.height() / 2;
@@ -138,12 +138,12 @@ Picture picture_of(const Bitmap& masks, const Bitmap* colours) {
 
 /// What one entry of a file holds.
 struct Entry {
-    BmpHeader header;                // of a bitmap, or of masks
+    BmpHeader header;                // that of a bitmap, or of masks
     bool is_masked = false;          // an icon or a pointer
-    std::optional<BmpHeader> other;  // of its colours
+    std::optional<BmpHeader> other;  // that of its colours
 };
 
-/// Whether a file header of this kind is there.
+/// True if a file header of this kind begins there.
 bool begins(Bytes bytes, std::size_t at, std::string_view letters) {
     if (at + 2 > bytes.size()) return false;
     return letters == std::string_view(reinterpret_cast<const char*>(bytes.data()) + at, 2);
@@ -169,7 +169,7 @@ Result<Entry> entry_at(Bytes bytes, std::size_t at) {
     return Entry{std::move(*first), true, std::move(other)};
 }
 
-/// Pixels, and how many colours they can have: the more, the better it serves.
+/// The pixels, then the possible colours: the larger, the better.
 std::pair<std::uint64_t, int> size_of(const Entry& entry) {
     const BmpHeader& shown = entry.other ? *entry.other : entry.header;
     return {std::uint64_t{1} * static_cast<unsigned>(shown.width) *
@@ -178,7 +178,7 @@ std::pair<std::uint64_t, int> size_of(const Entry& entry) {
             shown.bits};
 }
 
-/// The one of an array that is the largest; the first error where there is none.
+/// The largest entry of an array; the first error if there is none.
 Result<Entry> largest_of(Bytes bytes) {
     constexpr int most_entries = 100;
     Result<Entry> best = damaged("BMP", "it has no pixels");

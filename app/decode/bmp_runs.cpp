@@ -7,7 +7,7 @@
 namespace touchline::decode {
 namespace {
 
-/// Runs of equal pixels, and stretches of different ones.
+/// Reads runs of equal pixels, and stretches of different ones.
 class RunReader {
   public:
     RunReader(Bytes packed, const BmpHeader& header)
@@ -18,7 +18,7 @@ class RunReader {
           pixel_bytes_(header.packing == BmpPacking::runs_of_24 ? 3 : 1),
           pixels_(pixel_bytes_ * width_ * height_) {}
 
-    /// False when the file ends before the picture does.
+    /// False if the file ends before the picture does.
     bool read() {
         while (at_ + 2 <= packed_.size()) {
             if (const unsigned count = take(); count > 0) {
@@ -58,7 +58,7 @@ class RunReader {
         return pixel;
     }
 
-    /// Two share a byte, the upper first.
+    /// Two indices may share a byte, the upper half first.
     [[nodiscard]] Pixel part_of(const Pixel& taken, unsigned i) const {
         if (!is_4_bit_) return taken;
         return {static_cast<std::uint8_t>(i % 2 == 0 ? taken[0] >> 4U : taken[0] & 15U)};

@@ -10,9 +10,9 @@
 
 namespace touchline::decode {
 
-/// Rows in the file's order, of an index or, where the packing is runs_of_24, of blue, green and
-/// red a pixel; 0 where nothing is written. Nothing where the file ends before the picture.
-/// O(pixels + bytes).
+/// Rows in the file's order. Each pixel is an index or, if the packing is runs_of_24, blue, green
+/// and red; it is 0 if nothing is written to it. Returns nothing if the file ends before the
+/// picture. O(pixels + bytes).
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> unpacked_runs(Bytes packed,
                                                                      const BmpHeader& header);
 

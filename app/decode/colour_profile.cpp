@@ -19,7 +19,7 @@ struct DeleteTransform {
     void operator()(void* transform) const { cmsDeleteTransform(transform); }
 };
 
-/// Nearly every picture: nothing to do.
+/// True for nearly every picture: then there is nothing to do.
 bool is_srgb(cmsHPROFILE profile) {
     std::array<char, 200> name{};
     cmsGetProfileInfoASCII(profile, cmsInfoDescription, "en", "US", name.data(), name.size() - 1);

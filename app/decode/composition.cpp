@@ -6,15 +6,14 @@
 namespace touchline::decode {
 namespace {
 
-constexpr int kAlike = 40;        // grey levels: nobody sees what differs less from its ground
-constexpr double kUnseen = 0.97;  // of what is painted, alike white: nothing would be seen
+constexpr int kAlike = 40;  // grey levels: a smaller difference from the background is invisible
+constexpr double kUnseen = 0.97;  // if more of what is painted is near white, nothing would be seen
 
 int lightness_of(const std::uint8_t* bgr) {
     return (29 * bgr[0] + 150 * bgr[1] + 77 * bgr[2]) / 256;
 }
 
-/// White, as paper is; black where all that is painted is as good as white, and something shows
-/// through.
+/// White, as paper is; black if nearly everything painted is white, and something shows through.
 unsigned ground_for(const std::vector<std::uint8_t>& bgra) {
     std::uint64_t painted = 0;
     std::uint64_t unseen = 0;

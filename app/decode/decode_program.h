@@ -1,4 +1,4 @@
-// The whole of a program that decodes: started by the kiosk for one page of one file.
+// The whole of a decoder program, which the kiosk starts for one page of one file.
 #pragma once
 
 #include "app/decode/page.h"
@@ -10,11 +10,11 @@
 namespace touchline {
 
 struct Decoder {
-    void (*prepare)() = nullptr;  // before it is shut in; only the system's files can be read
+    void (*prepare)() = nullptr;  // runs before the sandbox closes, reads only the system's files
     Result<Page> (*decode)(std::span<const std::byte> bytes, const PageOrder& order) = nullptr;
 };
 
-/// main() of a decoder. Does not return.
+/// The main() of a decoder. Does not return.
 [[noreturn]] void run_decode_program(const Decoder& decoder, int argc, char** argv);
 
 }  // namespace touchline

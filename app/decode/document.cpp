@@ -17,7 +17,7 @@ constexpr std::string_view words_in_a_drawing =
     R"(<text font-family="sans-serif">a<tspan font-weight="bold">b</tspan></text>)"
     R"(<text font-family="monospace">a<tspan font-weight="bold">b</tspan></text></svg>)";
 
-/// What libraries would tell a terminal is told nobody.
+/// Drops the messages that libraries would write to a terminal.
 void silence_libraries() {
     g_log_set_writer_func(
         [](GLogLevelFlags, const GLogField*, gsize, gpointer) { return G_LOG_WRITER_HANDLED; },

@@ -1,4 +1,4 @@
-// touchline-decode-document: what is drawn, with the libraries that this takes.
+// touchline-decode-document: decodes drawn files, with the libraries that they need.
 #include "app/decode/decode_program.h"
 #include "app/decode/decoding.h"
 

@@ -28,7 +28,7 @@ Result<Picture> DrawingSurface::picture() const {
     const unsigned char* row = cairo_image_surface_get_data(surface_.get());
     const int stride = cairo_image_surface_get_stride(surface_.get());
     std::uint8_t* to = picture.bgr.data();
-    // ARGB32 is one number a pixel, blue lowest, colours multiplied by alpha.
+    // ARGB32 is one number per pixel, blue lowest, colours multiplied by alpha.
     for (int y = 0; y < picture.height; ++y, row += stride) {
         std::copy_n(row, row_bytes, to);
         for (std::size_t x = 0; x < row_bytes; x += 4) unmultiply(to + x);

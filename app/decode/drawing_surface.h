@@ -12,15 +12,15 @@ namespace touchline::decode {
 
 class DrawingSurface {
   public:
-    /// Nothing is on it. Sizes within the limits of picture.h.
+    /// Makes an empty sheet. The size must be within the limits of picture.h.
     DrawingSurface(int width, int height);
 
-    /// Some libraries draw as on paper.
+    /// Fills the sheet with white: some libraries draw as on paper.
     void whiten();
 
     [[nodiscard]] cairo_t* context() const { return context_.get(); }
 
-    /// What is on it, over the ground that shows it (compose of formats.h); fails when cairo gave
+    /// The drawing, over the background that shows it (compose of formats.h). Fails if cairo gave
     /// up.
     [[nodiscard]] Result<Picture> picture() const;
 

@@ -1,5 +1,5 @@
-// Private to app/decode: what the two generations of libexiv2 call by different names, said once:
-// 0.27 is Debian 12's, 0.28 is Debian 13's.
+// Private to app/decode: one name for what the two generations of libexiv2 name differently. Debian
+// 12 has 0.27, Debian 13 has 0.28.
 // Threads: those of the library.
 #pragma once
 

@@ -27,16 +27,16 @@ Result<void> write_straight(const std::string& path, std::span<const std::byte> 
     return {};
 }
 
-/// The name itself survives a power cut only when its folder is flushed too. Best effort: some file
+/// The name survives a power cut only if its folder is flushed too. This is best effort: some file
 /// systems refuse it, and the file is whole either way.
 void flush_folder(const std::filesystem::path& folder) {
     const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (opened.is_open()) ::fsync(opened.number());
 }
 
-/// A new file beside the target, named after it; its name is put into `temporary`.
+/// Makes a new file beside the target, named after it; puts its name into `temporary`.
 int create_beside(const std::string& target, std::string& temporary) {
-    constexpr int max_leftovers = 1000;  // of runs that were killed while writing
+    constexpr int max_leftovers = 1000;  // left by runs that were killed while writing
     int descriptor = -1;
     for (int i = 0; i < max_leftovers && descriptor < 0; ++i) {
         temporary = fmt::format("{}.{}-{}.part", target, ::getpid(), i);
@@ -81,7 +81,7 @@ Result<std::vector<std::byte>> read_file(const std::string& path) {
     };
     if (status.st_size > static_cast<off_t>(max_file_bytes)) return too_large();
 
-    // One byte more than the size says: the end is then seen without growing. Pipes say 0.
+    // One byte more than the file's size, so that the end shows without growing. Pipes have size 0.
     std::vector<std::byte> bytes(static_cast<std::size_t>(status.st_size) + 1);
     std::size_t filled = 0;
     while (true) {

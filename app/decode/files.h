@@ -11,16 +11,17 @@
 
 namespace touchline {
 
-/// No picture and no map is larger; a device file or a pipe that never ends stops here as well.
+/// No picture and no map is larger. This limit also stops at a device file or a pipe that never
+/// ends.
 constexpr std::size_t max_file_bytes = std::size_t{256} << 20U;
 
-/// All bytes of a file. Fails with "PATH: ..." when it cannot be opened or read, is a folder or is
-/// larger than max_file_bytes. O(size).
+/// Reads all bytes of a file. Fails with "PATH: ..." if it cannot be opened or read, is a folder or
+/// is larger than max_file_bytes. O(size).
 [[nodiscard]] Result<std::vector<std::byte>> read_file(const std::string& path);
 
-/// Writes the file whole or not at all: into a temporary beside it, flushed to the disk, then
-/// renamed over it. On failure the old file, if any, is as it was. A link is followed; what exists
-/// and is no regular file (/dev/stdout, a pipe) is written straight. O(size).
+/// Writes the file whole or not at all: writes a temporary file beside it, flushes it to the disk,
+/// then renames it over the file. If that fails, the old file, if any, stays as it was. Follows a
+/// link. Writes straight to anything that is no regular file (/dev/stdout, a pipe). O(size).
 [[nodiscard]] Result<void> write_whole_file(const std::string& path,
                                             std::span<const std::byte> bytes);
 [[nodiscard]] Result<void> write_whole_file(const std::string& path, const std::string& text);

@@ -1,5 +1,5 @@
-// The first picture of a GIF: what is shown before the first pause. Some are put together of
-// several frames without one, since each may have its own 256 colours.
+// The first picture of a GIF: what is shown before the first pause. Some files put it together from
+// several frames without a pause, because each frame may have its own 256 colours.
 #include "app/decode/formats.h"
 #include "app/decode/shrinking.h"
 
@@ -39,10 +39,10 @@ tl::unexpected<Error> broken(int error) {
     return damaged("GIF", words != nullptr ? words : "");
 }
 
-/// What is told before a frame.
+/// What the file says before a frame.
 struct Control {
     std::optional<int> transparent;  // the index that is not drawn
-    bool has_pause = false;          // after it
+    bool has_pause = false;          // a pause follows it
     int disposal = DISPOSAL_UNSPECIFIED;
 };
 
@@ -70,8 +70,8 @@ class Frames {
   public:
     explicit Frames(GifFileType& file) : file_(file) {}
 
-    /// Up to the next frame's pixels; false at the end of the file, whether it says so or stops, or
-    /// where an error() came.
+    /// Goes to the next frame's pixels. False at the end of the file, marked or not, or after an
+    /// error().
     bool next() {
         control_ = {};
         for (;;) {
@@ -87,7 +87,7 @@ class Frames {
         }
     }
 
-    /// Over the pixels of this frame, without unpacking them.
+    /// Skips the pixels of this frame without unpacking them.
     bool skip() {
         int code_size = 0;
         GifByteType* block = nullptr;
@@ -126,21 +126,21 @@ class Frames {
     std::optional<int> error_;
 };
 
-/// How many frames make the first picture, and what it measures.
+/// How many frames make the first picture, and its size.
 struct Plan {
     int frames = 0;
     int width = 0;
     int height = 0;
 };
 
-/// Whether nothing of what was there before shows through.
+/// True if the frame hides everything before it.
 bool hides_all(const GifImageDesc& frame, const Control& control, const Plan& plan) {
     return frame.Left == 0 && frame.Top == 0 && frame.Width >= plan.width &&
            frame.Height >= plan.height && !control.transparent;
 }
 
-/// Up to the first pause, or to a frame that is a picture for itself. Where no pause comes, all of
-/// them, unless they are repeated: then each is one.
+/// Plans the frames up to the first pause, or up to a frame that is a picture by itself. Without a
+/// pause it takes all frames, unless they repeat: then each is a picture.
 Result<Plan> plan_of(GifFileType& file) {
     Frames frames(file);
     Plan plan{0, file.SWidth, file.SHeight};
@@ -150,7 +150,7 @@ Result<Plan> plan_of(GifFileType& file) {
         if (plan.frames > 0 && hides_all(frame, frames.control(), plan)) return plan;
         if (frame.Left < 0 || frame.Top < 0 || frame.Width < 1 || frame.Height < 1)
             return damaged("GIF", "its first frame has no pixels");
-        // Some programs leave the screen empty, or smaller than what is on it.
+        // Some programs leave the screen empty, or smaller than its contents.
         if (plan.frames == 0 || file.SWidth == 0 || file.SHeight == 0) {
             plan.width = std::max(plan.width, frame.Left + frame.Width);
             plan.height = std::max(plan.height, frame.Top + frame.Height);
@@ -167,7 +167,7 @@ Result<Plan> plan_of(GifFileType& file) {
     return plan;
 }
 
-/// Rows in the order that the file has them.
+/// The rows in the file's order.
 std::vector<int> row_order(int height, bool is_interlaced) {
     struct RowPass {
         int first;
@@ -188,7 +188,7 @@ std::vector<int> row_order(int height, bool is_interlaced) {
     return rows;
 }
 
-/// Blue, green, red, alpha; nothing is painted at first.
+/// Blue, green, red, alpha; it is clear at first.
 class Canvas {
   public:
     explicit Canvas(const Plan& plan)
@@ -197,7 +197,7 @@ class Canvas {
           bgra_(std::size_t{4} * static_cast<std::size_t>(width_) *
                 static_cast<std::size_t>(height_)) {}
 
-    /// The part of a row that lies in the picture.
+    /// Draws the part of a row that lies in the picture.
     void draw_row(const std::vector<GifPixelType>& row, int y, const GifImageDesc& frame,
                   const ColorMapObject& colours, std::optional<int> transparent) {
         const int top = frame.Top + y;
@@ -235,7 +235,7 @@ class Canvas {
     std::vector<std::uint8_t> bgra_;
 };
 
-/// A frame that is taken away again is seen only where no other follows it.
+/// Draws a frame that the next one removes only if it is the last.
 Result<void> draw_frame(GifFileType& file, const Control& control, bool is_last, Canvas& canvas) {
     const GifImageDesc& frame = file.Image;
     const ColorMapObject* colours = frame.ColorMap != nullptr ? frame.ColorMap : file.SColorMap;
@@ -257,7 +257,7 @@ Result<File> open(GifSource& source) {
     return file;
 }
 
-/// The shape of its pixels, by the specification of 1989; 0: not told.
+/// The shape of its pixels, by the specification of 1989; 0: unknown.
 Resolution resolution_of(const GifFileType& file) {
     if (file.AspectByte == 0) return {};
     return {64.0, 15.0 + file.AspectByte};

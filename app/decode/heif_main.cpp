@@ -1,4 +1,4 @@
-// touchline-decode-heif: HEIC and AVIF.
+// touchline-decode-heif: decodes HEIC and AVIF.
 #include "app/decode/decode_program.h"
 #include "app/decode/decoding.h"
 

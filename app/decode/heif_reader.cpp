@@ -1,5 +1,5 @@
-// HEIC (telephones) and AVIF, through libheif, which turns them upright itself, and decodes the
-// whole picture at once: a large one is made smaller afterwards.
+// HEIC (telephones) and AVIF, through libheif. It turns pictures upright itself, and decodes the
+// whole picture at once, so a large one is made smaller afterwards.
 #include "app/decode/decoding.h"
 #include "app/decode/formats.h"
 #include "app/decode/pixel_page.h"
@@ -49,13 +49,13 @@ Result<void> check_sides(int width, int height, std::string_view name) {
                            static_cast<std::uint64_t>(height));
 }
 
-/// A row of one channel in memory of libheif's, and the way to the next.
+/// A row of one channel in libheif's memory, and the distance to the next row.
 struct Plane {
     const std::uint8_t* row = nullptr;
     std::ptrdiff_t stride = 0;
 };
 
-/// Blue, green, red and perhaps alpha; a null row where one is missing or is not of 8 bits.
+/// Blue, green, red and perhaps alpha. The row is null if a channel is missing or not of 8 bits.
 std::array<Plane, 4> planes_of(const heif_image* image) {
     constexpr std::array order{heif_channel_B, heif_channel_G, heif_channel_R, heif_channel_Alpha};
     std::array<Plane, 4> planes;
@@ -94,7 +94,7 @@ Result<Picture> picture_of(const heif_image* image, std::string_view name) {
     return std::move(shrinking).picture();
 }
 
-/// The shape of its pixels, which libheif tells as it was before the picture was turned.
+/// The shape of its pixels. libheif reports it for the picture before turning.
 Resolution resolution_of(const heif_image* image, const heif_image_handle* handle) {
     std::uint32_t across = 0;
     std::uint32_t down = 0;
@@ -104,7 +104,7 @@ Resolution resolution_of(const heif_image* image, const heif_image_handle* handl
     const bool is_wide =
         heif_image_get_width(image, heif_channel_B) > heif_image_get_height(image, heif_channel_B);
     if (was_wide != is_wide) std::swap(across, down);
-    // The wider a pixel is, the fewer lie on a length.
+    // The wider the pixels are, the fewer fit on a length.
     return {static_cast<double>(down), static_cast<double>(across)};
 }
 
@@ -133,7 +133,7 @@ Result<Stored> read_heif(Bytes bytes) {
     const Owned<heif_decoding_options> options(heif_decoding_options_alloc());
     options->convert_hdr_to_8bit = 1;
     heif_image* decoded = nullptr;
-    // Plane by plane: what is decoded is held so anyway, and one copy of it less.
+    // Decodes into planes: libheif holds them anyway, and this saves a copy.
     const heif_error error = heif_decode_image(handle->get(), &decoded, heif_colorspace_RGB,
                                                heif_chroma_444, options.get());
     if (error.code != heif_error_Ok) return broken(error, name);
@@ -154,7 +154,7 @@ Result<Page> heif_page(Bytes bytes, const PageOrder& order) {
 namespace touchline {
 
 void prepare_heif() {
-    (void)heif_init(nullptr);  // a codec that is not there is told with the file that wants it
+    (void)heif_init(nullptr);  // a missing codec is reported with the file that needs it
 }
 
 Result<Page> decode_heif(std::span<const std::byte> bytes, const PageOrder& order) {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* layer_mark = "data-image-layer";
 
-/// Elements in the order of the document, with how deep they lie: no recursion, whatever the depth.
+/// Visits elements and their depth in the order of the document, without recursion.
 template <class Visit>
 class Walker : public pugi::xml_tree_walker {
   public:
@@ -55,7 +55,7 @@ std::string saved(const pugi::xml_document& document) {
 
 using Texts = std::map<std::string, std::string>;
 
-/// What aria-labelledby and aria-describedby can name.
+/// The texts that aria-labelledby and aria-describedby can name.
 Texts texts_by_id(const pugi::xml_node& root) {
     Texts texts;
     for_each_element(root, [&texts](const pugi::xml_node& element) {
@@ -69,7 +69,7 @@ Texts texts_by_id(const pugi::xml_node& root) {
     return texts;
 }
 
-/// An attribute with the text itself, or one with ids of texts, blanks between.
+/// Reads an attribute that holds the text, or one that holds ids of texts, joined by blanks.
 std::string words_by(const pugi::xml_node& element, const char* own, const char* named,
                      const Texts& texts) {
     std::string words;
@@ -90,7 +90,7 @@ std::string long_words_of(const pugi::xml_node& element, const Texts& texts) {
     return words_by(element, "aria-description", "aria-describedby", texts);
 }
 
-/// Of the nearest layer around it; empty where none has one.
+/// The name of the nearest layer around it; empty if none has one.
 std::string layer_name_around(const pugi::xml_node& shape, const Texts& texts) {
     int depth = 0;
     for (pugi::xml_node at = shape.parent(); at && depth <= max_nesting;
@@ -172,7 +172,7 @@ void set(pugi::xml_node element, const char* name, const std::string& value) {
     attribute.set_value(value.c_str());
 }
 
-/// All that is drawn goes into one group that is scaled and moved.
+/// Puts everything drawn into one group, scaled and moved.
 void fit(pugi::xml_node root, const Box& box, const Area& area) {
     const double width_mm = 1000.0 * area.width_m;
     const double height_mm = 1000.0 * area.height_m;
@@ -193,7 +193,7 @@ void fit(pugi::xml_node root, const Box& box, const Area& area) {
     set(root, "viewBox", fmt::format("0 0 {} {}", svg_number(width_mm), svg_number(height_mm)));
 }
 
-/// The element's children of this name make room for one text, or none.
+/// Replaces the element's children of this name by one text, or by none.
 void say_once(pugi::xml_node element, const char* name, const std::string& text) {
     std::vector<pugi::xml_node> old;
     for (const pugi::xml_node& child : element.children())
@@ -209,8 +209,8 @@ int detail_of(const pugi::xml_node& shape) {
     return std::clamp(shape.attribute("data-detail").as_int(1), 1, 5);
 }
 
-/// The shapes of one group, each detail in a group of its own. Later groups continue the numbers of
-/// a layer's name, since each layer is one element.
+/// Moves the shapes of one group into a group per detail. Later groups continue the numbers of a
+/// layer's name, because each layer is one element.
 void group_by_detail(pugi::xml_node parent, std::map<int, int>& uses) {
     std::map<int, std::vector<pugi::xml_node>> by_detail;
     for (const pugi::xml_node& child : parent.children())

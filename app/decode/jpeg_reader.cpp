@@ -12,9 +12,9 @@
 namespace touchline::decode {
 namespace {
 
-/// libjpeg reports an error by a call that must not return: we jump out of the library from it.
+/// libjpeg reports an error by a call that must not return, so the call jumps out of the library.
 struct ErrorCallbacks {
-    jpeg_error_mgr base;  // first: libjpeg's pointer to it is a pointer to this
+    jpeg_error_mgr base;  // must be first: a pointer to it is also a pointer to this
     std::jmp_buf way_out;
     bool is_cut_short;
     bool has_no_end_mark;
@@ -34,8 +34,8 @@ ErrorCallbacks& callbacks_of(j_common_ptr codec) {
     std::longjmp(errors.way_out, 1);  // NOLINT(cert-err52-cpp): libjpeg's interface
 }
 
-/// Warnings pass (a picture with stray bytes is a picture) but for the one that says that pixels
-/// are missing. Where only the mark at the end is, all of them are there.
+/// Ignores warnings (a picture with stray bytes is a picture), except the one that says that pixels
+/// are missing. If only the end mark is missing, all pixels are there.
 void note_warning(j_common_ptr codec, int message_level) {
     if (message_level >= 0) return;
     const int code = codec->err->msg_code;
@@ -43,7 +43,7 @@ void note_warning(j_common_ptr codec, int message_level) {
     if (code == JWRN_HIT_MARKER) callbacks_of(codec).is_cut_short = true;
 }
 
-/// Whether a progressive picture has had all its scans: every bit of every coefficient.
+/// True if a progressive picture has had all its scans: every bit of every coefficient.
 bool has_all_scans(const jpeg_decompress_struct& decoder) {
     if (decoder.progressive_mode == FALSE || decoder.coef_bits == nullptr) return true;
     for (int component = 0; component < decoder.num_components; ++component)
@@ -57,7 +57,7 @@ void limit_scans(j_common_ptr codec) {
     if (decoder->input_scan_number > max_scans) ERREXIT(codec, JERR_BAD_PROGRESSION);
 }
 
-/// Runs one step of the decoder; false when libjpeg gave up in it. The jump ends here, so neither
+/// Runs one step of the decoder; false if libjpeg gave up in it. The jump ends here, so neither
 /// this function nor a step may hold an object with a destructor.
 template <class Step>
 bool run(ErrorCallbacks& errors, const Step& step) {
@@ -96,7 +96,7 @@ class Decoder : public jpeg_decompress_struct {
     jpeg_progress_mgr progress_{};
 };
 
-/// What gave up, in words for who brought the picture.
+/// The error for the person who brought the picture.
 tl::unexpected<Error> given_up(const Decoder& decoder) {
     const int code = decoder.errors.base.msg_code;
     const bool is_memory = code == JERR_OUT_OF_MEMORY || code == JERR_NO_BACKING_STORE;
@@ -108,15 +108,15 @@ tl::unexpected<Error> given_up(const Decoder& decoder) {
     return damaged("JPEG", decoder.errors.message.data());
 }
 
-/// JFIF's, where it says more than that it does not know. Its unit is of no interest.
+/// JFIF's resolution, if it is known. Only the ratio counts, not the unit.
 Resolution resolution_of(const jpeg_decompress_struct& decoder) {
     const bool is_told = decoder.density_unit != 0 || decoder.X_density != decoder.Y_density;
     if (decoder.saw_JFIF_marker == FALSE || !is_told) return {};
     return {static_cast<double>(decoder.X_density), static_cast<double>(decoder.Y_density)};
 }
 
-/// Printing inks to light. Adobe's programs store every ink inverted, and all others follow them;
-/// a file without Adobe's mark is taken at its word.
+/// Converts printing inks to light. Adobe's programs store every ink inverted, and all others
+/// follow them. A file without Adobe's mark is taken literally.
 void inks_to_bgr(const std::uint8_t* cmyk, std::size_t pixels, bool is_inverted,
                  std::uint8_t* bgr) {
     const unsigned flip = is_inverted ? 0U : 255U;
@@ -141,7 +141,7 @@ bool read_rows(Decoder& decoder, bool has_inks, Picture& picture) {
                 inks_to_bgr(row, width, decoder.saw_Adobe_marker == TRUE, out);
             }
         }
-        // What makers of cameras write behind the picture is not looked at.
+        // Ignores what camera makers write behind the picture.
         jpeg_abort_decompress(&decoder);
     });
 }

@@ -12,8 +12,8 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-// All in small letters. A word that people use for what a picture shows stands in no list by
-// itself: each kind below asks for more than one sign of a machine.
+// All in lower case. No list holds a word by itself that people use for what a picture shows: each
+// kind below needs more than one sign of a machine.
 
 constexpr auto makers = std::to_array<std::string_view>(
     {"olympus", "sony",  "minolta",  "konica",   "samsung",  "kodak",   "medion",   "canon",
@@ -48,7 +48,7 @@ constexpr auto doings = std::to_array<std::string_view>(
 constexpr auto means = std::to_array<std::string_view>(
     {"with", "by", "from", "using", "mit", "von", "aus", "avec", "par", "con", "por", "da"});
 
-/// What programs call what has no name yet, in the languages of the kiosk.
+/// Programs' placeholders for a missing name, in the languages of the kiosk.
 constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
                                                                "unbenannt",
                                                                "ohne titel",
@@ -147,7 +147,7 @@ constexpr auto placeholders = std::to_array<std::string_view>({"untitled",
                                                                "default",
                                                                "clipboard"});
 
-/// The same where a number follows; alone they may be what the picture shows.
+/// Placeholders only if a number follows; alone they may be what the picture shows.
 constexpr auto numbered = std::to_array<std::string_view>(
     {"group", "gruppe", "groupe", "grupo", "gruppo", "frame", "rahmen", "vector", "path", "pfad",
      "shape", "rectangle", "icon", "ellipse", "object"});
@@ -186,7 +186,7 @@ std::string_view without(std::string_view text, std::string_view around) {
     return text.substr(first, text.find_last_not_of(around) - first + 1);
 }
 
-/// "1.16", "v62.1", "cs6": what stands behind the name of a program. No year, no plain number.
+/// "1.16", "v62.1", "cs6": what follows the name of a program. No year, no plain number.
 bool is_version(std::string_view word) {
     word = without(word, "v,.;()");
     const auto digits = std::ranges::count_if(word, is_digit);
@@ -196,8 +196,8 @@ bool is_version(std::string_view word) {
     return word.size() <= 5 && digits >= 1 && digits <= 2;
 }
 
-/// Nothing but a maker's name, what makers call their things, and numbers of models; in capitals,
-/// digital or with a number, for a person may draw a Canon camera.
+/// True for a maker's name, product words and model numbers only, if it is in capitals, digital or
+/// with a number: a person may draw a Canon camera.
 bool is_of_a_camera(std::string_view text, bool is_in_capitals) {
     const auto is_known = [](std::string_view part) {
         return has(makers, part) || has(words_of_makers, part);
@@ -215,7 +215,7 @@ bool is_of_a_camera(std::string_view text, bool is_in_capitals) {
     return is_theirs && is_loud && parts.size() >= 2 && std::ranges::any_of(parts, is_known);
 }
 
-/// Names of ways to take a picture, as telephones write them: "cof_vivid", "_cuva", "sdr".
+/// A telephone's name for a way to take a picture: "cof_vivid", "_cuva", "sdr".
 bool is_a_mode(std::string_view text) {
     constexpr auto modes = std::to_array<std::string_view>(
         {"cuva", "oznor", "cof", "dav", "mde",  "hdr",   "hdrpl", "rhdr",     "rbt",   "sdr",
@@ -237,7 +237,7 @@ bool is_value_of_a_machine(std::string_view value) {
     });
 }
 
-/// "filter: 0; jpegRotation: 0": names without blanks, most values without words. Or JSON, or XML.
+/// "filter: 0; jpegRotation: 0": names without blanks, most values without words. JSON and XML too.
 bool is_a_table(std::string_view text) {
     if (text.starts_with('{') && text.ends_with('}') && text.find("\":") != std::string_view::npos)
         return true;
@@ -311,7 +311,7 @@ bool begins_with_a_program(std::string_view text) {
     return names == words.size() || is_version(words[names]);
 }
 
-/// A name of a file, a path, an address, a long number: one word that nobody says.
+/// One word that nobody says: a file's name, a path, an address, a long number.
 bool is_a_token(std::string_view text) {
     const bool is_path = text.size() > 3 && text.substr(1, 2) == ":\\";
     if (is_path) return true;

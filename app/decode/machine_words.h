@@ -1,4 +1,4 @@
-// Private to app/decode: what programs and cameras write where a person should.
+// Private to app/decode: texts by programs and cameras in places meant for a person's words.
 // Threads: pure functions.
 #pragma once
 
@@ -7,12 +7,12 @@
 
 namespace touchline::decode {
 
-/// "OLYMPUS DIGITAL CAMERA", "oznor", "filter: 0; jpegRotation: 0;", "Created with Sketch.",
-/// "untitled", "Microsoft Word - Doc1.docx", "Slice 1": told to nobody, for a file's own name says
-/// more. O(text).
+/// True for texts such as "OLYMPUS DIGITAL CAMERA", "oznor", "filter: 0; jpegRotation: 0;",
+/// "Created with Sketch.", "untitled", "Microsoft Word - Doc1.docx", "Slice 1". Nobody is told
+/// them, because a file's own name says more. O(text).
 [[nodiscard]] bool is_of_a_machine(std::string_view text);
 
-/// The text, or nothing where a machine wrote it.
+/// The text; empty if a machine wrote it.
 [[nodiscard]] inline std::string of_a_person(std::string text) {
     return is_of_a_machine(text) ? std::string() : text;
 }

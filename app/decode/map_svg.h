@@ -1,20 +1,22 @@
 // A TactileMap as a file: an SVG whose user unit is one millimetre and whose viewBox is the drawing
 // area, x right, y down (config/types/map_frame.h has the formula). A browser shows it, a drawing
 // program edits it, and reading what was written gives the same map bit for bit.
-// Threads: pure functions, but for read_map_svg, which reads one file.
+// Threads: pure functions, except read_map_svg, which reads one file.
 //
-// Written: one <path> (M, L, Z) an outline with id, data-label, data-weight and data-detail; one
-// <text data-label="1"> a label; <title> and <desc> of the root are the map's.
+// Written are: one <path> (M, L, Z) per outline with id, data-label, data-weight and data-detail;
+// one <text data-label="1"> per label; the map's title and description as <title> and <desc> of the
+// root.
 //
-// Read: <path> with all of SVG's path commands, <polyline>, <polygon>, <line>, <rect>, <circle>,
-// <ellipse> and <text>, inside <g>, <a> and <svg>, all with their transforms. Every subpath is an
-// outline, closed by Z or by ending where it began.
+// Read are: <path> with all of SVG's path commands, <polyline>, <polygon>, <line>, <rect>,
+// <circle>, <ellipse> and <text>, inside <g>, <a> and <svg>, all with their transforms. Every
+// subpath is an outline; Z, or an end where it began, closes it.
 //
-// Languages, by SVG's own means: <title> and <desc> may be there several times, told apart by
-// xml:lang; the one without it is for everybody else. They are the root's words, and a <title>
-// inside a shape is its label, as is data-label, which has no language. A <text> is drawn in one
-// language; titles inside it say it in others. Left out: what is not drawn (defs, clipPath, mask,
-// symbol, marker, pattern, display none), pictures, <use>, style sheets.
+// Languages, by SVG's own means: <title> and <desc> may occur several times, each with its own
+// xml:lang; one without it serves every other language. In the root they are the root's words. A
+// <title> inside a shape is its label, and so is data-label, which has no language. A <text> is
+// drawn in one language; titles inside it say it in others. Left out is what is not drawn (defs,
+// clipPath, mask, symbol, marker, pattern, display none), and also pictures, <use> and style
+// sheets.
 #pragma once
 
 #include "config/types/language_tag.h"
@@ -30,34 +32,34 @@
 
 namespace touchline {
 
-/// Curves become polylines that stay this near to them.
+/// The polylines of curves stay this near to them.
 constexpr double flattening_tolerance_mm = 0.01;
 
 /// A map with more points is refused.
 constexpr std::size_t max_map_points = 4'000'000;
 
-/// The map in an SVG text. A coordinate that was written as such is read exactly; one that had to
-/// be computed (a curve, a transform) is put on the nanometre grid. Consecutive equal points are
-/// one point, and a lone point is no outline. Ids are made unique by a suffix -2, -3, ...; texts
-/// have their white space collapsed. Each is the one in `language`, else the one without xml:lang,
-/// else the first; the map does not hold the others. The version is left 0: who takes the map into
-/// use numbers it. Fails with one line: no SVG, no viewBox, a number that is none or not finite, no
-/// outline, more than max_map_points. Entities of a DOCTYPE are never expanded. O(text + points).
+/// Reads the map in an SVG text. A coordinate that was written as such is read exactly; one that
+/// had to be computed (a curve, a transform) is rounded to the nanometre grid. Consecutive equal
+/// points become one point, and a lone point is no outline. A suffix -2, -3, ... makes ids unique;
+/// white space in texts is collapsed. Each text is the one in `language`, else the one without
+/// xml:lang, else the first; the map does not hold the others. The version stays 0: whoever uses
+/// the map numbers it. Fails with one line: no SVG, no viewBox, a bad or infinite number, no
+/// outline, more than max_map_points. Never expands entities of a DOCTYPE. O(text + points).
 [[nodiscard]] Result<TactileMap> parse_map_svg(std::string_view text,
                                                const LanguageTag& language = {});
 
-/// How hard the picture is to understand by touch, if whoever drew it said so: data-difficulty of
-/// the root, from 1, one closed line, to 5, many parts (app/gallery/README.md). Fails with one line
-/// for any other value, and for what is no SVG. O(text).
+/// How hard the picture is to understand by touch, if its author said so: data-difficulty of the
+/// root, from 1, one closed line, to 5, many parts (app/gallery/README.md). Fails with one line for
+/// any other value, and if it is no SVG. O(text).
 [[nodiscard]] Result<std::optional<int>> difficulty_of_map_svg(std::string_view text);
 
-/// A map of Touchline's own, as format_map_svg() and the gallery write them: in millimetres, no
-/// larger than `area`, with a data-detail on an outline or a data-difficulty. Fails for every other
-/// SVG: that is a picture, and felt as it is painted. As parse_map_svg().
+/// Reads a map of Touchline's own, as format_map_svg() and the gallery write them: in millimetres,
+/// no larger than `area`, with a data-detail on an outline or a data-difficulty. Fails for every
+/// other SVG, which is a picture and is felt as it is painted. As parse_map_svg().
 [[nodiscard]] Result<TactileMap> parse_own_map(std::string_view text, const Area& area);
 
-/// Title and description of an SVG in English or no language, else in the first that is there;
-/// white space collapsed; empty where it has none.
+/// Title and description of an SVG in English or in no language, else in the first language there
+/// is. White space is collapsed. Empty if it has none.
 struct SvgWords {
     std::string title;
     std::string description;
@@ -73,7 +75,8 @@ struct SvgWords {
 /// (map_frame.h), else within 1e-15 m. O(points).
 [[nodiscard]] std::string format_map_svg(const TactileMap& map);
 
-/// The d attribute of a polyline: "M1 2 L3 4 Z", numbers shortest that read back. O(points).
+/// The d attribute of a polyline: "M1 2 L3 4 Z", with the shortest numbers that read back.
+/// O(points).
 [[nodiscard]] std::string path_data(std::span<const Position> points, bool is_closed,
                                     const ViewBox& box);
 

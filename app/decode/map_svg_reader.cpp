@@ -111,7 +111,7 @@ class MapReader {
         const auto coordinate = [&](const char* name) -> std::optional<double> {
             const pugi::xml_attribute attribute = element.attribute(name);
             if (!attribute) return 0.0;
-            SvgScanner scanner(attribute.value());  // the first of a list: where the text begins
+            SvgScanner scanner(attribute.value());  // the first of a list is where the text begins
             scanner.skip_space();
             return scanner.take_number();
         };
@@ -132,7 +132,7 @@ class MapReader {
     std::string unique_id(const std::string& wished) {
         if (wished.empty()) return wished;
         std::string id = wished;
-        // Counting on from the last suffix keeps a thousand equal ids linear.
+        // Counts on from the last suffix, so that a thousand equal ids take linear time.
         for (int& used = uses_[wished]; !ids_.insert(id).second;) {
             used = std::max(used, 1) + 1;
             id = fmt::format("{}-{}", wished, used);
@@ -176,7 +176,7 @@ Result<ViewBox> view_box_in(const pugi::xml_node& root) {
     return ViewBox{*x, *y, *width, *height};
 }
 
-/// The root element; null, with the reason, for what is no SVG.
+/// The root element; the reason if it is no SVG.
 Result<pugi::xml_node> root_in(std::string_view text, pugi::xml_document& document) {
     if (text.empty()) return failure("the map is empty; copy it again");
     const auto parsed = document.load_buffer(text.data(), text.size());
@@ -209,7 +209,7 @@ Result<std::optional<int>> difficulty_in(std::string_view text) {
     return grade;
 }
 
-/// Drawn in millimetres, and no larger than the area?
+/// True if it is drawn in millimetres, and no larger than the area.
 bool is_at_size(const pugi::xml_node& root, const ViewBox& box, const Area& area) {
     const std::string_view width = root.attribute("width").value();
     const bool is_in_mm = width.ends_with("mm") &&

@@ -20,7 +20,7 @@ std::string cleaned(std::string text) {
     return of_a_person(std::move(text));
 }
 
-/// A text in several languages: the one that is for all, else the first.
+/// A text in several languages: the one for every language, else the first.
 std::string text_of(const Exiv2::Value& value) {
     const auto* const languages = dynamic_cast<const Exiv2::LangAltValue*>(&value);
     if (languages == nullptr) return cleaned(value.toString());
@@ -67,7 +67,7 @@ void read_orientation(const Exiv2::Image& image, Metadata& metadata) {
     if (orientation >= 1 && orientation <= 8) metadata.orientation = static_cast<int>(orientation);
 }
 
-/// The value of a rational number; 0 where it is none.
+/// The value of a rational number; 0 if it is none.
 double exif_number(const Exiv2::ExifData& exif, const char* name) {
     const auto found = exif.findKey(Exiv2::ExifKey(name));
     if (found == exif.end() || found->count() == 0) return 0.0;
@@ -103,7 +103,7 @@ Metadata metadata_of(Bytes bytes) {
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception&) {
-        return metadata;  // what was read until then
+        return metadata;  // everything read until then
     }
     return metadata;
 }

@@ -16,7 +16,7 @@ bool is_continuation(char c) {
     return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
 }
 
-/// Bytes up to `most`, whole characters.
+/// The number of bytes up to `most` that ends no character early.
 std::size_t cut_at(std::string_view text, std::size_t most) {
     std::size_t kept = std::min(text.size(), most);
     if (kept < text.size())
@@ -24,7 +24,8 @@ std::size_t cut_at(std::string_view text, std::size_t most) {
     return kept;
 }
 
-/// U+200B ... U+200F, U+202A ... U+202E, U+2066 ... U+2069: nothing to hear, much to hide behind.
+/// U+200B ... U+200F, U+202A ... U+202E, U+2066 ... U+2069: nobody hears these marks, but text can
+/// hide behind them.
 bool is_invisible_mark(std::string_view text, std::size_t at) {
     if (!text.substr(at).starts_with("\xe2") || at + 2 >= text.size()) return false;
     const auto second = static_cast<unsigned char>(text[at + 1]);

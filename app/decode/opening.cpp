@@ -47,7 +47,7 @@ Result<Page> page_in(std::shared_ptr<const Descriptor> answer) {
 
 namespace {
 
-/// Beside pictures there is seldom a text; one that cannot be read is none.
+/// Few pictures have a text beside them. One that cannot be read counts as missing.
 void add_side_car(const std::string& path, Page& page) {
     std::error_code error;
     const std::string beside = side_car_of(path);

@@ -1,4 +1,4 @@
-// EXIF and TIFF number the eight ways of holding a camera alike: TIFF 6.0, tag 274.
+// EXIF and TIFF use the same numbers for the eight ways of holding a camera: TIFF 6.0, tag 274.
 #include "app/decode/formats.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ Picture upright(Picture picture, int orientation) {
     std::uint8_t* to = out.bgr.data();
     for (std::size_t y = 0; y < static_cast<std::size_t>(out.height); ++y) {
         for (std::size_t x = 0; x < static_cast<std::size_t>(out.width); ++x, to += 3) {
-            // Source column and row, before the mirroring that is told in the file's own axes.
+            // The source's column and row, before the mirroring along the file's own axes.
             const std::size_t column = is_turned ? y : x;
             const std::size_t row = is_turned ? x : y;
             const std::size_t from_x = is_x_mirrored ? width - 1 - column : column;

@@ -16,7 +16,7 @@ decode::AnswerHeader header_of(const Picture& picture) {
     return header;
 }
 
-/// What the map's bytes hold: the texts of the figures before its own labels.
+/// What the map's bytes hold: the texts of the figures, then its own labels.
 TactileMap crossing(const Page& page) {
     TactileMap map = page.told;
     std::vector<Label> texts;
@@ -31,7 +31,7 @@ std::vector<WordBox> all_boxes_of(const Page& page) {
     return boxes;
 }
 
-/// The boxes are those of the words, then those of the figures.
+/// The boxes of the words come first, then those of the figures.
 void take_figures(std::vector<WordBox>& boxes, std::size_t count, Page& page) {
     std::vector<Label>& labels = page.told.labels;
     const std::size_t words = boxes.size() - count;

@@ -1,14 +1,13 @@
-// One page of an untrusted file, as it crosses from the worker that decoded it: a header of
-// 28 bytes, pixels, boxes of words and figures, a map. Nobody who reads it trusts
-// it.
+// One page of an untrusted file, as the worker that decoded it hands it over: a header of 28 bytes,
+// pixels, boxes of words and figures, a map. No reader trusts it.
 //
 //   header  magic u32, layout u8, figures u8, kind u8, reduction u8, width u32, height u32,
 //           number u16, count u16, dpi u16, boxes u16, bytes of the map u32
-//   pixels  3 bytes each (blue, green, red), rows from the top, no padding; none where the kind is
+//   pixels  3 bytes each (blue, green, red), rows from the top, no padding; none if the kind is
 //           "words" (found_words.h): the kiosk has them
-//   boxes   4 u16 each: left, top, right, bottom in pixels, the right and lower end not within;
-//           `boxes` of words, then one of each figure
-//   map     config/types/map_bytes.h; its first labels are what is written of each figure
+//   boxes   4 u16 each: left, top, right, bottom in pixels, the right and lower end not included;
+//           `boxes` of words, then one per figure
+//   map     config/types/map_bytes.h; its first labels are the figures' texts
 //
 // Little-endian. No offsets and no strides: one size fits a given header. Threads: pure functions.
 #pragma once
@@ -32,7 +31,7 @@ inline constexpr int max_pages = 50'000;
 inline constexpr std::size_t max_word_boxes = 5000;
 inline constexpr std::size_t max_figures = 100;
 
-/// Pixels that show words or a figure, from (left, top) to before (right, bottom).
+/// Pixels that show words or a figure, from (left, top) up to, but without, (right, bottom).
 struct WordBox {
     std::uint16_t left = 0;
     std::uint16_t top = 0;
@@ -44,7 +43,7 @@ struct WordBox {
 
 /// A part of a page that was drawn in lines, which are felt as they are: a face.
 struct DrawnPart {
-    int left_px = 0;  // of the page's pixels, beyond which it may reach
+    int left_px = 0;  // in the page's pixels; may lie outside the page
     int top_px = 0;
     int right_px = 0;  // > left_px
     int bottom_px = 0;
@@ -54,41 +53,40 @@ struct DrawnPart {
 /// A picture on a page that holds other things too, or a thing in a photograph.
 struct Figure {
     WordBox box;
-    std::string text;  // its author's, for those who cannot see it; may be empty
-    std::shared_ptr<const DrawnPart> drawn = {};  // null: its lines are those of the pixels
+    std::string text;  // its author's text for people who cannot see it; may be empty
+    std::shared_ptr<const DrawnPart> drawn = {};  // null: its lines come from the pixels
 
     friend bool operator==(const Figure&, const Figure&) = default;
 };
 
 struct Page {
     Picture picture;
-    /// What the file says of itself: title, description, labels; outlines where it is a line
+    /// What the file says about itself: title, description, labels; outlines if it is a line
     /// drawing. Its area has the picture's proportions.
     TactileMap told;
     std::vector<WordBox> words;   // not to be felt as lines
     std::vector<Figure> figures;  // in reading order
     int number = 1;               // 1 ... count
     int count = 1;
-    int dpi = 0;  // 0: not known
-    /// Where the main things of a photograph are, once they were found: 128 and more, over the
-    /// whole page, in fewer pixels than it has.
+    int dpi = 0;  // 0: unknown
+    /// The main things of a photograph, once they were found: values of 128 and more mark them.
+    /// Covers the whole page, in fewer pixels than the page has.
     GreyPicture main_things = {};
-    std::vector<NamedThing> names = {};  // what the things of a photograph are taken for
-    bool was_searched = false;           // for main things of every kind, not for people alone
-    /// The worker's answer that this is, sealed, for the worker that finds its lines. Null where
-    /// the page was made in another way, or its pixels or words were changed since.
+    std::vector<NamedThing> names = {};  // what the things of a photograph probably are
+    bool was_searched = false;           // for main things of every kind, not only for people
+    /// The sealed answer of the worker that made this page, for the worker that finds its lines.
+    /// Null if the page was made in another way, or its pixels or words have changed since.
     std::shared_ptr<const Descriptor> answer;
 };
 
-/// What a worker answers: a page, or one line that says why there is none.
+/// The answer of a worker: a page, or one line that says why there is none.
 [[nodiscard]] Result<std::vector<std::byte>> answer_of(const Result<Page>& page);
 
-/// The same of a page that is a picture and nothing else: what the worker that reads words is
-/// given.
+/// The answer for a page that is only a picture; the worker that reads words gets it.
 [[nodiscard]] Result<std::vector<std::byte>> answer_of(const Picture& picture);
 
-/// The page, or the worker's line, escaped and cut. Any bytes may be given; nothing is allocated
-/// beyond their number. O(bytes).
+/// Returns the page, or fails with the worker's line, escaped and cut. The bytes may be anything;
+/// allocates no more than their number. O(bytes).
 [[nodiscard]] Result<Page> page_of(std::span<const std::byte> answer);
 
 }  // namespace touchline

@@ -11,7 +11,7 @@ namespace {
 constexpr int least_dpi = 30;
 constexpr int most_dpi = 600;
 
-/// The whole text is a number in these bounds.
+/// Reads the text as a number within these bounds.
 bool read_number(const std::string& text, int least, int most, int& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() && end == text.data() + text.size() && number >= least &&

@@ -1,4 +1,4 @@
-// Which page is wanted of a document, and which worker may open it.
+// Which page of a document is wanted, and which worker may open it.
 // Threads: values and pure functions.
 #pragma once
 
@@ -14,17 +14,17 @@ namespace touchline {
 
 struct PageOrder {
     int page = 1;   // 1 ... max_pages
-    int dpi = 150;  // of documents without pixels of their own, 30 ... 600
+    int dpi = 150;  // for documents without pixels of their own, 30 ... 600
 };
 
-/// By the first bytes: what is drawn (SVG, PDF) needs more libraries than what is pixels, and what
-/// a codec of films made (HEIC, AVIF) others, and threads.
+/// Decides by the first bytes. Drawn files (SVG, PDF) need more libraries than pixels do; files of
+/// a video codec (HEIC, AVIF) need others, and threads.
 [[nodiscard]] WorkerKind kind_of(std::span<const std::byte> bytes);
 
 /// The program that opens files of a kind.
 [[nodiscard]] std::string program_for(WorkerKind kind);
 
-/// What a worker is told on its command line; work_in() reads the same back.
+/// What a worker gets on its command line; work_in() reads the same back.
 struct DecodeWork {
     WorkerKind kind = WorkerKind::raster;
     PageOrder order;

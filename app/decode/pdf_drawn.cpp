@@ -27,7 +27,7 @@ SplashColorPtr white() {
     return colour[0];
 }
 
-/// Arrows, frames, blocks, shapes, dingbats, and what fonts keep for themselves.
+/// True for arrows, frames, blocks, shapes, dingbats, and fonts' private characters.
 bool draws(gunichar sign) {
     const bool is_shape = (sign >= 0x2190 && sign <= 0x21ff) ||
                           (sign >= 0x2300 && sign <= 0x23ff) ||
@@ -43,7 +43,7 @@ bool draws(gunichar sign) {
     }
 }
 
-/// Fonts that draw a picture for every letter of the alphabet.
+/// True for fonts that draw a picture for every letter of the alphabet.
 bool is_of_pictures(const GfxFont& font) {
     std::string name = font.getName().value_or("");
     std::ranges::transform(name, name.begin(),
@@ -56,7 +56,7 @@ bool is_of_pictures(const GfxFont& font) {
 }
 
 struct Extent {
-    double above = 0.75;  // of the font's size, from the line
+    double above = 0.75;  // above the line, times the font's size
     double below = 0.25;
 };
 
@@ -74,7 +74,7 @@ Extent extent_of(GfxFont& font) {
     return extent;
 }
 
-/// Draws letters alone, black on white, and keeps where they and the images are.
+/// Draws only the letters, black on white, and records the places of letters and images.
 class LetterDevice final : public SplashOutputDev {
   public:
     explicit LetterDevice(DrawnPage& found)
@@ -83,7 +83,8 @@ class LetterDevice final : public SplashOutputDev {
     void drawChar(GfxState* state, double x, double y, double dx, double dy, double originX,
                   double originY, CharCode code, int nBytes, const Unicode* u, int uLen) override {
         if (in_mask_ > 0) return;
-        // Letters without ink may be filled by a pattern, or be a picture's clip: as if filled.
+        // Draws letters without ink as if filled: a pattern may fill them, or they may clip a
+        // picture.
         const int way_of_painting = state->getRender();
         const int ink = way_of_painting & 3;
         state->setRender(ink == 3 ? 0 : ink);
@@ -107,7 +108,7 @@ class LetterDevice final : public SplashOutputDev {
         SplashOutputDev::endType3Char(state);
     }
 
-    // Only the strokes of letters that are drawings themselves are drawn.
+    // Draws only the strokes of letters that are drawings themselves.
     void stroke(GfxState* state) override {
         if (in_letter_ > 0) SplashOutputDev::stroke(state);
     }
@@ -154,7 +155,7 @@ class LetterDevice final : public SplashOutputDev {
 
     void unsetSoftMaskFromImageMask(GfxState*, double*) override {}
 
-    // Letters are black whatever their colour, and nothing shines through them.
+    // Letters are black whatever their colour, and opaque.
     void updateFillColorSpace(GfxState*) override {}
 
     void updateStrokeColorSpace(GfxState*) override {}
@@ -175,7 +176,7 @@ class LetterDevice final : public SplashOutputDev {
 
     void updateTransfer(GfxState*) override {}
 
-    // What is painted in patterns and shadings is no writing.
+    // Patterns and shadings are no writing.
     bool useShadedFills(int) override { return true; }
 
     bool tilingPatternFill(GfxState*, Gfx*, Catalog*, GfxTilingPattern*, const double*, int, int,
@@ -193,7 +194,7 @@ class LetterDevice final : public SplashOutputDev {
 
     bool patchMeshShadedFill(GfxState*, GfxPatchMeshShading*) override { return true; }
 
-    // A group is its content; the content of a mask is not painted.
+    // Draws the content of a group directly, and no content of a mask.
     bool checkTransparencyGroup(GfxState*, bool) override { return false; }
 
     void beginTransparencyGroup(GfxState*, const double*, GfxColorSpace*, bool, bool,
@@ -215,13 +216,13 @@ class LetterDevice final : public SplashOutputDev {
     void clearSoftMask(GfxState*) override {}
 
   private:
-    /// A way of the page's units in pixels.
+    /// A vector in the page's units, in pixels.
     static Place pixels(const GfxState& state, double x, double y) {
         const double* const m = state.getCTM();
         return {m[0] * x + m[2] * y, m[1] * x + m[3] * y};
     }
 
-    /// A way of the text's units in pixels.
+    /// A vector in the text's units, in pixels.
     static Place text_pixels(GfxState& state, double x, double y) {
         double to_x = 0.0;
         double to_y = 0.0;
@@ -283,7 +284,7 @@ class LetterDevice final : public SplashOutputDev {
             found_.letters.push_back(std::move(letter));
     }
 
-    /// The unit square, as far as its clip lets it show.
+    /// Keeps the visible part of the unit square within its clip.
     void keep_image(const GfxState& state) {
         if (in_mask_ > 0 || found_.images.size() >= most_images) return;
         const Place corner = pixel_at(state, {});
@@ -296,7 +297,7 @@ class LetterDevice final : public SplashOutputDev {
     }
 
     DrawnPage& found_;
-    std::vector<bool> groups_;  // of each that is open: is it a mask?
+    std::vector<bool> groups_;  // for each open group: is it a mask?
     int in_mask_ = 0;
     int in_letter_ = 0;
 };
@@ -313,7 +314,7 @@ LetterInk ink_of(SplashBitmap& drawn) {
 
 }  // namespace
 
-/// Whoever is first to need them makes poppler's tables, the last one takes them away.
+/// The first user makes poppler's tables, the last one removes them.
 class PopplerParameters {
   public:
     PopplerParameters() : held_([](ErrorCategory, Goffset, const char*) {}) {}

@@ -1,4 +1,4 @@
-// Which letters of a page's program a visitor could see: its picture decides.
+// Decides by the page's picture which letters of its program a visitor could see.
 #include "app/decode/pdf_words.h"
 
 #include <algorithm>
@@ -11,15 +11,15 @@ namespace {
 
 using Colour = std::array<int, 3>;
 
-constexpr double beside = 0.25;  // of a cell: so far letters lean out of it
+constexpr double beside = 0.25;  // of a cell's size: how far letters lean out of it
 constexpr std::size_t most_samples = 20'000;
 constexpr int inked_at_least = 64;       // of 255
-constexpr double least_contrast = 10.0;  // levels: the palest that is printed
+constexpr double least_contrast = 10.0;  // levels: the palest print
 
 struct Pixels {
     int left = 0;
     int top = 0;
-    int right = 0;  // not within
+    int right = 0;  // one past the last pixel
     int bottom = 0;
 
     [[nodiscard]] int width() const { return std::max(0, right - left); }
@@ -40,7 +40,7 @@ bool meet(const Pixels& a, const Pixels& b) {
     return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-/// A part of a window as a part of the page.
+/// Converts a part of a window to a part of the page.
 Pixels on_page(const Pixels& part, const Pixels& window) {
     return {part.left + window.left, part.top + window.top, part.right + window.left,
             part.bottom + window.top};
@@ -61,7 +61,8 @@ struct Sample {
     std::array<double, 3> colour{};
 };
 
-/// The mean of a pixel and its neighbours: two renderers put a letter up to half a pixel apart.
+/// The mean of a pixel and its neighbours, because two renderers place a letter up to half a pixel
+/// apart.
 Sample sample_at(const LetterInk& ink, const Picture& picture, int x, int y) {
     Sample mean;
     int count = 0;
@@ -113,7 +114,7 @@ double middle_of(std::vector<double>& values) {
     return *middle;
 }
 
-/// The share of samples in a range of ink whose colour is what letters of that colour would leave.
+/// The share of samples in a range of ink whose colour fits letters of the colour `letter`.
 double share_as_told(const std::vector<Sample>& samples, double least_ink, double most_ink,
                      std::size_t channel, double ground, double letter) {
     const double slack = 6.0 + 0.3 * std::abs(letter - ground);
@@ -128,7 +129,7 @@ double share_as_told(const std::vector<Sample>& samples, double least_ink, doubl
     return all == 0 ? 0.0 : static_cast<double>(right) / static_cast<double>(all);
 }
 
-/// What one channel tells: the letters' contrast, 0 where its pixels do not follow their shapes.
+/// The letters' contrast in one channel; 0 if its pixels do not follow their shapes.
 double contrast_in(const std::vector<Sample>& samples, std::size_t channel, double most_ink) {
     constexpr double no_ink = 0.02;
     constexpr double least_share = 0.5;
@@ -164,7 +165,7 @@ Colour ground_around(const Picture& picture, const Pixels& box) {
     return ground;
 }
 
-/// Pieces of ink in a window of the picture.
+/// The connected pieces of ink in a window of the picture.
 class Pieces {
   public:
     Pieces(const Picture& picture, const Pixels& window) : window_(window) {
@@ -223,7 +224,7 @@ class Pieces {
     }
 
     Pixels window_;
-    std::vector<bool> is_open_;  // ink that belongs to no piece yet
+    std::vector<bool> is_open_;  // ink without a piece yet
     std::vector<Piece> pieces_;
 };
 
@@ -242,7 +243,7 @@ Painting painting_of(const DrawnText& text, const LetterInk& ink, const Picture&
 }
 
 bool looks_written(const DrawnText& text, const Picture& picture) {
-    constexpr std::size_t least_letters = 3;  // of fewer a drawing looks like some
+    constexpr std::size_t least_letters = 3;  // fewer letters look like a drawing
     const double height = text.height_px;
     const Pixels window = pixels_of(text.box, 0.5 * height, picture.width, picture.height);
     if (text.is_slanted || text.letters < least_letters || window.width() < 3 ||

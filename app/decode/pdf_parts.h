@@ -1,4 +1,4 @@
-// Private to app/decode: what a page of a PDF holds beside its pixels. Places are points of 1/72
+// Private to app/decode: what a page of a PDF holds beside its pixels. Places are in points of 1/72
 // inch from the upper left corner of the page. Threads: one document, one thread.
 #pragma once
 
@@ -29,14 +29,14 @@ struct GlibRelease {
 template <class T>
 using GlibOwned = std::unique_ptr<T, GlibRelease>;
 
-/// Text with the box that it is in; an empty box where the document does not say.
+/// A text and its box; the box is empty if the document does not say.
 struct PdfText {
     std::string text;
     PopplerRectangle box{};  // y1 above y2
 };
 
-/// The marked figures of a page with what their author wrote for those who cannot see them; their
-/// boxes where the page has as many images.
+/// The marked figures of a page, with their author's text for people who cannot see them. They have
+/// boxes if the page has as many images.
 [[nodiscard]] std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page,
                                               const std::vector<PopplerRectangle>& images);
 
@@ -45,11 +45,11 @@ struct PageSize {
     double height_pt = 0.0;
 };
 
-/// Of images and figures the pictures, from the top of the page down: parts that touch are one;
-/// what is smaller than 1 cm, or fills the page, is none. At most max_figures.
+/// The pictures among images and figures, from the top of the page down. Parts that touch are one
+/// picture. Leaves out what is smaller than 1 cm or fills the page. At most max_figures.
 [[nodiscard]] std::vector<PdfText> pictures_in(std::vector<PdfText> parts, const PageSize& page);
 
-/// The first heading of a page; empty where none is marked.
+/// The first heading of a page; empty if none is marked.
 [[nodiscard]] std::string heading_of(PopplerDocument* document, PopplerPage* page);
 
 }  // namespace touchline::decode

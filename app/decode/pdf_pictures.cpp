@@ -1,4 +1,4 @@
-// The pictures of a page, each as one box, without what only decorates.
+// The pictures of a page, each as one box, without mere decoration.
 #include "app/decode/page.h"
 #include "app/decode/pdf_parts.h"
 
@@ -10,7 +10,7 @@ namespace touchline::decode {
 namespace {
 
 constexpr double least_side_pt = 28.0;  // 1 cm
-constexpr double fills_page = 0.9;      // of its area: a scan of it, or its ground
+constexpr double fills_page = 0.9;      // of the page's area: a scan of it, or its background
 constexpr double touching_pt = 1.0;
 constexpr std::size_t most_parts = 1000;
 
@@ -47,7 +47,7 @@ void absorb(PdfText& whole, const PdfText& part) {
     whole.text += part.text;
 }
 
-/// Each part into the first that it touches.
+/// Joins each part to the first that it touches.
 std::vector<PdfText> joined_once(const std::vector<PdfText>& parts) {
     std::vector<PdfText> wholes;
     for (const PdfText& part : parts) {
@@ -63,7 +63,7 @@ std::vector<PdfText> joined_once(const std::vector<PdfText>& parts) {
     return wholes;
 }
 
-/// Programs cut a picture into strips, and draw its mask over it.
+/// Programs cut a picture into strips, and draw its mask over it, so this joins all of them.
 std::vector<PdfText> joined(std::vector<PdfText> parts) {
     for (std::size_t before = parts.size() + 1; parts.size() < before;) {
         before = parts.size();

@@ -1,4 +1,4 @@
-// One page of a PDF: its pixels, its words with their boxes, what was written of its figures.
+// One page of a PDF: its pixels, its words with their boxes, and its figures' texts.
 #include "app/decode/drawing_surface.h"
 #include "app/decode/formats.h"
 #include "app/decode/machine_words.h"
@@ -16,14 +16,14 @@ namespace {
 
 constexpr double points_per_inch = 72.0;
 
-/// How a page is drawn: pixels per unit of it, and what that is in pixels per inch.
+/// The scale of a page: pixels per unit, and the same in pixels per inch.
 struct Scale {
     double px_per_unit = 1.0;
     double dpi = points_per_inch;
 };
 
-/// As asked for, or as many pixels as the largest picture allows. A hand feels every page at the
-/// same size: one smaller than a sheet of A5 counts as one, and a larger one than A2 as that.
+/// The wanted scale, or as many pixels as the largest picture allows. A hand feels every page at
+/// the same size, so a page smaller than A5 counts as A5, and one larger than A2 as A2.
 Scale scale_for(const PageSize& page, double user_unit, int dpi) {
     constexpr double least_longer_in = 8.0;
     constexpr double most_longer_in = 24.0;
@@ -64,7 +64,7 @@ void add_label(const std::string& text, const TextBox& box, Page& page) {
     if (is_on_page) page.told.labels.push_back({text, told_place(page.picture, x, y)});
 }
 
-/// What is written of the figures.
+/// Adds the figures' texts.
 void tell_figures(const std::vector<PdfText>& figures, double scale, Page& page) {
     for (const PdfText& figure : figures) {
         if (figure.text.empty()) continue;
@@ -74,7 +74,7 @@ void tell_figures(const std::vector<PdfText>& figures, double scale, Page& page)
     }
 }
 
-/// Where pictures are.
+/// Adds the places of pictures.
 void add_figures(std::vector<PdfText> parts, const std::vector<PopplerRectangle>& images,
                  const PageSize& size, double scale, Page& page) {
     for (const PopplerRectangle& image : images) parts.push_back({"", image});
@@ -83,7 +83,7 @@ void add_figures(std::vector<PdfText> parts, const std::vector<PopplerRectangle>
             page.figures.push_back({*box, picture.text});
 }
 
-/// Texts that a visitor could see, once each.
+/// The texts that a visitor could see, once each.
 class Texts {
   public:
     Texts(const LetterInk& ink, Page& page) : ink_(ink), page_(page) {}
@@ -97,8 +97,8 @@ class Texts {
     }
 
   private:
-    /// A shadow, or letters made bold by drawing them twice, lie where their text does; a watermark
-    /// may be everywhere.
+    /// True if the text is a repetition: a shadow or bold letters drawn twice lie where their text
+    /// does; a watermark may be anywhere.
     bool is_told(const DrawnText& text, double contrast) const {
         constexpr double pale = 110.0;  // levels
         const bool is_everywhere = text.is_slanted || (contrast > 0.0 && contrast < pale);
@@ -111,7 +111,8 @@ class Texts {
         return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
     }
 
-    /// The box around a slanted word holds much that is none of it.
+    /// Takes the boxes of letters for a slanted word, whose own box holds much that is not the
+    /// word.
     void add_boxes(const DrawnText& text, const DrawnWord& word, bool is_inked) {
         const auto add = [&](const TextBox& box) {
             add_word_box(is_inked ? inked(box, ink_) : box, page_);

@@ -1,4 +1,4 @@
-// What the author of a tagged PDF wrote for those who cannot see its figures.
+// An author's text for people who cannot see the figures of a tagged PDF.
 #include "app/decode/pdf_parts.h"
 
 #include <functional>
@@ -15,7 +15,7 @@ std::string taken(gchar* text) {
     return owned == nullptr ? std::string() : std::string(owned.get());
 }
 
-/// Walks over the elements of one page, in reading order, until `visit` wants no more.
+/// Walks over the elements of one page, in reading order, until `visit` returns false.
 class StructureWalk {
   public:
     using Visit = std::function<bool(PopplerStructureElement*)>;
@@ -65,7 +65,7 @@ std::vector<PdfText> figures_of(PopplerDocument* document, PopplerPage* page,
         return true;
     });
     walk.walk(document);
-    // poppler gives no box of a figure; the images do, if there are as many.
+    // poppler gives no box of a figure, so the images' boxes serve if there are as many.
     for (std::size_t i = 0; images.size() == figures.size() && i < figures.size(); ++i)
         figures[i].box = images[i];
     return figures;

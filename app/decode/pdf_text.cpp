@@ -1,4 +1,4 @@
-// Letters that follow each other are a text, whichever way they run.
+// Joins letters that follow each other into texts, whichever way they run.
 #include "app/decode/pdf_words.h"
 
 #include <algorithm>
@@ -12,12 +12,12 @@ namespace touchline::decode {
 namespace {
 
 constexpr std::size_t most_texts = 2000;  // a page of a newspaper has 500 lines
-constexpr double blank_gap = 0.2;        // of a letter's height: what is further apart is two words
-constexpr double widest_step = 1.6;      // likewise: what is further apart is two texts
-constexpr double largest_overlap = 0.6;  // likewise
-constexpr double off_line = 0.6;         // likewise: raised and lowered letters
-constexpr double same_way = 0.95;        // cosine
-constexpr double upright_slack = 0.05;   // sine: 3 degrees
+constexpr double blank_gap = 0.2;         // of a letter's height: a wider gap separates two words
+constexpr double widest_step = 1.6;       // likewise: a wider gap separates two texts
+constexpr double largest_overlap = 0.6;   // likewise
+constexpr double off_line = 0.6;          // likewise: for raised and lowered letters
+constexpr double same_way = 0.95;         // cosine
+constexpr double upright_slack = 0.05;    // sine: 3 degrees
 
 double length(const Place& way) {
     return std::hypot(way.x, way.y);
@@ -31,7 +31,7 @@ double dot(const Place& a, const Place& b) {
     return a.x * b.x + a.y * b.y;
 }
 
-/// Of length 1; the way of the line where the letter itself takes no room.
+/// The letter's direction, of length 1; the line's direction if the letter takes no room.
 Place way_of(const DrawnLetter& letter) {
     const Place along = between(letter.at, letter.next);
     const double long_px = length(along);
@@ -46,7 +46,7 @@ bool is_blank(const DrawnLetter& letter) {
 
 struct Letter {
     DrawnLetter drawn;
-    double gap = 0.0;  // before it, in heights
+    double gap = 0.0;  // before the letter, in heights
     bool has_blank = false;
     bool is_typed_blank = false;  // the document has a blank there
 };
@@ -71,8 +71,8 @@ bool is_letter_or_digit(const std::string& text) {
     return g_unichar_isalnum(g_utf8_get_char(text.c_str())) != FALSE;
 }
 
-/// Letters that are drawn one by one, apart, are a word; between words of such letters the gap is
-/// wider. Digits beside each other are as many numbers, and typed blanks mean what they say.
+/// Removes the blanks of a spaced word: letters drawn one by one, apart. The gap between such words
+/// is wider. Digits side by side stay separate numbers, and typed blanks stay.
 void close_up(std::vector<Letter>& letters) {
     constexpr std::size_t least_letters = 3;
     constexpr double wider = 0.6;  // of a letter's height
@@ -89,7 +89,7 @@ void close_up(std::vector<Letter>& letters) {
     for (Letter& letter : letters) letter.has_blank = letter.gap > *middle + wider;
 }
 
-/// From the order in which they stand to that in which they are read.
+/// Turns the order on the page into the order of reading.
 void put_in_reading_order(std::vector<Letter>& letters) {
     std::ranges::reverse(letters);
     for (std::size_t i = letters.size(); i-- > 1;) letters[i].has_blank = letters[i - 1].has_blank;
@@ -106,7 +106,7 @@ void put_in_reading_order(std::vector<Letter>& letters) {
     }
 }
 
-/// Puts letters together in the order of drawing.
+/// Joins letters in the order of drawing.
 class TextJoiner {
   public:
     void take(const DrawnLetter& letter) {
@@ -132,7 +132,7 @@ class TextJoiner {
     }
 
   private:
-    /// Behind what was drawn last, or before it where a line runs from the right.
+    /// True if it stands behind the last letter, or before it on a line that runs from the right.
     bool follows(const DrawnLetter& next) {
         const double height = std::max(length(end_.up), 1e-6);
         const Place way = way_of(end_);
@@ -202,7 +202,7 @@ class TextJoiner {
     }
 
     std::vector<Letter> letters_;
-    DrawnLetter end_;  // letter or blank, drawn last
+    DrawnLetter end_;  // the last letter or blank drawn
     bool has_blank_ = false;
     bool runs_from_right_ = false;
     std::vector<DrawnText> texts_;

@@ -1,5 +1,5 @@
-// Private to app/decode: texts from the letters that a PDF's page draws, and which of them a
-// visitor could see. Pixels of the page's picture, y downwards. Threads: pure functions.
+// Private to app/decode: joins the letters that a PDF's page draws into texts, and tells which of
+// them a visitor could see. In pixels of the page's picture, y downwards. Threads: pure functions.
 #pragma once
 
 #include "app/decode/pdf_drawn.h"
@@ -13,7 +13,7 @@ namespace touchline::decode {
 
 struct DrawnWord {
     TextBox box;                   // around the cells of its letters
-    std::vector<TextBox> letters;  // around each
+    std::vector<TextBox> letters;  // one around each letter
 };
 
 /// Words that stand close in one line.
@@ -21,31 +21,31 @@ struct DrawnText {
     std::string text;
     TextBox box;
     std::vector<DrawnWord> words;
-    std::size_t letters = 0;    // without blanks
-    double height_px = 0.0;     // of a letter's cell
+    std::size_t letters = 0;    // how many, without blanks
+    double height_px = 0.0;     // the height of a letter's cell
     bool runs_upright = false;  // up or down the page
     bool is_slanted = false;    // neither along the page nor up or down
 };
 
-/// The texts, in the order of drawing; at most 2000. What draws rather than writes is in none, nor
-/// what has no letter and no digit. Letters that are spaced out are one word.
+/// The texts, in the order of drawing; at most 2000. Leaves out signs that draw rather than write,
+/// and texts without letters and digits. Spaced letters are joined into one word.
 [[nodiscard]] std::vector<DrawnText> texts_in(std::span<const DrawnLetter> letters);
 
-/// How the picture shows the letters of a text.
+/// How visible the letters of a text are in the picture.
 struct Painting {
-    double contrast = 0.0;  // levels from the ground, 0 ... 255; 0: they are not to be seen
+    double contrast = 0.0;  // levels from the background, 0 ... 255; 0: invisible
 };
 
-/// Whether the letters' own shapes are there: neither covered, nor clipped away, nor in the colour
-/// of what they stand on.
+/// Compares the picture with the letters' own shapes: 0 if they are covered, clipped away, or in
+/// the colour of their background.
 [[nodiscard]] Painting painting_of(const DrawnText& text, const LetterInk& ink,
                                    const Picture& picture);
 
-/// Does the picture show some writing where the text says that it is? Of a scan the text that a
-/// reading program laid over it is invisible, and what it says is there all the same.
+/// True if the picture shows some writing where the text is said to be. The text that a reading
+/// program lays over a scan is invisible, yet its words are in the picture.
 [[nodiscard]] bool looks_written(const DrawnText& text, const Picture& picture);
 
-/// The part of a box where the letters' ink is; the box where there is none.
+/// The part of a box that holds ink of letters; the whole box if it holds none.
 [[nodiscard]] TextBox inked(const TextBox& box, const LetterInk& ink);
 
 }  // namespace touchline::decode

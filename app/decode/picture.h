@@ -1,4 +1,4 @@
-// A picture in memory, and what it may measure.
+// A picture in memory, and the limits of its size.
 // Threads: a value.
 #pragma once
 
@@ -19,37 +19,37 @@ struct Picture {
     double scale = 1.0;  // pixels here per pixel of the file; < 1: a large one, made smaller
 };
 
-/// One byte a place, rows from the top; no pixels: there is none.
+/// One byte per pixel, rows from the top; without pixels there is no picture.
 struct GreyPicture {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> grey;
 };
 
-/// A header that claims more is refused before anything is allocated for it.
+/// A header that claims more is refused before anything is allocated.
 constexpr std::uint64_t max_picture_pixels = std::uint64_t{40} << 20U;
 constexpr std::uint64_t max_picture_side_px = 10'000;
 
-/// Within the two above, with a pixel at least?
+/// True if the size is within these two limits, with at least one pixel.
 [[nodiscard]] constexpr bool fits_a_picture(std::uint64_t width, std::uint64_t height) {
     return width >= 1 && height >= 1 && width <= max_picture_side_px &&
            height <= max_picture_side_px && width * height <= max_picture_pixels;
 }
 
-/// A file's pixels may be more: they are made fewer while they are read. A JPEG's have a larger
-/// limit, since its codec leaves out the most of the work that way.
+/// A file may have more pixels: reading makes them fewer. A JPEG may have the most, because its
+/// codec saves the most work that way.
 constexpr std::uint64_t max_file_pixels = 120'000'000;
 constexpr std::uint64_t max_jpeg_pixels = 200'000'000;
 constexpr std::uint64_t max_file_side_px = 8 * max_picture_side_px;
 
-/// A picture of a file with more pixels is kept at 1/2, 1/4 or 1/8 of its sides: outlines for touch
+/// A picture of a file with more pixels is kept at 1/2, 1/4 or 1/8 of its sides; outlines for touch
 /// need one megapixel.
 constexpr std::uint64_t max_full_pixels = 24'000'000;
 
 /// An SVG read as a picture is drawn with its longer side this many pixels long.
 constexpr int svg_longer_side_px = 1600;
 
-/// The first page of a file as a picture, opened by a worker (opening.h); errors start with the
+/// The first page of a file as a picture, opened by a worker (opening.h). Errors start with the
 /// path.
 [[nodiscard]] Result<Picture> read_picture(const std::string& path);
 

@@ -1,4 +1,4 @@
-// Private to app/decode: the page of a file that is one picture of pixels.
+// Private to app/decode: the page of a file that holds one picture of pixels.
 // Threads: as metadata.h.
 #pragma once
 
@@ -8,8 +8,8 @@ namespace touchline::decode {
 
 using PixelReader = Result<Stored> (*)(Bytes bytes);
 
-/// What is read, upright, of square pixels, in sRGB, and what the file tells of it. Fails as the
-/// reader does, or with another page than 1.
+/// The picture, upright, with square pixels, in sRGB, and what the file says about it. Fails as the
+/// reader does, or for a page other than 1.
 [[nodiscard]] Result<Page> page_by(PixelReader read, Bytes bytes, const PageOrder& order);
 
 }  // namespace touchline::decode

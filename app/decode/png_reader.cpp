@@ -1,5 +1,5 @@
-// PNG, row by row: the lower of libpng's two interfaces, since the simpler one holds the whole
-// picture.
+// PNG, row by row. Uses the lower of libpng's two interfaces, because the simpler one holds the
+// whole picture.
 #include "app/decode/formats.h"
 #include "app/decode/shrinking.h"
 
@@ -14,7 +14,7 @@
 namespace touchline::decode {
 namespace {
 
-/// libpng reports an error by a call that must not return: we jump out of the library from it.
+/// libpng reports an error by a call that must not return, so the call jumps out of the library.
 struct PngSource {
     Bytes left;
     std::jmp_buf way_out;
@@ -36,8 +36,8 @@ void read_some(png_structp reader, png_bytep to, std::size_t wanted) {
     source.left = source.left.subspan(wanted);
 }
 
-/// Runs one step of the reader; false when libpng gave up in it. The jump ends here, so neither
-/// this function nor a step may hold an object with a destructor.
+/// Runs one step of the reader; false if libpng gave up in it. The jump ends here, so neither this
+/// function nor a step may hold an object with a destructor.
 template <class Step>
 bool run(PngSource& source, const Step& step) {
     if (setjmp(source.way_out) != 0) return false;  // NOLINT(cert-err52-cpp): libpng's interface
@@ -64,7 +64,7 @@ class Reader {
 
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 
-    /// Up to the pixels, which will come as blue, green, red and perhaps alpha, of 8 bits.
+    /// Reads up to the pixels, which will come as blue, green, red and perhaps alpha, of 8 bits.
     void open() {
         png_set_read_fn(png, &source, read_some);
         png_set_benign_errors(png, 1);
@@ -73,7 +73,7 @@ class Reader {
         png_set_scale_16(png);
         png_set_gray_to_rgb(png);
         png_set_bgr(png);
-        // Where the file states no gamma, 16 bits are no reason to take it for linear light.
+        // If the file states no gamma, 16 bits do not mean linear light.
         png_set_alpha_mode(png, PNG_ALPHA_PNG, PNG_DEFAULT_sRGB);
         png_read_update_info(png, info);
     }
@@ -83,7 +83,7 @@ class Reader {
     png_infop info;
 };
 
-/// Adam7: seven passes, each of every so many pixels across and down.
+/// Adam7: seven passes, each over some of the columns and rows.
 struct Pass {
     Columns columns;
     std::size_t first_row;
@@ -99,7 +99,7 @@ constexpr std::array<Pass, 7> interlaced{{{{0, 8}, 0, 8},
                                           {{0, 1}, 1, 2}}};
 constexpr std::array<Pass, 1> plain{{{{0, 1}, 0, 1}}};
 
-/// All rows, in the order of the file. A pass without pixels has none.
+/// Gives all rows in the file's order. A pass without pixels has none.
 void read_rows(const Reader& reader, std::span<const Pass> passes, std::span<std::uint8_t> row,
                Shrinking& shrinking) {
     const std::size_t width = png_get_image_width(reader.png, reader.info);
@@ -116,7 +116,7 @@ void read_rows(const Reader& reader, std::span<const Pass> passes, std::span<std
     }
 }
 
-/// What pHYs says; whether a metre is meant or nothing is of no interest.
+/// The resolution in pHYs. Only the ratio counts, not the unit.
 Resolution resolution_of(const Reader& reader) {
     png_uint_32 across = 0;
     png_uint_32 down = 0;
@@ -138,7 +138,7 @@ std::uint64_t big_endian_32(Bytes bytes, std::size_t offset) {
 Result<Stored> read_png(Bytes bytes) {
     constexpr std::size_t header_end = 24;  // signature 8, IHDR's length and name 8, two sides 8
     if (bytes.size() < header_end) return damaged("PNG", "the header is missing");
-    // Looked at here because libpng calls a large header merely invalid.
+    // Checked here because libpng calls a large header merely invalid.
     const std::uint64_t width = big_endian_32(bytes, 16);
     const std::uint64_t height = big_endian_32(bytes, 20);
     if (auto fits = check_file_size("PNG", width, height); !fits)

@@ -1,5 +1,5 @@
-// The six plain formats of Netpbm, by hand: its own library ends the program at the first error.
-// Fuzzed (tests/fuzz/plain_picture_fuzz.cpp).
+// The six plain formats of Netpbm, read by hand because its own library ends the program at the
+// first error. Fuzzed (tests/fuzz/plain_picture_fuzz.cpp).
 #include "app/decode/formats.h"
 #include "app/decode/shrinking.h"
 
@@ -21,7 +21,7 @@ class Scanner {
   public:
     explicit Scanner(Bytes bytes) : bytes_(bytes) {}
 
-    /// A number behind white space and comments; nothing where there is none.
+    /// Takes a number behind white space and comments; nothing if there is none.
     std::optional<std::uint32_t> number() {
         skip_space();
         std::uint32_t value = 0;
@@ -31,7 +31,7 @@ class Scanner {
         return value;
     }
 
-    /// 0 or 1, which need no space between them.
+    /// Takes 0 or 1; these need no space between them.
     std::optional<std::uint32_t> bit() {
         skip_space();
         if (!is_digit()) return std::nullopt;
@@ -39,7 +39,7 @@ class Scanner {
         return value <= 1 ? std::optional(value) : std::nullopt;
     }
 
-    /// What is left behind the one character that ends the header.
+    /// The bytes after the one character that ends the header.
     [[nodiscard]] Bytes rest() const { return bytes_.subspan(std::min(at_ + 1, bytes_.size())); }
 
   private:
@@ -80,7 +80,7 @@ tl::unexpected<Error> cut_short() {
     return damaged("PNM", "the file ends before the picture");
 }
 
-/// Samples as 0 ... 255, one after the other.
+/// Samples as 0 ... 255, in a row.
 using Samples = std::vector<std::uint8_t>;
 
 std::uint8_t scaled(std::uint32_t value, std::uint32_t most) {
@@ -88,7 +88,7 @@ std::uint8_t scaled(std::uint32_t value, std::uint32_t most) {
 }
 
 Result<Samples> read_text(Scanner scanner, const Form& form, std::size_t count) {
-    // A digit and a blank each, at least: nothing is allocated for what is not there.
+    // Each sample needs at least a digit and a blank, so nothing is allocated for missing ones.
     if (scanner.rest().size() + 1 < (form.is_bits ? count : 2 * count - 1)) return cut_short();
     Samples samples(count);
     for (std::uint8_t& sample : samples) {

@@ -1,4 +1,4 @@
-// touchline-decode: pictures of pixels.
+// touchline-decode: decodes pictures of pixels.
 #include "app/decode/decode_program.h"
 #include "app/decode/decoding.h"
 

@@ -1,4 +1,4 @@
-// touchline-read: words in a picture that was decoded by another worker.
+// touchline-read: reads words in a picture that another worker decoded.
 #include "app/decode/word_reader.h"
 #include "app/decode/worker_program.h"
 

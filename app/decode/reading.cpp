@@ -1,4 +1,4 @@
-// What all readers share: limits, and the words for what they refuse.
+// What all readers share: limits, and the messages for refused files.
 #include "app/decode/formats.h"
 #include "app/decode/one_line.h"
 

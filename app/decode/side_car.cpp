@@ -31,11 +31,11 @@ void append_utf8(std::string& text, std::uint32_t code) {
 
 enum class Utf16 : std::uint8_t { none, little, big };
 
-/// By its mark; without one, by the zero that half of all its characters need: every one of Latin.
+/// Detects UTF-16 by its mark; without one, by the zero in every Latin character.
 Utf16 utf16_of(std::string_view bytes) {
     if (bytes.starts_with("\xff\xfe")) return Utf16::little;
     if (bytes.starts_with("\xfe\xff")) return Utf16::big;
-    std::array<std::size_t, 2> zeros{};  // at even places, at odd ones
+    std::array<std::size_t, 2> zeros{};  // at even and at odd places
     for (std::size_t at = 0; at < bytes.size(); ++at)
         if (bytes[at] == '\0') ++zeros.at(at % 2);
     if (bytes.size() % 2 != 0 || 4 * (zeros[0] + zeros[1]) < bytes.size()) return Utf16::none;
@@ -43,7 +43,7 @@ Utf16 utf16_of(std::string_view bytes) {
     return zeros[1] == 0 ? Utf16::big : Utf16::none;
 }
 
-/// What Windows calls "Unicode". Halves of a pair alone become no character.
+/// Decodes what Windows calls "Unicode". Drops lone surrogates.
 std::string of_utf16(std::string_view bytes, Utf16 order) {
     const std::size_t low = order == Utf16::big ? 1 : 0;
     const bool has_mark = bytes.starts_with("\xfe\xff") || bytes.starts_with("\xff\xfe");
@@ -67,7 +67,7 @@ std::string of_utf16(std::string_view bytes, Utf16 order) {
     return text;
 }
 
-/// What Windows calls "ANSI" in Europe's west: code page 1252.
+/// Decodes what Windows calls "ANSI" in western Europe: code page 1252.
 std::string of_windows_1252(std::string_view bytes) {
     constexpr std::array<std::uint16_t, 32> from_80{
         0x20ac, '?',    0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021, 0x02c6, 0x2030, 0x0160,
@@ -81,7 +81,7 @@ std::string of_windows_1252(std::string_view bytes) {
     return text;
 }
 
-/// What an editor saved, in UTF-8; nothing of a picture or program that somebody named .txt.
+/// The text of an editor, in UTF-8; empty for a picture or program that somebody named .txt.
 std::string text_in(std::string_view bytes) {
     if (bytes.size() > max_side_car_bytes) return {};
     if (const Utf16 order = utf16_of(bytes); order != Utf16::none) {

@@ -1,4 +1,4 @@
-// What stands in a text beside a picture: NAME.txt beside NAME.png.
+// The text beside a picture: NAME.txt beside NAME.png.
 // Threads: pure functions.
 #pragma once
 
@@ -16,8 +16,8 @@ constexpr std::size_t max_side_car_bytes = 65'536;
 /// The name of the text beside a file.
 [[nodiscard]] std::string side_car_of(const std::string& path);
 
-/// The first line becomes the title, the rest the description; where there is one line only it is
-/// the description. A text that is empty, or none, changes nothing. O(bytes).
+/// The first line becomes the title, the rest the description. A single line is the description.
+/// Changes nothing if the file is empty, or is no text. O(bytes).
 void tell(std::string_view side_car, TactileMap& told);
 
 }  // namespace touchline

@@ -16,7 +16,7 @@ bool starts_with(Bytes bytes, std::string_view magic, std::size_t offset = 0) {
                       [](char c, std::byte b) { return static_cast<std::byte>(c) == b; });
 }
 
-/// After declarations, comments and a DOCTYPE; what is not closed ends the text.
+/// The text after declarations, comments and a DOCTYPE; an unclosed one ends the text.
 std::string_view after_prologue(std::string_view text) {
     struct Part {
         std::string_view begin;
@@ -31,7 +31,7 @@ std::string_view after_prologue(std::string_view text) {
         const auto part = std::ranges::find_if(
             parts, [&](const Part& each) { return text.starts_with(each.begin); });
         if (part == parts.end()) return text;
-        // The declarations of a DOCTYPE stand in brackets.
+        // A DOCTYPE has its declarations in brackets.
         const auto bracket = text.find('[');
         const bool has_own = part->begin == "<!DOCTYPE" && bracket < text.find('>');
         const auto from = has_own ? text.find(']', bracket) : part->begin.size();
@@ -49,7 +49,7 @@ bool begins_an_svg(std::string_view text) {
 }
 
 bool is_svg(Bytes bytes) {
-    constexpr std::size_t prologue_bytes = std::size_t{1} << 20U;  // with its comments
+    constexpr std::size_t prologue_bytes = std::size_t{1} << 20U;  // with comments
     const auto head = bytes.first(std::min(bytes.size(), prologue_bytes));
     std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {  // UTF-16
@@ -61,7 +61,7 @@ bool is_svg(Bytes bytes) {
     return begins_an_svg(text);
 }
 
-/// ISO 14496-12: the first box tells which brands of reader can read the file.
+/// ISO 14496-12: the first box lists the brands of readers that can read the file.
 bool is_heif(Bytes bytes) {
     if (!starts_with(bytes, "ftyp", 4)) return false;
     const auto head = bytes.first(std::min<std::size_t>(bytes.size(), 64));
@@ -78,8 +78,8 @@ bool is_pnm(Bytes bytes) {
            std::string_view(" \t\r\n").find(static_cast<char>(bytes[2])) != std::string_view::npos;
 }
 
-/// The header behind the file's tells its own length, of 12 to 124 bytes. Nothing else does: where
-/// others have zeros, OS/2 writes the hot spot of a pointer.
+/// The picture's header tells its own length, from 12 to 124 bytes. Nothing else is certain: OS/2
+/// writes a pointer's hot spot where others have zeros.
 bool is_bmp(Bytes bytes) {
     if (starts_with(bytes, "BA")) return bytes.size() > 14 && is_bmp(bytes.subspan(14));
     const auto begins = [bytes](std::string_view kind) { return starts_with(bytes, kind); };
@@ -89,14 +89,14 @@ bool is_bmp(Bytes bytes) {
     return size >= 12 && size <= 124 && starts_with(bytes, std::string_view("\0\0\0", 3), 15);
 }
 
-/// PDF's first line may stand behind some bytes of a mail program.
+/// A mail program may put some bytes before PDF's first line.
 bool is_pdf(Bytes bytes) {
     const auto head = bytes.first(std::min<std::size_t>(bytes.size(), 1024));
     const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
     return text.find("%PDF-") != std::string_view::npos;
 }
 
-/// A ZIP of an office program names its parts first.
+/// A ZIP of an office program lists its own parts first.
 FileFormat packed_format(Bytes bytes) {
     const auto head = bytes.first(std::min<std::size_t>(bytes.size(), 256));
     const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
@@ -125,7 +125,7 @@ FileFormat format_of(Bytes bytes) {
         return FileFormat::office;
     if (starts_with(bytes, "Rar!"sv) || starts_with(bytes, "7z\xbc\xaf"sv))
         return FileFormat::archive;
-    // Nothing else that is felt is packed so; the worker looks.
+    // No other format of the kiosk is packed so; the worker looks inside.
     if (starts_with(bytes, "\x1f\x8b"sv)) return FileFormat::svg;
     if (is_pdf(bytes)) return FileFormat::pdf;
     return is_svg(bytes) ? FileFormat::svg : FileFormat::unknown;

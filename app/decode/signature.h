@@ -1,4 +1,4 @@
-// What a file is, by its first bytes; a name says nothing.
+// Recognizes a file by its first bytes; its name tells nothing.
 // Threads: pure functions, O(1).
 #pragma once
 

@@ -1,4 +1,4 @@
-// Pixels that are not square, as fax machines and old screens have them.
+// Handles pixels that are not square, as in files of fax machines and old screens.
 #include "app/decode/formats.h"
 
 #include <algorithm>
@@ -8,9 +8,9 @@ namespace touchline::decode {
 namespace {
 
 constexpr double least_difference = 0.02;
-constexpr double most_difference = 5.0;  // beyond, somebody wrote nonsense
+constexpr double most_difference = 5.0;  // anything more is nonsense
 
-/// Two neighbours of a line of pixels, and how much of the second.
+/// Two neighbours in a line of pixels, and the share of the second.
 struct Between {
     std::size_t first;
     std::size_t second;
@@ -60,7 +60,7 @@ Picture with_square_pixels(Picture picture, const Resolution& resolution) {
     if (!(ratio > 1.0 / most_difference && ratio < most_difference) ||
         std::abs(ratio - 1.0) < least_difference)
         return picture;
-    // The coarser side grows; where the picture would be too large, the finer one shrinks.
+    // Enlarges the coarser side; if the picture would be too large, shrinks the finer one.
     const auto side = [](int pixels, double by) {
         return std::max(1, static_cast<int>(std::lround(pixels * by)));
     };

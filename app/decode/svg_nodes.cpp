@@ -44,7 +44,7 @@ void append_words(std::string& text, std::string_view more) {
     }
 }
 
-/// Walked without recursion: nesting comes from the file.
+/// Walks without recursion, because the nesting comes from the file.
 std::string text_of(pugi::xml_node element) {
     constexpr int nowhere = std::numeric_limits<int>::max();
 

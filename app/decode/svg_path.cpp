@@ -15,7 +15,7 @@ char upper(char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
-/// One d attribute, command by command.
+/// Reads one d attribute, command by command.
 class PathReader {
   public:
     PathReader(std::string_view d, SvgTracer& tracer) : scanner_(d), tracer_(tracer) {}
@@ -36,7 +36,7 @@ class PathReader {
         return failure(fmt::format("at character {} of d: {}", scanner_.position() + 1, what));
     }
 
-    /// A letter, or the last one again: after a move, a line.
+    /// Takes a letter, or repeats the last one; a move is followed by lines.
     Result<void> take_command() {
         const char next = scanner_.peek();
         if (commands.find(upper(next)) != std::string_view::npos) {
@@ -65,17 +65,17 @@ class PathReader {
         return {};
     }
 
-    /// The point in arguments i and i + 1.
+    /// The point of the arguments i and i + 1.
     [[nodiscard]] UserPoint point(std::size_t i) const {
         return origin() + UserPoint{arguments_[i], arguments_[i + 1]};
     }
 
-    /// What the numbers count from: a small letter counts from the pen.
+    /// The origin of the numbers: the pen for a small letter.
     [[nodiscard]] UserPoint origin() const {
         return command_ == upper(command_) ? UserPoint{} : tracer_.pen();
     }
 
-    /// The last control point mirrored in the pen, when the last command was such a curve.
+    /// The last control point, mirrored at the pen, if the last command was such a curve.
     [[nodiscard]] UserPoint mirrored_control(std::string_view after) const {
         const bool continues = after.find(previous_) != std::string_view::npos;
         return continues ? 2.0 * tracer_.pen() - control_ : tracer_.pen();

@@ -1,5 +1,5 @@
-// An SVG as a picture of pixels. librsvg opens no other file as long as it is told of no base
-// address; scripts, animation and network do not exist in it, and it bounds its own nesting.
+// An SVG as a picture of pixels. librsvg opens no other file as long as it has no base address; it
+// has no scripts, animation or network, and it bounds its own nesting.
 #include "app/decode/drawing_surface.h"
 #include "app/decode/formats.h"
 #include "app/decode/machine_words.h"
@@ -44,11 +44,11 @@ bool is_packed(Bytes bytes) {
 }
 
 Result<std::string> unpacked(Bytes bytes) {
-    constexpr int gzip = 15 + 16;  // zlib's word for its largest window and that wrapping
+    constexpr int gzip = 15 + 16;  // zlib's code for its largest window and a gzip header
     z_stream stream{};
     if (inflateInit2(&stream, gzip) != Z_OK) return damaged("SVG", "it cannot be unpacked");
     const Owned<z_stream> ends(&stream);
-    // zlib does not write to what it reads.
+    // zlib does not write to its input.
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(bytes.data()));
     stream.avail_in = static_cast<uInt>(bytes.size());
     std::string text;
@@ -66,7 +66,7 @@ Result<std::string> unpacked(Bytes bytes) {
     return text;
 }
 
-/// Without what declares its code, which is another one now.
+/// Drops the declaration of the encoding, which has changed.
 Result<std::string> narrowed(std::string_view text) {
     const std::size_t low = text.starts_with("\xfe\xff") ? 1 : 0;
     std::vector<gunichar2> units;
@@ -83,9 +83,9 @@ Result<std::string> narrowed(std::string_view text) {
     return std::string(end == std::string_view::npos ? all : all.substr(end + 2));
 }
 
-/// The text is in UTF-8, or in whatever one-byte code the file declares: unpacked where it is
-/// packed (gzip), of UTF-16 the same in UTF-8 without its declaration. Fails with one line for what
-/// is damaged, more than 64 MB when unpacked, or no SVG. O(text).
+/// The SVG's text in UTF-8, or in the one-byte encoding that the file declares. Unpacks gzip;
+/// converts UTF-16 to UTF-8 and drops its declaration. Fails with one line if the file is damaged,
+/// is more than 64 MB unpacked, or is no SVG. O(text).
 Result<std::string> svg_text(Bytes bytes) {
     Result<std::string> text =
         is_packed(bytes) ? unpacked(bytes)
@@ -99,7 +99,7 @@ Result<std::string> svg_text(Bytes bytes) {
     return text;
 }
 
-/// A document's viewport, and what of it becomes the picture.
+/// A document's viewport, and the part of it that becomes the picture.
 struct Framing {
     RsvgRectangle viewport{};
     RsvgRectangle shown{};
@@ -115,7 +115,7 @@ struct Framing {
     }
 };
 
-/// A document that names no size shows its viewBox, or else all that is painted, with a margin.
+/// A document without a size shows its viewBox, or else everything painted, with a margin.
 std::optional<Framing> framing_of_unsized(RsvgHandle* handle) {
     gboolean has_box = 0;
     RsvgRectangle box{};
@@ -135,7 +135,7 @@ std::optional<Framing> framing_of_unsized(RsvgHandle* handle) {
         {ink.x - margin, ink.y - margin, ink.width + 2.0 * margin, ink.height + 2.0 * margin}};
 }
 
-/// The longer side becomes svg_longer_side_px long; nothing for a document without a size.
+/// The longer side becomes svg_longer_side_px long. Nothing for a document without a size.
 std::optional<Framing> framing_of(RsvgHandle* handle) {
     double width = 0.0;
     double height = 0.0;
@@ -150,7 +150,7 @@ std::optional<Framing> framing_of(RsvgHandle* handle) {
     return framing;
 }
 
-/// What it says of itself.
+/// What the document says about itself.
 TactileMap told_by(std::string_view text, const Picture& picture) {
     if (auto own = parse_own_map(text, Area{}); own && point_count(*own) <= MapLimits::points)
         return std::move(*own);
@@ -162,7 +162,7 @@ TactileMap told_by(std::string_view text, const Picture& picture) {
     return told;
 }
 
-/// Its texts: where they are painted, and as labels.
+/// Adds its texts: their boxes, and their labels.
 void add_texts(RsvgHandle* handle, const std::vector<SvgText>& texts, const Framing& framing,
                Page& page) {
     const Picture& picture = page.picture;
@@ -198,7 +198,7 @@ Result<Page> read_svg(Bytes bytes, const PageOrder& order) {
     const Owned<RsvgHandle> handle(rsvg_handle_new_from_data(
         reinterpret_cast<const guint8*>(source.svg.data()), source.svg.size(), &problem));
     if (handle == nullptr) return told(Owned<GError>(problem));
-    constexpr double kPixelsPerInch = 96.0;  // of CSS
+    constexpr double kPixelsPerInch = 96.0;  // as in CSS
     rsvg_handle_set_dpi(handle.get(), kPixelsPerInch);
     const auto framing = framing_of(handle.get());
     if (!framing) return damaged("SVG", "nothing is painted, or it has no size");

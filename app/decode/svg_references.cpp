@@ -20,7 +20,7 @@ constexpr std::array<const char*, 9> painted_with{"fill",         "stroke",     
                                                   "clip-path",    "filter",     "marker",
                                                   "marker-start", "marker-mid", "marker-end"};
 
-/// NAME of "#NAME" and of "url(#NAME)"; empty where nothing of this file is meant.
+/// NAME of "#NAME" and of "url(#NAME)"; empty if it refers to nothing in this file.
 std::string_view target_of(std::string_view reference) {
     const auto from = reference.find('#');
     if (from == std::string_view::npos) return {};
@@ -54,7 +54,7 @@ class Counter {
         pugi::xml_node(root).traverse(names);
     }
 
-    /// A reference back to what is being counted draws nothing: librsvg breaks such circles.
+    /// A reference back to an element being counted draws nothing: librsvg breaks such circles.
     Drawn count(const pugi::xml_node& element, int depth) {
         if (depth > deepest) return {too_many, too_many};
         const auto [known, is_new] = counted_.try_emplace(element.hash_value());

@@ -36,7 +36,7 @@ bool SvgScanner::take_word(std::string_view word) {
 
 std::optional<double> SvgScanner::take_number() {
     std::string_view rest = text_.substr(position_);
-    const bool has_plus = rest.starts_with('+');  // from_chars knows only the minus
+    const bool has_plus = rest.starts_with('+');  // from_chars accepts only the minus
     if (has_plus) rest.remove_prefix(1);
     const std::string_view digits = !has_plus && rest.starts_with('-') ? rest.substr(1) : rest;
     // from_chars would take "inf" and "nan" as well.

@@ -1,4 +1,4 @@
-// Private to app/decode: numbers out of SVG attributes. Locale plays no part. O(length).
+// Private to app/decode: reads numbers from SVG attributes, whatever the locale. O(length).
 #pragma once
 
 #include <cstddef>
@@ -14,25 +14,25 @@ class SvgScanner {
 
     void skip_space();
 
-    /// White space with at most one comma in it.
+    /// Skips white space with at most one comma in it.
     void skip_separator();
 
     [[nodiscard]] bool is_at_end() const { return position_ == text_.size(); }
 
     [[nodiscard]] std::size_t position() const { return position_; }
 
-    /// The present character, 0 at the end.
+    /// The current character, 0 at the end.
     [[nodiscard]] char peek() const { return is_at_end() ? '\0' : text_[position_]; }
 
     char take() { return is_at_end() ? '\0' : text_[position_++]; }
 
-    /// Takes the word if it is what comes next.
+    /// Takes the word if it comes next.
     bool take_word(std::string_view word);
 
-    /// A finite number and the separator behind it; nothing where there is none.
+    /// Takes a finite number and the separator behind it; nothing if there is none.
     std::optional<double> take_number();
 
-    /// A flag of an arc: one digit, 0 or 1, which may touch what follows it.
+    /// Takes a flag of an arc: one digit, 0 or 1, which may touch what follows it.
     std::optional<double> take_flag();
 
   private:
@@ -40,7 +40,7 @@ class SvgScanner {
     std::size_t position_ = 0;
 };
 
-/// A whole attribute that is one number, "px" behind it allowed (it is the user unit).
+/// Reads an attribute that is one number; "px" may follow it (it is the user unit).
 [[nodiscard]] std::optional<double> parse_svg_length(std::string_view text);
 
 }  // namespace touchline::decode

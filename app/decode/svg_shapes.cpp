@@ -10,7 +10,7 @@
 namespace touchline::decode {
 namespace {
 
-/// Reads the lengths of one element; remembers the first that is none.
+/// Reads the lengths of one element, and remembers the first bad one.
 class Lengths {
   public:
     explicit Lengths(const pugi::xml_node& element) : element_(element) {}
@@ -61,7 +61,8 @@ Result<void> draw_line(const pugi::xml_node& element, SvgTracer& tracer) {
     return length.result();
 }
 
-/// As SVG says a rectangle is drawn: from the left end of the upper side, clockwise on the screen.
+/// Draws the rectangle as SVG defines it: from the left end of the upper side, clockwise on the
+/// screen.
 Result<void> draw_rectangle(const pugi::xml_node& element, SvgTracer& tracer) {
     Lengths length(element);
     const double x = length("x");

@@ -11,12 +11,12 @@
 
 namespace touchline::decode {
 
-/// Draws the d attribute of a path. Fails with what is wrong and where, not with a whole line: the
-/// caller knows the element's name.
+/// Draws the d attribute of a path. Fails with what is wrong and where, not with a whole line,
+/// because the caller knows the element's name.
 [[nodiscard]] Result<void> draw_path(std::string_view d, SvgTracer& tracer);
 
-/// Draws <path>, <polyline>, <polygon>, <line>, <rect>, <circle> or <ellipse>; nothing for another
-/// element, which is left out. `name` is the element's name without its prefix.
+/// Draws <path>, <polyline>, <polygon>, <line>, <rect>, <circle> or <ellipse>. Returns nothing for
+/// any other element, which is left out. `name` is the element's name without its prefix.
 [[nodiscard]] std::optional<Result<void>> draw_shape(const pugi::xml_node& element,
                                                      std::string_view name, SvgTracer& tracer);
 

@@ -33,7 +33,7 @@ SaidLanguages languages_of(const pugi::xml_node& parent, std::string_view name) 
     return said;
 }
 
-/// Lines up to places that only grow.
+/// Counts lines up to places that only grow.
 class LineCounter {
   public:
     explicit LineCounter(std::string_view text) : text_(text) {}
@@ -52,7 +52,7 @@ class LineCounter {
     int line_ = 1;
 };
 
-/// What the map's reader takes (map_svg_reader.cpp), in the order of the document.
+/// Visits what the map's reader takes (map_svg_reader.cpp), in the order of the document.
 void survey(const pugi::xml_node& parent, int depth, LineCounter& lines, SvgSurvey& made) {
     if (depth > max_nesting) return;
     for (const pugi::xml_node& element : parent.children()) {

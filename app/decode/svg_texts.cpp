@@ -14,7 +14,7 @@
 namespace touchline::decode {
 namespace {
 
-/// What is in these is painted elsewhere, or nowhere.
+/// True for elements whose content is painted elsewhere, or nowhere.
 bool is_apart(std::string_view name) {
     constexpr std::array<std::string_view, 5> apart{"defs", "symbol", "clipPath", "mask",
                                                     "pattern"};
@@ -53,7 +53,7 @@ class Collector {
         made_.texts.push_back({std::move(words), std::move(id)});
     }
 
-    /// Behind the element's name, so that all else stays as it was written.
+    /// Inserts it behind the element's name, so that all else stays as written.
     bool insert_id(const pugi::xml_node& element, const std::string& id) {
         const std::string_view name = element.name();
         const auto at =

@@ -1,4 +1,4 @@
-// Private to app/decode: the texts that an SVG shows, and where.
+// Private to app/decode: the texts that an SVG shows, and their places.
 // Threads: pure functions; one handle, one thread.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace touchline::decode {
 
-/// A <text> that can be asked for by its id.
+/// A <text> that can be found by its id.
 struct SvgText {
     std::string words;
     std::string id;
@@ -24,10 +24,12 @@ struct SvgWithTexts {
     std::vector<SvgText> texts;
 };
 
-/// At most max_word_boxes texts. A document that cannot be parsed comes back as it is. O(text).
+/// Gives at most max_word_boxes texts ids. A document that cannot be parsed comes back unchanged.
+/// O(text).
 [[nodiscard]] SvgWithTexts with_ids(std::string_view svg);
 
-/// Where the text is painted in a picture that fills `viewport`; nothing where none of it is.
+/// The box of the painted text in a picture that fills `viewport`; nothing if none of it is
+/// painted.
 [[nodiscard]] std::optional<TextBox> box_of(RsvgHandle* handle, const SvgText& text,
                                             const RsvgRectangle& viewport);
 

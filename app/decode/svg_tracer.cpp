@@ -11,12 +11,12 @@
 namespace touchline::decode {
 namespace {
 
-/// Ends that are nearer than this meet: sums of relative steps miss by rounding, and the grid on
-/// which maps are written is ten times coarser.
+/// Ends nearer than this meet: sums of relative steps miss by rounding, and the grid for writing
+/// maps is ten times coarser.
 constexpr double meeting_mm = 1e-7;
 
-/// Equal parts of the parameter that keep a curve within the tolerance of its chords: the chord's
-/// error is at most max|B''| / (8 n^2).
+/// The number of equal parts of the parameter that keep a curve within the tolerance of its chords:
+/// the chord's error is at most max|B''| / (8 n^2).
 double parts_for(double second_derivative_mm) {
     return std::max(1.0,
                     std::ceil(std::sqrt(second_derivative_mm / (8.0 * flattening_tolerance_mm))));
@@ -28,11 +28,11 @@ double step_for(double radius_mm) {
     return 2.0 * std::acos(1.0 - flattening_tolerance_mm / radius_mm);
 }
 
-/// An arc by its centre: angles in the ellipse's own parameter.
+/// An arc by its centre; its angles are in the ellipse's own parameter.
 struct Arc {
     UserPoint centre;
-    UserPoint axis_x;  // from the centre to where the angle is 0
-    UserPoint axis_y;  // ... a quarter turn
+    UserPoint axis_x;  // from the centre to the point at angle 0
+    UserPoint axis_y;  // from the centre to the point a quarter turn on
     double begin_rad = 0.0;
     double sweep_rad = 0.0;
 
@@ -48,7 +48,7 @@ Arc arc_between(UserPoint from, UserPoint to, UserPoint radii, double rotation_r
     const UserPoint half = 0.5 * (from - to);
     UserPoint on_circle{dot(half, right) / radii.x, cross(right, half) / radii.y};
     const double overlong = norm(on_circle);
-    if (overlong > 1.0) {  // radii that do not reach are enlarged until they do
+    if (overlong > 1.0) {  // enlarges radii that do not reach
         radii = overlong * radii;
         on_circle = (1.0 / overlong) * on_circle;
     }

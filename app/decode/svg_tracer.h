@@ -9,8 +9,8 @@
 
 namespace touchline::decode {
 
-/// Closed: the last point joins the first, which is not repeated. At least two points, and three
-/// when closed; no two in a row are equal.
+/// Closed: the last point joins the first, which is not repeated. Has at least two points, three if
+/// closed; no two in a row are equal.
 struct Subpath {
     std::vector<UserPoint> points;
     bool is_closed = false;
@@ -18,7 +18,8 @@ struct Subpath {
 
 class SvgTracer {
   public:
-    /// The transform leads to the viewBox; `max_points` bounds all subpaths together.
+    /// `to_view_box` maps the element's units to the viewBox; `max_points` bounds all subpaths
+    /// together.
     SvgTracer(const Affine& to_view_box, std::size_t max_points)
         : to_view_box_(to_view_box), is_exact_(to_view_box == Affine{}), points_left_(max_points) {}
 
@@ -33,13 +34,14 @@ class SvgTracer {
 
     void close();
 
-    /// Where the pen is, in the units of the element.
+    /// The pen's place, in the element's units.
     [[nodiscard]] UserPoint pen() const { return pen_; }
 
-    /// False from the first point that is not finite, or one too many; nothing is stored then.
+    /// False from the first point that is not finite, or is one too many; such a point is not
+    /// stored.
     [[nodiscard]] bool is_good() const { return is_good_; }
 
-    /// What was drawn; the tracer is done with.
+    /// Takes what was drawn. The tracer cannot be used after that.
     [[nodiscard]] std::vector<Subpath> take();
 
   private:

@@ -8,7 +8,7 @@
 
 namespace touchline::decode {
 
-using UserPoint = Vec2<struct UserUnit>;  // of an SVG; millimetres of a map once transformed
+using UserPoint = Vec2<struct UserUnit>;  // in an SVG; millimetres of a map once transformed
 
 /// x' = a x + c y + e, y' = b x + d y + f, as SVG's matrix(a b c d e f).
 struct Affine {
@@ -29,11 +29,11 @@ struct Affine {
     [[nodiscard]] double stretch() const;
 };
 
-/// First `inner`, then `outer`.
+/// Applies `inner`, then `outer`.
 [[nodiscard]] Affine operator*(const Affine& outer, const Affine& inner);
 
-/// matrix, translate, scale, rotate, skewX and skewY, in any number; the empty text is the
-/// identity. Nothing for a text that is no transform.
+/// Reads matrix, translate, scale, rotate, skewX and skewY, in any number; the empty text is the
+/// identity. Returns nothing if the text is no transform.
 [[nodiscard]] std::optional<Affine> parse_svg_transform(std::string_view text);
 
 }  // namespace touchline::decode

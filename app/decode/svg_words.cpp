@@ -12,7 +12,7 @@ std::string_view language_in(std::string_view tag) {
     return tag.substr(0, tag.find('-'));
 }
 
-/// SVG 2: where both attributes are there, that of XML counts.
+/// SVG 2: if both attributes exist, XML's counts.
 std::string_view tag_of(const pugi::xml_node& element) {
     const auto attribute = element.attribute("xml:lang");
     return attribute ? attribute.value() : element.attribute("lang").value();

@@ -1,4 +1,4 @@
-// Private to app/decode: which words are one text. Any unit, y downwards.
+// Private to app/decode: decides which words form one text. Any unit, y downwards.
 // Threads: pure functions.
 #pragma once
 
@@ -13,10 +13,10 @@ struct TextBox {
     double bottom = 0.0;
 };
 
-/// Between words of one text, of a line's height.
+/// The widest gap between words of one text, in line heights.
 constexpr double widest_gap = 1.2;
 
-/// Does `next` stand in the line of `text`, close behind it?
+/// True if `next` stands in the line of `text`, close behind it.
 [[nodiscard]] constexpr bool continues(const TextBox& text, const TextBox& next) {
     constexpr double least_height = 1.0;
     const double height = std::max(text.bottom - text.top, least_height);

@@ -34,7 +34,7 @@ SampleForm samples_of(const TiffFile& file) {
     return form;
 }
 
-/// What a file without the tag means, as libtiff takes it.
+/// libtiff's default for a file without the tag.
 std::uint32_t photometric_of(const TiffFile& file, std::uint16_t count) {
     std::uint16_t told = 0;
     if (TIFFGetField(file.get(), TIFFTAG_PHOTOMETRIC, &told) != 0) return told;
@@ -44,7 +44,7 @@ std::uint32_t photometric_of(const TiffFile& file, std::uint16_t count) {
     return is_fax ? PHOTOMETRIC_MINISWHITE : PHOTOMETRIC_MINISBLACK;
 }
 
-/// False for what nobody can show.
+/// False for colours that cannot be shown.
 bool read_colours(std::uint32_t photometric, TiffForm& form) {
     const auto set = [&form](TiffColours colours, std::uint16_t count) {
         form.colours = colours;
@@ -58,7 +58,7 @@ bool read_colours(std::uint32_t photometric, TiffForm& form) {
         case PHOTOMETRIC_MASK:
             return set(TiffColours::grey, 1);
         case PHOTOMETRIC_RGB:
-        case PHOTOMETRIC_YCBCR:  // libtiff has made it red, green and blue
+        case PHOTOMETRIC_YCBCR:  // libtiff converts it to red, green and blue
             return set(TiffColours::rgb, 3);
         case PHOTOMETRIC_PALETTE:
             return set(TiffColours::palette, 1) && form.samples.kind == NumberKind::whole &&
@@ -79,7 +79,7 @@ void read_alpha(const TiffFile& file, TiffForm& form) {
     std::uint16_t count = 0;
     std::uint16_t* kinds = nullptr;
     if (TIFFGetField(file.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds) == 0) {
-        // Such files mean it so, and libtiff takes them so.
+        // Such files mean alpha, and libtiff reads them so.
         const bool is_rgb_and_one = form.colours == TiffColours::rgb && form.count == 4;
         if (is_rgb_and_one) form.alpha = std::uint16_t{3};
         form.is_multiplied = is_rgb_and_one;
@@ -93,13 +93,13 @@ void read_alpha(const TiffFile& file, TiffForm& form) {
     }
 }
 
-/// False where there is none.
+/// False if there is none.
 bool read_palette(const TiffFile& file, TiffForm& form) {
     std::array<std::uint16_t*, 3> parts{};
     if (TIFFGetField(file.get(), TIFFTAG_COLORMAP, &parts[2], &parts[1], &parts[0]) == 0)
         return false;
     const std::size_t count = std::size_t{1} << form.samples.bits;
-    // Of 16 bits; some programs write 8.
+    // The palette has 16 bits; some programs write 8.
     const bool is_narrow = std::ranges::all_of(parts, [count](const std::uint16_t* part) {
         return std::all_of(part, part + count, [](std::uint16_t value) { return value < 256; });
     });
@@ -113,7 +113,7 @@ bool read_palette(const TiffFile& file, TiffForm& form) {
     return true;
 }
 
-/// Rounded.
+/// a times b over 255, rounded.
 std::uint8_t product(unsigned a, unsigned b) {
     return static_cast<std::uint8_t>((a * b + 127U) / 255U);
 }
@@ -190,7 +190,7 @@ void TiffPixels::write_colours(std::span<const Channel> channels, std::size_t co
     }
 }
 
-/// Cyan, magenta, yellow, black; of fewer than three nobody knows the colour.
+/// Cyan, magenta, yellow, black. The colours of fewer than three inks are unknown.
 void TiffPixels::write_inks(std::span<const Channel> channels, std::size_t count) {
     const std::size_t step = this->channels();
     for (std::size_t x = 0; x < count; ++x) {
@@ -208,7 +208,7 @@ void TiffPixels::write_inks(std::span<const Channel> channels, std::size_t count
     }
 }
 
-/// By lcms2's way of writing it in 8 bits: all of 100, and 128 in the middle.
+/// Uses lcms2's 8-bit form: L fills the whole range, a and b have 128 in the middle.
 void TiffPixels::write_lab(std::span<const Channel> channels, std::size_t count) {
     const Range own = own_range(form_.samples);
     const bool is_signed =

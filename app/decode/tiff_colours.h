@@ -1,4 +1,4 @@
-// Private to app/decode: what the samples of a TIFF mean.
+// Private to app/decode: the meaning of a TIFF's samples.
 // Threads: one object, one thread.
 #pragma once
 
@@ -14,34 +14,34 @@
 
 namespace touchline::decode {
 
-/// Ways of telling a colour: so many samples each.
+/// How a colour is stored: each way has its own number of samples.
 enum class TiffColours : std::uint8_t { grey, white_is_zero, palette, rgb, inks, lab };
 
-/// How pixels are stored, where it is not libtiff's own business (tiff_reader.cpp).
+/// How pixels are stored, unless libtiff reads them itself (tiff_reader.cpp).
 struct TiffForm {
     SampleForm samples;
-    std::uint16_t count = 1;  // of samples a pixel
-    bool is_planar = false;   // each of them is stored for itself
+    std::uint16_t count = 1;  // samples per pixel
+    bool is_planar = false;   // each sample has a plane of its own
     TiffColours colours = TiffColours::grey;
-    std::uint16_t colour_count = 1;                    // of them, the first ones
-    std::optional<std::uint16_t> alpha;                // which of the others
-    bool is_multiplied = false;                        // the colours are, by alpha
-    std::uint32_t lab_kind = 0;                        // TIFF's number of it
+    std::uint16_t colour_count = 1;                    // samples of colour: the first ones
+    std::optional<std::uint16_t> alpha;                // which of the others is alpha
+    bool is_multiplied = false;                        // the colours are multiplied by alpha
+    std::uint32_t lab_kind = 0;                        // TIFF's number for the kind of Lab
     std::vector<std::array<std::uint8_t, 3>> palette;  // blue, green, red
 };
 
-/// Fails with one line where nothing is felt of such pixels.
+/// Fails with one line for pixels that cannot be shown.
 [[nodiscard]] Result<TiffForm> form_of(const TiffFile& file);
 
-/// Samples become blue, green, red and, where there is one, straight alpha.
+/// Turns samples into blue, green, red and, if there is one, straight alpha.
 class TiffPixels {
   public:
-    /// `range`: of the colours.
+    /// `range`: the colours' range.
     TiffPixels(const TiffForm& form, const Range& range);
 
     [[nodiscard]] std::size_t channels() const { return form_.alpha ? 4 : 3; }
 
-    /// The samples that are looked at, as planes.
+    /// The samples that are used, as planes.
     [[nodiscard]] std::vector<std::uint16_t> planes() const;
 
     /// Valid until the next call.
@@ -56,7 +56,7 @@ class TiffPixels {
         std::size_t step = 1;
     };
 
-    /// Of the samples that are looked at.
+    /// The numbers of the samples that are used.
     [[nodiscard]] std::vector<Channel> unpacked(const Stretch& stretch);
     void write_colours(std::span<const Channel> channels, std::size_t count);
     void write_inks(std::span<const Channel> channels, std::size_t count);

@@ -69,7 +69,7 @@ toff_t TiffFile::seek(thandle_t handle, toff_t offset, int from) {
         const int length = std::vsnprintf(text.data(), text.size(), format, arguments);
         error = length > 0 ? text.data() : "libtiff gives no reason";
     }
-    return 1;  // handled: nothing goes to the process-wide handler and stderr
+    return 1;  // handled: nothing goes to the process-wide handler or stderr
 }
 
 Result<TiffFile> TiffFile::opened(Bytes bytes) {
@@ -80,7 +80,7 @@ Result<TiffFile> TiffFile::opened(Bytes bytes) {
     TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(max_library_bytes));
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_first_error, file.source_.get());
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), drop_warning, nullptr);
-    // It lies in memory: libtiff need not copy what it unpacks.
+    // The file is in memory, so libtiff need not copy what it unpacks.
     const auto map = [](thandle_t handle, void** base, toff_t* size) {
         const Bytes all = static_cast<Source*>(handle)->bytes;
         *base = const_cast<std::byte*>(all.data());  // NOLINT: libtiff only reads it
@@ -132,8 +132,8 @@ Result<void> TiffFile::read(const std::vector<std::uint16_t>& planes,
     return TIFFIsTiled(get()) != 0 ? read_tiles(wanted, take) : read_rows(wanted, take);
 }
 
-/// A file of its own for each further plane: a strip is unpacked from its beginning on, and there
-/// may be one for the whole plane.
+/// Opens a handle for each further plane: a strip is unpacked from its beginning, and one may hold
+/// the whole plane.
 Result<void> TiffFile::read_rows(const std::vector<std::uint16_t>& planes,
                                  const std::function<void(const Stretch&)>& take) const {
     std::vector<TiffFile> others;

@@ -1,4 +1,4 @@
-// Private to app/decode: a TIFF in memory, through libtiff, and its pixels as they are stored.
+// Private to app/decode: a TIFF in memory, read by libtiff, and its pixels as they are stored.
 // Threads: one file, one thread.
 #pragma once
 
@@ -16,8 +16,8 @@
 
 namespace touchline::decode {
 
-/// A part of a row: `count` pixels from (x, y), which lie in the picture; the bytes of each plane
-/// that was asked for, of all samples where they are not stored plane by plane.
+/// A part of a row: `count` pixels from (x, y), all within the picture. Holds the bytes of each
+/// plane that was asked for, or of all samples if they are not stored plane by plane.
 struct Stretch {
     std::size_t x = 0;
     std::size_t y = 0;
@@ -27,26 +27,27 @@ struct Stretch {
 
 class TiffFile {
   public:
-    /// At its first picture that is no small copy of one, nor a mask. Fails with one line.
+    /// Opens the file at its first picture that is neither a small copy of another nor a mask.
+    /// Fails with one line.
     static Result<TiffFile> open(Bytes bytes);
 
-    /// libtiff's, for its functions.
+    /// The handle for libtiff's functions.
     [[nodiscard]] TIFF* get() const { return tiff_.get(); }
 
-    /// A number of the directory, or its default; 0 where it has none.
+    /// A number of the directory, or its default; 0 if it has none.
     [[nodiscard]] std::uint32_t number(std::uint32_t tag) const;
 
     /// "the TIFF picture is cut short or damaged (...)", in libtiff's words.
     [[nodiscard]] tl::unexpected<Error> broken() const;
 
-    /// The same picture, from its beginning again.
+    /// Opens the same picture again, from its beginning.
     [[nodiscard]] Result<TiffFile> again() const;
 
     [[nodiscard]] bool is_planar() const {
         return number(TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE;
     }
 
-    /// All stretches, each once; `planes` matters only where is_planar(). Call it once.
+    /// Gives all stretches, each once. `planes` matters only if is_planar(). Call it once.
     [[nodiscard]] Result<void> read(const std::vector<std::uint16_t>& planes,
                                     const std::function<void(const Stretch&)>& take) const;
 
@@ -54,7 +55,7 @@ class TiffFile {
     struct Source {
         Bytes bytes;
         std::size_t offset = 0;
-        std::string error;  // the first
+        std::string error;  // the first error
     };
 
     struct Close {

@@ -1,5 +1,6 @@
-// TIFF: rows or tiles through libtiff, what they mean by ourselves, since libtiff's own pictures
-// know 1 to 8 and 16 bits of whole numbers only. A few kinds that it alone knows are left to it.
+// TIFF. libtiff reads rows or tiles; this file interprets them, because libtiff's own pictures
+// allow only whole numbers of 1 to 8 and 16 bits. A few kinds that only libtiff knows are left to
+// it.
 #include "app/decode/shrinking.h"
 #include "app/decode/tiff_colours.h"
 #include "app/decode/tiff_file.h"
@@ -12,7 +13,7 @@
 namespace touchline::decode {
 namespace {
 
-/// Colours at fewer places than brightness, logarithms of light, and codecs without rows.
+/// True for fewer colour than brightness samples, logarithms of light, and codecs without rows.
 bool is_libtiffs_own(const TiffFile& file) {
     const auto compression = file.number(TIFFTAG_COMPRESSION);
     switch (file.number(TIFFTAG_PHOTOMETRIC)) {
@@ -38,7 +39,7 @@ void unpack_pixels(std::span<const std::uint32_t> packed, std::span<std::uint8_t
     }
 }
 
-/// A strip or a tile at a time, each with its last row first.
+/// Reads a strip or a tile at a time, each with its last row first.
 Result<Picture> read_by_libtiff(const TiffFile& file, std::uint32_t width, std::uint32_t height) {
     TIFF* const tiff = file.get();
     std::array<char, 1024> reason{};
@@ -73,7 +74,7 @@ Result<Picture> read_by_libtiff(const TiffFile& file, std::uint32_t width, std::
     return std::move(shrinking).picture();
 }
 
-/// Of the numbers in the file where they may be measurements: those are looked at first.
+/// The range of the file's numbers if they may be measurements; it takes a first pass over them.
 Result<Range> range_of(const TiffFile& file, const TiffForm& form) {
     const bool is_fixed = form.samples.kind == NumberKind::whole && form.samples.bits <= 8;
     const bool is_light = form.colours == TiffColours::grey || form.colours == TiffColours::rgb ||
@@ -105,7 +106,7 @@ Result<Picture> read_by_rows(const TiffFile& file, std::uint32_t width, std::uin
     return std::move(shrinking).picture();
 }
 
-/// Pixels on the same length, of whatever unit; 0 where the file does not say.
+/// Pixels per length, in any unit; 0 if the file does not say.
 Resolution resolution_of(const TiffFile& file) {
     float across = 0.0F;
     float down = 0.0F;

@@ -11,7 +11,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-/// A number of the machine's own kinds, or three bytes of one.
+/// A number of the machine's own types, or of three bytes.
 template <class Number, std::size_t bytes = sizeof(Number)>
 Number stored_at(Bytes stored, std::size_t i) {
     Number number{};
@@ -35,7 +35,7 @@ float floating(std::uint32_t stored, unsigned exponent_bits, unsigned fraction_b
     return is_negative ? -number : number;
 }
 
-/// Numbers one behind the other, whatever their bits.
+/// Reads numbers of any bits, one after the other.
 class BitReader {
   public:
     explicit BitReader(Bytes stored) : stored_(stored) {}
@@ -58,7 +58,7 @@ class BitReader {
     unsigned held_bits_ = 0;
 };
 
-/// The highest bit says that it is negative.
+/// The highest bit is the sign.
 float signed_number(std::uint32_t stored, unsigned bits) {
     const std::uint32_t sign = 1U << (bits - 1);
     return static_cast<float>(static_cast<double>(stored ^ sign) - static_cast<double>(sign));

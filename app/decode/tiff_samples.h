@@ -1,4 +1,5 @@
-// Private to app/decode: the numbers in a TIFF, of any depth and kind, and what of them is bright.
+// Private to app/decode: the numbers in a TIFF, of any depth and kind, and which of them are
+// bright.
 // Threads: pure functions.
 #pragma once
 
@@ -18,29 +19,30 @@ struct SampleForm {
     unsigned bits = 8;
 };
 
-/// Whole numbers of 1 to 32 and of 64 bits, floating ones of 16, 24, 32 and 64.
+/// True for whole numbers of 1 to 32 and of 64 bits, and floating ones of 16, 24, 32 and 64.
 [[nodiscard]] bool is_known(const SampleForm& form);
 
-/// As many numbers as there are places for and bytes; 0 for what is missing. Those of 16, 24, 32
-/// and 64 bits are in the machine's order, others packed without gaps, the highest bit first.
+/// Unpacks as many numbers as there are places and bytes; missing ones become 0. Those of 16, 24,
+/// 32 and 64 bits are in the machine's order; others are packed without gaps, the highest bit
+/// first.
 void unpack(Bytes stored, const SampleForm& form, std::span<float> numbers);
 
-/// What becomes black, and what white.
+/// The numbers that become black and white.
 struct Range {
     float low = 0.0F;
     float high = 1.0F;
 };
 
-/// All that the kind can hold; floating: 0 to 1.
+/// All values of the kind; for floating ones 0 to 1.
 [[nodiscard]] Range own_range(const SampleForm& form);
 
-/// Grows with numbers, but for those that stand for none: NaN, infinite, beyond 10^30.
+/// The range of the numbers seen. Ignores what stands for no number: NaN, infinite, beyond 10^30.
 class Seen {
   public:
     void add(float number);
 
-    /// The own range of the form, unless what was seen lies beyond it, or in so small a part that
-    /// nobody would see it: measurements are stored so, and 12 bits in 16.
+    /// The own range of the form, unless the numbers seen lie beyond it, or in so small a part of
+    /// it that nobody would see it. Measurements are stored so, and 12 bits in 16.
     [[nodiscard]] Range range(const SampleForm& form) const;
 
   private:

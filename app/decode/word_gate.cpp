@@ -11,21 +11,21 @@
 namespace touchline::decode {
 namespace {
 
-// Measured on photos, drawings and pages of text: README.md.
+// Measured on photos, drawings and pages of text; see README.md.
 constexpr double least_confidence = 60.0;
-constexpr double least_of_a_long_word = 75.0;  // that stands for its line
+constexpr double least_of_a_long_word = 75.0;  // for a word that vouches for its line
 constexpr double least_of_a_short_word = 95.0;
-constexpr double least_of_a_letter = 85.0;  // in a line that another word stands for
+constexpr double least_of_a_letter = 85.0;  // in a line that another word vouches for
 constexpr int letters_of_a_long_word = 4;
 constexpr int letters_of_a_word = 2;
 constexpr std::size_t most_labels = 2000;
 
 struct Signs {
-    int letters = 0;  // and digits
+    int letters = 0;  // letters and digits
     int others = 0;
 };
 
-/// Of the alphabets of Europe's west, U+00C0 to U+024F but for the signs of times and divided by.
+/// True for western European letters, U+00C0 to U+024F without the times and division signs.
 bool is_letter(std::string_view text, std::size_t at) {
     const auto first = static_cast<unsigned char>(text[at]);
     const auto second =
@@ -45,7 +45,7 @@ Signs signs_in(std::string_view text) {
     return signs;
 }
 
-/// Good enough to show that its line is text.
+/// True if the word is good enough to show that its line is text.
 bool stands_for_its_line(const SeenWord& word) {
     const Signs signs = signs_in(word.text);
     if (signs.letters < letters_of_a_word || signs.letters <= signs.others) return false;
@@ -53,7 +53,7 @@ bool stands_for_its_line(const SeenWord& word) {
            (signs.letters >= letters_of_a_long_word ? least_of_a_long_word : least_of_a_short_word);
 }
 
-/// In a line that is text.
+/// True if it is a word of a line that is text.
 bool is_a_word(const SeenWord& word) {
     const int letters = signs_in(word.text).letters;
     return letters > 0 &&
@@ -110,9 +110,9 @@ class WordJoiner {
                                                   (box.top + box.bottom) / 2.0)});
     }
 
-    Picture picture_;  // its size
+    Picture picture_;  // only its size counts
     FoundWords found_;
-    std::vector<const SeenWord*> run_;  // that stand close in one line
+    std::vector<const SeenWord*> run_;  // words that stand close in one line
     TextBox box_;                       // around them
 };
 

@@ -1,6 +1,6 @@
-// Private to app/decode: which of the words that tesseract sees are there. In photos and line
-// drawings it sees letters everywhere; a label that nobody wrote misleads more than one that is
-// missing.
+// Private to app/decode: decides which of the words that tesseract sees exist. It sees letters
+// everywhere in photos and line drawings, and a label that nobody wrote misleads more than a
+// missing one.
 // Threads: pure functions.
 #pragma once
 
@@ -18,8 +18,8 @@ struct SeenWord {
     bool begins_line = false;
 };
 
-/// The words that can be believed, in a picture of this size; those that stand close in one line
-/// become one label in their middle. O(words).
+/// The credible words in a picture of this size. Words that stand close in one line become one
+/// label in their middle. O(words).
 [[nodiscard]] FoundWords believed(std::span<const SeenWord> seen, int width, int height);
 
 }  // namespace touchline::decode

@@ -24,11 +24,11 @@ struct PixRelease {
 
 using OwnedPix = std::unique_ptr<Pix, PixRelease>;
 
-constexpr int largest_letter = 6;      // of them fill the longer side
-constexpr double most_of_a_box = 0.3;  // that a line fills
+constexpr int largest_letter = 6;      // this many of the largest letters fill the longer side
+constexpr double most_of_a_box = 0.3;  // a line fills less of its box
 constexpr int soft_edge_px = 3;
 
-/// What is dark, as in a printed page.
+/// The dark parts, as on a printed page.
 OwnedPix dark_parts_of(Pix* grey) {
     Pix* dark = nullptr;
     pixOtsuAdaptiveThreshold(grey, pixGetWidth(grey), pixGetHeight(grey), 0, 0, 0.0F, nullptr,
@@ -53,8 +53,8 @@ void paint_over(Pix* grey, Pix* part, int left, int top) {
         pixPaintThroughMask(grey, grown.get(), left - soft_edge_px, top - soft_edge_px, 255);
 }
 
-/// Lines that reach over a sixth of the longer side become white; what is filled stays. 8 bits a
-/// pixel. Where memory ends the picture comes back as it is.
+/// Paints lines that reach over a sixth of the longer side white, and keeps filled shapes. 8 bits
+/// per pixel. Returns the picture unchanged if memory runs out.
 OwnedPix without_shapes(OwnedPix grey) {
     const OwnedPix dark = dark_parts_of(grey.get());
     if (dark == nullptr) return grey;
@@ -75,21 +75,21 @@ OwnedPix without_shapes(OwnedPix grey) {
 
 using decode::SeenWord;
 
-/// Letters of 10 pixels are read when they are drawn twice as large; time grows with the pixels.
+/// Letters of 10 pixels can be read if they are enlarged twice; time grows with the pixels.
 constexpr double wanted_pixels = 4e6;
 constexpr double most_enlarged = 2.0;
 
-/// What tesseract goes by where it looks for the sizes of letters; a screen's or a page's.
+/// Tesseract needs it to find the sizes of letters; that of a screen or a page.
 constexpr int pixels_per_inch = 150;
 
-/// A shape with more holes than any letter has is no letter: what is in it is looked at by itself.
-/// By its own limit (45) tesseract takes a ring for a letter with the words in it for holes.
+/// A shape with more holes than any letter has is no letter, so tesseract looks inside it. Its own
+/// limit (45) takes a ring for a letter with the words in it as holes.
 constexpr const char* most_holes_setting = "edges_children_count_limit";
 constexpr const char* most_holes = "5";
 
 using OwnedText = std::unique_ptr<char[]>;
 
-/// As bright as the eye sees it. Null where memory ends.
+/// Grey as bright as the eye sees it. Null if memory runs out.
 OwnedPix grey_of(const Picture& picture) {
     OwnedPix grey(pixCreateNoInit(picture.width, picture.height, 8));
     if (grey == nullptr) return nullptr;
@@ -107,7 +107,7 @@ OwnedPix grey_of(const Picture& picture) {
     return grey;
 }
 
-/// Pixels that are read per pixel of the picture.
+/// Enlarged pixels per pixel of the picture.
 double scale_for(const Picture& picture) {
     const double pixels = static_cast<double>(picture.width) * picture.height;
     return std::min(most_enlarged, std::sqrt(wanted_pixels / pixels));
@@ -123,7 +123,7 @@ std::uint16_t pixel(double value, int most) {
     return static_cast<std::uint16_t>(std::clamp(value, 0.0, static_cast<double>(most)));
 }
 
-/// Where `at` stands; a box without pixels where tesseract does not say.
+/// The box at `at`; a box without pixels if tesseract does not say.
 WordBox box_at(const tesseract::ResultIterator& at, double scale, const Picture& picture) {
     int left = 0;
     int top = 0;
@@ -141,7 +141,7 @@ std::vector<SeenWord> words_seen(tesseract::TessBaseAPI& tesseract, double scale
     std::vector<SeenWord> seen;
     const std::unique_ptr<tesseract::ResultIterator> at(tesseract.GetIterator());
     if (at == nullptr) return seen;
-    bool begins_line = true;  // also where the line's first word is left out
+    bool begins_line = true;  // stays true if the line's first word is left out
     do {
         begins_line = begins_line || at->IsAtBeginningOf(tesseract::RIL_TEXTLINE);
         if (at->Empty(tesseract::RIL_WORD)) continue;
@@ -169,7 +169,7 @@ tl::unexpected<Error> missing(WrittenLanguage language) {
                    std::string(code_of(language)));
 }
 
-/// One that is missing is passed over by tesseract without a word, but for the first.
+/// Tesseract silently skips any missing language but the first.
 Result<void> check_loaded(const tesseract::TessBaseAPI& tesseract, const ReadingOrder& order) {
     std::vector<std::string> loaded;
     tesseract.GetLoadedLanguagesAsVector(&loaded);

@@ -1,4 +1,4 @@
-// Tesseract, for the one program that it is loaded into.
+// Tesseract, for the only program that loads it.
 // Threads: one reader, one thread; OMP_THREAD_LIMIT must have been 1 when the program began.
 #pragma once
 
@@ -15,12 +15,12 @@ namespace touchline {
 
 class WordReader {
   public:
-    /// Reads the data of the languages from the system's files, once for all. Fails with one line
-    /// where they are missing.
+    /// Reads the languages' data from the system's files, once. Fails with one line if they are
+    /// missing.
     [[nodiscard]] static Result<WordReader> load(const ReadingOrder& order);
 
-    /// The words that can be believed (word_gate.h); none is no error. Opens no file. Takes up to
-    /// some seconds, more for a photo than for a page of text.
+    /// The credible words (word_gate.h); finding none is no error. Opens no file. Takes up to some
+    /// seconds, more for a photo than for a page of text.
     [[nodiscard]] Result<FoundWords> read(const Picture& picture);
 
     ~WordReader();

@@ -1,6 +1,6 @@
 // The words in a picture, read by a worker that can do nothing else (touchline-read).
-// Threads: any, each call by itself; a call waits for its worker, at most its deadline
-// (WorkerKind::ocr), so none that draws or speaks should make it.
+// Threads: any, each call by itself. A call waits for its worker, at most its deadline
+// (WorkerKind::ocr), so no thread that draws or speaks should make it.
 #pragma once
 
 #include "app/decode/found_words.h"
@@ -8,7 +8,7 @@
 
 namespace touchline {
 
-/// The words that can be believed; none is no error. Fails with one line: why, and what comes of
+/// The credible words; finding none is no error. Fails with one line: why, and what follows from
 /// it. The picture holds at least one pixel.
 [[nodiscard]] Result<FoundWords> read_words(const Picture& picture, const ReadingOrder& order = {});
 

@@ -16,7 +16,7 @@
 namespace touchline {
 namespace {
 
-/// As it lies in the memory that the kiosk has sealed: a large picture is not copied once more.
+/// Maps the memory that the kiosk sealed, so that a large picture is not copied again.
 Result<Mapping> map_input(const WorkerLimits& limits) {
     struct stat status {};
 
@@ -32,7 +32,7 @@ Result<Mapping> map_input(const WorkerLimits& limits) {
     return Mapping(start, size);
 }
 
-/// 0: answered.
+/// Returns 0 if it answered.
 int answer(const WorkerProgram& program) {
     auto bytes = map_input(limits_of(program.kind)).and_then([&program](const Mapping& input) {
         return program.work(input.bytes());
@@ -56,7 +56,7 @@ Result<void> shut_in(const WorkerProgram& program) {
 void run_worker_program(const WorkerProgram& program) {
     try {
         if (!shut_in(program)) _exit(worker_refused_to_start);
-        _exit(answer(program));  // no library's farewell, which may want what it may not
+        _exit(answer(program));  // skips the exit code of libraries, which may want forbidden calls
     } catch (const std::bad_alloc&) {
         _exit(worker_out_of_memory);
     }

@@ -1,5 +1,5 @@
-// What is said about the device to the person at the handle: one thing to do at a time. Sentence by
-// sentence it is in the catalogue of words too.
+// What the person at the handle is told about the device: one thing to do at a time. Each sentence
+// is also in the catalogue of words.
 // Threads: pure functions.
 #pragma once
 
@@ -12,17 +12,16 @@
 
 namespace touchline {
 
-/// What to do now, after what was noticed if anything was. To be said whenever `prompts`
-/// changes.
+/// What to do now, after what was noticed, if anything. Say it whenever `prompts` changes.
 [[nodiscard]] std::string words_of(const HomingView& view, const DeviceProfile& profile);
 
-/// The same as was said before, so that it sounds otherwise.
+/// Says the same in another way, so that it sounds different.
 [[nodiscard]] std::string words_again(const std::string& words);
 
-/// While the motors are to be tried and the handle is elsewhere.
+/// Said while the motors are to be tried and the handle is not in the middle.
 [[nodiscard]] std::string words_outside_the_middle(const BoardFrame& frame);
 
-/// What the motors did, and what to do about it; which plug, where one is wrong.
+/// What the motors did, and what to do about it; if a plug is wrong, which one.
 [[nodiscard]] std::string words_of(NudgeVerdict verdict, const BoardFrame& frame);
 
 }  // namespace touchline

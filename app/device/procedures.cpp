@@ -12,17 +12,17 @@ namespace touchline {
 namespace {
 
 constexpr std::int64_t period_ns = 1'000'000;
-constexpr double let_go_s = 2.0;         // to let go of a handle
-constexpr double words_s = 5.0;          // to say what is to be done
+constexpr double let_go_s = 2.0;         // time to let go of a handle
+constexpr double words_s = 5.0;          // time to say what to do
 constexpr double between_tries_s = 6.0;  // of the motors: for the words, and to let go
-constexpr double outside_s = 20.0;       // of the middle: say so
-constexpr double middle_share = 0.6;     // of the drawing area
+constexpr double outside_s = 20.0;       // time outside the middle before the words repeat
+constexpr double middle_share = 0.6;     // of the drawing area's width and height
 
 enum class Ending : std::uint8_t { finished, stopped, out_of_time, lost, misplaced };
 
 constexpr const char* motor_test = "the test of the motors";
 
-/// The same words twice are not heard where only a change is spoken.
+/// Varies repeated words, for the same words twice are not heard where only a change is spoken.
 class Speech {
   public:
     explicit Speech(const Procedure& procedure) : say_(procedure.say) {}
@@ -41,8 +41,7 @@ std::int64_t end_of(const Procedure& procedure) {
     return procedure.clock.now_ns() + static_cast<std::int64_t>(procedure.longest_s * 1e9);
 }
 
-/// Ticks until `step(angles, dt_s)` gives no torques, or to the end. The last thing written is
-/// zero.
+/// Runs ticks until `step(angles, dt_s)` returns no torques, or until the end. Writes zero last.
 template <class Step>
 Ending run_ticks(const Procedure& procedure, std::int64_t end_ns, Step step) {
     TickSchedule schedule(procedure.clock.now_ns(), period_ns);
@@ -91,7 +90,7 @@ Ending wait(const Procedure& procedure, std::int64_t end_ns, double pause_s) {
     });
 }
 
-/// There each motor moves its own arm more than the other's.
+/// In the middle each motor moves its own arm more than the other's.
 bool is_in_the_middle(const DeviceProfile& profile, const std::optional<JointAngles>& angles) {
     const auto pose = angles ? forward(profile.geometry, *angles) : std::nullopt;
     if (!pose) return false;
@@ -100,8 +99,8 @@ bool is_in_the_middle(const DeviceProfile& profile, const std::optional<JointAng
            std::abs(p_W.y) <= 0.5 * middle_share * profile.area.height_m;
 }
 
-/// Until the handle has been in the middle for as long as it takes to let go of it, and all was
-/// said. On the way there from where the arms lie stretched a leap of the tip means nothing.
+/// Runs until the handle has been in the middle for long enough to let go of it, and everything was
+/// said. On the way there from the stretched arms, a jump of the tip means nothing.
 Ending lead_to_the_middle(const Procedure& procedure, std::int64_t end_ns, Speech& speech) {
     double there_s = 0.0, since_s = 0.0, away_s = 0.0;
     return run_ticks(procedure, end_ns, [&](const auto& angles, double dt_s) {
@@ -118,7 +117,7 @@ Ending lead_to_the_middle(const Procedure& procedure, std::int64_t end_ns, Speec
     });
 }
 
-/// What was said last comes `before` what is to be done now.
+/// `before`: what was said last; it is said before what to do now.
 Result<NudgeTest> nudge(const Procedure& procedure, std::int64_t end_ns, Speech& speech,
                         const std::string& before) {
     speech.say(before + words_of(NudgeVerdict::running, procedure.board.frame()));
@@ -146,7 +145,7 @@ Result<Homed> home(const Procedure& procedure, const Calibration& stored) {
     Speech speech(procedure);
     speech.say(words_of(said, profile));
     const auto step = [&](const auto& angles, double dt_s) {
-        // Before the arms are known to be where they read, a leap of the tip means nothing.
+        // Until the arms are known to be where they read, a jump of the tip means nothing.
         if (board.report().state == BoardState::jumped) board.accept_position();
         if (board.report().is_position_doubtful) {
             board.accept_position();

@@ -1,5 +1,5 @@
-// The pictures that ship with the kiosk: map SVGs (app/decode/map_svg.h) in one folder, whose names
-// begin with a number that puts them in order. Threads: pure functions but for the files they read.
+// The pictures that ship with the kiosk: map SVGs (app/decode/map_svg.h) in one folder. Their names
+// begin with a number that gives their order. Threads: pure functions, except that they read files.
 #pragma once
 
 #include "config/types/language_tag.h"
@@ -14,20 +14,20 @@ namespace touchline {
 /// One picture of a gallery, ready to be shown in a list and read with read_map_svg.
 struct GalleryEntry {
     std::string path;
-    std::string title;              // of the map
+    std::string title;              // the map's
     std::string description;        // the view and an overview, for a listener
-    std::optional<int> difficulty;  // 1 (easy) ... 5; none: nobody graded it
+    std::optional<int> difficulty;  // 1 (easy) ... 5; none: ungraded
 };
 
 /// The maps (*.svg) in a folder, sorted by file name, with their words in `language` (map_svg.h
-/// says what is taken where a picture does not speak it). Fails with one line when the folder
-/// cannot be read, holds no map, or holds one that cannot be used. O(files' sizes).
+/// tells what is used if a picture does not have it). Fails with one line if the folder cannot be
+/// read, holds no map, or holds an unusable one. O(files' sizes).
 [[nodiscard]] Result<std::vector<GalleryEntry>> list_gallery(const std::string& folder,
                                                              const LanguageTag& language = {});
 
-/// Where the gallery is: TOUCHLINE_GALLERY of the environment if it is set; else beside the program
-/// as it is installed (../share/touchline/gallery) if that exists; else in the sources it was built
-/// from.
+/// The gallery's folder: TOUCHLINE_GALLERY of the environment if it is set; else
+/// ../share/touchline/gallery beside the installed program if that exists; else the one in the
+/// sources.
 [[nodiscard]] std::string gallery_folder();
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
-// From keys as they go down and up to presses that count: no repeat, no second strike
-// (accessibility IN-4). Threads: plain values; one thread's.
+// Turns key changes into presses that count: no repeat, no second strike (accessibility IN-4).
+// Threads: plain values; one thread's.
 #pragma once
 
 #include "config/settings/keys.h"
@@ -20,15 +20,15 @@ class KeyFilter {
     /// `double_strike_s`: 0 ... 0.5; 0 lets every press through.
     explicit KeyFilter(double double_strike_s);
 
-    /// A press that counts: the key was up, and was not pressed within double_strike_s before. The
-    /// press acts, not the release. O(keys held or pressed before).
+    /// True for a press that counts: the key was up, and was not pressed within double_strike_s
+    /// before. The press acts, not the release. O(keys held or pressed before).
     [[nodiscard]] bool takes(const KeyChange& change);
 
   private:
     struct Known {
         PhysicalKey key;
         bool is_down = false;
-        double down_s = 0.0;  // of the last press that counted
+        double down_s = 0.0;  // time of the last press that counted
     };
 
     double double_strike_s_;

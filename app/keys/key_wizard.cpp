@@ -28,7 +28,7 @@ WizardStep asked_again(KeyWizard wizard, const std::string& why, double now_s,
     return {wizard, why + ' ' + question(wizard, language), WizardEnd::none};
 }
 
-/// What is printed is the same everywhere: "A", "F13".
+/// What is printed on the key is the same in all languages: "A", "F13".
 std::string named_key_in_words(const std::string& name, const Language& language) {
     const bool is_printed =
         name.size() == 1 || (name[0] == 'F' && name[1] >= '0' && name[1] <= '9');

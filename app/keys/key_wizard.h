@@ -1,4 +1,4 @@
-// Learning which key has which role: "Press the key for Up now." Asks for the six roles, then for
+// Learns which key has which role: "Press the key for Up now." Asks for the six roles, then for
 // louder and softer, each twice to be sure. Threads: values and pure functions.
 #pragma once
 
@@ -12,8 +12,8 @@ namespace touchline {
 
 struct KeyWizard {
     KeyTable learnt;
-    std::size_t role = 0;              // that is asked for; key_role_count: all are learnt
-    std::optional<PhysicalKey> first;  // pressed once, to be pressed again
+    std::size_t role = 0;              // the one asked for; key_role_count: all are learnt
+    std::optional<PhysicalKey> first;  // pressed once; must be pressed again
     double asked_s = 0.0;
 };
 
@@ -27,13 +27,13 @@ struct WizardStep {
     WizardEnd end = WizardEnd::none;
 };
 
-/// A key went down. One that has a role already is refused by name; another one at the second
-/// press starts this role anew.
+/// A key went down. Refuses, by name, a key that has a role already. Another key at the second
+/// press restarts this role.
 [[nodiscard]] WizardStep press_wizard_key(const KeyWizard& wizard, const PhysicalKey& key,
                                           double now_s, const Language& language);
 
-/// Time passes. 20 s without a key: louder and softer stay without one, for any other role all is
-/// as it was before.
+/// Time passes. After 20 s without a key, louder and softer stay without one; for any other role
+/// everything stays as it was before.
 [[nodiscard]] WizardStep wait_for_wizard_key(const KeyWizard& wizard, double now_s,
                                              const Language& language);
 

@@ -14,7 +14,7 @@ namespace touchline {
 namespace {
 
 constexpr int calls_between_looks = 60;
-constexpr std::uint32_t scancode_of_code = 8;  // the window system counts from there
+constexpr std::uint32_t scancode_of_code = 8;  // the window system's offset
 
 struct NamedCode {
     std::uint16_t code;
@@ -81,7 +81,7 @@ void OperatorKeyboard::open_again() {
     if (path_.empty() || descriptor_ >= 0) return;
     descriptor_ = open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     error_ = descriptor_ < 0 ? errno : 0;
-    // Its keys come here alone; what cannot be grabbed still tells them.
+    // Only this program gets its keys. If it cannot be grabbed, it still reports them.
     if (descriptor_ >= 0) (void)ioctl(descriptor_, EVIOCGRAB, 1);
 }
 
@@ -93,7 +93,7 @@ std::vector<PhysicalKey> OperatorKeyboard::take_presses() {
     ssize_t got = 0;
     while ((got = read(descriptor_, &event, sizeof event)) == ssize_t{sizeof event})
         if (event.type == EV_KEY && event.value == 1) presses.push_back(key_of_code(event.code));
-    if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) {  // pulled out
+    if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) {  // it was pulled out
         close(descriptor_);
         descriptor_ = -1;
     }

@@ -1,4 +1,4 @@
-// A keyboard that is the operator's alone: an input device of the system (evdev) that the settings
+// A keyboard that only the operator uses: an input device of the system (evdev) that the settings
 // name. Threads: one; no call waits.
 #pragma once
 
@@ -10,15 +10,15 @@
 
 namespace touchline {
 
-/// The key of an evdev code (linux/input-event-codes.h); one without a name by its scancode, as the
-/// window system counts them.
+/// The key of an evdev code (linux/input-event-codes.h). A key without a name gets its scancode, as
+/// the window system counts.
 [[nodiscard]] PhysicalKey key_of_code(std::uint16_t code);
 
 class OperatorKeyboard {
   public:
-    /// None.
+    /// No keyboard.
     OperatorKeyboard() = default;
-    /// `path`: below /dev/input; empty: none. One that is not there yet is looked for again.
+    /// `path`: below /dev/input; empty: none. A missing device is looked for again.
     explicit OperatorKeyboard(std::string path);
     ~OperatorKeyboard();
     OperatorKeyboard(OperatorKeyboard&& other) noexcept;
@@ -26,10 +26,10 @@ class OperatorKeyboard {
     OperatorKeyboard(const OperatorKeyboard&) = delete;
     OperatorKeyboard& operator=(const OperatorKeyboard&) = delete;
 
-    /// Keys that went down since this was last asked, without repeats.
+    /// The keys that went down since the last call, without repeats.
     [[nodiscard]] std::vector<PhysicalKey> take_presses();
 
-    /// Why it cannot be read, as one line; empty where it can or there is none.
+    /// Why it cannot be read, as one line; empty if it can, or if there is none.
     [[nodiscard]] std::string problem() const;
 
   private:
@@ -37,8 +37,8 @@ class OperatorKeyboard {
 
     std::string path_;
     int descriptor_ = -1;
-    int error_ = 0;   // of the last opening
-    int waited_ = 0;  // calls since it was last looked for
+    int error_ = 0;   // errno of the last attempt to open it
+    int waited_ = 0;  // calls since the last attempt
 };
 
 }  // namespace touchline

@@ -23,7 +23,7 @@ SwitchStep onto_role(SwitchScan scan, KeyRole role, const Language& language) {
     return {scan, std::nullopt, words_of(role, language)};
 }
 
-/// Past the last role: on the first item, or on the first role where there are no items.
+/// Past the last role: goes to the first item, or to the first role if there are no items.
 SwitchStep round_again(SwitchScan scan, const SpokenScreen& screen, const Language& language) {
     ++scan.rounds;
     if (screen.items.empty()) return onto_role(scan, roles_after_items.front(), language);
@@ -42,7 +42,7 @@ SwitchStep moved(const SwitchScan& scan, const SpokenScreen& screen, const Langu
     return round_again(scan, screen, language);
 }
 
-/// What was chosen stays under the switch, for it may be wanted again.
+/// The choice stays under the switch, because it may be wanted again.
 SwitchStep selected(SwitchScan scan, const SpokenScreen& screen) {
     const bool is_on_items = !scan.role && !screen.items.empty();
     const KeyRole role = scan.role.value_or(is_on_items ? KeyRole::select : KeyRole::repeat);

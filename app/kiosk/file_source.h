@@ -1,5 +1,5 @@
-// What a stick offers, as it comes and goes, wherever that is known from: the seam between the
-// kiosk and the real sticks (stick_source.h). Threads: one; no call waits.
+// What a stick offers, as sticks come and go. This is the interface between the kiosk and the real
+// sticks (stick_source.h). Threads: one; no call waits.
 #pragma once
 
 #include "app/loading/stages.h"
@@ -13,12 +13,12 @@
 
 namespace touchline {
 
-/// The files that a stick offers now; none: it went, or offers nothing.
+/// The files that a stick offers now. None: it was removed, or offers nothing.
 struct FilesChange {
     std::vector<FilePtr> files;
-    std::string sentence;  // why there are none, for the person; may be empty
-    StickRest rest = {};   // what the stick has beyond the files
-    bool is_read = false;  // its files were looked for: where there are none, it has none
+    std::string sentence;  // why there are no files, for the person; may be empty
+    StickRest rest = {};   // what the stick holds beside the files
+    bool is_read = false;  // the search for files has ended; if there are none, the stick has none
 };
 
 class FileSource {
@@ -30,22 +30,23 @@ class FileSource {
     FileSource& operator=(const FileSource&) = delete;
     FileSource& operator=(FileSource&&) = delete;
 
-    /// The last thing that changed. Several times a second; `now_ns` of the monotonic clock.
+    /// Returns the latest change. Called several times a second; `now_ns` is of the monotonic
+    /// clock.
     [[nodiscard]] virtual std::optional<FilesChange> poll(std::int64_t now_ns) = 0;
 
-    /// Files of a stick are being looked for.
+    /// True while a stick's files are being listed.
     [[nodiscard]] virtual bool is_listing() const = 0;
 
     /// See StickPort.
     virtual void allow(FileSystems allowed) = 0;
 
-    /// The visitor is done: see StickPort.
+    /// The visitor is done. See StickPort.
     virtual void end_session() = 0;
 
-    /// Of the stick that is there; empty: none.
+    /// The root of the plugged-in stick; empty: none.
     [[nodiscard]] virtual const std::string& root() const = 0;
 
-    /// False while sticks could come and nobody would tell.
+    /// False while sticks could come unnoticed.
     [[nodiscard]] virtual bool is_watching() const = 0;
 };
 

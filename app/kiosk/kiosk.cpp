@@ -16,12 +16,12 @@
 namespace touchline {
 namespace {
 
-constexpr double tick_s = 0.05;    // of the visit
-constexpr double sign_s = 1.0;     // that the sign of a sound stays
-constexpr double moved_m = 0.002;  // less is no sign of a person
+constexpr double tick_s = 0.05;    // the visit's tick
+constexpr double sign_s = 1.0;     // how long the sign of a sound stays
+constexpr double moved_m = 0.002;  // a smaller motion is no sign of a person
 constexpr double tour_m_per_s = 0.035;
 
-/// Of a code; the first where it has none of these.
+/// The index of the language with this code; 0 if there is none.
 std::size_t place_of(const std::string& code, const std::vector<Language>& languages) {
     const auto at = std::ranges::find_if(
         languages, [&code](const Language& language) { return language.code() == code; });
@@ -30,11 +30,11 @@ std::size_t place_of(const std::string& code, const std::vector<Language>& langu
 
 }  // namespace
 
-/// What each order of a visit does.
+/// Carries out each order of a visit.
 struct Kiosk::VisitOrderHandler {
     Kiosk& kiosk;
 
-    /// While the operator is in, the visit is silent.
+    /// The visit is silent while the operator is in.
     void operator()(const Utterance& utterance) const {
         if (kiosk.is_operator_in() && utterance.priority != SpeechPriority::safety) return;
         kiosk.sound_->say(utterance);
@@ -60,7 +60,7 @@ struct Kiosk::VisitOrderHandler {
 
     void operator()(const LoadPicture& order) const { kiosk.load(order); }
 
-    /// Nor does a better one of it come later.
+    /// A better version of it does not come later either.
     void operator()(const CancelLoad&) const {
         kiosk.loader_->cancel();
         kiosk.stay_with_felt();
@@ -92,7 +92,7 @@ struct Kiosk::VisitOrderHandler {
 
     void operator()(const LookWanted&) const {}  // the screen asks the visit
 
-    void operator()(const CallStaff&) const {}  // likewise
+    void operator()(const CallStaff&) const {}  // the same
 };
 
 Kiosk::Kiosk(KioskParts parts)
@@ -183,8 +183,8 @@ void Kiosk::set_servo() {
     servo_->set(commands);
 }
 
-/// Another part or detail of what a visitor brought is of that file, whatever lies at its place in
-/// the list by now.
+/// Another part or detail of what a visitor brought comes from that same file, whatever is at its
+/// place in the list by now.
 FilePtr Kiosk::file_of_order(const LoadPicture& order) const {
     const auto& loading = visit_.visitor.loading;
     const bool is_again = loading && loading->order.request == order.request &&
@@ -333,7 +333,7 @@ void Kiosk::take(Delivery delivery) {
     apply(PictureReady{delivery.request, std::move(facts)});
 }
 
-/// The file's name, which every line about it begins with, tells nothing and may hold anything.
+/// Removes the file's name, which begins every line about it, tells nothing and may hold anything.
 std::string Kiosk::told_reason(const std::string& line) const {
     const std::string& name = wanted_->name;
     return told_of_file(line.starts_with(name) ? line.substr(name.size()) : line, picture_trouble,
@@ -384,7 +384,7 @@ void Kiosk::follow_servo() {
     if (seen.has_moved) last_seen_W_ = hand_.p_WH;
     const GuidancePhase phase = hand_.guidance.phase;
     seen.is_led = phase == GuidancePhase::running || phase == GuidancePhase::pausing;
-    // The operator's hand keeps a visit, and begins none.
+    // The operator's hand keeps a visit alive, but begins none.
     if (is_operator_in()) seen.has_moved = is_visit_on(visit_);
     apply(seen);
     follow_guidance();
@@ -399,7 +399,7 @@ void Kiosk::follow_guidance() {
     apply(GuidanceEnded{has_arrived});
 }
 
-/// While the handle is led to a place, the way there is heard.
+/// While the handle is led to a place, cues tell the way.
 std::optional<Position> Kiosk::target() const {
     if (!is_guiding_ || guidance_.kind != GuidanceKind::to_place) return std::nullopt;
     return guidance_.place;

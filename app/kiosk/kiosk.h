@@ -1,9 +1,9 @@
-// The kiosk without its window: carries out what a visit wants and tells it what happens.
+// The kiosk without its window: carries out a visit's orders and tells it what happens.
 //
 //   keys, hand, headphones, stick, camera, loader ──> Visit (app/session) ──> speech, cues, servo,
 //                                                                             loader, camera, stick
 //
-// Threads: the screen's; what works beside it sits behind its parts. No call waits.
+// Threads: the screen's; the parts hide all other threads. No call waits.
 #pragma once
 
 #include "app/decode/reading_order.h"
@@ -35,10 +35,10 @@
 
 namespace touchline {
 
-/// Any of sticks and photos may be null: the house has none.
+/// `sticks` and `photos` may be null: the site has none.
 struct KioskParts {
     std::vector<Language> languages;  // not empty, English first
-    Gallery gallery;                  // of these languages
+    Gallery gallery;                  // in these languages
     std::unique_ptr<ServoClient> servo;
     std::unique_ptr<VisitorSound> sound;
     std::unique_ptr<Loader> loader;
@@ -46,15 +46,15 @@ struct KioskParts {
     std::unique_ptr<PhotoCapture> photos;
     Settings settings;
     KeyTable keys = default_keys();
-    /// Null: nobody can enter. Its settings and keys are those above.
+    /// Null: nobody can enter. Its settings and keys are the ones above.
     std::unique_ptr<OperatorSession> operator_session;
-    /// The operator's keys are anybody's, as in a window of somebody's desktop.
+    /// Anybody may use the operator's keys, as in a window on somebody's desktop.
     bool are_keys_free = false;
-    std::function<int()> minute_of_day;  // 0 ... 1439, of the house's clock; none: always open
+    std::function<int()> minute_of_day;  // 0 ... 1439, of the site's clock; none: always open
     DeviceProfile profile;
     std::string hand_words;  // as LiveFacts::hand_words
     std::string hand_name;   // as LiveFacts::hand_name
-    /// Set to what is spoken: the language that words in pictures are read in. May be null.
+    /// Set to the spoken language, in which words in pictures are read. May be null.
     std::shared_ptr<std::atomic<WrittenLanguage>> reading_language;
 };
 
@@ -62,29 +62,30 @@ class Kiosk {
   public:
     explicit Kiosk(KioskParts parts);
 
-    /// Of a keyboard, keypad or joystick, with the time of step()'s clock: by the table of keys,
-    /// else by that of the staff (app/session/keys.h), else a dead key. What is for the operator
-    /// is refused in a sentence once there is a PIN, unless the operator is inside.
+    /// A key of a keyboard, keypad or joystick changed, at a time of step()'s clock. The table of
+    /// keys decides its meaning, then the staff's table (app/session/keys.h); else it is a dead
+    /// key. Once there is a PIN, a spoken sentence refuses the operator's keys unless the operator
+    /// is inside.
     void change_key(const KeyChange& change);
 
-    /// The key that the table gives this role first.
+    /// Presses the first key that the table gives this role.
     void press(KeyRole role);
 
-    /// Of a joystick's axis, counter-clockwise: turns a shape in the hand.
+    /// A joystick's axis turned, counter-clockwise: turns a shape in the hand.
     void turn_knob(double by_rad) { apply(KnobTurned{by_rad}); }
 
-    /// A key of the operator's own keyboard (Settings::operator_device), which is for the operator
-    /// alone; no PIN is needed for the operator's keys there.
+    /// A key of the operator's own keyboard (Settings::operator_device). Only the operator uses it,
+    /// so its operator's keys need no PIN.
     void strike_operator_key(const PhysicalKey& key);
 
-    /// Pictures to choose from, as if a stick had brought them. `rest`: what is not among them.
+    /// Offers pictures to choose from, as if a stick had brought them. `rest`: what else it holds.
     void offer(std::vector<FilePtr> files, const StickRest& rest = {});
 
-    /// Sixty times a second or so; `now_ns` of the monotonic clock.
+    /// Called about sixty times a second; `now_ns` is of the monotonic clock.
     void step(std::int64_t now_ns);
 
-    /// What hands feel changes at once, in the visit that runs; what else visits begin with changes
-    /// at the next.
+    /// Changes what hands feel at once, in the visit under way. What else visits begin with changes
+    /// at the next one.
     void set(const Settings& settings);
 
     [[nodiscard]] SpokenScreen screen() const;
@@ -92,7 +93,7 @@ class Kiosk {
     /// What was said last, on the screen.
     [[nodiscard]] const std::string& caption() const;
 
-    /// The input device that is the operator's alone; empty: none.
+    /// The input device that only the operator uses; empty: none.
     [[nodiscard]] const std::string& operator_device() const { return settings_.operator_device; }
 
     [[nodiscard]] bool is_operator_in() const { return operator_ && operator_->is_open(); }
@@ -101,7 +102,7 @@ class Kiosk {
 
     [[nodiscard]] const Language& language() const { return language_of(visit_, world()); }
 
-    /// The visual sign of the sound that was given last: for a second, then nothing.
+    /// The visual sign of the last sound, for one second; then nothing.
     [[nodiscard]] std::string sound_sign() const;
 
     [[nodiscard]] const HandState& hand() const { return hand_; }
@@ -110,14 +111,14 @@ class Kiosk {
 
     [[nodiscard]] const ShownScene& shown() const { return shown_; }
 
-    /// Of the camera, while it is to be shown; else null.
+    /// The camera's view while it is to be shown; else null.
     [[nodiscard]] std::shared_ptr<const Canvas> preview() const;
 
     /// Lines for the log, each ended; empty: nothing new. They name no file and no text of a
     /// visitor.
     [[nodiscard]] std::string take_report();
 
-    /// What the staff sees and wants.
+    /// What the staff wants to see.
     struct WindowWishes {
         bool shows_live_view = false;
         bool shows_boxes = false;
@@ -128,7 +129,7 @@ class Kiosk {
 
     [[nodiscard]] LiveFacts live_facts() const;
 
-    /// The stick is let go of and the servo stopped.
+    /// Releases the stick and stops the servo.
     void stop();
 
   private:
@@ -212,7 +213,7 @@ class Kiosk {
     bool is_handle_locked_ = false;
     double motor_test_s_ = 0.0;  // when it began; 0: none
     bool is_motor_test_due_ = false;
-    bool is_recording_due_ = false;  // the operator waits for what became of it
+    bool is_recording_due_ = false;  // the operator waits for the result
     SiteOpening opening_ = SiteOpening::open;
     double hours_looked_s_ = -1e9;
     double visit_began_s_ = 0.0;
@@ -232,14 +233,14 @@ class Kiosk {
     HandState hand_;
     ForceStatus force_;
     ShownScene shown_;
-    std::shared_ptr<const TactileMap> map_;  // felt
-    std::vector<PartFacts> parts_;           // of it
-    LoadPicture order_;                      // the last
+    std::shared_ptr<const TactileMap> map_;  // that is felt
+    std::vector<PartFacts> parts_;           // of map_
+    LoadPicture order_;                      // the last one
     FilePtr wanted_;                         // its file
-    FilePtr felt_file_;                      // of what is felt
-    LoadPicture felt_order_;                 // that brought it
+    FilePtr felt_file_;                      // the file that is felt
+    LoadPicture felt_order_;                 // the order that brought it
     bool is_loading_ = false;
-    Position last_seen_W_;  // of the handle when it was last said to have moved
+    Position last_seen_W_;  // the handle's place when it last counted as moved
     double now_s_ = 0.0;
     double ticked_s_ = 0.0;
     std::optional<bool> are_headphones_in_;

@@ -1,4 +1,4 @@
-// The keys of a kiosk: from a key that went down to what it means to the visit or to the staff.
+// The keys of a kiosk: from a pressed key to its meaning for the visit or the staff.
 #include "app/kiosk/kiosk.h"
 #include "app/session/told_lines.h"
 
@@ -12,7 +12,7 @@ std::optional<Action> action_of_key(const PhysicalKey& key) {
     return key.source == KeySource::key ? action_of(Key{key.code}) : std::nullopt;
 }
 
-/// Whoever is in: it comes before everything.
+/// Comes before everything, whoever is in.
 bool is_emergency_stop(const PhysicalKey& key) {
     return action_of_key(key) == Action::emergency_stop;
 }
@@ -29,7 +29,7 @@ void Kiosk::change_key(const KeyChange& change) {
     const auto role = role_of(keys_, change.key);
     if (!role && is_emergency_stop(change.key)) return act(Action::emergency_stop);
     const bool was_in = is_operator_in();
-    // With a keyboard of the operator's own no other one opens the way in.
+    // If the operator has a keyboard of their own, no other one opens the way in.
     strike_key(KeyStruck{change.key, role, settings_.operator_device.empty()});
     if (was_in || is_operator_in()) return;
     if (role) return press_for_visit(*role);
@@ -41,12 +41,12 @@ void Kiosk::change_key(const KeyChange& change) {
                  SpeechPriority::text});
 }
 
-/// As long as there is no PIN to give, and where nobody could give one.
+/// True while there is no PIN, and where nobody could give one.
 bool Kiosk::are_keys_free() const {
     return are_keys_always_free_ || !operator_ || !operator_->has_pin();
 }
 
-/// The PIN was given. A key that is being learned is no order.
+/// True once the PIN was given, but not while a key is being learned.
 bool Kiosk::takes_operator_keys() const {
     return operator_ && operator_->is_inside() && !operator_->is_learning_keys();
 }
@@ -65,7 +65,8 @@ void Kiosk::strike_operator_key(const PhysicalKey& key) {
     strike_key(KeyStruck{key, role, true});
 }
 
-/// R saves for who gave the PIN, at a keyboard that may; for all others act() holds in memory.
+/// R saves a recording for an operator who gave the PIN, at a keyboard that is allowed. For
+/// everybody else act() holds it in memory.
 void Kiosk::strike_key(const KeyStruck& struck) {
     const auto action = operators_action(struck.key);
     const bool is_order = action && !struck.role && struck.is_allowed && takes_operator_keys();
@@ -74,7 +75,7 @@ void Kiosk::strike_key(const KeyStruck& struck) {
     act(*action);
 }
 
-/// With two switches a key selects, or moves on.
+/// With two switches a key either selects or moves on.
 void Kiosk::press_for_visit(KeyRole role) {
     if (settings_.two_switches == 0) return apply(KeyPressed{role});
     press_switch(role == KeyRole::select ? SwitchEvent::select : SwitchEvent::move);

@@ -1,4 +1,4 @@
-// The operator at the kiosk: what the screens order of servo, sound, camera and stick.
+// The operator at the kiosk: carries out the screens' orders to servo, sound, camera and stick.
 #include "app/kiosk/kiosk.h"
 #include "app/servo/black_box.h"
 #include "app/session/told_lines.h"
@@ -48,7 +48,7 @@ struct Kiosk::OperatorOrderHandler {
 
     void operator()(const RunTest& run) const { kiosk.run_test(run.step); }
 
-    void operator()(const StopTest&) const {}  // every step is done at once
+    void operator()(const StopTest&) const {}  // every step ends at once
 
     void operator()(const ShowLive& show) const {
         kiosk.window_wishes_.shows_live_view = show.is_on;
@@ -63,7 +63,7 @@ struct Kiosk::OperatorOrderHandler {
 
     void operator()(const CloseKiosk&) const { kiosk.window_wishes_.is_quitting = true; }
 
-    /// The visitors' screen says where it is, after the operator's last words.
+    /// After the operator's last words, says the visitors' screen.
     void operator()(const Leave&) const {
         kiosk.window_wishes_.shows_live_view = false;
         kiosk.sound_->say({kiosk.language().code(), spoken_screen(kiosk.screen(), kiosk.language()),
@@ -147,7 +147,7 @@ void Kiosk::follow_operator() {
     if (operator_->read_again()) set(operator_->settings());
 }
 
-/// Opened and closed by the clock of the site, and softer when it is quiet.
+/// Opens, closes and softens the kiosk by the site's clock.
 void Kiosk::follow_hours() {
     if (now_s_ - hours_looked_s_ < hours_look_s) return;
     hours_looked_s_ = now_s_;
@@ -164,7 +164,7 @@ void Kiosk::follow_hours() {
         sound_->set_levels(operator_->sound(), is_quiet ? settings_.quiet_lower_dB : 0.0);
 }
 
-/// Force for two seconds, and a shake when it is on.
+/// Tests the force for two seconds, with a shake when it is on.
 void Kiosk::follow_motor_test() {
     if (is_motor_test_due_ && force_.state == ForceState::live) {
         is_motor_test_due_ = false;
@@ -208,7 +208,7 @@ void Kiosk::run_test(TestStep step) {
     }
 }
 
-/// What bounds a level is of a picture: without a line there is none.
+/// The bounds of a level depend on the picture: without a line there are none.
 FeltBounds Kiosk::felt_bounds() const {
     FeltBounds bounds{hand_.stiffness_bound, std::nullopt};
     if (map_ && !map_->outlines.empty()) bounds.levels = hand_.level_terms;

@@ -1,4 +1,4 @@
-// What a kiosk goes on without, and says so in its log: once for as long as it is missing.
+// What a kiosk works without. Each absence gets one line in the log for as long as it lasts.
 // Threads: a plain value; no clock.
 #pragma once
 
@@ -15,10 +15,10 @@ inline constexpr std::size_t part_count = 3;
 
 class MissingParts {
   public:
-    /// That a part may take to begin.
+    /// How long a part may take to start.
     static constexpr double patience_s = 5.0;
 
-    /// `now_s` never falls. The line for the log; empty: nothing new.
+    /// `now_s` never falls. Returns the line for the log; empty: nothing new.
     [[nodiscard]] std::string step(Part part, bool is_there, double now_s) {
         Absence& absence = absences_[static_cast<std::size_t>(part)];
         if (is_there) absence = {};

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_log = 1000;
 
-// What is said where a file could not be written or read; the log has its line.
+// Said if a file could not be written or read; the log has the details.
 constexpr const char* no_pin = "The PIN cannot be saved. Make room on the disk.";
 constexpr const char* no_settings = "The settings cannot be saved. Make room on the disk.";
 constexpr const char* no_keys = "The keys cannot be saved. Make room on the disk.";
@@ -71,7 +71,7 @@ Outcome import_network(std::span<const std::byte> bytes, const std::string& name
                    no_file, language);
 }
 
-/// Waits for the stick and for workers: beside the screen's thread.
+/// Waits for the stick and for workers, so it runs beside the screen's thread.
 Outcome imported(const Brought& file, const fs::path& library, const Language& language) {
     try {
         const auto bytes = file.read();
@@ -96,7 +96,7 @@ OperatorFiles operator_files() {
             folder / "copies", library_folder(),  companion("touchline-import")};
 }
 
-/// Carries out what concerns files alone; everything else is left to the kiosk.
+/// Carries out what concerns only files; leaves everything else to the kiosk.
 struct OperatorSession::Office {
     OperatorSession& session;
     const Language& language;
@@ -110,12 +110,12 @@ struct OperatorSession::Office {
 
     void answer(const std::string& line) const { tell(OrderAnswered{plain_line(line)}); }
 
-    /// Nothing is said of what was kept.
+    /// Says nothing of a success.
     void judge(const Result<void>& kept, const char* why_not) const {
         if (!kept) answer(session.told(outcome(kept, "", why_not, language)));
     }
 
-    /// Counted as wrong first: who pulls the plug before the answer has tried all the same.
+    /// Counts it as wrong first: pulling the plug before the answer still costs a try.
     void operator()(const CheckPin& check) const {
         const fs::path tries = pin_tries_file(session.files_.pin);
         const auto noted = keep_pin_tries(tries, session.state_.tries.wrong + 1);
@@ -138,7 +138,7 @@ struct OperatorSession::Office {
     }
 
     void operator()(const SetSettings& set) const {
-        // Tried, not kept: the site's stay what its file says.
+        // Tried, not kept: the site's own stay as in its file.
         session.settings_ = with_profile(set.settings, session.profiles_).value_or(set.settings);
         left.emplace_back(set);
     }
@@ -332,7 +332,7 @@ void OperatorSession::count_picture(PictureSource source) {
     if (source == PictureSource::camera) ++counters_.camera_pictures;
 }
 
-/// Written once a visit: a disk wears.
+/// Written once a visit, because a disk wears out.
 void OperatorSession::count_visit(double minutes) {
     if (!settings_.counts) return;
     ++counters_.sessions;

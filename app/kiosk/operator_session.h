@@ -1,6 +1,6 @@
-// The operator's screens at work: carries out on files what they order, and remembers what they
-// tell. What concerns servo, sound and stick is the kiosk's to do (kiosk_operator.cpp).
-// Threads: one; small files are read and written in its calls, what a stick brings beside it.
+// The operator's screens at work: carries out their orders on files, and keeps their state. Servo,
+// sound and stick are left to the kiosk (kiosk_operator.cpp).
+// Threads: one. Its calls read and write small files; a thread beside it reads sticks.
 #pragma once
 
 #include "app/kiosk/operator_stick.h"
@@ -28,16 +28,16 @@ struct OperatorFiles {
     std::filesystem::path counters;
     std::filesystem::path keys;
     std::filesystem::path sound;
-    std::filesystem::path profiles;  // folder of those that are installed
+    std::filesystem::path profiles;  // folder of the installed profiles
     std::filesystem::path copies;    // folder of backups and logs
     std::filesystem::path library;   // folder of picture packs
     std::string import_program;      // touchline-import, which reads sticks
 };
 
-/// Of this machine.
+/// The files of this machine.
 [[nodiscard]] OperatorFiles operator_files();
 
-/// What came of something that was ordered.
+/// The result of an order.
 struct Outcome {
     std::string said;  // to the operator, in their language
     std::string line;  // for the log, with names of files; empty: it went well
@@ -45,31 +45,31 @@ struct Outcome {
 
 class OperatorSession {
   public:
-    /// `problems` has a line for every file that could not be used.
+    /// Adds a line to `problems` for every file that could not be used.
     OperatorSession(OperatorFiles files, const std::vector<Language>& languages,
                     std::vector<std::string>& problems);
 
     [[nodiscard]] bool is_open() const { return state_.place != OperatorPlace::closed; }
 
-    /// The PIN was given.
+    /// True once the PIN was given.
     [[nodiscard]] bool is_inside() const { return touchline::is_inside(state_.place); }
 
-    /// Whatever key goes down is one to be learned.
+    /// True while the next key that goes down is one to be learned.
     [[nodiscard]] bool is_learning_keys() const {
         return state_.place == OperatorPlace::key_wizard;
     }
 
-    /// The house has one: its file is looked for.
+    /// True if the site has a PIN: looks for its file.
     [[nodiscard]] bool has_pin() const { return touchline::has_pin(files_.pin); }
 
     [[nodiscard]] SpokenScreen screen(const Language& language) const;
 
-    /// What the kiosk itself is to do about it.
+    /// Returns what the kiosk itself has to do about the event.
     [[nodiscard]] std::vector<OperatorOrder> apply(const OperatorEvent& event,
                                                    const Language& language, double now_s);
 
-    /// The stick that is there now; empty: none. What it brings can be taken into the
-    /// library by who gave the PIN, and are not even listed before.
+    /// Sets the stick that is plugged in; empty: none. Only an operator who gave the PIN can take
+    /// its files into the library; before that they are not even listed.
     void put_stick(const std::string& root) { stick_.look_at(is_inside() ? root : ""); }
 
     void set_live(std::vector<std::string> facts) { live_ = std::move(facts); }
@@ -84,23 +84,23 @@ class OperatorSession {
     /// As OperatorWorld::device_words.
     void set_device_words(std::string words) { device_words_ = std::move(words); }
 
-    /// The profile's, over the site's.
+    /// The site's settings with those of the profile over them.
     [[nodiscard]] const Settings& settings() const { return settings_; }
 
     [[nodiscard]] const KeyTable& keys() const { return keys_; }
 
     [[nodiscard]] const SoundSettings& sound() const { return sound_; }
 
-    /// A file can be kept where the settings are.
+    /// True if a file can be written beside the settings.
     [[nodiscard]] bool can_write() const;
 
-    /// The files were changed by somebody else: reads them again. True: they say something new.
+    /// Reads the files again if somebody else changed them. True if they say something new.
     [[nodiscard]] bool read_again();
 
     void count_picture(PictureSource source);
     void count_visit(double minutes);
 
-    /// Of the log that can be exported: the last 1000 lines.
+    /// Adds a line to the log that can be exported; it keeps the last 1000 lines.
     void log(const std::string& line);
 
     /// One sentence for the operator: an import ended, or the stick cannot be read.
@@ -127,7 +127,7 @@ class OperatorSession {
     std::vector<OfferedLanguage> languages_;
     std::vector<Profile> profiles_;
     Operator state_;
-    std::optional<int> wrong_pins_;  // of the last run, until it is known what time it is
+    std::optional<int> wrong_pins_;  // of the last run, until the time is known
     Settings site_;
     Settings settings_;
     SoundSettings sound_;

@@ -31,7 +31,7 @@ OperatorStick::Listed OperatorStick::list(const std::shared_ptr<Import>& import,
     }
 }
 
-/// A list of a stick that is gone by now, or that came again since, is dropped.
+/// Drops a list of a stick that is gone by now, or that was plugged in again since.
 std::string OperatorStick::take(Listed listed) {
     if (listed.root != root_ || is_due_) return {};
     if (!listed.listing) return sentence_of(listed.listing.error(), "");

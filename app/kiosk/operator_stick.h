@@ -1,5 +1,5 @@
-// What the operator's stick brings, packs of pictures and networks: list and bytes through
-// touchline-import, on a thread beside the screen's. Threads: one; no call waits.
+// Picture packs and networks on the operator's stick: touchline-import lists and reads them, on a
+// thread beside the screen's. Threads: one; no call waits.
 #pragma once
 
 #include "app/process/memory.h"
@@ -20,25 +20,26 @@ class OperatorStick {
     /// `import_program`: the path of touchline-import.
     explicit OperatorStick(const std::string& import_program);
 
-    /// The stick that is there; empty: none, and what was listed is forgotten. Asks nothing of a
-    /// stick that is listed already.
+    /// Sets the stick that is plugged in; empty: none, and forgets the list. Does not ask again for
+    /// a stick that is listed already.
     void look_at(const std::string& root);
 
-    /// Takes over a list that has been read. One sentence where it could not be; else empty.
+    /// Takes over a list that has been read. Returns one sentence if it could not be read; else
+    /// empty.
     [[nodiscard]] std::string poll();
 
-    /// Their names for the screen, in the order of their numbers.
+    /// The files' names for the screen, in the order of their numbers.
     [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
     /// The number must be below names().size().
     [[nodiscard]] StickFileKind kind_of(std::size_t file) const { return files_.at(file).kind; }
 
-    /// Reads that file when it is called, on any thread, which waits for the stick: its bytes in
-    /// sealed memory. For a number below names().size().
+    /// A function that reads the file, on any thread, and waits for the stick: its bytes in sealed
+    /// memory. The number must be below names().size().
     [[nodiscard]] std::function<Result<Mapping, StickRefusal>()> reader_of(std::size_t file) const;
 
   private:
-    /// One at a time has it.
+    /// One thread at a time uses it.
     struct Import {
         explicit Import(const std::string& program) : import(program) {}
 
@@ -57,7 +58,7 @@ class OperatorStick {
 
     std::shared_ptr<Import> import_;
     std::string root_;
-    bool is_due_ = false;  // root_ is to be listed, when the list before it has ended
+    bool is_due_ = false;  // root_ is to be listed once the list before it has ended
     std::vector<StickEntry> files_;
     std::vector<std::string> names_;
     std::future<Listed> listing_;

@@ -1,6 +1,5 @@
-// The camera on its way to a picture that can be felt: previews for a companion, a photograph when
-// it is asked for. Threads: one, but for the files that it makes, which any may open. No call
-// waits.
+// The camera's way to a picture that can be felt: previews for a companion, and a photograph when
+// it is asked for. Threads: one, except for its files, which any thread may open. No call waits.
 #pragma once
 
 #include "app/loading/stages.h"
@@ -18,23 +17,23 @@ namespace touchline {
 /// What is new since the last step.
 struct PhotoNews {
     CameraCondition condition = CameraCondition::absent;
-    FilePtr photo;               // that was asked for; null: none yet
-    bool has_given_up = false;   // it will not come
-    bool is_doubtful = false;    // of the photo: blurred or too bright even after a second attempt
-    bool has_a_preview = false;  // a new one
+    FilePtr photo;               // the one asked for; null: none yet
+    bool has_given_up = false;   // the photo will not come
+    bool is_doubtful = false;    // the photo is blurred or too bright even after a second attempt
+    bool has_a_preview = false;  // a new preview is there
 };
 
 class PhotoCapture {
   public:
     explicit PhotoCapture(std::unique_ptr<Camera> camera) : camera_(std::move(camera)) {}
 
-    /// So much is left out at the sides of every picture from now on.
+    /// Cuts this much off the sides of every picture from now on.
     void set(const PhotoCut& cut) { cut_ = cut; }
 
-    /// Previews are wanted from now on, or no more: then the last one is forgotten.
+    /// Turns previews on or off. Off forgets the last one.
     void show(bool is_wanted);
 
-    /// A photograph: comes, or is given up, in one of the next steps.
+    /// Takes a photograph. It comes, or is given up, in one of the next steps.
     void take() {
         is_awaited_ = true;
         camera_->want_still();
@@ -42,7 +41,7 @@ class PhotoCapture {
 
     [[nodiscard]] PhotoNews step(double now_s);
 
-    /// What the camera sees; null while nothing is to be shown.
+    /// The camera's view; null while nothing is to be shown.
     [[nodiscard]] const std::shared_ptr<const Canvas>& preview() const { return preview_; }
 
     /// The visitor is gone: no picture of theirs stays.
@@ -55,18 +54,18 @@ class PhotoCapture {
     std::unique_ptr<Camera> camera_;
     PhotoCut cut_;
     bool is_shown_ = false;
-    bool is_awaited_ = false;  // a photograph
-    bool is_stale_ = false;    // the next one is of a visitor who is gone
+    bool is_awaited_ = false;  // a photograph is awaited
+    bool is_stale_ = false;    // the next photograph belongs to a visitor who is gone
     std::shared_ptr<const Canvas> preview_;
 };
 
-/// A photograph as a file of the list: opened, it is the page that was laid down, without the shade
-/// of the lamp; where no page is found, the photograph as it is. One sentence says what keeps it
-/// from being used (too dark, a page that is cut off).
+/// A photograph as a file of the list. Opening it gives the page that was laid down, without the
+/// lamp's shade, or the photograph as it is if no page is found. One sentence says what makes it
+/// unusable (too dark, a page that is cut off).
 [[nodiscard]] FilePtr file_of(CameraFrame frame, const PhotoCut& cut);
 
-/// The camera of this machine: a folder of pictures where TOUCHLINE_CAMERA names one, else the
-/// first that libcamera finds, now or later. Fails where libcamera does not start.
+/// The camera of this machine: the folder of pictures that TOUCHLINE_CAMERA names, or else the
+/// first camera that libcamera finds, now or later. Fails if libcamera does not start.
 [[nodiscard]] Result<std::unique_ptr<Camera>> open_camera();
 
 }  // namespace touchline

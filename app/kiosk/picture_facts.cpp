@@ -43,7 +43,7 @@ void add_outlines(const TactileMap& map, const Language& language, std::vector<P
     }
 }
 
-/// The line around most of the picture; the first where there is none.
+/// The line around most of the picture; 0 if there is none.
 int outer_outline(const TactileMap& map) {
     int outer = 0;
     double most_m2 = -1.0;
@@ -69,7 +69,7 @@ std::optional<std::size_t> nearest_spot(const std::vector<PartFacts>& parts, Pos
     return nearest;
 }
 
-/// A title without a blank is what programs make of a file's name.
+/// Programs make a title without a blank from a file's name.
 std::string title_of(const std::string& title, const PictureFile& file, const NameForm& form,
                      const Language& language) {
     const std::string& name = file.file_name;

@@ -15,16 +15,16 @@
 
 namespace touchline {
 
-/// So near a spot counts as on it: half of what a fingertip covers.
+/// A hand this near a spot counts as on it: half of what a fingertip covers.
 inline constexpr double spot_m = 0.004;
 
-/// The title that a person chose, as it is, where it is no file's name; else the file's name as its
-/// list says it, in `form`. Parts are the outlines that have names, each name once, then the spots.
-/// O(outlines + labels).
+/// Keeps a title that a person chose; if the title is a file's name, says the name as its list says
+/// it, in `form`. Parts are the named outlines, each name once, then the spots. O(outlines +
+/// labels).
 [[nodiscard]] PictureFacts facts_of(const LoadedScene& scene, const PictureFile& file,
                                     const NameForm& form, const Language& language);
 
-/// The part that the hand is on: the outline that it touches, else the nearest spot within spot_m.
+/// The part under the hand: the outline that it touches, else the nearest spot within spot_m.
 /// O(parts + log outlines).
 [[nodiscard]] std::optional<std::size_t> part_at(const TactileMap& map,
                                                  const std::vector<PartFacts>& parts,

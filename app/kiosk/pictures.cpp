@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The worker draws it for the screen; its words are read here in the language that was chosen: the
-/// gallery is our own.
+/// The worker draws it for the screen. Its words are read here, in the chosen language: the gallery
+/// is trusted.
 Result<Page> open_in(const std::string& path, const LanguageTag& language, const PageOrder& order) {
     auto page = open_page_of(path, order);
     if (!page) return page;
@@ -34,7 +34,7 @@ Result<Page> open_pack_picture(const std::string& path, const LanguageTag& langu
     return page;
 }
 
-/// A visitor is told which picture, not where it lies on the disk.
+/// Names the picture in an error, and not its place on the disk.
 Result<Page> told_by_title(Result<Page> page, const std::string& path, const std::string& title) {
     if (!page && page.error().line.starts_with(path))
         return failure(title + page.error().line.substr(path.size()));
@@ -50,7 +50,7 @@ FilePtr gallery_file(const GalleryEntry& entry, const LanguageTag& language) {
                     }});
 }
 
-/// Nothing of a pack is parsed here.
+/// This process parses nothing of a pack.
 FilePtr pack_file(const GalleryEntry& entry, const LanguageTag& language) {
     const std::string path = entry.path;
     return std::make_shared<const PictureFile>(
@@ -60,14 +60,14 @@ FilePtr pack_file(const GalleryEntry& entry, const LanguageTag& language) {
                     }});
 }
 
-/// The one whose file's name ends so, after its number.
+/// The file whose name ends like this after its number.
 FilePtr named(const std::vector<FilePtr>& files, std::string_view ending) {
     const auto at = std::ranges::find_if(
         files, [ending](const FilePtr& file) { return file->gallery_file.ends_with(ending); });
     return at == files.end() ? nullptr : *at;
 }
 
-/// The same picture as the list of this language has it, with its words; itself where none has.
+/// The same picture in the list of this language, with its words; the file itself if there is none.
 FilePtr in_language(const FilePtr& file, const std::vector<std::vector<FilePtr>>& lists,
                     std::size_t language) {
     if (!file || file->gallery_file.empty() || language >= lists.size()) return file;
@@ -95,7 +95,7 @@ Result<Gallery> read_gallery(const std::string& folder, const std::string& libra
             files.push_back(gallery_file(entry, tag));
         }
         if (library.empty()) continue;
-        std::vector<PackFinding> problems;  // who imported the pack was told
+        std::vector<PackFinding> problems;  // the pack's importer was told
         for (const LibraryPicture& picture : list_library(library, tag, problems)) {
             const GalleryEntry& entry = picture.entry;
             titles.push_back({entry.title, entry.description, entry.difficulty});

@@ -1,4 +1,4 @@
-// Which file each choice of a visit stands for. Threads: one.
+// The file behind each choice of a visit. Threads: one.
 #pragma once
 
 #include "app/loading/stages.h"
@@ -14,15 +14,16 @@
 
 namespace touchline {
 
-/// The gallery as it is chosen from, and the files behind it.
+/// The gallery's titles to choose from, and the files behind them.
 struct Gallery {
-    std::vector<std::vector<GalleryTitle>> titles;  // of each language
-    std::vector<std::vector<FilePtr>> files;        // of each language, in the same order
+    std::vector<std::vector<GalleryTitle>> titles;  // one list per language
+    std::vector<std::vector<FilePtr>> files;        // one list per language, in the same order
     FilePtr circle, square;                         // to practise on
 };
 
 /// The maps of `folder` in every language, then the pictures of the packs in `library` (app/packs;
-/// empty: none). One line where the folder cannot be used. Waits for a worker a pack's picture.
+/// empty: none). Fails with one line if the folder cannot be used. Waits for one worker per picture
+/// of a pack.
 [[nodiscard]] Result<Gallery> read_gallery(const std::string& folder, const std::string& library,
                                            const std::vector<Language>& languages);
 
@@ -38,10 +39,10 @@ class Pictures {
 
     void put_photo(FilePtr photo) { photo_ = std::move(photo); }
 
-    /// Null for what is not there (any more).
+    /// Null if it does not exist, or is gone.
     [[nodiscard]] FilePtr of(const LoadPicture& order) const;
 
-    /// The visitor is gone: their files are let go of.
+    /// The visitor is gone: releases their files.
     void forget();
 
   private:

@@ -47,7 +47,7 @@ std::shared_ptr<const StickBytes> StickReader::last_of(const std::string& root,
     return is_it ? last_ : nullptr;
 }
 
-/// Unless its stick is another one by now.
+/// Keeps the bytes unless the stick has changed since.
 void StickReader::keep(const std::shared_ptr<const StickBytes>& bytes) {
     const std::lock_guard lock(last_mutex_);
     last_ = bytes->stick == stick_ ? bytes : nullptr;
@@ -68,7 +68,7 @@ Result<std::shared_ptr<const StickBytes>, StickRefusal> StickReader::read(const 
     return bytes;
 }
 
-/// One that cannot be read is none.
+/// Returns nothing for one that cannot be read.
 std::optional<Mapping> StickReader::side_car(const std::string& root, const StickEntry& entry) {
     const auto text = import_.read_side_car(root, entry);
     if (!text) return std::nullopt;

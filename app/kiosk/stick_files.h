@@ -1,4 +1,4 @@
-// The pictures of sticks as files of the list. Their bytes come through touchline-import.
+// The pictures of sticks as files of the list. touchline-import reads their bytes.
 // Threads: any; one at a time reads, the others wait for it.
 #pragma once
 
@@ -17,17 +17,17 @@
 
 namespace touchline {
 
-/// The bytes of a file, and the text beside it if there is one.
+/// The bytes of a file, and of the text file beside it if there is one.
 struct StickBytes {
     std::string root;
     StickEntry entry;
     Mapping document;
     std::optional<Mapping> side_car;
-    std::uint64_t stick = 0;  // which one it is of
+    std::uint64_t stick = 0;  // the number of its stick
 };
 
-/// One for all sticks that come and go, so that a process that one of them holds is reaped later.
-/// The file read last stays in memory: the pages of a document come from one reading.
+/// One reader serves all sticks in turn, so that a process held up by a stick can be reaped later.
+/// The last file read stays in memory: all pages of a document come from one reading.
 class StickReader {
   public:
     explicit StickReader(const std::string& import_program) : import_(import_program) {}
@@ -37,8 +37,8 @@ class StickReader {
     [[nodiscard]] Result<std::shared_ptr<const StickBytes>, StickRefusal> read(
         const std::string& root, const StickEntry& entry);
 
-    /// A stick came or went, or its visitor did: no file of the one before is given again. Never
-    /// waits for one that is being read.
+    /// Called when a stick, or its visitor, comes or goes. From now on no file of the one before is
+    /// given. Never waits for a read under way.
     void forget();
 
   private:
@@ -47,14 +47,15 @@ class StickReader {
     void keep(const std::shared_ptr<const StickBytes>& bytes);
     std::optional<Mapping> side_car(const std::string& root, const StickEntry& entry);
 
-    std::mutex mutex_;  // of import_: held while a file is read
+    std::mutex mutex_;  // for import_; held while a file is read
     StickImport import_;
     std::atomic<std::uint64_t> stick_{0};
-    mutable std::mutex last_mutex_;  // of last_, held only to copy or set it
+    mutable std::mutex last_mutex_;  // for last_; held only to copy or set it
     std::shared_ptr<const StickBytes> last_;
 };
 
-/// A file for each entry, in its order. Office files are among them: opening one says what to do.
+/// Returns one file per entry, in the same order. Office files are among them: opening one says
+/// what to do.
 [[nodiscard]] std::vector<FilePtr> files_of_stick(const std::shared_ptr<StickReader>& reader,
                                                   const std::string& root,
                                                   const StickListing& listing);

@@ -1,5 +1,5 @@
-// What the stick that is there offers, as it comes and goes.
-// Threads: one; no call waits. It lists on a thread of its own, which the end waits for.
+// What the plugged-in stick offers, as sticks come and go.
+// Threads: one; no call waits. It lists on a thread of its own; the destructor waits for it.
 #pragma once
 
 #include "app/kiosk/file_source.h"
@@ -43,8 +43,8 @@ class StickSource final : public FileSource {
 
     std::unique_ptr<StickPort> port_;
     std::shared_ptr<StickReader> reader_;
-    std::string root_;     // of the stick that is there; empty: none
-    bool is_due_ = false;  // root_ is to be listed, when the listing before it has ended
+    std::string root_;     // root of the plugged-in stick; empty: none
+    bool is_due_ = false;  // root_ is to be listed once the listing before it has ended
     std::future<Listed> listing_;
 };
 

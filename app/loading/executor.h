@@ -1,5 +1,5 @@
-// Where jobs are done: beside the caller's thread, or, in tests, wherever and whenever they like.
-// Threads: one, which starts jobs and takes what they came to.
+// Runs jobs beside the caller's thread; in tests, wherever and whenever the test likes.
+// Threads: one, which starts jobs and takes their results.
 #pragma once
 
 #include "app/loading/load_plan.h"
@@ -27,7 +27,7 @@ class Executor {
     /// `work` throws nothing. Never waits.
     virtual void start(std::uint64_t number, std::function<JobOutcome()> work) = 0;
 
-    /// The jobs that ended since this was last asked. Never waits for one.
+    /// The jobs that ended since the last call. Never waits for one.
     [[nodiscard]] virtual std::vector<FinishedJob> take_finished() = 0;
 };
 

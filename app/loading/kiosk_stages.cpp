@@ -28,7 +28,7 @@ std::uint64_t next_version() {
     return ++last;
 }
 
-/// A page that has nothing to feel says which one it is.
+/// Says which page it is that has nothing to feel.
 Error of_page(const PictureFile& file, const PagePlace& place, const Error& error) {
     const std::string page =
         place.page_count > 1 ? ", page " + std::to_string(place.page) : std::string();
@@ -61,7 +61,7 @@ Result<FoundPtr> found_in(PagePtr view, const PagePlace& place, const FeltPart& 
     return std::make_shared<const FoundView>(std::move(found));
 }
 
-/// The page, drawn as finely as the view needs it; the one that is there where that fails.
+/// The page, drawn as finely as the view needs; the page itself if that fails.
 PagePtr fine_page(const PictureFile& file, const PagePtr& page, int view) {
     auto finer = finer_page(*page, view, file.open);
     return finer ? std::make_shared<const Page>(std::move(*finer)) : page;
@@ -91,7 +91,7 @@ Result<FeltMap> felt_map(const FoundView& found, const FeltPart& part) {
     return FeltMap{std::move(map), {}};
 }
 
-/// The part of the picture that is felt, as the screen shows it: over the whole drawing area.
+/// The part of the picture that is felt, for the screen: over the whole drawing area.
 std::shared_ptr<const Canvas> enlarged_picture(const std::shared_ptr<const Canvas>& picture,
                                                const Area& area, const Zoom& zoom) {
     if (zoom.factor == 1.0) return picture;

@@ -1,4 +1,4 @@
-// The stages as the kiosk has them: workers, vision, the scene for its device.
+// The kiosk's stages: workers, vision, and the scene for its device.
 // Threads: any, each call by itself.
 #pragma once
 
@@ -12,19 +12,21 @@
 
 namespace touchline {
 
-/// Reads words in a page's pixels: the page with their boxes and labels added. Nothing where there
-/// are none. Takes seconds. From any thread, one call at a time.
+/// Reads words in a page's pixels. Returns the page with their boxes and labels; nothing if there
+/// are none. Takes seconds. Called from any thread, one call at a time.
 using PageReader = std::function<std::optional<Page>(const Page&)>;
 
-/// A photograph's page with its main things, its faces and what they are taken for, or with a
-/// further thing, at a place; nothing where none is clear there. Fails, with one line that names no
-/// file, where they cannot be looked for now. Takes seconds. From any thread, one call at a time.
+/// Finds a photograph's main things, its faces and what they probably are, or one further thing at
+/// a place. Returns the page with them; nothing if none is clear there. Fails with one line that
+/// names no file if the search cannot run now. Takes seconds. Called from any thread, one call at a
+/// time.
 using ThingFinder =
     std::function<Result<std::optional<Page>>(const Page&, const std::optional<PlaceInPicture>&)>;
 
 class KioskStages final : public Stages {
   public:
-    /// Without a reader nothing is read, without a finder no main thing is found, which is told.
+    /// Without a reader no words are read. Without a finder no main thing is found, and the visitor
+    /// is told so.
     explicit KioskStages(DeviceProfile profile, PageReader reader = {}, ThingFinder finder = {});
 
     [[nodiscard]] Result<PagePtr> open(const PictureFile& file, int page) const override;
@@ -48,10 +50,10 @@ class KioskStages final : public Stages {
     ThingFinder finder_;
 };
 
-/// An empty picture: after a visit nothing of it stays with the servo.
+/// An empty picture, so that after a visit nothing of it stays with the servo.
 [[nodiscard]] FeltPicture nothing_to_feel(const DeviceProfile& profile);
 
-/// A file that somebody named, with the text beside it.
+/// The file at a path, with the text beside it.
 [[nodiscard]] FilePtr file_at(const std::string& path);
 
 }  // namespace touchline

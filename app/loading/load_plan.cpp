@@ -116,7 +116,7 @@ const LoadPlan::Kept* LoadPlan::page_of(const ViewOrder& order) const {
 }
 
 const LoadPlan::Kept* LoadPlan::view_of(const ViewOrder& order) const {
-    // Beside a page that is aside its other views have their old numbers.
+    // While a page is aside, its other views still have their old numbers.
     const bool is_aside = aside_ && is_page_of(*aside_, order);
     const auto at = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
         return is_view_of(kept, order) && (!is_aside || is_numbered_as(kept, *aside_));
@@ -133,20 +133,20 @@ bool LoadPlan::is_numbered_as(const Kept& view, const Kept& page) {
            view.found->place.view_count == view_count(*page.page);
 }
 
-/// Whether the lines are of the page as it is known by now.
+/// True if the lines belong to the newest version of the page.
 bool LoadPlan::is_of_known_page(const LoadJob& job) const {
     const Kept* const page = page_of(job.order);
     return page == nullptr || page->page == job.page;
 }
 
-/// Nothing of it was felt.
+/// Drops the page that is aside, because nothing of it was felt.
 void LoadPlan::drop_aside() {
     if (!aside_) return;
     kept_.remove_if([this](const Kept& kept) { return is_numbered_as(kept, *aside_); });
     aside_.reset();
 }
 
-/// It is felt, and so its views are numbered anew.
+/// Keeps the page that is aside once it is felt, and renumbers its views.
 void LoadPlan::keep_aside() {
     if (!aside_) return;
     const Kept further = std::move(*aside_);
@@ -166,7 +166,7 @@ PagePlace LoadPlan::place_of(const ViewOrder& order) const {
     return place;
 }
 
-/// On the way to the scene of an order, from what is kept.
+/// The next job on the way to an order's scene, from what is kept.
 LoadJob LoadPlan::next_step(const ViewOrder& order) const {
     LoadJob job;
     job.order = order;
@@ -206,11 +206,11 @@ std::optional<LoadJob> LoadPlan::next_job() {
         const bool is_waiting = is_running(job) || (job.kind == JobKind::look_at && is_looking());
         return is_waiting ? std::nullopt : std::optional(std::move(job));
     }
-    // In the background one at a time, so that what is wanted next finds a free place.
+    // Runs one background job at a time, so that what is wanted next finds a free place.
     return running_.empty() ? background_job() : std::nullopt;
 }
 
-/// A photograph that is felt as a whole, and that nobody has looked at.
+/// Looks at a photograph that is felt as a whole and was not looked at yet.
 std::optional<LoadJob> LoadPlan::look_job() {
     if (!looks_.for_things || !is_felt_) return std::nullopt;
     const Kept* const view = view_of(*wanted_);
@@ -247,7 +247,7 @@ std::optional<LoadJob> LoadPlan::untried(LoadJob job) {
     return job;
 }
 
-/// One network at a time.
+/// Only one network runs at a time.
 bool LoadPlan::is_looking() const {
     return std::any_of(running_.begin(), running_.end(),
                        [](const LoadJob& job) { return is_look(job.kind); });
@@ -259,7 +259,7 @@ bool LoadPlan::is_running(const LoadJob& job) const {
     });
 }
 
-/// Is the job the next step of what is wanted? Also one that began in the background.
+/// True if the job is the next step of what is wanted, even if it began in the background.
 bool LoadPlan::is_waited_for(const LoadJob& job) const {
     return wanted_ && is_owed_ && step_of(next_step(*wanted_)) == step_of(job);
 }
@@ -308,8 +308,8 @@ void LoadPlan::keep(Kept kept) {
     forget_old();
 }
 
-/// The page has further things, before the whole. That stays as it is felt until another view is
-/// felt.
+/// The page has further things, before the whole. The whole stays as it is felt until another view
+/// is felt.
 void LoadPlan::renumber(const Kept& page) {
     const int views = view_count(*page.page);
     for (Kept& kept : kept_) {
@@ -326,8 +326,8 @@ void LoadPlan::renumber(const Kept& page) {
     }
 }
 
-/// Nobody waits for it any more: then the page stays as it was. Else the page with the thing is
-/// aside until that is felt.
+/// If nobody waits for it any more, the page stays as it was. Otherwise the page with the thing is
+/// kept aside until the thing is felt.
 std::optional<Delivery> LoadPlan::keep_thing_at(const LoadJob& job, const Result<PagePtr>& page) {
     if (!wanted_ || job.request != request_ || !is_owed_) return std::nullopt;
     if (!page) return refuse(job, page.error());
@@ -345,7 +345,7 @@ void LoadPlan::keep_things(const LoadJob& job, const Result<PagePtr>& page) {
     if (at == kept_.end()) return;
     const bool is_in_use =
         wanted_ && (is_page_of(*at, *wanted_) || (felt_ && is_page_of(*at, *felt_)));
-    if (is_owed_ && is_in_use) {  // nothing is renumbered under an order
+    if (is_owed_ && is_in_use) {  // views are not renumbered while an order is under way
         std::erase(tried_, step_of(job));
         return;
     }
@@ -377,7 +377,7 @@ void LoadPlan::keep_reread(const LoadJob& job, const FoundPtr& found) {
     forget_old();
 }
 
-/// The present page and view stay, however large.
+/// Keeps the present page and view, however large they are.
 void LoadPlan::forget_old() {
     for (auto at = kept_.end(); at != kept_.begin() && kept_bytes() > limits_.kept_bytes;) {
         --at;

@@ -1,14 +1,14 @@
-// What is to be done next so that the picture that is wanted is felt soon, and the next one at
-// once: a state machine that knows no thread, clock or file.
+// Decides what to do next so that the wanted picture is felt soon, and the next one at once: a
+// state machine that knows no thread, clock or file.
 //
 //   want ──> open page ──> find lines ──> build scene ──> delivery
 //               │              │  kept: a change of detail goes on from here
-//               └──────────────┴─ of the next view and the next page, once the present one is felt
+//               └──────────────┴─ and for the next view and page, once the present one is felt
 //
-// A photograph is felt as a whole first; then its main things are looked for, and are views of it.
-// A thing that a visitor points at is looked for before it is traced: want ──> look at ──> find.
-// Its page takes the place of the old one when the thing is felt. What fails or is cancelled leaves
-// wanted what is felt.
+// A photograph is felt as a whole first; then its main things are looked for, and become views of
+// it. A thing that a visitor points at is looked for before it is traced: want ──> look at ──>
+// find. Its page replaces the old one when the thing is felt. If anything fails or is cancelled,
+// what is felt stays wanted.
 //
 // Threads: one.
 #pragma once
@@ -32,57 +32,57 @@ struct ViewOrder {
     int page = 1;
     int view = 1;  // beyond the last: the last
     FeltPart part = {};
-    /// The thing at this place of the view is wanted, not the view: in metres from its middle as it
-    /// is felt whole.
+    /// Wants the thing at this place of the view instead of the view: in metres from the middle of
+    /// the view when it is felt whole.
     std::optional<Position> thing_at = {};
 };
 
 enum class JobKind : std::uint8_t { open, find, build, look, look_at, reread };
 
-/// Whether a network looks at a photograph.
+/// True if a network looks at a photograph.
 [[nodiscard]] constexpr bool is_look(JobKind kind) {
     return kind == JobKind::look || kind == JobKind::look_at;
 }
 
-/// Work that can be done by itself, with all that it needs.
+/// A piece of work with everything that it needs.
 struct LoadJob {
     std::uint64_t number = 0;
     JobKind kind = JobKind::open;
     ViewOrder order;
-    std::uint64_t request = 0;  // of a scene to be built
+    std::uint64_t request = 0;  // for a scene to be built
     PagePtr page;               // to find lines on
-    FoundPtr found;             // to build a scene of, or to read in
+    FoundPtr found;             // to build a scene of, or to read words in
 };
 
 using JobOutcome = std::variant<Result<PagePtr>, Result<FoundPtr>, Result<LoadedScene>>;
 
-/// What a request came to. A second one for the same request is better than the first.
+/// The result of a request. A second one for the same request improves on the first.
 struct Delivery {
     std::uint64_t request = 0;
     Result<LoadedScene> scene;
-    PagePlace place;  // as far as it is known, where there is no scene
+    PagePlace place;  // as far as it is known, if there is no scene
     bool is_better = false;
 };
 
-/// What a second look at a photograph came to.
+/// The result of a second look at a photograph.
 struct ThingsFound {
-    std::uint64_t request = 0;      // that is felt
+    std::uint64_t request = 0;      // the one that is felt
     PagePlace place;                // of what is felt
     std::vector<NamedThing> names;  // of what is felt
-    std::string why_not;  // one line that names no file, where they could not be looked for
+    std::string why_not;            // one line that names no file, if the search could not run
 };
 
-/// The line of a delivery where no clear thing lies at the place that was asked for.
+/// The line of a delivery if no clear thing lies at the requested place.
 inline constexpr std::string_view nothing_there = "Nothing clear lies there. Choose another place.";
 
-/// What can look a second time.
+/// The kinds of second looks that are possible.
 struct SecondLooks {
     bool for_things = false;
     bool for_words = false;
 };
 
 struct PlanLimits {
-    std::size_t jobs = 2;                              // at a time; one of them for what is wanted
+    std::size_t jobs = 2;  // at a time; one of them is for what is wanted
     std::size_t kept_bytes = std::size_t{192} << 20U;  // beyond the present page and view
 };
 
@@ -90,41 +90,41 @@ class LoadPlan {
   public:
     LoadPlan(SecondLooks looks, PlanLimits limits);
 
-    /// Takes the place of what was wanted before. `request`: a new number.
+    /// Replaces what was wanted before. `request`: a new number.
     void want(std::uint64_t request, const ViewOrder& order);
 
-    /// What was wanted last is not wanted any more; what is felt stays wanted.
+    /// Drops what was wanted last; what is felt stays wanted.
     void cancel();
 
-    /// Jobs to be started now; each is to be finished once.
+    /// The jobs to start now. Each must be finished once.
     [[nodiscard]] std::vector<LoadJob> start();
 
-    /// How the job ended. Nothing where nobody waits for it.
+    /// Reports how the job ended. Returns nothing if nobody waits for it.
     [[nodiscard]] std::optional<Delivery> finish(std::uint64_t job, JobOutcome outcome);
 
-    /// What became known since this was last asked.
+    /// What became known since the last call.
     [[nodiscard]] std::optional<ThingsFound> take_things() { return std::exchange(things_, {}); }
 
-    /// Nothing is wanted or kept any more, and nothing comes of the jobs that run.
+    /// Drops everything wanted and kept, and ignores the jobs that still run.
     void forget();
 
     [[nodiscard]] std::size_t kept_bytes() const;
 
   private:
-    /// A page as opened, or a view with its lines.
+    /// An opened page, or a view with its lines.
     struct Kept {
         FilePtr file;
-        int number = 0;  // of the page, as it was asked for: a worker's word is not taken for it
+        int number = 0;  // the requested number of the page; the worker's own is not trusted
         PagePtr page;
         FoundPtr found;
         bool is_reread = false;
-        std::optional<ThingSearch> looked_for = {};  // what a second look at the page came to
+        std::optional<ThingSearch> looked_for = {};  // the result of a second look at the page
         bool is_before_look = false;  // a whole photograph, traced before its things were known
     };
 
     using KeptList = std::list<Kept>;
 
-    /// Which work it was, whatever was known when it was given out.
+    /// Identifies a piece of work, whatever was known when it was given out.
     struct Step {
         JobKind kind;
         FilePtr file;
@@ -168,14 +168,14 @@ class LoadPlan {
     SecondLooks looks_;
     PlanLimits limits_;
     std::uint64_t last_number_ = 0;
-    std::uint64_t forgotten_number_ = 0;  // of jobs up to this one nothing is wanted
+    std::uint64_t forgotten_number_ = 0;  // jobs up to this number are ignored
     std::optional<ViewOrder> wanted_;
     std::uint64_t request_ = 0;
-    std::optional<ViewOrder> felt_;  // of the last request that came to something
+    std::optional<ViewOrder> felt_;  // by the last request with a result
     std::uint64_t felt_request_ = 0;
-    bool is_owed_ = false;       // an answer, or a better one
+    bool is_owed_ = false;       // an answer, or an improved one
     bool is_felt_ = false;       // the request has its first answer
-    std::optional<Kept> aside_;  // what is wanted is a thing of this page that nobody has felt yet
+    std::optional<Kept> aside_;  // holds a wanted thing that nobody has felt yet
     std::optional<ThingsFound> things_;
     std::vector<Step> tried_;  // in the background, since the request
     std::vector<LoadJob> running_;

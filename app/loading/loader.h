@@ -1,4 +1,4 @@
-// Pictures on their way to the hand: the plan, the stages and where they are done.
+// Brings pictures to the hand: the plan, the stages and the executor.
 // Threads: one; no call waits.
 #pragma once
 
@@ -18,13 +18,13 @@ class Loader {
     Loader(std::shared_ptr<const Stages> stages, std::unique_ptr<Executor> executor,
            PlanLimits limits = {});
 
-    /// As LoadPlan::want(), and begins at once.
+    /// As LoadPlan::want(), and starts at once.
     void want(std::uint64_t request, const ViewOrder& order);
 
-    /// What became ready; to be called often, for it starts what comes next too.
+    /// What became ready. Call it often, because it also starts what comes next.
     [[nodiscard]] std::vector<Delivery> poll();
 
-    /// As LoadPlan::take_things(); to be asked after poll().
+    /// As LoadPlan::take_things(); call it after poll().
     [[nodiscard]] std::optional<ThingsFound> take_things() { return plan_.take_things(); }
 
     /// As LoadPlan::cancel().

@@ -1,4 +1,4 @@
-// What reads words in the pixels of a page that has no text of its own: the worker of app/decode.
+// Reads words in the pixels of a page without text of its own, by the worker of app/decode.
 // Threads: the reader is called from any, one call at a time; the language may change meanwhile.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace touchline {
 
-/// In what `language` is when it is called. Where reading fails, or finds nothing, the page stays
-/// as it was felt.
+/// Reads in the language that `language` holds at the call. If reading fails, or finds nothing, the
+/// page stays as it was felt.
 [[nodiscard]] PageReader page_reader(std::shared_ptr<const std::atomic<WrittenLanguage>> language);
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
-// The way of a picture from its file to the hand, in stages that are worth keeping apart: what one
-// gives is kept (load_plan.h) and serves many times.
+// The way of a picture from its file to the hand, in stages whose results are worth keeping
+// (load_plan.h), because each serves many times.
 // Threads: values that share what does not change.
 #pragma once
 
@@ -30,25 +30,27 @@ struct LoadedFacts {
     int coarsest_level = 0;
     std::string note;  // one sentence worth telling; may be empty
     PagePlace place = {1, 1, 1, 1};
-    std::vector<NamedThing> names = {};  // what the things of a photograph are taken for
+    std::vector<NamedThing> names = {};  // what the things of a photograph probably are
 };
 
 /// A file of the list. Two of them are the same only if they are the same object.
 struct PictureFile {
-    std::string name;          // as sentences about it begin; fit to be shown
-    std::string title;         // where the file has none of its own
-    std::string gallery_file;  // its name there; empty: a visitor's
-    bool is_private = false;   // of a stick: no log may name it
-    /// A page of it. Errors are one line with the file's name. From any thread, at any time.
+    std::string name;          // begins the sentences about the file; fit to be shown
+    std::string title;         // used if the file has none of its own
+    std::string gallery_file;  // its name in the gallery; empty: a visitor's file
+    bool is_private = false;   // from a stick: no log may name it
+    /// Opens one of its pages. Errors are one line with the file's name. Called from any thread, at
+    /// any time.
     std::function<Result<Page>(const PageOrder&)> open;
-    /// Raw bytes, where `title` is made of it and no person's: said by spoken_name() alone.
+    /// Raw bytes, if `title` was made from the file's name rather than by a person. Only
+    /// spoken_name() may say them.
     std::string file_name = {};
 };
 
 using FilePtr = std::shared_ptr<const PictureFile>;
 using PagePtr = std::shared_ptr<const Page>;
 
-/// What of a view is felt: how much of it, and which part of it enlarged.
+/// The part of a view that is felt: how much detail, and which part enlarged.
 struct FeltPart {
     int detail = 3;  // 1 silhouette ... 5 all
     Zoom zoom = {};
@@ -56,7 +58,7 @@ struct FeltPart {
     friend bool operator==(const FeltPart&, const FeltPart&) = default;
 };
 
-/// What is felt of a part, where it was traced already.
+/// What is felt of a part that was traced already.
 struct TracedPart {
     FeltPart part;
     Result<TracedMap> map;
@@ -67,11 +69,11 @@ struct FoundView {
     PagePtr view;
     std::optional<FoundLines> lines;  // none: the view's own outlines are felt
     std::optional<TracedPart>
-        first;  // of these lines: of the part that was wanted when they were found
+        first;  // traced with these lines: the part that was wanted when they were found
     std::shared_ptr<const Canvas> picture;
-    PagePlace place;        // all of it known
-    bool is_photo = false;  // that nobody has looked for main things in
-    std::size_t bytes = 0;  // about what it holds
+    PagePlace place;        // every field is known
+    bool is_photo = false;  // nobody has looked for main things in it
+    std::size_t bytes = 0;  // roughly what it holds
 };
 
 using FoundPtr = std::shared_ptr<const FoundView>;
@@ -82,7 +84,7 @@ struct LoadedScene {
     LoadedFacts facts;
 };
 
-/// Where a view of the page lies; one beyond the last is the last.
+/// The place of a view of the page; a view beyond the last is the last.
 [[nodiscard]] inline PagePlace place_of(const Page& page, int view) {
     const int views = view_count(page);
     const int shown = std::min(view, views);
@@ -94,7 +96,7 @@ struct LoadedScene {
             is_face(page, shown)};
 }
 
-/// Each call by itself, from any thread. Errors are one line with the file's name.
+/// Each call stands by itself, from any thread. Errors are one line with the file's name.
 class Stages {
   public:
     Stages() = default;
@@ -104,37 +106,38 @@ class Stages {
     Stages& operator=(const Stages&) = delete;
     Stages& operator=(Stages&&) = delete;
 
-    /// Page 1 ... of a file. Waits for a worker.
+    /// Opens page 1 ... of a file. Waits for a worker.
     [[nodiscard]] virtual Result<PagePtr> open(const PictureFile& file, int page) const = 0;
 
-    /// A view, 1 ... view_count(page), with its lines, and what is felt of `part`. May open the
-    /// page again, drawn finer. Waits for a worker.
+    /// Finds the lines of a view, 1 ... view_count(page), and traces `part`. May open the page
+    /// again, drawn finer. Waits for a worker.
     [[nodiscard]] virtual Result<FoundPtr> find(const PictureFile& file, const PagePtr& page,
                                                 int view, const FeltPart& part) const = 0;
 
-    /// What is felt and shown of it. Milliseconds; waits for a worker where the part is another
-    /// one.
+    /// Builds what is felt and shown of it. Takes milliseconds; waits for a worker if the part is
+    /// another one.
     [[nodiscard]] virtual Result<LoadedScene> build(const PictureFile& file, const FoundView& found,
                                                     const FeltPart& part) const = 0;
 
-    /// False: look() and look_at() would find nothing, ever.
+    /// False if look() and look_at() would never find anything.
     [[nodiscard]] virtual bool has_looking() const = 0;
 
-    /// A second look at a photograph: its page with its main things and faces, each a view, and
-    /// with what they are taken for. Never null. Its errors name no file. Waits for a worker, some
-    /// seconds.
+    /// A second look at a photograph. Returns its page with its main things and faces, each a view,
+    /// and with what they probably are. Never null. Its errors name no file. Waits for a worker,
+    /// some seconds.
     [[nodiscard]] virtual Result<PagePtr> look(const PagePtr& page) const = 0;
 
-    /// The same of the thing at a place of a view, in metres from its middle as it is felt whole:
-    /// the page with it as the last view before the whole. Null where nothing is clear there.
+    /// The same for the thing at a place of a view, in metres from the middle of the view when it
+    /// is felt whole. The page has it as the last view before the whole. Null if nothing is clear
+    /// there.
     [[nodiscard]] virtual Result<PagePtr> look_at(const PagePtr& page, int view,
                                                   const Position& place) const = 0;
 
-    /// False: reread() would find nothing, ever.
+    /// False if reread() would never find anything.
     [[nodiscard]] virtual bool has_reading() const = 0;
 
-    /// A second look that takes its time: the view with the words that were read in its pixels.
-    /// Null where there are none.
+    /// A slow second look: the view with the words that were read in its pixels. Null if there are
+    /// none.
     [[nodiscard]] virtual FoundPtr reread(const FoundView& found) const = 0;
 };
 

@@ -1,4 +1,4 @@
-// What looks at a photograph for the kiosk: networks in their worker.
+// Looks at a photograph for the kiosk, with networks in their worker.
 // Threads: the finder is called from any, one call at a time.
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace touchline {
 
-/// Without the figure's network where that is not installed, or less than 2 GB of memory are free.
-/// It fails where a network is damaged or its worker fails.
+/// Works without the figure's network if that is not installed, or if less than 2 GB of memory are
+/// free. Fails if a network is damaged or its worker fails.
 [[nodiscard]] ThingFinder thing_finder();
 
 }  // namespace touchline

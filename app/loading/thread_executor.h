@@ -1,5 +1,5 @@
-// Jobs on threads of their own, so many at a time as there are threads.
-// Threads: as Executor; those that it starts end with it.
+// Runs jobs on its own threads, as many at a time as there are threads.
+// Threads: as Executor; its own threads end with it.
 #pragma once
 
 #include "app/loading/executor.h"
@@ -17,7 +17,7 @@ class ThreadExecutor final : public Executor {
   public:
     explicit ThreadExecutor(std::size_t threads);
 
-    /// Waits for the jobs that run; those not begun are dropped.
+    /// Waits for the running jobs and drops those not begun.
     ~ThreadExecutor() override;
     ThreadExecutor(const ThreadExecutor&) = delete;
     ThreadExecutor(ThreadExecutor&&) = delete;
@@ -32,7 +32,7 @@ class ThreadExecutor final : public Executor {
 
     void run();
 
-    std::mutex mutex_;  // of all below but the threads
+    std::mutex mutex_;  // for all below except the threads
     std::condition_variable changed_;
     std::deque<Waiting> waiting_;
     std::vector<FinishedJob> finished_;

@@ -1,4 +1,4 @@
-// What a visitor brought must not stay on a disk: a program that crashes leaves no image of itself.
+// A visitor's data must not stay on a disk, so a program that crashes leaves no memory image.
 // Threads: at the start of main.
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace touchline {
 
-/// No core dumps of this process, nor of those it starts.
+/// Forbids core dumps of this process and of those it starts.
 inline void forbid_core_dumps() {
     const rlimit none{0, 0};
-    // Lowering a limit and giving up a right are never refused.
+    // The system never refuses to lower a limit or give up a right.
     (void)setrlimit(RLIMIT_CORE, &none);
     (void)prctl(PR_SET_DUMPABLE, 0UL, 0UL, 0UL, 0UL);
 }

@@ -50,7 +50,8 @@ std::atomic<bool> is_end_asked{false};
 
 constexpr unsigned longest_end_s = 3;  // a servo fades out and ends in two
 
-/// Should anything hang by then: the servo zeroes the torque when its kiosk dies.
+/// Asks for the end, and exits if anything hangs by then: the servo zeroes the torque when its
+/// kiosk dies.
 void ask_for_end(int) {
     is_end_asked = true;
     (void)alarm(longest_end_s);
@@ -66,7 +67,7 @@ void report(const std::string& line) {
     if (!line.empty()) fmt::print(stderr, "touchline: {}\n", plain_line(line));
 }
 
-/// Those that the operator offers, in that order; English where none of them is there.
+/// The languages that the operator offers, in that order; English if none of them exists.
 std::vector<Language> offered(std::vector<Language> languages, const std::string& codes) {
     std::vector<Language> chosen;
     std::istringstream words(codes);
@@ -82,7 +83,7 @@ std::vector<Language> offered(std::vector<Language> languages, const std::string
     return chosen;
 }
 
-/// What the servo counted up to a moment.
+/// The servo's counts up to a moment.
 struct ServoCount {
     std::uint64_t ticks = 0;
     std::uint64_t missed = 0;
@@ -105,7 +106,7 @@ class KioskWindow {
     }
 
   private:
-    /// Minute of the day where the kiosk stands.
+    /// The local minute of the day.
     static int minute_of_day() {
         const std::time_t now = std::time(nullptr);
         std::tm local{};
@@ -144,7 +145,7 @@ class KioskWindow {
         return {};
     }
 
-    /// Another mode of the screen has pixels of another size: letters stay as large to the eye.
+    /// Another screen mode has pixels of another size, so the letters are remade to look as large.
     void follow_pixels() {
         const bool is_same = width_px_ == window_->width_px() && height_px_ == window_->height_px();
         if (arguments_.in_window || is_same) return;
@@ -154,7 +155,7 @@ class KioskWindow {
         if (const auto made = make_screen(); !made) report(made.error().line);
     }
 
-    /// As the operator measured the screen, else as it tells itself.
+    /// The operator's measure of the screen, else the monitor's own.
     [[nodiscard]] double mm_per_px() const {
         if (settings_.screen_inches <= 0.0) return window_->mm_per_px();
         return 25.4 * settings_.screen_inches /
@@ -198,7 +199,7 @@ class KioskWindow {
         return {};
     }
 
-    /// Without libcamera the kiosk has no camera, which its screens say.
+    /// Without libcamera the kiosk has no camera, and its screens say so.
     static std::unique_ptr<PhotoCapture> open_photos() {
         auto camera = open_camera();
         if (camera) return std::make_unique<PhotoCapture>(std::move(*camera));
@@ -222,7 +223,7 @@ class KioskWindow {
                     std::clamp(p.y, -area.height_m / 2.0, area.height_m / 2.0)};
     }
 
-    /// The settings may name another one while the kiosk runs.
+    /// The settings may name another keyboard while the kiosk runs.
     void follow_operator_device() {
         if (kiosk_->operator_device() == operator_device_) return;
         operator_device_ = kiosk_->operator_device();
@@ -295,7 +296,7 @@ class KioskWindow {
         const auto end =
             std::chrono::steady_clock::now() + std::chrono::duration<double>(*arguments_.measure_s);
         while (std::chrono::steady_clock::now() < end) {
-            (void)servo_->latest();  // a kiosk that does not look for its servo has died
+            (void)servo_->latest();  // a kiosk that does not ask its servo counts as dead
             std::this_thread::sleep_for(std::chrono::milliseconds(100));
         }
         fmt::print("{}\n", counted("without the window", now_ns() - start_ns, before));
@@ -315,13 +316,13 @@ class KioskWindow {
 
     KioskArguments arguments_;
     ServoStarter start_servo_;
-    SoundParts sound_;                           // until the kiosk has them
+    SoundParts sound_;                           // until the kiosk takes them
     std::unique_ptr<OperatorSession> operator_;  // likewise
     Settings settings_;                          // at the start
     std::string operator_device_;
     OperatorKeyboard operator_keyboard_;
     LifeSigns signs_;
-    Position pointer_;  // where it is
+    Position pointer_;  // where the pointer is
     Position led_;      // where the hand means to be
     std::shared_ptr<MouseHand> hand_ = std::make_shared<MouseHand>(Position{});
     bool has_motors_ = false;
@@ -329,7 +330,7 @@ class KioskWindow {
     std::unique_ptr<Window> window_;
     std::unique_ptr<KioskScreen> screen_;  // dies before the window that has its OpenGL context
     double cap_px_ = 0.0;                  // of its letters
-    int width_px_ = 0;                     // of the window, when they were chosen
+    int width_px_ = 0;                     // of the window, when the letters were chosen
     int height_px_ = 0;
     std::unique_ptr<Kiosk> kiosk_;
     ServoClient* servo_ = nullptr;  // the kiosk's

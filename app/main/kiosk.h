@@ -10,14 +10,14 @@
 
 namespace touchline {
 
-/// Gives the kiosk its servo. `hand` is led by the pointer.
+/// Gives the kiosk its servo. The pointer leads `hand`.
 using ServoStarter = std::function<Result<KioskServo>(const std::shared_ptr<MouseHand>& hand)>;
 
-/// Runs until somebody quits or the program is asked to end (SIGINT, SIGTERM). With no device
-/// attached the mouse is the hand of a simulated pantograph. Returns the exit status: 0 when it
-/// ended as asked, 1 when there is no window or it did not end within three seconds of being asked
-/// (one line on stderr). With `measure_s` it ends by
-/// itself after as long with the window and as long without, and prints a line for each.
+/// Runs until somebody quits or the program is asked to end (SIGINT, SIGTERM). Without a device the
+/// mouse is the hand of a simulated pantograph. Returns the exit status: 0 if it ended as asked; 1,
+/// with one line on stderr, if there is no window or it did not end within three seconds of being
+/// asked. With `measure_s` it runs that long with the window and that long without it, prints a
+/// line for each, and ends by itself.
 [[nodiscard]] int run_kiosk(const KioskArguments& arguments,
                             const ServoStarter& start = start_servo);
 

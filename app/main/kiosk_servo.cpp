@@ -22,14 +22,14 @@ UnitSettings unit_of(const UsbDevice& device) {
     return {device.serial, device.profile, device.calibration};
 }
 
-/// It is kept for the next visit and the next servo.
+/// Stores it for the next visit and the next servo.
 std::vector<std::string> keep(const UsbDevice& device) {
     const auto kept = keep_unit(board_files(), unit_of(device));
     if (!kept) fmt::print(stderr, "touchline: {}\n", plain_line(kept.error().line));
     return arguments_of(device);
 }
 
-/// The unit as homing found it. One that nobody can tell from another is measured each time.
+/// Stores the unit as homing found it. A unit without a serial number is measured each time.
 std::vector<std::string> keep_home(UsbDevice& device, const Message& message) {
     const auto found = calibration_of(message, device.calibration);
     if (!found || device.serial.empty()) return arguments_of(device);
@@ -46,14 +46,14 @@ std::vector<std::string> keep_kind(UsbDevice& device, const std::string& kind) {
     return keep(device);
 }
 
-/// Its kind and its number, as far as they are known.
+/// The device's kind and serial number, as far as they are known.
 std::string name_of(const UsbDevice& device) {
     const bool has_both = !device.profile.empty() && !device.serial.empty();
     return device.profile + (has_both ? " " : "") + device.serial;
 }
 
 KioskServo with_motors(const UsbDevice& found) {
-    // The guard's alone from here on.
+    // From here on only the guard uses it.
     const auto device = std::make_shared<UsbDevice>(found);
     ServoProcessOptions options;
     options.program = companion("touchline-servo");

@@ -1,4 +1,4 @@
-// Which servo the kiosk has: a process with the pantograph that is plugged in, else a thread with a
+// Chooses the kiosk's servo: a process for the pantograph that is plugged in, else a thread for a
 // simulated one.
 // Threads: call it from the main thread; it waits for the USB.
 #pragma once
@@ -18,11 +18,11 @@ struct KioskServo {
     DeviceProfile profile = default_profile();
     std::string hand_words;   // as LiveFacts::hand_words
     std::string hand_name;    // as LiveFacts::hand_name
-    bool has_motors = false;  // force follows the tier
-    std::string note;         // why it is not what one might expect; may be empty
+    bool has_motors = false;  // the force follows the real-time tier
+    std::string note;         // why it is not the expected servo; may be empty
 };
 
-/// `hand` leads the simulated pantograph where there is no real one.
+/// `hand` leads the simulated pantograph if there is no real one.
 [[nodiscard]] Result<KioskServo> start_servo(const std::shared_ptr<MouseHand>& hand);
 
 }  // namespace touchline

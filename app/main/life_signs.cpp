@@ -12,7 +12,7 @@ std::int64_t watchdog_ns() {
     return sd_watchdog_enabled(0, &time_us) > 0 ? static_cast<std::int64_t>(time_us) * 1000 : 0;
 }
 
-/// Nobody hears a sign that is lost: the next one comes, or the kiosk is started again.
+/// A lost sign does no harm: the next one comes, or systemd restarts the kiosk.
 void tell(const char* sign) {
     (void)sd_notify(0, sign);
 }

@@ -1,21 +1,20 @@
-// What the kiosk tells whoever started it: that it is ready, that it lives, that it ends. systemd
-// starts a kiosk again that is silent for longer than its unit says (WatchdogSec). Source:
-// sd_notify(3), sd_watchdog_enabled(3). Threads: the kiosk's main thread.
+// Tells systemd that the kiosk is ready, that it lives, and that it ends. systemd restarts a kiosk
+// that is silent for longer than its unit allows (WatchdogSec). Source: sd_notify(3),
+// sd_watchdog_enabled(3). Threads: the kiosk's main thread.
 #pragma once
 
 #include <cstdint>
 
 namespace touchline {
 
-/// When the watchdog is fed: while both hearts beat, four times in its time. A main loop that goes
-/// on says nothing of the servo, and the other way round. No clock.
+/// Decides when to feed the watchdog: while both main loop and servo are alive, four times in its
+/// period. A running main loop says nothing about the servo, and the other way round. No clock.
 class WatchdogPace {
   public:
-    /// Never, for a time of 0 or less.
+    /// Never feeds if the time is 0 or less.
     explicit WatchdogPace(std::int64_t longest_silence_ns) : longest_ns_(longest_silence_ns) {}
 
-    /// One turn of the main loop, which is the first heart; `servo_beats` counts those of the
-    /// second. Whether to feed now.
+    /// One turn of the main loop; `servo_beats` counts the servo's. Returns whether to feed now.
     [[nodiscard]] bool step(std::int64_t now_ns, std::uint64_t servo_beats) {
         const bool is_due =
             longest_ns_ > 0 && (!has_fed_ || now_ns - fed_ns_ >= longest_ns_ / turns_of_watchdog);
@@ -35,13 +34,14 @@ class WatchdogPace {
     std::uint64_t fed_beats_ = 0;
 };
 
-/// Silent where nobody listens: NOTIFY_SOCKET of the environment is not set.
+/// Silent if nobody listens: NOTIFY_SOCKET of the environment is not set.
 class LifeSigns {
   public:
-    /// The time of the watchdog is that of the environment (WATCHDOG_USEC, WATCHDOG_PID).
+    /// The environment tells the watchdog's time (WATCHDOG_USEC, WATCHDOG_PID).
     LifeSigns();
 
-    /// After every frame: ready at the first, then alive. Arguments as of WatchdogPace::step().
+    /// Call it after every frame: it reports ready at the first, then alive. Arguments as for
+    /// WatchdogPace::step().
     void beat(std::int64_t now_ns, std::uint64_t servo_beats);
 
     /// The force is about to fade out.

@@ -1,4 +1,5 @@
-// A pointer leaps across a screen, a hand does not: the servo would take it for a thrown handle.
+// Slows the pointer down to a hand's pace. A pointer jumps across a screen and a hand does not: the
+// servo would take it for a thrown handle.
 // Threads: a pure function.
 #pragma once
 
@@ -8,7 +9,7 @@ namespace touchline {
 
 inline constexpr double led_m_per_s = 0.6;
 
-/// From where the hand means to be towards where the pointer is, dt_s later.
+/// Moves for dt_s from where the hand means to be towards the pointer.
 [[nodiscard]] inline Position paced(Position from, Position pointer, double dt_s) {
     const Position way = pointer - from;
     const double most_m = led_m_per_s * dt_s;

@@ -1,6 +1,6 @@
-// touchline-pages CATALOGUES CODE: a page of Markdown from the standard input, with the kiosk's own
-// words in that language filled in, on the standard output. Part of making the package; it is not
-// installed.
+// touchline-pages CATALOGUES CODE: reads a page of Markdown from the standard input, fills in the
+// kiosk's own words in that language, and writes it to the standard output. Used to make the
+// package; not installed.
 #include "app/manual/manual_words.h"
 #include "config/types/plain_line.h"
 

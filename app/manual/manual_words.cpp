@@ -16,7 +16,7 @@ std::string said(const Language& language, const std::string& english,
     return language.text("manual", english, values);
 }
 
-/// As it is written in the file; what the kiosk says instead is behind it.
+/// As it is written in the file, followed by what the kiosk says instead.
 std::string choice(std::string_view written, const std::string& said) {
     return written == said ? fmt::format("\"{}\"", written)
                            : fmt::format("\"{}\" ({})", written, said);
@@ -51,7 +51,7 @@ std::string name_in_words(const std::string& name, const Language& language) {
     return name;
 }
 
-/// The first "..." of a page, on one line or over two; npos where there is none.
+/// The first "..." of a page, on one line or over two; npos if there is none.
 struct Quotes {
     std::size_t open = std::string_view::npos;
     std::size_t close = std::string_view::npos;
@@ -63,7 +63,7 @@ Quotes next_quotes(std::string_view page, std::size_t from) {
     return {open, page.find('"', open + 1)};
 }
 
-/// Without the line's end, and what the next line is indented by.
+/// Leaves out the line's end and the next line's indentation.
 std::string name_between(std::string_view page, Quotes quotes) {
     std::string name;
     for (const char c : page.substr(quotes.open + 1, quotes.close - quotes.open - 1)) {

@@ -41,7 +41,7 @@ Result<void> install_network(const Network& network, std::span<const std::byte> 
 }
 
 Result<void> get_network(const Network& network) {
-    // One that was killed leaves it for the next.
+    // A killed download leaves it for the next one.
     const std::filesystem::path part = models_folder() / fmt::format(".{}.part", network.file);
     const auto taken =
         make_folder()

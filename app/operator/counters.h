@@ -16,12 +16,13 @@ struct Counters {
     std::uint64_t gallery_pictures = 0;
     std::uint64_t stick_pictures = 0;
     std::uint64_t camera_pictures = 0;
-    std::uint64_t minutes = 0;  // of visits, rounded to whole ones
+    std::uint64_t minutes = 0;  // total length of the visits, rounded to minutes
 
     friend bool operator==(const Counters&, const Counters&) = default;
 };
 
-/// "name = number" a line; an empty text is all zeros. Anything else: one line with file and line.
+/// Reads one "name = number" per line; an empty text gives zeros. Fails on anything else, with one
+/// line that names file and line.
 [[nodiscard]] Result<Counters> parse_counters(std::string_view text, std::string_view name);
 
 [[nodiscard]] std::string counters_text(const Counters& counters);
@@ -29,10 +30,10 @@ struct Counters {
 /// counters.toml beside the site's settings.
 [[nodiscard]] std::filesystem::path counters_file();
 
-/// A file that is not there is all zeros.
+/// Returns zeros if the file does not exist.
 [[nodiscard]] Result<Counters> read_counters(const std::filesystem::path& file);
 
-/// Whole or not at all.
+/// Writes the file whole or not at all.
 [[nodiscard]] Result<void> keep_counters(const std::filesystem::path& file,
                                          const Counters& counters);
 

@@ -7,7 +7,8 @@
 namespace touchline {
 namespace {
 
-/// It is told in tens: what the loop allows is measured, and moves a little. Within ten it is all.
+/// Rounds to tens, for the loop's bound is measured and moves a little. Returns nothing if the
+/// rounded value is not less.
 std::optional<double> less_possible(double set_N_per_m, const StiffnessBound& bound) {
     constexpr double told_N_per_m = 10.0;
     const double possible = possible_N_per_m(bound, set_N_per_m);
@@ -16,7 +17,7 @@ std::optional<double> less_possible(double set_N_per_m, const StiffnessBound& bo
     return told < set_N_per_m ? std::optional(told) : std::nullopt;
 }
 
-/// As if the level were fixed there.
+/// The level felt if it were fixed at this one; nothing if they are the same.
 std::optional<double> other_possible(double set_level, LevelTerms terms) {
     terms.finest = terms.coarsest = set_level;
     const double possible = choose_level(terms).level;

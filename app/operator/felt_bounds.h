@@ -1,4 +1,4 @@
-// What of a value that is set can act where it is felt. Threads: values and pure functions.
+// How much of a set value can act where it is felt. Threads: values and pure functions.
 #pragma once
 
 #include "audio-cues/words/language.h"
@@ -11,13 +11,13 @@
 
 namespace touchline {
 
-/// As the servo tells them.
+/// The bounds as the servo reports them.
 struct FeltBounds {
     StiffnessBound stiffness;
-    std::optional<LevelTerms> levels;  // of the picture that is felt; nothing: none is
+    std::optional<LevelTerms> levels;  // of the picture that is felt; nothing: no picture
 };
 
-/// "500 newtons per metre"; "650 newtons per metre set, 510 possible on this loop" where rate and
+/// "500 newtons per metre"; "650 newtons per metre set, 510 possible on this loop" if rate and
 /// delay allow no more; "0 set, 2 possible in this picture".
 [[nodiscard]] std::string felt_value(const Settings& settings, const SettingRow& row,
                                      const FeltBounds& bounds, const Language& language);

@@ -1,4 +1,4 @@
-// The kinds of handle that an operator can choose from, told by what a hand finds on them.
+// The kinds of handle that an operator can choose from, described by what a hand finds on them.
 // Threads: constant data.
 #pragma once
 
@@ -14,7 +14,7 @@ struct KindRow {
     std::string_view hint;  // how to tell it from the others
 };
 
-/// One for each profile; the likeliest first.
+/// One row per profile, the likeliest first.
 [[nodiscard]] std::span<const KindRow> kind_rows();
 
 }  // namespace touchline

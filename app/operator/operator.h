@@ -1,4 +1,4 @@
-// The operator's screens: a pure state machine. A key, a moment or an answer comes in; the new
+// The operator's screens as a pure state machine. A key, a moment or an answer comes in; the new
 // state and the orders for the kiosk come out. Threads: values and pure functions.
 #pragma once
 
@@ -19,9 +19,9 @@
 
 namespace touchline {
 
-/// Every screen; their titles and what is on them: operator_places.h.
+/// Every screen. operator_places.h holds their titles and contents.
 enum class OperatorPlace : std::uint8_t {
-    closed,  // the visitors have the kiosk
+    closed,  // the kiosk belongs to the visitors
     pin,
     new_pin,
     new_pin_again,
@@ -65,12 +65,12 @@ enum class OperatorPlace : std::uint8_t {
 
 inline constexpr std::size_t operator_place_count = 40;
 
-/// Where nobody comes without the PIN.
+/// The screens that need the PIN.
 [[nodiscard]] constexpr bool is_inside(OperatorPlace place) {
     return place > OperatorPlace::new_pin_again;
 }
 
-/// What is asked before it is done.
+/// The questions asked before something is done.
 enum class Question : std::uint8_t {
     ceiling,
     restore,
@@ -91,37 +91,37 @@ struct Operator {
     double entry_began_s = 0.0;
     double last_key_s = 0.0;
     PinEntry pin;
-    std::string chosen_pin;  // the first of two that must be the same
+    std::string chosen_pin;  // the first of two entries that must be the same
     PinTries tries;
     bool is_checking = false;  // a PIN was handed over and not yet judged
-    Settings settings;         // the site's, as they are edited
+    Settings settings;         // the site's settings while they are edited
     SoundSettings sound;
     KeyWizard wizard;
     SelfTest test;
     Question question = Question::ceiling;
-    std::size_t kind = 0;       // of kind_rows(), that the question is about
-    double lock_until_s = 0.0;  // of cleaning
+    std::size_t kind = 0;       // index of kind_rows(), for the question
+    double lock_until_s = 0.0;  // the end of the cleaning lock
     std::string device_words;   // as they were last told
-    std::string note;           // what came of the last order; said and shown
+    std::string note;           // the result of the last order; said and shown
 };
 
 struct OfferedLanguage {
     std::string code;
-    std::string name;  // in itself
+    std::string name;  // in the language itself
 };
 
 struct OfferedProfile {
     std::string name;
-    std::vector<std::size_t> rows;  // of setting_rows() that it sets
+    std::vector<std::size_t> rows;  // the indices of setting_rows() that it sets
 };
 
-/// What the screens tell of the kiosk; all in the language that is spoken.
+/// What the kiosk tells the screens; all texts are in the spoken language.
 struct OperatorWorld {
     const Language& language;
     double now_s = 0.0;  // never goes back
     bool has_pin = false;
-    bool is_private = true;  // only who wears the headset hears; else no digit is said
-    Settings settings{};     // of the site's file
+    bool is_private = true;  // only the headset's wearer hears; else no digit is said
+    Settings settings{};     // those of the site's file
     SoundSettings sound{};
     KeyTable keys{};
     std::vector<OfferedLanguage> languages{};
@@ -129,13 +129,14 @@ struct OperatorWorld {
     Counters counters{};
     std::vector<std::string> on_stick{};  // names of picture packs and networks
     std::vector<std::string> live{};      // facts in words: force, level, loop
-    /// The profile that the handle is taken for; empty: nobody has said. Nothing: a simulated one.
+    /// The profile that the handle is taken for; empty: nobody has said. Nothing: the handle is
+    /// simulated.
     std::optional<std::string> kind{};
     FeltBounds bounds{};
-    std::string device_words{};  // for the person at the handle; empty: nothing is to be done
+    std::string device_words{};  // for the person at the handle; empty: nothing to do
 };
 
-/// A press that counts. `role`: what the table of keys says of it. `is_allowed`: it is from the
+/// A press that counts. `role`: its role in the table of keys. `is_allowed`: it came from the
 /// operator's keyboard, or none is set.
 struct KeyStruck {
     PhysicalKey key;
@@ -143,12 +144,12 @@ struct KeyStruck {
     bool is_allowed = true;
 };
 
-/// At least once a second.
+/// Comes at least once a second.
 struct MomentPassed {};
 
 struct PinChecked {
     bool is_right = false;
-    bool is_noted = true;  // the try was counted on the disk before it was judged
+    bool is_noted = true;  // the try was recorded on the disk before it was judged
 };
 
 struct TestAnswered {
@@ -157,7 +158,7 @@ struct TestAnswered {
     std::string line;
 };
 
-/// What an order came to, or how far it is: one sentence.
+/// The result of an order, or its progress, in one sentence.
 struct OrderAnswered {
     std::string line;
 };
@@ -170,7 +171,7 @@ struct Say {
     bool is_shown = true;  // false: a digit, which nobody behind may read
 };
 
-struct Click {};  // a digit was turned or taken, and must not be said
+struct Click {};  // a digit was turned to or accepted, and must not be said
 
 struct CheckPin {
     std::string pin;
@@ -180,11 +181,11 @@ struct KeepPin {
     std::string pin;
 };
 
-struct SetSettings {  // they hold from now on; not on the disk
+struct SetSettings {  // they apply from now on, but are not on the disk
     Settings settings;
 };
 
-struct WriteSettings {  // they hold, and go to the disk
+struct WriteSettings {  // they apply, and are written to the disk
     Settings settings;
 };
 
@@ -198,11 +199,11 @@ struct WriteKeys {
 
 struct FindHome {};
 
-struct ChooseKind {  // the handle is measured as one of that kind
+struct ChooseKind {  // measures the handle as one of that kind
     std::string profile;
 };
 
-struct ClearFault {};  // what stopped the force, an emergency stop too
+struct ClearFault {};  // ends what stopped the force, an emergency stop too
 
 struct RunTest {
     TestStep step = TestStep::device;
@@ -214,19 +215,19 @@ struct ShowLive {
     bool is_on = false;
 };
 
-struct LockHandle {  // no force, and the keys are the operator's to ignore
+struct LockHandle {  // turns the force off and ignores all keys but the operator's
     bool is_on = false;
 };
 
 struct ImportFromStick {
-    std::size_t file = 0;  // of OperatorWorld::on_stick
+    std::size_t file = 0;  // index of OperatorWorld::on_stick
 };
 
 struct ZeroCounters {};
 
 struct ExportLog {};
 
-struct SaveRecording {};  // of the last minute, as a file
+struct SaveRecording {};  // writes the last minute to a file
 
 struct BackUp {};
 
@@ -234,7 +235,7 @@ struct Restore {};
 
 struct CloseKiosk {};
 
-struct Leave {};  // back to the visitors
+struct Leave {};  // gives the kiosk back to the visitors
 
 using OperatorOrder = std::variant<Say, Click, CheckPin, KeepPin, SetSettings, WriteSettings,
                                    WriteSound, WriteKeys, FindHome, ChooseKind, ClearFault, RunTest,
@@ -243,15 +244,15 @@ using OperatorOrder = std::variant<Say, Click, CheckPin, KeepPin, SetSettings, W
 
 struct OperatorStep {
     Operator state;
-    std::vector<OperatorOrder> orders;  // in this order
+    std::vector<OperatorOrder> orders;  // to be carried out in this order
 };
 
-/// O(items of a screen). While closed it waits for the entry sequence only: Help, Up, Up, Down,
-/// Down, Select, each one key, within 5 s.
+/// O(items of a screen). While closed, waits only for the entry sequence: Help, Up, Up, Down, Down,
+/// Select, each one key, within 5 s.
 [[nodiscard]] OperatorStep step_operator(const Operator& state, const OperatorEvent& event,
                                          const OperatorWorld& world);
 
-/// What is drawn and said now. Not of `closed`.
+/// What is drawn and said now. Not for `closed`.
 [[nodiscard]] SpokenScreen operator_screen(const Operator& state, const OperatorWorld& world);
 
 }  // namespace touchline

@@ -44,7 +44,7 @@ void carry_out(OperatorTurn& turn, Question question) {
     }
 }
 
-/// Where the question came from; a kind that was chosen is measured next.
+/// The place where the question came from. A kind that was chosen is measured next.
 OperatorPlace place_after(Question question, bool is_yes) {
     switch (question) {
         case Question::ceiling:
@@ -101,7 +101,7 @@ void do_action(OperatorTurn& turn, std::size_t action) {
     }
 }
 
-/// What was measured of a handle is worth a question.
+/// Asks first if a handle was measured before.
 void choose_kind(OperatorTurn& turn, std::size_t kind) {
     const std::string profile(kind_rows()[kind].profile);
     if (turn.world.kind == profile) return turn.say(turn.words("It is of this kind already."));
@@ -117,7 +117,7 @@ void answer(OperatorTurn& turn, bool is_yes) {
         carry_out(turn, question);
     else
         turn.state().settings = turn.world.settings;
-    const bool tells_later = is_yes && question == Question::restore;  // what came of it
+    const bool tells_later = is_yes && question == Question::restore;  // the result is said later
     const std::string first =
         tells_later ? "" : turn.words(is_yes ? "Done." : "Nothing was changed.");
     turn.go(place_after(question, is_yes), first);

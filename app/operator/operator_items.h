@@ -1,4 +1,4 @@
-// What can be chosen on each of the operator's screens. Threads: values and pure functions.
+// The items of each operator's screen. Threads: values and pure functions.
 #pragma once
 
 #include "app/operator/operator.h"
@@ -7,23 +7,23 @@
 
 namespace touchline {
 
-/// What an item stands for. ScreenItem::id holds it with its index.
+/// What an item stands for. ScreenItem::id holds this value and an index.
 enum class OperatorItem : std::uint8_t {
     place,          // index: an OperatorPlace
-    setting,        // of setting_rows()
-    hours_begin,    // of setting_rows()
-    hours_end,      // of setting_rows()
-    hours_are_set,  // of setting_rows(): quiet hours, or none
+    setting,        // index of setting_rows()
+    hours_begin,    // index of setting_rows()
+    hours_end,      // index of setting_rows()
+    hours_are_set,  // index of setting_rows(): quiet hours, or none
     action,         // an OperatorAction
-    language,       // of OperatorWorld::languages: offered or not
+    language,       // index of OperatorWorld::languages: offered or not
     first_language,
-    volume,    // headset, speaker
-    loudness,  // of a full sine: headset, speaker
-    profile,   // of OperatorWorld::profiles; behind them: none
-    kind,      // of kind_rows()
+    volume,    // 0 headset, 1 speaker
+    loudness,  // of a full sine: 0 headset, 1 speaker
+    profile,   // index of OperatorWorld::profiles; after the last: none
+    kind,      // index of kind_rows()
     test,      // a TestStep
     fact,      // text only
-    on_stick,  // of OperatorWorld::on_stick
+    on_stick,  // index of OperatorWorld::on_stick
     no,
     yes,
 };
@@ -35,11 +35,11 @@ struct ItemMeaning {
 
 [[nodiscard]] ItemMeaning meaning_of(const ScreenItem& item);
 
-/// Of any screen but the wizard's and a test's step, which have their own.
+/// The items of any screen except the wizard's and a test's step, which make their own.
 [[nodiscard]] std::vector<ScreenItem> operator_items(const Operator& state,
                                                      const OperatorWorld& world);
 
-/// The profile in use sets this row, of setting_rows().
+/// True if the profile in use sets this row of setting_rows().
 [[nodiscard]] bool is_set_by_profile(std::size_t row, const Operator& state,
                                      const OperatorWorld& world);
 

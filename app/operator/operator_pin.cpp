@@ -5,7 +5,7 @@
 namespace touchline {
 namespace {
 
-/// Aloud only where nobody else hears it; else a click each (accessibility, EN 301 549 5.1.3.8).
+/// Speaks only if nobody else hears it; else gives one click (accessibility, EN 301 549 5.1.3.8).
 void tell(OperatorTurn& turn, const std::string& text) {
     if (turn.world.is_private)
         turn.order(Say{text, false});
@@ -51,14 +51,14 @@ void finish_pin(OperatorTurn& turn) {
     turn.go(OperatorPlace::new_pin_again);
 }
 
-/// The digit that is turned, then all that were taken, then the screen: three presses at most.
+/// Takes back the digit turned to, then all accepted ones, then leaves: three presses at most.
 void take_back(OperatorTurn& turn) {
     Operator& state = turn.state();
     if (state.pin.taken.empty() && !state.pin.digit) {
         const bool is_first = state.place == OperatorPlace::new_pin_again;
         state.chosen_pin.clear();
         if (is_first) return turn.go(OperatorPlace::new_pin);
-        // Whoever changes the PIN was let in; whoever has none yet, or is asked for it, was not.
+        // Whoever changes the PIN was let in. Whoever has none yet, or is asked for it, was not.
         const bool is_inside = state.place == OperatorPlace::new_pin && turn.world.has_pin;
         return is_inside ? turn.go(OperatorPlace::upkeep) : turn.leave();
     }

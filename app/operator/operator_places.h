@@ -1,4 +1,4 @@
-// The tables of the operator's screens: where each one hangs, what it says, what can be done there.
+// The tables of the operator's screens: the parent of each, its texts, and its items.
 // Threads: constants.
 #pragma once
 
@@ -14,11 +14,11 @@ struct PlaceRow {
     OperatorPlace parent;  // where Back leads
     std::string_view title;
     std::string_view text;   // sentences; may be empty
-    std::string_view table;  // of setting_rows() that are its items; may be empty
-    bool is_listed = true;   // among the items of its parent
+    std::string_view table;  // the table of setting_rows() that are its items; may be empty
+    bool is_listed = true;   // listed among the items of its parent
 };
 
-/// Not of `closed`.
+/// Not for `closed`.
 [[nodiscard]] const PlaceRow& row_of(OperatorPlace place);
 
 [[nodiscard]] std::span<const PlaceRow> place_rows();
@@ -49,7 +49,7 @@ struct ActionRow {
 
 [[nodiscard]] std::span<const ActionRow> action_rows();
 
-/// What is asked before it is done.
+/// The text of a question.
 [[nodiscard]] std::string_view words_of(Question question);
 
 }  // namespace touchline

@@ -32,7 +32,7 @@ Settings with_languages(Settings settings, const std::vector<std::string>& codes
     return settings;
 }
 
-/// The last one stays: a kiosk without a language is mute.
+/// Keeps the last language: a kiosk without one is mute.
 Settings with_language_switched(const Settings& settings, const std::string& code) {
     auto codes = offered_languages(settings);
     const auto found = std::find(codes.begin(), codes.end(), code);
@@ -54,7 +54,7 @@ Settings with_next_language(Settings settings, bool is_up) {
     return settings;
 }
 
-/// Round the clock; an end of 24:00 rather than 0:00.
+/// Turns around the clock; the end is 24:00 rather than 0:00.
 Settings with_hours_turned(const Settings& settings, const ItemMeaning& meaning, bool is_up) {
     const SettingRow& row = row_at(meaning.index);
     auto hours = hours_in(std::get<std::string>(value_of(settings, row)));
@@ -78,7 +78,7 @@ OutputProfile& output_at(SoundSettings& sound, std::size_t index) {
     return index == 0 ? sound.headset : sound.speaker;
 }
 
-/// To the next value that goes with all others; as it was where none does.
+/// Steps to the next value if it fits all others; else changes nothing.
 SoundSettings with_sound_turned(const SoundSettings& sound, const ItemMeaning& meaning,
                                 bool is_up) {
     SoundSettings changed = sound;
@@ -106,7 +106,7 @@ ItemMeaning focused(const OperatorTurn& turn) {
                                                 : ItemMeaning{};
 }
 
-/// Asked before it is on; off it is at once.
+/// Turning it on asks first; turning it off does not.
 bool lets_more_in(const Settings& before, const Settings& after) {
     return after.more_file_systems && !before.more_file_systems;
 }
@@ -118,7 +118,7 @@ void switch_to(OperatorTurn& turn, const Settings& settings) {
     turn.say_item();
 }
 
-/// True where it was one of those that are switched at once.
+/// True if it was a setting that is switched at once.
 bool switch_value(OperatorTurn& turn, const ItemMeaning& meaning) {
     const Settings& settings = turn.state().settings;
     switch (meaning.item) {

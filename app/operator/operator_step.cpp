@@ -26,7 +26,7 @@ void open(OperatorTurn& turn) {
     turn.go(turn.world.has_pin ? OperatorPlace::pin : OperatorPlace::new_pin);
 }
 
-/// The visitor gets these keys too; a wrong one begins the sequence anew.
+/// The visitor gets these keys too. A wrong key restarts the sequence.
 void press_closed_key(OperatorTurn& turn, const KeyStruck& key) {
     Operator& state = turn.state();
     const double now_s = turn.world.now_s;
@@ -41,7 +41,7 @@ void press_closed_key(OperatorTurn& turn, const KeyStruck& key) {
     open(turn);
 }
 
-/// What was learnt goes before; what it leaves free keeps its role.
+/// Newly learnt keys come first; the others keep their roles.
 KeyTable with_learnt(const KeyTable& old, const KeyTable& learnt) {
     KeyTable table = learnt;
     for (const KeyBinding& binding : old.bindings)
@@ -178,7 +178,7 @@ void leave_when_idle(OperatorTurn& turn) {
     turn.leave();
 }
 
-/// Each time that there is something else to do at the handle, also of homing that began before.
+/// Says each new instruction for the handle, also during homing that began before.
 void follow_homing(OperatorTurn& turn) {
     const std::string& words = turn.world.device_words;
     if (std::exchange(turn.state().device_words, words) == words) return;
@@ -213,7 +213,7 @@ void wait(OperatorTurn& turn) {
     }
 }
 
-/// What somebody else changed in the file holds here as well, unless it is just being set.
+/// Takes over what somebody else changed in the file, unless it is being edited now.
 void take_over(OperatorTurn& turn) {
     Operator& state = turn.state();
     if (state.is_held || state.place == OperatorPlace::question) return;

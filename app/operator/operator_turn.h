@@ -29,14 +29,14 @@ struct OperatorTurn {
         if (!text.empty()) order(Say{text});
     }
 
-    /// The item that has the focus, as it is now.
+    /// Says the item that has the focus, as it is now.
     void say_item() {
         const SpokenScreen shown = screen();
         if (shown.focus) say(spoken_item(shown, *shown.focus, world.language));
     }
 
-    /// Another screen, said as a whole after `first`. The focus is on its first item, or on the one
-    /// of the screen where this came from.
+    /// Opens another screen and says all of it after `first`. Focuses its first item, or the item
+    /// of the screen that this came from.
     void go(OperatorPlace place, const std::string& first = "") {
         Operator& now = step.state;
         const OperatorPlace from = now.place;
@@ -60,7 +60,8 @@ struct OperatorTurn {
         say(first.empty() ? all : first + ' ' + all);
     }
 
-    /// The visitors have the kiosk again; nothing of the operator's stays but what wrong PINs cost.
+    /// Gives the kiosk back to the visitors. Nothing of the operator's stays except the cost of
+    /// wrong PINs.
     void leave() {
         if (step.state.place == OperatorPlace::live) order(ShowLive{false});
         Operator closed;
@@ -79,13 +80,13 @@ struct OperatorTurn {
     }
 };
 
-/// operator_settings.cpp: Select on an item that has a value; nothing of any other.
+/// operator_settings.cpp: Select on an item that has a value; does nothing for any other.
 [[nodiscard]] bool select_value(OperatorTurn& turn, const ItemMeaning& meaning);
 
-/// Up and Down while a setting is held.
+/// Up and Down while Select holds a setting.
 void turn_value(OperatorTurn& turn, const ItemMeaning& meaning, bool is_up);
 
-/// A held setting is let go and kept. False: something is asked first, on another screen.
+/// Releases and keeps a held setting. False: another screen asks something first.
 [[nodiscard]] bool release_value(OperatorTurn& turn);
 
 /// operator_pin.cpp: the three screens of the PIN.
@@ -98,7 +99,7 @@ void do_action(OperatorTurn& turn, std::size_t action);
 
 void choose_kind(OperatorTurn& turn, std::size_t kind);
 
-/// The question was answered.
+/// Handles the answer to the question.
 void answer(OperatorTurn& turn, bool is_yes);
 
 }  // namespace touchline

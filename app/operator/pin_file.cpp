@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char* yescrypt = "$y$";
 constexpr std::size_t longest_hash = 512;
 
-/// What is written cannot be read back from memory that crypt left behind.
+/// Wipes crypt's memory, so that its contents cannot be read back.
 struct Wiped {
     crypt_data data{};
 
@@ -45,7 +45,7 @@ std::string new_setting() {
     return made != nullptr ? made : "";
 }
 
-/// As long as the other would need: how long it took tells nothing of how much was right.
+/// Compares in constant time: the time tells nothing of how much was right.
 bool are_equal(const std::string& a, const std::string& b) {
     if (a.size() != b.size()) return false;
     unsigned difference = 0;

@@ -12,14 +12,15 @@ namespace touchline {
 /// operator.pin beside the site's settings.
 [[nodiscard]] std::filesystem::path pin_file();
 
-/// Is one kept? A file that is there and cannot be read counts: nobody gets in by breaking it.
+/// True if a PIN is kept. A file that exists and cannot be read counts: nobody gets in by breaking
+/// it.
 [[nodiscard]] bool has_pin(const std::filesystem::path& file);
 
-/// Digits of pin.h. The file has mode 0600 and appears whole or not at all.
+/// Stores a PIN of digits as in pin.h. The file has mode 0600 and appears whole or not at all.
 [[nodiscard]] Result<void> keep_pin(const std::filesystem::path& file, const std::string& pin);
 
-/// Takes as long for a wrong PIN as for the right one. Fails where the file is missing, is no hash,
-/// or can be read or written by others.
+/// Takes as long for a wrong PIN as for the right one. Fails if the file is missing, is no hash, or
+/// can be read or written by others.
 [[nodiscard]] Result<bool> is_right_pin(const std::filesystem::path& file, const std::string& pin);
 
 }  // namespace touchline

@@ -25,7 +25,7 @@ bool write_text(const Descriptor& open, const std::string& text) {
            ::fsync(open.number()) == 0;
 }
 
-/// Without it a name may come back, or be gone, after the plug was pulled.
+/// Without it, a name may come back or be gone after the plug was pulled.
 bool flush_folder_of(const fs::path& file) {
     const Descriptor folder(::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     return folder.is_open() && ::fsync(folder.number()) == 0;

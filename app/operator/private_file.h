@@ -1,4 +1,4 @@
-// A small file that only the kiosk's user may read: the operator's PIN, and what wrong ones cost.
+// A small file that only the kiosk's user may read: the operator's PIN, and the cost of wrong ones.
 // Threads: any, each call by itself; they wait for the disk.
 #pragma once
 
@@ -10,19 +10,19 @@
 
 namespace touchline {
 
-/// Mode 0600, whole or not at all, and on the disk when the call returns: pulling the plug then
-/// takes nothing back.
+/// Writes with mode 0600, whole or not at all. The file is on the disk when the call returns, so
+/// pulling the plug undoes nothing.
 [[nodiscard]] Result<void> write_private(const std::filesystem::path& file,
                                          const std::string& text);
 
-/// Reads at most so many bytes of it. Fails where it is missing, no file, or open to others.
+/// Reads at most `most_bytes` bytes. Fails if it is missing, no file, or open to others.
 [[nodiscard]] Result<std::string> read_private(const std::filesystem::path& file,
                                                std::size_t most_bytes);
 
-/// Is anything there? What cannot be looked at counts, a link to nothing too.
+/// True if anything is there. Counts what cannot be examined, and a link to nothing.
 [[nodiscard]] bool is_private_there(const std::filesystem::path& file);
 
-/// The file is gone for good when the call returns. One that is not there is removed already.
+/// Removes the file for good before the call returns. Succeeds if it does not exist.
 [[nodiscard]] Result<void> remove_private(const std::filesystem::path& file);
 
 }  // namespace touchline

@@ -28,7 +28,7 @@ std::vector<fs::path> files_in(const fs::path& folder, std::vector<std::string>&
     return files;
 }
 
-/// Ranges alone: what the site bounds is asked when it is used.
+/// Checks only ranges; the site's bounds are checked when the profile is used.
 Result<Profile> read_profile(const fs::path& file) {
     const auto bytes = read_file(file.string());
     if (!bytes) return tl::unexpected(bytes.error());

@@ -72,7 +72,7 @@ SelfTestStep judged(SelfTest test, bool has_passed, const std::string& line, dou
                     const Language& language) {
     test.verdicts[static_cast<std::size_t>(test.step)] =
         has_passed ? TestVerdict::passed : TestVerdict::failed;
-    // Alone and passed, its line of the list says so.
+    // If a step runs alone and passes, its line of the list says so.
     if (has_passed && !test.is_all && line.empty()) return after(test, "", now_s, language);
     const std::string name = name_of_step(test.step, language);
     const std::string verdict = has_passed ? language.text("test", "{0} passed.", {name})

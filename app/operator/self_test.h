@@ -1,4 +1,4 @@
-// The kiosk tries itself: what each step does, what it asks, what came of it.
+// The kiosk's self-test: what each step does, what it asks, and its result.
 // Threads: values and pure functions.
 #pragma once
 
@@ -30,15 +30,15 @@ enum class TestVerdict : std::uint8_t { untried, passed, failed };
 struct TestStepRow {
     TestStep step;
     std::string_view name;
-    std::string_view does;      // one or two sentences, said before it begins
-    std::string_view question;  // for a person to answer; empty: the kiosk knows by itself
-    bool waits = false;         // for a person to begin it
+    std::string_view does;      // one or two sentences, said before the step begins
+    std::string_view question;  // for a person to answer; empty: the kiosk decides by itself
+    bool waits = false;         // until a person begins it
 };
 
 [[nodiscard]] const TestStepRow& row_of(TestStep step);
 
-/// told: says what it does, waits for Select. running: the kiosk is at it. asked: waits for yes or
-/// no.
+/// told: says what it does and waits for Select. running: the kiosk is at it. asked: waits for yes
+/// or no.
 enum class TestPhase : std::uint8_t { idle, told, running, asked };
 
 struct SelfTest {
@@ -47,37 +47,37 @@ struct SelfTest {
     TestStep step = TestStep::device;
     bool is_all = false;       // the next step follows by itself
     std::size_t focus = 0;     // told: begin, skip; asked: yes, no
-    std::uint8_t pressed = 0;  // roles, a bit each, of the step `keys`
-    double since_s = 0.0;      // of the phase
+    std::uint8_t pressed = 0;  // the roles pressed in the step `keys`, a bit each
+    double since_s = 0.0;      // when the phase began
 
     friend bool operator==(const SelfTest&, const SelfTest&) = default;
 };
 
 struct SelfTestStep {
     SelfTest test;
-    std::optional<TestStep> run;  // the kiosk is to do it now and to answer
-    bool stop = false;            // what runs is to stop
+    std::optional<TestStep> run;  // the step that the kiosk has to run now and answer
+    bool stop = false;            // stop what runs
     std::string said;
 };
 
 [[nodiscard]] SelfTestStep begin_test(const SelfTest& test, TestStep step, bool is_all,
                                       double now_s, const Language& language);
 
-/// Back stops. In the step `keys` every role counts, and Back a second time stops.
+/// Back stops. In the step `keys` every role counts, and a second Back stops.
 [[nodiscard]] SelfTestStep press_test_key(const SelfTest& test, KeyRole role, double now_s,
                                           const Language& language);
 
-/// The kiosk did `step`. `line`: what is worth telling, may be empty. One that nobody waits for
-/// changes nothing.
+/// The kiosk did `step`. `line`: what is worth telling; may be empty. Changes nothing for a step
+/// that nobody waits for.
 [[nodiscard]] SelfTestStep test_done(const SelfTest& test, TestStep step, bool has_passed,
                                      const std::string& line, double now_s,
                                      const Language& language);
 
-/// 60 s without an answer: failed.
+/// A step without an answer for 60 s has failed.
 [[nodiscard]] SelfTestStep wait_for_test(const SelfTest& test, double now_s,
                                          const Language& language);
 
-/// Of the step that is under way.
+/// The screen of the step under way.
 [[nodiscard]] SpokenScreen test_screen(const SelfTest& test, const Language& language);
 
 }  // namespace touchline

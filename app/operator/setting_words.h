@@ -1,5 +1,5 @@
-// Settings in the language that is spoken. The rows hold English; the catalogue's context is
-// "setting". Threads: pure functions.
+// Settings in the spoken language. The rows hold English; the catalogue's context is "setting".
+// Threads: pure functions.
 #pragma once
 
 #include "audio-cues/words/language.h"
@@ -17,7 +17,7 @@ namespace touchline {
 [[nodiscard]] std::string setting_value(const Settings& settings, const SettingRow& row,
                                         const Language& language);
 
-/// "half past nine" is said as the hours and minutes of the day: "9:30".
+/// Says the hours and minutes of the day as "9:30", never "half past nine".
 [[nodiscard]] std::string time_in_words(int minute, const Language& language);
 
 }  // namespace touchline

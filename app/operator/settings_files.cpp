@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file without a byte is what a power cut leaves of one that was being written in place.
+// A power cut leaves an empty file of one that was being written in place.
 constexpr const char* nothing_set = "# Nothing is set: the program's own settings hold.\n";
 
 Result<std::string> text_in(const fs::path& file) {
@@ -32,7 +32,7 @@ bool is_there(const fs::path& file) {
     return fs::exists(file, error) || error;
 }
 
-/// A disk that takes nothing costs the copy, not the settings.
+/// If the disk takes nothing, only the copy is lost, not the settings.
 void remember(const SettingsFiles& files, const std::string& text) {
     const auto known = text_in(files.last_good);
     if (known && *known == text) return;

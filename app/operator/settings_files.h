@@ -1,4 +1,4 @@
-// The site's file of settings, and the last one that was good.
+// The site's settings file, and its last good copy.
 // Threads: any, each call by itself; calls wait for the disk. Two that write at once leave one of
 // the two files, whole.
 #pragma once
@@ -14,8 +14,8 @@
 namespace touchline {
 
 struct SettingsFiles {
-    std::filesystem::path site;       // need not be there
-    std::filesystem::path last_good;  // a copy of the site's file as it last could be used
+    std::filesystem::path site;       // may be missing
+    std::filesystem::path last_good;  // a copy of the site's file when it was last usable
 };
 
 /// TOUCHLINE_SETTINGS or kiosk.toml in the user's folder of settings; the copy is beside it.
@@ -26,20 +26,20 @@ struct KeptSettings {
     std::string note;  // one line worth telling; may be empty
 };
 
-/// What holds at this site. A file that cannot be used, or has not a byte, as one that was cut off,
-/// changes nothing: the last good one holds, without one the program's own, and the note says so. A
-/// good one becomes the last good.
+/// The settings of this site. A file that cannot be used changes nothing, nor does an empty one, as
+/// after a power cut: the last good copy applies, or the program's own settings without one, and
+/// the note says so. A good file becomes the last good copy.
 [[nodiscard]] KeptSettings read_settings(const SettingsFiles& files);
 
-/// Writes what differs from the program's own as the site's file.
+/// Writes the settings that differ from the program's own as the site's file.
 [[nodiscard]] Result<void> keep_settings(const SettingsFiles& files, const Settings& settings);
 
-/// Tells when a file has become another, by its size, its time and what it is on the disk.
+/// Notices that a file has changed, by its size, its time and its place on the disk.
 class FileWatch {
   public:
     explicit FileWatch(std::filesystem::path file);
 
-    /// Since the last call, or since the beginning.
+    /// Since the last call, or since construction.
     [[nodiscard]] bool has_changed();
 
   private:

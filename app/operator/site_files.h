@@ -1,4 +1,4 @@
-// The site's own table of keys and levels of sound, beside its settings.
+// The site's own key table and levels of sound, beside its settings.
 // Threads: any, each call by itself; calls wait for the disk.
 #pragma once
 
@@ -22,13 +22,14 @@ struct KeptKeys {
     std::string note;  // one line worth telling; may be empty
 };
 
-/// A file that is not there, or cannot be used, leaves the program's own keys; the note says so.
+/// Gives the program's own keys if the file does not exist or cannot be used; the note says so.
 [[nodiscard]] KeptKeys read_keys(const std::filesystem::path& file);
 
-/// Whole or not at all. A table without one of the six roles is refused: nobody could mend it.
+/// Writes whole or not at all. Refuses a table without one of the six roles, for nobody could mend
+/// it.
 [[nodiscard]] Result<void> keep_keys(const std::filesystem::path& file, const KeyTable& keys);
 
-/// Whole or not at all. Levels that break the rules of sound.h are refused.
+/// Writes whole or not at all. Refuses levels that break the rules of sound.h.
 [[nodiscard]] Result<void> keep_sound(const std::filesystem::path& file,
                                       const SoundSettings& sound);
 

@@ -1,5 +1,5 @@
-// A picture pack: maps, their texts and recorded voices, in a folder or a zip file. pack.toml says
-// what is in it (README.md shows one). Threads: values, but for read_pack, which reads files and
+// A picture pack: maps, their texts and recorded voices, in a folder or a zip file. pack.toml lists
+// its contents (README.md shows one). Threads: values, except read_pack, which reads files and
 // waits for a worker.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace touchline {
 
-/// A text in one language; an empty language is for everybody else.
+/// A text in one language; an empty language serves every other one.
 struct LanguageText {
     std::string language;
     std::string text;
@@ -33,7 +33,7 @@ struct PackVersion {
 
 struct PackPicture {
     std::string file;               // "fish.svg", in the pack
-    std::optional<int> difficulty;  // 1 (easy) ... 5; else what the picture says of itself
+    std::optional<int> difficulty;  // 1 (easy) ... 5; none: what the picture says about itself
 
     friend bool operator==(const PackPicture&, const PackPicture&) = default;
 };
@@ -46,19 +46,19 @@ struct PackSound {
     std::string picture;  // a file of PackPicture
     std::string language;
     SoundText says = SoundText::description;
-    std::string part;  // the id of an outline, where a part's name is said
+    std::string part;  // the id of an outline, if a part's name is said
 
     friend bool operator==(const PackSound&, const PackSound&) = default;
 };
 
-/// What pack.toml says.
+/// The contents of pack.toml.
 struct PackInfo {
     std::string id;                   // a to z, digits and hyphens: the same in every version
     std::vector<LanguageText> title;  // at least one
     std::string author;
     std::string licence;
     PackVersion version;
-    std::vector<std::string> languages;  // that every text is meant to be in; at least one
+    std::vector<std::string> languages;  // every text should be in each; at least one
     std::vector<PackPicture> pictures;   // in the order of the list; at least one
     std::vector<PackSound> sounds;
 
@@ -72,8 +72,8 @@ struct PackFile {
     friend bool operator==(const PackFile&, const PackFile&) = default;
 };
 
-/// Names are plain and unique, sizes within pack_limits.h, and every file that `info` names is
-/// there; what is in them nobody has looked at yet (pack_check.h).
+/// Names are plain and unique, sizes are within pack_limits.h, and every file that `info` names
+/// exists. The contents are not checked yet (pack_check.h).
 struct Pack {
     PackInfo info;
     std::vector<PackFile> files;  // sorted by name, pack.toml among them
@@ -81,15 +81,15 @@ struct Pack {
     friend bool operator==(const Pack&, const Pack&) = default;
 };
 
-/// Of a folder or a zip file. Zip files are unpacked by touchline-unpack, shut in. A folder that
-/// holds nothing but one folder is taken for that one; what Macs and Windows leave in folders
-/// (__MACOSX, .DS_Store, Thumbs.db) is left out.
+/// Reads a folder or a zip file. touchline-unpack unpacks zip files inside the sandbox. If a folder
+/// holds nothing but one folder, reads that one. Leaves out what Macs and Windows put into folders
+/// (__MACOSX, .DS_Store, Thumbs.db).
 [[nodiscard]] PackResult<Pack> read_pack(const std::string& path);
 
-/// The same of a zip file's bytes.
+/// The same for a zip file's bytes.
 [[nodiscard]] PackResult<Pack> read_pack(std::span<const std::byte> zip);
 
-/// Null where it is not in the pack. O(log files).
+/// Null if it is not in the pack. O(log files).
 [[nodiscard]] const PackFile* find_file(const Pack& pack, const std::string& name);
 
 /// "1.2.0"

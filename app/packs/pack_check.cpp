@@ -11,14 +11,14 @@
 namespace touchline {
 namespace {
 
-/// A grade that pack.toml gives counts before the picture's own.
+/// A grade in pack.toml counts before the picture's own.
 void look_at_difficulty(const PackPicture& picture, const PackPictureLook& look,
                         std::vector<PackFinding>& findings) {
     if (!picture.difficulty && !look.difficulty)
         findings.push_back({FindingKind::no_difficulty, picture.file});
 }
 
-/// Ids of the outlines of each picture.
+/// The ids of the outlines of each picture.
 using PartsOfPictures = std::map<std::string, std::set<std::string>>;
 
 void look_at_pictures(const Pack& pack, PartsOfPictures& parts,

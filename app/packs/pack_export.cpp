@@ -11,7 +11,7 @@
 namespace touchline {
 namespace {
 
-/// Little-endian, as zip files have it.
+/// Writes little-endian numbers, as zip files need.
 class ZipWriter {
   public:
     void add(const PackFile& file) {
@@ -51,7 +51,8 @@ class ZipWriter {
         return made;
     }
 
-    /// What a member's header and the list both have: stored as it is, the first day of 1980.
+    /// The fields that a member's header and the list share. Members are stored, not packed, and
+    /// dated to the first day of 1980.
     static std::string fields_of(std::uint32_t sum, std::uint32_t size, std::uint16_t name_bytes) {
         constexpr std::uint32_t first_day = 0x00210000;
         return number<std::uint16_t>(20) + number<std::uint16_t>(0) + number<std::uint16_t>(0) +

@@ -12,12 +12,12 @@ namespace touchline {
 
 class Language;
 
-/// refusal: the pack is not taken. gap: it is, and somebody will miss something. hint: it can be
-/// made easier for a hand.
+/// refusal: the pack is not accepted. gap: it is, but somebody will miss something. hint: it could
+/// be easier for a hand.
 enum class FindingSeverity : std::uint8_t { refusal, gap, hint };
 
-/// Refusals first, then gaps from no_such_part, then hints from lines_near. touchline-unpack tells
-/// them by their number.
+/// Refusals first, then gaps from no_such_part, then hints from lines_near. touchline-unpack sends
+/// their numbers.
 enum class FindingKind : std::uint8_t {
     no_such_pack,
     unreadable,
@@ -79,10 +79,10 @@ inline constexpr int finding_kind_count = static_cast<int>(FindingKind::quiet_so
 
 struct PackFinding {
     FindingKind kind = FindingKind::harmful;
-    std::string file{};  // of the pack, or the pack itself; may be empty
-    int line = 0;        // from 1; 0: not known
-    std::string what{};  // a part, a key, a language, a version: what the sentence names
-    double value = 0.0;  // the number that it tells, in the sentence's unit
+    std::string file{};  // in the pack, or the pack itself; may be empty
+    int line = 0;        // from 1; 0: unknown
+    std::string what{};  // what the sentence names: a part, a key, a language, a version
+    double value = 0.0;  // the number in the sentence, in its unit
 
     friend bool operator==(const PackFinding&, const PackFinding&) = default;
 };
@@ -95,8 +95,8 @@ using PackResult = Result<T, PackFinding>;
     return kind < FindingKind::lines_near ? FindingSeverity::gap : FindingSeverity::hint;
 }
 
-/// "fish.svg, line 12: ...": fit for a screen, a voice and a terminal, whatever the pack names
-/// the file.
+/// "fish.svg, line 12: ...": fit for a screen, a voice and a terminal, whatever name the file has
+/// in the pack.
 [[nodiscard]] std::string sentence_of(const PackFinding& finding, const Language& language);
 
 [[nodiscard]] inline tl::unexpected<PackFinding> refusal(PackFinding finding) {

@@ -54,8 +54,8 @@ bool write_files(const Pack& pack, const fs::path& folder) {
     return true;
 }
 
-/// In one step, so that the library holds the old pack or the new one; the old one is then at
-/// `made`.
+/// Swaps both in one step, so that the library holds the old pack or the new one. The old one is
+/// then at `made`.
 bool put_in_place(const fs::path& made, const fs::path& place) {
     if (::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, place.c_str(), RENAME_EXCHANGE) == 0)
         return true;
@@ -82,7 +82,7 @@ PackResult<std::string> install(const Pack& pack, const fs::path& library) {
     const fs::path made = library / (unfinished + pack.info.id + '-' + std::to_string(::getpid()));
     const fs::path place = library / pack.info.id;
     const bool is_done = write_files(pack, made) && put_in_place(made, place);
-    fs::remove_all(made, error);  // the old one, or what could not be finished
+    fs::remove_all(made, error);  // the old pack, or one that could not be finished
     if (!is_done) return unwritable(library);
     flush_folder(library);
     return place.string();
@@ -138,7 +138,7 @@ void list_pack(const fs::path& folder, const LanguageTag& language,
     }
 }
 
-/// Nothing where the picture has no such part.
+/// Empty if the picture has no such part.
 std::string text_said(const PackSound& sound, const TactileMap& map) {
     switch (sound.says) {
         case SoundText::title:
@@ -153,7 +153,7 @@ std::string text_said(const PackSound& sound, const TactileMap& map) {
     return {};
 }
 
-/// The pack's folder: path without the picture's own folders.
+/// The pack's folder: the path without the picture's own folders.
 fs::path folder_of(const LibraryPicture& picture) {
     for (fs::path at = fs::path(picture.entry.path).parent_path(); at.has_relative_path();
          at = at.parent_path())

@@ -1,4 +1,4 @@
-// How much a picture pack may be. What is beyond is refused before it costs anything.
+// The limits of a picture pack. Anything beyond is refused before it costs anything.
 // Threads: constants.
 #pragma once
 
@@ -7,17 +7,17 @@
 namespace touchline {
 
 struct PackLimits {
-    std::size_t zip_bytes = 0;   // as it comes
-    std::size_t files = 0;       // in it
-    std::size_t file_bytes = 0;  // of one, unpacked
-    std::size_t all_bytes = 0;   // of all, unpacked
+    std::size_t zip_bytes = 0;   // of the zip file
+    std::size_t files = 0;       // how many
+    std::size_t file_bytes = 0;  // of one file, unpacked
+    std::size_t all_bytes = 0;   // of all files, unpacked
     std::size_t toml_bytes = 0;  // of pack.toml
     std::size_t name_bytes = 0;  // of a file, with its folders
     std::size_t folders = 0;     // above a file
     std::size_t pictures = 0;
     std::size_t sounds = 0;
     std::size_t languages = 0;
-    std::size_t text_bytes = 0;  // of a title, an author
+    std::size_t text_bytes = 0;  // of a title or an author
     double sound_s = 0.0;        // of one recording
 };
 

@@ -23,13 +23,13 @@ tl::unexpected<PackFinding> refused_file(FindingKind kind, const std::string& fi
     return refusal({kind, file, 0, "", value});
 }
 
-/// The value that the sentence about a name tells.
+/// The limit that the sentence about a name mentions.
 double limit_of(FindingKind kind) {
     if (kind == FindingKind::name_too_long) return static_cast<double>(pack_limits.name_bytes);
     return kind == FindingKind::too_deep ? static_cast<double>(pack_limits.folders) : 0.0;
 }
 
-/// Of a folder's walk: names that may be read. Links are refused, not followed.
+/// Walks a folder for names that may be read. Refuses links and does not follow them.
 PackResult<std::vector<std::string>> names_in(const fs::path& folder) {
     std::vector<std::string> names;
     std::set<std::string> seen;
@@ -82,7 +82,7 @@ PackResult<std::vector<PackFile>> files_in(const fs::path& folder) {
     return files;
 }
 
-/// Who packs a folder rather than what is in it puts its name before every file.
+/// A person who packs a folder rather than its contents puts its name before every file.
 void take_out_of_single_folder(std::vector<PackFile>& files) {
     if (files.empty()) return;
     const std::string folder = files.front().name.substr(0, files.front().name.find('/') + 1);

@@ -9,12 +9,12 @@ namespace touchline {
 namespace {
 
 struct Row {
-    int decimals;  // of {1}
+    int decimals;  // of the number {1}
     const char* english;
-    const char* one = nullptr;  // where {1} is 1
+    const char* one = nullptr;  // the sentence if {1} is 1
 };
 
-/// In the order of FindingKind. {0} is what is spoken of, {1} a number.
+/// In the order of FindingKind. {0} is what the sentence names, {1} a number.
 constexpr std::array<Row, finding_kind_count> rows{{
     {0, "this is not there; check its name"},
     {0, "this cannot be read; copy it again"},

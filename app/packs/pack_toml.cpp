@@ -34,7 +34,7 @@ bool is_letter_or_digit(char c) {
     return is_letter(c) || (c >= '0' && c <= '9');
 }
 
-/// One line that can be shown and said.
+/// True for one line that can be shown and said.
 bool is_text(const std::string& text) {
     return !text.empty() && is_utf8(text) && one_spaced(text, pack_limits.text_bytes) == text;
 }
@@ -70,7 +70,7 @@ std::optional<PackVersion> version_in(std::string_view text) {
     return std::nullopt;
 }
 
-/// Null: every key is one of these.
+/// Nothing if every key is one of these.
 std::optional<PackFinding> unknown_key(const toml::table& table,
                                        std::initializer_list<std::string_view> known) {
     for (const auto& [key, node] : table)
@@ -79,7 +79,7 @@ std::optional<PackFinding> unknown_key(const toml::table& table,
     return std::nullopt;
 }
 
-/// A key that has to be there, as a text that `fits`.
+/// A required key, as a text that `fits`.
 template <class Fits>
 PackResult<std::string> text_at(const toml::table& table, std::string_view key, Fits fits) {
     const toml::node* node = table.get(key);
@@ -93,7 +93,7 @@ bool is_plain_name(const std::string& name) {
     return !trouble_with_name(name);
 }
 
-/// One text for all, or a table with one a language.
+/// One text for all languages, or a table with one per language.
 PackResult<std::vector<LanguageText>> titles_in(const toml::table& table) {
     const toml::node* node = table.get("title");
     if (node == nullptr) return wrong(FindingKind::toml_missing, table, "title");
@@ -178,7 +178,7 @@ PackResult<PackSound> sound_in(const toml::table& table) {
     return sound;
 }
 
-/// The tables of [[key]].
+/// Reads the tables of [[key]].
 template <class Item>
 PackResult<std::vector<Item>> items_in(const toml::table& table, std::string_view key,
                                        std::size_t most,
@@ -202,7 +202,7 @@ PackResult<std::vector<Item>> items_in(const toml::table& table, std::string_vie
     return items;
 }
 
-/// No picture twice, no text recorded twice, nothing of a picture that is not listed.
+/// Finds a picture listed twice, a text recorded twice, or a sound of a picture that is not listed.
 std::optional<PackFinding> contradiction(const PackInfo& info) {
     const auto of_table = [](FindingKind kind, const std::string& what) {
         return PackFinding{kind, pack_table_name, 0, what};

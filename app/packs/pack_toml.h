@@ -1,5 +1,5 @@
-// pack.toml in and out. Any bytes may be given: there is a sound PackInfo or one finding with its
-// line. Threads: pure functions.
+// Reads and writes pack.toml. The bytes may be anything: the result is a sound PackInfo or one
+// finding with its line. Threads: pure functions.
 #pragma once
 
 #include "app/packs/pack.h"
@@ -11,14 +11,14 @@ namespace touchline {
 
 inline constexpr const char* pack_table_name = "pack.toml";
 
-/// Every field in its range, names plain, no picture and no language twice, every sound of a
-/// picture that is listed. O(n log n).
+/// Every field is in its range, names are plain, no picture and no language occurs twice, and every
+/// sound belongs to a listed picture. O(n log n).
 [[nodiscard]] PackResult<PackInfo> pack_info_of(std::string_view toml);
 
 /// Reading it gives the same PackInfo. O(n).
 [[nodiscard]] std::string toml_of(const PackInfo& info);
 
-/// Two letters or three, and parts of up to eight after hyphens: "de", "pt-BR".
+/// True for two or three letters, and parts of up to eight after hyphens: "de", "pt-BR".
 [[nodiscard]] bool is_language_tag(std::string_view tag);
 
 }  // namespace touchline

@@ -50,7 +50,7 @@ void look_at_names(const TactileMap& map, std::vector<PackFinding>& findings) {
     std::set<std::string> told;
     std::string last;
     for (const Outline& outline : map.outlines) {
-        // Subpaths of one shape have one name and follow each other.
+        // The subpaths of one shape share its name and follow each other.
         const bool is_other = !outline.label.empty() && outline.label != last;
         if (is_other && !labels.insert(outline.label).second && told.insert(outline.label).second)
             findings.push_back({FindingKind::same_name, "", 0, outline.label, 0.0});

@@ -1,4 +1,4 @@
-// A picture of a pack as the kiosk takes it, and what its maker can do better; in the worker.
+// A pack's picture as the kiosk reads it, and what its maker can do better; runs in the worker.
 // Threads: pure functions.
 #pragma once
 
@@ -14,8 +14,8 @@ inline constexpr const char* map_entry = "map";
 inline constexpr const char* sound_entry = "pcm";
 inline constexpr const char* picture_entry = "svg";
 
-/// Entry "map": map_bytes.h, in the first language. Findings do not name the file; a refusal is the
-/// only one. O(text + points).
+/// Entry "map": map_bytes.h, in the first language. Findings do not name the file. A refusal comes
+/// alone. O(text + points).
 [[nodiscard]] UnpackAnswer check_picture(std::string_view svg,
                                          const std::vector<std::string>& languages);
 

@@ -19,7 +19,7 @@ bool is_plain_part(std::string_view part) {
            !is_open(part.front()) && !is_open(part.back());
 }
 
-/// A drive of Windows, too.
+/// True for a Windows drive, too.
 bool leads_outside(std::string_view name) {
     if (name.starts_with('/') || name.find('\\') != std::string_view::npos) return true;
     if (name.size() >= 2 && name[1] == ':') return true;
@@ -41,7 +41,8 @@ bool begins_with(std::span<const std::byte> bytes, std::size_t at, std::string_v
     return text.size() >= at && text.substr(at).starts_with(mark);
 }
 
-/// Zip, gzip, bzip2, xz, zstd, lz4, 7z, RAR, cab, cpio, ar, lzip and tar, whatever they are called.
+/// Recognizes zip, gzip, bzip2, xz, zstd, lz4, 7z, RAR, cab, cpio, ar, lzip and tar, under any
+/// name.
 bool is_archive(std::span<const std::byte> bytes) {
     using namespace std::string_view_literals;
     constexpr std::array marks{"PK\3\4"sv,

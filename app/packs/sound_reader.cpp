@@ -15,7 +15,7 @@
 namespace touchline {
 namespace {
 
-/// Bytes as libsndfile reads a file.
+/// Bytes in memory that libsndfile reads like a file.
 struct Memory {
     std::span<const std::byte> bytes;
     sf_count_t at = 0;
@@ -60,7 +60,7 @@ struct CloseSound {
     void operator()(SNDFILE* file) const { sf_close(file); }
 };
 
-/// libsndfile knows thirty forms more; they are not let near it.
+/// True for these forms only: libsndfile knows thirty more, which never reach it.
 bool is_known(std::span<const std::byte> bytes) {
     using namespace std::string_view_literals;
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -74,7 +74,7 @@ tl::unexpected<PackFinding> refused_sound(FindingKind kind) {
     return refusal({kind, "", 0, "", value});
 }
 
-/// Mono. What the file claims of its length is not believed.
+/// Mixes down to mono. Does not trust the length that the file claims.
 PackResult<std::vector<float>> all_samples(SNDFILE* file, const SF_INFO& info) {
     constexpr sf_count_t block_frames = 4096;
     const auto most = static_cast<std::size_t>(pack_limits.sound_s * info.samplerate);

@@ -1,4 +1,4 @@
-// Recordings, in the worker. Threads: one.
+// Reads recordings; runs in the worker. Threads: one.
 #pragma once
 
 #include "app/packs/pack_finding.h"
@@ -15,7 +15,7 @@ struct ReadSound {
     std::vector<PackFinding> findings;
 };
 
-/// WAV, OGG or FLAC of one or two channels (mixed down) at 8 to 192 kHz, at most
+/// Reads WAV, OGG or FLAC of one or two channels (mixed down) at 8 to 192 kHz, at most
 /// pack_limits.sound_s long. The findings do not name the file. O(samples).
 [[nodiscard]] PackResult<ReadSound> read_sound(std::span<const std::byte> bytes);
 

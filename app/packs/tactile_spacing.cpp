@@ -12,21 +12,21 @@ namespace touchline {
 namespace {
 
 constexpr double step_m = 0.0005;
-constexpr double meeting_m = 0.0004;       // lines that cross have samples as near as that
-constexpr double meeting_reach_m = 0.008;  // around a meeting lines are bound to be near
+constexpr double meeting_m = 0.0004;       // lines that cross have samples at most this far apart
+constexpr double meeting_reach_m = 0.008;  // lines are always near each other around a meeting
 constexpr std::size_t most_samples = 200'000;
 constexpr std::size_t most_looks = 2'000'000;  // a map with room needs some 400 000
-constexpr std::size_t most_meetings = 200;     // of two outlines; beyond, they are one line
+constexpr std::size_t most_meetings = 200;     // of two outlines; with more, they are one line
 
 struct Sample {
     Position place;
     std::size_t outline = 0;
-    double along_m = 0.0;  // of the outline
+    double along_m = 0.0;  // along the outline
 };
 
 struct Sampled {
     std::vector<Sample> samples;
-    std::vector<double> length_m;  // of each outline
+    std::vector<double> length_m;  // one for each outline
 };
 
 Sampled sampled(const TactileMap& map) {
@@ -52,7 +52,7 @@ Sampled sampled(const TactileMap& map) {
     return made;
 }
 
-/// Squares of least_gap_m, so that what is nearer lies in one of nine.
+/// Squares of least_gap_m, so that all nearer samples lie in nine of them.
 class Grid {
   public:
     explicit Grid(const std::vector<Sample>& samples) : samples_(samples) {
@@ -60,7 +60,7 @@ class Grid {
             cells_[key(cell(samples[i].place.x), cell(samples[i].place.y))].push_back(i);
     }
 
-    /// False as soon as `visit` says so.
+    /// Returns false as soon as `visit` does.
     template <class Visit>
     bool near(const Sample& from, const Visit& visit) const {
         const auto x = cell(from.place.x);
@@ -88,7 +88,7 @@ class Grid {
 
 using Pair = std::pair<std::size_t, std::size_t>;
 
-/// Two places of one outline that are no neighbours on it.
+/// True for two places of different outlines, or of one outline that are no neighbours on it.
 bool are_apart(const Sample& a, const Sample& b, const TactileMap& map, double length_m) {
     if (a.outline != b.outline) return true;
     const double along = std::abs(a.along_m - b.along_m);
@@ -129,7 +129,7 @@ std::vector<NearLines> near_lines(const TactileMap& map, std::size_t most) {
         if (gap_m > meeting_m) return;
         auto& meetings = found[{a.outline, b.outline}].meetings;
         if (meetings.size() == most_meetings) return;
-        // One a place: those along a line that two outlines share would be thousands.
+        // Keeps one per place: a line that two outlines share would give thousands.
         const bool is_new = std::none_of(meetings.begin(), meetings.end(), [&](Position meeting) {
             return norm(meeting - a.place) < 2.0 * step_m;
         });

@@ -36,7 +36,7 @@ PackFinding made_fit(PackFinding finding) {
     return finding;
 }
 
-/// What a line cannot hold comes from nobody honest.
+/// True for text that fits a line; no honest worker sends any other.
 bool is_fit(const std::string& text) {
     return text.size() <= most_finding_text_bytes && is_utf8(text) &&
            one_spaced(text, most_finding_text_bytes) == text;

@@ -1,4 +1,4 @@
-// What touchline-unpack answers, as bytes. Nobody who reads them trusts them.
+// The answer of touchline-unpack, as bytes. No reader trusts it.
 //
 //   header    magic u32, layout u8, difficulty u8, findings u16, entries u16
 //   findings  kind u8, line i32, value f64, file and what: bytes u16, text
@@ -16,7 +16,7 @@
 namespace touchline {
 
 struct UnpackAnswer {
-    int difficulty = 0;  // of a picture, 1 ... 5; 0: it does not say
+    int difficulty = 0;  // of a picture, 1 ... 5; 0: unknown
     std::vector<PackFinding> findings;
     std::vector<PackFile> entries;
 
@@ -26,11 +26,11 @@ struct UnpackAnswer {
 inline constexpr std::size_t most_findings = 200;
 inline constexpr std::size_t most_finding_text_bytes = 300;
 
-/// Findings beyond most_findings are left out; texts are cut and made fit for a line. O(bytes).
+/// Leaves out findings beyond most_findings; cuts texts and makes them fit for a line. O(bytes).
 [[nodiscard]] std::vector<std::byte> bytes_of(const UnpackAnswer& answer);
 
-/// Fails unless it is exactly what bytes_of() gives for some answer: texts are sound, names plain
-/// and each there once, numbers finite, every byte used. O(bytes).
+/// Fails unless the bytes are exactly what bytes_of() gives for some answer: texts are sound, names
+/// plain and unique, numbers finite, every byte is used. O(bytes).
 [[nodiscard]] Result<UnpackAnswer> unpack_answer_of(std::span<const std::byte> bytes);
 
 }  // namespace touchline

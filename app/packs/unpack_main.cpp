@@ -1,4 +1,4 @@
-// touchline-unpack: started by the kiosk for one piece of a picture pack. It shuts itself in, and
+// touchline-unpack: the kiosk starts it for one piece of a picture pack. It closes its sandbox, and
 // only then reads the first byte.
 #include "app/decode/worker_program.h"
 #include "app/packs/unpack_program.h"

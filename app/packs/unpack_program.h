@@ -1,5 +1,5 @@
-// The program touchline-unpack, without its main(): one archive, one recording or one picture, then
-// the end. Threads: one.
+// The program touchline-unpack without its main(): handles one archive, one recording or one
+// picture, then ends. Threads: one.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace touchline {
 /// zip | sound | picture LANGUAGE... | layers LANGUAGE
 [[nodiscard]] bool is_unpack_work(const std::vector<std::string>& words);
 
-/// The answer, as unpack_answer.h; `words` as above. Any bytes may be given.
+/// The answer, as unpack_answer.h; `words` as above. The bytes may be anything.
 [[nodiscard]] std::vector<std::byte> unpack_work(const std::vector<std::string>& words,
                                                  std::span<const std::byte> bytes);
 

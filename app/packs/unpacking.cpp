@@ -23,7 +23,7 @@ bool is_refused(const UnpackAnswer& answer) {
            severity_of(answer.findings.front().kind) == FindingSeverity::refusal;
 }
 
-/// What the worker makes of the bytes; a refusal of its own is one here.
+/// The worker's answer about the bytes; the worker's own refusal is a finding.
 PackResult<UnpackAnswer> worked(const std::vector<std::string>& words,
                                 std::span<const std::byte> bytes) {
     if (bytes.empty()) return refusal({FindingKind::empty});
@@ -38,7 +38,7 @@ PackResult<UnpackAnswer> worked(const std::vector<std::string>& words,
     return std::move(*answer);
 }
 
-/// The one entry that there must be.
+/// The one entry that must exist.
 const PackFile* only_entry(const UnpackAnswer& answer, std::string_view name) {
     const bool is_it = answer.entries.size() == 1 && answer.entries.front().name == name;
     return is_it ? &answer.entries.front() : nullptr;

@@ -1,4 +1,4 @@
-// Untrusted packs, opened by touchline-unpack, which can do nothing else.
+// Opens untrusted packs by touchline-unpack, which can do nothing else.
 // Threads: any, each call by itself; a call waits for its worker, at most its deadline.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace touchline {
 
-/// The files of a zip file, sorted by name; without litter and a single folder around all.
+/// The files of a zip file, sorted by name, without litter and without a single folder around all.
 [[nodiscard]] PackResult<std::vector<PackFile>> unpack_zip(std::span<const std::byte> zip);
 
 /// A recording.
@@ -22,7 +22,7 @@ struct PackSoundLook {
     std::vector<PackFinding> findings;  // gaps and hints
 };
 
-/// WAV, OGG (Vorbis, Opus) or FLAC of at most pack_limits.sound_s.
+/// Opens WAV, OGG (Vorbis, Opus) or FLAC of at most pack_limits.sound_s.
 [[nodiscard]] PackResult<PackSoundLook> open_sound(const PackFile& file);
 
 struct PackPictureLook {
@@ -31,8 +31,9 @@ struct PackPictureLook {
     std::vector<PackFinding> findings;  // gaps and hints
 };
 
-/// A map SVG, or a layered picture of the IMAGE project, which is fitted to the drawing area.
-/// `languages`: is_language_tag() each, at least one; what is not said in one of them is a gap.
+/// Opens a map SVG, or a layered picture of the IMAGE project, which is fitted to the drawing area.
+/// `languages`: at least one, each an is_language_tag(). A text that is missing in one of them is a
+/// gap.
 [[nodiscard]] PackResult<PackPictureLook> open_picture(const PackFile& file,
                                                        const std::vector<std::string>& languages);
 

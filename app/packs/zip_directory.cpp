@@ -35,7 +35,7 @@ Number number_at(std::span<const std::byte> bytes, std::size_t at) {
 }
 
 struct End {
-    std::size_t at = 0;  // of the list
+    std::size_t at = 0;  // where the list begins
     std::size_t bytes = 0;
     std::size_t count = 0;
 };
@@ -71,7 +71,7 @@ struct RawMember {
     unsigned made_by = 0;
 };
 
-/// Of the list's part at `at`, which moves on.
+/// Reads the part of the list at `at`, and moves `at` on.
 std::optional<RawMember> take_member(std::span<const std::byte> list, std::size_t& at) {
     if (list.size() - at < member_bytes || number_at<std::uint32_t>(list, at) != member_mark)
         return std::nullopt;
@@ -96,7 +96,7 @@ bool is_folder(const RawMember& member) {
     return member.name.ends_with('/') || (member.attributes & dos_folder) != 0;
 }
 
-/// What the member is by the rights that Unix keeps; 0 where it does not say.
+/// The member's type by its Unix rights; 0 if it does not say.
 unsigned type_of(const RawMember& member) {
     const bool is_of_unix = member.made_by == made_by_unix || member.made_by == made_by_mac;
     return is_of_unix ? (member.attributes >> 16U) & type_mask : 0;
@@ -115,7 +115,7 @@ std::optional<FindingKind> trouble_with(const RawMember& member) {
     return std::nullopt;
 }
 
-/// The number that the sentence tells.
+/// The limit that the sentence mentions.
 double limit_of(FindingKind kind) {
     switch (kind) {
         case FindingKind::file_too_large:
@@ -137,7 +137,7 @@ tl::unexpected<PackFinding> refused(FindingKind kind, const std::string& name = 
     return refusal({kind, name, 0, "", limit_of(kind)});
 }
 
-/// What the member's own header says, which some programs believe instead of the list.
+/// Checks the member's own header, which some programs trust instead of the list.
 bool is_told_alike(std::span<const std::byte> zip, const RawMember& member) {
     constexpr std::size_t local_bytes = 30;
     const std::size_t at = member.local_at;
@@ -157,7 +157,7 @@ PackResult<std::vector<ZipMember>> zip_members(std::span<const std::byte> zip) {
         const bool begins_so = zip.size() >= 4 && number_at<std::uint32_t>(zip, 0) == local_mark;
         return refused(begins_so ? FindingKind::damaged_zip : FindingKind::no_zip);
     }
-    // Folders and litter count, or they would be a bomb of their own.
+    // Folders and litter count, or they would be a zip bomb of their own.
     if (end->count > 2 * pack_limits.files) return refused(FindingKind::too_many_files);
     const auto list = zip.subspan(end->at, end->bytes);
     std::vector<ZipMember> members;

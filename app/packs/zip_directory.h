@@ -1,5 +1,5 @@
-// The list at the end of a zip file, read before anything is unpacked: a sound list of plain names,
-// or what is wrong. Threads: pure functions.
+// The list at the end of a zip file, read before anything is unpacked. Gives a sound list of plain
+// names, or what is wrong. Threads: pure functions.
 #pragma once
 
 #include "app/packs/pack_finding.h"
@@ -14,12 +14,13 @@ namespace touchline {
 
 struct ZipMember {
     std::string name;
-    std::uint32_t bytes = 0;  // unpacked, as the file claims
+    std::uint32_t bytes = 0;  // unpacked, by the file's own claim
 };
 
-/// Files only, in the order of the list; folders and litter (plain_names.h) are left out. Refused:
-/// what is no zip file or has more than one disk, locked members, links, devices, names that are
-/// not plain or there twice, sizes and counts beyond pack_limits. Any bytes may be given. O(bytes).
+/// The files in the order of the list; leaves out folders and litter (plain_names.h). Refuses a
+/// file that is no zip file or has more than one disk, locked members, links, devices, names that
+/// are not plain or occur twice, and sizes and counts beyond pack_limits. The bytes may be
+/// anything. O(bytes).
 [[nodiscard]] PackResult<std::vector<ZipMember>> zip_members(std::span<const std::byte> zip);
 
 }  // namespace touchline

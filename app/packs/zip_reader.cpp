@@ -20,7 +20,7 @@ struct CloseArchive {
 
 using Archive = std::unique_ptr<archive, CloseArchive>;
 
-/// Exactly the bytes that the list claims: one more is a lie, and the beginning of a bomb.
+/// Exactly the bytes that the list claims: one more is a lie, and the beginning of a zip bomb.
 PackResult<std::vector<std::byte>> contents(archive* opened, const ZipMember& member) {
     std::vector<std::byte> bytes(member.bytes);
     std::size_t got = 0;
@@ -29,14 +29,14 @@ PackResult<std::vector<std::byte>> contents(archive* opened, const ZipMember& me
         if (count <= 0) return refusal({FindingKind::damaged_zip, member.name});
         got += static_cast<std::size_t>(count);
     }
-    // The sum of the bytes is looked at where they end.
+    // The checksum is compared where the bytes end.
     std::byte more{};
     if (archive_read_data(opened, &more, 1) != 0)
         return refusal({FindingKind::damaged_zip, member.name});
     return bytes;
 }
 
-/// Names of members that were read are taken out of `wanted`.
+/// Removes the names of members that were read from `wanted`.
 PackResult<std::vector<PackFile>> read_members(archive* opened,
                                                std::map<std::string, ZipMember>& wanted) {
     std::vector<PackFile> files;

@@ -18,7 +18,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// This C library forgets to say so itself.
+// The headers of this C library lack this declaration.
 extern "C" {
 #include <sys/pidfd.h>
 }
@@ -26,7 +26,7 @@ extern "C" {
 namespace touchline {
 namespace {
 
-/// How the child begins: what it is handed, no other descriptor, signals as usual.
+/// How the child starts: with its handed descriptors and no others, and default signals.
 class SpawnOrder {
   public:
     SpawnOrder(std::span<const Descriptor* const> handed, StandardStreams streams) {
@@ -43,7 +43,7 @@ class SpawnOrder {
         sigfillset(&all);
         posix_spawnattr_setsigmask(&attributes_, &none);
         posix_spawnattr_setsigdefault(&attributes_, &all);
-        const sched_param ordinary{};  // a thread's own priority is not for its child
+        const sched_param ordinary{};  // a thread's own priority must not pass to its child
         posix_spawnattr_setschedpolicy(&attributes_, SCHED_OTHER);
         posix_spawnattr_setschedparam(&attributes_, &ordinary);
         posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
@@ -60,7 +60,7 @@ class SpawnOrder {
     SpawnOrder& operator=(const SpawnOrder&) = delete;
     SpawnOrder& operator=(SpawnOrder&&) = delete;
 
-    /// The error's number, 0 where there was none.
+    /// Returns the error's number; 0 for none.
     int spawn(pid_t& pid, const std::string& program, std::vector<char*>& words,
               std::vector<char*>& surroundings) const {
         return posix_spawn(&pid, program.c_str(), &actions_, &attributes_, words.data(),
@@ -68,7 +68,7 @@ class SpawnOrder {
     }
 
   private:
-    /// Copied above all of them first: one that is moved down might close another.
+    /// Copies all above the wanted numbers first, because moving one down might close another.
     void hand(std::span<const Descriptor* const> handed) {
         int above = Child::first_handed + static_cast<int>(handed.size());
         for (const Descriptor* one : handed) above = std::max(above, one->number() + 1);
@@ -85,7 +85,7 @@ class SpawnOrder {
     posix_spawnattr_t attributes_{};
 };
 
-/// As C takes them: ended by nothing.
+/// As C takes them: with a null pointer at the end.
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     std::vector<char*> pointers;
     for (std::string& text : texts) pointers.push_back(text.data());
@@ -97,7 +97,7 @@ bool is_of_one_name(std::string_view a, std::string_view b) {
     return a.substr(0, a.find('=')) == b.substr(0, b.find('='));
 }
 
-/// Our environment, but for what `settings` says otherwise.
+/// Our environment, overridden by `settings`.
 std::vector<std::string> surroundings_with(const std::vector<std::string>& settings) {
     std::vector<std::string> all = settings;
     for (char** ours = environ; *ours != nullptr; ++ours) {

@@ -1,4 +1,4 @@
-// A process as its parent holds it.
+// A child process, as its parent manages it.
 // Threads: one at a time; the thread that starts the child must outlive it, for the child may die
 // with that thread.
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace touchline {
 
-/// How a process ended: its exit status, or the signal that it died of.
+/// How a process ended: its exit status, or the signal that killed it.
 struct ChildEnd {
     int status = 0;
     int signal = 0;
@@ -28,14 +28,13 @@ struct ChildEnd {
 /// "exit status 1", "signal 9".
 [[nodiscard]] std::string describe(const ChildEnd& end);
 
-/// What a child has as its standard input, output and errors: ours, or nothing.
+/// The child's standard input, output and errors: ours, or nothing.
 enum class StandardStreams : std::uint8_t { ours, nothing };
 
 class Child {
   public:
-    /// Runs `program arguments...`. Of this process's descriptors it gets `handed`, as
-    /// first_handed, first_handed + 1, ..., and the standard ones; its environment is ours, but
-    /// for `settings` ("NAME=value").
+    /// Runs `program arguments...`. It gets the standard descriptors and `handed`, as first_handed,
+    /// first_handed + 1, ...; its environment is ours, except for `settings` ("NAME=value").
     [[nodiscard]] static Result<Child> start(const std::string& program,
                                              const std::vector<std::string>& arguments,
                                              std::span<const Descriptor* const> handed,
@@ -44,16 +43,16 @@ class Child {
 
     static constexpr int first_handed = 3;
 
-    /// Readable as soon as the child is dead, its descriptors closed.
+    /// Readable as soon as the child is dead and its descriptors are closed.
     [[nodiscard]] const Descriptor& pidfd() const { return pidfd_; }
 
-    /// Waits until it is dead, so long at most; false when the time is up. Infinity: no end.
+    /// Waits until it is dead, at most this long; false if the time is up. Infinity: no limit.
     [[nodiscard]] bool ends_within(double seconds) const;
 
-    /// Once it is dead.
+    /// Call it once the child is dead.
     [[nodiscard]] ChildEnd reap();
 
-    /// SIGKILL.
+    /// Sends SIGKILL.
     void kill() const;
 
     [[nodiscard]] pid_t pid() const { return pid_; }

@@ -1,4 +1,4 @@
-// A program that runs for months must not grow by what glibc keeps for speed.
+// Keeps a program that runs for months from growing by memory that glibc keeps for speed.
 // Threads: at the start of main.
 #pragma once
 
@@ -6,9 +6,9 @@
 
 namespace touchline {
 
-/// One arena for all threads, and large blocks mapped by themselves and given back when freed. With
-/// an arena a thread and a threshold that grows with what was freed, pictures that were loaded on
-/// many short-lived threads left some megabytes an hour behind, in holes nobody filled.
+/// Uses one arena for all threads, and maps large blocks singly, so that they are given back when
+/// freed. With an arena per thread, and a threshold that grows with freed blocks, pictures loaded
+/// on many short-lived threads left some megabytes an hour behind, in holes that nobody filled.
 inline void keep_memory_compact() {
     constexpr int large_bytes = 128 * 1024;
     (void)mallopt(M_ARENA_MAX, 1);

@@ -34,14 +34,14 @@ class Descriptor {
 
     [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
 
-    /// Open before. Some file systems report a failed write only here.
+    /// The descriptor must be open. Some file systems report a failed write only here.
     [[nodiscard]] bool close() noexcept { return ::close(std::exchange(number_, -1)) == 0; }
 
   private:
     int number_;
 };
 
-/// All of it, or false with the reason in errno. Waits.
+/// Writes all of it; false with the reason in errno. Waits.
 [[nodiscard]] inline bool write_all(const Descriptor& file, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file.number(), bytes.data(), bytes.size());
@@ -52,7 +52,7 @@ class Descriptor {
     return true;
 }
 
-/// A file or memory without bytes; also one that cannot be asked.
+/// True for a file or memory without bytes, or one whose size is unknown.
 [[nodiscard]] inline bool is_empty(const Descriptor& file) {
     struct stat status {};
 

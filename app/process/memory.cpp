@@ -19,7 +19,7 @@ tl::unexpected<Error> memory_failure(const std::string& what) {
     return failure(what + ": " + std::strerror(errno));
 }
 
-/// The size of memory that has these seals at least; 0 for anything else.
+/// The size of memory that has at least these seals; 0 for anything else.
 std::size_t sealed_size(const Descriptor& memory, int seals) {
     const int found = ::fcntl(memory.number(), F_GET_SEALS);
 

@@ -1,4 +1,4 @@
-// Memory that crosses between processes.
+// Memory that processes share.
 // Threads: values; each by one thread at a time.
 #pragma once
 
@@ -36,25 +36,27 @@ class Mapping {
     std::size_t size_;
 };
 
-/// New memory without a name, empty, of a file's kind: it can be handed on, written and sealed.
+/// New, empty memory without a name, which behaves like a file: it can be handed on, written and
+/// sealed.
 [[nodiscard]] Result<Descriptor> fresh_memory();
 
-/// Nobody can write, grow or shrink it from now on. Fails while it is mapped for writing.
+/// From now on nobody can write, grow or shrink it. Fails while it is mapped for writing.
 [[nodiscard]] Result<void> seal(const Descriptor& memory);
 
-/// A copy of the bytes in sealed memory. At least one byte.
+/// Copies the bytes into sealed memory. At least one byte.
 [[nodiscard]] Result<Descriptor> sealed_copy(std::span<const std::byte> bytes);
 
-/// For reading. Fails for anything but sealed memory of 1 byte to `most_bytes`.
+/// Maps it for reading. Fails for anything but sealed memory of 1 byte to `most_bytes`.
 [[nodiscard]] Result<Mapping> map_sealed(const Descriptor& memory, std::size_t most_bytes);
 
-/// Bytes of a memory whose size nobody can change; 0 for anything else.
+/// The bytes of memory whose size nobody can change; 0 for anything else.
 [[nodiscard]] std::size_t fixed_size(const Descriptor& memory);
 
-/// For reading and writing; the size must be fixed, or a reader could die of a page that is gone.
+/// Maps it for reading and writing. The size must be fixed, or a reader could die of a missing
+/// page.
 [[nodiscard]] Result<Mapping> map_shared(const Descriptor& memory);
 
-/// New memory of this size, fixed, all zero.
+/// New memory of this fixed size, all zero.
 [[nodiscard]] Result<Descriptor> memory_of_size(std::size_t bytes);
 
 }  // namespace touchline

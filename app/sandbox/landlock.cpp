@@ -1,6 +1,6 @@
-// Landlock: nothing can be made, changed, removed or run, and nothing read but what is named. Asked
-// for exactly what Debian 12's kernel (ABI 2) knows, so that a newer kernel does not prove more
-// here than holds there.
+// Landlock: the process can make, change, remove or run nothing, and read only what is named. Asks
+// for exactly what Debian 12's kernel (ABI 2) supports, so that tests on a newer kernel do not
+// prove more than is true there.
 #include "app/sandbox/policy.h"
 #include "app/sandbox/sandbox.h"
 #include "app/sandbox/shared_machine.h"
@@ -28,7 +28,7 @@ tl::unexpected<Error> refused(const char* why) {
     return failure(std::string("the sandbox cannot be entered: Landlock: ") + why);
 }
 
-/// Nothing is allowed by it yet.
+/// It allows nothing yet.
 Result<Descriptor> new_ruleset() {
     const long abi =
         syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
@@ -57,7 +57,7 @@ Result<void> obey(const Descriptor& ruleset) {
     return is_on ? Result<void>{} : refused(std::strerror(errno));
 }
 
-/// A folder that does not exist need not be read.
+/// A missing folder is skipped: nothing in it needs to be read.
 Result<void> restrict_to_reading(Folders folders) {
     const auto ruleset = new_ruleset();
     if (!ruleset) return tl::unexpected(ruleset.error());

@@ -1,4 +1,4 @@
-// What a worker may take of the machine, by what it is for.
+// The limits of each kind of worker.
 // Threads: constant data.
 #pragma once
 
@@ -7,27 +7,26 @@
 
 namespace touchline {
 
-/// raster: one picture. heif: one picture of a film's codec (HEIC, AVIF), which has threads and
-/// waits for them for ever where it gets none. document: SVG and PDF. ocr: words in a picture.
-/// speech: one text to sound, for as long as somebody listens. pack: an archive, a recording or a
-/// map of a picture pack. trace: the lines of a picture. figure: what a photograph shows, by
-/// a network.
+/// raster: one picture. heif: one picture of a video codec (HEIC, AVIF), which has threads and
+/// waits for them forever if it gets none. document: SVG and PDF. ocr: words in a picture. speech:
+/// speaks one text, for as long as somebody listens. pack: an archive, a recording or a map of a
+/// picture pack. trace: the lines of a picture. figure: what a photograph shows, by a network.
 enum class WorkerKind : std::uint8_t { raster, heif, document, ocr, speech, pack, trace, figure };
 
 inline constexpr int worker_kind_count = 8;
 
 struct WorkerLimits {
-    std::size_t input_bytes = 0;  // of the file
+    std::size_t input_bytes = 0;  // of the input file
     std::size_t address_space_bytes = 0;
-    unsigned cpu_s = 0;          // 0: no end; the process dies a second later
-    std::size_t file_bytes = 0;  // that it can make its output grow to
-    double deadline_s = 0.0;     // of the whole work, by the clock on the wall; 0: none
+    unsigned cpu_s = 0;          // 0: no limit; the process dies a second later
+    std::size_t file_bytes = 0;  // to which it can make its output grow
+    double deadline_s = 0.0;     // for the whole work, by the wall clock; 0: none
     bool has_threads = false;    // a codec needs them: most_worker_threads
-    bool reads_fonts = false;    // the system's, while it draws
+    bool reads_fonts = false;    // the system's fonts, while it draws
 };
 
-/// That a kind with threads can have, and all that its user starts meanwhile: a codec has one a
-/// processor, and three more workers may begin beside it.
+/// The most threads of a kind that has threads, with everything that its user starts meanwhile: a
+/// codec has one per processor, and three more workers may start beside it.
 inline constexpr unsigned most_worker_threads = 64;
 
 [[nodiscard]] constexpr WorkerLimits limits_of(WorkerKind kind) {
@@ -52,7 +51,7 @@ inline constexpr unsigned most_worker_threads = 64;
                     .cpu_s = 8,
                     .file_bytes = 200 * MiB,
                     .deadline_s = 10.0,
-                    .has_threads = true,  // Pango matches fonts so
+                    .has_threads = true,  // Pango needs them to match fonts
                     .reads_fonts = true};
         case WorkerKind::ocr:
             return {.input_bytes = 200 * MiB,
@@ -64,7 +63,7 @@ inline constexpr unsigned most_worker_threads = 64;
             return {.input_bytes = MiB,
                     .address_space_bytes = 256 * MiB,
                     .cpu_s = 0,
-                    .file_bytes = 0,  // it answers by its socket
+                    .file_bytes = 0,  // it answers on its socket
                     .deadline_s = 0.0};
         case WorkerKind::pack:
             return {.input_bytes = 64 * MiB,

@@ -1,5 +1,5 @@
-// The calls that a worker may make; any other kills it. What a library merely tries and does
-// without (a configuration file, a thread) is refused instead.
+// The calls that a worker may make; any other kills it. Calls that a library merely tries and can
+// do without (a configuration file, a thread) are refused instead.
 #include "app/sandbox/policy.h"
 
 #include "app/sandbox/sandbox.h"
@@ -42,12 +42,12 @@ constexpr std::array plain_calls{SCMP_SYS(read),
                                  SCMP_SYS(rt_sigprocmask),
                                  SCMP_SYS(sched_getaffinity)};
 
-/// Tried by fontconfig, GLib, libexiv2, iconv and sorting, which then go on without.
+/// fontconfig, GLib, libexiv2, iconv and sorting try these, and go on without them.
 constexpr std::array files_of_libraries{SCMP_SYS(readlink),   SCMP_SYS(statx),
                                         SCMP_SYS(statfs),     SCMP_SYS(getcwd),
                                         SCMP_SYS(getdents64), SCMP_SYS(sysinfo)};
 
-/// The flags of openat2 lie in memory, where no filter sees them: Landlock judges those.
+/// The flags of openat2 lie in memory, where no filter sees them; Landlock judges those calls.
 constexpr std::array calls_of_reading_beneath{
     SCMP_SYS(openat2),      SCMP_SYS(getdents64), SCMP_SYS(read),         SCMP_SYS(write),
     SCMP_SYS(close),        SCMP_SYS(lseek),      SCMP_SYS(fstat),        SCMP_SYS(brk),
@@ -58,7 +58,7 @@ constexpr std::array calls_of_reading_beneath{
 constexpr std::array<const char*, 5> system_folders{"/usr", "/lib", "/etc/fonts",
                                                     "/etc/ld.so.cache", "/var/cache/fontconfig"};
 
-/// What poppler reads at the moment it draws: letters that a PDF names and does not bring along.
+/// poppler reads these while it draws: fonts that a PDF names and does not include.
 constexpr std::array<const char*, 3> font_folders{"/usr/share/fonts", "/usr/local/share/fonts",
                                                   "/usr/share/poppler"};
 
@@ -84,7 +84,7 @@ MaskedArgument equals(unsigned argument, std::uint64_t value) {
     return {argument, ~std::uint64_t{0}, value};
 }
 
-/// What this C library makes of fstat(): a descriptor, no path.
+/// This C library's form of fstat(): a descriptor, no path.
 void allow_looking_at_descriptors(Rules& rules) {
     allow(rules, SCMP_SYS(newfstatat), has(3, AT_EMPTY_PATH));
 }
@@ -94,29 +94,30 @@ void allow_memory_without_code(Rules& rules) {
     allow(rules, SCMP_SYS(mprotect), has_none(2, PROT_EXEC));
 }
 
-/// Threads of this process; a new process is none.
+/// Allows threads of this process, but no new process.
 void allow_threads(Rules& rules) {
     refuse(rules, SCMP_SYS(clone3), ENOSYS);  // its flags lie in memory
     allow(rules, SCMP_SYS(clone), has(0, CLONE_THREAD | CLONE_VM));
-    refuse(rules, SCMP_SYS(rt_sigaction), EPERM);  // of the C library, before the first
+    refuse(rules, SCMP_SYS(rt_sigaction), EPERM);  // by the C library, before the first thread
     refuse(rules, SCMP_SYS(prctl), 0, equals(0, PR_SET_NAME));
     allow(rules, SCMP_SYS(set_robust_list));
     allow(rules, SCMP_SYS(rseq));
 }
 
-/// What Landlock leaves to read can be opened for reading; nothing can be opened for writing.
+/// Files that Landlock leaves readable can be opened for reading; nothing can be opened for
+/// writing.
 void allow_reading_fonts(Rules& rules) {
     constexpr int changes = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND | O_PATH | O_TMPFILE;
     allow(rules, SCMP_SYS(openat), has_none(2, changes & ~O_DIRECTORY));
     allow(rules, SCMP_SYS(fcntl), equals(1, F_SETFD));
-    allow(rules, SCMP_SYS(fcntl), equals(1, F_GETFL));  // of std::filesystem, since Debian 13
+    allow(rules, SCMP_SYS(fcntl), equals(1, F_GETFL));  // by std::filesystem, since Debian 13
     for (const int change : {O_WRONLY, O_RDWR, O_CREAT})
         refuse(rules, SCMP_SYS(openat), EACCES, has(2, static_cast<std::uint64_t>(change)));
 }
 
 void refuse_what_libraries_try(Rules& rules, const WorkerLimits& limits) {
     for (const int call : files_of_libraries) refuse(rules, call, EACCES);
-    // Asked of every font, also of those that were loaded before: it seems to be there.
+    // Libraries ask this for every font, even loaded ones; the answer is always that it exists.
     refuse(rules, SCMP_SYS(access), 0);
     refuse(rules, SCMP_SYS(newfstatat), EACCES, has_none(3, AT_EMPTY_PATH));
     limits.reads_fonts ? allow_reading_fonts(rules) : refuse(rules, SCMP_SYS(openat), EACCES);

@@ -1,5 +1,5 @@
-// What each kind of worker may do, as values: which calls, which files, how much. Nothing here asks
-// the kernel; seccomp.cpp, landlock.cpp and sandbox.cpp tell it.
+// What each kind of worker may do, as values: which calls, which files, how much. This file asks
+// nothing of the kernel; seccomp.cpp, landlock.cpp and sandbox.cpp do.
 // Threads: constant data and pure functions.
 #pragma once
 
@@ -12,9 +12,9 @@
 
 namespace touchline {
 
-/// Holds where (argument & mask) == value.
+/// True if (argument & mask) == value.
 struct MaskedArgument {
-    unsigned argument = 0;  // 0 ... 5, of the call
+    unsigned argument = 0;  // index of the call's argument, 0 ... 5
     std::uint64_t mask = 0;
     std::uint64_t value = 0;
 
@@ -23,29 +23,29 @@ struct MaskedArgument {
 
 enum class CallAnswer : std::uint8_t { allowed, refused };
 
-/// A call that no rule holds for kills the process. No two rules with different answers hold at
+/// A call that matches no rule kills the process. No two rules with different answers match at
 /// once.
 struct CallRule {
-    int call = 0;  // its number, as libseccomp counts
+    int call = 0;  // its number in libseccomp
     CallAnswer answer = CallAnswer::allowed;
-    std::uint16_t error = 0;  // refused: what the caller is told; 0: that it was done
+    std::uint16_t error = 0;  // refused: the errno that the caller gets; 0: success
     std::optional<MaskedArgument> where;
 };
 
-/// Of a worker that reads its descriptors, and fonts where `limits` says so.
+/// For a worker that reads its descriptors, and fonts if `limits` says so.
 [[nodiscard]] std::vector<CallRule> call_rules(const WorkerLimits& limits);
 
-/// Of a process that reads the files below one folder.
+/// For a process that reads the files below one folder.
 [[nodiscard]] std::vector<CallRule> call_rules_of_reading_beneath();
 
-/// What libraries read while they are prepared: themselves, their settings, fonts. Nothing else is
+/// What libraries read during preparation: themselves, their settings, fonts. Nothing else can be
 /// read from then on.
 [[nodiscard]] std::span<const char* const> folders_of_the_system();
 
-/// What is read beyond that while the work is done: fonts, or nothing.
+/// What is also read during the work: fonts, or nothing.
 [[nodiscard]] std::span<const char* const> folders_of_work(const WorkerLimits& limits);
 
-/// As for setrlimit(); no_limit where there is none.
+/// As for setrlimit(); no_limit for none.
 struct ResourceLimit {
     int what = 0;
     const char* name = "";

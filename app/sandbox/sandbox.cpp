@@ -19,7 +19,7 @@ namespace touchline {
 namespace {
 
 /// The sanitizers map terabytes, start threads and make calls that no worker may. Their builds test
-/// what the workers do, not how they are shut in, and are never installed.
+/// what the workers do, not their sandbox, and are never installed.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool is_sanitized = true;
 #else
@@ -32,7 +32,7 @@ tl::unexpected<Error> not_entered(const std::string& step) {
     return failure("the sandbox cannot be entered: " + step + ": " + std::strerror(errno));
 }
 
-/// The C++ library would end by a signal that the filter does not know.
+/// The C++ library would end by a signal that the filter does not allow.
 [[noreturn]] void end_at_once() {
     _exit(worker_out_of_memory);
 }

@@ -1,4 +1,4 @@
-// The rules of policy.h, told to the kernel by libseccomp.
+// Gives the rules of policy.h to the kernel, by libseccomp.
 #include "app/sandbox/policy.h"
 #include "app/sandbox/sandbox.h"
 
@@ -26,8 +26,8 @@ int add(scmp_filter_ctx filter, const CallRule& rule) {
     return seccomp_rule_add(filter, action, rule.call, 1, where);
 }
 
-/// What no rule allows kills the process, and so does what is no call of this machine, not just the
-/// thread that makes it. The rules hold for the threads that a library has started, too.
+/// A call that no rule allows kills the process, not just the thread that makes it, and so does a
+/// call of another architecture. The rules also apply to threads that a library has started.
 int load(scmp_filter_ctx filter, std::span<const CallRule> rules) {
     int error = seccomp_attr_set(filter, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
     if (error == 0) error = seccomp_attr_set(filter, SCMP_FLTATR_CTL_TSYNC, 1);

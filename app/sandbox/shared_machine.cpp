@@ -20,14 +20,14 @@ namespace {
 
 constexpr rlim_t first_guess = 64;
 constexpr rlim_t close_enough = 8;
-constexpr rlim_t most_tasks = rlim_t{1} << 22U;  // that a kernel has
+constexpr rlim_t most_tasks = rlim_t{1} << 22U;  // the kernel's limit
 
 bool set_limit(rlim_t soft, rlim_t hard) {
     const rlimit limit{soft, hard};
     return setrlimit(RLIMIT_NPROC, &limit) == 0;
 }
 
-/// Would the kernel start one more if its user could have so many?
+/// True if the kernel would start one more process with this limit.
 bool is_room_within(rlim_t tasks, rlim_t hard) {
     if (!set_limit(std::min(tasks, hard), hard)) return false;
     const pid_t child = vfork();
@@ -36,8 +36,8 @@ bool is_room_within(rlim_t tasks, rlim_t hard) {
     return child > 0;
 }
 
-/// How many processes and threads this user has, as the kernel counts them, or a few more. Asked of
-/// the kernel by trying: the processes of our own that cannot be traced hide in /proc.
+/// How many processes and threads this user has, as the kernel counts them, or a few more. Finds
+/// the number by trying, because our own processes that cannot be traced are hidden in /proc.
 rlim_t tasks_of_user(rlim_t hard) {
     rlim_t without = 0;
     rlim_t with = first_guess;

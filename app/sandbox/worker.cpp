@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-/// Nothing where it ended well.
+/// Nothing if it ended normally.
 std::optional<WorkerEnd> trouble_of(const ChildEnd& end) {
     if (end.signal == SIGXCPU || end.signal == SIGKILL) return WorkerEnd::out_of_time;
     if (end.signal != 0) return WorkerEnd::crashed;
@@ -20,10 +20,11 @@ std::optional<WorkerEnd> trouble_of(const ChildEnd& end) {
     return std::nullopt;
 }
 
-// What libraries read before `main`. Threads that a worker cannot have: OpenMP would end the
-// program for the want of them, and OpenBLAS, which OpenCV may bring along, would start its own
-// before the worker is shut in. Memory: a worker lives for one picture, so what it frees it keeps,
-// in large pages; the kernel hands out a page at a time otherwise, a fifth of a tracer's time.
+// Variables that libraries read before `main`. Threads: a worker cannot have any. OpenMP would end
+// the program for lack of them, and OpenBLAS, which OpenCV may bring along, would start its own
+// before the sandbox closes. Memory: a worker lives for one picture, so it keeps freed memory, in
+// large pages. Otherwise the kernel hands out a page at a time, which costs a fifth of a tracer's
+// time.
 constexpr std::array worker_environment{
     "OMP_THREAD_LIMIT=1", "OPENBLAS_NUM_THREADS=1",
     "GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.arena_max=1:"
@@ -46,7 +47,7 @@ Result<Descriptor, WorkerEnd> run_worker(const WorkerOrder& order, const Descrip
     const ChildEnd how = child->reap();
     if (!has_ended) return tl::unexpected(WorkerEnd::out_of_time);
     if (const auto trouble = trouble_of(how)) return tl::unexpected(*trouble);
-    // Only now: while the worker lived it could have had the memory mapped for writing.
+    // Only now: while the worker lived, it could have mapped the memory for writing.
     if (is_empty(*output) || !seal(*output)) return tl::unexpected(WorkerEnd::no_answer);
     return std::move(*output);
 }

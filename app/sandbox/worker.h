@@ -1,4 +1,4 @@
-// A worker as its parent runs it: bytes in, bytes out, an end within its deadline.
+// Runs a worker for its parent: bytes in, bytes out, and an end within its deadline.
 // Threads: any, each call by itself; it waits for the worker, which dies with the calling thread.
 #pragma once
 
@@ -21,20 +21,20 @@ struct WorkerOrder {
 
 /// Why there is no answer.
 enum class WorkerEnd : std::uint8_t {
-    not_started,  // the program is missing, or it could not shut itself in
-    crashed,      // or tried what it may not
-    out_of_time,  // of the processor or on the wall
+    not_started,  // the program is missing, or its sandbox failed
+    crashed,      // or tried something forbidden
+    out_of_time,  // processor time or wall clock
     out_of_memory,
-    no_answer,  // it ended well and wrote nothing
+    no_answer,  // it ended normally and wrote nothing
 };
 
-/// What is said of each end.
+/// The message for each end.
 template <class Said>
 struct SaidOfEnds {
     Said not_started;
     Said out_of_time;
     Said out_of_memory;
-    Said unsafe;  // of the others
+    Said unsafe;  // for all other ends
 
     [[nodiscard]] const Said& operator[](WorkerEnd end) const {
         if (end == WorkerEnd::not_started) return not_started;
@@ -47,8 +47,8 @@ struct SaidOfEnds {
 inline constexpr int worker_refused_to_start = 69;
 inline constexpr int worker_out_of_memory = 70;
 
-/// Runs it on `input` and gives what it wrote, sealed, at least one byte. Nothing else of this
-/// process is within its reach.
+/// Runs it on `input` and returns what it wrote, sealed, at least one byte. The worker can reach
+/// nothing else of this process.
 [[nodiscard]] Result<Descriptor, WorkerEnd> run_worker(const WorkerOrder& order,
                                                        const Descriptor& input);
 

@@ -11,14 +11,14 @@ namespace touchline {
 namespace {
 
 constexpr double least_picture_px = 160.0;  // a stamp
-constexpr double least_sheet_caps = 12.0;   // wide: a short word and the pointer
-constexpr double least_sheet_rows = 3.2;    // high: one of text, one of an item with its frame
-constexpr double good_sheet_caps = 16.0;    // and a long word, where the picture can spare it
+constexpr double least_sheet_caps = 12.0;   // width: a short word and the pointer
+constexpr double least_sheet_rows = 3.2;    // height: one row of text, and an item with its frame
+constexpr double good_sheet_caps = 16.0;    // width: a long word too, if there is room
 constexpr double sheet_share_beside = 0.36;
 constexpr double most_share_beside = 0.55;
 constexpr double sheet_share_below = 0.40;
 
-/// Pixels that a metre of the drawing area gets; 0 where it is too small to be of use.
+/// Pixels per metre of the drawing area; 0 if it is too small to be of use.
 double usefulness(const Rect& picture) {
     if (std::min(picture.width, picture.height) < least_picture_px) return 0.0;
     return view_of(Area{}, picture).px_per_m;
@@ -48,14 +48,14 @@ Parts below(const Rect& rect, const TextSizes& sizes) {
 }  // namespace
 
 TextSizes text_sizes(TextSize size, double normal_cap_px, int width_px, int height_px) {
-    // What sheet_layout.cpp and captions.cpp need at least, in capitals of each size.
+    // The least that sheet_layout.cpp and captions.cpp need, in capitals of each size.
     constexpr double needed_normal = 8.5;
     constexpr double needed_chosen = 7.3;
     constexpr double needed_across = 10.0;
     constexpr double roomy = 14.0;
     const double normal = std::min(
         {normal_cap_px, height_px / (needed_normal + needed_chosen), width_px / needed_across});
-    // At these angles the tangent is the angle within 0.1 %.
+    // At these angles the tangent differs from the angle by at most 0.1 %.
     const double wanted = normal * cap_angle_deg(size) / cap_angle_deg(TextSize::normal);
     const double cap = std::min(
         {wanted, (height_px - needed_normal * normal) / needed_chosen, width_px / needed_across});
@@ -64,7 +64,7 @@ TextSizes text_sizes(TextSize size, double normal_cap_px, int width_px, int heig
 }
 
 CaptionRows caption_rows(int height_px, const TextSizes& sizes) {
-    constexpr double share = 0.36;  // of the screen at most
+    constexpr double share = 0.36;  // of the screen's height, at most
     const double room_px = share * height_px - line_height_px(sizes.mark_px);
     const double row_px = line_height_px(sizes.cap_px);
     const bool is_sign_large = room_px >= 2.0 * row_px;

@@ -1,4 +1,4 @@
-// Where sheet, picture and captions lie on a screen of any size with letters of any size.
+// Where sheet, picture and captions lie, on a screen of any size with letters of any size.
 // Threads: pure functions.
 #pragma once
 
@@ -9,20 +9,20 @@ namespace touchline {
 
 /// Cap heights of a screen, in pixels.
 struct TextSizes {
-    double normal_px = 27.0;  // the least that any letter has
-    double cap_px = 27.0;     // as chosen
-    double mark_px = 27.0;    // of page numbers: half as high where there is room, else normal
+    double normal_px = 27.0;  // the least height of any letter
+    double cap_px = 27.0;     // the chosen height
+    double mark_px = 27.0;    // of page numbers: half of cap_px if there is room, else normal_px
 
     friend bool operator==(const TextSizes&, const TextSizes&) = default;
 };
 
-/// Of a screen of this size; `normal_cap_px` is the cap height of TextSize::normal on it. A screen
-/// too small for a row of text, one item and one row of captions gets the largest letters for which
-/// it has that room.
+/// The sizes for a screen of this size; `normal_cap_px` is the cap height of TextSize::normal on
+/// it. A screen too small for a row of text, one item and one row of captions gets the largest
+/// letters for which they have room.
 [[nodiscard]] TextSizes text_sizes(TextSize size, double normal_cap_px, int width_px,
                                    int height_px);
 
-/// Lines of the captions' band.
+/// The rows of the captions' band.
 struct CaptionRows {
     int rows = 1;         // of the caption
     double sign_px = 27;  // cap height of the sign of a sound
@@ -32,14 +32,14 @@ struct CaptionRows {
 
 struct Arrangement {
     Rect sheet;
-    Rect captions;  // along the lower edge, always there, so that nothing moves when one comes
-    Rect picture;   // width 0: none
+    Rect captions;  // along the lower edge; always there, so that a new caption moves nothing
+    Rect picture;   // width 0: no picture
 
     friend bool operator==(const Arrangement&, const Arrangement&) = default;
 };
 
-/// Covers the screen without gap or overlap; edges lie on whole pixels. The sheet gets what its
-/// letters need first: a picture that would be smaller than a stamp is left out.
+/// Covers the screen without gap or overlap; edges lie on whole pixels. The sheet first gets what
+/// its letters need; a picture smaller than a stamp is left out.
 [[nodiscard]] Arrangement arrange(int width_px, int height_px, const TextSizes& sizes,
                                   bool has_picture);
 

@@ -9,7 +9,7 @@ namespace touchline {
 
 namespace {
 
-/// Copies row by row: Cairo's pixels are B, G, R and one byte more (little endian).
+/// Copies row by row. Cairo's pixels are B, G, R and one more byte (little endian).
 void copy_rows(const std::uint8_t* bgr, std::size_t bgr_stride, cairo_surface_t* surface) {
     unsigned char* const pixels = cairo_image_surface_get_data(surface);
     const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));

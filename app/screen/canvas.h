@@ -19,7 +19,7 @@ struct CairoDeleter {
     void operator()(cairo_t* context) const { cairo_destroy(context); }
 };
 
-/// 32-bit premultiplied BGRA in memory, rows from the top. Transparent when made.
+/// 32-bit premultiplied BGRA in memory, rows from the top. Transparent at first.
 class Canvas {
   public:
     /// Sizes 1 ... 32767 px.
@@ -41,15 +41,16 @@ class Canvas {
     std::unique_ptr<cairo_t, CairoDeleter> context_;
 };
 
-/// The picture with its longer side at most `longest_px`: what the screen can show of it.
+/// The picture, reduced so that its longer side is at most `longest_px`: as much as the screen can
+/// show.
 [[nodiscard]] Canvas canvas_of(const Picture& picture, int longest_px);
 
-/// A frame of the camera as it comes: rows of B, G, R bytes from the top, `stride` bytes apart;
-/// `bgr` holds them all. Sizes as of Canvas.
+/// A frame of the camera: rows of B, G, R bytes from the top, `stride` bytes apart; `bgr` holds
+/// them all. Sizes as for Canvas.
 [[nodiscard]] Canvas canvas_of_frame(std::span<const std::uint8_t> bgr, int width, int height,
                                      std::size_t stride);
 
-/// The canvas over black.
+/// The canvas over a black background.
 [[nodiscard]] Picture picture_of(const Canvas& canvas);
 
 }  // namespace touchline

@@ -15,7 +15,7 @@ constexpr double caption_margin_caps = 0.5;
 constexpr double caption_widest_caps = 60.0;
 constexpr double shape_caps = 1.8;  // width of the sign's shape with its gap
 
-/// A disc that sends out two waves.
+/// A disc with two waves.
 void paint_sound_shape(cairo_t* cr, PixelPoint left, double cap_px, Colour colour) {
     constexpr double half_angle_rad = std::numbers::pi / 4.0;
     const PixelPoint centre = left + PixelPoint{0.35 * cap_px, 0.0};

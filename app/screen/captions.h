@@ -16,20 +16,20 @@ namespace touchline {
 
 struct CaptionLayout {
     Rect rect;
-    Rect text;  // of the caption's pages
-    Rect foot;  // the sign of a sound at the left, the number of the page at the right
+    Rect text;  // of one page of the caption
+    Rect foot;  // the sign of a sound at the left, the page number at the right
     TextSizes sizes;
-    double sign_px = 27.0;  // cap height of a sign that is not long
+    double sign_px = 27.0;  // cap height of a sign, unless it is long
     std::vector<SheetPage> pages = std::vector<SheetPage>(1);
 };
 
-/// `rect`: the band, as of arrange() for a screen of `screen_height_px`.
+/// `rect`: the band, as arrange() gives it for a screen of `screen_height_px`.
 [[nodiscard]] CaptionLayout lay_out_caption(cairo_t* cr, const std::string& caption,
                                             const Rect& rect, int screen_height_px,
                                             const TextSizes& sizes);
 
-/// The sign's words with the room left beside its shape and the number of the last page: smaller
-/// where they are long, never broken.
+/// The sign's words in the room beside its shape and the number of the last page. Long words become
+/// smaller, and are never broken.
 struct SignLine {
     PixelPoint at;
     LineStyle style;
@@ -40,7 +40,7 @@ struct SignLine {
 [[nodiscard]] SignLine sign_line(cairo_t* cr, const CaptionLayout& layout, const std::string& sign,
                                  const Language& language);
 
-/// Fills the band. An empty sign has no shape either.
+/// Fills the band. An empty sign has no shape.
 void paint_captions(cairo_t* cr, const CaptionLayout& layout, std::size_t page,
                     const std::string& sign, const Palette& palette, const Language& language);
 

@@ -1,5 +1,5 @@
-// How often an area of the screen may change: two changes a second, so one flash a second at most
-// (accessibility VI-4). Threads: a plain value.
+// Limits how often an area of the screen changes: two changes a second, so at most one flash a
+// second (accessibility VI-4). Threads: a plain value.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@ namespace touchline {
 
 class ChangePace {
   public:
-    /// A single change is shown at once; a third within a second waits for the first to be a second
-    /// old. `now_ns` never goes back.
+    /// True if a change may be shown now. A single change is shown at once; a third within a second
+    /// waits until the first is a second old. `now_ns` never goes back.
     [[nodiscard]] bool may_change(std::int64_t now_ns) const {
         constexpr std::int64_t second_ns = 1'000'000'000;
         return !before_last_ns_ || now_ns - *before_last_ns_ >= second_ns;
     }
 
-    /// Ever.
+    /// True if there was any change at all.
     [[nodiscard]] bool has_changed() const { return last_ns_.has_value(); }
 
     void changed(std::int64_t now_ns) {

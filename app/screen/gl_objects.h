@@ -1,6 +1,6 @@
-// OpenGL objects, owned. OpenGL 2.1 and of it only what OpenGL ES 2.0 has too (buffers, shaders,
-// textures), so that small computers and software drawing run it alike.
-// Threads: the one that holds the context; objects die before it.
+// OpenGL objects, owned. Uses only the part of OpenGL 2.1 that OpenGL ES 2.0 has too (buffers,
+// shaders, textures), so that small computers and software drawing run it alike.
+// Threads: the one that holds the context; objects must die before the context.
 #pragma once
 
 #include "config/types/result.h"

@@ -32,7 +32,7 @@ void main() {
 void ImageLayer::upload(const Canvas& canvas, int x, int y, int screen_width, int screen_height) {
     is_filled_ = true;
     glBindTexture(GL_TEXTURE_2D, texture_.get());
-    // Cairo's order of channels, kept by the driver, so that nothing has to be rearranged.
+    // Cairo's order of channels, so that the driver rearranges nothing.
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, canvas.width(), canvas.height(), 0, GL_BGRA,
                  GL_UNSIGNED_BYTE, canvas.pixels());
     const auto across = [screen_width](int px) {
@@ -45,8 +45,8 @@ void ImageLayer::upload(const Canvas& canvas, int x, int y, int screen_width, in
     const float right = across(x + canvas.width());
     const float top = down(y);
     const float bottom = down(y + canvas.height());
-    // Two separate triangles, clockwise from the upper left: software drawing takes such a pair for
-    // a copy, three times as fast as a strip that it shades pixel by pixel.
+    // Two separate triangles, clockwise from the upper left. Software drawing takes such a pair for
+    // a copy, three times as fast as a strip, which it shades pixel by pixel.
     const std::array<float, 24> corners{left,  top,    0.0F, 0.0F, right, top,    1.0F, 0.0F,
                                         right, bottom, 1.0F, 1.0F, left,  top,    0.0F, 0.0F,
                                         right, bottom, 1.0F, 1.0F, left,  bottom, 0.0F, 1.0F};

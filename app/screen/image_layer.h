@@ -14,7 +14,7 @@ class ImageLayer {
     /// Shows `canvas` with its upper left corner at (x, y) of a screen of this size (px).
     void upload(const Canvas& canvas, int x, int y, int screen_width, int screen_height);
 
-    /// Shows nothing any more.
+    /// Shows nothing from now on.
     void clear() { is_filled_ = false; }
 
     [[nodiscard]] bool is_filled() const { return is_filled_; }
@@ -31,7 +31,7 @@ class ImageRenderer {
   public:
     [[nodiscard]] static Result<ImageRenderer> make();
 
-    /// Over what is there. The layer must be filled.
+    /// Draws it over what is there. The layer must be filled.
     void draw(const ImageLayer& layer) const;
 
   private:

@@ -11,7 +11,7 @@ namespace touchline {
 
 namespace {
 
-constexpr double units_a_cap = 14.0;  // a thin line
+constexpr double units_a_cap = 14.0;  // thin lines per capital's height
 
 }  // namespace
 
@@ -20,7 +20,7 @@ Result<KioskScreen> KioskScreen::make(double cap_px) {
     if (!images) return tl::unexpected(images.error());
     auto strokes = StrokeRenderer::make();
     if (!strokes) return tl::unexpected(strokes.error());
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // colours come multiplied by alpha
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // colours are multiplied by alpha
     return KioskScreen(cap_px, {std::move(*images), std::move(*strokes)});
 }
 
@@ -39,8 +39,8 @@ void KioskScreen::draw(const ScreenContent& content, int width_px, int height_px
     layers_.update(content, width_px, height_px, now_ns);
     upload_layers(width_px, height_px);
     glViewport(0, 0, width_px, height_px);
-    // Opaque layers cover the whole screen: no clearing, and without blending software drawing
-    // copies them. Sheet and captions come last, so that no mark lies over a letter.
+    // Opaque layers cover the whole screen, so no clearing is needed, and without blending software
+    // drawing copies them. Sheet and captions come last, so that no mark lies over a letter.
     glDisable(GL_BLEND);
     if (picture_.is_filled()) renderers_.images.draw(picture_);
     if (layers_.has_marks()) {
@@ -76,7 +76,7 @@ void KioskScreen::upload(ImageLayer& image, std::uint64_t& version, const StillL
 }
 
 void KioskScreen::update_outlines(double level, std::int64_t now_ns) {
-    constexpr double least_change = 1.0 / 32.0;  // of a level: less moves no line by a pixel
+    constexpr double least_change = 1.0 / 32.0;  // of a level; less moves no line by a pixel
     const ScreenContent& shown = layers_.shown();
     const bool is_new = outlined_version_ != layers_.picture().version;
     const bool is_moved = std::abs(level - level_) >= least_change;

@@ -1,4 +1,4 @@
-// A frame in the window: the screen of the model, or the staff's live view.
+// Draws frames in the window: the screen of the model, or the staff's live view.
 // Threads: the one that holds the OpenGL context.
 #pragma once
 
@@ -12,17 +12,17 @@ namespace touchline {
 class KioskScreen {
   public:
     /// `cap_px`: height of a capital letter of TextSize::normal on this monitor (cap_height_px()).
-    /// Fails with the driver's words.
+    /// Fails with the driver's message.
     [[nodiscard]] static Result<KioskScreen> make(double cap_px);
 
-    /// Draws one frame of any screen, in a window of this size (px). What it shows changes at most
-    /// twice a second, the handle's marker apart (screen_layers.h). `now_ns` never goes back.
+    /// Draws one frame of any screen, in a window of this size (px). Its contents change at most
+    /// twice a second, except the handle's marker (screen_layers.h). `now_ns` never goes back.
     void draw(const ScreenContent& content, int width_px, int height_px, std::int64_t now_ns);
 
     /// Draws one frame of the live view. Its words change at most five times a second.
     void draw(const FrameContent& content, int width_px, int height_px, std::int64_t now_ns);
 
-    /// How the picture last drawn lies on the screen.
+    /// The place on the screen of the picture drawn last.
     [[nodiscard]] const View& view() const;
 
   private:
@@ -36,7 +36,7 @@ class KioskScreen {
     double cap_px_;
     Renderers renderers_;
     LiveView live_;
-    bool is_live_ = true;  // drawn last
+    bool is_live_ = true;  // the last frame was the live view
 
     ScreenLayers layers_;
     ImageLayer sheet_, captions_, picture_;
@@ -45,8 +45,8 @@ class KioskScreen {
     int height_px_ = 0;
     Strokes strokes_;
     StrokeBuffer outlines_, hand_;
-    double level_ = 0.0;                  // of the outlines drawn
-    std::uint64_t outlined_version_ = 0;  // of the picture layer that they lie on
+    double level_ = 0.0;                  // of the outlines drawn last
+    std::uint64_t outlined_version_ = 0;  // of the picture layer below them
     ChangePace outline_pace_;
 };
 

@@ -6,9 +6,9 @@
 namespace touchline {
 
 ScreenLayout lay_out(int width_px, int height_px) {
-    constexpr double share_beside = 0.32;  // of the panel; holds its words at full size on usual
-    constexpr double share_below = 0.36;   // screens
-    constexpr double wide = 1.5;           // 16:9 and 16:10, not 4:3, 5:4 or upright
+    constexpr double share_beside = 0.32;  // of the width; fits the words on usual screens
+    constexpr double share_below = 0.36;   // of the height
+    constexpr double wide = 1.5;           // true for 16:9 and 16:10, not for 4:3, 5:4 or upright
     const double width = width_px;
     const double height = height_px;
     if (width / height >= wide) {

@@ -1,4 +1,4 @@
-// Where things are on the screen, and how W maps onto it.
+// The places of things on the screen, and the map from W to pixels.
 // Threads: pure functions.
 #pragma once
 
@@ -18,8 +18,8 @@ struct Rect {
     friend bool operator==(const Rect&, const Rect&) = default;
 };
 
-/// The picture on the left and the panel on the right of a wide screen, one above the other on any
-/// other.
+/// The picture is at the left and the panel at the right of a wide screen; on any other the picture
+/// is above the panel.
 struct ScreenLayout {
     Rect picture;
     Rect panel;
@@ -30,10 +30,10 @@ struct ScreenLayout {
 /// Sizes in pixels, > 0; edges lie on whole pixels.
 [[nodiscard]] ScreenLayout lay_out(int width_px, int height_px);
 
-/// W -> pixels: one scale, y turned over.
+/// Maps W to pixels: one scale, with y turned over.
 struct View {
     double px_per_m = 1.0;
-    PixelPoint origin;  // of W
+    PixelPoint origin;  // the origin of W
 
     [[nodiscard]] PixelPoint to_px(Position p_W) const {
         return origin + PixelPoint{px_per_m * p_W.x, -px_per_m * p_W.y};
@@ -45,21 +45,21 @@ struct View {
     }
 };
 
-/// The whole drawing area, as large as it fits, in the middle of `rect` with a small margin.
+/// The whole drawing area, as large as fits in the middle of `rect` with a small margin.
 [[nodiscard]] View view_of(const Area& area, const Rect& rect);
 
-/// Where the drawing area lies on the screen.
+/// The drawing area's place on the screen.
 [[nodiscard]] Rect area_rect(const Area& area, const View& view);
 
-/// Ends of the two barbs of an arrow's head, `head_px` long.
+/// The ends of the two barbs of an arrow's head, `head_px` long.
 struct Barbs {
     PixelPoint left, right;
 };
 
 [[nodiscard]] Barbs barbs_of(PixelPoint from, PixelPoint to, double head_px);
 
-/// The largest rectangle of the same shape as a picture, centred in the drawing area: where the
-/// picture lies in W. Sizes > 0.
+/// The largest rectangle with the proportions of a picture, centred in the drawing area: the
+/// picture's place in W. Sizes > 0.
 [[nodiscard]] Area fitted(const Area& area, double width, double height);
 
 }  // namespace touchline

@@ -21,7 +21,7 @@ Canvas canvas_for(const Rect& rect) {
     return {static_cast<int>(rect.width), static_cast<int>(rect.height)};
 }
 
-/// The rectangle in its own pixels.
+/// The same size at (0, 0).
 Rect at_origin(const Rect& rect) {
     return {0.0, 0.0, rect.width, rect.height};
 }
@@ -40,8 +40,8 @@ void LiveView::draw(const Renderers& renderers, const FrameContent& content, int
     is_stale_ = false;
 
     glViewport(0, 0, width_px_, height_px_);
-    // The two opaque layers cover the whole screen: no clearing, and without blending software
-    // drawing copies them.
+    // The two opaque layers cover the whole screen, so no clearing is needed, and without blending
+    // software drawing copies them.
     glDisable(GL_BLEND);
     renderers.images.draw(picture_);
     glEnable(GL_BLEND);
@@ -95,7 +95,7 @@ void LiveView::update_panel(const FrameContent& content, std::int64_t now_ns) {
 
 double LiveView::paint_timing_below(cairo_t* cr, const Rect& rect,
                                     const FrameContent& content) const {
-    constexpr double share = 0.35;  // of the panel at most
+    constexpr double share = 0.35;  // of the panel's height, at most
     const double cap_px =
         cap_px_ * std::min(1.0, share * rect.height / timing_chart_height_px(cap_px_));
     const double height_px = timing_chart_height_px(cap_px) + cap_px;
@@ -117,7 +117,7 @@ void LiveView::update_overlay(const FrameContent& content) {
 }
 
 void LiveView::update_outlines(const Scene& scene, double level) {
-    constexpr double least_change = 1.0 / 32.0;  // of a level: less moves no line by a pixel
+    constexpr double least_change = 1.0 / 32.0;  // of a level; less moves no line by a pixel
     const bool is_same_scene = outlined_version_ == scene.map_version && outlined_level_ >= 0.0;
     if (is_same_scene && std::abs(level - outlined_level_) < least_change) return;
     strokes_.clear();

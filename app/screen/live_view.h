@@ -1,5 +1,5 @@
-// What the staff looks at: the picture with outlines, boxes, hand and forces, the status panel and
-// how well the loop is in time. Still layers are painted only when they change.
+// The staff's live view: the picture with outlines, boxes, hand and forces, the status panel, and a
+// chart of how late the loop is. Paints still layers only when they change.
 // Threads: the one that holds the OpenGL context.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace touchline {
 
-/// What draws images and strokes; shared by everything in the window.
+/// The renderers of images and strokes, shared by everything in the window.
 struct Renderers {
     ImageRenderer images;
     StrokeRenderer strokes;
@@ -27,7 +27,7 @@ struct FrameContent {
     bool shows_boxes = false;
     HandState hand;
     ShownScene shown;
-    std::optional<LatenessBars> timing = {};  // below the panel, where there is one
+    std::optional<LatenessBars> timing = {};  // shown below the panel, if any
     Language language = {};
 };
 
@@ -41,7 +41,7 @@ class LiveView {
     void draw(const Renderers& renderers, const FrameContent& content, int width_px, int height_px,
               std::int64_t now_ns);
 
-    /// How the picture last drawn lies on the screen.
+    /// The place on the screen of the picture drawn last.
     [[nodiscard]] const View& view() const { return view_; }
 
   private:
@@ -67,15 +67,15 @@ class LiveView {
     int height_px_ = 0;
     ScreenLayout layout_;
     View view_;
-    bool is_stale_ = true;  // sizes changed: every layer is to be painted again
+    bool is_stale_ = true;  // the size has changed: every layer must be painted again
 
-    // What the layers show.
+    // The contents of the layers.
     std::shared_ptr<const Canvas> painted_picture_;
     Status painted_status_;
     std::optional<LatenessBars> painted_timing_;
     std::int64_t panel_ns_ = 0;
     std::string painted_message_;
-    std::uint64_t outlined_version_ = 0;  // of the map
+    std::uint64_t outlined_version_ = 0;  // the map's version
     double outlined_level_ = -1.0;
 };
 

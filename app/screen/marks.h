@@ -1,5 +1,5 @@
-// What moves on the screen, as strokes: outlines at the level rendered now, boxes of the boundary
-// section, handle, proxy and force.
+// Moving marks as strokes: outlines at the current level, boxes of the boundary section, handle,
+// proxy and force.
 // Threads: pure functions.
 #pragma once
 
@@ -20,9 +20,9 @@ void add_outlines(Strokes& strokes, const View& view, const CurveSet& curves, do
 void add_boxes(Strokes& strokes, const View& view, std::span<const ErrorBox> boxes,
                double width_px);
 
-/// Handle (ring), proxy (disc of its radius, or the shape that is held), the spring between them
-/// and the force on the hand (arrow from the handle). Shapes differ, so that no colour has to be
-/// told apart. `unit_px`: width of a thin line.
+/// Handle (ring), proxy (a disc of its radius, or the held shape), the spring between them and the
+/// force on the hand (an arrow from the handle). The shapes differ, so nobody has to tell colours
+/// apart. `unit_px`: width of a thin line.
 void add_hand(Strokes& strokes, const View& view, const HandState& hand, double proxy_radius_m,
               double unit_px, const Palette& palette = white_on_black);
 

@@ -22,7 +22,7 @@ bool are_beside(cairo_t* cr, double width_px, LineStyle style, const std::string
 
 int rows_of_marks(cairo_t* cr, std::size_t items, double width_px, LineStyle style,
                   const Language& language) {
-    // Long names at the largest size need tens of pages each; a long list has short ones mostly.
+    // Long names at the largest size need tens of pages each; a long list mostly has short ones.
     const std::size_t pages = std::max<std::size_t>(99, 3 * items);
     return are_beside(cr, width_px, style, place_words(items, items, language),
                       page_words(pages, pages, language))

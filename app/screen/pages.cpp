@@ -39,7 +39,7 @@ class PageFiller {
         return top_px_ + gap_px + height_px(rows) <= metrics_.height_px;
     }
 
-    /// One at least, or no page would ever end.
+    /// At least one, or the pages would never end.
     [[nodiscard]] std::size_t rows_left() const {
         const double room_px = metrics_.height_px - top_px_ - 2.0 * metrics_.inset_px;
         constexpr double rounding = 1e-6;  // a page made for n rows holds n
@@ -66,7 +66,7 @@ class PageFiller {
 
     PageMetrics metrics_;
     std::vector<SheetPage> pages_ = std::vector<SheetPage>(1);
-    double top_px_ = 0.0;  // of what comes next
+    double top_px_ = 0.0;  // where the next block begins
 };
 
 bool holds(const SheetPage& page, std::size_t item) {

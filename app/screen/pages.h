@@ -1,5 +1,5 @@
-// Lines filled into pages of one size. Nothing scrolls and nothing is cut off: what does not fit
-// stands on the next page. All places are relative to the upper left corner of the page.
+// Fills lines into pages of one size. Nothing scrolls and nothing is cut off: what does not fit
+// goes to the next page. All places are relative to the upper left corner of the page.
 // Threads: values and pure functions.
 #pragma once
 
@@ -14,16 +14,16 @@
 
 namespace touchline {
 
-/// What a phrase is marked with, by shape: the value of a setting has a triangle before and one
-/// behind it, that of a switch a frame around it.
+/// Marks of a phrase, told apart by shape: a setting's value has a triangle on either side, a
+/// switch's value has a frame.
 enum class PhraseMark : std::uint8_t { none, arrows, left_arrow, right_arrow, frame };
 
-/// Room that a mark needs on either side of its text.
+/// The room that a mark needs on either side of its text.
 [[nodiscard]] double mark_room_px(PhraseMark mark, double cap_px);
 
-/// Some text of a line.
+/// A piece of text in a line.
 struct Phrase {
-    double x_px = 0.0;      // from the left edge of the block, of the text itself
+    double x_px = 0.0;      // of the text itself, from the left edge of the block
     double width_px = 0.0;  // of the text
     std::string text;
     bool is_bold = false;
@@ -36,8 +36,8 @@ using PhraseRow = std::vector<Phrase>;
 struct RowBlock {
     std::vector<PhraseRow> rows;
     std::optional<std::size_t> item;  // of the screen
-    /// Running text fills what is left of a page. Otherwise the rows part only where a page of
-    /// their own has no room for all.
+    /// Running text fills the rest of a page. Other rows are split only if they do not all fit on a
+    /// page of their own.
     bool is_running = false;
 };
 
@@ -49,11 +49,11 @@ struct PageMetrics {
 };
 
 struct PlacedPhrase {
-    PixelPoint at;  // upper left corner of the box of its line
+    PixelPoint at;  // upper left corner of its line's box
     Phrase phrase;
 };
 
-/// An item, or the part of it that stands on this page.
+/// An item, or its part on this page.
 struct PlacedItem {
     std::size_t item = 0;
     double top_px = 0.0;  // of its frame
@@ -65,11 +65,11 @@ struct SheetPage {
     std::vector<PlacedItem> items;
 };
 
-/// At least one page. A page too low for a single row still holds one. O(phrases).
+/// Returns at least one page. A page too low for a single row still holds one. O(phrases).
 [[nodiscard]] std::vector<SheetPage> pages_of(std::span<const RowBlock> blocks,
                                               const PageMetrics& metrics);
 
-/// How long a page is shown where pages turn by themselves: slow readers get through it.
+/// How long a page is shown when pages turn by themselves: enough for slow readers.
 [[nodiscard]] std::int64_t reading_time_ns(const SheetPage& page);
 
 /// Pages first ... first + count - 1.
@@ -78,11 +78,11 @@ struct PageRange {
     std::size_t count = 1;
 };
 
-/// The pages that an item stands on; the first one where it is nowhere.
+/// The pages with parts of an item; the first page if it is on none.
 [[nodiscard]] PageRange pages_with(std::span<const SheetPage> pages, std::size_t item);
 
-/// Which page of a range is shown `elapsed_ns` (>= 0) after it came: one after the other, then from
-/// the first again.
+/// The page of a range to show `elapsed_ns` (>= 0) after the range came: one after the other, then
+/// from the first again.
 [[nodiscard]] std::size_t page_at(std::span<const SheetPage> pages, PageRange range,
                                   std::int64_t elapsed_ns);
 

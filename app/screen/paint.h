@@ -1,5 +1,5 @@
-// The map, the hand's path and its forces, painted with Cairo: for the still layer of the kiosk
-// window and for the picture that a tour leaves.
+// Paints the map, the hand's path and its forces with Cairo, for the still layer of the kiosk
+// window and for the picture of a tour.
 // Threads: one at a time per Canvas.
 #pragma once
 
@@ -15,39 +15,39 @@ namespace touchline {
 
 void fill(cairo_t* cr, const Rect& rect, const Paint& paint);
 
-/// The edge of the drawing area.
+/// Paints the edge of the drawing area.
 void paint_frame(cairo_t* cr, const Rect& rect, double width_px,
                  Colour colour = white_on_black.frame);
 
-/// The picture, dimmed, centred in the drawing area as large as it fits.
+/// Paints the picture, dimmed and centred, as large as fits in the drawing area.
 void paint_picture(cairo_t* cr, const View& view, const Area& area, const Canvas& picture,
                    double alpha = white_on_black.picture_alpha);
 
-/// A frame of the camera, as bright as it is, centred in `rect` as large as it fits.
+/// Paints a frame of the camera, undimmed and centred, as large as fits in `rect`.
 void paint_preview(cairo_t* cr, const Rect& rect, const Canvas& frame);
 
-/// Every piece as rendered at `level`. O(segments).
+/// Paints every piece as rendered at `level`. O(segments).
 void paint_outlines(cairo_t* cr, const View& view, const CurveSet& curves, double level,
                     double width_px, const Paint& paint);
 
-/// A path through points of W. Points that are not finite are left out.
+/// Paints a path through points of W. Leaves out points that are not finite.
 void paint_path(cairo_t* cr, const View& view, std::span<const Position> path, double width_px,
                 const Paint& paint);
 
-/// A force where it acts.
+/// A force and where it acts.
 struct ForceMark {
     Position at;
     Force force;
 };
 
-/// Arrows of px_per_N pixels for a newton, pointing the way the hand is pushed; forces under
-/// 0.02 N are left out.
+/// Paints arrows of px_per_N pixels per newton, pointing the way the hand is pushed. Leaves out
+/// forces under 0.02 N.
 void paint_forces(cairo_t* cr, const View& view, std::span<const ForceMark> marks, double px_per_N,
                   double width_px);
 
 void paint_stroke(cairo_t* cr, PixelPoint from, PixelPoint to, double width_px, const Paint& paint);
 
-/// An arrow from one point of the screen to another.
+/// Paints an arrow from one point of the screen to another.
 void paint_arrow(cairo_t* cr, PixelPoint from, PixelPoint to, double width_px, const Paint& paint);
 
 }  // namespace touchline

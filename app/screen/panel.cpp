@@ -12,8 +12,8 @@ namespace touchline {
 
 namespace {
 
-constexpr double title_size = 1.25;       // of the cap height
-constexpr double least_column_caps = 20;  // a column holds the longest line at this width
+constexpr double title_size = 1.25;       // times the cap height
+constexpr double least_column_caps = 20;  // a column this wide holds the longest line
 constexpr double panel_gap_caps = 0.9;    // between columns and around everything
 constexpr double row_gap_caps = 0.25;     // below each line
 constexpr double least_cap_px = 6.0;

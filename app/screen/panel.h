@@ -11,11 +11,11 @@
 
 namespace touchline {
 
-/// Fills `rect` with the status, in as many columns as its width has room for. Text is `cap_px`
-/// high, or smaller where it would not fit: nothing is cut off. Returns the cap height used.
+/// Fills `rect` with the status, in as many columns as fit its width. Text is `cap_px` high, or
+/// smaller if it would not fit: nothing is cut off. Returns the cap height used.
 double paint_panel(cairo_t* cr, const Rect& rect, const Status& status, double cap_px);
 
-/// One message along the lower edge of `rect`. Returns the cap height used.
+/// Paints one message along the lower edge of `rect`. Returns the cap height used.
 double paint_message(cairo_t* cr, const Rect& rect, const std::string& message, double cap_px);
 
 }  // namespace touchline

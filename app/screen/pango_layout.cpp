@@ -4,7 +4,7 @@ namespace touchline {
 
 namespace {
 
-// Andika keeps l, I and 1 apart and has wide coverage; then what every Debian has.
+// Andika keeps l, I and 1 apart and has wide coverage; the others come with every Debian.
 constexpr const char* families = "Andika, Noto Sans, DejaVu Sans, sans-serif";
 
 PangoLayoutPtr layout_of_size(cairo_t* cr, double size_px, bool is_bold) {
@@ -17,7 +17,7 @@ PangoLayoutPtr layout_of_size(cairo_t* cr, double size_px, bool is_bold) {
     return layout;
 }
 
-/// Font size at which a capital H is `cap_px` high, whatever the font.
+/// The font size whose capital H is `cap_px` high, whatever the font.
 double font_size_px(cairo_t* cr, double cap_px) {
     constexpr double probe_px = 100.0;
     const PangoLayoutPtr layout = layout_of_size(cr, probe_px, false);

@@ -1,4 +1,4 @@
-// Pango's objects, owned, in the screen's font. Only for the sources that draw text.
+// Pango's objects, owned, in the screen's font. Only for sources that draw text.
 // Threads: one at a time per Canvas.
 #pragma once
 
@@ -20,7 +20,7 @@ struct PangoDeleter {
 
 using PangoLayoutPtr = std::unique_ptr<PangoLayout, PangoDeleter>;
 
-/// An empty layout in which a capital H is `cap_px` high, whatever the font.
+/// An empty layout whose capital H is `cap_px` high, whatever the font.
 [[nodiscard]] PangoLayoutPtr layout_of_cap(cairo_t* cr, double cap_px, bool is_bold);
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-// A piece of the curve as it is rendered now, in pixels.
+// A piece of the curve as currently rendered, in pixels.
 // Threads: pure functions.
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace touchline {
 
-/// The polyline of a piece at `level`, closed where the piece is. Points less than two pixels from
-/// the last one kept are left out, but never an end: nobody sees them, and a traced photograph has
+/// The polyline of a piece at `level`, closed if the piece is. Leaves out points less than two
+/// pixels from the last one kept, but never an end: nobody sees them, and a traced photograph has
 /// tens of thousands. O(segments).
 [[nodiscard]] std::vector<PixelPoint> rendered_path(const CurveSet& curves, int piece, double level,
                                                     const View& view);

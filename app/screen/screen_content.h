@@ -1,4 +1,4 @@
-// What the visitor's or operator's screen shows in a frame.
+// The content of the visitor's or operator's screen in one frame.
 // Threads: a value that shares what does not change.
 #pragma once
 
@@ -15,21 +15,21 @@ namespace touchline {
 
 struct ScreenContent {
     SpokenScreen screen;
-    /// What is being said, or was said last. Pages where it is long.
+    /// What is being said, or was said last. Long captions have pages.
     std::string caption;
-    /// Words of the sound cue that plays (words_of(Cue)). One frame is enough: it stays for a
-    /// second at least.
+    /// The words of the sound cue that plays (words_of(Cue)). One frame is enough: they stay for at
+    /// least a second.
     std::string sound_sign;
     TextSize text_size = TextSize::normal;
     PaletteName palette = PaletteName::white_on_black;
-    /// The visitor turned the screen off: black whatever else is here.
+    /// The visitor turned the screen off: it is black, whatever else is here.
     bool is_curtain = false;
-    /// With ScreenView::camera: show `preview`. Off, the sheet has the screen to itself.
+    /// With ScreenView::camera: shows `preview`. If false, the sheet fills the screen.
     bool is_preview_on = true;
     HandState hand;
     ShownScene shown;                       // with ScreenView::picture
-    std::shared_ptr<const Canvas> preview;  // nothing: no frame yet
-    /// Of the screen, for "Page 2 of 3".
+    std::shared_ptr<const Canvas> preview;  // null: no frame yet
+    /// The screen's language, for "Page 2 of 3".
     Language language;
 };
 

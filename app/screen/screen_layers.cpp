@@ -8,10 +8,10 @@ namespace touchline {
 
 namespace {
 
-constexpr std::int64_t least_sign_ns = 1'000'000'000;  // or nobody could read it
+constexpr std::int64_t least_sign_ns = 1'000'000'000;  // a shorter time would be unreadable
 constexpr std::int64_t preview_period_ns = 100'000'000;
 
-/// A canvas of the layer that is drawn in with the screen's places.
+/// Gives the layer a new canvas whose coordinates are the screen's.
 void renew(StillLayer& layer, const Rect& rect) {
     layer.rect = rect;
     layer.canvas = Canvas(std::max(static_cast<int>(rect.width), 1),
@@ -25,7 +25,7 @@ bool wants_picture(const ScreenContent& content) {
     return content.screen.view == ScreenView::camera && content.is_preview_on;
 }
 
-/// Size, colours, curtain: what screen and captions have in common.
+/// Compares size, colours and curtain, which screen and captions share.
 bool is_same_style(const ScreenContent& a, const ScreenContent& b) {
     return a.text_size == b.text_size && a.palette == b.palette && a.is_curtain == b.is_curtain &&
            a.language.code() == b.language.code();
@@ -106,7 +106,7 @@ void ScreenLayers::show_screen(const ScreenContent& content, std::int64_t now_ns
     const std::string caption = shown_.caption;
     const std::string sign = shown_.sound_sign;
     shown_ = content;
-    shown_.caption = caption;  // the captions have their own time
+    shown_.caption = caption;  // captions change at times of their own
     shown_.sound_sign = sign;
     sizes_ = sizes;
     arrangement_ = arrangement;

@@ -1,5 +1,5 @@
-// The still layers of a screen, painted into memory when what they show changes, and never so often
-// that anything flashes. No window and no OpenGL, so that tests measure the pixels themselves.
+// The still layers of a screen, painted into memory when their content changes, and never so often
+// that anything flashes. Uses no window and no OpenGL, so that tests measure the pixels themselves.
 // Threads: one at a time.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace touchline {
 struct StillLayer {
     Rect rect;
     Canvas canvas{1, 1};
-    std::uint64_t version = 0;  // goes up with each painting
+    std::uint64_t version = 0;  // grows with each painting
 };
 
 class ScreenLayers {
@@ -25,25 +25,26 @@ class ScreenLayers {
     /// `normal_cap_px`: cap height of TextSize::normal on this screen.
     explicit ScreenLayers(double normal_cap_px) : normal_cap_px_(normal_cap_px) {}
 
-    /// Paints what changed. Screen and captions change twice a second at most, what comes in
-    /// between is left out; the preview ten times; a curtain falls at once. `now_ns` never goes
-    /// back; sizes in px, >= 1.
+    /// Paints what changed. Screen and captions change at most twice a second, and changes in
+    /// between are left out; the preview changes at most ten times a second; a curtain falls at
+    /// once. `now_ns` never goes back; sizes in px, >= 1.
     void update(const ScreenContent& content, int width_px, int height_px, std::int64_t now_ns);
 
     [[nodiscard]] const StillLayer& sheet() const { return sheet_; }
 
     [[nodiscard]] const StillLayer& captions() const { return captions_; }
 
-    /// Of a screen without: an empty rectangle.
+    /// An empty rectangle on a screen without a picture.
     [[nodiscard]] const StillLayer& picture() const { return picture_; }
 
-    /// How the picture lies on the screen, for the hand; of the whole screen where there is none.
+    /// The picture's place on the screen, for drawing the hand; that of the whole screen if there
+    /// is no picture.
     [[nodiscard]] const View& view() const { return view_; }
 
-    /// What the layers show now: the scene, the colours.
+    /// What the layers show now: scene, colours and all else.
     [[nodiscard]] const ScreenContent& shown() const { return shown_; }
 
-    /// Outlines and hand are to be drawn over the picture.
+    /// True if outlines and hand are to be drawn over the picture.
     [[nodiscard]] bool has_marks() const;
 
   private:
@@ -72,14 +73,14 @@ class ScreenLayers {
     ScreenContent shown_;
     SheetLayout sheet_layout_;
     SheetPages pages_;
-    std::int64_t screen_ns_ = 0;  // when it came
-    std::int64_t focus_ns_ = 0;   // when it moved
+    std::int64_t screen_ns_ = 0;  // when the screen came
+    std::int64_t focus_ns_ = 0;   // when the focus moved
     ChangePace screen_pace_;
 
     CaptionLayout caption_layout_;
     std::size_t caption_page_ = 0;
     std::int64_t caption_ns_ = 0;
-    std::string sign_;  // wanted
+    std::string sign_;  // the wanted sign
     std::int64_t sign_ns_ = 0;
     ChangePace caption_pace_;
     std::int64_t preview_ns_ = 0;

@@ -9,7 +9,7 @@
 namespace touchline {
 namespace {
 
-constexpr double arc_units = 22.0;  // its radius
+constexpr double arc_units = 22.0;  // the arc's radius
 constexpr double rad_per_Nm = 2.0 * std::numbers::pi / 3.0 / 15e-3;
 constexpr double most_arc_rad = 1.6 * std::numbers::pi;
 constexpr double step_rad = 0.1;
@@ -31,7 +31,7 @@ void add_torque(Strokes& strokes, PixelPoint centre, double torque_Nm, double un
                 const Paint& paint) {
     const double reach_rad = std::clamp(rad_per_Nm * torque_Nm, -most_arc_rad, most_arc_rad);
     if (!(std::abs(reach_rad) > step_rad)) return;
-    // From above the handle on; y points down on the screen.
+    // Starts above the handle; y points down on the screen.
     const auto at = [&](double turned_rad) {
         const double angle_rad = std::numbers::pi / 2.0 + turned_rad;
         const double radius_px = arc_units * unit_px;

@@ -1,4 +1,4 @@
-// A shape in the hand, as strokes.
+// A held shape as strokes.
 // Threads: pure functions.
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace touchline {
 
-/// Bold where lines hold it, thin where the hand would have it, and an arc with a head for its
-/// torque, about the handle: a third of a turn for 15 mN m. Nothing where a point is held.
+/// Draws it bold where lines hold it, thin where the hand wants it, and its torque as an arc with a
+/// head around the handle: a third of a turn for 15 mN m. Draws nothing for a point.
 void add_shape(Strokes& strokes, const View& view, const HandState& hand, double unit_px,
                const Palette& palette);
 

@@ -1,5 +1,5 @@
-// A screen of the model as it is drawn: text above, items below, each in pages of its own, so that
-// the item with the focus is always there and every word can be read.
+// Draws a screen of the model: text above, items below, each in its own pages, so that the item
+// with the focus is always visible and every word can be read.
 // Threads: one at a time per Canvas.
 #pragma once
 
@@ -17,10 +17,10 @@
 
 namespace touchline {
 
-/// Pages of text within their place, and the place of what is said about them.
+/// A part in pages: the place of the pages, and the place of their marks.
 struct PagedPart {
     Rect rect;
-    Rect marks;  // below it; height 0: one page, and nothing to say
+    Rect marks;  // below the pages; height 0: one page, and no marks
     double inset_px = 0.0;
     std::vector<SheetPage> pages = std::vector<SheetPage>(1);
 };
@@ -32,11 +32,11 @@ struct SheetLayout {
     PagedPart list;
 };
 
-/// Lays out all but the focus, which changes no place. O(items); some 50 us an item.
+/// Lays out everything except the focus, which changes no place. O(items); some 50 us per item.
 [[nodiscard]] SheetLayout lay_out_sheet(cairo_t* cr, const SpokenScreen& screen, const Rect& rect,
                                         const TextSizes& sizes, const Language& language);
 
-/// Which pages are shown.
+/// The pages shown.
 struct SheetPages {
     std::size_t text = 0;
     std::size_t list = 0;
@@ -44,19 +44,19 @@ struct SheetPages {
     friend bool operator==(const SheetPages&, const SheetPages&) = default;
 };
 
-/// Text turns by itself; the list shows the page of the focus. Times since the screen came and
-/// since the focus moved.
+/// The text turns pages by itself; the list shows the page with the focus. `screen_ns`, `focus_ns`:
+/// time since the screen came and since the focus moved.
 [[nodiscard]] SheetPages sheet_pages(const SheetLayout& layout, std::optional<std::size_t> focus,
                                      std::int64_t screen_ns, std::int64_t focus_ns);
 
-/// A line of the face of a sheet, on the screen.
+/// A line of a sheet's face, in the screen's pixels.
 struct FaceLine {
     PixelPoint at;  // upper left corner of its box
     LineStyle style;
     double width_px = 0.0;
     std::string text;
     PhraseMark mark = PhraseMark::none;
-    Rect part;  // what it must not leave
+    Rect part;  // the rectangle that contains it
 };
 
 /// Everything that a sheet shows.
@@ -68,10 +68,10 @@ struct SheetFace {
 [[nodiscard]] SheetFace face_of(cairo_t* cr, const SheetLayout& layout, const SpokenScreen& screen,
                                 const SheetPages& pages, const Language& language);
 
-/// How thick the frame of the focus is.
+/// The thickness of the focus frame.
 [[nodiscard]] double focus_width_px(const TextSizes& sizes);
 
-/// Fills the rectangle of the layout.
+/// Fills the layout's rectangle.
 void paint_sheet(cairo_t* cr, const SheetLayout& layout, const SheetFace& face,
                  const Palette& palette);
 

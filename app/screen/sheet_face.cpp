@@ -21,7 +21,7 @@ void add_page(SheetFace& face, const PagedPart& part, std::size_t page, double c
     }
 }
 
-/// At the right end of its row, or at the left one.
+/// Puts it at the right end of its row, or at the left.
 void add_mark(SheetFace& face, cairo_t* cr, const Rect& row, LineStyle style, bool is_right,
               std::string words) {
     if (words.empty()) return;
@@ -43,7 +43,7 @@ void add_list_marks(SheetFace& face, cairo_t* cr, const SheetLayout& layout,
     add_mark(face, cr, row, style, true, pages);
 }
 
-/// The part of the item that stands on the page.
+/// The frame around the item's part on the page.
 std::optional<Rect> frame_of(const PagedPart& part, std::size_t page, std::size_t item) {
     for (const PlacedItem& placed : part.pages.at(page).items) {
         if (placed.item != item) continue;
@@ -71,7 +71,7 @@ void stroke_rect(cairo_t* cr, const Rect& rect, double width_px, Colour colour) 
     cairo_stroke(cr);
 }
 
-/// The shape that says what can be done with a value.
+/// Paints the shape that tells how a value can be changed.
 void paint_mark(cairo_t* cr, const FaceLine& line, Colour colour) {
     const double cap_px = line.style.cap_px;
     const double middle_px = line.at.y + line_height_px(cap_px) / 2.0;
@@ -98,8 +98,8 @@ void paint_focus(cairo_t* cr, const SheetLayout& layout, const Rect& frame, Colo
     const double cap_px = layout.sizes.cap_px;
     stroke_rect(cr, frame, focus_width_px(layout.sizes), colour);
     const double left_px = frame.x + layout.list.inset_px;
-    const double middle_px =
-        frame.y + layout.list.inset_px + line_height_px(cap_px) / 2.0;  // of the first row
+    const double middle_px = frame.y + layout.list.inset_px +
+                             line_height_px(cap_px) / 2.0;  // the middle of the first row
     fill_triangle(cr, {left_px + 0.85 * cap_px, middle_px}, {left_px + 0.1 * cap_px, middle_px},
                   0.55 * cap_px, colour);
 }

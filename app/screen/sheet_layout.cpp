@@ -13,8 +13,8 @@ constexpr double margin_caps = 0.5;         // left and right
 constexpr double upper_margin_caps = 0.25;  // and below
 constexpr double gap_caps = 0.25;           // between title and text, text and list
 constexpr double item_gap_caps = 0.1;
-constexpr double item_inset_caps = 0.25;  // room of the frame of the focus
-constexpr double pointer_caps = 1.2;      // and of its pointer
+constexpr double item_inset_caps = 0.25;  // room for the focus frame
+constexpr double pointer_caps = 1.2;      // room for its pointer
 
 std::vector<PhraseRow> rows_of(cairo_t* cr, double width_px, LineStyle style,
                                const std::string& text) {
@@ -26,7 +26,7 @@ std::vector<PhraseRow> rows_of(cairo_t* cr, double width_px, LineStyle style,
     return rows;
 }
 
-/// Of row `row` of a value of so many rows: it begins and ends with an arrow.
+/// The mark of row `row` of a value with `rows` rows: the first and the last have arrows.
 PhraseMark mark_of(ItemRole role, std::size_t row, std::size_t rows) {
     if (role == ItemRole::toggle) return PhraseMark::frame;
     if (role != ItemRole::setting) return PhraseMark::none;
@@ -35,7 +35,7 @@ PhraseMark mark_of(ItemRole role, std::size_t row, std::size_t rows) {
     return row + 1 == rows ? PhraseMark::right_arrow : PhraseMark::none;
 }
 
-/// The value beside the name where both have room in one line, below it otherwise.
+/// Puts the value beside the name if both fit in one line, else below it.
 void add_value(std::vector<PhraseRow>& rows, cairo_t* cr, double width_px, double cap_px,
                const ScreenItem& item) {
     if (item.value.empty()) return;
@@ -96,9 +96,9 @@ double height_of(const std::vector<RowBlock>& blocks, const PageMetrics& metrics
 struct Draft {
     std::vector<RowBlock> blocks;
     PageMetrics metrics;
-    double natural_px = 0.0;  // where all of it stands on one page
-    double least_px = 0.0;    // of one row
-    double marks_px = 0.0;    // said below one page
+    double natural_px = 0.0;  // if all of it is on one page
+    double least_px = 0.0;    // with a single row
+    double marks_px = 0.0;    // for the marks below a single page
     double paged_marks_px = 0.0;
 
     [[nodiscard]] bool is_empty() const { return natural_px <= 0.0; }
@@ -117,7 +117,7 @@ Draft draft_of(std::vector<RowBlock> blocks, double inset_px, double gap_px, dou
     return draft;
 }
 
-/// `height_px`: of all that it may take.
+/// `height_px`: the most that it may take.
 PagedPart placed(const Draft& draft, const Rect& column, double top_px, double height_px) {
     PagedPart part;
     constexpr double rounding = 1e-6;
@@ -142,8 +142,8 @@ Rect column_of(const Rect& rect, double cap_px) {
             std::max(rect.height - 2.0 * upper_px, 1.0)};
 }
 
-/// How much of `room_px` the text gets: all it needs where the list leaves it that, two fifths
-/// otherwise, but never the list's only row.
+/// The part of `room_px` for the text: everything it needs if the list has room for that, else two
+/// fifths, but never the list's only row.
 double height_of_text(const Draft& text, const Draft& list, double room_px) {
     constexpr double share = 0.4;
     if (text.whole_px() + list.whole_px() <= room_px) return text.whole_px();
@@ -152,7 +152,7 @@ double height_of_text(const Draft& text, const Draft& list, double room_px) {
     const double most_px = std::max(room_px - list.smallest_px(), text.smallest_px());
     const double given_px = std::min(wanted_px, most_px);
     if (given_px >= text.whole_px()) return text.whole_px();
-    // No part of a row is wasted that an item could use.
+    // Rounds down to whole rows, so that the items can use the rest.
     const double rows_px = given_px - text.paged_marks_px - text.metrics.gap_px;
     const double rows = std::floor(rows_px / text.metrics.row_px);
     if (rows < 2.0) return text.paged_marks_px + text.metrics.row_px;

@@ -9,7 +9,7 @@
 
 namespace touchline {
 
-/// Nothing before the first picture.
+/// Empty before the first picture.
 struct ShownScene {
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const Canvas> picture;

@@ -1,4 +1,4 @@
-// Draws Strokes with OpenGL: one shader, one draw call a list.
+// Draws Strokes with OpenGL: one shader, one draw call per list.
 // Threads: the one that holds the context.
 #pragma once
 
@@ -25,14 +25,14 @@ class StrokeRenderer {
   public:
     [[nodiscard]] static Result<StrokeRenderer> make();
 
-    /// On a screen of this size (px).
+    /// Draws on a screen of this size (px).
     void draw(const StrokeBuffer& strokes, int width_px, int height_px) const;
 
   private:
     explicit StrokeRenderer(GlProgram program);
 
     GlProgram program_;
-    int screen_ = -1;  // place of the uniform
+    int screen_ = -1;  // location of the uniform
 };
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
 // Moving marks as a list of vertices: lines with round ends, dots, rings and arrows. One shader
-// draws them all (stroke_renderer.h); nothing here knows OpenGL.
+// draws them all (stroke_renderer.h); this file knows no OpenGL.
 // Threads: plain values.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace touchline {
 
 /// A corner of the rectangle around a stroke. (along, across) is its place in the stroke's own
-/// axes, from the stroke's first end; the fragment shader rounds the ends and smooths the rim.
+/// axes, from the stroke's first end. The fragment shader rounds the ends and smooths the rim.
 struct StrokeVertex {
     float x = 0.0F, y = 0.0F;           // on the screen (px)
     float along = 0.0F, across = 0.0F;  // px
@@ -28,7 +28,7 @@ class Strokes {
 
     void clear() { vertices_.clear(); }
 
-    /// A line with round ends; a dot where a = b. Ends that are not finite draw nothing.
+    /// Adds a line with round ends; a dot if a = b. Adds nothing if an end is not finite.
     void add_line(PixelPoint a, PixelPoint b, double width_px, const Paint& paint);
 
     void add_dot(PixelPoint centre, double radius_px, const Paint& paint) {
@@ -37,7 +37,7 @@ class Strokes {
 
     void add_ring(PixelPoint centre, double radius_px, double width_px, const Paint& paint);
 
-    /// From `from` to `to` with a head; nothing where it is shorter than a pixel.
+    /// Adds an arrow with a head; nothing if it is shorter than a pixel.
     void add_arrow(PixelPoint from, PixelPoint to, double width_px, const Paint& paint);
 
     [[nodiscard]] const std::vector<StrokeVertex>& vertices() const { return vertices_; }

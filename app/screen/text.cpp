@@ -17,7 +17,7 @@ void add_attribute(PangoAttrList* list, PangoAttribute* attribute, std::size_t f
                    std::size_t to) {
     attribute->start_index = static_cast<guint>(from);
     attribute->end_index = static_cast<guint>(to);
-    pango_attr_list_insert(list, attribute);  // takes it
+    pango_attr_list_insert(list, attribute);  // takes ownership
 }
 
 PangoLayoutPtr lay_out_text(cairo_t* cr, double width_px, double cap_px,

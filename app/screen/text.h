@@ -1,4 +1,4 @@
-// Text of a wanted cap height, shaped and wrapped by Pango.
+// Text of a given cap height, shaped and wrapped by Pango.
 // Threads: one at a time per Canvas.
 #pragma once
 
@@ -13,14 +13,14 @@
 
 namespace touchline {
 
-/// A stretch of a line in one colour and weight.
+/// A piece of a line in one colour and weight.
 struct TextRun {
     std::string_view text;
     Colour colour = white_on_black.text;
     bool is_bold = false;
 };
 
-/// Draws one paragraph with its upper left corner at `at`, wrapped at `width_px`; returns its
+/// Draws one paragraph with its upper left corner at `at`, wrapped at `width_px`, and returns its
 /// height. Invalid UTF-8 shows as replacement characters.
 double paint_text(cairo_t* cr, PixelPoint at, double width_px, double cap_px,
                   std::span<const TextRun> runs);

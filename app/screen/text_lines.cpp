@@ -10,7 +10,7 @@ namespace {
 
 constexpr double base_line_caps = 1.42;  // below the upper edge of the box
 
-/// Valid UTF-8 in which nothing but a line's own width breaks it.
+/// Valid UTF-8 that breaks only where a line is full.
 std::string clean(std::string_view text) {
     const std::unique_ptr<char, PangoDeleter> valid(
         g_utf8_make_valid(text.data(), static_cast<gssize>(text.size())));

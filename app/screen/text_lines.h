@@ -1,4 +1,4 @@
-// Text as single lines of known size, so that pages can be filled with them.
+// Text as single lines of known size, to fill pages with.
 // Threads: one at a time per Canvas.
 #pragma once
 
@@ -20,20 +20,20 @@ struct LineStyle {
     friend bool operator==(const LineStyle&, const LineStyle&) = default;
 };
 
-/// Height of the box of a line: capitals with accents above the base line, descenders below.
+/// The height of a line's box: capitals with accents above the base line, descenders below.
 [[nodiscard]] constexpr double line_height_px(double cap_px) {
     return 1.95 * cap_px;
 }
 
-/// The text broken into lines of at most `width_px`: between words, and inside a word that is wider
-/// than a line alone. Invalid UTF-8 becomes replacement characters; control characters become
-/// spaces. Empty where the text is.
+/// Breaks the text into lines of at most `width_px`, between words, and inside a word only if it is
+/// wider than a whole line. Invalid UTF-8 becomes replacement characters; control characters become
+/// spaces. Empty if the text is.
 [[nodiscard]] std::vector<std::string> broken_lines(cairo_t* cr, double width_px, LineStyle style,
                                                     std::string_view text);
 
 [[nodiscard]] double line_width_px(cairo_t* cr, LineStyle style, std::string_view line);
 
-/// One line with the upper left corner of its box at `at`.
+/// Paints one line with the upper left corner of its box at `at`.
 void paint_line(cairo_t* cr, PixelPoint at, LineStyle style, Colour colour, std::string_view line);
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-// Palettes and text sizes. Text keeps a contrast of at least 7:1, marks of at least 3:1; what a
+// Palettes and text sizes. Text has a contrast of at least 7:1, marks of at least 3:1. What a
 // colour says is also said by a shape or a word.
 // Threads: constants and pure functions.
 #pragma once
@@ -16,31 +16,31 @@ struct Colour {
     double blue = 0.0;
 };
 
-/// Opaque where alpha is 1.
+/// Opaque if alpha is 1.
 struct Paint {
     Colour colour;
     double alpha = 1.0;
 };
 
-/// Everything that is drawn, by what it is for.
+/// The colours of everything drawn, by purpose.
 struct Palette {
     Colour background;
     Colour text;
-    Colour name;   // of a fact in the staff's panel
+    Colour name;   // of a fact's name in the staff's panel
     Colour alert;  // what went wrong
     Colour frame;  // around the drawing area
-    Colour focus;  // frame and pointer of the item that has it
+    Colour focus;  // frame and pointer of the item with the focus
     Colour outline;
     Colour box;
     Colour handle;
     Colour proxy;
     Colour force;
-    /// How much of the picture shows over the background: so little that every mark stands out on
-    /// white paper as on black ground.
+    /// How much of the picture shows over the background: little enough that every mark stands out
+    /// on white paper and on black alike.
     double picture_alpha = 0.35;
 };
 
-/// What a visitor chooses; the first is the default.
+/// The visitor chooses one; the first is the default.
 enum class PaletteName : std::uint8_t {
     white_on_black,
     black_on_white,
@@ -65,7 +65,7 @@ inline constexpr Palette yellow_on_black{{0.0, 0.0, 0.0},    {1.0, 1.0, 0.0},   
                                          {1.0, 1.0, 0.0},    {0.36, 0.78, 1.0}, {1.0, 1.0, 1.0},
                                          {0.18, 0.95, 0.78}, {1.0, 0.50, 0.95}};
 
-/// Neither ground nor letters at the screen's full range: for eyes that light hurts.
+/// Neither background nor letters use the screen's full range, for eyes that light hurts.
 inline constexpr Palette low_glare_grey{{0.13, 0.13, 0.13}, {0.82, 0.82, 0.80}, {0.82, 0.78, 0.62},
                                         {0.90, 0.74, 0.66}, {0.58, 0.58, 0.58}, {0.82, 0.82, 0.80},
                                         {0.88, 0.80, 0.45}, {0.55, 0.80, 0.92}, {0.90, 0.90, 0.88},
@@ -85,22 +85,22 @@ inline constexpr Palette low_glare_grey{{0.13, 0.13, 0.13}, {0.82, 0.82, 0.80}, 
     return white_on_black;
 }
 
-/// Contrast of two colours, 1 ... 21 (WCAG 2: relative luminance).
+/// The contrast of two colours, 1 ... 21 (WCAG 2: relative luminance).
 [[nodiscard]] double contrast(Colour a, Colour b);
 
-/// What a visitor chooses; the first is the default (EN 301 549, 5.1.4).
+/// The visitor chooses one; the first is the default (EN 301 549, 5.1.4).
 enum class TextSize : std::uint8_t { normal, large, larger, largest };
 
 inline constexpr std::size_t text_size_count = 4;
 
-/// What a capital H subtends at the eye, in degrees.
+/// The angle that a capital H subtends at the eye, in degrees.
 [[nodiscard]] constexpr double cap_angle_deg(TextSize size) {
     constexpr std::array<double, text_size_count> angles{0.7, 1.0, 1.4, 2.0};
     return angles.at(static_cast<std::size_t>(size));
 }
 
-/// Height of a capital H that subtends 0.7 degrees at `distance_m` on a screen of `mm_per_px`, in
-/// pixels; 12 ... 80, so that a screen that lies about its size stays readable.
+/// The height in pixels of a capital H that subtends 0.7 degrees at `distance_m`, on a screen of
+/// `mm_per_px`. Limited to 12 ... 80, so that a screen that reports a wrong size stays readable.
 [[nodiscard]] double cap_height_px(double distance_m, double mm_per_px);
 
 }  // namespace touchline

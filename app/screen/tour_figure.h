@@ -1,4 +1,4 @@
-// The picture that a tour leaves: map, way of the hand, forces, and what it came to in words.
+// The picture of a tour: map, path of the hand, forces, and the result in words.
 // Threads: pure functions.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace touchline {
 
-/// A stretch of the way without a break.
+/// A stretch of the path without a break.
 struct TourStretch {
     bool is_lifted = false;  // nothing is felt
     std::vector<Position> handle;
@@ -20,12 +20,13 @@ struct TourStretch {
 
 struct TourFigure {
     std::string title;
-    std::vector<std::string> lines;  // what it came to
+    std::vector<std::string> lines;  // the result in words
     std::vector<TourStretch> way;
     std::vector<ForceMark> forces;  // few enough to be told apart
 };
 
-/// 1600 px wide: the drawing area above, legend and words below. `picture` is as from canvas_of().
+/// Paints 1600 px wide: the drawing area above, legend and words below. `picture` comes from
+/// canvas_of().
 [[nodiscard]] Canvas paint_tour(const TourFigure& figure, const Scene& scene,
                                 const Canvas& picture);
 

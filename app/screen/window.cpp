@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <epoxy/gl.h>
-// Before GLFW: epoxy declares OpenGL itself.
+// Before GLFW, because epoxy declares OpenGL itself.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace touchline {
 
 namespace {
 
-// Smaller, and no word could be read.
+// Any smaller, and no word could be read.
 constexpr int least_width = 480;
 constexpr int least_height = 320;
 
@@ -36,8 +36,8 @@ constexpr std::array named_keys{std::pair{GLFW_KEY_LEFT, Key::left},
                                 std::pair{GLFW_KEY_HOME, Key::home},
                                 std::pair{GLFW_KEY_END, Key::end}};
 
-/// GLFW names printing keys by their upper-case ASCII character, as Key does. A key without a name
-/// there is told by its scancode.
+/// GLFW names printing keys by their upper-case ASCII character, as Key does. Its scancode tells a
+/// key without such a name.
 PhysicalKey key_of(int glfw_key, int scancode) {
     const auto named = [](Key key) {
         return PhysicalKey{KeySource::key, static_cast<std::uint32_t>(key)};
@@ -53,14 +53,14 @@ PhysicalKey key_of(int glfw_key, int scancode) {
     return {KeySource::scancode, static_cast<std::uint32_t>(std::max(scancode, 0))};
 }
 
-/// The reason GLFW gives for its last failure.
+/// GLFW's reason for its last failure.
 std::string glfw_reason() {
     const char* words = nullptr;
     glfwGetError(&words);
     return words != nullptr ? words : "no reason given";
 }
 
-/// Where a monitor or the window lies on the whole display.
+/// The place of a monitor or the window on the whole display.
 struct DisplayPlace {
     int x = 0;
     int y = 0;
@@ -70,7 +70,7 @@ struct DisplayPlace {
     friend bool operator==(const DisplayPlace&, const DisplayPlace&) = default;
 };
 
-/// Nothing while there is no monitor, or none that shows anything.
+/// Nothing while there is no monitor that shows anything.
 std::optional<DisplayPlace> place_of_monitor() {
     GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
@@ -110,7 +110,7 @@ std::int64_t now_ns() {
 }
 
 Result<std::unique_ptr<Window>> Window::open(bool is_full_screen, Listener listener) {
-#ifdef GLFW_PLATFORM  // 3.4 (Debian 13) would take Wayland, which numbers keys otherwise
+#ifdef GLFW_PLATFORM  // 3.4 (Debian 13) would choose Wayland, which numbers keys differently
     glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
     if (glfwInit() != GLFW_TRUE)
@@ -165,8 +165,8 @@ void Window::update_size() {
 }
 
 /// A window manager lets a full-screen window follow its monitor; without one GLFW leaves it as it
-/// was. It then becomes a window without borders over all of the monitor: to be full screen again,
-/// in GLFW's sense, would set a mode out of those that GLFW knew at the start.
+/// was. The window then becomes one without borders over the whole monitor. To be full screen
+/// again, in GLFW's sense, it would have to set one of the modes that GLFW knew at the start.
 void Window::follow_monitor() {
     constexpr std::int64_t every_ns = 250'000'000;
     const std::int64_t time_ns = now_ns();
@@ -174,7 +174,7 @@ void Window::follow_monitor() {
     next_look_ns_ = time_ns + every_ns;
     const auto monitor = place_of_monitor();
     const bool is_covered = !monitor || *monitor == place_of(window_);
-    // Only the second look counts: a window manager has had its time by then.
+    // Acts only at the second check, after the window manager had its time.
     if (!is_covered && !was_covered_) {
         glfwSetWindowAttrib(window_, GLFW_DECORATED, GLFW_FALSE);
         glfwSetWindowMonitor(window_, nullptr, monitor->x, monitor->y, monitor->width,
@@ -201,7 +201,7 @@ void Window::show_frame() {
     glfwSwapBuffers(window_);
 }
 
-/// The first one: a switch interface or a large button is one.
+/// Reads the first joystick: a switch interface or a large button counts as one.
 void Window::read_joysticks() {
     int count = 0;
     const unsigned char* const down = glfwGetJoystickButtons(GLFW_JOYSTICK_1, &count);

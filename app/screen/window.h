@@ -16,35 +16,35 @@ struct GLFWwindow;
 
 namespace touchline {
 
-/// Now on the clock of Window::wait_until() (the steady clock).
+/// The present time of Window::wait_until()'s clock (the steady clock).
 [[nodiscard]] std::int64_t now_ns();
 
 class Window {
   public:
-    /// Called from wait_until() as things happen.
+    /// wait_until() calls these as things happen.
     struct Listener {
         std::function<void(const PhysicalKey&, bool is_down, bool is_repeat)> key_changed;
         std::function<void(PixelPoint)> pointer_moved;
         std::function<void(double by_rad)> knob_turned;  // counter-clockwise
     };
 
-    /// Full screen on the first monitor, whatever mode it is set to later and whether it is another
-    /// one by then, or a window of 1280 x 800. Fails where there is no display or no OpenGL 2.1.
+    /// Opens a full-screen window on the first monitor, which it follows through changes of mode
+    /// and of monitor, or a window of 1280 x 800. Fails if there is no display or no OpenGL 2.1.
     [[nodiscard]] static Result<std::unique_ptr<Window>> open(bool is_full_screen,
                                                               Listener listener);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Of the drawable, in pixels; >= 1.
+    /// The size of the drawable, in pixels; >= 1.
     [[nodiscard]] int width_px() const { return width_px_; }
 
     [[nodiscard]] int height_px() const { return height_px_; }
 
-    /// Size of a pixel as the monitor tells it; 0 where it does not.
+    /// The size of a pixel as the monitor reports it; 0 if it does not.
     [[nodiscard]] double mm_per_px() const;
 
-    /// The person at the window system asked to close it.
+    /// True if the person at the window system asked to close it.
     [[nodiscard]] bool is_closing() const;
 
     /// Shows what was drawn.
@@ -66,10 +66,10 @@ class Window {
     Listener listener_;
     int width_px_ = 1;
     int height_px_ = 1;
-    std::vector<bool> buttons_;      // of the joystick: is it down?
-    Knob knob_;                      // its first axis
-    std::int64_t next_look_ns_ = 0;  // at the monitor
-    bool was_covered_ = true;        // by the window, at the last look
+    std::vector<bool> buttons_;      // the joystick's: is it down?
+    Knob knob_;                      // the joystick's first axis
+    std::int64_t next_look_ns_ = 0;  // when to check the monitor again
+    bool was_covered_ = true;        // the window covered the monitor at the last check
 };
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-// The scene of a map that came over the socket: checked to the last number, then built.
+// The scene of a map that came over the socket. Checks every number of the map, then builds it.
 // Threads: a pure function of what arrived.
 #pragma once
 
@@ -16,8 +16,8 @@ struct BuiltScene {
     RecordedMap recorded;
 };
 
-/// Of a message of the kind scene. One line where its memory is not sealed, over 64 MiB, or no map
-/// that can be felt. O(N log N).
+/// Builds the scene of a message of the kind scene. Fails with one line if its memory is not
+/// sealed, is over 64 MiB, or holds no map that can be felt. O(N log N).
 [[nodiscard]] Result<BuiltScene> scene_of(const Arrival& arrival);
 
 }  // namespace touchline

@@ -25,7 +25,7 @@ std::string variable(const char* name) {
     return value == nullptr ? std::string() : value;
 }
 
-/// The first that is free, else the oldest.
+/// The first free name, else the oldest file.
 fs::path next_file(const fs::path& folder) {
     fs::path oldest;
     fs::file_time_type oldest_time;
@@ -55,7 +55,7 @@ Result<std::string> write(const Recorder& recorder, const std::string& folder,
             fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write, error);
             return path;
         });
-    } catch (const std::exception& problem) {  // no memory, or names that are none
+    } catch (const std::exception& problem) {  // out of memory, or an invalid name
         return failure(problem.what());
     }
 }

@@ -1,5 +1,5 @@
-// The servo's recording, from which could be drawn what somebody felt. It stays in memory: a fault
-// holds it, the visit's end overwrites it, and a file is made of it only when the operator asks.
+// The servo's recording, from which somebody could draw what a visitor felt. It stays in memory: a
+// fault holds it, and the visit's end overwrites it. It becomes a file only when the operator asks.
 // Threads: all calls from one thread; it writes on another.
 #pragma once
 
@@ -16,10 +16,10 @@
 
 namespace touchline {
 
-/// A minute, and as much as may lie before the first step that is kept in it.
+/// A minute, and room for what may lie before the first step that a file keeps.
 inline constexpr double recorded_s = 65.0;
 
-/// How the line about a file begins, and the line where there is none.
+/// The beginning of the line about a file, and of the line if there is none.
 inline constexpr std::string_view recording_kept = "a recording was kept: ";
 inline constexpr std::string_view recording_not_kept = "a recording was not kept: ";
 
@@ -27,29 +27,29 @@ inline constexpr std::string_view recording_not_kept = "a recording was not kept
     return static_cast<std::size_t>(recorded_s / period_s);
 }
 
-/// TOUCHLINE_RECORDINGS of the environment if it is set, else touchline/ in the user's folder for
-/// such things (XDG_STATE_HOME or .local/state); empty: there is none.
+/// TOUCHLINE_RECORDINGS of the environment if it is set, else touchline/ in the user's state folder
+/// (XDG_STATE_HOME or .local/state). Empty: there is none.
 [[nodiscard]] std::string recordings_folder();
 
 class BlackBox {
   public:
-    /// `tell` is given one line for every file that was asked for. Eight are kept, the newest.
+    /// `tell` receives one line for every file that was asked for. The newest eight files are kept.
     BlackBox(std::string folder, std::string profile, std::function<void(const std::string&)> tell);
 
-    /// A map is about to be felt.
+    /// Called when a map is about to be felt.
     void remember(const RecordedMap& map);
 
-    /// The last minute stays in memory as it is, until it is kept or forgotten.
+    /// The last minute stays unchanged in memory until it is kept or forgotten.
     void hold() { is_hold_wanted_ = true; }
 
-    /// The operator wants it as a file. It begins anew after that.
+    /// The operator wants the recording as a file. It begins anew after that.
     void keep() { is_keep_wanted_ = true; }
 
-    /// Whoever was felt here is gone: the recording is overwritten and begins anew. What was to be
-    /// kept and is not being written yet is not kept.
+    /// The visitor is gone: the recording is overwritten and begins anew. A file that was asked for
+    /// is not written, unless its writing has begun.
     void forget();
 
-    /// Now and then, some times a second. A fault that was not there before holds the recording.
+    /// Called some times a second. A new fault holds the recording.
     void update(Recorder& recorder, Fault fault);
 
   private:
@@ -68,7 +68,7 @@ class BlackBox {
     bool is_forget_wanted_ = false;
     bool is_holding_ = false;  // the recorder was asked to hold
     Fault last_fault_ = Fault::none;
-    std::future<Result<std::string>> writing_;  // the path
+    std::future<Result<std::string>> writing_;  // gives the path
 };
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
-// touchline-servo: started by the kiosk, with its socket and the device that it is for; or by
-// systemd, for a kiosk that asks at its socket and names the device there.
+// touchline-servo. The kiosk starts it with its socket and device; or systemd does, for a kiosk
+// that asks at its socket and names the device there.
 #include "app/servo/servo_program.h"
 #include "app/servo/usb_device.h"
 

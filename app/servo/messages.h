@@ -1,6 +1,6 @@
-// The few words that kiosk and servo exchange over their socket: whole packets of one size, with at
-// most one descriptor. All that is quick goes through the shared region instead.
-// Threads: any, each socket's side by one at a time.
+// The few messages that kiosk and servo exchange over their socket: whole packets of one size, with
+// at most one descriptor. Everything fast goes through the shared region instead.
+// Threads: any; one at a time for each socket's side.
 #pragma once
 
 #include "app/servo/scene_order.h"
@@ -17,14 +17,15 @@
 
 namespace touchline {
 
-/// region: the memory to share, first of all. scene: a map to be felt, the line its file in the
-/// gallery, if it is one. hold, keep, forget: the last minute stays in memory, becomes a file, is
-/// overwritten. failed: why the servo ends. notice: a map that cannot be felt, a recording that was
-/// kept. say: what the person at the handle is to do now. home: what homing found of this unit.
-/// here: the servo's first, its own pidfd attached. word: one of those that name the device, to a
-/// servo that has none on its command line; before the region. board: the node of the board that it
-/// opened, attached, with its pipes and, as the line, its bus path. done: the servo's last, when it
-/// ended as asked. That the servo runs shows in its beats.
+/// region: the memory to share; comes before everything but words. scene: a map to be felt; the
+/// line is its file in the gallery, if it has one. hold, keep, forget: the last minute stays in
+/// memory, becomes a file, or is overwritten. failed: why the servo ends. notice: a map that cannot
+/// be felt, or a recording that was kept. say: what the person at the handle has to do now. home:
+/// what homing found out about this unit. here: the servo's first message, with its own pidfd
+/// attached. word: one of the words that name the device, for a servo without them on its command
+/// line; comes before the region. board: the node of the board that it opened, attached, with its
+/// pipes and, as the line, its bus path. done: the servo's last message, when it ended as asked.
+/// The servo's beats show that it runs.
 enum class MessageKind : std::uint32_t {
     region,
     scene,
@@ -41,7 +42,7 @@ enum class MessageKind : std::uint32_t {
     done
 };
 
-/// Of a Calibration, what lasts.
+/// The lasting part of a Calibration.
 struct HomeFound {
     double scale = 1.0;
     double stop_off_1 = 0.0, stop_off_2 = 0.0;  // rad
@@ -55,26 +56,26 @@ struct Message {
     SceneOrder scene;
     HomeFound home;
     SerialPipes pipes;
-    char line[512] = {};  // not ended by a zero
+    char line[512] = {};  // not always ended by a zero
 };
 
 [[nodiscard]] Message message_of(MessageKind kind, std::string_view line = {});
 
 [[nodiscard]] Message message_of(const Calibration& found);
 
-/// `before` with what the message tells; nothing where that is out of range.
+/// Returns `before` with the message's values; nothing if they are out of range.
 [[nodiscard]] std::optional<Calibration> calibration_of(const Message& message,
                                                         const Calibration& before);
 
-/// The line, control characters as blanks.
+/// The line, with blanks for control characters.
 [[nodiscard]] std::string line_of(const Message& message);
 
 [[nodiscard]] Message message_of(const UsbNode& node);
 
-/// Two ends of one socket, closed on exec.
+/// The two ends of one socket, closed on exec.
 [[nodiscard]] Result<std::pair<Descriptor, Descriptor>> socket_pair();
 
-/// Never waits; false when the other side is gone or takes nothing.
+/// Never waits. False if the other side is gone or takes nothing.
 bool send(const Descriptor& socket, const Message& message, const Descriptor* attached = nullptr);
 
 struct Arrival {
@@ -82,17 +83,17 @@ struct Arrival {
     Descriptor attached;
 };
 
-/// The node of the board that a servo drives, as its guard has it.
+/// The node of the board that a servo drives, as held by its guard.
 struct HeldBoard {
     Descriptor node;
     SerialPipes pipes;
     std::string bus_path;
 };
 
-/// What a message `board` brings, which loses its descriptor; nothing where it came without.
+/// Takes the descriptor out of a message `board`; nothing if it came without one.
 [[nodiscard]] std::optional<HeldBoard> held_board_of(Arrival& arrival);
 
-/// gone: the other side has closed; what it sent that is no message counts as that too.
+/// gone: the other side has closed, or sent something that is no message.
 enum class ReceiveStatus : std::uint8_t { received, none, gone };
 
 /// Never waits.

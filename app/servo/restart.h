@@ -1,4 +1,4 @@
-// When a servo that died is started again.
+// Decides when a servo that died is started again.
 // Threads: a plain value; no clock.
 #pragma once
 
@@ -6,15 +6,15 @@
 
 namespace touchline {
 
-/// Half a second at first, doubled with each death, 8 s at most; a servo that ran for a minute
-/// starts over.
+/// Waits half a second at first, doubled with each death, 8 s at most. A servo that ran for a
+/// minute resets the wait.
 class Restart {
   public:
     static constexpr double first_s = 0.5;
     static constexpr double longest_s = 8.0;
     static constexpr double healthy_s = 60.0;
 
-    /// How long to wait after a servo that ran for `ran_s`.
+    /// The wait after a servo that ran for `ran_s`.
     [[nodiscard]] double wait_s(double ran_s) {
         const double wait_s = ran_s >= healthy_s ? first_s : next_s_;
         next_s_ = std::min(2.0 * wait_s, longest_s);

@@ -11,7 +11,7 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 
-// This C library forgets to say so itself.
+// The headers of this C library lack this declaration.
 extern "C" {
 #include <sys/pidfd.h>
 }

@@ -1,4 +1,4 @@
-// A servo process as its guard holds it: a child of the kiosk, or one of a unit of its own that
+// A servo process in the hands of its guard: a child of the kiosk, or one of a unit of its own that
 // systemd started when the kiosk asked at a socket. Threads: one, the guard.
 #pragma once
 
@@ -14,20 +14,20 @@ namespace touchline {
 
 class RunningServo {
   public:
-    /// A child.
+    /// The servo is a child of this process.
     explicit RunningServo(Child child) : child_(std::move(child)) {}
 
-    /// Somebody else's child.
+    /// The servo is the child of another process.
     explicit RunningServo(Descriptor pidfd) : pidfd_(std::move(pidfd)) {}
 
-    /// Readable as soon as it is dead, its descriptors closed.
+    /// Becomes readable as soon as the servo is dead and its descriptors are closed.
     [[nodiscard]] const Descriptor& pidfd() const { return child_ ? child_->pidfd() : pidfd_; }
 
-    /// SIGKILL.
+    /// Sends SIGKILL.
     void kill() const;
 
-    /// Once it is dead: how it ended; empty: as asked, with zero torque. Of somebody else's child
-    /// only its own word is known.
+    /// How a dead servo ended; empty: as asked, with zero torque. For the child of another process,
+    /// only its own message tells.
     [[nodiscard]] std::string end(bool has_said_done);
 
   private:
@@ -41,11 +41,11 @@ struct StartedServo {
     Descriptor socket;
 };
 
-/// Starts the program, which is told its device on its command line.
+/// Starts the program, which gets its device on its command line.
 [[nodiscard]] Result<StartedServo> start_servo(const std::string& program,
                                                const std::vector<std::string>& device);
 
-/// Asks at the path and tells whoever answers its device. Waits for it for 3 s at most.
+/// Asks at the path, and tells the servo that answers its device. Waits for it for 3 s at most.
 [[nodiscard]] Result<StartedServo> summon_servo(const std::string& path,
                                                 const std::vector<std::string>& device);
 

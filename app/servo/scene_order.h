@@ -1,4 +1,4 @@
-// How a scene is built of a map: one rule for the kiosk, its servo, tours and replays, so that what
+// How a scene is built from a map. Kiosk, servo, tours and replays share this rule, so that what
 // they feel is the same, bit for bit.
 // Threads: values and pure functions.
 #pragma once
@@ -12,18 +12,18 @@
 
 namespace touchline {
 
-/// Flat: it crosses between processes.
+/// Flat, because it crosses between processes.
 struct SceneOrder {
     double device_step_m = 1e-4;  // 1e-7 ... 0.01
     double radius_m = 0.0;        // 0 ... 0.02
     std::uint32_t resample = 0;   // 0 or 1
-    std::int32_t detail = 0;      // that the map was made with, for the black box; 0: unknown
+    std::int32_t detail = 0;      // the map's detail, for the black box; 0: unknown
 };
 
-/// As the kiosk has its pictures felt.
+/// The order for the kiosk's pictures.
 [[nodiscard]] SceneOrder felt_order(const DeviceProfile& profile, int detail = 0);
 
-/// Fails for an order out of range and as build_scene() of haptics/collision. O(N log N).
+/// Fails if the order is out of range, and as build_scene() of haptics/collision. O(N log N).
 [[nodiscard]] Result<Scene> build_scene(const TactileMap& map, const SceneOrder& order);
 
 }  // namespace touchline

@@ -1,7 +1,7 @@
-// The servo as the kiosk sees it, wherever it runs: a thread of its own process for a simulated
-// device, a process for one with motors.
-// Threads: all calls from the kiosk's main thread but next_event(), which one other thread may call
-// until stop(); none of them waits for the servo but stop().
+// The kiosk's view of the servo, wherever it runs: a thread of the kiosk for a simulated device, a
+// process for one with motors.
+// Threads: all calls from the kiosk's main thread except next_event(), which one other thread may
+// call until stop(); none of them waits for the servo but stop().
 #pragma once
 
 #include "app/servo/messages.h"
@@ -21,18 +21,18 @@
 
 namespace touchline {
 
-/// A picture to be felt, and what the scene was built from, for a servo that builds its own.
+/// A picture to be felt, and what its scene was built from, for a servo that builds its own.
 struct FeltPicture {
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const TactileMap> map;
     SceneOrder order;
-    RecordedMap recorded;  // what the black box may say of it
+    RecordedMap recorded;  // what the black box may record about it
 };
 
 class ServoClient {
   public:
     ServoClient() = default;
-    /// Stops.
+    /// Stops the servo.
     virtual ~ServoClient() = default;
     ServoClient(const ServoClient&) = delete;
     ServoClient(ServoClient&&) = delete;
@@ -45,47 +45,48 @@ class ServoClient {
     /// As Servo::feel(). Not null.
     virtual void feel(const FeltPicture& picture) = 0;
 
-    /// The newest tick, never anything but sound; while no servo runs the last one, without force.
-    /// To be called at least twice a second: a kiosk that does not look for its servo has died.
+    /// The newest tick, always sound. While no servo runs, the last one without force. The kiosk
+    /// must call this at least twice a second, or it counts as dead.
     [[nodiscard]] virtual const HandState& latest() = 0;
 
-    /// Of the same tick.
+    /// The same tick's force status.
     [[nodiscard]] virtual ForceStatus force_status() = 0;
 
-    /// As Servo::next_event(), of one thread.
+    /// As Servo::next_event(); one thread only.
     [[nodiscard]] virtual std::optional<ContactEvent> next_event() = 0;
 
     /// Nothing while no servo runs.
     [[nodiscard]] virtual std::optional<RealTimeTier> tier() const = 0;
 
-    /// How late the ticks began since the servo started; nothing while none runs. Some 30 us.
+    /// How late the ticks began since the servo started; nothing while none runs. The call takes
+    /// some 30 us.
     [[nodiscard]] virtual LatenessBars lateness() const = 0;
 
     /// Counts on while the servo is looked after: its ticks, or the turns of the guard that watches
-    /// it, which go on while there is no device.
+    /// it, which go on without a device.
     [[nodiscard]] virtual std::uint64_t beats() = 0;
 
-    /// What befell the servo since this was last asked, a line for the operator; empty: nothing.
+    /// What happened to the servo since the last call: a line for the operator; empty: nothing.
     [[nodiscard]] virtual std::string take_notice() = 0;
 
-    /// What the person at the handle is to do now, while the device is homed; empty: nothing.
+    /// What the person at the handle has to do now, while the device is homed; empty: nothing.
     [[nodiscard]] virtual std::string device_words() = 0;
 
-    /// Force off, and the handle's home is looked for anew; device_words() are of that at once, and
-    /// no older ones. A simulated one knows where it is.
+    /// Turns the force off and homes the handle anew. From then on device_words() belongs to the
+    /// new homing. A simulated device needs none.
     virtual void home_again() = 0;
 
-    /// The profile that the device is taken for; empty: nobody has said which it is, and no servo
-    /// drives it. Nothing: a simulated one, which is what it is.
+    /// The profile that the device is taken for. Empty: nobody has said which it is, and no servo
+    /// drives it. Nothing: the device is simulated.
     [[nodiscard]] virtual std::optional<std::string> kind() const { return std::nullopt; }
 
-    /// Likewise; the device is one of that profile, and is measured anew.
+    /// The device is one of that profile, and is measured anew. A simulated device ignores it.
     virtual void choose_kind(const std::string& /*profile*/) {}
 
     /// As BlackBox::hold(): the last minute stays in memory.
     virtual void hold_recording() = 0;
 
-    /// The last minute as a file, for the operator alone; a notice says where.
+    /// Writes the last minute to a file, only for the operator; a notice says where.
     virtual void keep_recording() = 0;
 
     /// As BlackBox::forget(): the visit is over.

@@ -73,7 +73,7 @@ void ServoConnection::ask_recorder(MessageKind wish) {
         add_notice(std::string(recording_not_kept) + "no servo runs that has one");
 }
 
-/// The socket holds many such messages; a servo that reads none of them is killed for its silence.
+/// The socket holds many such messages. A servo that reads none of them is killed for its silence.
 void ServoConnection::send_scene() {
     if (!connection_ || !map_.is_open()) return;
     Message message = message_of(MessageKind::scene, gallery_file_);
@@ -86,7 +86,7 @@ void ServoConnection::update(ServoReport& report, std::int64_t now_ns) {
     const std::lock_guard lock(mutex_);
     if (connection_ && connection_->region.channel().reports.update()) {
         const ServoReport told = connection_->region.channel().reports.value();
-        std::atomic_signal_fence(std::memory_order_acq_rel);  // copied, then judged
+        std::atomic_signal_fence(std::memory_order_acq_rel);  // copied first, then judged
         if (is_sound(told)) report = told;
         has_told_ = true;
     }

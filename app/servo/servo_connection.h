@@ -1,7 +1,7 @@
-// The line between kiosk and servo process, on the kiosk's side: what was last told is told again
-// to every servo that is started. Threads: connect() and disconnect() from the guard, next_event()
-// from any one, the rest from the main thread; each call locks for as long as it takes to copy a
-// value. The guard beats without it.
+// The kiosk's side of the line between kiosk and servo process. Every new servo is told again what
+// was told last. Threads: connect() and disconnect() from the guard, next_event() from any one
+// thread, the rest from the main thread; each call locks for as long as it takes to copy a value.
+// The guard beats without the lock.
 #pragma once
 
 #include "app/servo/messages.h"
@@ -18,7 +18,7 @@
 
 namespace touchline {
 
-/// What the guard and the main thread hold of one servo process.
+/// What the guard and the main thread share about one servo process.
 struct Connection {
     SharedRegion region;
     Descriptor socket;
@@ -26,24 +26,24 @@ struct Connection {
 
 class ServoConnection {
   public:
-    // The guard.
+    // Called by the guard.
     void connect(std::shared_ptr<const Connection> connection);
     void disconnect();
     void note(const std::string& line);
     void say(const std::string& words);
 
-    /// The main thread asked for the state within the last half second.
+    /// True if the main thread asked for the state within the last half second.
     [[nodiscard]] bool is_kiosk_alive(std::int64_t now_ns) const;
 
-    // The main thread.
+    // Called by the main thread.
     void set(const ServoCommands& commands);
-    /// Its map, sealed; one that cannot be is a notice.
+    /// Sends its map, sealed. A map that cannot be sealed becomes a notice.
     void feel(const FeltPicture& picture);
-    /// hold, keep or forget: what is to become of the last minute.
+    /// `wish`: hold, keep or forget the last minute.
     void ask_recorder(MessageKind wish);
-    /// The newest report, if it is sound; without force while no servo has told one, and with the
-    /// device lost from a servo's end until words tell more or the next one reports: nothing works
-    /// again because nobody is left to say that it does not.
+    /// The newest report, if it is sound. Without force until a servo has reported. After a servo's
+    /// end the device counts as lost until words tell more or the next servo reports: a device does
+    /// not work again because nobody is left to say that it does not.
     void update(ServoReport& report, std::int64_t now_ns);
     [[nodiscard]] std::optional<ContactEvent> next_event();
     [[nodiscard]] std::optional<RealTimeTier> tier() const;
@@ -63,8 +63,8 @@ class ServoConnection {
     std::string gallery_file_;
     std::string notice_;
     std::string words_;
-    bool has_told_ = false;   // the servo that runs, a report
-    bool has_ended_ = false;  // a servo
+    bool has_told_ = false;   // the running servo has reported
+    bool has_ended_ = false;  // a servo has ended
     std::atomic<std::int64_t> asked_ns_{0};
 };
 

@@ -27,14 +27,13 @@ namespace {
 
 constexpr int most_zero_tries = 100;
 constexpr int between_tries_ms = 10;
-constexpr int longest_wait_ms = 500;  // without a turn
+constexpr int longest_wait_ms = 500;  // with no turn of the guard
 
 double seconds_since(std::int64_t start_ns) {
     return 1e-9 * static_cast<double>(steady_now_ns() - start_ns);
 }
 
-/// A process that was killed needs some milliseconds to give its memory back; its threads are gone
-/// at once.
+/// A killed process needs some milliseconds to give its memory back; its threads are gone at once.
 bool is_loop_dead(const ServoChannel& channel) {
     const std::int32_t process = channel.loop_process, thread = channel.loop_thread;
     return process > 0 && thread > 0 && syscall(SYS_tgkill, process, thread, 0) != 0 &&
@@ -63,13 +62,13 @@ class ServoProcess::Guard {
 
     ServoConnection line;
 
-    /// A servo homes its device when it starts: another one is started soon.
+    /// Ends the servo: the one started next homes its device.
     void home_again() { want_homing(std::nullopt); }
 
-    /// It holds from the next servo on.
+    /// Takes effect with the next servo.
     void choose_kind(const std::string& profile) { want_homing(profile); }
 
-    /// How often it has looked, be there a servo or not.
+    /// How often the guard has looked, with or without a servo.
     [[nodiscard]] std::uint64_t turns() const { return turns_; }
 
   private:
@@ -91,7 +90,7 @@ class ServoProcess::Guard {
     void run() {
         sigset_t all;
         sigfillset(&all);
-        pthread_sigmask(SIG_BLOCK, &all, nullptr);  // the main thread's business
+        pthread_sigmask(SIG_BLOCK, &all, nullptr);  // signals are the main thread's business
         become_guard();
         while (!is_ending_) {
             const std::int64_t start_ns = steady_now_ns();
@@ -100,7 +99,7 @@ class ServoProcess::Guard {
         }
     }
 
-    /// One servo from its start to its end, and zero torque after it.
+    /// Runs one servo from its start to its end, and writes zero torque after it.
     void serve_one() {
         take_wishes();
         if (options_.kind && options_.kind->empty()) return wait_for_kind();
@@ -129,8 +128,7 @@ class ServoProcess::Guard {
         held_.reset();
     }
 
-    /// What was wanted so far comes with the servo that is started next; what is wanted from here
-    /// on ends that one again.
+    /// The next servo takes up the wishes so far. Later wishes end it again.
     void take_wishes() {
         std::optional<std::string> kind;
         {
@@ -143,14 +141,14 @@ class ServoProcess::Guard {
         options_.kind = kind;
     }
 
-    /// Nobody knows what the board's last program left; zero is the same for all kinds. One that
-    /// confirmed it is left alone.
+    /// The torque that the board's last program left is unknown; zero is the same for all kinds. A
+    /// board that confirmed zero is left alone.
     void wait_for_kind() {
         if (!is_idle_) is_idle_ = options_.zero_torque({}).has_value();
         say(std::string(kind_wanted));
     }
 
-    /// Unless a newer servo is wanted: what this one says is old then.
+    /// Says nothing if a newer servo is wanted, because this one's words are out of date.
     void say(const std::string& words) {
         const std::lock_guard lock(wish_mutex_);
         if (!is_homing_wanted_) line.say(words);
@@ -176,13 +174,13 @@ class ServoProcess::Guard {
         }
     }
 
-    /// It takes a moment to die, and needs none to be heard no more.
+    /// Dying takes a moment; the torque is cut at once.
     void kill(const RunningServo& servo) {
         servo.kill();
         cut_first();
     }
 
-    /// The process is not dead yet: it is cut once more when it is.
+    /// The process is not dead yet, so the torque is cut once more when it is.
     void cut_first() {
         if (!std::exchange(is_cut_, true)) (void)cut();
     }
@@ -191,7 +189,7 @@ class ServoProcess::Guard {
         return held_ && options_.cut_torque && options_.cut_torque(*held_);
     }
 
-    /// Waits for a beat's time, and reads what the servo says meanwhile.
+    /// Waits for a beat's time, and reads the servo's messages meanwhile.
     bool is_dead(const RunningServo& servo, const Connection& connection) {
         ++turns_;
         std::array<pollfd, 2> waiting{
@@ -205,7 +203,7 @@ class ServoProcess::Guard {
         return false;
     }
 
-    /// What it said last may be why it died.
+    /// The servo's last message may say why it died.
     void hear_the_rest(const Connection& connection) {
         Arrival arrival;
         while (!is_closed_ && receive(connection.socket, arrival) == ReceiveStatus::received)
@@ -215,7 +213,8 @@ class ServoProcess::Guard {
     void hear(Arrival& arrival) {
         const Message& message = arrival.message;
         if (auto held = held_board_of(arrival)) held_ = std::move(held);
-        // Why there is no servo stays to be read until one has its device, and says so by no words.
+        // The reason for a missing servo stays until a servo has its device, which then sends empty
+        // words.
         if (message.kind == MessageKind::say || message.kind == MessageKind::failed)
             say(line_of(message));
         if (message.kind == MessageKind::done) is_done_ = true;
@@ -246,7 +245,7 @@ class ServoProcess::Guard {
                   " and the device cannot be reached: switch the power of its motors off");
     }
 
-    /// Or until somebody wants something.
+    /// Waits, or ends early when somebody wants something.
     void rest_ms(int span_ms) {
         for (; span_ms > 0 && !is_ending_ && !is_homing_wanted_; span_ms -= longest_wait_ms) {
             ++turns_;
@@ -260,16 +259,16 @@ class ServoProcess::Guard {
     ServoProcessOptions options_;
     Descriptor wake_;
     std::atomic<bool> is_ending_{false};
-    std::mutex wish_mutex_;  // of the two, and of the words about them
+    std::mutex wish_mutex_;  // for the next two, and the words about them
     std::atomic<bool> is_homing_wanted_{false};
     std::optional<std::string> chosen_kind_;  // not yet taken up
     std::atomic<std::uint64_t> turns_{0};
     Restart restart_;
-    bool is_idle_ = false;           // the guard's: a board of no known kind confirmed zero torque
+    bool is_idle_ = false;           // the guard's: a board of unknown kind confirmed zero torque
     bool is_closed_ = false;         // likewise: the servo's socket is gone
     bool is_done_ = false;           // likewise: it said that it ended as asked
-    bool is_cut_ = false;            // likewise: before it was dead
-    std::optional<HeldBoard> held_;  // likewise: from the servo's word to its end
+    bool is_cut_ = false;            // likewise: the torque was cut before it was dead
+    std::optional<HeldBoard> held_;  // likewise: from the servo's message to its end
     std::thread thread_;             // last: it uses all of the above
 };
 

@@ -1,9 +1,9 @@
-// The servo as a process of its own, and the guard thread that watches over it: whatever ends the
-// servo, the guard zeroes the torque by the servo's own descriptor of the board, then opens the
-// device and has the zero confirmed before it starts another one.
+// The servo as a process of its own, and the guard thread that watches it. Whatever ends the servo,
+// the guard zeroes the torque by the servo's own descriptor of the board. Then it opens the device
+// and has the zero confirmed before it starts another servo.
 //
 //   main thread   set, feel, latest, events        over the shared region and the socket
-//   guard thread  starts the servo, beats, looks for its life, zeroes, restarts
+//   guard thread  starts the servo, beats, checks that it lives, zeroes, restarts
 //
 // Threads: as ServoClient; the guard is started and joined here.
 #pragma once
@@ -21,38 +21,39 @@
 
 namespace touchline {
 
-/// What the guard itself says as device_words(): a line, of which visitors and staff hear different
-/// things, and two sentences of the catalogue, context "device".
+/// What the guard itself says as device_words(): a line that visitors and staff hear differently,
+/// and two sentences of the catalogue, context "device".
 inline constexpr std::string_view kind_wanted = "the kind of this handle is not chosen yet";
 inline constexpr std::string_view is_starting = "One moment. The handle is being started.";
 
 struct ServoProcessOptions {
     std::string program;                 // touchline-servo, started as a child
-    std::vector<std::string> arguments;  // after the socket: they name the device
-    /// Opens the device, at that place where one was told, writes zero torque and has it confirmed.
-    /// Called by the guard thread after every death of the servo that was not asked for, again and
-    /// again for a second where it fails.
+    std::vector<std::string> arguments;  // after the socket; they name the device
+    /// Opens the device, at `bus_path` unless it is empty, writes zero torque and has it confirmed.
+    /// The guard thread calls it after every unasked death of the servo; if it fails, again and
+    /// again for a second.
     std::function<Result<void>(const std::string& bus_path)> zero_torque;
-    /// Homing found this of the unit: keeps it, gives the arguments from the next servo on. Called
-    /// by the guard thread. None: nothing is kept.
+    /// Keeps what homing found out about the unit, and returns the arguments for the next servo.
+    /// Called by the guard thread. None: nothing is kept.
     std::function<std::vector<std::string>(const Message&)> keep_home = {};
-    /// Where a servo is asked for instead of started: a path at which systemd listens, and starts
-    /// one for each that asks. Empty: the program, as a child.
+    /// A path at which systemd listens, and starts a servo for each that asks. Empty: the program
+    /// runs as a child.
     std::string summons = {};
-    /// The operator said which kind of device it is: keeps it, gives the arguments likewise.
+    /// Keeps the kind of device that the operator chose, and returns the arguments likewise.
     std::function<std::vector<std::string>(const std::string& profile)> keep_kind = {};
     /// As ServoClient::kind(), at the start.
     std::optional<std::string> kind = {};
-    /// Writes zero torque by the servo's own node: at once, when the servo was killed and when it
-    /// is dead, before zero_torque. None, or a servo that shared no board: the latter has to do.
+    /// Writes zero torque by the servo's own node: at once when the servo was killed, and again
+    /// when it is dead, before zero_torque. If there is none, or the servo shared no board,
+    /// zero_torque has to do.
     std::function<bool(const HeldBoard&)> cut_torque = {};
 };
 
 class ServoProcess final : public ServoClient {
   public:
-    /// Starts the guard, and with it the servo, without waiting for either.
+    /// Starts the guard, which starts the servo; waits for neither.
     explicit ServoProcess(ServoProcessOptions options);
-    /// Stops.
+    /// Stops the servo.
     ~ServoProcess() override;
     ServoProcess(const ServoProcess&) = delete;
     ServoProcess(ServoProcess&&) = delete;
@@ -77,8 +78,8 @@ class ServoProcess final : public ServoClient {
     void hold_recording() override;
     void keep_recording() override;
     void forget_recording() override;
-    /// Waits until the servo has faded out and ended, two seconds at most; then it is killed and
-    /// the torque zeroed.
+    /// Waits until the servo has faded out and ended, two seconds at most. Then kills it and zeroes
+    /// the torque.
     void stop() override;
 
   private:

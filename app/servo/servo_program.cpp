@@ -21,7 +21,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-// This C library forgets to say so itself.
+// The headers of this C library lack this declaration.
 extern "C" {
 #include <sys/pidfd.h>
 }
@@ -32,12 +32,12 @@ namespace {
 constexpr std::int64_t longest_absence_ns = 2'000'000'000;
 constexpr int hello_ms = 5000;
 constexpr std::size_t most_words = 32;
-constexpr int look_ms = 50;                  // how often the ends are looked for that wake nobody
-constexpr rlim_t longest_turn_us = 100'000;  // of the real-time thread without a sleep
+constexpr int look_ms = 50;                  // how often to check for ends that wake nobody
+constexpr rlim_t longest_turn_us = 100'000;  // longest run of the real-time thread without a sleep
 
-/// Nothing of a visitor's picture is left behind on a crash, and what malloc has it keeps, so that
-/// building a scene never gives locked memory back and asks for it again. A file that may grow no
-/// more is a failed write, as on a full disk, and not the end.
+/// A crash leaves nothing of a visitor's picture behind. malloc keeps the memory that it has, so
+/// that building a scene never gives locked memory back and asks for it again. A file that may not
+/// grow is a failed write, as on a full disk, and does not end the process.
 void harden() {
     (void)signal(SIGXFSZ, SIG_IGN);
     const rlimit none{0, 0};
@@ -48,13 +48,14 @@ void harden() {
     (void)mallopt(M_MMAP_MAX, 0);
 }
 
-/// Soft below hard: at the soft limit comes SIGXCPU, which zeroes; at the hard one SIGKILL.
+/// Soft limit below hard: SIGXCPU at the soft limit zeroes the torque, SIGKILL comes at the hard
+/// one.
 void limit_real_time() {
     const rlimit turn{longest_turn_us, 10 * longest_turn_us};
     (void)setrlimit(RLIMIT_RTTIME, &turn);
 }
 
-/// Waits for a message. Nothing when the kiosk is gone or says nothing for so long.
+/// Waits for a message. Nothing if the kiosk is gone or says nothing for that long.
 std::optional<Arrival> wait_for_message(const Descriptor& socket, int longest_ms) {
     pollfd waiting{socket.number(), POLLIN, 0};
     if (::poll(&waiting, 1, longest_ms) <= 0) return std::nullopt;
@@ -100,7 +101,8 @@ class ServoProgram {
     }
 
   private:
-    /// Until the end is asked for, or the device is lost: then why. The device is given back.
+    /// Runs until the end is asked for, or until the device is lost; then returns why. Gives the
+    /// device back.
     std::string run_loop(OpenedDevice& opened, BlackBox& box) {
         const ZeroOnSignal cut(servo_, region_.channel(), opened.zero);
         std::string lost;
@@ -124,7 +126,7 @@ class ServoProgram {
         (void)send(socket_, message_of(kind, line));
     }
 
-    /// Whoever asks whether it goes on is alive.
+    /// A caller of goes_on is alive, so each call counts as a beat.
     Opening opening() {
         return {[this](const std::string& words) { tell(MessageKind::say, words); },
                 [this] {
@@ -137,7 +139,7 @@ class ServoProgram {
                 words_};
     }
 
-    /// As the loop does, which there is none of yet.
+    /// Marks the force as the loop does, while there is no loop yet.
     void mark_force(bool is_on) {
         ServoChannel& channel = region_.channel();
         if (is_on) channel.begin_loop();
@@ -156,14 +158,14 @@ class ServoProgram {
 
     [[nodiscard]] Fault fault() { return static_cast<Fault>(region_.channel().fault.load()); }
 
-    /// Lost and not back for two seconds: whoever starts the next servo looks for it anew.
+    /// Lost and not back for two seconds: the next servo looks for it anew.
     bool is_device_gone() {
         const std::int64_t now_ns = steady_now_ns();
         if (region_.channel().is_device_silent == 0) answered_ns_ = now_ns;
         return now_ns - answered_ns_ > longest_absence_ns;
     }
 
-    /// Waits for one message and does it. False when the kiosk is gone.
+    /// Waits for one message and carries it out. False if the kiosk is gone.
     bool serve() {
         pollfd waiting{socket_.number(), POLLIN, 0};
         if (::poll(&waiting, 1, look_ms) <= 0) return true;
@@ -198,7 +200,7 @@ class ServoProgram {
     SharedRegion region_;
     std::vector<std::string> words_;
     Servo servo_;
-    BlackBox* box_ = nullptr;  // while it runs
+    BlackBox* box_ = nullptr;  // set while it runs
     std::int64_t answered_ns_ = steady_now_ns();
 };
 

@@ -1,4 +1,4 @@
-// The servo as a thread of the kiosk, for a device that is simulated.
+// The servo as a thread of the kiosk, for a simulated device.
 // Threads: as ServoClient. start() first.
 #pragma once
 
@@ -67,7 +67,7 @@ class ServoThread final : public ServoClient {
   private:
     Servo servo_;
     std::string notice_;
-    std::optional<BlackBox> box_;  // goes first: it reads the servo's recording
+    std::optional<BlackBox> box_;  // destroyed first, because it reads the servo's recording
 };
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-// When a guard kills its servo: by what the servo's channel tells, beat by beat.
+// Decides when a guard kills its servo, by the servo's channel, beat by beat.
 // Threads: a plain value, the guard's; no clock.
 #pragma once
 
@@ -7,15 +7,15 @@
 
 namespace touchline {
 
-/// Between two looks of the guard.
+/// The time between two looks of the guard.
 inline constexpr int guard_beat_ms = 2;
 
 class ServoWatch {
   public:
-    /// One look, dt_s after the one before. `is_end_wanted`: the servo was asked to end, since this
-    /// first was true. True: it is to be killed, because it
+    /// One look, `dt_s` after the one before. `is_end_wanted`: the servo was asked to end. True if
+    /// it has to be killed, because it
     ///   - is silent for 12 ms with torque on, so that the device can be opened and zeroed,
-    ///   - is silent for 0.5 s without torque, where it may have been slow,
+    ///   - is silent for 0.5 s without torque, when it may only have been slow,
     ///   - has not begun to tick 10 s after its start, or not ended 2 s after it was asked to.
     [[nodiscard]] bool step(const ServoChannel& channel, bool is_end_wanted, double dt_s) {
         const std::uint64_t beats = channel.servo_beats.load();

@@ -1,4 +1,4 @@
-// The memory that kiosk and servo share. It cannot be cut short under a reader.
+// The memory that kiosk and servo share. Nobody can truncate it under a reader.
 // Threads: values; each by one thread at a time.
 #pragma once
 
@@ -16,16 +16,16 @@ struct ServoRegion {
     static constexpr std::uint64_t known_mark = 0x31'6f'76'72'65'73'6c'74;  // "tlservo1"
 
     std::uint64_t mark = known_mark;
-    std::uint64_t bytes = sizeof(ServoRegion);  // of a program built from other lines: not ours
+    std::uint64_t bytes = sizeof(ServoRegion);  // differs in a program built from other sources
     ServoChannel channel;
 };
 
-/// The region on one side.
+/// One side's view of the region.
 class SharedRegion {
   public:
-    /// A fresh one: the kiosk's side.
+    /// Creates a region: the kiosk's side.
     [[nodiscard]] static Result<SharedRegion> create();
-    /// The servo's side. Fails for anything that create() did not make.
+    /// Opens the servo's side. Fails for anything that create() did not make.
     [[nodiscard]] static Result<SharedRegion> open(const Descriptor& descriptor);
 
     [[nodiscard]] ServoChannel& channel() const;
@@ -36,7 +36,7 @@ class SharedRegion {
     SharedRegion(Descriptor descriptor, Mapping mapping)
         : descriptor_(std::move(descriptor)), mapping_(std::move(mapping)) {}
 
-    Descriptor descriptor_;  // only where it was created
+    Descriptor descriptor_;  // only on the side that created it
     Mapping mapping_;
 };
 

@@ -23,7 +23,7 @@ void write_zero(void* device) noexcept {
     (void)static_cast<WatchedBoard*>(device)->end_in_zero();
 }
 
-/// The whole text is a number.
+/// Reads a number if it is the whole text.
 template <class Number>
 bool read_number(const std::string& text, Number& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -50,7 +50,8 @@ Result<OpenedBoard> take_at(const UsbBoards& boards, const UsbDevice& device,
     return failure("no board is plugged in at " + bus_path);
 }
 
-/// The thread has the loop's priority: while the motors are tried its silence ends the servo.
+/// The thread has the loop's priority, because its silence while the motors are tried ends the
+/// servo.
 Result<void> open_in_time(WatchedBoard& board, bool is_homed_first, const Opening& opening) {
     Result<void> opened;
     std::thread([&] {

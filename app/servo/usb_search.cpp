@@ -20,7 +20,7 @@ UsbDevice usb_device(const FoundBoard& board, const BoardSettings& settings) {
 
 Result<std::optional<UsbDevice>> find_usb_device(const BoardSettings& settings) {
     const auto boards = UsbBoards::create();
-    if (!boards) return std::nullopt;  // no USB at all is no fault of a kiosk
+    if (!boards) return std::nullopt;  // a kiosk without any USB has no fault
     std::string why_not;
     for (const FoundBoard& board : boards->list(settings.boards)) {
         const bool is_known = board.id.may_probe || find_unit(settings, board.serial) != nullptr;

@@ -1,4 +1,5 @@
-// Which pantograph on the USB the kiosk is to use: its side only, for it reads files.
+// Finds the pantograph on the USB that the kiosk uses. Only for the kiosk's side, because it reads
+// files.
 // Threads: any; the calls wait.
 #pragma once
 
@@ -10,9 +11,9 @@
 
 namespace touchline {
 
-/// The first running board that can be opened: one with settings of its own, or one that may be
-/// probed; of one without settings nobody knows which kind it is. Nothing when no board is plugged
-/// in. A board that is there but cannot be used is an error, with what to do about it.
+/// Returns the first running board that can be opened: one with settings of its own, or one that
+/// may be probed. Without settings its kind is unknown. Nothing if no board is plugged in. A board
+/// that is plugged in but cannot be used is an error, with what to do about it.
 [[nodiscard]] Result<std::optional<UsbDevice>> find_usb_device(const BoardSettings& settings);
 
 }  // namespace touchline

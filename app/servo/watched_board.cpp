@@ -8,7 +8,7 @@
 namespace touchline {
 namespace {
 
-constexpr double longest_homing_s = 86400.0;  // a kiosk waits for whoever comes
+constexpr double longest_homing_s = 86400.0;  // a kiosk waits for anybody to come
 constexpr std::int64_t shortest_sleep_ns = 100'000'000;
 
 }  // namespace
@@ -26,7 +26,7 @@ Result<void> WatchedBoard::open(bool is_homed_first, const Opening& opening, Clo
 }
 
 std::optional<JointAngles> WatchedBoard::read_angles(double now_s) {
-    // The loop's time begins after homing's: where the hand went meanwhile is no leap.
+    // The loop starts after homing: what the hand did meanwhile counts as no jump.
     if (!(now_s >= last_s_)) board_.accept_position();
     const auto angles = board_.read_angles(now_s);
     const BoardReport& report = board_.report();

@@ -1,6 +1,6 @@
-// A pantograph's board as the servo has it: homed by a person when it is opened, watched for
-// whether the handle is where its angles say, which nobody knows any more once the machine has
-// slept. Threads: as PantographBoard; has_lost_place() from any.
+// The servo's pantograph board. A person homes it when it is opened; then it is watched for whether
+// the handle is where its angles say, which is unknown once the machine has slept. Threads: as
+// PantographBoard; has_lost_place() from any.
 #pragma once
 
 #include "app/servo/servo_program.h"
@@ -19,7 +19,7 @@ namespace touchline {
 
 class WatchedBoard final : public ForceDevice {
   public:
-    /// `slept`: how long the machine has slept, ns, from some moment on.
+    /// `slept`: how long the machine has slept since some fixed moment, ns.
     WatchedBoard(std::unique_ptr<BoardLink> link, const DeviceProfile& profile,
                  const Calibration& calibration, std::int64_t (*slept)() = slept_ns)
         : board_(std::move(link), profile, calibration),
@@ -27,13 +27,13 @@ class WatchedBoard final : public ForceDevice {
           slept_(slept),
           awake_since_ns_(slept()) {}
 
-    /// Homes the handle and tries the motors, with whoever comes; waits for that on `clock`, a day
-    /// at most. What was found is kept by `opening` and lasts as long as the board is set up.
-    /// Neither where `is_homed_first` is false: the handle is at home, for tests. Fails as
+    /// Homes the handle and tries the motors with the person at the handle; waits on `clock`, a day
+    /// at most. `opening` keeps what was found, which lasts as long as the board is set up. Does
+    /// neither if `is_homed_first` is false: the handle is at home, for tests. Fails as
     /// PantographBoard::open() and make_ready().
     [[nodiscard]] Result<void> open(bool is_homed_first, const Opening& opening, Clock& clock);
 
-    /// The profile with what the unit has of its own.
+    /// The profile with the unit's own calibration.
     [[nodiscard]] const DeviceProfile& profile() const {
         return board_.frame().calibrated_profile();
     }
@@ -52,18 +52,18 @@ class WatchedBoard final : public ForceDevice {
         return board_.write_torques(torques);
     }
 
-    /// As PantographBoard::end_in_zero(): of the crash handler.
+    /// As PantographBoard::end_in_zero(), for the crash handler.
     bool end_in_zero() { return board_.end_in_zero(); }
 
-    /// True when the board confirmed zero torque.
+    /// True if the board confirmed zero torque.
     [[nodiscard]] bool release() { return board_.stop(); }
 
   private:
     PantographBoard board_;
     DriftWatch drift_;
     std::int64_t (*slept_)();
-    std::int64_t awake_since_ns_;                              // what slept_ said then
-    double last_s_ = std::numeric_limits<double>::infinity();  // of the loop
+    std::int64_t awake_since_ns_;                              // the value of slept_ at that moment
+    double last_s_ = std::numeric_limits<double>::infinity();  // the loop's last time
     std::atomic<bool> has_lost_place_{false};
 };
 

@@ -36,12 +36,12 @@ void lose_kiosk(int /*signal*/) {
     cut();
 }
 
-/// Returns into the signal's own action: it is raised again, its handler gone.
+/// Returns into the signal's default action: raises it again, after its handler is gone.
 void crash(int signal) {
     cut();
     constexpr timespec three_ticks{0, 3'000'000};
     nanosleep(&three_ticks, nullptr);
-    alarm(1);  // a write that hangs must not keep a dead servo alive: the kiosk's guard comes next
+    alarm(1);  // a write that hangs must not keep a dead servo alive; the kiosk's guard takes over
     if (emergency_zero.write != nullptr) emergency_zero.write(emergency_zero.device);
     (void)raise(signal);
 }
@@ -55,7 +55,7 @@ void handle(int signal, void (*handler)(int), int flags) {
     sigaction(signal, &action, nullptr);
 }
 
-/// A stack for the handlers of the main thread, should its own be what ran out.
+/// A stack for the main thread's handlers, in case its own stack ran out.
 void make_alternate_stack() {
     static std::array<char, std::size_t{64} * 1024> room;
     stack_t stack{};

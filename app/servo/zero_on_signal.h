@@ -1,5 +1,5 @@
-// Whatever ends the servo process, the torque goes to zero first: the board holds its last one for
-// ever. Signals that ask for an end, signals of a crash, the kiosk's death.
+// Whatever ends the servo process, the torque goes to zero first, because the board holds its last
+// torque forever. Handles signals that ask for an end, signals of a crash, and the kiosk's death.
 #pragma once
 
 #include "haptics/servo/exchange.h"
@@ -7,14 +7,14 @@
 
 namespace touchline {
 
-/// Writes zero torque to a device that nobody else uses at that moment, from a handler of signals:
-/// without allocation, and without a lock that the crashed code may hold as far as that can be.
+/// Writes zero torque from a signal handler, to a device that nobody else uses at that moment. It
+/// does not allocate and, as far as that is possible, takes no lock that the crashed code may hold.
 struct EmergencyZero {
     void (*write)(void* device) noexcept = nullptr;  // null: nothing to write to
     void* device = nullptr;
 };
 
-/// While one lives (there can be but one):
+/// While one lives (at most one may):
 ///   SIGTERM, SIGINT      force fades out, then the loop ends
 ///   SIGHUP               the kiosk died: zero with the next tick
 ///   SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU
@@ -30,7 +30,7 @@ class ZeroOnSignal {
     ZeroOnSignal& operator=(const ZeroOnSignal&) = delete;
     ZeroOnSignal& operator=(ZeroOnSignal&&) = delete;
 
-    /// An end was asked for or the kiosk died.
+    /// True if an end was asked for or the kiosk died.
     [[nodiscard]] bool is_end_asked() const;
 };
 

@@ -12,7 +12,7 @@ constexpr std::string_view call_the_staff = "Please call the staff.";
 constexpr std::string_view hold_still = "Hold it still. The force comes back by itself.";
 constexpr std::string_view hold_firmly = "Hold it firmly and choose softer lines.";
 
-// In the order of the faults.
+// In the order of Fault.
 constexpr std::array<FaultWords, fault_count> faults{{
     {},
     {"The handle does not answer.", call_the_staff,

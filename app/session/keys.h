@@ -1,5 +1,5 @@
-// What the keys of a full keyboard do beside the six roles (config/settings/keys.h), for whoever
-// looks after the kiosk: the one table from which the kiosk and the README are made.
+// What the keys of a full keyboard do beside the six roles (config/settings/keys.h), for the staff.
+// The kiosk and the README are made from this one table.
 // Threads: constant data and pure functions.
 #pragma once
 
@@ -38,11 +38,12 @@ struct KeyRow {
 
 [[nodiscard]] std::span<const KeyRow> key_table();
 
-/// Nothing for a key without a meaning.
+/// Returns nothing for a key without a meaning.
 [[nodiscard]] std::optional<Action> action_of(Key key);
 
-/// What can start a force, keep what was felt, or end the kiosk. Visitors can stop and never start:
-/// once the house has a PIN this needs the operator's own keyboard, or the PIN by the six keys.
+/// True for what can start a force, keep a recording, or end the kiosk. Visitors can stop and never
+/// start: once the site has a PIN, these actions need the operator's own keyboard, or the PIN on
+/// the six keys.
 [[nodiscard]] constexpr bool is_for_operator(Action action) {
     return action == Action::clear_fault || action == Action::home_again ||
            action == Action::hold_recording || action == Action::quit;

@@ -5,7 +5,7 @@
 namespace touchline {
 namespace {
 
-/// What of a photograph is felt, or why it is all of it.
+/// The thing of a photograph that is felt, or why the whole is felt.
 std::string told_thing(const PagePlace& place, const Language& language) {
     switch (place.things) {
         case ThingSearch::under_way:

@@ -1,4 +1,4 @@
-// Which page of a document is felt, and what of it, in words.
+// Says which page of a document is felt, and which part of it.
 // Threads: a pure function.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace touchline {
 
-/// "Page 2 of 10. Picture 1 of 3 on this page"; empty for what has one page and one picture.
+/// "Page 2 of 10. Picture 1 of 3 on this page"; empty for a document of one page and one picture.
 [[nodiscard]] std::string words_of(const PagePlace& place, const Language& language);
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
-// One model of every screen, for visitor and operator alike: what is drawn is what is spoken and
-// what the six keys walk through. Threads: values and pure functions.
+// One model of every screen, for visitor and operator alike: what is drawn is also what is spoken
+// and what the six keys walk through. Threads: values and pure functions.
 #pragma once
 
 #include "audio-cues/words/language.h"
@@ -13,13 +13,13 @@
 
 namespace touchline {
 
-/// What can be done with an item: text is only read; choice is chosen; setting has a value that
-/// Up and Down change while it is held by Select; toggle is on or off.
+/// What an item is for. text: only read. choice: chosen. setting: has a value that Up and Down
+/// change while Select holds it. toggle: on or off.
 enum class ItemRole : std::uint8_t { text, choice, setting, toggle };
 
-/// A row of a screen. Texts are in the language of the screen and never hold markup.
+/// A row of a screen. Its texts are in the screen's language and never hold markup.
 struct ScreenItem {
-    int id = 0;  // what it stands for, to whoever made the screen
+    int id = 0;  // what it stands for, to the screen's maker
     ItemRole role = ItemRole::choice;
     std::string name;   // never empty
     std::string value;  // of a setting or toggle, in words; else empty
@@ -28,29 +28,29 @@ struct ScreenItem {
     friend bool operator==(const ScreenItem&, const ScreenItem&) = default;
 };
 
-/// Beside the items: nothing, the picture that is felt, or what the camera sees.
+/// What is shown beside the items: nothing, the picture that is felt, or the camera's view.
 enum class ScreenView : std::uint8_t { none, picture, camera };
 
 struct SpokenScreen {
     std::string title;  // never empty; said first
     std::string text;   // sentences after it; may be empty
     std::vector<ScreenItem> items;
-    std::optional<std::size_t> focus;  // of items; nothing: none has it
+    std::optional<std::size_t> focus;  // an index of items; nothing: no item has it
     ScreenView view = ScreenView::none;
 
     friend bool operator==(const SpokenScreen&, const SpokenScreen&) = default;
 };
 
-/// "Cat, 2 of 5", "Firmness, medium, setting, 1 of 4": name, value, role of what changes, place.
-/// `item` of screen.items.
+/// "Cat, 2 of 5", "Firmness, medium, setting, 1 of 4": name, value, role if it can change, place.
+/// `item` is an index of screen.items.
 [[nodiscard]] std::string spoken_item(const SpokenScreen& screen, std::size_t item,
                                       const Language& language);
 
-/// All of it, for who asks twice: title, text, the item that has the focus.
+/// The whole screen, for a person who asks twice: title, text, the item that has the focus.
 [[nodiscard]] std::string spoken_screen(const SpokenScreen& screen, const Language& language);
 
-/// The sentence after what is there, with a full stop between where there was no stop. Nothing for
-/// an empty one.
+/// Appends the sentence, with a full stop before it if there was none. Does nothing for an empty
+/// sentence.
 void add_sentence(std::string& text, const std::string& sentence);
 
 struct FocusMove {
@@ -58,7 +58,7 @@ struct FocusMove {
     bool has_wrapped = false;  // past an end: worth a sound
 };
 
-/// Up or down the list, around its ends. Nothing where there are no items.
+/// Moves up or down the list and around its ends. Returns nothing if there are no items.
 [[nodiscard]] std::optional<FocusMove> move_focus(const SpokenScreen& screen, bool is_down);
 
 }  // namespace touchline

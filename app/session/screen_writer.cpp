@@ -49,7 +49,7 @@ void ScreenWriter::toggle(VisitItem item, const char* english, bool is_on, const
 void ScreenWriter::setting(VisitItem item) {
     const ValueList list = values_of(visit, world, item);
     std::string value = list.names[std::min(list.chosen, list.names.size() - 1)];
-    // "Volume, 4 of 7": here nothing else tells how many there are.
+    // "Volume, 4 of 7": nothing else here tells how many there are.
     if (item == VisitItem::volume || item == VisitItem::rate) {
         value = language.text("screen", "{0} of {1}",
                               {std::to_string(list.chosen + 1), std::to_string(list.names.size())});

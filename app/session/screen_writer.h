@@ -1,5 +1,5 @@
-// A screen while it is being written: shared by visit_screens.cpp and screen_writer.cpp. Not for
-// others. Threads: values; one call's.
+// A screen while it is being written. Only for visit_screens.cpp and screen_writer.cpp. Threads:
+// values; one call's.
 #pragma once
 
 #include "app/session/visit_work.h"
@@ -12,12 +12,12 @@
 namespace touchline {
 
 struct ListRow {
-    std::size_t number = 0;  // what it stands for
+    std::size_t number = 0;  // what the row stands for
     std::string name;
     std::string value;
 };
 
-/// English texts are of the context "visit".
+/// The English texts belong to the context "visit".
 struct ScreenWriter {
     const Visit& visit;
     const VisitWorld& world;
@@ -28,7 +28,7 @@ struct ScreenWriter {
     void title(const char* english);
     void sentence(const char* english);
 
-    /// In the visitor's language already.
+    /// Adds text that is in the visitor's language already.
     void told(const std::string& text);
     void item(VisitItem item, const char* english, const std::string& value = {},
               const char* hint = nullptr);
@@ -36,20 +36,20 @@ struct ScreenWriter {
     void setting(VisitItem item);
     void row(std::size_t number, const std::string& name, const std::string& value = {});
 
-    /// The page of ten that Standing::about begins, and what leads to the others. Of `count` rows
-    /// only those on the page are asked for.
+    /// Writes the page of ten rows that begins at Standing::about, and the items that lead to the
+    /// other pages. Asks `row_at` only for the rows on the page.
     void list(std::size_t count, const std::function<ListRow(std::size_t)>& row_at,
               const char* hint);
     void list(const std::vector<ListRow>& rows, const char* hint);
     void back(const char* english = "Back");
 
-    /// Nobody is sent to another item where there is only one.
+    /// Rewords the hint of a single item, because it must not send anybody to another item.
     void mind_the_only_item();
 };
 
 [[nodiscard]] const std::vector<GalleryTitle>& gallery_of(const ScreenWriter& sheet);
 
-/// The easiest first; what nobody graded, last.
+/// The easiest first; ungraded pictures last.
 [[nodiscard]] std::vector<std::size_t> gallery_order(const ScreenWriter& sheet);
 [[nodiscard]] std::string picture_title(const ScreenWriter& sheet);
 
@@ -61,7 +61,7 @@ void put_explore(ScreenWriter& sheet);
 void put_zoom(ScreenWriter& sheet);
 void put_pages(ScreenWriter& sheet);
 
-/// The items of a shape in the hand, on the screen of the picture (visit_shape.cpp).
+/// Writes the items of a shape in the hand, on the screen of the picture (visit_shape.cpp).
 void put_shape(ScreenWriter& sheet);
 
 }  // namespace touchline

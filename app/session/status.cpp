@@ -40,14 +40,14 @@ std::string reason_words(LevelTerm term) {
     return {};
 }
 
-/// A level to a tenth, or what bounds it.
+/// A level, or one of its bounds, rounded to a tenth.
 std::string level_number(double level, const Language& language) {
     const double tenths = std::round(level * 10.0) / 10.0;
     return language.number(tenths, tenths == std::round(tenths) ? 0 : 1);
 }
 
-/// The level felt, and why that one is wanted. A fixed level is not said to be by anything else,
-/// nor to be fixed where it is not reached.
+/// The level felt, and why that one is wanted. A fixed level has no other reason, and is called
+/// fixed only once it is reached.
 std::string level_words(int coarsest_level, const HandState& hand, const Language& language) {
     const LevelChoice wanted = choose_level(hand.level_terms);
     const bool is_fixed = !hand.is_level_auto && wanted.level == hand.level_terms.coarsest;
@@ -66,7 +66,7 @@ std::string terms_words(const LevelTerms& terms, const Language& language) {
          told(terms.cost), told(terms.safe)});
 }
 
-/// What is felt: a rise is slow, so that it cannot push the hand.
+/// The stiffness felt. It rises slowly, so that it cannot push the hand.
 std::string stiffness_words(const HandState& hand, const Language& language) {
     return language.measured("unit", "{0} newton per metre", "{0} newtons per metre",
                              std::round(hand.stiffness_N_per_m));

@@ -1,4 +1,4 @@
-// The words of the staff's live view: every fact on it is one named line of text first.
+// The words of the staff's live view. Every fact on it is first one named line of text.
 // Threads: values and pure functions.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace touchline {
 
-/// "Level" and "2.5 of 6, by speed".
+/// For example "Level" and "2.5 of 6, by speed".
 struct StatusLine {
     std::string name;
     std::string value;
@@ -26,32 +26,32 @@ struct StatusLine {
 };
 
 struct Status {
-    std::string title;  // of the picture
+    std::string title;  // the picture's title
     std::vector<StatusLine> lines;
-    std::string message;  // what went wrong or is being done; may be empty
+    std::string message;  // what went wrong or is under way; may be empty
 
     friend bool operator==(const Status&, const Status&) = default;
 };
 
-/// What is felt, beside what the servo tells itself.
+/// What is felt, beside what the servo reports.
 struct LiveFacts {
     std::string title;  // empty: no picture
     PagePlace place = {1, 1, 1, 1};
     int detail = 3;
     int coarsest_level = 0;
     bool has_pop_through = false;
-    std::string hand_words;            // what the hand is, of the catalogue, context "panel"
-    std::string hand_name;             // of the device, for {0} in those words; may be empty
-    std::optional<ContactEvent> last;  // that happened to it
+    std::string hand_words;            // what the hand is: a text of the catalogue, context "panel"
+    std::string hand_name;             // the device's name, for {0} in those words; may be empty
+    std::optional<ContactEvent> last;  // the last contact event of the hand
     std::string message;
 };
 
-/// Says it in the staff's language and words. A fault comes before the message. Numbers are
-/// rounded to what can be read at a glance.
+/// Describes it in the staff's language and words. A fault comes before the message. Rounds numbers
+/// to what can be read at a glance.
 [[nodiscard]] Status describe(const LiveFacts& facts, const HandState& hand,
                               const ForceStatus& force, const Language& language);
 
-// These are English, each a text of the catalogue: "detail", "shape", "mode", "contact", "event".
+// English texts of the catalogue, contexts "detail", "shape", "mode", "contact" and "event".
 
 inline constexpr std::array detail_names{"silhouette", "main parts", "parts", "fine parts",
                                          "everything"};

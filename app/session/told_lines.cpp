@@ -35,8 +35,8 @@ constexpr std::string_view staffs_unreadable_file =
 constexpr std::string_view unplugged = "The handle is unplugged. Please call the staff.";
 constexpr std::string_view staffs_unplugged = "The handle is unplugged. Plug its cable in again.";
 
-/// What the camera and the sticks say is a text as it is. No other line is one, for it may come
-/// from a worker that a file has taken over.
+/// The sentences of the camera and the sticks are catalogue texts already. No other line is trusted
+/// as one, for it may come from a worker that a file has taken over.
 constexpr std::array<std::string_view, 12> whole_sentences{
     "It is too dark here. Ask the staff for more light.",
     "There is too much light. Ask the staff to turn the lamp away.",
@@ -144,7 +144,7 @@ constexpr std::array rows_of_files{
             "Reading takes too long. Put the USB stick in again, or try another one."},
     LineRow{"cannot be read; put it in again", stick_trouble},
     LineRow{"list of the stick's files cannot be understood", stick_trouble},
-    // What should not be.
+    // What should not happen.
     LineRow{"there is no memory to share", too_much_memory},
     LineRow{"shared memory cannot be mapped", too_much_memory},
     LineRow{"memory cannot be sealed", too_much_memory},
@@ -173,7 +173,7 @@ constexpr std::array rows_of_devices{
             "Let go of the handle. Its motors may still push. Turn off their power."},
 };
 
-/// All that stands between the stars, in their order.
+/// True if the line holds all texts between the stars, in their order.
 bool holds(std::string_view line, std::string_view part) {
     for (;;) {
         const std::size_t star = part.find('*');
@@ -195,8 +195,8 @@ std::string told_by(std::span<const LineRow> rows, const std::string& line,
     return language.text("trouble", std::string(is_other ? row->staff_told : row->told));
 }
 
-/// "It is 12 millimetres off." is the text "It is {0} millimetres off." with 12. Empty for a
-/// sentence that the catalogue has in neither way.
+/// "It is 12 millimetres off." is the text "It is {0} millimetres off." with 12. Empty if the
+/// catalogue has neither form of the sentence.
 std::string told_sentence(const std::string& sentence, const Language& language) {
     constexpr const char* digits = "0123456789";
     const std::string whole = language.text("device", sentence);

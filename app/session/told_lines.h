@@ -1,7 +1,7 @@
-// Lines that other parts of the kiosk give in English (a Result's, the servo's), as the visitor
-// or the staff hear them: in the language, without names of formats' parts and numbers of bytes,
-// and with something that can be done here. Every text is of the catalogue, context "trouble", but
-// the device's sentences ("device"). Threads: constant data and pure functions.
+// Rewords English lines of other parts of the kiosk (a Result's, the servo's) for the visitor or
+// the staff: in their language, without names of a format's parts and numbers of bytes, and with
+// something that can be done here. Every text is in the catalogue, context "trouble"; the device's
+// sentences are in "device". Threads: constant data and pure functions.
 #pragma once
 
 #include "audio-cues/words/language.h"
@@ -15,14 +15,14 @@ namespace touchline {
 
 enum class ToldTo : std::uint8_t { visitor, staff };
 
-/// What of a line tells it from others, and what is said for it. "*" stands for anything.
+/// `part` recognizes a line; `told` is said for it. "*" stands for anything.
 struct LineRow {
     std::string_view part;
     std::string_view told;
-    std::string_view staff_told{};  // where a visitor is to call them; empty: the same
+    std::string_view staff_told{};  // if `told` sends a visitor to the staff; empty: the same
 };
 
-/// The first that fits counts.
+/// The first row that fits counts.
 [[nodiscard]] std::span<const LineRow> file_lines();
 [[nodiscard]] std::span<const LineRow> device_lines();
 
@@ -37,12 +37,12 @@ inline constexpr std::string_view device_trouble =
 inline constexpr std::string_view staffs_device_trouble =
     "The handle does not work now. Check its cable. The log says why.";
 
-/// Why a picture, a file or a stick cannot be felt; `line` without the file's name, which may hold
-/// anything; empty for an empty one. `general`: said for a line that no row knows.
+/// Why a picture, a file or a stick cannot be felt. Leaves out the file's name in `line`, which may
+/// hold anything. `general` is said for a line that no row knows. Empty for an empty line.
 [[nodiscard]] std::string told_of_file(const std::string& line, std::string_view general,
                                        const Language& language, ToldTo to = ToldTo::visitor);
 
-/// What the device's part says: sentences of app/device/device_words.h, one by one, with their
+/// What the device reports: the sentences of app/device/device_words.h, one by one, with their
 /// numbers; or why there is no force. Empty for an empty line.
 [[nodiscard]] std::string told_of_device(const std::string& line, const Language& language,
                                          ToldTo to = ToldTo::visitor);

@@ -12,7 +12,7 @@ void leave_screens_of_picture(VisitWork& work) {
     if (work.visitor.path.back().screen == VisitScreen::opening) leave(work);
 }
 
-/// They are of another list; whoever is at them comes back to it.
+/// The letters belong to another list; a visitor on their screen goes back to the list.
 void leave_letters(VisitWork& work) {
     forget_letters(work.visitor);
     if (work.visitor.path.back().screen == VisitScreen::letters) leave(work);
@@ -29,7 +29,7 @@ void stick_came(VisitWork& work, const StickCame& came) {
         cue(work, ScreenEvent::news);
         visitor.path.back().about = 0;
         visitor.path.back().focus = 0;
-        return say_item_next(work, screen_of(work).text);  // after that it is being read
+        return say_item_next(work, screen_of(work).text);  // then it is being read
     }
     cue(work, ScreenEvent::news);
     say(work, words(work, "A USB stick is plugged in. You will find it in the list."),
@@ -61,7 +61,7 @@ void headphones_changed(VisitWork& work, bool are_in) {
         return begin_visit(work);
     }
     if (!is_visit_on(visit_of(work))) return;
-    // Another output: its own volume to begin with. What was private is not said aloud.
+    // Another output begins with its own volume. What was private is not said aloud.
     visitor.sound.volume =
         std::min(work.world.rules.sound.volume, work.world.rules.volume_steps - 1);
     visitor.active_s = work.site.now_s;
@@ -156,7 +156,7 @@ void staff_called_off(VisitWork& work) {
     say(work, words(work, "The staff know of your call."), SpeechPriority::hint);
 }
 
-/// One overload for each event.
+/// One overload per event.
 struct Take {
     VisitWork& work;
 
@@ -221,12 +221,12 @@ bool wants_preview(const Visit& visit) {
     return visit.visitor.path.back().screen == VisitScreen::camera && visit.site.has_camera;
 }
 
-/// Who turns speech off hears how it comes back, and then nothing more.
+/// True if the visitor turns speech off: then they hear how it comes back, and nothing after that.
 bool goes_silent(const Visit& before, const Visit& after) {
     return before.visitor.sound.is_speech_on && !after.visitor.sound.is_speech_on;
 }
 
-/// What follows from the state alone, before what was said and done in it.
+/// The orders that follow from the state alone; they come before what the step said and did.
 VisitOrders changes(const Visit& before, const Visit& after) {
     VisitOrders orders;
     const bool is_same_sound = before.visitor.sound == after.visitor.sound;

@@ -1,5 +1,5 @@
-// The visit: from the attract screen to goodbye, as a pure state machine. What happens comes in as
-// an event, what is to be done goes out as orders (visit_orders.h).
+// The visit, from the attract screen to goodbye, as a pure state machine. Events come in, and
+// orders (visit_orders.h) go out.
 // Threads: values and pure functions.
 #pragma once
 
@@ -29,7 +29,7 @@ enum class VisitScreen : std::uint8_t {
     practice,
     gallery,
     stick,
-    letters,  // by which the list of the stick is searched
+    letters,  // to search the stick's list
     camera,
     opening,  // work is under way and can be cancelled
     picture,
@@ -38,7 +38,7 @@ enum class VisitScreen : std::uint8_t {
     zoom,
     pages,
     settings,
-    values,   // of one setting: Standing::about is its item
+    values,   // of one setting; Standing::about is its item
     confirm,  // Standing::about is the item that asked
     goodbye,
     closed,
@@ -109,7 +109,7 @@ enum class VisitItem : int {
     entry = 1000,
 };
 
-/// A screen that is open, with what was left of it when another went over it.
+/// An open screen, and its state while another screen covers it.
 struct Standing {
     VisitScreen screen = VisitScreen::attract;
     std::size_t focus = 0;
@@ -125,22 +125,22 @@ struct GalleryTitle {
     std::optional<int> difficulty;  // 1 (easy) ... 5
 };
 
-/// What the house decides beside Settings; it may change between visits.
+/// The site's rules beside Settings. They may change between visits.
 struct VisitRules {
-    double quiet_s = 90.0;   // 30 ... 1800: then the question is asked
-    double answer_s = 30.0;  // 30 or more: then the visit ends
-    /// That every visit begins with; the volume is a step of the output that is heard.
+    double quiet_s = 90.0;   // 30 ... 1800; then the kiosk asks the question
+    double answer_s = 30.0;  // 30 or more; then the visit ends
+    /// What every visit begins with. The volume is a step of the current output.
     SoundWanted sound = {.language = 0, .volume = 3};
     LookWanted look;
-    std::size_t volume_steps = 7;  // of that output, >= 1
-    bool has_camera = true;        // the house has one at all
+    std::size_t volume_steps = 7;  // of the current output, >= 1
+    bool has_camera = true;        // whether the site has a camera at all
     bool has_stick_port = true;
     bool offers_staff = true;
-    std::string notice;  // while closed or maintained, in the house's language; may be empty
+    std::string notice;  // while closed or under maintenance, in the site's language; may be empty
 };
 
-/// Constant during a step; all may change between steps. `languages` is not empty; `gallery` has
-/// a list for each language, all of one length.
+/// Constant during a step; everything may change between steps. `languages` is not empty. `gallery`
+/// has one list for each language, all of the same length.
 struct VisitWorld {
     const std::vector<Language>& languages;
     const Settings& settings;
@@ -148,20 +148,22 @@ struct VisitWorld {
     const VisitRules& rules;
 };
 
-/// Six or more; else one or two switches move through the items and take them.
+/// True if the kiosk has six or more keys. Otherwise one or two switches move through the items and
+/// select them.
 [[nodiscard]] inline bool has_keys(const VisitWorld& world) {
     return world.settings.two_switches == 0;
 }
 
 /// The picture that is felt.
 struct KnownPicture {
-    LoadPicture order;  // that brought it
+    LoadPicture order;  // the order that brought it
     PictureFacts facts;
 };
 
-/// Why a loading job is under way: what is said when it ends. unasked: nothing is, for the visitor
-/// did not order it; it is the same picture in another language, or in the operator's detail.
-/// main_thing: of a photograph that was not touched yet. thing_here: the one under the hand.
+/// Why a loading job is under way; decides what is said when it ends. unasked: nothing is said,
+/// because the visitor did not order it; it is the same picture in another language or in the
+/// operator's detail. main_thing: the main thing of a photograph that was not touched yet.
+/// thing_here: the thing under the hand.
 enum class LoadReason : std::uint8_t {
     other_picture,
     other_view,
@@ -175,7 +177,7 @@ enum class LoadReason : std::uint8_t {
 struct Loading {
     LoadPicture order;
     LoadReason reason = LoadReason::other_picture;
-    std::string name;  // of what is being opened, for who waits; may be empty
+    std::string name;  // what is being opened, for the waiting visitor; may be empty
 };
 
 /// Work that the visitor waits for.
@@ -185,21 +187,21 @@ struct Waiting {
     double last_said_s = 0.0;
 };
 
-/// What was said last, for captions and for who asks again. Never written anywhere.
+/// What was said last, for captions and for repeating it. Never written to disk or to a log.
 struct Caption {
     std::string text;
-    std::string language;             // code
-    std::optional<ScreenEvent> sign;  // of the last sound: its visual sign
+    std::string language;             // its code
+    std::optional<ScreenEvent> sign;  // the visual sign of the last sound
 };
 
-/// Something that leads the hand: first announced, then under way.
+/// A guide that leads the hand: first announced, then under way.
 struct Leading {
     Guide guide;
     double begin_s = 0.0;
     bool has_begun = false;
 };
 
-/// Of the house and its things: outlives a visit.
+/// The state of the site and its hardware. It outlives a visit.
 struct Site {
     double now_s = 0.0;
     SiteOpening opening = SiteOpening::open;
@@ -210,11 +212,11 @@ struct Site {
     std::uint64_t request = 0;  // of the last LoadPicture
 };
 
-/// What a stick offers: thousands of names, perhaps, so that steps share them.
+/// What a stick offers. The steps share it, for it may hold thousands of names.
 struct StickList {
-    std::vector<std::string> names;  // raw bytes: said by spoken_name() alone
+    std::vector<std::string> names;  // raw bytes: only spoken_name() may say them
     StickRest rest;
-    std::vector<NameForm> forms;  // of each name, so that no two sound alike
+    std::vector<NameForm> forms;  // one for each name, so that no two sound alike
 };
 
 /// A hint that this visitor has heard.
@@ -229,37 +231,37 @@ struct HintSaid {
     }
 };
 
-/// Of the visitor: a new one for every visit.
+/// The state of one visitor; every visit begins with a new one.
 struct Visitor {
     std::vector<Standing> path{Standing{}};  // never empty; the last one is open
-    std::optional<Standing> over;            // help, question or trouble on top of it
+    std::optional<Standing> over;            // help, question or trouble, on top of the path
     std::string error;                       // what `trouble` says
-    std::optional<TroubleKind> trouble;      // that it is about; none: a picture, a file
+    std::optional<TroubleKind> trouble;      // what it is about; none: a picture or a file
     SoundWanted sound;
     LookWanted look;
     Feel feel;
-    int detail = 3;  // wanted of the next picture too
+    int detail = 3;  // for the next picture too
     std::optional<KnownPicture> felt;
-    bool is_told_shortly = false;  // the rest of it comes with what the search for its things finds
+    bool is_told_shortly = false;  // the rest follows when the search for its things ends
     std::optional<Loading> loading;
     std::optional<Waiting> waiting;
     bool is_capturing = false;
     bool has_stick = false;
-    bool has_stick_to_take = false;                           // said on the last screen
+    bool has_stick_to_take = false;                           // the last screen says so
     std::shared_ptr<const StickList> stick_list;              // none: not read yet
-    std::shared_ptr<const LetterGroup> found;                 // that the list shows; none: all
-    std::shared_ptr<const std::vector<LetterGroup>> letters;  // of the screen of that name
+    std::shared_ptr<const LetterGroup> found;                 // what the list shows; none: all
+    std::shared_ptr<const std::vector<LetterGroup>> letters;  // shown by the screen of that name
     std::optional<Leading> leading;
     HandleSeen handle;
-    double part_since_s = 0.0;  // on the part, or on none
+    double part_since_s = 0.0;  // since the hand is on this part, or on none
     std::optional<std::size_t> part_said;
-    bool has_touched = false;        // a line of what is felt
+    bool has_touched = false;        // whether the hand touched a line of this picture
     double active_s = 0.0;           // last key or motion
     double key_s = 0.0;              // last key
-    double entered_s = 0.0;          // the screen that is open
-    double question_s = 0.0;         // asked
-    double attention_s = 0.0;        // the handle last asked for it
-    std::optional<double> pulled_s;  // headphones
+    double entered_s = 0.0;          // when the open screen was entered
+    double question_s = 0.0;         // when it was asked
+    double attention_s = 0.0;        // when the handle last asked for attention
+    std::optional<double> pulled_s;  // when the headphones were pulled out
     bool is_hint_due = false;
     std::vector<HintSaid> hints;
     int dead_keys = 0;  // in a row
@@ -278,20 +280,20 @@ struct VisitStep {
     VisitOrders orders;
 };
 
-/// Nobody is here yet; orders: what every visit begins with.
+/// The state before anybody is here. The orders are those that every visit begins with.
 [[nodiscard]] VisitStep start_visit(const VisitWorld& world);
 
 /// O(items of a screen). Every key is answered by speech or a cue in the same step.
 [[nodiscard]] VisitStep step(const Visit& visit, const VisitEvent& event, const VisitWorld& world);
 
-/// What is drawn and spoken now, in the visitor's language (of the language screen: each item in
-/// its own).
+/// What is drawn and spoken now, in the visitor's language. On the language screen each item is in
+/// its own language.
 [[nodiscard]] SpokenScreen screen_of(const Visit& visit, const VisitWorld& world);
 
-/// The screen that has the keys: the one over the path, else its last.
+/// The screen that has the keys: the one over the path, or else the last of the path.
 [[nodiscard]] VisitScreen open_screen(const Visit& visit);
 
-/// Somebody is here: nothing of the visit may be lost, and time-outs run.
+/// True while somebody is here: nothing of the visit may be lost, and time-outs run.
 [[nodiscard]] bool is_visit_on(const Visit& visit);
 
 [[nodiscard]] const Language& language_of(const Visit& visit, const VisitWorld& world);

@@ -1,4 +1,4 @@
-// How a visit begins, and how nothing of it stays.
+// How a visit begins, and how it leaves nothing behind.
 #include "app/session/visit_work.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ Visitor new_visitor(const Site& site, const VisitWorld& world) {
     return visitor;
 }
 
-/// A stick that came while nobody was here is the next visitor's.
+/// A stick that came while nobody was here belongs to the next visitor.
 void nobody_is_here(VisitWork& work) {
     Visitor before = std::move(work.visitor);
     work.visitor = new_visitor(work.site, work.world);

@@ -1,4 +1,4 @@
-// Everything that happens to a visit. Time comes in by Tick alone.
+// Everything that happens to a visit. Only Tick brings the time.
 // Threads: plain values.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace touchline {
 
-/// 20 times a second or oftener. `now_s` never goes back; any clock.
+/// Comes 20 times a second or more often. `now_s` never goes back; any clock will do.
 struct Tick {
     double now_s = 0.0;
 };
@@ -28,7 +28,7 @@ struct KeyPressed {
     KeyRole role = KeyRole::select;
 };
 
-/// Shortcuts of larger keypads; every one is also an item of a screen or another key.
+/// Shortcuts of larger keypads. Each is also an item of a screen or another key.
 enum class SpeechKey : std::uint8_t { repeat, pause, slower, faster };
 
 struct SpeechKeyPressed {
@@ -38,7 +38,7 @@ struct SpeechKeyPressed {
 /// A key without a meaning.
 struct DeadKeyPressed {};
 
-/// A knob, since the last.
+/// A knob was turned: the angle since the last event.
 struct KnobTurned {
     double by_rad = 0.0;  // counter-clockwise
 };
@@ -46,25 +46,26 @@ struct KnobTurned {
 /// Where the handle is, as often as convenient (10 to 60 times a second).
 struct HandleSeen {
     Position place_W;                 // of the map that is felt
-    std::optional<std::size_t> part;  // of PictureFacts::parts that it is on
-    bool has_moved = false;           // more than 2 mm since the last that said so
+    std::optional<std::size_t> part;  // under the handle: index of PictureFacts::parts
+    bool has_moved = false;           // more than 2 mm since the last event that said so
     double speed_m_per_s = 0.0;
-    bool is_led = false;  // it moves by itself now; not while it waits for a hand
+    bool is_led = false;  // it moves by itself now; false while it waits for a hand
 };
 
 struct HeadphonesChanged {
     bool are_in = false;
 };
 
-struct StickArriving {};  // it came and is being read
+struct StickArriving {};  // a stick was plugged in and is being read
 
-/// `names`: of its files, as it has them and in its order.
+/// `names`: of its files, as the stick has them and in its order.
 struct StickCame {
     std::vector<std::string> names;
     StickRest rest;
 };
 
-/// Pulled out, or refused: then `sentence` says why. Known only now: what was read stays.
+/// The stick was pulled out, or refused; `sentence` then says why. Known only now, so what was read
+/// stays.
 struct StickGone {
     std::string sentence;
 };
@@ -72,37 +73,38 @@ struct StickGone {
 /// A part of the picture that can be named and reached.
 struct PartFacts {
     std::string name;            // in the language that was ordered; never empty
-    Position place_W;            // on it, of the map that is felt
-    Position middle_W;           // of the box around it
+    Position place_W;            // on the part, in the map that is felt
+    Position middle_W;           // the middle of the box around it
     int detail = 1;              // 1 ... 5
     std::optional<int> outline;  // index in the map; none: a place without a line
 };
 
 struct PictureFacts {
-    std::string title;        // empty: nobody named it
-    std::string description;  // the way it is drawn, and an overview; may be empty
+    std::string title;        // empty: it has no title
+    std::string description;  // how it is drawn, and an overview; may be empty
     std::vector<PartFacts> parts;
     PagePlace place = {1, 1, 1, 1};
     int outline_count = 0;
-    int outer_outline = 0;               // index in the map: what a first tour goes round
+    int outer_outline = 0;               // index in the map: the first tour follows it
     std::string note;                    // one sentence worth telling; may be empty
-    std::vector<NamedThing> names = {};  // what the things of a photograph are taken for
+    std::vector<NamedThing> names = {};  // what the things of a photograph probably are
 };
 
-/// A second one for the same request is better than the first (labels found later).
+/// A second event for the same request improves on the first (labels found later).
 struct PictureReady {
     std::uint64_t request = 0;
     PictureFacts facts;
 };
 
-/// A second look at what is felt by that request: where it stands among its views now.
+/// The search for things in the picture of that request has ended: where the picture stands among
+/// its views now.
 struct ThingsLookedFor {
     std::uint64_t request = 0;
     PagePlace place;
     std::vector<NamedThing> names = {};
 };
 
-/// What was felt before stays. `sentence`: what, why and what to do.
+/// The picture that was felt before stays. `sentence`: what, why and what to do.
 struct PictureFailed {
     std::uint64_t request = 0;
     std::string sentence;
@@ -112,7 +114,7 @@ struct CameraChanged {
     bool is_there = false;
 };
 
-/// The picture is taken: the shutter's moment.
+/// The picture is taken. Comes at the shutter's moment.
 struct CameraCaptured {
     bool is_doubtful = false;  // blurred or too bright, even after a second attempt
 };
@@ -129,7 +131,7 @@ enum class TroubleKind : std::uint8_t { device, sound, camera, stick };
 
 inline constexpr std::size_t trouble_count = 4;
 
-/// `sentence`: what, why and what to do. Again while it lasts: other words of it.
+/// `sentence`: what, why and what to do. While it lasts, the event may come again with other words.
 struct TroubleBegan {
     TroubleKind kind = TroubleKind::device;
     std::string sentence;
@@ -139,20 +141,20 @@ struct TroubleEnded {
     TroubleKind kind = TroubleKind::device;
 };
 
-/// What the house wants of the kiosk.
+/// Whether the site has the kiosk open.
 enum class SiteOpening : std::uint8_t { open, closed, maintenance };
 
-/// A visit that is under way ends, is wiped, and the visitor is told.
+/// A visit under way ends, is wiped, and the visitor is told.
 struct OpeningChanged {
     SiteOpening opening = SiteOpening::open;
 };
 
-/// The operator set something else; VisitWorld has what holds now.
+/// The operator changed a setting; VisitWorld has the new settings.
 struct SettingsChanged {
     Settings before;
 };
 
-/// Somebody came.
+/// A member of staff came.
 struct StaffCalledOff {};
 
 using VisitEvent = std::variant<Tick, KeyPressed, SpeechKeyPressed, DeadKeyPressed, KnobTurned,

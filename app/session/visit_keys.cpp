@@ -10,7 +10,7 @@ namespace {
 struct RoleWords {
     const char* name;
     const char* use;
-    const char* switched_use = nullptr;  // where it is no key but an item; none: the same
+    const char* switched_use = nullptr;  // if it is an item and no key; none: the same
 };
 
 // In the order of KeyRole.
@@ -27,12 +27,12 @@ constexpr std::array<RoleWords, key_role_count> roles{{
     {"Softer", "Lowers the volume."},
 }};
 
-/// What every key does before anything else. True where that was all.
+/// Does what every key does before anything else. True if that was all.
 bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
     Visitor& visitor = work.visitor;
     visitor.active_s = visitor.key_s = work.site.now_s;
     visitor.pulled_s.reset();
-    visitor.is_hint_due = false;  // until another item or screen is come to
+    visitor.is_hint_due = false;  // until another item or screen gets the focus
     const bool was_leading = stop_leading(work);
     switch (open_screen(work)) {
         case VisitScreen::attract:
@@ -57,7 +57,7 @@ bool is_taken_at_once(VisitWork& work, bool is_volume = false) {
     return true;
 }
 
-/// In help a key says what it is, and that is all.
+/// In help a key only says what it is.
 void explain(VisitWork& work, KeyRole role) {
     Visitor& visitor = work.visitor;
     visitor.helps = role == KeyRole::help ? visitor.helps + 1 : 0;
@@ -86,7 +86,7 @@ void move(VisitWork& work, bool is_down) {
     say_item(work);
 }
 
-/// Or, where there is no speech, brings it back.
+/// Opens help; if speech is off, turns it on instead.
 void open_help(VisitWork& work) {
     cue(work, ScreenEvent::key_taken);
     if (!work.visitor.sound.is_speech_on) {
@@ -100,7 +100,7 @@ void open_help(VisitWork& work) {
     say_screen(work);
 }
 
-/// One screen back; from choose the question whether to finish.
+/// Goes one screen back; from choose, asks whether to finish.
 void go_back(VisitWork& work) {
     const VisitScreen screen = open_screen(work);
     cue(work, ScreenEvent::key_taken);
@@ -114,7 +114,7 @@ void go_back(VisitWork& work) {
     step_back(work);
 }
 
-/// Once: the last words. Twice: the whole screen.
+/// Once says the last words; twice the whole screen.
 void repeat(VisitWork& work) {
     Visitor& visitor = work.visitor;
     cue(work, ScreenEvent::key_taken);
@@ -165,7 +165,7 @@ void press(VisitWork& work, KeyRole role) {
 void press(VisitWork& work, SpeechKey key) {
     if (key == SpeechKey::repeat) return press(work, KeyRole::repeat);
     if (key == SpeechKey::pause && is_visit_on(visit_of(work))) {
-        // Neither hushed nor stopped: the next one goes on with the same words.
+        // Speech is neither hushed nor stopped: the next press goes on with the same words.
         work.visitor.active_s = work.visitor.key_s = work.site.now_s;
         if (stop_leading(work)) order(work, Hush{});
         if (work.visitor.over && work.visitor.over->screen == VisitScreen::question) {

@@ -1,4 +1,4 @@
-// The handle that leads the hand, and the hand as it is seen.
+// The handle that leads the hand, and the hand's reported position.
 #include "app/session/visit_work.h"
 #include "audio-cues/speech/speech_rate.h"
 
@@ -7,7 +7,7 @@
 namespace touchline {
 namespace {
 
-/// Long enough for its first words, at the rate that the visitor chose.
+/// Long enough for the announcement's first words, at the rate that the visitor chose.
 double announcement_s(const Visitor& visitor) {
     const std::size_t rate = std::min(visitor.sound.rate, speech_rates_per_minute.size() - 1);
     return 2.0 * speech_rates_per_minute[default_speech_rate] / speech_rates_per_minute[rate];

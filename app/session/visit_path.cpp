@@ -1,4 +1,4 @@
-// Which screen is open, and what is said when another one is.
+// Which screen is open, and what is said when another one opens.
 #include "app/session/visit_work.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ const Language& language_of_item(const VisitWork& work, const ScreenItem& item) 
     return language_of(work);
 }
 
-/// The hint of the focused item counts as said where the screen's text says it too.
+/// Counts the hint of the focused item as said if the screen's text says it too.
 void note_hint(VisitWork& work, const SpokenScreen& screen) {
     if (!screen.focus) return;
     const std::string& hint = screen.items[*screen.focus].hint;
@@ -124,7 +124,7 @@ void show_trouble(VisitWork& work, const std::string& sentence,
     arrive(work);
     cue(work, trouble ? ScreenEvent::fault : ScreenEvent::picture_failed);
     shake(work, HandlePattern::error);
-    // Who was told that something is wrong, and how to go on, hears what is new of it.
+    // A visitor who was told what is wrong, and how to go on, hears only the news about it.
     const SpokenScreen screen = screen_of(work);
     std::string text = is_going_on ? std::string() : screen.title;
     add_sentence(text, screen.text);

@@ -1,4 +1,4 @@
-// The picture: how it is opened, opened again in another way, and told.
+// How the picture is opened, opened again in another way, and told.
 #include "app/session/page_words.h"
 #include "app/session/visit_work.h"
 #include "audio-cues/words/guidance_words.h"
@@ -11,7 +11,7 @@
 namespace touchline {
 namespace {
 
-/// Opens it in the language and detail that hold now.
+/// Opens it in the current language and detail.
 void load(VisitWork& work, Loading loading) {
     loading.order.request = ++work.site.request;
     loading.order.language = work.visitor.sound.language;
@@ -20,8 +20,8 @@ void load(VisitWork& work, Loading loading) {
     work.visitor.loading = std::move(loading);
 }
 
-/// What was wanted did not come. A detail that could not be reached is given up; one that was set
-/// while something else was opened holds for what is felt.
+/// Loading failed. A detail that could not be reached is given up; one that was set while something
+/// else was opened applies to what is felt.
 void stay_with_felt(VisitWork& work, LoadReason wanted) {
     Visitor& visitor = work.visitor;
     if (!visitor.felt) return;
@@ -47,7 +47,7 @@ void arrive_at_picture(VisitWork& work) {
     visitor.is_told_shortly = true;
     std::string text = screen_of(work).title;
     add_sentence(text, words_of(place, language_of(work)));
-    visitor.is_hint_due = false;  // of an item that nobody has heard of
+    visitor.is_hint_due = false;  // nobody has heard of its item yet
     say_next(work, text);
 }
 
@@ -69,7 +69,7 @@ std::string told_change(const VisitWork& work, LoadReason reason) {
                          {language.number(felt.order.zoom.factor, 0),
                           words_of(place_of(felt.order.zoom.centre, CueArea{}), language)});
         case LoadReason::other_view: {
-            // What changed, first.
+            // What changed comes first.
             std::string text = words_of(felt.facts.place, language);
             add_sentence(text, words_of(felt.facts.names, language));
             add_sentence(text, language.counted("count", "{0} outline", "{0} outlines",
@@ -86,17 +86,17 @@ std::string told_change(const VisitWork& work, LoadReason reason) {
     return told_picture(work);
 }
 
-/// Then the item, without its value: that is what was told.
+/// Adds the item without its value, which was told already.
 void say_with_name(VisitWork& work, VisitItem item, std::string text) {
-    focus_on(work, item);  // others may have come before it
+    focus_on(work, item);  // other items may have come before it
     SpokenScreen screen = screen_of(work);
     screen.items[*screen.focus].value.clear();
     add_sentence(text, spoken_item(screen, *screen.focus, language_of(work)));
     say(work, text);
 }
 
-/// Over an open help the visitor hears it when the keys are silent. What tells the whole picture
-/// has its title already.
+/// While help is open, the visitor hears it once the keys are silent. Texts that tell the whole
+/// picture have its title already.
 void tell_change(VisitWork& work, LoadReason reason) {
     std::string text = told_change(work, reason);
     if (work.visitor.over) return say(work, text, SpeechPriority::hint);
@@ -212,15 +212,15 @@ void take_ready(VisitWork& work, const PictureReady& ready) {
         SpeechPriority::hint);
 }
 
-/// What the things of the photograph are taken for, and then the news; says nothing without either.
-/// A photograph that was told shortly is now told in full.
+/// Says what the things of the photograph probably are, and then the news; says nothing without
+/// either. Tells a photograph in full if it was told shortly before.
 void tell_names(VisitWork& work, const std::string& news = {}) {
     Visitor& visitor = work.visitor;
     const KnownPicture& felt = *visitor.felt;
     const bool is_open = !visitor.over && visitor.path.back().screen == VisitScreen::picture;
     const bool is_rest = visitor.is_told_shortly && is_open;
     std::string text = is_rest ? told_picture(work) : words_of(felt.facts.names, language_of(work));
-    // What was not found the whole picture tells itself.
+    // The text of the whole picture says what was not found.
     const bool is_told = is_rest && felt.facts.place.things != ThingSearch::found;
     if (!news.empty() && !is_told) add_sentence(text, words(work, news));
     if (!is_rest) return text.empty() ? void() : say(work, text, SpeechPriority::hint);
@@ -241,7 +241,8 @@ void tell_things(VisitWork& work) {
     tell_names(work, "The main thing was found. You will find it under: How much of the photo.");
 }
 
-/// A hand that has found a line keeps it: it is told, and the main thing is felt when it is wanted.
+/// If the hand has found a line, the picture stays: the visitor is told, and can choose the main
+/// thing.
 void take_things(VisitWork& work, const ThingsLookedFor& looked) {
     Visitor& visitor = work.visitor;
     if (!visitor.felt || visitor.felt->order.request != looked.request) return;

@@ -44,7 +44,8 @@ std::string stick_value(const Sheet& sheet) {
                                   static_cast<int>(visitor.stick_list->names.size()));
 }
 
-/// Without force or sound there is less of everything; the rest says so in its place.
+/// Tells the troubles of force and sound, which concern everything; the others are told in their
+/// place.
 void put_lasting_troubles(Sheet& sheet) {
     for (const TroubleKind kind : {TroubleKind::device, TroubleKind::sound}) {
         const auto& trouble = sheet.visit.site.troubles[static_cast<std::size_t>(kind)];

@@ -81,7 +81,7 @@ void toggle(VisitWork& work, bool& value) {
     say_item(work);
 }
 
-/// Nobody who hears nothing could ask how it comes back.
+/// Says first how speech comes back, for a visitor who hears nothing cannot ask.
 void toggle_speech(VisitWork& work) {
     bool& is_on = work.visitor.sound.is_speech_on;
     is_on = !is_on;
@@ -179,7 +179,7 @@ void take_picture_item(VisitWork& work, VisitItem item) {
     }
 }
 
-/// The list that the picture came from.
+/// Opens the list that the picture came from.
 void choose_another(VisitWork& work) {
     switch (work.visitor.felt->order.source) {
         case PictureSource::gallery:

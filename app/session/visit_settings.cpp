@@ -1,4 +1,4 @@
-// What a visitor can set: every setting is a list of named values.
+// What a visitor can set. Every setting is a list of named values.
 #include "app/session/status.h"
 #include "app/session/visit_work.h"
 #include "audio-cues/speech/speech_rate.h"
@@ -25,7 +25,7 @@ std::vector<std::string> named(const Language& language, const char* context,
     return names;
 }
 
-/// Without "of 7": the place on the screen says it already.
+/// Without "of 7", which the place on the screen says already.
 std::vector<std::string> stepped(const Language& language, std::size_t count) {
     std::vector<std::string> names;
     for (std::size_t step = 1; step <= count; ++step)
@@ -157,7 +157,7 @@ void choose_value(VisitWork& work, VisitItem setting, std::size_t value) {
         default:
             break;
     }
-    // Work that began says what comes of it.
+    // If work began, its result is said later.
     if (open_screen(work) != VisitScreen::opening) say_item(work);
 }
 
@@ -197,7 +197,7 @@ void reset_settings(VisitWork& work) {
     const Visitor first = new_visitor(work.site, work.world);
     const std::size_t language = work.visitor.sound.language;
     work.visitor.sound = first.sound;
-    work.visitor.sound.language = language;  // or nothing would be understood any more
+    work.visitor.sound.language = language;  // or the visitor would understand nothing more
     work.visitor.look = first.look;
     work.visitor.feel = first.feel;
 }

@@ -1,4 +1,4 @@
-// A shape in the hand: chosen, turned, told. Only where the house offers it.
+// A held shape: chosen, turned, told. Only where the site offers it.
 #include "app/session/screen_writer.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ constexpr int degrees_a_key = 15;
 constexpr const char* turn_hint = "Press Select to turn it a little. A knob turns it too.";
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
-/// As far as it is from where it began, the short way round; left is counter-clockwise.
+/// The turn from the start, the short way round; left is counter-clockwise.
 std::string told_turn(double turn_rad, const Language& language) {
     const int degrees =
         static_cast<int>(std::lround(std::remainder(degrees_per_radian * turn_rad, 360.0)));
@@ -41,7 +41,7 @@ void put_shape(ScreenWriter& sheet) {
 void turn_shape(VisitWork& work, VisitItem item) {
     double& turn_rad = work.visitor.feel.turn_rad;
     const double step_rad = degrees_a_key / degrees_per_radian;
-    // To the next of the steps, wherever a knob left it.
+    // Goes to the next step, wherever a knob left the shape.
     const double steps = turn_rad / step_rad;
     if (item == VisitItem::turn_left) turn_rad = step_rad * (std::floor(steps + 1e-6) + 1.0);
     if (item == VisitItem::turn_right) turn_rad = step_rad * (std::ceil(steps - 1e-6) - 1.0);

@@ -1,4 +1,4 @@
-// A stick's list of files: all of them, or those that begin alike; and its letters.
+// A stick's list of files, all of them or those that begin alike, and its letters.
 #include "app/session/screen_writer.h"
 #include "app/sticks/spoken_name.h"
 #include "app/sticks/stick_words.h"
@@ -9,7 +9,7 @@
 namespace touchline {
 namespace {
 
-/// More than a page: worth searching.
+/// True if there is more than a page, so that a search helps.
 bool is_long(std::size_t rows) {
     return rows > list_page;
 }
@@ -38,7 +38,7 @@ std::string files_in_words(std::size_t count, const Language& language) {
     return language.counted("count", "{0} file", "{0} files", static_cast<int>(count));
 }
 
-/// The letters of all that the list shows now.
+/// The letters of all files that the list shows now.
 std::vector<LetterGroup> groups_of(const VisitWork& work) {
     const Visitor& visitor = work.visitor;
     std::vector<std::size_t> rows(visitor.stick_list->names.size());

@@ -1,4 +1,4 @@
-// What the clock alone brings.
+// What time alone causes.
 #include "app/session/visit_work.h"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ void ask(VisitWork& work) {
     say_screen(work);
 }
 
-/// Who waits for work, or is led, is there. A handle that waits for a hand says nothing of one.
+/// A visitor who waits for work, or is led, counts as present. A handle that waits for a hand tells
+/// nothing.
 bool is_busy(const VisitWork& work) {
     const Visitor& visitor = work.visitor;
     const double now_s = work.site.now_s;
@@ -69,7 +70,7 @@ void tell_progress(VisitWork& work) {
     say(work, text, SpeechPriority::hint);
 }
 
-/// To each in its own language, but for the one in which all was said already.
+/// Says each language in itself, except the one in which everything was said already.
 void say_languages(VisitWork& work) {
     const std::string how = has_keys(work.world) ? "{0}: Down until you hear it, then Select."
                                                  : "{0}: move on until you hear it, then select.";
@@ -80,19 +81,19 @@ void say_languages(VisitWork& work) {
     }
 }
 
-/// The one that was said a moment ago stays due until it is worth hearing again.
+/// A hint that was said a moment ago stays due until it is worth hearing again.
 void give_hint(VisitWork& work) {
     Visitor& visitor = work.visitor;
     const double now_s = work.site.now_s;
     const double still_since_s = std::max(visitor.key_s, visitor.entered_s);
     if (!visitor.is_hint_due || now_s - still_since_s < hint_after_s) return;
-    if (open_screen(work) == VisitScreen::opening) return;  // of which nobody has heard yet
+    if (open_screen(work) == VisitScreen::opening) return;  // nobody has heard of it yet
     const bool is_of_languages = open_screen(work) == VisitScreen::language;
     const SpokenScreen screen = screen_of(work);
     std::string hint;
     if (is_of_languages)
-        hint =
-            work.world.languages.front().name();  // the same list, whatever language has the focus
+        hint = work.world.languages.front()
+                   .name();  // the list is the same, whatever language has the focus
     else if (screen.focus)
         hint = screen.items[*screen.focus].hint;
     visitor.is_hint_due = false;
@@ -125,7 +126,7 @@ void mind_practice(VisitWork& work) {
         SpeechPriority::hint);
 }
 
-/// Nobody hears that there is no sound: the handle says so, again and again.
+/// Nobody can hear that the sound is gone, so the handle signals it, again and again.
 void ask_for_attention(VisitWork& work) {
     Visitor& visitor = work.visitor;
     const bool is_mute =
@@ -139,7 +140,7 @@ void ask_for_attention(VisitWork& work) {
 
 void pass_time(VisitWork& work, double now_s) {
     Visitor& visitor = work.visitor;
-    // What came before the clock was first told came just now.
+    // Events before the first tick count as happening now.
     if (work.site.now_s == 0.0) visitor.active_s = visitor.key_s = visitor.entered_s = now_s;
     work.site.now_s = std::max(work.site.now_s, now_s);
     const VisitScreen screen = open_screen(work);

@@ -58,7 +58,7 @@ void shake(VisitWork& work, HandlePattern pattern) {
 void say_in(VisitWork& work, const Language& language, const std::string& text,
             SpeechPriority priority) {
     if (text.empty()) return;
-    // A hint may wait, or never be said: what was said before it stays what is asked for again.
+    // A hint may wait, or never be said, so Repeat keeps what was said before it.
     if (priority != SpeechPriority::hint) {
         work.visitor.caption.text = text;
         work.visitor.caption.language = language.code();

@@ -1,4 +1,4 @@
-// A step while it is being made: the parts of visit.h share it. Not for others.
+// A step while it is being made, shared by the parts of visit.h. Not for other files.
 // Threads: values; one step's.
 #pragma once
 
@@ -17,7 +17,7 @@ struct VisitWork {
     VisitOrders orders;
 };
 
-/// In the visitor's language.
+/// The visitor's language.
 [[nodiscard]] const Language& language_of(const VisitWork& work);
 
 [[nodiscard]] Visit visit_of(const VisitWork& work);
@@ -31,9 +31,9 @@ void order(VisitWork& work, VisitOrder order);
 void cue(VisitWork& work, ScreenEvent event);
 void shake(VisitWork& work, HandlePattern pattern);
 
-/// Becomes the caption. Nothing for an empty text.
+/// Says `text` and makes it the caption. Does nothing if it is empty.
 void say(VisitWork& work, const std::string& text, SpeechPriority priority = SpeechPriority::text);
-/// Waits until what is being said is over; asked for again, this is what is said.
+/// Says `text` once what is being said is over. Repeat says it again.
 void say_next(VisitWork& work, const std::string& text);
 void say_in(VisitWork& work, const Language& language, const std::string& text,
             SpeechPriority priority = SpeechPriority::text);
@@ -42,59 +42,61 @@ void say_in(VisitWork& work, const Language& language, const std::string& text,
 [[nodiscard]] std::string words(const VisitWork& work, const std::string& english,
                                 std::initializer_list<std::string_view> values = {});
 
-// Going about (visit_path.cpp). What is said begins with `first` where that is not empty.
+// Navigation (visit_path.cpp). What is said begins with `first` unless that is empty.
 
 /// The open screen: title, text, focused item.
 void say_screen(VisitWork& work, const std::string& first = {});
 
-/// Title and focused item: who comes back knows the rest.
+/// Title and focused item: whoever comes back knows the rest.
 void say_return(VisitWork& work, const std::string& first = {});
 
 /// The item that has the focus, in its own language.
 void say_item(VisitWork& work, const std::string& first = {});
 
-/// After what is being said: news that nobody asked for just now, and the item that has the focus.
+/// Says, after what is being said, news that nobody asked for just now, and then the item that has
+/// the focus.
 void say_item_next(VisitWork& work, std::string text);
 
 void enter(VisitWork& work, VisitScreen screen, int about = 0, std::size_t focus = 0);
 void leave(VisitWork& work);
 
-/// Leaves and says so. Who has practised goes on to the pictures.
+/// Leaves and says so. After the practice, goes on to the pictures.
 void step_back(VisitWork& work);
 
-/// Straight to `screen`, one below choose.
+/// Opens `screen` directly, one level below choose.
 void go_to(VisitWork& work, VisitScreen screen);
 
-/// A new one where the visitor has not heard it yet.
+/// Adds a new one if the visitor has not heard it yet.
 [[nodiscard]] HintSaid& hint_of(Visitor& visitor, const std::string& text);
 
-/// The focus on the item, where the open screen has it.
+/// Puts the focus on the item if the open screen has it.
 void focus_on(VisitWork& work, VisitItem item);
 
-/// What went wrong, over all else; `trouble`: what it is about.
+/// Shows what went wrong, over everything else. `trouble`: what it is about.
 void show_trouble(VisitWork& work, const std::string& sentence, std::optional<TroubleKind> trouble);
 
-/// Back to what is under it.
+/// Goes back to what is under it.
 void close_trouble(VisitWork& work, const std::string& first = {});
 
-/// Help or the question is over: to the trouble that it covered, or to the screen.
+/// Ends help or the question: goes back to the trouble that it covered, or to the screen.
 void uncover(VisitWork& work, const std::string& first = {});
 
-/// `sentence`, or where nobody said it better: what, why and what to do.
+/// `sentence`, or, if it is empty, a general one: what, why and what to do.
 [[nodiscard]] std::string told_trouble(TroubleKind kind, const std::string& sentence,
                                        const Language& language);
 
 // Beginning and end (visit_ends.cpp).
 
-/// The screen of the one before is over: nothing of theirs stays, but a stick that is there.
+/// Ends the screen of the visitor before: nothing of theirs stays, except a stick that is plugged
+/// in.
 void nobody_is_here(VisitWork& work);
 
 void begin_visit(VisitWork& work);
 
-/// Everything of the visitor is wiped; then `next` is said.
+/// Wipes everything of the visitor; then says `next`.
 void end_visit(VisitWork& work, VisitScreen next);
 
-/// What every visit begins with.
+/// The state that every visit begins with.
 [[nodiscard]] Visitor new_visitor(const Site& site, const VisitWorld& world);
 
 // The picture (visit_picture.cpp).
@@ -103,25 +105,25 @@ void open_picture(VisitWork& work, PictureSource source, std::size_t index,
                   const std::string& name);
 void open_again(VisitWork& work, LoadPicture wanted, LoadReason reason);
 
-/// What is being opened, or else what is felt, in the language and detail that hold now.
+/// Opens again what is being opened, or else what is felt, in the current language and detail.
 void open_unasked(VisitWork& work);
 void cancel_loading(VisitWork& work);
 void take_ready(VisitWork& work, const PictureReady& ready);
 void tell_things(VisitWork& work);
 
-/// The main thing that is being opened by itself would be drawn from under the hand, or under
-/// another screen. True where there was one.
+/// Cancels the main thing that is being opened unasked: it would replace the picture under the
+/// hand, or under another screen. True if there was one.
 bool keep_whole(VisitWork& work);
 void take_things(VisitWork& work, const ThingsLookedFor& looked);
 void take_failed(VisitWork& work, const PictureFailed& failed);
 
-/// Title, the way it is drawn, overview, parts.
+/// Title, how it is drawn, overview, parts.
 [[nodiscard]] std::string told_picture(const VisitWork& work);
 
-/// W of the whole picture, for a place of what is felt.
+/// Turns a place of what is felt into W of the whole picture.
 [[nodiscard]] Position in_whole_picture(const VisitWork& work, Position place_W);
 
-/// Twice around it, or four times where it is in the middle already.
+/// Enlarges twice around it, or four times if it is in the middle already.
 void zoom_around(VisitWork& work, Position place_W, double factor);
 void zoom_in_on_part(VisitWork& work, std::size_t part);
 
@@ -130,36 +132,36 @@ void zoom_in_on_part(VisitWork& work, std::size_t part);
 
 // The stick's list (visit_stick.cpp).
 
-/// The letters are those of the rows that the list shows now.
+/// Opens the letters of the rows that the list shows now.
 void open_letters(VisitWork& work);
 
-/// `row` of Visitor::letters: the list shows those from now on.
+/// `row` of Visitor::letters: from now on the list shows its files.
 void take_letter(VisitWork& work, std::size_t row);
 void show_all_files(VisitWork& work);
 void forget_letters(Visitor& visitor);
 
-/// The open list shows the page with this file, which has the focus.
+/// Opens the page of the list that has this file, with the focus on it.
 void return_to_file(VisitWork& work, std::size_t row);
 
 // Leading (visit_leading.cpp).
 
-/// Announces; begins when that could be heard (HA-1).
+/// Announces the guide, and begins after the time to hear it (HA-1).
 void lead(VisitWork& work, const Guide& guide, const std::string& announcement);
 
-/// Any key. True if anything was under way.
+/// Called at any key. True if anything was under way.
 bool stop_leading(VisitWork& work);
 
 void follow_handle(VisitWork& work, const HandleSeen& handle);
 
-/// The name of the part that the hand rests on.
+/// Says the name of the part that the hand rests on.
 void name_part(VisitWork& work);
 
-// A shape in the hand (visit_shape.cpp).
+// A held shape (visit_shape.cpp).
 
-/// turn_left, turn_right or turn_back.
+/// `item`: turn_left, turn_right or turn_back.
 void turn_shape(VisitWork& work, VisitItem item);
 
-/// Without a word: a knob is felt.
+/// Says nothing: the hand feels a knob turn.
 void follow_knob(VisitWork& work, double by_rad);
 
 // Settings (visit_settings.cpp).
@@ -169,17 +171,17 @@ struct ValueList {
     std::size_t chosen = 0;
 };
 
-/// Of a setting: its values in the order of the screen.
+/// The values of a setting, in the order of the screen.
 [[nodiscard]] ValueList values_of(const Visit& visit, const VisitWorld& world, VisitItem setting);
 [[nodiscard]] std::string name_of(VisitItem setting, const Language& language);
 
-/// `value` of values_of().
+/// `value` is an index of values_of().
 void choose_value(VisitWork& work, VisitItem setting, std::size_t value);
 void change_volume(VisitWork& work, int change);
 void change_rate(VisitWork& work, int change);
 void reset_settings(VisitWork& work);
 
-/// What the operator sets of the feel goes before what the visitor chose: the later word holds.
+/// Applies the operator's changes to the feel over the visitor's choices: the later change holds.
 void follow_settings(VisitWork& work, const Settings& before);
 
 // Keys (visit_keys.cpp, visit_select.cpp) and time (visit_time.cpp).
@@ -192,17 +194,17 @@ void pass_time(VisitWork& work, double now_s);
 
 inline constexpr int list_page = 10;  // rows of a list on a screen
 inline constexpr double hint_after_s = 1.5;
-inline constexpr double hint_again_s = 30.0;  // the same one; ten, and as long as other words last
-inline constexpr int hint_times = 2;          // in a visit: then it is known
+inline constexpr double hint_again_s = 30.0;  // the same hint: 10 s, and the time of other words
+inline constexpr int hint_times = 2;          // in a visit; after that it is known
 inline constexpr double progress_after_s = 0.3;
 inline constexpr double progress_said_after_s = 2.0;
 inline constexpr double progress_said_every_s = 4.5;
-inline constexpr double private_s = 10.0;  // headphones pulled: then the question is asked
+inline constexpr double private_s = 10.0;  // headphones are out; then the kiosk asks
 inline constexpr double goodbye_s = 10.0;
 inline constexpr double practice_s = 60.0;
-inline constexpr double longest_lead_s = 300.0;  // counts as presence no longer
+inline constexpr double longest_lead_s = 300.0;  // longer leading no longer counts as presence
 inline constexpr double dwell_s = 0.4;
-inline constexpr double quick_m_per_s = 0.08;  // nothing is named while the hand is faster
+inline constexpr double quick_m_per_s = 0.08;  // no part is named while the hand is faster
 inline constexpr double attention_every_s = 5.0;
 
 }  // namespace touchline

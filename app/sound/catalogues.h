@@ -1,4 +1,4 @@
-// The words and the levels, from where they are installed or were built.
+// Loads the words and the levels from where they are installed or were built.
 // Threads: any, as long as nothing in the program changes its environment.
 #pragma once
 
@@ -13,22 +13,23 @@ namespace touchline {
 
 using Languages = std::vector<Language>;
 
-/// TOUCHLINE_WORDS where that is set, else as installed, else as built.
+/// TOUCHLINE_WORDS if it is set, else the installed folder, else the built one.
 [[nodiscard]] std::filesystem::path words_folder();
 
-/// English and every catalogue of the folder that can be used; `problems` has a line for each that
-/// cannot. Never empty.
+/// English and every usable catalogue of the folder. `problems` gets a line for each that is not
+/// usable. Never empty.
 [[nodiscard]] Languages read_languages(const std::filesystem::path& folder,
                                        std::vector<std::string>& problems);
 
-/// TOUCHLINE_SOUND where that is set, else the kiosk user's own, else as installed, else as built.
+/// TOUCHLINE_SOUND if it is set, else the kiosk user's own file, else the installed one, else the
+/// built one.
 [[nodiscard]] std::filesystem::path sound_file();
 
-/// Prompts that somebody recorded for this kiosk (audio-cues/speech/recorded_prompts.h):
-/// TOUCHLINE_PROMPTS where that is set, else the kiosk user's own. It need not exist.
+/// The folder of prompts recorded for this kiosk (audio-cues/speech/recorded_prompts.h):
+/// TOUCHLINE_PROMPTS if it is set, else the kiosk user's own. It may be missing.
 [[nodiscard]] std::filesystem::path prompts_folder();
 
-/// The defaults where the file cannot be used; `problems` then has its line.
+/// Returns the defaults if the file cannot be used; `problems` then gets a line.
 [[nodiscard]] SoundSettings read_sound_settings(const std::filesystem::path& file,
                                                 std::vector<std::string>& problems);
 

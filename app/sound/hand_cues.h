@@ -1,4 +1,4 @@
-// What the hand meets, as sounds at their time.
+// Plays what the hand meets as sounds at the right time.
 // Threads: one.
 #pragma once
 
@@ -14,11 +14,12 @@
 
 namespace touchline {
 
-/// A report is never early, and now and then it comes at once: the least delay that was met is the
-/// offset between the clocks. It may grow a little, for they need not run alike.
+/// Maps the servo's time to this clock. A report is never early, and now and then it comes at once,
+/// so the smallest delay so far is the offset between the clocks. The offset may grow a little,
+/// because the clocks may run at different speeds.
 class ServoClock {
   public:
-    /// A report of the servo's time `servo_s` is here at `now_ns`.
+    /// A report of the servo's time `servo_s` arrived at `now_ns`.
     void told(double servo_s, std::int64_t now_ns) {
         if (!std::isfinite(servo_s) || (last_s_ && servo_s == *last_s_)) return;
         const double offset_s = 1e-9 * static_cast<double>(now_ns) - servo_s;
@@ -34,14 +35,14 @@ class ServoClock {
         return std::llround(1e9 * (servo_s + offset_s_));
     }
 
-    static constexpr double drift = 1e-4;  // seconds a second
+    static constexpr double drift = 1e-4;  // seconds per second
 
   private:
     std::optional<double> last_s_;
     double offset_s_ = 0.0;
 };
 
-/// Of how much is heard, and where.
+/// How much is heard, and where.
 struct CueSetting {
     CueAmount amount = CueAmount::cues;
     CueArea area;
@@ -50,11 +51,11 @@ struct CueSetting {
 
 class HandCues {
   public:
-    /// Both must outlive it.
+    /// Both arguments must outlive it.
     HandCues(Mixer& mixer, const FrameClock& clock) : mixer_(mixer), clock_(clock) {}
 
-    /// Sends what this event sounds like, for the frame that belongs to its time: less than 4 ms
-    /// after it if it is told within a millisecond, else at once.
+    /// Sends the sound of this event for the frame of its time: less than 4 ms after the event if
+    /// it is reported within a millisecond, else at once.
     void play(const ContactEvent& event, const CueSetting& setting);
 
   private:

@@ -25,7 +25,7 @@ bool has_headphones(const SwitchBits& bits) {
     return (bits[SW_HEADPHONE_INSERT / 8] & (1U << (SW_HEADPHONE_INSERT % 8U))) != 0;
 }
 
-/// In the order of their names, so that it is the same one every time.
+/// Sorted by name, so that it is the same one every time.
 std::vector<std::string> event_files(const std::string& folder) {
     std::vector<std::string> paths;
     std::error_code error;
@@ -62,7 +62,7 @@ void HeadphoneSwitch::look_for_one(double now_s) {
     }
 }
 
-/// False: the device is gone.
+/// False if the device is gone.
 bool HeadphoneSwitch::read_events() {
     std::array<std::byte, 64 * sizeof(input_event)> bytes;
     for (;;) {

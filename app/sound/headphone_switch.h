@@ -1,4 +1,4 @@
-// Headphones by the switch of the sound chip, which Linux has as an input device.
+// Detects headphones by the sound chip's switch, a Linux input device.
 // Threads: one.
 #pragma once
 
@@ -12,16 +12,16 @@
 
 namespace touchline {
 
-/// An input device that has the switch, open for reading without waiting.
+/// An input device that has the switch, open for non-blocking reading.
 struct SwitchDevice {
     Descriptor file;
-    std::optional<bool> are_in;  // as it says now
+    std::optional<bool> are_in;  // the device's present state
 };
 
-/// Nothing for a file that is no such device, or may not be read.
+/// Nothing if the file is no such device, or may not be read.
 [[nodiscard]] std::optional<SwitchDevice> open_switch(const std::string& path);
 
-/// Looks for one every `retry_s` while there is none: a sound card may come later, or go.
+/// Looks for a device every `retry_s` while there is none: a sound card may come later, or go.
 class HeadphoneSwitch final : public HeadphonePresence {
   public:
     using Open = std::function<std::optional<SwitchDevice>(const std::string& path)>;
@@ -39,7 +39,7 @@ class HeadphoneSwitch final : public HeadphonePresence {
 
     std::string folder_;
     Open open_;
-    std::string path_;  // of the device that is open
+    std::string path_;  // of the open device
     Descriptor file_;
     SwitchStream stream_;
     double looked_s_ = -retry_s;

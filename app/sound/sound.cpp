@@ -33,7 +33,7 @@ CueArea area_of(const Scene& scene) {
     return {scene.area.width_m / 2.0, scene.area.height_m / 2.0};
 }
 
-/// From the proxy to the nearest line as it is felt; 0 on one, infinite where none is near enough
+/// From the proxy to the nearest line as it is felt; 0 on a line, infinite if none is near enough
 /// to be heard.
 double distance_to_line_m(const HandMoment& moment) {
     if (moment.hand.state != ContactState::free) return 0.0;
@@ -72,7 +72,7 @@ void Sound::give(ScreenEvent event) {
     if (step.cue) mixer_.send(sound_of(*step.cue, 0));
 }
 
-/// Speech that is off leaves what must be heard.
+/// With speech off, only what must be heard is said.
 void Sound::say(const Utterance& utterance) {
     if (wanted_.is_speech_on || utterance.priority == SpeechPriority::safety)
         speaker_.say(utterance, now_s());

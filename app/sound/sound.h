@@ -1,5 +1,6 @@
-// All that is heard: speech, cues of keys, screens and the hand, and where headphones are.
-// Threads: one, the screen's; it starts one for what the hand's events sound like (sound_loop.h).
+// Everything that is heard: speech, the cues of keys, screens and the hand; also detects
+// headphones.
+// Threads: one, the screen's; it starts another for the sounds of the hand's events (sound_loop.h).
 // No call waits.
 #pragma once
 
@@ -21,16 +22,15 @@ struct SoundParts {
     Languages languages{Language()};
     RecordedPrompts prompts;
     std::string speak_program;          // touchline-speak
-    std::vector<std::string> problems;  // a line each, for the operator
+    std::vector<std::string> problems;  // one line each, for the operator
 };
 
-/// As the kiosk has them: a sound card, keypad, jack, the catalogues and levels where they are
-/// installed.
+/// The kiosk's parts: a sound card, keypad, jack, and the installed catalogues and levels.
 [[nodiscard]] SoundParts sound_parts();
 
 class Sound final : public VisitorSound {
   public:
-    /// Begins at once. `events` is called from another thread, until destruction.
+    /// Starts at once. `events` is called from another thread, until destruction.
     Sound(SoundParts parts, EventSource events);
 
     void say(const Utterance& utterance) override;
@@ -75,7 +75,7 @@ class Sound final : public VisitorSound {
     SoundLoop loop_;
     Speaker speaker_;
     SoundNews news_;
-    std::optional<bool> keypad_;  // what it said of its socket
+    std::optional<bool> keypad_;  // the keypad's report of its socket
     CueState screen_cues_;
     CueSetting hand_cues_;
     bool is_tone_on_ = false;

@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-constexpr int polls_between_looks = 16;  // 60 times a second, nearly
+constexpr int polls_between_looks = 16;  // nearly 60 looks a second
 
 void leave_signals_to_others() {
     sigset_t all;

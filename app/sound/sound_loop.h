@@ -1,7 +1,6 @@
-// The thread of sound: contact events become cues within a millisecond, the device is opened and
-// looked after, headphones are asked about. Nothing of this waits for the screen, nor the screen
-// for it.
-// Threads: constructed, asked and ended by one thread; it runs one of its own.
+// The thread of sound. It turns contact events into cues within a millisecond, opens and watches
+// the device, and polls the headphones. It never waits for the screen, nor the screen for it.
+// Threads: constructed, read and ended by one thread; it runs one of its own.
 #pragma once
 
 #include "app/sound/hand_cues.h"
@@ -18,27 +17,27 @@
 
 namespace touchline {
 
-/// Where contact events come from; called from the loop's thread only.
+/// Gives contact events; called only from the loop's thread.
 using EventSource = std::function<std::optional<ContactEvent>()>;
 
-/// What the outside of the machine looks like to sound; null where there is none of that kind.
+/// The sound hardware; null for any kind that is missing.
 struct SoundWorld {
     std::unique_ptr<SoundDevice> device;
     std::unique_ptr<HeadphonePresence> input_switch;
     std::unique_ptr<HeadphonePresence> jack_control;
 };
 
-/// What the loop found out.
+/// What the loop has found.
 struct SoundNews {
     std::optional<ContactEvent> last_event;
     bool is_working = false;
-    std::string problem;          // why not; empty where it works
-    HeadphoneReports headphones;  // of the keypad none: that is a key
+    std::string problem;          // why nothing is heard; empty: it works
+    HeadphoneReports headphones;  // without the keypad's: that is a key
 };
 
 class SoundLoop {
   public:
-    /// Begins at once. The mixer must outlive it. `world.device` is not null.
+    /// Starts at once. The mixer must outlive it. `world.device` is not null.
     SoundLoop(Mixer& mixer, SoundWorld world, EventSource events);
 
     [[nodiscard]] SoundNews news() const;
@@ -53,7 +52,7 @@ class SoundLoop {
     void look_after(SoundOutput& output, const SoundWorld& world);
 
     Mixer& mixer_;
-    mutable std::mutex mutex_;  // of the two below; held while one is copied
+    mutable std::mutex mutex_;  // for the two below; held while one is copied
     CueSetting setting_;
     SoundNews news_;
     std::jthread thread_;  // last: it uses all of the above

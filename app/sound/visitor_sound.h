@@ -1,4 +1,4 @@
-// What the kiosk can do to be heard: the real sound (sound.h), or one that a test listens to.
+// The kiosk's interface to sound: the real one (sound.h), or one that a test listens to.
 // Threads: one.
 #pragma once
 
@@ -17,14 +17,14 @@
 
 namespace touchline {
 
-/// What the hand is on, several times a second.
+/// What the hand touches, several times a second.
 struct HandMoment {
     HandState hand;
-    const Scene* scene = nullptr;    // felt; null: none yet
-    std::optional<Position> target;  // the way to it is heard
+    const Scene* scene = nullptr;    // the scene that is felt; null: none yet
+    std::optional<Position> target;  // cues tell the way to it
 };
 
-/// The output that is heard now, and its steps of volume.
+/// The current output, and its steps of volume.
 struct HeardOutput {
     OutputKind kind = OutputKind::headset;
     std::size_t volume_steps = 1;
@@ -42,39 +42,39 @@ class VisitorSound {
 
     virtual void say(const Utterance& utterance) = 0;
 
-    /// Speech stops, but for safety messages.
+    /// Stops speech, except safety messages.
     virtual void hush() = 0;
 
-    /// The next one goes on.
+    /// Pauses speech; the next call goes on.
     virtual void toggle_pause() = 0;
 
     virtual void give(ScreenEvent event) = 0;
 
-    /// A short tone on one ear, for the self-test.
+    /// Plays a short tone on one ear, for the self-test.
     virtual void play_side(bool is_left) = 0;
 
     virtual void choose(const SoundWanted& wanted) = 0;
 
-    /// The levels of the site, `lower_dB` softer in quiet hours.
+    /// Sets the site's levels, `lower_dB` softer in quiet hours.
     virtual void set_levels(const SoundSettings& levels, double lower_dB) = 0;
 
     virtual void step(const HandMoment& moment) = 0;
 
     [[nodiscard]] virtual HeardOutput output() const = 0;
 
-    /// Nothing where nobody can tell.
+    /// Nothing if it cannot be detected.
     [[nodiscard]] virtual std::optional<bool> are_headphones_in() const = 0;
 
-    /// A keypad told of its socket.
+    /// A keypad reported its socket.
     virtual void tell_headphones(bool are_in) = 0;
 
-    /// Why nothing is heard; empty while somebody could hear.
+    /// Why nothing is heard; empty while sound works.
     [[nodiscard]] virtual std::string problem() const = 0;
 
-    /// The last thing that the hand did.
+    /// The last contact event of the hand.
     [[nodiscard]] virtual std::optional<ContactEvent> last_event() const = 0;
 
-    /// The visitor is gone: nothing of what was said stays.
+    /// The visitor is gone: forgets everything that was said.
     virtual void forget() = 0;
 };
 

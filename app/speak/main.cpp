@@ -1,7 +1,7 @@
-// touchline-speak VOICE: started by the kiosk with its socket. Gets the voice ready, shuts itself
-// in (app/sandbox), waits for one order, says it (messages.h) and ends: what one person wrote
-// never meets what the next one does, and the same text always gives the same samples. Exit status:
-// 0 all said, 1 no voice, no order or nobody who listens, worker_refused_to_start. One thread.
+// touchline-speak VOICE: the kiosk starts it with its socket. It gets the voice ready, closes its
+// sandbox (app/sandbox), waits for one order, says it (messages.h) and ends. So one person's text
+// never meets the next one's, and the same text always gives the same samples. Exit status: 0
+// everything was said, 1 no voice, no order or no listener, worker_refused_to_start. One thread.
 #include "app/process/descriptor.h"
 #include "app/sandbox/sandbox.h"
 #include "app/sandbox/worker.h"
@@ -24,9 +24,9 @@
 namespace touchline {
 namespace {
 
-// Plain read() and writev(), a packet each: the sandbox allows no calls of sockets.
+// Plain read() and writev(), one packet each, because the sandbox forbids socket calls.
 
-/// Waits; nothing where the other side is gone, or what it sent is no order.
+/// Waits for an order. Nothing if the other side is gone, or sent something else.
 std::optional<SpeakOrder> one_order(int socket) {
     SpeakOrder order;
     const ssize_t got = read(socket, &order, sizeof order);
@@ -34,7 +34,7 @@ std::optional<SpeakOrder> one_order(int socket) {
     return order;
 }
 
-/// One order's samples on their way out.
+/// Sends one order's samples.
 class Sender {
   public:
     explicit Sender(int socket) : socket_(socket) {}
@@ -63,7 +63,7 @@ class Sender {
     SpokenPiece piece_;
 };
 
-/// Whether all of it got out.
+/// True if all of it was sent.
 bool say(EspeakEngine& engine, const SpeakOrder& order, int socket) {
     Sender sender(socket);
     Resampler resampler(EspeakEngine::rate_Hz);
@@ -89,7 +89,7 @@ int failed(const Error& error, int status) {
     return status;
 }
 
-/// The engine prints what it misses, and with it what somebody wrote; nor is a log to grow.
+/// The engine prints what it cannot say, with the person's text, and no log may grow.
 bool silence_streams(const Descriptor& nowhere) {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (dup2(nowhere.number(), stream) < 0) return false;

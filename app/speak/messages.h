@@ -1,4 +1,4 @@
-// What crosses between the kiosk and its voice: packets of one socket, each whole or not at all.
+// What the kiosk and its voice exchange: packets on one socket, each whole or not at all.
 // Threads: plain values.
 #pragma once
 
@@ -12,10 +12,10 @@
 
 namespace touchline {
 
-/// To the voice, once: what to say.
+/// Sent to the voice once: what to say.
 struct SpeakOrder {
     EngineRate rate;
-    std::uint32_t bytes = 0;  // of the text, at most its size
+    std::uint32_t bytes = 0;  // length of the text, at most its size
     std::array<char, longest_speech_bytes> text{};
 };
 

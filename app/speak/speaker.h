@@ -1,4 +1,4 @@
-// Speech as the kiosk uses it: what to say in, samples to the mixer out.
+// Speech for the kiosk: texts go in, samples go out to the mixer.
 // Threads: one; the mixer renders in another.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace touchline {
 
-/// How a language is spoken (Language::voice(), pace() and respelling()).
+/// How to speak a language (Language::voice(), pace() and respelling()).
 struct SpokenLanguage {
     std::string voice = "en";
     double pace = 1.0;
@@ -23,29 +23,29 @@ struct SpokenLanguage {
 
 class Speaker {
   public:
-    /// By language code; the mixer must outlive the speaker.
+    /// `languages` is keyed by language code. The mixer must outlive the speaker.
     Speaker(std::string program, std::map<std::string, SpokenLanguage> languages,
             RecordedPrompts prompts, Mixer& mixer);
 
-    /// As SpeechQueue; `now_s` is any clock that does not go back. Never wait.
+    /// As SpeechQueue; `now_s` is of any clock that does not go back. These never wait.
     void say(const Utterance& utterance, double now_s);
     void stop(double now_s);
     void repeat(double now_s);
     void toggle_pause();
 
-    /// From the next utterance on; clamped to the steps there are.
+    /// Takes effect from the next utterance on; clamped to the valid steps.
     void set_rate(std::size_t step);
 
     [[nodiscard]] std::size_t rate() const { return rate_; }
 
-    /// Often, 60 times a second say: moves samples on, notices ends and deaths.
+    /// Moves samples on, and notices ends and deaths. Call it often, about 60 times a second.
     void step(double now_s);
 
     [[nodiscard]] const SpeechQueue& queue() const { return queue_; }
 
     [[nodiscard]] const VoiceProcess& voice() const { return voice_; }
 
-    /// The session ended: nothing that was said stays.
+    /// The session ended: forgets everything that was said.
     void forget();
 
   private:
@@ -56,8 +56,8 @@ class Speaker {
     std::map<std::string, SpokenLanguage> languages_;
     RecordedPrompts prompts_;
     Mixer& mixer_;
-    std::vector<float> samples_;  // on their way to the mixer
-    std::size_t written_ = 0;     // of them
+    std::vector<float> samples_;  // waiting for the mixer
+    std::size_t written_ = 0;     // how many of them it has
     std::size_t rate_ = default_speech_rate;
 };
 

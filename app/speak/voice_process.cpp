@@ -12,7 +12,7 @@ namespace touchline {
 namespace {
 
 constexpr int most_deaths = 3;
-constexpr int most_pieces = 256;  // at once: 5 s of speech
+constexpr int most_pieces = 256;  // in one call: 5 s of speech
 
 }  // namespace
 
@@ -67,7 +67,7 @@ void VoiceProcess::send_order(double now_s) {
     heard_s_ = now_s;
 }
 
-/// False: the process is gone before it was done.
+/// False if the process ended before it was done.
 bool VoiceProcess::take_pieces(double now_s, std::vector<float>& samples) {
     for (int i = 0; i < most_pieces; ++i) {
         SpokenPiece piece;

@@ -1,4 +1,4 @@
-// The voice as the kiosk holds it: a process a text, which may die at any time, and nobody notices.
+// The kiosk's side of the voice: one process per text. It may die at any time, and nobody notices.
 // Threads: one; the process dies with the thread that starts it.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace touchline {
 class VoiceProcess {
   public:
     /// `program`: path of touchline-speak. It is started when there is something to say, and then
-    /// for the next text in advance.
+    /// in advance for the next text.
     explicit VoiceProcess(std::string program) : program_(std::move(program)) {}
 
     ~VoiceProcess() { end_process(); }
@@ -25,26 +25,26 @@ class VoiceProcess {
     VoiceProcess& operator=(const VoiceProcess&) = delete;
     VoiceProcess& operator=(VoiceProcess&&) = delete;
 
-    /// From here on only this is said, by the voice of that name. Never waits.
+    /// From now on says only this, with the voice of that name. Never waits.
     void begin(const std::string& voice, const std::string& text, const EngineRate& rate);
 
-    /// Nothing more of what was begun comes.
+    /// Nothing more of the text will come.
     void stop();
 
-    /// Appends the samples that came (at frame_rate_Hz). Never waits. A process that died, or was
-    /// silent for `patience_s` (twice that after every death: the machine may be busy), is started
-    /// anew and goes on where it was: the same text gives the same samples. One that died while it
-    /// waited for the next text is started anew as well. After three deaths the text is given up,
-    /// and a process to wait for the next one is started every `patience_s` at most.
+    /// Appends the samples that came (at frame_rate_Hz). Never waits. Restarts a process that died,
+    /// or was silent for `patience_s` (twice that after every death, because the machine may be
+    /// busy); it goes on where it was, because the same text gives the same samples. Also restarts
+    /// one that died while it waited for the next text. After three deaths it gives the text up,
+    /// and starts a waiting process at most every `patience_s`.
     void receive(double now_s, std::vector<float>& samples);
 
-    /// Nothing more comes of what was begun, or nothing was.
+    /// True if nothing more will come, or nothing was begun.
     [[nodiscard]] bool is_done() const { return is_done_; }
 
-    /// Processes started after one that died, so far.
+    /// How many processes were started after a death.
     [[nodiscard]] int restarts() const { return restarts_; }
 
-    /// Texts that were given up, so far.
+    /// How many texts were given up.
     [[nodiscard]] int given_up() const { return given_up_; }
 
     /// -1: none runs.
@@ -60,17 +60,17 @@ class VoiceProcess {
     void count_death();
 
     std::string program_;
-    std::string voice_;  // of the process that runs
+    std::string voice_;  // of the running process
     std::optional<Child> child_;
     Descriptor socket_;
     std::string wanted_voice_;
     SpeakOrder order_;
     bool is_done_ = true;
     bool is_sent_ = false;      // the process has its order
-    std::size_t received_ = 0;  // samples of the order
-    std::size_t again_ = 0;     // of them to come once more after a death
-    double heard_s_ = 0.0;      // when the process was started or last gave a sign
-    int deaths_ = 0;            // over this order
+    std::size_t received_ = 0;  // samples received for the order
+    std::size_t again_ = 0;     // samples to skip after a death, because they came before
+    double heard_s_ = 0.0;      // when the process was started or last sent anything
+    int deaths_ = 0;            // during this order
     int restarts_ = 0;
     int given_up_ = 0;
 };

@@ -34,7 +34,7 @@ StickRefusal refusal_of(int error) {
         case EPERM:
             return StickRefusal::locked;
         case ENODEV:
-        case ENOTCONN:  // a file system in user space that ended
+        case ENOTCONN:  // a file system in user space has ended
         case ESHUTDOWN:
             return StickRefusal::gone;
         default:
@@ -47,7 +47,7 @@ Descriptor open_beneath(const Descriptor& folder, const std::string& name, int f
         return Descriptor(openat2(folder.number(), name.c_str(), flags | O_CLOEXEC | O_NOFOLLOW));
     const int all = O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | flags;
     int number = openat2(folder.number(), name.c_str(), all | O_NOATIME);
-    // Only a file's owner may leave its time of reading alone.
+    // Only a file's owner may keep its access time unchanged.
     if (number < 0 && errno == EPERM) number = openat2(folder.number(), name.c_str(), all);
     return Descriptor(number);
 }

@@ -1,4 +1,4 @@
-// Paths on a stick, opened so that nothing leads out of it: no link, no "..", no other file system.
+// Opens paths on a stick so that nothing leads out of it: no link, no "..", no other file system.
 // Threads: any.
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace touchline {
 
-/// `name` in the open folder, for reading; -1 with the reason in errno. Never waits for a FIFO's
-/// writer; does not mark the file as read where the file system lets us choose. `flags`:
-/// O_DIRECTORY, or O_PATH for what is only to be looked at.
+/// Opens `name` in the open folder for reading; -1 with the reason in errno. Never waits for a
+/// FIFO's writer. Does not change the file's access time if the file system allows that. `flags`:
+/// O_DIRECTORY, or O_PATH to examine the file only.
 [[nodiscard]] Descriptor open_beneath(const Descriptor& folder, const std::string& name, int flags);
 
-/// What an errno of the stick means for a visitor.
+/// The meaning of a stick's errno for a visitor.
 [[nodiscard]] StickRefusal refusal_of(int error);
 
 }  // namespace touchline

@@ -1,7 +1,7 @@
-// What the two generations of sdbus-c++ call by different names, said once: 1 is Debian 12's, 2 is
-// Debian 13's. Handlers take `(auto&& message)` and `(auto&& reply, const auto& error)`, for the
-// one hands them a reference and a pointer, the other a value and an optional. Threads: those of
-// the library.
+// One name for what the two generations of sdbus-c++ name differently. Debian 12 has 1, Debian 13
+// has 2. Handlers take `(auto&& message)` and `(auto&& reply, const auto& error)`, because
+// generation 1 hands them a reference and a pointer, and 2 a value and an optional. Threads: those
+// of the library.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace touchline {
 
-#if __has_include(<sdbus-c++/VTableItems.h>)  // only generation 2 has it
+#if __has_include(<sdbus-c++/VTableItems.h>)  // exists only in generation 2
 
 using sdbus::InterfaceName;
 using sdbus::MethodName;
 using sdbus::ServiceName;
 using sdbus::SignalName;
 
-inline void finish_registration(sdbus::IProxy&) {}  // a handler holds once it is registered
+inline void finish_registration(sdbus::IProxy&) {}  // a registered handler takes effect at once
 
 template <class Handler>
 [[nodiscard]] sdbus::Slot match(sdbus::IConnection& bus, const std::string& rule, Handler handler) {
@@ -44,7 +44,7 @@ using MethodName = std::string;
 using ServiceName = std::string;
 using SignalName = std::string;
 
-/// After the handlers of all its signals are registered.
+/// Call it after the handlers of all its signals are registered.
 inline void finish_registration(sdbus::IProxy& proxy) {
     proxy.finishRegistration();
 }
@@ -54,14 +54,14 @@ template <class Handler>
     return bus.addMatch(rule, std::move(handler));
 }
 
-/// `longest_us`: how long the answer is waited for; 0 is as long as the library does by itself.
+/// `longest_us`: how long to wait for the answer; 0 is the library's default.
 template <class Handler>
 void call(sdbus::IProxy& proxy, const sdbus::MethodCall& message, Handler handler,
           std::uint64_t longest_us = 0) {
     proxy.callMethod(message, std::move(handler), longest_us);
 }
 
-/// False where nothing was waiting.
+/// False if nothing was waiting.
 inline bool process_one(sdbus::IConnection& bus) {
     return bus.processPendingRequest();
 }

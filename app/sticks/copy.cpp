@@ -21,7 +21,7 @@ Refused refused_by_system() {
     return Refused(refusal_of(errno));
 }
 
-/// Bytes of an open file that may be read.
+/// The size of an open file that may be read.
 Result<std::size_t, StickRefusal> size_of(const Descriptor& file, std::size_t most_bytes) {
     struct stat status {};
 
@@ -33,7 +33,7 @@ Result<std::size_t, StickRefusal> size_of(const Descriptor& file, std::size_t mo
     return static_cast<std::size_t>(status.st_size);
 }
 
-/// First without opening it for reading: that alone makes some devices act.
+/// Examines it first without opening it for reading, which alone makes some devices act.
 Result<Descriptor, StickRefusal> open_file(const Descriptor& folder, const std::string& name,
                                            std::size_t most_bytes) {
     const Descriptor seen = open_beneath(folder, name, O_PATH);

@@ -1,4 +1,4 @@
-// One file of a stick, copied into memory.
+// Copies one file of a stick into memory.
 // Threads: any, each call by itself; a call waits for the stick.
 #pragma once
 
@@ -14,13 +14,12 @@ namespace touchline {
 
 struct CopyLimits {
     std::size_t most_bytes = 0;
-    std::function<bool()> is_time_up = [] { return false; };  // asked before every block
+    std::function<bool()> is_time_up = [] { return false; };  // called before every block
 };
 
-/// Copies `name` (in `folder` of the stick, as StickEntry has it) to the end of `output`. Only a
-/// regular file is read: no link on the way is followed, and of anything else not a byte is asked
-/// for. A file that grows or shrinks meanwhile is refused. After a refusal `output` may hold a
-/// part. O(bytes).
+/// Copies `name` (in `folder` of the stick, as in StickEntry) to the end of `output`. Reads only a
+/// regular file: follows no link on the way, and reads not a byte of anything else. Refuses a file
+/// that grows or shrinks meanwhile. After a refusal `output` may hold a part. O(bytes).
 [[nodiscard]] Result<void, StickRefusal> copy_from_stick(const Descriptor& root,
                                                          const std::string& folder,
                                                          const std::string& name,

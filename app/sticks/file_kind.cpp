@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 15> office_files{"doc", "docx", "docm",  
                                                         "ppt", "pptx", "odp",     "xls",   "xlsx",
                                                         "ods", "odg",  "numbers", "pages", "key"};
 
-/// Of Windows, macOS, Linux and Android.
+/// The folders of Windows, macOS, Linux and Android.
 constexpr std::array<std::string_view, 8> folders_of_systems{"System Volume Information",
                                                              "$RECYCLE.BIN",
                                                              "RECYCLER",
@@ -39,7 +39,7 @@ constexpr std::array<std::string_view, 8> folders_of_systems{"System Volume Info
                                                              "LOST.DIR",
                                                              "FOUND.000"};
 
-/// Without its dot; empty where there is none.
+/// Without its dot; empty if there is none.
 std::string_view ending_of(std::string_view name) {
     const std::size_t dot = name.rfind('.');
     const bool has_ending = dot != std::string_view::npos && dot > 0;
@@ -64,7 +64,7 @@ std::optional<StickFileKind> operator_kind_of_name(std::string_view name) {
 }
 
 bool is_left_out(std::string_view name) {
-    // "~$letter.docx": the mark of a program that has the letter open.
+    // "~$letter.docx": a program's mark that it has the letter open.
     return name.empty() || name.starts_with('.') || name.starts_with("~$") ||
            is_one_of(name, folders_of_systems);
 }

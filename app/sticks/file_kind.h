@@ -1,5 +1,5 @@
-// Which files of a stick are offered, by name alone. What a file really is, its first bytes tell
-// the process that opens it.
+// Decides by name alone which files of a stick are offered. The process that opens a file learns
+// from its first bytes what it really is.
 // Threads: pure functions. O(n).
 #pragma once
 
@@ -11,23 +11,23 @@
 namespace touchline {
 
 /// picture: one image. document: pages or vectors. office: listed so that one sentence can ask for
-/// a PDF of it; it is not opened. For the operator alone: pack, of pictures; network, of those that
+/// a PDF of it; it is not opened. Only for the operator: pack, of pictures; network, one that
 /// Touchline knows (app/models).
 enum class StickFileKind : std::uint8_t { picture, document, office, pack, network };
 
 inline constexpr int stick_file_kind_count = 5;
 
-/// The ending decides, of any case; none for what is not offered. What is for the operator alone is
-/// never among it.
+/// Decides by the ending, in any case. Nothing for a file that is not offered, or that is only for
+/// the operator.
 [[nodiscard]] std::optional<StickFileKind> kind_of_name(std::string_view name);
 
-/// The same of what the operator is offered.
+/// The same for what the operator is offered.
 [[nodiscard]] std::optional<StickFileKind> operator_kind_of_name(std::string_view name);
 
-/// Hidden files and folders, and those that systems put on sticks for themselves.
+/// True for hidden files and folders, and for those that systems put on sticks for themselves.
 [[nodiscard]] bool is_left_out(std::string_view name);
 
-/// A text that describes a file lies beside it: "boat.txt" for "boat.jpg".
+/// The name of the text that describes a file and lies beside it: "boat.txt" for "boat.jpg".
 [[nodiscard]] std::string side_car_of(std::string_view name);
 
 /// What to do with an office file: one sentence for screen and voice.

@@ -19,9 +19,9 @@
 namespace touchline {
 namespace {
 
-constexpr const char* other_sign = "";  // of a script with thousands of signs
+constexpr const char* other_sign = "";  // for scripts with thousands of signs
 
-/// What a reader of a language takes for the same letter has the same label.
+/// Gives the same label to what readers of a language take for the same letter.
 class Alphabet {
   public:
     explicit Alphabet(const std::string& language) : locale_(language.c_str()) {
@@ -34,7 +34,7 @@ class Alphabet {
         if (U_FAILURE(error) != 0) std::abort();  // an installation without ICU's tables
     }
 
-    /// One for each letter and digit of a name.
+    /// One label for each letter and digit of a name.
     std::vector<std::string> labels_of(std::string_view name) {
         constexpr std::size_t most = 64;
         std::vector<std::string> labels;
@@ -114,10 +114,10 @@ bool is_digit_label(const std::string& label) {
     return label.size() == 1 && label[0] >= '0' && label[0] <= '9';
 }
 
-/// Where a group stands among the others, and what it is.
+/// The place of a group among the others, and its kind.
 struct GroupKey {
     int rank = 0;     // digits, letters, other
-    std::string key;  // of the collator
+    std::string key;  // by the collator
     LetterKind kind = LetterKind::letters;
     std::string beginning;
 

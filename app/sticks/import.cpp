@@ -14,7 +14,7 @@ namespace {
 
 using Refused = tl::unexpected<StickRefusal>;
 
-/// After SIGKILL: longer than this only where the kernel itself waits for the stick.
+/// After SIGKILL. It takes longer only if the kernel itself waits for the stick.
 constexpr double killed_s = 0.5;
 
 constexpr std::size_t most_network_bytes = std::size_t{64} << 20U;
@@ -108,7 +108,7 @@ Result<Descriptor, StickRefusal> StickImport::run(const std::vector<std::string>
     }
     const ChildEnd end = child->reap();
     if (!end.is_good()) return Refused(refusal_of_end(end));
-    // Only now: while it lived it could have had the memory mapped for writing.
+    // Only now: while the child lived, it could have mapped the memory for writing.
     if (is_empty(*output) || !seal(*output)) return Refused(StickRefusal::unreadable);
     return std::move(*output);
 }

@@ -1,5 +1,5 @@
-// A stick as the kiosk reads it: by touchline-import, which can be left behind where a broken stick
-// holds it for ever. The kiosk itself touches no path of a stick.
+// The kiosk reads a stick through touchline-import, a process that can be left behind if a broken
+// stick blocks it forever. The kiosk itself touches no path of a stick.
 // Threads: one at a time. A call's process dies with the thread that called.
 #pragma once
 
@@ -14,12 +14,12 @@
 
 namespace touchline {
 
-/// Largest file of a kind that is read: what its decoder takes (app/sandbox/limits.h).
+/// The largest file of a kind that is read: the limit of its decoder (app/sandbox/limits.h).
 [[nodiscard]] std::size_t most_bytes_of(StickFileKind kind);
 
 inline constexpr std::size_t most_side_car_bytes = std::size_t{64} << 10U;
 
-/// On the wall. A list ends by itself before.
+/// By the wall clock. Listing ends by itself before.
 struct ImportDeadlines {
     double list_s = 4.0;
     double read_s = 20.0;
@@ -30,21 +30,21 @@ class StickImport {
     /// `program`: the path of touchline-import.
     explicit StickImport(std::string program, ImportDeadlines deadlines = {});
 
-    /// What the stick with this root offers. Waits at most list_s and a moment.
+    /// Lists what the stick with this root offers. Waits at most a moment longer than list_s.
     [[nodiscard]] Result<StickListing, StickRefusal> list(const std::string& root);
 
-    /// What its root has for the operator: packs of pictures, networks.
+    /// Lists what its root holds for the operator: packs of pictures, networks.
     [[nodiscard]] Result<StickListing, StickRefusal> list_operator_files(const std::string& root);
 
-    /// All bytes of a file, in sealed memory. Waits at most read_s and a moment.
+    /// Reads all bytes of a file into sealed memory. Waits at most a moment longer than read_s.
     [[nodiscard]] Result<Descriptor, StickRefusal> read(const std::string& root,
                                                         const StickEntry& entry);
 
-    /// The same of the text that describes it (side_car_of()); no_such_file for most.
+    /// The same for the text that describes it (side_car_of()); no_such_file for most files.
     [[nodiscard]] Result<Descriptor, StickRefusal> read_side_car(const std::string& root,
                                                                  const StickEntry& entry);
 
-    /// Processes that could not be ended yet. Every call looks for those that are dead by now.
+    /// The processes that could not be ended yet. Every call reaps those that have died since.
     [[nodiscard]] std::size_t left_behind() const { return left_behind_.size(); }
 
   private:

@@ -1,4 +1,4 @@
-// touchline-import: started by the kiosk for one list or one file of a stick. It shuts itself in,
+// touchline-import: the kiosk starts it for one list or one file of a stick. It closes its sandbox,
 // and only then reads the first name.
 #include "app/sticks/import_program.h"
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-/// The C++ library would end by a signal that is not allowed.
+/// The C++ library would end by a forbidden signal.
 [[noreturn]] void end_at_once() {
     _exit(touchline::first_refusal_status + static_cast<int>(touchline::StickRefusal::unreadable));
 }
@@ -22,5 +22,5 @@ int main(int argc, char** argv) {
     if (status == 2)
         (void)std::fprintf(stderr,
                            "touchline-import: the kiosk starts it by itself; use 'touchline'\n");
-    _exit(status);  // no library's farewell, which may want what it may not
+    _exit(status);  // skips the exit code of libraries, which may want forbidden calls
 }

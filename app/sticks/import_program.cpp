@@ -17,7 +17,8 @@
 namespace touchline {
 namespace {
 
-/// A list that takes longer is told as far as it got: the first page is heard within two seconds.
+/// A listing that takes longer is sent as far as it got: visitors hear the first page within two
+/// seconds.
 constexpr std::int64_t list_time_ns = 1'500'000'000;
 
 constexpr int wrong_words = 2;

@@ -1,4 +1,4 @@
-// What a stick offers, and the bytes in which one process tells it to another.
+// What a stick offers, and its form in bytes between two processes.
 // Threads: values and pure functions.
 #pragma once
 
@@ -20,10 +20,10 @@ inline constexpr std::size_t most_listed_bytes = std::size_t{8} << 20U;  // of n
 inline constexpr std::size_t deepest_folder = 8;         // a folder in the root has depth 1
 inline constexpr std::size_t longest_name_bytes = 1020;  // 255 characters of UTF-8, as on exFAT
 
-/// A file that can be asked for. Names are raw bytes: show, say and log them by names.h only.
+/// A file of a stick. Names are raw bytes: show, say and log them only by names.h.
 struct StickEntry {
     StickFileKind kind = StickFileKind::picture;
-    std::string folder;  // "DCIM/100CANON"; empty: it lies in the root
+    std::string folder;  // "DCIM/100CANON"; empty: the root
     std::string name;
 
     friend bool operator==(const StickEntry&, const StickEntry&) = default;
@@ -31,11 +31,11 @@ struct StickEntry {
 
 /// What a listing leaves out.
 struct StickRest {
-    /// Files of the same kinds that were found beyond most_listed, or most_listed_bytes.
+    /// How many files of the same kinds were found beyond most_listed, or most_listed_bytes.
     std::uint32_t not_listed = 0;
-    bool has_deeper = false;      // folders below deepest_folder
-    bool has_unreadable = false;  // folders, or names in them, that could not be read
-    bool is_cut_short = false;    // more folders or names than are looked at, or no time for them
+    bool has_deeper = false;      // there are folders below deepest_folder
+    bool has_unreadable = false;  // folders, or names in them, could not be read
+    bool is_cut_short = false;    // too many folders or names, or no time for them
 
     friend bool operator==(const StickRest&, const StickRest&) = default;
 
@@ -43,26 +43,26 @@ struct StickRest {
 };
 
 struct StickListing {
-    /// A folder's files, then what is in its folders, each in natural order.
+    /// A folder's files, then the contents of its folders, each in natural order.
     std::vector<StickEntry> entries;
     StickRest rest;
 
     friend bool operator==(const StickListing&, const StickListing&) = default;
 };
 
-/// Can it be the name of a file in a folder: 1 to longest_name_bytes, without '/' and NUL, neither
-/// "." nor ".."? O(n).
+/// True if it can be the name of a file in a folder: 1 to longest_name_bytes, without '/' and NUL,
+/// neither "." nor "..". O(n).
 [[nodiscard]] bool is_file_name(std::string_view name);
 
-/// Is it empty, for the root, or 1 to deepest_folder names of files with '/' between, shorter than
-/// a path may be? O(n).
+/// True if it is empty, for the root, or 1 to deepest_folder names of files with '/' between, and
+/// not longer than a path may be. O(n).
 [[nodiscard]] bool is_folder_path(std::string_view path);
 
 /// O(n). The listing must be one that listing_of() would accept.
 [[nodiscard]] std::vector<std::byte> bytes_of(const StickListing& listing);
 
-/// The other way; the bytes may come from anybody. Fails with one line unless every name is one,
-/// every number in its range and every byte used. O(n).
+/// The reverse; the bytes are untrusted. Fails with one line unless every name is valid, every
+/// number is in its range and every byte is used. O(n).
 [[nodiscard]] Result<StickListing> listing_of(std::span<const std::byte> bytes);
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-// The file systems that are mounted, and how: read-only to the last byte.
+// Which file systems are mounted, and how: strictly read-only.
 // Threads: pure functions.
 #pragma once
 
@@ -9,11 +9,11 @@
 
 namespace touchline {
 
-/// usual: FAT and exFAT. more: ext4 and NTFS too, which only the operator allows: what parses them
-/// is large, and rarely tried with hostile sticks.
+/// usual: FAT and exFAT. more: also ext4 and NTFS, which only the operator allows, because their
+/// parsers are large and rarely tried with hostile sticks.
 enum class FileSystems : std::uint8_t { usual, more };
 
-/// For udisks2 and mount(8), of a file system by its kernel name; none for those that are not
+/// The options for udisks2 and mount(8), by a file system's kernel name; nothing if it is not
 /// mounted.
 [[nodiscard]] std::optional<std::string> mount_options(std::string_view file_system,
                                                        FileSystems allowed);

@@ -11,7 +11,7 @@
 namespace touchline {
 namespace {
 
-/// Parts being put together, character by character.
+/// Collects parts, character by character.
 class Parting {
   public:
     void add(const NameCharacter& character, bool is_before_letter) {
@@ -71,7 +71,7 @@ bool is_number_of(const NamePart& part, std::size_t least, std::size_t most) {
     return part.is_digits && part.text.size() >= least && part.text.size() <= most;
 }
 
-/// The digits are nine at most.
+/// At most nine digits.
 int value_of(std::string_view digits) {
     int value = 0;
     for (const char digit : digits) value = 10 * value + (digit - '0');
@@ -90,7 +90,7 @@ std::optional<NameMoment> day_of(int year, int month, int day, std::size_t parts
     return NameMoment{year, month, day, {}, parts};
 }
 
-/// Two numbers before a year: a date only where one order alone can be meant.
+/// Two numbers before a year: a date only if just one order is possible.
 std::optional<NameMoment> day_in_either_order(int first, int second, int year, std::size_t parts) {
     const auto day_first = day_of(year, second, first, parts);
     const auto month_first = day_of(year, first, second, parts);
@@ -143,7 +143,7 @@ std::string small(std::string text) {
     return text;
 }
 
-/// What programs write between a date and its time, in the languages of the kiosk.
+/// True for what programs write between a date and its time, in the languages of the kiosk.
 bool is_joining(const NamePart& part) {
     constexpr std::array<std::string_view, 8> words{"at", "um",  "\u00e0", "a\u0300",
                                                     "a",  "las", "alle",   "t"};

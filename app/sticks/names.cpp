@@ -21,7 +21,7 @@ std::size_t columns_of(UChar32 character) {
     return width == U_EA_FULLWIDTH || width == U_EA_WIDE ? 2 : 1;
 }
 
-/// Text that is as wide as it says.
+/// A text and its width on the screen.
 struct Glyph {
     std::string text;
     std::size_t columns = 1;

@@ -22,7 +22,7 @@ std::string NaturalOrder::key_of(std::string_view name) const {
     const std::int32_t bytes = collator_->getSortKey(text, nullptr, 0);
     std::string key(static_cast<std::size_t>(bytes), '\0');
     collator_->getSortKey(text, reinterpret_cast<std::uint8_t*>(key.data()), bytes);
-    // The key ends with a zero byte: names that are the same to a reader follow by their bytes.
+    // The key ends with a zero byte, so names that a reader takes for equal follow by their bytes.
     return key.append(name);
 }
 

@@ -10,15 +10,15 @@
 
 namespace touchline {
 
-/// Made before a process shuts itself in: its tables come with the library, but may be read late.
+/// Construct it before the sandbox closes: its tables come with the library, but may be read late.
 class NaturalOrder {
   public:
-    /// The order that all languages share. Aborts where the library has no tables, as an
-    /// installation that is broken.
+    /// The order that all languages share. Aborts if the library has no tables, because then the
+    /// installation is broken.
     NaturalOrder();
 
-    /// Compared as bytes, keys order the names; no two names have the same. Bytes of no character
-    /// stand for U+FFFD. O(n), at most some 20 bytes a byte.
+    /// Compared as bytes, keys order the names; no two names have the same key. Stray bytes stand
+    /// for U+FFFD. O(n), at most some 20 bytes per byte.
     [[nodiscard]] std::string key_of(std::string_view name) const;
 
   private:

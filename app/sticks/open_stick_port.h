@@ -1,4 +1,4 @@
-// Which way sticks are known from, by the operator's settings.
+// Chooses how sticks are detected, by the operator's settings.
 // Threads: one.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace touchline {
 
-/// The watched folder where the settings name one, else udisks2.
+/// The watched folder if the settings name one, else udisks2.
 [[nodiscard]] std::unique_ptr<StickPort> open_stick_port(const std::string& watched_folder);
 
 }  // namespace touchline

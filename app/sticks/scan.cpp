@@ -15,7 +15,7 @@
 namespace touchline {
 namespace {
 
-/// The first few names in natural order of any number.
+/// Keeps the first few of any number of names, in natural order.
 class FirstNames {
   public:
     FirstNames(const NaturalOrder& order, std::size_t most) : order_(order), most_(most) {}
@@ -35,7 +35,7 @@ class FirstNames {
 
     [[nodiscard]] std::size_t beyond() const { return count_ - first_.size(); }
 
-    /// In order. The object is empty then.
+    /// Takes the names in order. The object is empty then.
     std::vector<std::string> take() {
         std::sort_heap(first_.begin(), first_.end());
         std::vector<std::string> names;
@@ -80,8 +80,8 @@ class Scan {
     }
 
   private:
-    /// A folder's files, then what is in its folders. errno where it could not be opened, or an
-    /// error came before its end; what was read until then counts.
+    /// A folder's files, then the contents of its folders. Returns errno if it could not be opened,
+    /// or if an error came before its end; what was read until then counts.
     std::optional<int> walk(const Descriptor& root, const std::string& path, std::size_t depth) {
         const bool has_folders = search_ == StickSearch::pictures;
         const bool is_deepest = depth == deepest_folder;
@@ -102,10 +102,10 @@ class Scan {
         return error;
     }
 
-    /// Closes it again: a process of few descriptors goes eight folders deep.
+    /// Closes the folder again: a process with few descriptors goes eight folders deep.
     std::optional<int> read_folder(const Descriptor& root, const std::string& path,
                                    FirstNames* folders) {
-        // The handed descriptor's place in the root is its owner's.
+        // The offset of the handed descriptor belongs to its owner, so this opens another one.
         const Descriptor folder = open_beneath(root, path.empty() ? "." : path, O_DIRECTORY);
         if (!folder.is_open()) return errno;
         FirstNames files(order_, most_listed - listing_.entries.size());
@@ -150,7 +150,7 @@ class Scan {
              FirstNames* folders) const {
         const std::string_view name = entry.d_name;
         if (is_left_out(name) || !is_file_name(name)) return;
-        // First what costs nothing: most names are neither.
+        // Checks first what costs nothing: most names are neither.
         const bool may_be_file = kind_of(name).has_value();
         if (!may_be_file && folders == nullptr) return;
         const EntryType type = type_of(folder, entry);

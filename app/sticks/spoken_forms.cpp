@@ -16,8 +16,8 @@ namespace {
 
 using Rows = std::vector<std::size_t>;
 
-/// The same for all texts that a voice says alike, whatever their capitals and however their
-/// accents are written.
+/// Equal for all texts that a voice says alike, whatever their capitals and however their accents
+/// are written.
 std::string folded(const std::string& text) {
     UErrorCode error = U_ZERO_ERROR;
     const icu::Normalizer2* const folding = icu::Normalizer2::getNFKCCasefoldInstance(error);
@@ -28,7 +28,7 @@ std::string folded(const std::string& text) {
     return key;
 }
 
-/// Rows of a list, joined to groups; the first of a group stands for it.
+/// The rows of a list, joined into groups; the first of a group stands for it.
 class Groups {
   public:
     explicit Groups(std::size_t rows) : before_(rows) {
@@ -46,7 +46,7 @@ class Groups {
     }
 
   private:
-    std::vector<std::size_t> before_;  // of the same group, or itself
+    std::vector<std::size_t> before_;  // an earlier row of the same group, or itself
 };
 
 class Telling {
@@ -79,8 +79,8 @@ class Telling {
         });
     }
 
-    /// Groups of what sounds alike in one of the languages, with what sounds like one of them in
-    /// another.
+    /// The groups of rows that sound alike in one of the languages. Rows that sound like a member
+    /// of a group in another language belong to it too.
     [[nodiscard]] std::vector<Rows> alike() const {
         Groups groups(names_.size());
         for (const Language& language : languages_) {
@@ -97,7 +97,7 @@ class Telling {
         return several;
     }
 
-    /// The plainest detail that tells all of them apart; the whole where none does.
+    /// Uses the plainest detail that tells all of them apart; the whole name if none does.
     void tell_apart(const Rows& rows) {
         for (const NameDetail detail :
              {NameDetail::precise, NameDetail::with_ending, NameDetail::whole}) {

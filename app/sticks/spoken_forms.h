@@ -1,4 +1,4 @@
-// How much of each name of a list is said, so that no two sound alike.
+// Decides how much of each name of a list is said, so that no two sound alike.
 // Threads: pure functions.
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace touchline {
 
-/// The form of each name of a list, so that no two sound alike in any of these languages: as plain
-/// as that allows; those that have the same words whatever is said of them are numbered. Capitals,
-/// and how an accent is written, are not heard. O(n log n) of all names, for each language.
+/// The form of each name of a list, as plain as possible while no two sound alike in any of these
+/// languages. Numbers names that have the same words in every form. Capitals, and how an accent is
+/// written, are not heard. O(n log n) of all names, for each language.
 [[nodiscard]] std::vector<NameForm> spoken_forms(std::span<const std::string> names,
                                                  std::span<const Language> languages);
 

@@ -43,7 +43,7 @@ std::string words_of(const NameMoment& moment, const Language& language, bool is
     return said + ' ' + language.counted("count", "and {0} second", "and {0} seconds", second);
 }
 
-/// Pairs, of an odd number of digits three first: no voice takes "12 345" for twelve thousand.
+/// Pairs; an odd number of digits begins with three. No voice takes "12 345" for twelve thousand.
 std::string in_groups(std::string_view digits) {
     std::string text(digits.substr(0, digits.size() % 2 == 0 ? 2 : 3));
     for (std::size_t at = text.size(); at < digits.size(); at += 2) {
@@ -66,8 +66,8 @@ std::size_t characters_in(std::string_view text) {
     return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, is_following));
 }
 
-/// "xkcd": a voice would make a word of it that nobody knows. Beyond ASCII every letter is taken
-/// for a vowel, for the language's voice knows better.
+/// True for "xkcd": a voice would make an unknown word of it. Every letter beyond ASCII counts as a
+/// vowel, because the language's voice knows better.
 bool is_without_vowel(std::string_view word) {
     constexpr std::size_t longest = 6;
     return word.size() <= longest && std::ranges::none_of(word, is_following) &&
@@ -89,8 +89,8 @@ bool has_more_than_capitals(std::string_view text) {
     return false;
 }
 
-/// "THE CAT.JPG", as old cards and some people write it: there capitals tell nothing of a word. A
-/// word alone is an abbreviation ("USA.svg"), unless its ending has capitals too.
+/// True for "THE CAT.JPG", as old cards and some people write it: there capitals tell nothing about
+/// a word. A single word is an abbreviation ("USA.svg"), unless its ending has capitals too.
 bool is_all_capitals(std::string_view name, std::span<const NamePart> parts) {
     const std::string_view stem = without_ending(name);
     const auto words = std::ranges::count_if(
@@ -119,10 +119,10 @@ bool has_capital(std::string_view word) {
     return std::ranges::any_of(word, [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
-/// What is said of one or more parts.
+/// The words for one or more parts.
 struct Said {
     std::string text;
-    bool is_apart = false;  // a pause before and after it
+    bool is_apart = false;  // with a pause before and after it
     bool is_number = false;
     bool is_spelled = false;
 };
@@ -134,8 +134,8 @@ std::string said_number(std::string_view digits, const Said* before) {
                                                            : in_groups(digits);
 }
 
-/// A camera's mark, or the "P" of those that number their folders as well; in small letters too, as
-/// some programs copy it. "Sam 2019" and "SAM 5" are somebody's.
+/// True for a camera's mark, or the "P" of cameras that number their folders as well; in small
+/// letters too, as some programs copy it. "Sam 2019" and "SAM 5" are people's own names.
 bool is_camera(const NamePart& part, const NamePart& next) {
     constexpr std::size_t shortest = 4;
     constexpr std::size_t with_folder = 7;
@@ -175,7 +175,7 @@ class Saying {
         return means_something && is_short_in_capitals(word);
     }
 
-    /// "photo of 5th April 2023", "photo 45 12": what is left.
+    /// Says "photo of 5th April 2023" or "photo 45 12", and returns the other parts.
     std::span<const NamePart> after_photo(std::span<const NamePart> parts) {
         if (const auto moment = moment_of(parts)) {
             const std::string taken = words(*moment);
@@ -187,7 +187,7 @@ class Saying {
         return parts.subspan(1);
     }
 
-    /// How many parts that took.
+    /// Returns how many parts it said.
     std::size_t say_first(std::span<const NamePart> parts) {
         const NamePart& part = parts.front();
         const Said* const before = said_.empty() ? nullptr : &said_.back();

@@ -1,4 +1,4 @@
-// Sticks as they come and go, wherever that is known from.
+// Reports sticks as they come and go, however they are detected.
 // Threads: one.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace touchline {
 
-/// ready: files can be read below `root`. gone: no longer, whatever is being read. refused: a stick
-/// is there that cannot be read; `sentence` says why and what to do.
+/// ready: files can be read below `root`. gone: they cannot be read any more, not even a file being
+/// read. refused: a stick cannot be read; `sentence` says why and what to do.
 enum class StickNews : std::uint8_t { ready, gone, refused };
 
 struct StickEvent {
@@ -32,17 +32,17 @@ class StickPort {
     StickPort& operator=(const StickPort&) = delete;
     StickPort& operator=(StickPort&&) = delete;
 
-    /// What happened since, in order. `now_ns` of the monotonic clock. Never waits; to be called
-    /// several times a second.
+    /// What has happened since the last call, in order. `now_ns` is of the monotonic clock. Never
+    /// waits; call it several times a second.
     [[nodiscard]] virtual std::vector<StickEvent> poll(std::int64_t now_ns) = 0;
 
-    /// Which file systems are mounted from now on. Of no meaning where nothing is mounted.
+    /// Sets the file systems that are mounted from now on. Has no effect if nothing is mounted.
     virtual void allow(FileSystems allowed) = 0;
 
-    /// The visitor is done: the stick is let go, and not offered again before it was pulled out.
+    /// The visitor is done: the stick is released, and not offered again before it was pulled out.
     virtual void end_session() = 0;
 
-    /// False while sticks could come and nobody would tell; the operator has to be told that.
+    /// False while sticks could come unnoticed; the operator must be told.
     [[nodiscard]] virtual bool is_watching() const = 0;
 };
 

@@ -7,8 +7,7 @@
 namespace touchline {
 namespace {
 
-/// Of one stick; a table with hundreds of partitions is no stick that anybody brought in good
-/// faith.
+/// Per stick; nobody brings a table with hundreds of partitions in good faith.
 constexpr std::size_t most_tries = 4;
 
 bool is_visitors(const Volume& volume) {
@@ -16,9 +15,9 @@ bool is_visitors(const Volume& volume) {
            !volume.drive.empty() && volume.bytes > 0;
 }
 
-/// Is there something on it that a visitor would expect to be read?
+/// True if a visitor would expect something on it to be read.
 bool is_promising(const Volume& volume) {
-    // Ours are the rules that ignore what is never mounted; ignored by others, it is not for
+    // Our own rules ignore what is never mounted. A volume that other rules ignore is not for
     // visitors.
     if (volume.is_ignored && mount_options(volume.file_system, FileSystems::more)) return false;
     return is_visitors(volume) && !volume.is_partitioned && volume.usage != "other" &&
@@ -30,7 +29,7 @@ auto place_of(const Volume& volume) {
     return std::tuple(volume.object.size(), volume.object);
 }
 
-/// The newest stick's first volume.
+/// True if `a` is on a newer stick, or is an earlier volume of the same stick.
 bool is_better(const Volume& a, const Volume& b) {
     if (a.detected_us != b.detected_us) return a.detected_us > b.detected_us;
     if (a.drive != b.drive) return a.drive > b.drive;
@@ -60,7 +59,7 @@ StickStep StickRules::on_vanished(const std::string& object) {
 void StickRules::on_mounted(std::uint64_t number, const std::string& object,
                             const std::string& root) {
     ours_.emplace(object, root);
-    if (!order_ || order_->number != number) return;  // the volumes will tell what became of it
+    if (!order_ || order_->number != number) return;  // the volumes will show what happened to it
     order_.reset();
     coming_.emplace(object, root);
     apply_answers();
@@ -136,7 +135,7 @@ const Volume* StickRules::best() const {
     return best;
 }
 
-/// What an answer has told is true, though the volumes may tell it later.
+/// An answer is true, though the volumes may show it only later.
 void StickRules::apply_answers() {
     for (Volume& volume : all_) {
         if (coming_ && coming_->first == volume.object && !is_mounted(*coming_))
@@ -146,7 +145,7 @@ void StickRules::apply_answers() {
     }
 }
 
-/// The first volumes since udisks2 runs.
+/// Handles the first volumes since udisks2 started.
 void StickRules::begin_anew() {
     for (const Volume& volume : all_) {
         if (volume.roots.empty()) continue;
@@ -178,7 +177,7 @@ StickStep StickRules::decide() {
     const bool is_newer = offer_ && wanted != nullptr && wanted->drive != offer_->drive &&
                           wanted->detected_us > offer_->detected_us;
     if (is_newer) withdraw(step);
-    // A stick that is slow to mount does not keep a newer one waiting.
+    // A stick that is slow to mount must not keep a newer one waiting.
     if (order_ && order_->kind == OrderKind::mount && wanted != nullptr &&
         wanted->object != order_->object) {
         order_.reset();
@@ -194,7 +193,7 @@ StickStep StickRules::decide() {
     return step;
 }
 
-/// Is what the visitor was offered still there?
+/// Checks that the stick offered to the visitor is still there.
 void StickRules::check_offer(StickStep& step) {
     if (!offer_) return;
     const Volume* const volume = find(offer_->object);
@@ -219,7 +218,7 @@ void StickRules::give(StickOrder order, StickStep& step) {
     step.orders.push_back(std::move(order));
 }
 
-/// What we mounted and nobody needs.
+/// A mount of ours that nobody needs.
 const StickRules::Mount* StickRules::superfluous(const Volume* wanted) const {
     const auto found = std::find_if(ours_.begin(), ours_.end(), [this, wanted](const Mount& mount) {
         const bool is_offered = offer_ && offer_->object == mount.first;
@@ -244,7 +243,7 @@ void StickRules::spend(const std::string& object, const std::string& drive) {
     spent_.emplace(object, drive);
 }
 
-/// Once for each stick, when none of its volumes is left to be tried.
+/// Once per stick, when none of its volumes is left to try.
 void StickRules::refuse_what_cannot_be_read(StickStep& step) {
     const auto tell = [this, &step](const Volume& volume) {
         if (told_.insert(volume.drive).second)

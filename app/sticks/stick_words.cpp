@@ -8,7 +8,7 @@ void add(std::string& text, const std::string& sentences) {
     text += sentences;
 }
 
-/// Each reason that concerns folders by itself, for each has another remedy.
+/// One sentence per reason about folders, because each has another remedy.
 void add_folders(std::string& text, const StickRest& rest, const Language& language) {
     const auto say = [&](const char* english) { add(text, language.text("stick", english)); };
     if (rest.has_deeper)

@@ -1,4 +1,4 @@
-// What a list of a stick's files leaves out, in the visitor's language.
+// Says in the visitor's language what a list of a stick's files leaves out.
 // Threads: pure functions.
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace touchline {
 
-/// Whole sentences: what is not in the list of `listed` files, why, and what to do about it. Empty
-/// where all is.
+/// Whole sentences: what is missing from the list of `listed` files, why, and what to do about it.
+/// Empty if nothing is.
 [[nodiscard]] std::string words_of(const StickRest& rest, std::size_t listed,
                                    const Language& language);
 
-/// The same where there is nothing at all that could be chosen.
+/// The same if there is nothing to choose from.
 [[nodiscard]] std::string nothing_words(const StickRest& rest, const Language& language);
 
 }  // namespace touchline

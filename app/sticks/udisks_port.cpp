@@ -17,7 +17,7 @@ namespace {
 
 using BusProperties = std::map<std::string, sdbus::Variant>;
 using BusInterfaces = std::map<std::string, BusProperties>;
-/// As org.freedesktop.DBus.ObjectManager.GetManagedObjects answers.
+/// The answer of org.freedesktop.DBus.ObjectManager.GetManagedObjects.
 using BusObjects = std::map<sdbus::ObjectPath, BusInterfaces>;
 
 const BusProperties* find(const BusInterfaces& interfaces, const std::string& name) {
@@ -32,7 +32,7 @@ T get(const BusProperties& properties, const std::string& name) {
     return found->second.get<T>();
 }
 
-/// Paths come as bytes with a zero at their end.
+/// Paths come as bytes with a zero at the end.
 std::vector<std::string> roots_of(const BusProperties& file_system) {
     std::vector<std::string> roots;
     for (const auto& bytes :
@@ -44,7 +44,7 @@ std::vector<std::string> roots_of(const BusProperties& file_system) {
     return roots;
 }
 
-/// Every block device that is on a drive. O(n log n).
+/// All block devices that are on a drive. O(n log n).
 std::vector<Volume> volumes_of(const BusObjects& objects) {
     std::vector<Volume> volumes;
     for (const auto& [path, interfaces] : objects) {
@@ -74,7 +74,7 @@ std::vector<Volume> volumes_of(const BusObjects& objects) {
 }
 
 constexpr std::int64_t try_again_ns = 5'000'000'000;
-constexpr std::uint64_t answer_us = 30'000'000;  // a slow stick takes its time to be mounted
+constexpr std::uint64_t answer_us = 30'000'000;  // a slow stick takes time to mount
 constexpr const char* service = "org.freedesktop.UDisks2";
 constexpr const char* main_object = "/org/freedesktop/UDisks2";
 constexpr const char* object_manager = "org.freedesktop.DBus.ObjectManager";
@@ -88,7 +88,7 @@ constexpr const char* owners =
 
 constexpr const char* already_mounted = "org.freedesktop.UDisks2.Error.AlreadyMounted";
 
-/// False where the message holds something else. Nothing may be thrown through the bus's library.
+/// False if the message holds something else. Nothing may be thrown through the bus's library.
 template <class... Values>
 bool is_read(sdbus::Message& message, Values&... values) {
     try {
@@ -101,10 +101,10 @@ bool is_read(sdbus::Message& message, Values&... values) {
 
 }  // namespace
 
-/// The connection, and what comes over it, in its order.
+/// The connection, and its messages in their order.
 class UdisksPort::Bus {
   public:
-    /// Throws sdbus::Error where there is no bus.
+    /// Throws sdbus::Error if there is no bus.
     explicit Bus(UdisksPort& port) : port_(port), bus_(sdbus::createSystemBusConnection()) {
         main_ = proxy_of(*bus_, service, main_object);
         main_->registerSignalHandler(InterfaceName(object_manager), SignalName("InterfacesAdded"),
@@ -117,7 +117,7 @@ class UdisksPort::Bus {
         ask();
     }
 
-    /// What has come. Throws sdbus::Error where the bus is gone.
+    /// Handles what has come. Throws sdbus::Error if the bus is gone.
     void process() {
         while (process_one(*bus_)) {
         }
@@ -125,7 +125,7 @@ class UdisksPort::Bus {
         answered_.clear();
     }
 
-    /// An order that cannot be given is one that failed.
+    /// An order that cannot be given counts as failed.
     void give(const StickOrder& order) {
         try {
             send(order);
@@ -158,7 +158,7 @@ class UdisksPort::Bus {
         proxies_.emplace(order.number, std::move(proxy));
     }
 
-    /// All volumes. What is asked meanwhile is asked once more after the answer.
+    /// Asks for all volumes. A request meanwhile is repeated once after the answer.
     void ask() {
         is_stale_ = true;
         if (is_asking_) return;
@@ -216,8 +216,8 @@ class UdisksPort::Bus {
     UdisksPort& port_;
     std::unique_ptr<sdbus::IConnection> bus_;
     std::unique_ptr<sdbus::IProxy> main_;
-    std::map<std::uint64_t, std::unique_ptr<sdbus::IProxy>> proxies_;  // of orders under way
-    std::vector<std::uint64_t> answered_;  // whose proxies are not needed any more
+    std::map<std::uint64_t, std::unique_ptr<sdbus::IProxy>> proxies_;  // for orders under way
+    std::vector<std::uint64_t> answered_;  // their proxies are not needed any more
     sdbus::Slot changes_;
     sdbus::Slot owners_;
     bool is_asking_ = false;

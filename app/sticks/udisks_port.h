@@ -1,5 +1,5 @@
-// Sticks as udisks2 tells of them on the system's bus, mounted and unmounted by it. Where it is
-// absent or begins anew, it is waited for.
+// Sticks through udisks2 on the system's bus, which mounts and unmounts them. Waits for it if it is
+// absent or restarts.
 // Threads: one, which calls poll().
 #pragma once
 
@@ -14,7 +14,7 @@ namespace touchline {
 
 class UdisksPort final : public StickPort {
   public:
-    /// Takes no look at the bus yet.
+    /// Does not look at the bus yet.
     UdisksPort();
     ~UdisksPort() override;
     UdisksPort(const UdisksPort&) = delete;
@@ -26,7 +26,7 @@ class UdisksPort final : public StickPort {
 
     void allow(FileSystems allowed) override { rules_.allow(allowed); }
 
-    /// The stick is unmounted by the polls that follow.
+    /// The following polls unmount the stick.
     void end_session() override;
     [[nodiscard]] bool is_watching() const override;
 
@@ -37,7 +37,7 @@ class UdisksPort final : public StickPort {
     void carry_out(const StickStep& step);
     void lose_service();
 
-    std::unique_ptr<Bus> bus_;  // none where there is no bus
+    std::unique_ptr<Bus> bus_;  // null: no bus
     StickRules rules_;
     std::vector<StickEvent> events_;
     std::int64_t next_try_ns_ = 0;

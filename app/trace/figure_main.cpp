@@ -1,5 +1,5 @@
-// touchline-figure [X Y]: what networks that lie before a photograph see in it, or at a place of
-// it.
+// touchline-figure [X Y]: runs the networks before it on a photograph, for all of it or for the
+// thing at a place.
 #include "app/decode/answer_parts.h"
 #include "app/decode/worker_program.h"
 #include "app/trace/main_things.h"
@@ -36,11 +36,11 @@ using namespace touchline;
 constexpr int network_side_px = 768;
 constexpr double most_pixels = 1e6;
 
-/// How likely each place of a part of the picture belongs to a thing.
+/// The likelihood that each place of a part of the picture belongs to a thing.
 using Likelihood = std::function<Result<cv::Mat1f>(const cv::Rect& part)>;
 
-/// The thing at a place of the picture: in half of it; where that cuts it or shows none clearly, in
-/// all of it, and in a quarter.
+/// The thing at a place of the picture. Looks in half of it; if that cuts the thing or shows none
+/// clearly, in all of it, then in a quarter.
 Result<Figures> thing_at(const PlaceInPicture& place, cv::Size picture,
                          const Likelihood& likelihood) {
     const cv::Point at(std::min(picture.width - 1, static_cast<int>(place.x * picture.width)),
@@ -64,7 +64,7 @@ Result<Figures> figures_by(const Likelihood& likelihood, cv::Size picture,
     });
 }
 
-/// Those of the figure's network, which sees the picture at its own size; none without it.
+/// The figures of the figure's network, which sees the picture at its own size; none without it.
 Result<Figures> figures_in(const cv::Mat3b& picture, const PictureNetworks& networks,
                            const std::optional<PlaceInPicture>& place) {
     if (networks.figure.empty()) return figures_of(cv::Mat1f(1, 1, 0.0F), picture.size());
@@ -114,7 +114,7 @@ Result<std::vector<DrawnFace>> faces_in(const cv::Mat3b& picture,
     return faces;
 }
 
-/// The same part of a smaller picture, a pixel of it at least.
+/// The same part of a smaller picture, at least one pixel.
 cv::Rect scaled(const cv::Rect& part, cv::Size from, cv::Size to) {
     const auto place = [](int at, int size, int smaller) {
         return std::min(static_cast<int>(std::int64_t{at} * smaller / size), smaller - 1);
@@ -126,7 +126,7 @@ cv::Rect scaled(const cv::Rect& part, cv::Size from, cv::Size to) {
     return {corner, last + cv::Point(1, 1)};
 }
 
-/// The people who are named, as main things. `small`: the picture of that size, reduced.
+/// The named people as main things. `small` is the picture, reduced; `picture` is its full size.
 Result<Figures> people_seen(const cv::Mat3b& small, cv::Size picture,
                             const std::vector<NamedThing>& names,
                             const std::optional<PlaceInPicture>& place, PersonNetwork& persons) {
@@ -143,8 +143,8 @@ Result<Figures> people_seen(const cv::Mat3b& small, cv::Size picture,
 }
 
 /// Looks at an 8-bit BGR picture, at all of it or for the thing at a place. Without the figure's
-/// network, and where that is not sure, the people who are named are its main things. Fails, with
-/// one line, where a network cannot be used. Some seconds.
+/// network, or if that is not sure, the named people are its main things. Fails with one line if a
+/// network cannot be used. Takes some seconds.
 Result<MainThings> things_seen(const cv::Mat3b& picture, const PictureNetworks& networks,
                                const std::optional<PlaceInPicture>& place) {
     auto namer = NameNetwork::from_onnx(networks.names);
@@ -191,8 +191,9 @@ Result<std::vector<std::byte>> seen_in(std::span<const std::byte> input,
         .and_then([](const MainThings& things) { return bytes_of(things); });
 }
 
-/// Long work that nobody may feel: everything else comes first, and the servo's processor is left
-/// alone where there is another. Both may be refused; then it is slower, or in somebody's way.
+/// Lets everything else go first, because nobody may feel this long work, and leaves the servo's
+/// processor alone if there is another. The system may refuse both; then this is slower, or slows
+/// others.
 void step_back() {
     constexpr int least_priority = 19;
     (void)setpriority(PRIO_PROCESS, 0, least_priority);

@@ -17,8 +17,8 @@
 namespace touchline {
 namespace {
 
-/// What programs can still take without others losing theirs; all there is, where the system does
-/// not tell.
+/// The memory that programs can still take without loss to others; all of it if the system does not
+/// tell.
 std::uint64_t free_memory_bytes() {
     std::ifstream file("/proc/meminfo");
     for (std::string name; file >> name;) {
@@ -31,9 +31,9 @@ std::uint64_t free_memory_bytes() {
 
 constexpr std::uint64_t least_free_bytes = 400'000'000;  // the small networks take 103 MB
 constexpr std::uint64_t least_free_for_figure_bytes = 2'000'000'000;
-constexpr double margin = 0.07;        // of a thing's longer side
-constexpr double most_of_thing = 0.6;  // of a portrait's main thing
-constexpr double much_of_shown = 0.3;  // of what is shown with a portrait's face
+constexpr double margin = 0.07;        // times a thing's longer side
+constexpr double most_of_thing = 0.6;  // of a portrait's main thing; least share shown
+constexpr double much_of_shown = 0.3;  // of what the face shows; least share of the thing
 
 constexpr SaidOfEnds<const char*> said_of_things{
     "the part of Touchline that finds main things cannot be started safely here; have it installed "
@@ -42,7 +42,7 @@ constexpr SaidOfEnds<const char*> said_of_things{
     "finding its main thing needs more memory than there is",
     "its main thing could not be found safely"};
 
-/// What a worker answers that refuses is a page that is none.
+/// A worker refuses by an answer that is no page.
 Result<MainThings> things_in(std::span<const std::byte> answer) {
     auto things = main_things_of(answer);
     if (things) return things;
@@ -66,13 +66,14 @@ WordBox box_of(const ThingBox& thing, const Picture& picture) {
             high(right_px + margin_px, picture.width), high(bottom_px + margin_px, picture.height)};
 }
 
-/// What of the part lies in the picture.
+/// The part within the picture.
 ThingBox within_picture(const ThingBox& part) {
     return {std::max(part.left, 0.0), std::max(part.top, 0.0), std::min(part.right, 1.0),
             std::min(part.bottom, 1.0)};
 }
 
-/// Most of the main thing is shown with the face, and it is much of what is shown: the same person.
+/// True if the face shows most of the main thing, and the thing is much of what is shown: then both
+/// are the same person.
 bool is_portrait(const ThingBox& thing, const ThingBox& part) {
     const ThingBox shown = within_picture(part);
     const double width = std::min(thing.right, shown.right) - std::max(thing.left, shown.left);
@@ -154,7 +155,7 @@ Page with_further_thing(Page page, MainThings thing) {
     }
     const bool are_alike =
         thing.mask.width == page.main_things.width && thing.mask.grey.size() == known.size();
-    if (!are_alike) return page;  // the worker's word is not taken for it
+    if (!are_alike) return page;  // the worker is not trusted
     std::ranges::transform(known, thing.mask.grey, known.begin(),
                            [](auto one, auto other) { return std::max(one, other); });
     return page;

@@ -1,5 +1,5 @@
-// A camera's frame as it crosses to the worker that makes a page of it: format u8, width i32,
-// height i32 and bytes a row u64, then its bytes. Threads: pure functions.
+// A camera's frame in flat bytes, for the worker that makes a page of it: format u8, width i32,
+// height i32 and bytes per row u64, then its bytes. Threads: pure functions.
 #pragma once
 
 #include "config/types/result.h"
@@ -13,7 +13,7 @@ namespace touchline {
 
 [[nodiscard]] std::vector<std::byte> bytes_of(const CameraFrame& frame);
 
-/// Fails for an unknown format, and for a size beyond app/decode/picture.h.
+/// Fails for an unknown format, or a size beyond app/decode/picture.h.
 [[nodiscard]] Result<CameraFrame> frame_of(std::span<const std::byte> bytes);
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
-// A grey picture between two workers: width and height (u32 each), then its bytes. Nobody who reads
-// it trusts it. Threads: pure functions.
+// A grey picture between two workers: width and height (u32 each), then its bytes. No reader trusts
+// it. Threads: pure functions.
 #pragma once
 
 #include "app/decode/picture.h"
@@ -13,7 +13,7 @@ namespace touchline {
 
 [[nodiscard]] std::vector<std::byte> bytes_of(const GreyPicture& picture);
 
-/// Fails unless the sizes are a picture's and fit the bytes.
+/// Fails unless the size is valid for a picture and fits the bytes.
 [[nodiscard]] Result<GreyPicture> grey_of(std::span<const std::byte> bytes);
 
 }  // namespace touchline

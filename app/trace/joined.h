@@ -1,5 +1,5 @@
-// Several things that one worker looks at, in one piece of memory: the size of each (u64), then one
-// behind the other. Threads: pure functions.
+// Several inputs of one worker in one piece of memory: the size of each (u64), then one after the
+// other. Threads: pure functions.
 #pragma once
 
 #include "config/types/fields.h"
@@ -23,7 +23,7 @@ using ThingsInBytes = std::vector<std::span<const std::byte>>;
     return bytes.take();
 }
 
-/// The things again; none where there are not so many, or their sizes do not fill the memory.
+/// Separates them again; empty if there are not so many, or their sizes do not fill the memory.
 [[nodiscard]] inline ThingsInBytes parted(std::span<const std::byte> all, std::size_t count) {
     ByteReader bytes(all);
     std::vector<std::uint64_t> sizes(count);

@@ -14,7 +14,7 @@ void size_fields(Fields& f, Size& size) {
     f.number(size.height, 1, max_picture_side_px);
 }
 
-/// Without its chains.
+/// All fields except the chains.
 template <class Fields, class Lines>
 void found_fields(Fields& f, Lines& found) {
     size_fields(f, found.lines.picture);
@@ -33,7 +33,7 @@ void found_fields(Fields& f, Lines& found) {
     f.number(found.report.specks_dropped);
 }
 
-/// Without its points.
+/// All fields except the points.
 template <class Fields, class Line>
 void chain_fields(Fields& f, Line& chain) {
     f.flag(chain.is_closed);

@@ -1,10 +1,10 @@
-// The lines that were found in a picture as flat bytes, for another worker that makes a map of
-// them. Both are the same program; the kiosk keeps the bytes between the two and does not look into
-// them. Native byte order.
+// The lines found in a picture as flat bytes, for another worker that makes a map of them. Both
+// workers are the same program. The kiosk keeps the bytes in between and does not look into them.
+// Native byte order.
 //
 //   header  LinesHeader (lines_bytes.cpp)
 //   reason  text
-//   chains  a head each
+//   chains  one head each
 //   points  of the first chain, of the second, ...
 //
 // Threads: pure functions.
@@ -19,12 +19,12 @@
 
 namespace touchline {
 
-/// What trace_lines() needs, and what a report tells; without the edges' strengths and the features
+/// Holds what trace_lines() needs, and the report; leaves out the edges' strengths and the features
 /// of the class. O(points).
 [[nodiscard]] std::vector<std::byte> bytes_of(const Found& found);
 
-/// Bit for bit what bytes_of() was given. Fails unless the sizes add up, every number is finite and
-/// no size of a picture is empty. O(points).
+/// Restores what bytes_of() got, bit for bit. Fails unless the sizes add up, every number is finite
+/// and no size of a picture is empty. O(points).
 [[nodiscard]] Result<Found> found_of(std::span<const std::byte> bytes);
 
 }  // namespace touchline

@@ -51,7 +51,7 @@ bool is_sound(const ThingsHeader& header) {
            is_share(signs.contrast);
 }
 
-/// No text but what a face's parts are called: whatever it says is spoken.
+/// True if the only texts are names of a face's parts, because every text is spoken.
 bool is_sound(const TactileMap& map) {
     return !map.outlines.empty() && map.labels.empty() && map.title.empty() &&
            map.description.empty() && std::ranges::all_of(map.outlines, [](const Outline& outline) {
@@ -59,12 +59,12 @@ bool is_sound(const TactileMap& map) {
            });
 }
 
-/// What lies in memory as it crosses, one piece behind the other.
+/// Takes flat pieces of memory, one after the other.
 class Pieces {
   public:
     explicit Pieces(std::span<const std::byte> bytes) : rest_(bytes) {}
 
-    /// Nothing where there are not so many bytes left.
+    /// Nothing if there are fewer bytes left.
     template <class Piece>
     std::optional<std::vector<Piece>> take(std::size_t count) {
         const std::size_t size = count * sizeof(Piece);

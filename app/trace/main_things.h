@@ -1,8 +1,9 @@
-// What a worker answers that looked at a photograph: its main things, what they are taken for, and
-// its faces. Nobody who reads it trusts it.
+// The answer of a worker that looked at a photograph: its main things, what they probably are, and
+// its faces. No reader trusts it.
 //
 //   header  magic u32, is_sure u32, then u32 each: boxes, names, faces, nothing; two numbers
-//           (FigureSigns)//   boxes   four f64 each, of the main things and then of the faces
+//           (FigureSigns)
+//   boxes   four f64 each, of the main things and then of the faces
 //   names   number u32, four bytes of nothing, likelihood f64, box
 //   rest    joined.h: the mask (grey_bytes.h) and the map of each face (map_bytes.h)
 //
@@ -21,19 +22,19 @@
 
 namespace touchline {
 
-/// A face drawn in lines, and the part of the picture that fills the map's area: it may reach
-/// beyond the picture (can_be_shown()). Labels are those of config/types/face_part.h; the map has
-/// no other text.
+/// A face drawn in lines, and the part of the picture that fills the map's area, which may reach
+/// beyond the picture (can_be_shown()). Its labels are those of config/types/face_part.h; the map
+/// has no other text.
 struct DrawnFace {
     ThingBox part;
     TactileMap map;
 };
 
-/// Whether the part reaches into the picture, is not empty, and lies at most four pictures off.
+/// True if the part reaches into the picture, is not empty, and lies at most four pictures away.
 [[nodiscard]] bool can_be_shown(const ThingBox& part);
 
 struct MainThings {
-    GreyPicture mask;             // of the picture's proportions; 128 and more: a thing
+    GreyPicture mask;             // with the picture's proportions; 128 and more: a thing
     std::vector<ThingBox> boxes;  // the largest thing first
     FigureSigns signs;
     bool is_sure = false;
@@ -43,10 +44,10 @@ struct MainThings {
 
 [[nodiscard]] MainThings main_things_of(const Figures& figures);
 
-/// Fails as config/types/map_bytes.h does for a face's map.
+/// Fails as config/types/map_bytes.h for a face's map.
 [[nodiscard]] Result<std::vector<std::byte>> bytes_of(const MainThings& things);
 
-/// Fails, with one line, unless every size and number is in its range: no box is empty.
+/// Fails with one line unless every size and number is in its range, and no box is empty.
 [[nodiscard]] Result<MainThings> main_things_of(std::span<const std::byte> bytes);
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-// Maps of Touchline's own, which are felt as they are and not traced.
+// Touchline's own maps, which are felt as they are and not traced.
 // Threads: pure functions.
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace touchline {
 
-/// The map without its outlines above `detail`. Fails, with one line, where none is left.
+/// The map without its outlines above `detail`. Fails with one line if none is left.
 [[nodiscard]] Result<TactileMap> shown_at(TactileMap map, int detail);
 
-/// Whether the page is such a map.
+/// True if the page is such a map.
 [[nodiscard]] inline bool is_own_map(const Page& page) {
     return !page.told.outlines.empty();
 }

@@ -17,11 +17,11 @@ namespace touchline {
 namespace {
 
 constexpr int beside_words_px = 3;   // soft edges of letters reach out of their box
-constexpr double beyond_box = 0.25;  // of its shorter side: so far letters lean out of their box,
-constexpr int most_beyond_px = 16;   // and no further where they are large
-constexpr int least_contrast = 30;   // grey levels, of letters to what they stand on
+constexpr double beyond_box = 0.25;  // of the box's shorter side: how far letters lean out,
+constexpr int most_beyond_px = 16;   // and at most this far for large letters
+constexpr int least_contrast = 30;   // grey levels between letters and their background
 constexpr double large_box = 0.05;   // of the picture's height: words across the drawing
-constexpr int like_letters = 40;     // grey levels about the colours of letters and their edges
+constexpr int like_letters = 40;     // grey levels around the colours of letters and their edges
 
 cv::Rect exact(const WordBox& box) {
     return {box.left, box.top, box.right - box.left, box.bottom - box.top};
@@ -32,7 +32,7 @@ cv::Rect grown(const cv::Rect& box, int by_px, const cv::Rect& whole) {
     return cv::Rect(box.tl() - by, box.br() + by) & whole;
 }
 
-/// The middle colour along the edge of a box, each channel by itself.
+/// The median colour along the edge of a box, each channel by itself.
 cv::Vec3b colour_around(const cv::Mat& bgr, const cv::Rect& box) {
     std::array<std::vector<std::uint8_t>, 3> edge;
     const auto take = [&](int x, int y) {
@@ -58,7 +58,7 @@ cv::Vec3b colour_around(const cv::Mat& bgr, const cv::Rect& box) {
     return middle;
 }
 
-/// Pixels that differ from a colour by more than so many levels in one channel.
+/// Pixels that differ from a colour by more than `levels` in some channel.
 cv::Mat1b differing(const cv::Mat& bgr, const cv::Vec3b& colour, int levels) {
     cv::Mat difference;
     cv::absdiff(bgr, cv::Scalar(colour[0], colour[1], colour[2]), difference);
@@ -70,7 +70,7 @@ cv::Mat1b differing(const cv::Mat& bgr, const cv::Vec3b& colour, int levels) {
     return mask;
 }
 
-/// Pixels whose colour is near one of those between two: of letters and of their soft edges.
+/// Pixels near a colour between the two: those of letters and of their soft edges.
 cv::Mat1b between(const cv::Mat& bgr, const cv::Vec3b& ground, const cv::Vec3b& letter) {
     const cv::Vec3d way = cv::Vec3d(letter) - cv::Vec3d(ground);
     const double length = std::max(way.dot(way), 1.0);
@@ -86,9 +86,9 @@ cv::Mat1b between(const cv::Mat& bgr, const cv::Vec3b& ground, const cv::Vec3b& 
     return mask;
 }
 
-/// The colours under a mask that are common, to within 32 levels, at least one where it holds any.
+/// The common colours under a mask, to within 32 levels; at least one if the mask holds any pixel.
 std::vector<cv::Vec3b> common_colours(const cv::Mat& bgr, const cv::Mat1b& mask) {
-    constexpr int times_commoner = 4;  // than these is no other
+    constexpr int times_commoner = 4;  // no other colour is this much commoner
     std::map<std::array<int, 3>, std::pair<int, cv::Vec3i>> bins;
     int most = 0;
     for (int y = 0; y < bgr.rows; ++y)
@@ -105,8 +105,8 @@ std::vector<cv::Vec3b> common_colours(const cv::Mat& bgr, const cv::Mat1b& mask)
     return colours;
 }
 
-/// Ink of a letter's colour with the soft edges around it, without those of lines of another
-/// colour: what crosses a letter does not make it lead out.
+/// The ink of a letter's colour with its soft edges, without lines of another colour, so that what
+/// crosses a letter does not connect it to the outside.
 cv::Mat1b in_colour(const cv::Mat& bgr, const cv::Mat1b& ink, const cv::Vec3b& ground,
                     const cv::Vec3b& letter) {
     cv::Mat1b core;
@@ -124,8 +124,8 @@ cv::Mat1b in_colour(const cv::Mat& bgr, const cv::Mat1b& ink, const cv::Vec3b& g
     return of_letters;
 }
 
-/// What of the ink in a window lies within a box, in pieces that do not lead out of it: letters.
-/// Lines that run beneath the words do.
+/// The pieces of ink in a window that lie wholly within a box: letters. Lines that run beneath the
+/// words leave the box.
 cv::Mat letters_in(const cv::Mat1b& ink, const cv::Rect& box) {
     cv::Mat1i label;
     cv::Mat1i stats;
@@ -140,7 +140,7 @@ cv::Mat letters_in(const cv::Mat1b& ink, const cv::Rect& box) {
     return letters;
 }
 
-/// Letters of the colour of which most of the ink in the box is that does not lead out.
+/// The letters in the common colour that has the most enclosed ink in the box.
 cv::Mat coloured_letters(const cv::Mat& part, const cv::Mat1b& ink, const cv::Vec3b& ground,
                          const cv::Rect& box, const cv::Rect& reach) {
     cv::Mat best(ink.size(), CV_8U, cv::Scalar(0));
@@ -154,7 +154,8 @@ cv::Mat coloured_letters(const cv::Mat& part, const cv::Mat1b& ink, const cv::Ve
     return best;
 }
 
-/// Letters are heard, not felt; what they stand on, and lines beneath them, stay.
+/// Paints letters over, because they are heard, not felt. Their background, and lines beneath them,
+/// stay.
 void paint_over(cv::Mat& bgr, std::span<const WordBox> words) {
     const cv::Rect whole(0, 0, bgr.cols, bgr.rows);
     for (const WordBox& word : words) {

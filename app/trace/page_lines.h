@@ -1,4 +1,4 @@
-// The lines of a page as a worker answers it: the worker's side, on the bytes as they lie there.
+// Finds the lines of a page that another worker answered: the worker's side, directly on the bytes.
 // Threads: pure functions.
 #pragma once
 
@@ -12,9 +12,9 @@
 
 namespace touchline {
 
-/// `page` is what answer_of() of app/decode/page.h gives. Words are painted over in the colour
-/// around them: letters are heard, not felt. Fails as page_of() and find_lines() do. O(pixels); the
-/// pixels are copied only where there are words.
+/// `page` comes from answer_of() of app/decode/page.h. Paints words over in the colour around them,
+/// because letters are heard, not felt. Fails as page_of() and find_lines() do. O(pixels); copies
+/// the pixels only if there are words.
 [[nodiscard]] Result<Found> find_lines_of_page(std::span<const std::byte> page,
                                                const TraceOptions& options,
                                                const cv::Mat1b& main_things = {});

@@ -1,4 +1,4 @@
-// The pixels of a worker's answer as OpenCV takes them. Threads: pure function.
+// The pixels of a worker's answer as an OpenCV matrix. Threads: pure function.
 #pragma once
 
 #include "app/decode/answer_parts.h"
@@ -7,7 +7,7 @@
 
 namespace touchline {
 
-/// A view of pixels that nobody may write to: only what takes a constant matrix may be given it.
+/// A view of read-only pixels: give it only to what takes a constant matrix.
 [[nodiscard]] cv::Mat view_of(const decode::AnswerParts& page);
 
 }  // namespace touchline

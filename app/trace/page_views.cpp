@@ -10,15 +10,15 @@ namespace touchline {
 namespace {
 
 constexpr std::size_t longest_title_bytes = 80;
-constexpr int most_shown_px = 2000;  // along a part whose lines were drawn: no screen shows more
-constexpr double like_named = 0.4;   // overlap of a thing that is named with a main thing's view
+constexpr int most_shown_px = 2000;  // along a part drawn in lines: no screen shows more
+constexpr double like_named = 0.4;   // overlap of a named thing with a main thing's view
 
 const Figure* figure_of(const Page& page, int view) {
     const auto index = static_cast<std::size_t>(view - 1);
     return view >= 1 && index < page.figures.size() ? &page.figures[index] : nullptr;
 }
 
-/// Pixels from (left, top) to before (right, bottom); may reach beyond the page.
+/// Pixels from (left, top) up to, but without, (right, bottom); may reach beyond the page.
 struct PixelBox {
     int left = 0;
     int top = 0;
@@ -39,7 +39,7 @@ PixelBox part_of(const Page& page, int view) {
     return {box.left, box.top, box.right, box.bottom};
 }
 
-/// White where the part reaches beyond the picture. Every `step`-th pixel each way.
+/// Takes every `step`-th pixel each way. White where the part reaches beyond the picture.
 Picture cut(const Picture& whole, const PixelBox& part, int step = 1) {
     Picture picture;
     picture.width = (part.width() + step - 1) / step;
@@ -62,8 +62,8 @@ Picture cut(const Picture& whole, const PixelBox& part, int step = 1) {
     return picture;
 }
 
-/// The part of a mask over a whole picture that lies over the box. Its pixels are larger than the
-/// picture's: the part is the whole ones that the box touches least.
+/// Cuts a mask over a whole picture to the box. The mask's pixels are larger than the picture's, so
+/// the cut is rounded to the nearest whole ones.
 GreyPicture cut(const GreyPicture& whole, const WordBox& box, const Picture& picture) {
     if (whole.grey.empty()) return {};
     const auto place = [](double at_px, int size_px, int mask_px) {
@@ -81,7 +81,7 @@ GreyPicture cut(const GreyPicture& whole, const WordBox& box, const Picture& pic
     return part;
 }
 
-/// What of the word lies in the box, seen from its corner.
+/// The part of the word in the box, relative to its corner.
 std::optional<WordBox> within(const WordBox& word, const WordBox& box) {
     const int left = std::max(word.left, box.left);
     const int top = std::max(word.top, box.top);
@@ -93,7 +93,7 @@ std::optional<WordBox> within(const WordBox& word, const WordBox& box) {
                    moved(bottom, box.top)};
 }
 
-/// Labels of the page that lie in the box, but what is written of the whole figure.
+/// The page's labels in the box, except the text of the whole figure.
 std::vector<Label> labels_in(const Page& page, const Figure& figure, double m_per_px) {
     const double centre_x_px = (figure.box.left + figure.box.right) / 2.0;
     const double centre_y_px = (figure.box.top + figure.box.bottom) / 2.0;

@@ -1,4 +1,4 @@
-// What of a page is felt by itself: each of its pictures, then the page as a whole.
+// The views of a page, which are felt one by one: each of its pictures, then the page as a whole.
 // Threads: pure functions.
 #pragma once
 
@@ -13,45 +13,45 @@
 
 namespace touchline {
 
-/// Pixels on the longer side of a view that a hand can follow; with fewer, the page is drawn again.
+/// The least pixels on the longer side of a view that a hand can follow; with fewer, the page is
+/// drawn again.
 inline constexpr int least_view_px = 600;
 inline constexpr int most_view_dpi = 600;
 
-/// What the page holds of the machine's memory: its pixels, and its worker's answer.
+/// The memory that the page holds: its pixels, and its worker's answer.
 [[nodiscard]] std::size_t bytes_of(const Page& page);
 
-/// The figures are a photograph's main things and faces.
+/// True if the figures are a photograph's main things and faces.
 [[nodiscard]] bool has_main_things(const Page& page);
 
-/// Figures and the whole; 1 for a page without figures.
+/// The figures and the whole; 1 for a page without figures.
 [[nodiscard]] int view_count(const Page& page);
 
-/// Whether a view (1 ... view_count) is a face that was drawn in lines.
+/// True if a view (1 ... view_count) is a face drawn in lines.
 [[nodiscard]] bool is_face(const Page& page, int view);
 
-/// What is told of a view to be named in it: all of the page's, at their places in it, where it is
-/// the first that a visitor meets or the whole; else what lies in about its box, all over it.
+/// The names to tell of a view. The first view and the whole get all names of the page, at their
+/// places in it. Any other view gets those whose box is about its own, as covering all of it.
 [[nodiscard]] std::vector<NamedThing> names_told(const Page& page, int view);
 
-/// At which the page is to be drawn for this view (1 ... view_count): page.dpi where that is fine
-/// enough, 0 where the page has pixels of its own only. The worker may give less.
+/// The resolution for drawing this view (1 ... view_count): page.dpi if that is fine enough, 0 if
+/// the page has only pixels of its own. The worker may give less.
 [[nodiscard]] int dpi_for(const Page& page, int view);
 
-/// Opens the file that the page is of.
+/// Opens the page's file.
 using PageOpener = std::function<Result<Page>(const PageOrder&)>;
 
-/// The page drawn as finely as the view needs; nothing where it is fine enough, or that fails.
+/// The page drawn as finely as the view needs; nothing if it is fine enough, or if that fails.
 [[nodiscard]] std::optional<Page> finer_page(const Page& page, int view, const PageOpener& open);
 
-/// Where a place of a view (1 ... view_count), from its middle and in metres as it is felt whole,
-/// lies in the page; the nearest there is where it lies beyond.
+/// Turns a place of a view (1 ... view_count) into one of the page. `place` is in metres from the
+/// middle of the view when it is felt whole. A place beyond the page gives the nearest one in it.
 [[nodiscard]] PlaceInPicture place_in_page(const Page& page, int view, const Position& place);
 
-/// The view as a page of its own: pixels cut out, words and labels that lie on it moved along. What
-/// is written of a figure is its description, and its title where it is short. A part that was
-/// drawn in lines has these as its outlines, and white where it reaches beyond the page;
-/// it is shown only, and has 2000 pixels along each side at most. The last
-/// view is the page as it is. O(pixels).
+/// The view as a page of its own: its pixels are cut out, and the words and labels on it are moved
+/// along. A figure's text is its description, and its title if it is short. A part drawn in lines
+/// has them as its outlines, and white where it reaches beyond the page; its pixels are only for
+/// showing, at most 2000 along each side. The last view is the page itself. O(pixels).
 [[nodiscard]] Page view_of(const Page& page, int view);
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
-// What a photograph and its previews share: the sides that the operator leaves out, and pixels that
-// are the program's own. Threads: values and pure functions.
+// What a photograph and its previews share: the sides that the operator cuts off, and pixels in the
+// program's own format. Threads: values and pure functions.
 #pragma once
 
 #include "app/decode/picture.h"
@@ -8,8 +8,8 @@
 
 namespace touchline {
 
-/// So much of every picture is left out at its sides, percent, 0 to 40 each; other numbers leave
-/// out nothing.
+/// The share that is cut off each side of a picture, in percent, 0 to 40; other numbers cut off
+/// nothing.
 struct PhotoCut {
     double left = 0.0;
     double right = 0.0;
@@ -17,7 +17,7 @@ struct PhotoCut {
     double bottom = 0.0;
 };
 
-/// Without the sides; a pixel stays at least. A view, no copy.
+/// The picture without the sides; at least one pixel stays. A view, no copy.
 [[nodiscard]] cv::Mat cut_off(const cv::Mat& picture, const PhotoCut& cut);
 
 /// 8-bit BGR as a picture. O(pixels).

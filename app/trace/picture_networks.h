@@ -1,5 +1,5 @@
-// The networks that look at a photograph, as files, in the order in which their worker is handed
-// them (joined.h). Threads: plain values.
+// The files of the networks that look at a photograph, in the order in which their worker gets them
+// (joined.h). Threads: plain values.
 #pragma once
 
 #include "app/trace/joined.h"
@@ -23,7 +23,7 @@ inline constexpr std::size_t picture_network_count = 5;
     return {networks.figure, networks.names, networks.faces, networks.meshes, networks.persons};
 }
 
-/// The first of `things`, which are at least so many.
+/// Takes the first of `things`, which must hold at least as many.
 [[nodiscard]] inline PictureNetworks networks_in(const ThingsInBytes& things) {
     return {things[0], things[1], things[2], things[3], things[4]};
 }

@@ -1,4 +1,4 @@
-// A place in a picture, and the words in which one process tells it to another.
+// A place in a picture, and the words by which one process tells it to another.
 // Threads: values and pure functions.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace touchline {
 
-/// Shares of the picture's width and height from its upper left corner, 0 ... 1.
+/// In shares of the picture's width and height from its upper left corner, 0 ... 1.
 struct PlaceInPicture {
     double x = 0.5;
     double y = 0.5;

@@ -1,4 +1,4 @@
-// A page as workers are handed it: sealed memory. Threads: any, each call by itself.
+// A page in sealed memory, for workers. Threads: any, each call by itself.
 #pragma once
 
 #include "app/decode/page.h"
@@ -12,10 +12,10 @@ namespace touchline {
 
 using Sealed = std::shared_ptr<const Descriptor>;
 
-/// As its own worker answered it, without a copy, where nothing was changed in it since.
+/// The answer of the page's own worker, without a copy, if nothing has changed since.
 [[nodiscard]] Result<Sealed> sealed(const Page& page);
 
-/// The same behind other things (joined.h): a copy of all.
+/// The page after other things (joined.h): a copy of everything.
 [[nodiscard]] Result<Sealed> sealed_behind(ThingsInBytes things, const Page& page);
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
-// touchline-trace: a picture's lines, and maps of them. Started by the kiosk for one step of one
-// picture.
+// touchline-trace: finds a picture's lines, and makes maps of them. The kiosk starts it for one
+// step of one picture.
 #include "app/cli/json.h"
 #include "app/decode/page.h"
 #include "app/decode/worker_program.h"
@@ -36,7 +36,7 @@ std::string parts_json(const TactileMap& map) {
     return parts;
 }
 
-/// An object of flat values, in lines of text. O(outlines).
+/// A JSON object of flat values, as lines of text. O(outlines).
 std::string report_json(const TactileMap& map, const TraceReport& report) {
     const PhotoLines& found = report.found;
     const SimplifyReport& simple = report.simplified;
@@ -59,9 +59,9 @@ std::string report_json(const TactileMap& map, const TraceReport& report) {
         parts_json(map), json_string(simple.words), json_string(report.warning));
 }
 
-constexpr std::int64_t photo_pixels = 2'000'000;  // more are averaged away
+constexpr std::int64_t photo_pixels = 2'000'000;  // more are averaged down
 
-/// The page that lies there, or the photograph where none does.
+/// The page in the photograph, or the photograph if there is none.
 Result<cv::Mat> what_lies_there(const cv::Mat& photo) {
     Document document = document_in(photo);
     if (!document.page.empty()) return std::move(document.page);
@@ -69,9 +69,9 @@ Result<cv::Mat> what_lies_there(const cv::Mat& photo) {
     return failure(std::string(sentence(document.trouble)));
 }
 
-/// The page that was laid down, without the shade of the lamp; where no page is found, the
-/// photograph as it is. Fails with one sentence that says what keeps it from being used (too dark,
-/// a page that is cut off). O(pixels).
+/// The page that was laid down, without the lamp's shade; the photograph as it is if no page is
+/// found. Fails with one sentence that says what makes it unusable (too dark, a page that is cut
+/// off). O(pixels).
 Result<Page> photo_page(const CameraFrame& frame, const PhotoCut& cut) {
     const auto photo = to_bgr(frame, quick_size(frame.size, photo_pixels));
     if (!photo) return tl::unexpected(photo.error());
@@ -102,7 +102,7 @@ Result<TracedMap> traced(const Found& found, const TraceWork& work) {
     });
 }
 
-/// What a page's worker is handed: the page, and where they were found its main things.
+/// The input of a page's worker: the page, and its main things if they were found.
 struct PageInput {
     std::span<const std::byte> page;
     cv::Mat1b main_things;
@@ -117,7 +117,7 @@ Result<PageInput> page_input(std::span<const std::byte> input, const TraceWork& 
     });
 }
 
-/// That there are no lines is an answer too.
+/// A picture without lines is an answer too.
 Result<Bytes> lines_and_map(std::span<const std::byte> input, const TraceWork& work) {
     const auto found = page_input(input, work).and_then([&work](const PageInput& parts) {
         return find_lines_of_page(parts.page, work.options, parts.main_things);
@@ -158,7 +158,7 @@ int main(int argc, char** argv) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     const auto work = trace_work_in(arguments);
     if (!work) refuse_to_run(argv[0]);
-    // Said before the worker is shut in: what TBB asks the system for its threads it asks here.
+    // Set before the sandbox closes: this is where TBB asks the system about its threads.
     cv::setNumThreads(cv::getNumberOfCPUs());
     run_worker_program({WorkerKind::trace, nullptr,
                         [&](std::span<const std::byte> bytes) { return done(*work, bytes); }});

@@ -22,7 +22,7 @@ bool read_number(const std::string& text, double& number) {
     return error == std::errc() && end == text.data() + text.size();
 }
 
-/// A whole number from `least` to `most`; NaN is none.
+/// True for a whole number from `least` to `most`; NaN is none.
 bool is_choice(double number, int least, int most) {
     return number >= least && number <= most && number == static_cast<int>(number);
 }

@@ -14,9 +14,9 @@ namespace {
 
 struct Header {
     bool is_photo = false;
-    std::uint32_t width = 0;  // of the edges; both 0: there are none
+    std::uint32_t width = 0;  // of the edges; both 0: no edges
     std::uint32_t height = 0;
-    std::uint32_t map = 0;  // bytes of what follows
+    std::uint32_t map = 0;  // bytes of each part that follows
     std::uint32_t lines = 0;
 };
 
@@ -36,7 +36,7 @@ tl::unexpected<Error> unsafe() {
     return failure("its outlines could not be found safely; choose another picture");
 }
 
-/// Nothing where it is none, or its edges are no picture.
+/// Nothing if it is no header, or its edges are no picture.
 std::optional<Header> header_in(ByteReader& bytes) {
     Header header;
     if (bytes.number<std::uint32_t>() != traced_magic) return std::nullopt;
@@ -47,8 +47,8 @@ std::optional<Header> header_in(ByteReader& bytes) {
     return is_sound ? std::optional(header) : std::nullopt;
 }
 
-/// It is written into a file that somebody asked for: lines of text, nothing that steers a
-/// terminal.
+/// The report is written into a file that somebody asked for, so it must be lines of text, without
+/// control codes for a terminal.
 bool is_plain(const std::string& text) {
     return std::ranges::all_of(text, [](char c) {
         const auto code = static_cast<unsigned char>(c);

@@ -25,7 +25,7 @@ constexpr SaidOfEnds<const char*> said_of_outlines{
     "finding its outlines needs too much memory; save it smaller",
     "its outlines could not be found safely; choose another picture"};
 
-/// What finds a page's lines looks at: the mask of its main things, where it has one, and the page.
+/// The input for finding a page's lines: the mask of its main things, if it has one, and the page.
 Result<Sealed> input_of(const Page& page) {
     if (page.main_things.grey.empty()) return sealed(page);
     const std::vector<std::byte> mask = bytes_of(page.main_things);
@@ -40,14 +40,14 @@ Result<Sealed> worked(const TraceWork& work, const Descriptor& input) {
     return std::make_shared<const Descriptor>(std::move(*answer));
 }
 
-/// Labels from the page's area to that of the map; the picture is fitted in it, centred.
+/// Moves labels from the page's area to the map's; the picture is fitted in it, centred.
 std::vector<Label> placed(std::vector<Label> labels, const Area& from, const Area& to) {
     const double scale = std::min(to.width_m / from.width_m, to.height_m / from.height_m);
     for (Label& label : labels) label.place = {scale * label.place.x, scale * label.place.y};
     return labels;
 }
 
-/// What is written of the page is the map's.
+/// Gives the page's texts to the map.
 void tell(const Page& page, const TraceOptions& options, TactileMap& map) {
     map.title = page.told.title;
     map.description = page.told.description;
@@ -55,7 +55,7 @@ void tell(const Page& page, const TraceOptions& options, TactileMap& map) {
                           options.zoom);
 }
 
-/// A worker's answer as it lies in memory, and as it was read.
+/// A worker's answer in memory, and the same read.
 struct Answer {
     FoundLines memory;
     Traced traced;

@@ -1,5 +1,5 @@
-// A page that was opened becomes the map that is felt, by workers that can do nothing else: no
-// pixel of an untrusted picture and no line of it meets an algorithm in the process of the kiosk.
+// Turns an opened page into the map that is felt, in workers that can do nothing else. No algorithm
+// in the kiosk's process touches a pixel of an untrusted picture or a line in it.
 // Threads: any, each call by itself; a call waits for its worker, at most its deadline.
 #pragma once
 
@@ -16,7 +16,8 @@
 
 namespace touchline {
 
-/// Lines that a worker found, for every detail and zoom: sealed memory that only workers look into.
+/// Lines that a worker found, for every detail and zoom, in sealed memory that only workers look
+/// into.
 struct FoundLines {
     std::shared_ptr<const Descriptor> memory;
     std::size_t bytes = 0;
@@ -24,7 +25,7 @@ struct FoundLines {
 
 struct FirstTrace {
     FoundLines lines;
-    Result<TracedMap> map;  // at the detail and zoom that were asked for
+    Result<TracedMap> map;  // at the requested detail and zoom
 };
 
 struct TraceRequest {
@@ -32,18 +33,18 @@ struct TraceRequest {
     bool wants_edges = false;  // with the first map
 };
 
-/// The lines of the page's pixels, its words left out, and a first map of them. Fails, with one
-/// line, where there are none, and where the worker does.
+/// Finds the lines of the page's pixels, without its words, and makes a first map of them. Fails
+/// with one line if there are none, or if the worker fails.
 [[nodiscard]] Result<FirstTrace> find_page_lines(const Page& page, const TraceRequest& request);
 
 /// The map at another detail and zoom. Fails likewise.
 [[nodiscard]] Result<TracedMap> trace_page_lines(const Page& page, const FoundLines& lines,
                                                  const TraceOptions& options);
 
-/// The first map alone.
+/// Only the first map.
 [[nodiscard]] Result<TracedMap> trace_page(const Page& page, const TraceRequest& request);
 
-/// A photograph of what lies under the camera as a page.
+/// The page in a photograph of what lies under the camera.
 [[nodiscard]] Result<Page> page_of_photo(const CameraFrame& frame, const PhotoCut& cut);
 
 }  // namespace touchline
