@@ -29,7 +29,7 @@ double signed_area_m2(const std::vector<Position>& points) {
     return twice / 2.0;
 }
 
-/// The radius of a circle; half the width of something long.
+/// The radius of a circle; the width of something long.
 double mean_radius_m(std::vector<Position> points) {
     const double area_m2 = std::abs(signed_area_m2(points));
     points.push_back(points.front());
