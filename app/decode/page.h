@@ -1,6 +1,5 @@
 // One page of what a stranger brought, as it crosses from the worker that decoded it: a header of
-// 28 bytes, pixels, boxes of words and figures, a map. Nobody who reads it trusts
-// it.
+// 28 bytes, pixels, boxes of words and figures, a map. Nobody who reads it trusts it.
 //
 //   header  magic u32, layout u8, figures u8, kind u8, reduction u8, width u32, height u32,
 //           number u16, count u16, dpi u16, boxes u16, bytes of the map u32

@@ -1,13 +1,6 @@
 // The lines that were found in a picture as flat bytes, for another worker that makes a map of
 // them. Both are the same program; the kiosk keeps the bytes between the two and does not look into
-// them. Native byte order.
-//
-//   header  LinesHeader (lines_bytes.cpp)
-//   reason  text
-//   chains  a head each
-//   points  of the first chain, of the second, ...
-//
-// Threads: pure functions.
+// them: what was found, then each chain with its points. Little-endian. Threads: pure functions.
 #pragma once
 
 #include "config/types/result.h"

@@ -50,8 +50,8 @@ struct Traced {
 /// O(bytes) without those of the lines.
 [[nodiscard]] Result<Traced> traced_of(std::span<const std::byte> bytes);
 
-/// The bytes of the lines in an answer, for the worker that is given it; empty where there are
-/// none.
+/// The bytes of the lines in an answer that traced_of() takes, for the worker that is given it;
+/// empty where there are none.
 [[nodiscard]] std::span<const std::byte> lines_in(std::span<const std::byte> bytes);
 
 }  // namespace touchline

@@ -33,7 +33,7 @@ class Hash {
     std::uint64_t value_ = 0xcbf29ce484222325U;
 };
 
-// A field that is added to one of these must be named in its fields(), or a run could not be
+// A field that is added to one of these must be named in its list of fields, or a run could not be
 // repeated.
 static_assert(sizeof(ServoCommands) == 176 && sizeof(StepInput) == 256);
 
@@ -98,7 +98,7 @@ void tick(Bytes& bytes, Tick& t) {
     bytes.number(t.input.missed_ticks);
     angles(bytes, t.input.angles);
     angle(bytes, t.input.handle_rad);
-    fields(bytes, t.input.commands);
+    command_fields(bytes, t.input.commands);
     bytes.number(t.input.delay_s);
     bytes.number(t.input.force_share);
     bytes.number(t.wanted_version);

@@ -20,7 +20,6 @@ enum class CaptureTrouble : std::uint8_t {
     too_far_right,
     too_far_up,
     too_far_down,
-    no_markers,  // of the stand: some are hidden
 };
 
 /// At most 15 words; empty for none.
