@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace touchline {
 namespace {
@@ -49,7 +50,7 @@ std::optional<PackFinding> take_finding(ByteReader& bytes) {
     fields(check, finding);
     const bool is_sound =
         bytes.is_good() && check.is_sound() && is_fit(finding.file) && is_fit(finding.what);
-    return is_sound ? std::optional(finding) : std::nullopt;
+    return is_sound ? std::optional(std::move(finding)) : std::nullopt;
 }
 
 void put(ByteWriter& bytes, const PackFile& entry) {

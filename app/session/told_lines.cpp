@@ -37,7 +37,7 @@ constexpr std::string_view staffs_unplugged = "The handle is unplugged. Plug its
 
 /// The sentences of the camera and the sticks are catalogue texts already. No other line is trusted
 /// as one, for it may come from a worker that a file has taken over.
-constexpr std::array<std::string_view, 12> whole_sentences{
+constexpr std::array<std::string_view, 11> whole_sentences{
     "It is too dark here. Ask the staff for more light.",
     "There is too much light. Ask the staff to turn the lamp away.",
     "The lamp is reflected in the sheet. Ask the staff to move it.",
@@ -47,7 +47,6 @@ constexpr std::array<std::string_view, 12> whole_sentences{
     "Move the sheet to the left.",
     "Move the sheet down, towards you.",
     "Move the sheet up, away from you.",
-    "The corners of the tray are covered. Clear them and try again.",
     "The USB stick is locked with a password. Bring one without.",
     "The USB stick’s format is not read here. Bring one formatted as FAT or exFAT."};
 

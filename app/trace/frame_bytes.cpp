@@ -20,7 +20,6 @@ void frame_fields(Fields& f, Frame& frame) {
 
 std::vector<std::byte> bytes_of(const CameraFrame& frame) {
     ByteWriter bytes;
-    bytes.reserve(64 + frame.bytes.size());
     frame_fields(bytes, frame);
     bytes.raw(std::as_bytes(std::span(frame.bytes)));
     return bytes.take();
@@ -30,8 +29,9 @@ Result<CameraFrame> frame_of(std::span<const std::byte> all) {
     ByteReader bytes(all);
     CameraFrame frame;
     frame_fields(bytes, frame);
-    if (!bytes.is_good() || !fits_a_picture(static_cast<std::uint64_t>(frame.size.width),
-                                            static_cast<std::uint64_t>(frame.size.height)))
+    const bool is_picture = fits_a_picture(static_cast<std::uint64_t>(frame.size.width),
+                                           static_cast<std::uint64_t>(frame.size.height));
+    if (!bytes.is_good() || !is_picture || frame.stride_bytes > all.size())
         return failure("the camera's picture cannot be used; take another one");
     const auto pixels = bytes.raw(bytes.left());
     const auto* const first = reinterpret_cast<const std::uint8_t*>(pixels.data());

@@ -13,7 +13,8 @@ namespace touchline {
 
 [[nodiscard]] std::vector<std::byte> bytes_of(const CameraFrame& frame);
 
-/// Fails for an unknown format, or a size beyond app/decode/picture.h.
+/// Fails for an unknown format, for a size beyond app/decode/picture.h, and for a row that is
+/// longer than all the bytes.
 [[nodiscard]] Result<CameraFrame> frame_of(std::span<const std::byte> bytes);
 
 }  // namespace touchline

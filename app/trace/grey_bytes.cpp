@@ -5,25 +5,34 @@
 #include <cstdint>
 
 namespace touchline {
+namespace {
+
+template <class Fields, class Grey>
+void grey_fields(Fields& f, Grey& picture) {
+    f.number(picture.width);
+    f.number(picture.height);
+}
+
+}  // namespace
 
 std::vector<std::byte> bytes_of(const GreyPicture& picture) {
     ByteWriter bytes;
-    bytes.number(static_cast<std::uint32_t>(picture.width));
-    bytes.number(static_cast<std::uint32_t>(picture.height));
+    grey_fields(bytes, picture);
     bytes.raw(std::as_bytes(std::span(picture.grey)));
     return bytes.take();
 }
 
 Result<GreyPicture> grey_of(std::span<const std::byte> all) {
     ByteReader bytes(all);
-    const auto width = bytes.number<std::uint32_t>();
-    const auto height = bytes.number<std::uint32_t>();
-    if (!bytes.is_good() || !fits_a_picture(width, height) ||
-        bytes.left() != std::size_t{width} * height)
+    GreyPicture picture;
+    grey_fields(bytes, picture);
+    const auto width = static_cast<std::uint64_t>(picture.width);
+    const auto height = static_cast<std::uint64_t>(picture.height);
+    if (!bytes.is_good() || !fits_a_picture(width, height) || bytes.left() != width * height)
         return failure("the picture's parts do not fit together");
-    GreyPicture picture{static_cast<int>(width), static_cast<int>(height), {}};
-    const auto* const first = reinterpret_cast<const std::uint8_t*>(all.last(bytes.left()).data());
-    picture.grey.assign(first, first + bytes.left());
+    const auto grey = bytes.raw(bytes.left());
+    const auto* const first = reinterpret_cast<const std::uint8_t*>(grey.data());
+    picture.grey.assign(first, first + grey.size());
     return picture;
 }
 

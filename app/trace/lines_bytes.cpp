@@ -52,6 +52,7 @@ void point_fields(Fields& f, Point& point) {
 }
 
 constexpr std::size_t point_bytes = 3 * sizeof(double) + 2 * sizeof(float) + 1;
+constexpr std::size_t chain_bytes = 1 + sizeof(LineOf) + sizeof(double) + sizeof(std::uint32_t);
 
 bool fits(cv::Size size) {
     return fits_a_picture(static_cast<std::uint64_t>(size.width),
@@ -64,8 +65,7 @@ std::vector<std::byte> bytes_of(const Found& found) {
     std::size_t points = 0;
     for (const Chain& chain : found.lines.chains) points += chain.points.size();
     ByteWriter bytes;
-    bytes.reserve(1000 + found.decision.reason.size() + 100 * found.lines.chains.size() +
-                  point_bytes * points);
+    bytes.reserve(chain_bytes * found.lines.chains.size() + point_bytes * points);
     found_fields(bytes, found);
     bytes.number(static_cast<std::uint32_t>(found.lines.chains.size()));
     for (const Chain& chain : found.lines.chains) {
@@ -82,14 +82,12 @@ Result<Found> found_of(std::span<const std::byte> all) {
     Found found;
     found_fields(bytes, found);
     found_fields(check, found);
-    const auto chains = bytes.number<std::uint32_t>();
+    const auto chains = bytes.count(chain_bytes);
     for (std::uint32_t i = 0; i < chains && bytes.is_good(); ++i) {
         Chain& chain = found.lines.chains.emplace_back();
         chain_fields(bytes, chain);
         chain_fields(check, chain);
-        const auto points = bytes.number<std::uint32_t>();
-        if (points > bytes.left() / point_bytes) break;
-        chain.points.resize(points);
+        chain.points.resize(bytes.count(point_bytes));
         for (EdgePoint& point : chain.points) {
             point_fields(bytes, point);
             point_fields(check, point);

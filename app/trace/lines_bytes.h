@@ -1,13 +1,7 @@
 // The lines found in a picture as flat bytes, for another worker that makes a map of them. Both
 // workers are the same program. The kiosk keeps the bytes in between and does not look into them.
-// Native byte order.
-//
-//   header  LinesHeader (lines_bytes.cpp)
-//   reason  text
-//   chains  one head each
-//   points  of the first chain, of the second, ...
-//
-// Threads: pure functions.
+// They hold what was found, then each chain with its points. Little-endian. Threads: pure
+// functions.
 #pragma once
 
 #include "config/types/result.h"

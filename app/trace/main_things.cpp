@@ -1,8 +1,8 @@
 #include "app/trace/main_things.h"
 
 #include "app/trace/grey_bytes.h"
-#include "app/trace/joined.h"
 #include "config/types/face_part.h"
+#include "config/types/fields.h"
 #include "config/types/map_bytes.h"
 
 #include <algorithm>
@@ -13,24 +13,7 @@
 namespace touchline {
 namespace {
 
-struct ThingsHeader {
-    std::uint32_t magic = 0;
-    std::uint32_t is_sure = 0;
-    std::uint32_t boxes = 0;
-    std::uint32_t names = 0;
-    std::uint32_t faces = 0;
-    std::uint32_t unused = 0;
-    FigureSigns signs;
-};
-
-struct CrossingName {
-    std::uint32_t name = 0;
-    std::uint32_t unused = 0;
-    double likelihood = 0.0;
-    ThingBox box;
-};
-
-constexpr std::uint32_t things_magic = 0x32474946;  // "FIG2"
+constexpr std::uint32_t things_magic = 0x33474946;  // "FIG3"
 constexpr std::uint32_t most_things = 20;           // none is smaller than a twentieth of all
 constexpr std::uint32_t most_names = 50;            // more than are ever said
 constexpr std::uint32_t most_faces = 20;            // more than anybody goes through
@@ -40,15 +23,19 @@ tl::unexpected<Error> not_safe() {
     return failure("its main thing could not be found safely");
 }
 
-bool is_share(double number) {
-    return number >= 0.0 && number <= 1.0;
+template <class Fields, class Box>
+void box_fields(Fields& f, Box& box) {
+    f.number(box.left);
+    f.number(box.top);
+    f.number(box.right);
+    f.number(box.bottom);
 }
 
-bool is_sound(const ThingsHeader& header) {
-    const FigureSigns& signs = header.signs;
-    return header.magic == things_magic && header.is_sure <= 1 && header.boxes <= most_things &&
-           header.names <= most_names && header.faces <= most_faces && is_share(signs.area) &&
-           is_share(signs.contrast);
+template <class Fields, class Things>
+void things_fields(Fields& f, Things& things) {
+    f.flag(things.is_sure);
+    f.number(things.signs.area, 0.0, 1.0);
+    f.number(things.signs.contrast, 0.0, 1.0);
 }
 
 /// True if the only texts are names of a face's parts, because every text is spoken.
@@ -59,42 +46,41 @@ bool is_sound(const TactileMap& map) {
            });
 }
 
-/// Takes flat pieces of memory, one after the other.
-class Pieces {
-  public:
-    explicit Pieces(std::span<const std::byte> bytes) : rest_(bytes) {}
-
-    /// Nothing if there are fewer bytes left.
-    template <class Piece>
-    std::optional<std::vector<Piece>> take(std::size_t count) {
-        const std::size_t size = count * sizeof(Piece);
-        if (size > rest_.size()) return std::nullopt;
-        std::vector<Piece> pieces(count);
-        std::ranges::copy(rest_.first(size), std::as_writable_bytes(std::span(pieces)).begin());
-        rest_ = rest_.subspan(size);
-        return pieces;
-    }
-
-    [[nodiscard]] std::span<const std::byte> rest() const { return rest_; }
-
-  private:
-    std::span<const std::byte> rest_;
-};
-
-template <class Piece>
-void append(const std::vector<Piece>& pieces, std::vector<std::byte>& bytes) {
-    const auto more = std::as_bytes(std::span(pieces));
-    bytes.insert(bytes.end(), more.begin(), more.end());
+void put(ByteWriter& bytes, const NamedThing& thing) {
+    bytes.number(static_cast<std::uint32_t>(thing.name));
+    bytes.number(thing.likelihood);
+    box_fields(bytes, thing.box);
 }
 
-std::optional<std::vector<NamedThing>> names_in(const std::vector<CrossingName>& crossed) {
-    std::vector<NamedThing> names;
-    for (const CrossingName& one : crossed) {
-        const auto name = thing_name_of(one.name);
-        if (!name || !is_sound(one.box) || !is_share(one.likelihood)) return std::nullopt;
-        names.push_back({*name, one.box, one.likelihood});
-    }
-    return names;
+constexpr std::size_t box_bytes = 4 * sizeof(double);
+constexpr std::size_t name_bytes = sizeof(std::uint32_t) + sizeof(double) + box_bytes;
+constexpr std::size_t face_bytes = box_bytes + sizeof(std::uint32_t);  // without its map
+
+template <class List>
+void put_count(ByteWriter& bytes, const List& list) {
+    bytes.number(static_cast<std::uint32_t>(list.size()));
+}
+
+std::optional<NamedThing> named_thing_in(ByteReader& bytes) {
+    const auto name = thing_name_of(bytes.number<std::uint32_t>());
+    NamedThing thing;
+    bytes.number(thing.likelihood);
+    box_fields(bytes, thing.box);
+    FieldCheck check;
+    check.number(thing.likelihood, 0.0, 1.0);
+    if (!bytes.is_good() || !name || !check.is_sound() || !is_sound(thing.box)) return std::nullopt;
+    thing.name = *name;
+    return thing;
+}
+
+std::optional<DrawnFace> face_in(ByteReader& bytes) {
+    DrawnFace face;
+    box_fields(bytes, face.part);
+    auto map = map_of(bytes.raw(bytes.number<std::uint32_t>()));
+    if (!bytes.is_good() || !can_be_shown(face.part) || !map || !is_sound(*map))
+        return std::nullopt;
+    face.map = std::move(*map);
+    return face;
 }
 
 }  // namespace
@@ -121,54 +107,56 @@ MainThings main_things_of(const Figures& figures) {
 }
 
 Result<std::vector<std::byte>> bytes_of(const MainThings& things) {
-    std::vector<ThingBox> boxes = things.boxes;
-    std::vector<CrossingName> names;
-    std::vector<std::vector<std::byte>> parts{bytes_of(things.mask)};
-    for (const NamedThing& thing : things.names)
-        names.push_back({static_cast<std::uint32_t>(thing.name), 0, thing.likelihood, thing.box});
+    ByteWriter bytes;
+    bytes.number(things_magic);
+    things_fields(bytes, things);
+    put_count(bytes, things.boxes);
+    for (const ThingBox& box : things.boxes) box_fields(bytes, box);
+    put_count(bytes, things.names);
+    for (const NamedThing& thing : things.names) put(bytes, thing);
+    put_count(bytes, things.faces);
     for (const DrawnFace& face : things.faces) {
-        auto map = bytes_of(face.map);
+        const auto map = bytes_of(face.map);
         if (!map) return map;
-        boxes.push_back(face.part);
-        parts.push_back(std::move(*map));
+        box_fields(bytes, face.part);
+        put_count(bytes, *map);
+        bytes.raw(*map);
     }
-    const auto count = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
-    const std::vector header{ThingsHeader{things_magic, things.is_sure ? 1U : 0U,
-                                          count(things.boxes), count(names), count(things.faces), 0,
-                                          things.signs}};
-    std::vector<std::byte> bytes;
-    append(header, bytes);
-    append(boxes, bytes);
-    append(names, bytes);
-    append(joined(ThingsInBytes(parts.begin(), parts.end())), bytes);
-    return bytes;
+    bytes.raw(bytes_of(things.mask));
+    return bytes.take();
 }
 
-Result<MainThings> main_things_of(std::span<const std::byte> bytes) {
-    Pieces pieces(bytes);
-    const auto header = pieces.take<ThingsHeader>(1);
-    if (!header || !is_sound(header->front())) return not_safe();
-    const ThingsHeader& head = header->front();
-    auto boxes = pieces.take<ThingBox>(head.boxes);
-    const auto faces = pieces.take<ThingBox>(head.faces);
-    const auto crossed = pieces.take<CrossingName>(head.names);
-    if (!boxes || !faces || !crossed) return not_safe();
-    auto names = names_in(*crossed);
-    const ThingsInBytes parts = parted(pieces.rest(), head.faces + std::size_t{1});
-    const bool are_sound =
-        std::ranges::all_of(*boxes, [](const ThingBox& box) { return is_sound(box); }) &&
-        std::ranges::all_of(*faces, can_be_shown) && names && !parts.empty();
-    if (!are_sound) return not_safe();
-    auto mask = grey_of(parts.front());
-    if (!mask) return not_safe();
-    MainThings things{
-        std::move(*mask), std::move(*boxes), head.signs, false, std::move(*names), {}};
-    for (std::size_t i = 0; i < faces->size(); ++i) {
-        auto map = map_of(parts[i + 1]);
-        if (!map || !is_sound(*map)) return not_safe();
-        things.faces.push_back({(*faces)[i], std::move(*map)});
+Result<MainThings> main_things_of(std::span<const std::byte> all) {
+    ByteReader bytes(all);
+    if (bytes.number<std::uint32_t>() != things_magic) return not_safe();
+    MainThings things;
+    things_fields(bytes, things);
+    FieldCheck check;
+    things_fields(check, things);
+    const auto boxes = bytes.count(box_bytes);
+    if (boxes > most_things || !check.is_sound()) return not_safe();
+    for (std::uint32_t i = 0; i < boxes; ++i) {
+        box_fields(bytes, things.boxes.emplace_back());
+        if (!is_sound(things.boxes.back())) return not_safe();
     }
-    things.is_sure = head.is_sure == 1 && !things.boxes.empty();
+    const auto names = bytes.count(name_bytes);
+    if (names > most_names) return not_safe();
+    for (std::uint32_t i = 0; i < names; ++i) {
+        const auto name = named_thing_in(bytes);
+        if (!name) return not_safe();
+        things.names.push_back(*name);
+    }
+    const auto faces = bytes.count(face_bytes);
+    if (faces > most_faces) return not_safe();
+    for (std::uint32_t i = 0; i < faces; ++i) {
+        auto face = face_in(bytes);
+        if (!face) return not_safe();
+        things.faces.push_back(std::move(*face));
+    }
+    auto mask = grey_of(bytes.raw(bytes.left()));
+    if (!bytes.is_good() || !mask) return not_safe();
+    things.mask = std::move(*mask);
+    things.is_sure = things.is_sure && !things.boxes.empty();
     return things;
 }
 

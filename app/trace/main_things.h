@@ -1,11 +1,11 @@
 // The answer of a worker that looked at a photograph: its main things, what they probably are, and
 // its faces. No reader trusts it.
 //
-//   header  magic u32, is_sure u32, then u32 each: boxes, names, faces, nothing; two numbers
-//           (FigureSigns)
-//   boxes   four f64 each, of the main things and then of the faces
-//   names   number u32, four bytes of nothing, likelihood f64, box
-//   rest    joined.h: the mask (grey_bytes.h) and the map of each face (map_bytes.h)
+//   header  magic u32, is_sure u8, two f64 (FigureSigns)
+//   boxes   of the main things: how many u32, then four f64 each
+//   names   how many u32; each: number u32, likelihood f64, box
+//   faces   how many u32; each: box, and its map (map_bytes.h) with the bytes before it u32
+//   mask    grey_bytes.h, the rest
 //
 // Threads: pure functions.
 #pragma once

@@ -49,7 +49,8 @@ struct Traced {
 /// without those of the lines.
 [[nodiscard]] Result<Traced> traced_of(std::span<const std::byte> bytes);
 
-/// The bytes of the lines in an answer, for the worker that gets it; empty if there are none.
+/// The bytes of the lines in an answer that traced_of() accepts, for the worker that gets it; empty
+/// if there are none.
 [[nodiscard]] std::span<const std::byte> lines_in(std::span<const std::byte> bytes);
 
 }  // namespace touchline

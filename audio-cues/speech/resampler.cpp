@@ -2,7 +2,6 @@
 
 #include "audio-cues/synth/frames.h"
 
-#include <algorithm>
 #include <array>
 #include <new>
 
@@ -15,7 +14,8 @@ void Resampler::Close::operator()(SRC_STATE_tag* state) const {
 }
 
 Resampler::Resampler(int rate_Hz)
-    : state_(src_new(SRC_SINC_MEDIUM_QUALITY, 1, nullptr)),
+    : state_(src_new(rate_Hz > frame_rate_Hz ? SRC_SINC_FASTEST : SRC_SINC_MEDIUM_QUALITY, 1,
+                     nullptr)),
       ratio_(static_cast<double>(frame_rate_Hz) / rate_Hz) {
     if (!state_) throw std::bad_alloc();
 }
@@ -33,7 +33,7 @@ void Resampler::process(std::span<const float> samples, bool is_end, std::vector
         if (src_process(state_.get(), &step) != 0) return;  // only for a wrong ratio or pointer
         samples = samples.subspan(static_cast<std::size_t>(step.input_frames_used));
         out.insert(out.end(), made.begin(), made.begin() + step.output_frames_gen);
-    } while (!samples.empty() || step.output_frames_gen == step.output_frames);
+    } while (step.input_frames_used > 0 || step.output_frames_gen > 0);
 }
 
 void Resampler::add(std::span<const float> samples, std::vector<float>& out) {

@@ -31,7 +31,7 @@ namespace touchline {
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
 
 template <class T>
-concept Number = std::is_arithmetic_v<T>;
+concept Number = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 
 template <class T>
 concept Choice = std::is_enum_v<T>;
@@ -137,6 +137,14 @@ class ByteReader {
     template <Number Size>
     void text(std::string& value) {
         value = raw_text(number<Size>());
+    }
+
+    /// How many follow, as a std::uint32_t; fails, and is 0, where so many cannot, each of at least
+    /// `least_bytes`.
+    [[nodiscard]] std::uint32_t count(std::size_t least_bytes) {
+        const auto told = number<std::uint32_t>();
+        is_good_ = is_good_ && told <= left_.size() / least_bytes;
+        return is_good_ ? told : 0;
     }
 
     [[nodiscard]] std::span<const std::byte> raw(std::size_t size) {

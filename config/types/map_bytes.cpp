@@ -4,18 +4,24 @@
 #include "config/types/map_limits.h"
 #include "config/types/utf8.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <type_traits>
 
 namespace touchline {
 namespace {
 
 constexpr std::uint32_t magic = 0x504d4c54;  // "TLMP"
 constexpr std::uint32_t layout = 2;
+constexpr std::size_t outline_bytes = 25;  // without points and texts
+constexpr std::size_t label_bytes = 20;
+
+/// A sound map has no more: what is read of others, too, stays small.
+constexpr std::size_t most_bytes = 48 + MapLimits::outlines * outline_bytes +
+                                   MapLimits::labels * label_bytes +
+                                   MapLimits::points * sizeof(Position) + MapLimits::text_bytes;
 
 tl::unexpected<Error> refused(std::string_view why) {
     return failure("the map cannot be handed over: " + std::string(why));
@@ -53,10 +59,9 @@ void put_count(ByteWriter& bytes, const List& list) {
 }
 
 void take_points(ByteReader& bytes, std::vector<Position>& points) {
-    static_assert(sizeof(Position) == 2 * sizeof(double));
-    const auto count = bytes.number<std::uint32_t>();
-    const auto from = bytes.raw(count * sizeof(Position));
-    points.resize(from.size() / sizeof(Position));
+    static_assert(std::is_trivially_copyable_v<Position> && sizeof(Position) == 16);
+    points.resize(bytes.count(sizeof(Position)));
+    const auto from = bytes.raw(points.size() * sizeof(Position));
     if (!from.empty()) std::memcpy(points.data(), from.data(), from.size());
 }
 
@@ -100,18 +105,21 @@ Result<std::vector<std::byte>> bytes_of(const TactileMap& given) {
 }
 
 Result<TactileMap> map_of(std::span<const std::byte> all) {
+    if (all.size() > most_bytes) return refused("it is larger than a map may be");
     ByteReader bytes(all);
     if (bytes.number<std::uint32_t>() != magic || bytes.number<std::uint32_t>() != layout)
         return refused("its bytes do not begin like one");
     TactileMap map;
     map_fields(bytes, map);
-    const auto outlines = bytes.number<std::uint32_t>();
+    const auto outlines = bytes.count(outline_bytes);
+    if (outlines > MapLimits::outlines) return refused("it has too many outlines");
     for (std::uint32_t i = 0; i < outlines && bytes.is_good(); ++i) {
         Outline& outline = map.outlines.emplace_back();
         outline_fields(bytes, outline);
         take_points(bytes, outline.points);
     }
-    const auto labels = bytes.number<std::uint32_t>();
+    const auto labels = bytes.count(label_bytes);
+    if (labels > MapLimits::labels) return refused("it has too many labels");
     for (std::uint32_t i = 0; i < labels && bytes.is_good(); ++i)
         label_fields(bytes, map.labels.emplace_back());
     if (!bytes.is_at_end()) return refused("its parts do not fit its bytes");

@@ -2,8 +2,8 @@
 // trust them.
 //
 //   header    magic u32, layout u32, area f64 f64, version u64, title, description
-//   outlines  how many u32; each: closed u8, weight f64, detail i32, id, label, how many
-//             points u32, the points f64 f64
+//   outlines  how many u32; each: closed u8, weight f64, detail i32, id, label, and its points: how
+//             many u32, then f64 f64 each
 //   labels    how many u32; each: place f64 f64, text
 //
 // A text is its byte count u32 and the bytes. Little-endian. There are no offsets, so nothing can
@@ -25,7 +25,8 @@ namespace touchline {
 [[nodiscard]] Result<std::vector<std::byte>> bytes_of(const TactileMap& map);
 
 /// Returns the map. Fails, with one line, unless the bytes are exactly what bytes_of() returns for
-/// some map. `bytes` may be anything. Allocates at most a few bytes for each of them. O(n log n).
+/// some map. `bytes` may be anything. Allocates at most what a map within the limits needs.
+/// O(n log n).
 [[nodiscard]] Result<TactileMap> map_of(std::span<const std::byte> bytes);
 
 }  // namespace touchline

@@ -1,7 +1,6 @@
 #include "haptics/servo/exchange.h"
 
-#include <cmath>
-#include <cstring>
+#include <limits>
 #include <utility>
 
 #include <unistd.h>
@@ -9,39 +8,47 @@
 namespace touchline {
 namespace {
 
-// Every comparison is written so that NaN fails it.
-bool is_within(double value, double least, double most) {
-    return value >= least && value <= most;
-}
-
-// A bool from another process may hold any byte.
-bool is_bool(const bool& value) {
-    unsigned char byte = 0;
-    std::memcpy(&byte, &value, 1);
-    return byte <= 1;
+template <class Place>
+void finite(FieldCheck& check, const Place& place) {
+    check.finite(place.x);
+    check.finite(place.y);
 }
 
 }  // namespace
 
 bool is_sound(const ServoCommands& commands) {
     FieldCheck check;
-    fields(check, commands);
+    command_fields(check, commands);
     return check.is_sound();
 }
 
 bool is_sound(const ServoReport& report) {
     const HandState& hand = report.hand;
-    return is_finite(hand.p_WH) && is_finite(hand.p_WP) && is_finite(hand.force) &&
-           std::isfinite(hand.level) && is_within(hand.stiffness_bound.share, 0.0, 1.0) &&
-           is_within(hand.stiffness_bound.most_N_per_m, 0.0, most_stiffness_N_per_m) &&
-           hand.mode <= Mode::stay && hand.state <= ContactState::vertex && hand.outline >= -1 &&
-           is_bool(hand.is_level_auto) && hand.guidance.phase <= GuidancePhase::stopped &&
-           is_bool(hand.guidance.is_on_line) && hand.guidance.outline >= -1 &&
-           hand.guidance.label >= -1 && is_finite(hand.guidance.leading) &&
-           hand.shape <= HeldShape::key && is_bool(hand.is_shape_placed) &&
-           std::isfinite(hand.angle_rad) && std::isfinite(hand.proxy_angle_rad) &&
-           std::isfinite(hand.torque_Nm) && report.force.state <= ForceState::fault &&
-           report.force.fault <= Fault::emergency_stop && report.force.limit <= Limit::fault;
+    FieldCheck check;
+    finite(check, hand.p_WH);
+    finite(check, hand.p_WP);
+    finite(check, hand.force);
+    check.finite(hand.level);
+    check.number(hand.stiffness_bound.share, 0.0, 1.0);
+    check.number(hand.stiffness_bound.most_N_per_m, 0.0, most_stiffness_N_per_m);
+    check.choice(hand.mode, Mode::stay);
+    check.choice(hand.state, ContactState::vertex);
+    check.number(hand.outline, -1, std::numeric_limits<int>::max());
+    check.flag(hand.is_level_auto);
+    check.choice(hand.guidance.phase, GuidancePhase::stopped);
+    check.flag(hand.guidance.is_on_line);
+    check.number(hand.guidance.outline, -1, std::numeric_limits<int>::max());
+    check.number(hand.guidance.label, -1, std::numeric_limits<int>::max());
+    finite(check, hand.guidance.leading);
+    check.choice(hand.shape, HeldShape::key);
+    check.flag(hand.is_shape_placed);
+    check.finite(hand.angle_rad);
+    check.finite(hand.proxy_angle_rad);
+    check.finite(hand.torque_Nm);
+    check.choice(report.force.state, ForceState::fault);
+    check.choice(report.force.fault, Fault::emergency_stop);
+    check.choice(report.force.limit, Limit::fault);
+    return check.is_sound();
 }
 
 std::optional<RealTimeTier> tier_of(const ServoChannel& channel) {

@@ -109,7 +109,7 @@ class EventRing {
     std::atomic<std::uint64_t> dropped_{0};
 };
 
-/// What the operator and the session set, within the ranges in fields().
+/// What the operator and the session set, within the ranges in command_fields().
 struct ServoCommands {
     Mode mode = Mode::wall;
     double stiffness_N_per_m = 500.0;  // rises are ramped
@@ -136,7 +136,7 @@ struct ServoCommands {
 };
 
 template <class Fields, class Commands>
-void fields(Fields& f, Commands& c) {
+void command_fields(Fields& f, Commands& c) {
     constexpr double most_level = 64.0;
     constexpr double most_turn_rad = 1e4;
     f.choice(c.mode, Mode::stay);

@@ -33,7 +33,7 @@ class Hash {
     std::uint64_t value_ = 0xcbf29ce484222325U;
 };
 
-// Name every field added to one of these in its fields(); otherwise a run cannot be repeated.
+// Name every field added to one of these in its list of fields; otherwise a run cannot be repeated.
 static_assert(sizeof(ServoCommands) == 176 && sizeof(StepInput) == 256);
 
 template <class Bytes, class Vector>
@@ -97,7 +97,7 @@ void tick(Bytes& bytes, Tick& t) {
     bytes.number(t.input.missed_ticks);
     angles(bytes, t.input.angles);
     angle(bytes, t.input.handle_rad);
-    fields(bytes, t.input.commands);
+    command_fields(bytes, t.input.commands);
     bytes.number(t.input.delay_s);
     bytes.number(t.input.force_share);
     bytes.number(t.wanted_version);

@@ -1,7 +1,9 @@
 #include "config/types/fields.h"
 
 #include <array>
+#include <cstring>
 #include <limits>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -90,6 +90,22 @@ TEST(MapBytes, MapsThatCannotBeAreNotWritten) {
     EXPECT_TRUE(refuses([](TactileMap& map) { map.title.resize(MapLimits::text_bytes + 1); }));
 }
 
+TEST(MapBytes, MoreThanAMapMayHaveIsRefusedBeforeItIsKept) {
+    constexpr std::size_t count_at = 40;  // of the outlines, where no text is before them
+    constexpr std::size_t outline_bytes = 25;
+    const auto empty = bytes_of(TactileMap{}).value();
+    const auto why_refused = [&empty](std::uint32_t count) {
+        auto bytes = empty;
+        std::memcpy(&bytes[count_at], &count, sizeof count);
+        bytes.resize(bytes.size() + count * outline_bytes);
+        const auto map = map_of(bytes);
+        return map ? std::string() : map.error().line;
+    };
+    EXPECT_NE(why_refused(MapLimits::outlines + 1).find("too many outlines"), std::string::npos);
+    EXPECT_NE(why_refused(4'000'000).find("larger than a map may be"), std::string::npos);
+    EXPECT_NE(why_refused(1).find("fewer than 2 points"), std::string::npos) << why_refused(1);
+}
+
 TEST(MapBytes, TextThatIsNoUtf8IsMarkedByTheWriterAndRefusedByTheReader) {
     TactileMap map = random_map_sample(3);
     map.title = "caf\xe9";

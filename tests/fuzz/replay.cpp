@@ -37,7 +37,8 @@ int main(int argc, char** argv) {
     std::size_t count = 0;
     const bool is_whole =
         archive_read_open_filename(opened, argv[1], 65536) == ARCHIVE_OK && replay(opened, count);
-    if (!is_whole) std::fprintf(stderr, "%s: %s\n", argv[1], archive_error_string(opened));
+    const char* const why = archive_error_string(opened);
+    if (!is_whole) std::fprintf(stderr, "%s: %s\n", argv[1], why == nullptr ? "no input" : why);
     archive_read_free(opened);
     std::printf("%zu inputs replayed\n", count);
     return is_whole ? 0 : 1;

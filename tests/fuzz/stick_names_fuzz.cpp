@@ -6,7 +6,6 @@
 #include "app/sticks/spoken_name.h"
 #include "config/types/utf8.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -26,8 +26,6 @@ std::string_view sentence(CaptureTrouble trouble) {
             return "Move the sheet down, towards you.";
         case CaptureTrouble::too_far_down:
             return "Move the sheet up, away from you.";
-        case CaptureTrouble::no_markers:
-            return "The corners of the tray are covered. Clear them and try again.";
     }
     return "";
 }

@@ -20,7 +20,6 @@ enum class CaptureTrouble : std::uint8_t {
     too_far_right,
     too_far_up,
     too_far_down,
-    no_markers,  // some of the stand's markers are hidden
 };
 
 /// Returns at most 15 words; empty for none.

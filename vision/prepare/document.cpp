@@ -1,7 +1,6 @@
 #include "vision/prepare/document.h"
 
 #include "vision/prepare/even_light.h"
-#include "vision/prepare/page_light.h"
 #include "vision/prepare/page_search.h"
 #include "vision/prepare/rectify.h"
 

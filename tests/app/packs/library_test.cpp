@@ -6,8 +6,6 @@
 #include "audio-cues/words/language.h"
 #include "tests/app/packs/made_packs.h"
 
-#include <algorithm>
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -3,7 +3,6 @@
 #include "config/types/utf8.h"
 #include "tests/app/sticks/any_names.h"
 
-#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>

@@ -47,9 +47,11 @@ TEST(LinesBytes, GiveTheSameMapAtEveryDetailAndZoom) {
 }
 
 TEST(LinesBytes, CutShortOrLongerAreRefused) {
-    const Bytes whole = bytes_of(lines_of_a_picture());
-    for (std::size_t size = 0; size < whole.size(); size += 1 + size / 5)
-        EXPECT_FALSE(found_of(std::span(whole).first(size)).has_value()) << size;
+    Found few = lines_of_a_picture();
+    few.lines.chains.resize(std::min<std::size_t>(few.lines.chains.size(), 3));
+    const Bytes whole = bytes_of(few);
+    for (std::size_t size = 0; size < whole.size(); ++size)
+        ASSERT_FALSE(found_of(std::span(whole).first(size)).has_value()) << size;
     Bytes longer = whole;
     longer.push_back({});
     EXPECT_FALSE(found_of(longer).has_value());

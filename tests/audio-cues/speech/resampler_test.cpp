@@ -11,18 +11,18 @@
 namespace touchline {
 namespace {
 
-std::vector<float> sine(double frequency_Hz, std::size_t count) {
+std::vector<float> sine(double frequency_Hz, std::size_t count, double rate_Hz = 22050.0) {
     std::vector<float> samples;
     for (std::size_t i = 0; i < count; ++i) {
         const double angle =
-            2.0 * std::numbers::pi * frequency_Hz * static_cast<double>(i) / 22050.0;
+            2.0 * std::numbers::pi * frequency_Hz * static_cast<double>(i) / rate_Hz;
         samples.push_back(static_cast<float>(0.5 * std::sin(angle)));
     }
     return samples;
 }
 
 TEST(Resampler, KeepsPitchAndLevelAndMakesNoImages) {
-    for (const double frequency_Hz : {200.0, 1000.0, 4000.0, 9000.0}) {
+    for (const double frequency_Hz : {200.0, 1000.0, 4000.0, 9000.0, 9350.0}) {
         Resampler resampler(22050);
         std::vector<float> out;
         resampler.add(sine(frequency_Hz, 22050), out);
@@ -34,6 +34,17 @@ TEST(Resampler, KeepsPitchAndLevelAndMakesNoImages) {
         for (std::size_t i = bin - 30; i <= bin + 30; ++i) powers[i] = 0.0;
         EXPECT_LT(10.0 * std::log10(*std::max_element(powers.begin(), powers.end())), -70.0);
     }
+}
+
+TEST(Resampler, FromAHigherRateWhatIsHeardStaysAndTheRestGoes) {
+    const auto level_dB = [](double frequency_Hz) {
+        const auto made = at_frame_rate(sine(frequency_Hz, 96000, 96000.0), 96000);
+        return 20.0 *
+               std::log10(rms(std::span(made).subspan(4000, 32768)) / (0.5 / std::sqrt(2.0)));
+    };
+    EXPECT_NEAR(level_dB(1000.0), 0.0, 0.1);
+    EXPECT_NEAR(level_dB(18000.0), 0.0, 0.1);
+    EXPECT_LT(level_dB(30000.0), -70.0);
 }
 
 TEST(Resampler, PiecesOfAnySizeGiveTheSameAndTheLengthIsRight) {

@@ -85,7 +85,7 @@ TEST(Rectify, ThePageIsSeenFromAbove) {
 }
 
 TEST(CaptureTroubleTest, SpokenSentencesAreShortAndNameNoColours) {
-    for (int i = 0; i <= static_cast<int>(CaptureTrouble::no_markers); ++i) {
+    for (int i = 0; i <= static_cast<int>(CaptureTrouble::too_far_down); ++i) {
         const std::string_view words = sentence(static_cast<CaptureTrouble>(i));
         EXPECT_EQ(words.empty(), i == 0);
         EXPECT_LE(std::count(words.begin(), words.end(), ' ') + 1, 15);
