@@ -67,10 +67,10 @@ std::vector<std::byte> bytes_of(const Found& found) {
     ByteWriter bytes;
     bytes.reserve(chain_bytes * found.lines.chains.size() + point_bytes * points);
     found_fields(bytes, found);
-    bytes.number(static_cast<std::uint32_t>(found.lines.chains.size()));
+    bytes.count(found.lines.chains.size());
     for (const Chain& chain : found.lines.chains) {
         chain_fields(bytes, chain);
-        bytes.number(static_cast<std::uint32_t>(chain.points.size()));
+        bytes.count(chain.points.size());
         for (const EdgePoint& point : chain.points) point_fields(bytes, point);
     }
     return bytes.take();

@@ -56,11 +56,6 @@ constexpr std::size_t box_bytes = 4 * sizeof(double);
 constexpr std::size_t name_bytes = sizeof(std::uint32_t) + sizeof(double) + box_bytes;
 constexpr std::size_t face_bytes = box_bytes + sizeof(std::uint32_t);  // without its map
 
-template <class List>
-void put_count(ByteWriter& bytes, const List& list) {
-    bytes.number(static_cast<std::uint32_t>(list.size()));
-}
-
 std::optional<NamedThing> named_thing_in(ByteReader& bytes) {
     const auto name = thing_name_of(bytes.number<std::uint32_t>());
     NamedThing thing;
@@ -110,16 +105,16 @@ Result<std::vector<std::byte>> bytes_of(const MainThings& things) {
     ByteWriter bytes;
     bytes.number(things_magic);
     things_fields(bytes, things);
-    put_count(bytes, things.boxes);
+    bytes.count(things.boxes.size());
     for (const ThingBox& box : things.boxes) box_fields(bytes, box);
-    put_count(bytes, things.names);
+    bytes.count(things.names.size());
     for (const NamedThing& thing : things.names) put(bytes, thing);
-    put_count(bytes, things.faces);
+    bytes.count(things.faces.size());
     for (const DrawnFace& face : things.faces) {
         const auto map = bytes_of(face.map);
         if (!map) return map;
         box_fields(bytes, face.part);
-        put_count(bytes, *map);
+        bytes.count(map->size());
         bytes.raw(*map);
     }
     bytes.raw(bytes_of(things.mask));

@@ -71,6 +71,9 @@ class ByteWriter {
         raw(value);
     }
 
+    /// Writes how many records follow, for ByteReader::count().
+    void count(std::size_t how_many) { number(static_cast<std::uint32_t>(how_many)); }
+
     void raw(std::span<const std::byte> bytes) {
         bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     }

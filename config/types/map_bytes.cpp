@@ -53,11 +53,6 @@ void label_fields(Fields& f, Text& label) {
     f.template text<std::uint32_t>(label.text);
 }
 
-template <class List>
-void put_count(ByteWriter& bytes, const List& list) {
-    bytes.number(static_cast<std::uint32_t>(list.size()));
-}
-
 void take_points(ByteReader& bytes, std::vector<Position>& points) {
     static_assert(std::is_trivially_copyable_v<Position> && sizeof(Position) == 16);
     points.resize(bytes.count(sizeof(Position)));
@@ -93,13 +88,13 @@ Result<std::vector<std::byte>> bytes_of(const TactileMap& given) {
     bytes.number(magic);
     bytes.number(layout);
     map_fields(bytes, map);
-    put_count(bytes, map.outlines);
+    bytes.count(map.outlines.size());
     for (const Outline& outline : map.outlines) {
         outline_fields(bytes, outline);
-        put_count(bytes, outline.points);
+        bytes.count(outline.points.size());
         bytes.raw(std::as_bytes(std::span(outline.points)));
     }
-    put_count(bytes, map.labels);
+    bytes.count(map.labels.size());
     for (const Label& label : map.labels) label_fields(bytes, label);
     return bytes.take();
 }
