@@ -196,7 +196,7 @@ TEST(WholeVisit, RudelyItIsNeverStuckAndEveryKeyIsAnswered) {
         silent_s = std::max(silent_s, world.heard().things[before].at_s - pressed_s);
         if (i % 1000 == 0) world.heard().things.clear();
     }
-    // Back leads to the choices from anywhere, and a visit goes on from there.
+    // Back leads to the choices from anywhere, and on from there.
     for (int i = 0; i < 12; ++i) {
         world.press(KeyRole::back);
         world.run(1.0);

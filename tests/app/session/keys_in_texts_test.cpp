@@ -165,7 +165,7 @@ TEST(KeysInTexts, EveryKeyThatIsSpokenOfIsThere) {
     EXPECT_GT(named, 1000U);
 }
 
-/// No key that a text names is refused, and each gives some order.
+/// No key that a text names is refused, and each has an effect.
 TEST(KeysInTexts, EveryKeyThatAScreenNamesDoesSomething) {
     FakeHouse house;
     for (const Visit& visit : scenes_of_all_screens()) {

@@ -70,7 +70,7 @@ class StagedKiosk {
     /// and selects it.
     void choose_key(KeyRole role);
 
-    /// Waits until this screen of the visit is open.
+    /// Waits until this screen of the visit is open, then calls listen().
     void wait_for(VisitScreen screen);
 
     [[nodiscard]] SpokenScreen screen() const { return kiosk_->screen(); }
