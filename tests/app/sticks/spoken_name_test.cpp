@@ -272,7 +272,7 @@ RC_GTEST_PROP(SpokenName, AMomentInAnyFormIsItself, ()) {
     RC_ASSERT(moment->clock->second == second);
 }
 
-/// All of any digits are said, in their order, never more than three together but a year.
+/// All digits are said, in their order, and never more than three together except for a year.
 RC_GTEST_PROP(SpokenName, NoNumberIsLongAndNoDigitIsLost, ()) {
     std::string digits;
     const int count = *rc::gen::inRange(1, 40);

@@ -1,4 +1,4 @@
-// What a worker answers that traced a picture.
+// Tests answers of a worker that traced a picture.
 #include "app/trace/traced.h"
 
 #include <cstring>
@@ -79,7 +79,7 @@ TEST(Traced, EverySizeThatIsWrongIsRefused) {
     const Bytes right = bytes_of(felt(), line_bytes).value();
     for (std::size_t field = 0; field < 9; ++field) {
         for (const std::uint32_t wrong : {0x7fffffffU, 0xffffffffU, 1U}) {
-            if (field == 1 && wrong == 1U) continue;  // a photograph
+            if (field == 1 && wrong == 1U) continue;  // means a photograph
             Bytes bytes = right;
             std::memcpy(&bytes[4 * field], &wrong, sizeof wrong);
             EXPECT_FALSE(why_refused(bytes).empty()) << field << " " << wrong;
