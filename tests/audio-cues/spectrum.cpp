@@ -65,7 +65,7 @@ double strongest_Hz(std::span<const float> samples) {
     const auto powers = power_spectrum(samples);
     const auto top = std::max_element(powers.begin() + 1, powers.end() - 1);
     if (*top == 0.0) return 0.0;
-    // The window's top is a parabola in dB.
+    // The top of the window is a parabola in dB.
     const double before = std::log(top[-1]);
     const double after = std::log(top[1]);
     const double part = 0.5 * (before - after) / (before - 2.0 * std::log(*top) + after);

@@ -1,4 +1,4 @@
-// A WAV file as bytes. Threads: pure functions.
+// Makes a WAV file as bytes. Threads: pure functions.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace touchline {
 
-/// 16-bit PCM, the samples of a frame side by side; with a chunk in it that nobody knows.
+/// 16-bit PCM with interleaved samples, and with an unknown chunk.
 [[nodiscard]] std::string wav_bytes(std::uint32_t rate_Hz, std::uint32_t channels,
                                     const std::vector<int>& samples);
 

@@ -46,7 +46,7 @@ TEST(MapBytes, HundredThousandDamagedMapsAreRefusedOrSound) {
             bytes_of(random_map_sample(static_cast<std::uint32_t>(round) % samples)).value();
         const unsigned flips = 1 + draw(random, 3);
         for (unsigned i = 0; i < flips; ++i) {
-            // Half of them in the header, where a byte weighs most.
+            // Half of the changes hit the header, where a byte matters most.
             const std::size_t reach = draw(random, 2) == 0 ? std::size_t{32} : bytes.size();
             bytes[draw(random, static_cast<std::uint32_t>(reach))] ^=
                 static_cast<std::byte>(1 + draw(random, 255));
@@ -60,7 +60,7 @@ TEST(MapBytes, HundredThousandDamagedMapsAreRefusedOrSound) {
         ASSERT_TRUE(is_sound(*map)) << round;
         ASSERT_TRUE(bytes_of(*map).has_value()) << round;
     }
-    EXPECT_GT(sound, 1000);  // a coordinate that moved is still a map
+    EXPECT_GT(sound, 1000);  // a map with a moved coordinate is still a map
 }
 
 TEST(MapBytes, MapsThatCannotBeAreNotWritten) {

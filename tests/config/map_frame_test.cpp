@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-/// Through text, the shortest that reads back, as an SVG writer does it.
+/// Writes the shortest text that reads back, as an SVG writer does, and reads it.
 double written_and_read(double value) {
     char text[64];
     const auto end = std::to_chars(text, text + sizeof text, value).ptr;

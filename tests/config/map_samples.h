@@ -1,4 +1,4 @@
-// Maps for the tests of what carries them.
+// Maps for tests of the formats that carry them.
 #pragma once
 
 #include "config/types/tactile_map.h"
@@ -13,7 +13,7 @@
 
 namespace touchline {
 
-/// 0 ... count - 1.
+/// Draws a number from 0 to count - 1.
 inline std::uint32_t draw(std::mt19937& random, std::uint32_t count) {
     return static_cast<std::uint32_t>(random()) % count;
 }
@@ -29,7 +29,7 @@ inline std::string random_text(std::mt19937& random) {
     return words[draw(random, std::size(words))];
 }
 
-/// A sound map of up to 5 outlines; at least 2, and a label.
+/// Returns a sound map of up to 5 outlines, with at least 2 and a label.
 inline TactileMap random_map_sample(std::uint32_t seed) {
     std::mt19937 random(seed);
     const auto place = [&random] {
@@ -76,7 +76,7 @@ inline bool is_same_map(const TactileMap& a, const TactileMap& b) {
                       same_label);
 }
 
-/// What config/types/tactile_map.h promises of a map, judged without the code that reads bytes.
+/// Checks what config/types/tactile_map.h promises of a map, without the code that reads bytes.
 inline bool is_sound(const TactileMap& map) {
     const auto is_near = [](Position p) { return std::abs(p.x) <= 1.0 && std::abs(p.y) <= 1.0; };
     bool sound = map.area.width_m > 0.0 && map.area.width_m <= 1.0 && map.area.height_m > 0.0 &&

@@ -29,8 +29,8 @@ struct Binary {
     int exponent = 0;
 };
 
-/// Coordinates as whole numbers of one unit, a power of two that they are all multiples of. Signs
-/// of areas and quotients of lengths do not depend on the unit.
+/// Returns coordinates as whole multiples of a common power of two. Signs of areas and quotients of
+/// lengths do not depend on this unit.
 template <std::size_t N>
 std::array<Point, N> whole(const std::array<Position, N>& points) {
     int unit = std::numeric_limits<int>::max();
@@ -54,8 +54,8 @@ Integer area(const Point& a, const Point& b, const Point& c) {
 /// numerator / denominator, 0 <= numerator <= denominator, rounded to nearest.
 double quotient(const Integer& numerator, const Integer& denominator) {
     if (numerator == 0) return 0.0;
-    // 62 or 63 bits, the last of which also stands for all that follow: the conversion then rounds
-    // as the exact number would.
+    // Keeps 62 or 63 bits; the last bit also stands for all that follow, so the conversion rounds
+    // as it would for the exact number.
     const int shift = 62 + static_cast<int>(msb(denominator)) - static_cast<int>(msb(numerator));
     Integer whole;
     Integer rest;
@@ -74,7 +74,8 @@ bool are_boxes_apart(Position a, Position b, Position c, Position d) {
            std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y);
 }
 
-/// Way and segment lie on one line and their boxes meet; the way does not start on the segment.
+/// Requires that way and segment lie on one line, that their boxes meet, and that the way does not
+/// start on the segment.
 double collinear_meeting(Position from, Position to, const Segment& segment) {
     const auto [f, t, a, b] = whole(std::array{from, to, segment.a, segment.b});
     const bool is_wide = abs(t.x - f.x) >= abs(t.y - f.y);
@@ -96,7 +97,7 @@ int orientation(Position a, Position b, Position c) {
     const Wide left = (Wide{b.x} - a.x) * (Wide{c.y} - a.y);
     const Wide right = (Wide{b.y} - a.y) * (Wide{c.x} - a.x);
     const Wide fast = left - right;
-    // Each product has three roundings of 2^-64, the difference one more: 2^-61 is twice that.
+    // Each product has three roundings of 2^-64, and the difference one more: 2^-61 is twice that.
     constexpr Wide bound = 0x1p-61L;
     static_assert(std::numeric_limits<Wide>::digits >= 64);
     if (std::abs(fast) > bound * (std::abs(left) + std::abs(right))) return fast > 0 ? 1 : -1;

@@ -1,4 +1,4 @@
-// Any bytes are a sound map or one clear line.
+// Any bytes give a sound map or one clear line.
 #include "config/types/map_bytes.h"
 #include "tests/config/map_samples.h"
 

@@ -1,5 +1,5 @@
-// Any text is a map of our own within its area and limits, or one clear line; a language chooses
-// words and nothing else.
+// Any text gives a map of our own within its area and limits, or one clear line; a language changes
+// only the words.
 #include "app/decode/map_svg.h"
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Any bytes are a sound pack.toml, which written and read again is the same, or one finding.
+// Any bytes give one finding, or a sound pack.toml that stays the same when written and read again.
 #include "app/packs/pack_toml.h"
 #include "app/packs/plain_names.h"
 

@@ -1,4 +1,4 @@
-// Any answer of a worker is a sound page, sound words or one clear line.
+// Any answer of a worker gives a sound page, sound words or one clear line.
 #include "app/decode/found_words.h"
 
 #include <cstddef>
@@ -38,7 +38,7 @@ bool is_sound(const touchline::FoundWords& words) {
     return words.labels.size() <= words.boxes.size();
 }
 
-/// Of the picture that the header speaks of, so that the rest is looked at, too.
+/// Reads words for a picture of the size in the header, so that the rest is checked, too.
 touchline::Result<touchline::FoundWords> words_in(const std::vector<std::uint8_t>& bytes) {
     std::int32_t width = 0;
     std::int32_t height = 0;

@@ -1,5 +1,5 @@
-// The whole path from a picture to a map: any small picture, of any class and detail, is a sound
-// map that keeps the rules of touch, or one clear line for a visitor. What the bytes mean:
+// Fuzzes the whole path from a picture to a map: any small picture, of any class and detail, gives
+// a sound map that keeps the rules of touch, or one clear line for a visitor. What the bytes mean:
 // tests/vision/simplify/trace_task.h.
 #include "tests/vision/simplify/trace_task.h"
 

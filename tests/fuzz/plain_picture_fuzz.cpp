@@ -1,4 +1,4 @@
-// The readers of BMP and PNM, which are ours: any bytes are a picture or one clear line.
+// Fuzzes our own readers of BMP and PNM: any bytes give a picture or one clear line.
 #include "app/decode/formats.h"
 
 #include <cstddef>
@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool is_bmp = format_of(bytes) == FileFormat::bmp;
     const bool is_pnm = format_of(bytes) == FileFormat::pnm;
     if (!is_bmp && !is_pnm) return 0;
-    // A large picture of few bytes is honest, and only slow here.
+    // A few bytes may honestly make a large picture; here it would only be slow.
     const auto stored = is_bmp ? decode::read_bmp(bytes) : decode::read_pnm(bytes);
     if (!stored) {
         if (stored.error().line.empty() || stored.error().line.find('\n') != std::string::npos)

@@ -1,4 +1,4 @@
-// Any bytes with a right checksum are a recording or one clear line.
+// Any bytes with a right checksum give a recording or one clear line.
 #include "haptics/servo/recording.h"
 
 #include <cstddef>

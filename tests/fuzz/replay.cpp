@@ -1,4 +1,4 @@
-// Gives a fuzz target every input of its corpus, in order, where libFuzzer is not linked.
+// Runs a fuzz target on every input of its corpus, in order, if libFuzzer is not linked.
 #include <cstdint>
 #include <cstdio>
 #include <vector>
@@ -10,12 +10,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace {
 
-/// Whether every input of `opened` was read whole; `count` is how many the target got.
+/// Returns true if every input of `opened` was read whole; `count` is the number that the target
+/// got.
 bool replay(archive* opened, std::size_t& count) {
     archive_entry* entry = nullptr;
     int status = ARCHIVE_OK;
     while ((status = archive_read_next_header(opened, &entry)) == ARCHIVE_OK) {
-        // A block of its own of just this size: the sanitizers see a step over its end.
+        // A separate block of exactly this size lets the sanitizers see any access beyond its end.
         std::vector<std::uint8_t> bytes(static_cast<std::size_t>(archive_entry_size(entry)));
         if (archive_read_data(opened, bytes.data(), bytes.size()) !=
             static_cast<la_ssize_t>(bytes.size())) {

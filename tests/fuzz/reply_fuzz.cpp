@@ -1,5 +1,4 @@
-// Whatever packets a board sends, the driver gives finite angles or none and never leaves torque
-// on.
+// For any packets of a board the driver gives finite angles or none, and never leaves torque on.
 #include "haptics/device/pantograph_board.h"
 #include "tests/haptics/tick.h"
 
@@ -22,7 +21,7 @@ void demand(bool holds) {
     if (!holds) std::abort();
 }
 
-/// A board that answers with the bytes of the test, and right to the first two commands.
+/// A board that answers with the test's bytes, and rightly to the first two commands.
 class ScriptedLink final : public BoardLink {
   public:
     explicit ScriptedLink(std::span<const std::uint8_t> script) : script_(script) {}
@@ -65,7 +64,8 @@ class ScriptedLink final : public BoardLink {
 
     [[nodiscard]] bool is_over() const { return script_.empty(); }
 
-    /// The last command was neither a zero write nor a set-up, which stops the motors too.
+    /// Returns true unless the last command was a zero write or a set-up, which stops the motors
+    /// too.
     [[nodiscard]] bool is_pulling() const { return is_pulling_; }
 
   private:
@@ -85,7 +85,7 @@ class ScriptedLink final : public BoardLink {
     bool owes_first_ = false;
 };
 
-/// The bytes are packets, each with its length first; a tick takes what came since the last one.
+/// The bytes are packets, each after its length; a tick takes what came since the last one.
 void feed_packets(std::span<const std::uint8_t> bytes) {
     const Reply whole = decode_reply(bytes);
     demand(whole.kind != ReplyKind::angles || (bytes.size() == 9 && is_finite(whole.angles)));
@@ -101,7 +101,7 @@ void feed_packets(std::span<const std::uint8_t> bytes) {
         demand(!angles || is_finite(*angles));
         demand(!angles || driver.report().state == BoardState::ready);
         const bool is_taken = driver.write_torques(angles ? push : JointTorques{});
-        // Where the board is not known to be in step it was told to stop last.
+        // If the board is not known to be in step, the last command told it to stop.
         demand(!link.is_pulling() || (angles && is_taken));
     }
 }

@@ -1,5 +1,5 @@
-// Any text beside a picture becomes lines without control characters, of bounded length; any file
-// has a kind.
+// Any text beside a picture gives lines without control characters, of bounded length; any file has
+// a kind.
 #include "app/decode/page_order.h"
 #include "app/decode/side_car.h"
 

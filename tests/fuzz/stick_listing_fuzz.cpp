@@ -1,4 +1,4 @@
-// Any bytes are a sound listing of a stick or one clear line.
+// Any bytes give a sound listing of a stick or one clear line.
 #include "app/sticks/listing.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Any bytes are a name that can be shown, said and put in order without harm.
+// Any bytes give a name that can be shown, said and sorted without harm.
 #include "app/sticks/file_kind.h"
 #include "app/sticks/first_letters.h"
 #include "app/sticks/names.h"
@@ -19,7 +19,8 @@ void demand(bool is_so) {
     if (!is_so) abort();
 }
 
-/// Neither a control character of C0 or C1 nor one that turns the direction of text.
+/// Demands that the text has no C0 or C1 control character and none that turns the text's
+/// direction.
 void demand_harmless(const std::string& text) {
     demand(is_utf8(text));
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -43,7 +44,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string name(reinterpret_cast<const char*>(data), size);
     const std::string shown = shown_name(name);
     demand_harmless(shown);
-    demand(shown.size() <= shown_columns * 4 * 4);  // a letter and three accents, four bytes each
+    demand(shown.size() <= shown_columns * 4 * 4);  // four characters (a letter and three accents)
+                                                    // of four bytes each
     const std::string spoken = spoken_name(name, Language());
     demand_harmless(spoken);
     demand(!spoken.empty() && spoken.size() <= spoken_characters * 4);

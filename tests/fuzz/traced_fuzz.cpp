@@ -1,4 +1,5 @@
-// Any answer of a worker that traced is a sound map or one clear line, and its lines lie within it.
+// Any answer of a tracing worker gives a sound map or one clear line; the bytes of its lines lie
+// within the answer.
 #include "app/trace/traced.h"
 
 #include <algorithm>

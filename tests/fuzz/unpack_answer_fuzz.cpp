@@ -1,4 +1,4 @@
-// Any answer of touchline-unpack is a sound one or none.
+// Any answer of touchline-unpack gives a sound answer or none.
 #include "app/packs/plain_names.h"
 #include "app/packs/unpack_answer.h"
 

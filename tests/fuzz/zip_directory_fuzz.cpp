@@ -1,5 +1,4 @@
-// Whatever the list at the end of a zip file says, it is plain names within the limits or a
-// finding.
+// Any directory at the end of a zip file gives plain names within the limits, or a finding.
 #include "app/packs/pack_limits.h"
 #include "app/packs/plain_names.h"
 #include "app/packs/zip_directory.h"

@@ -1,5 +1,5 @@
-// Counts what this program and its libraries allocate. What malloc says of itself takes freed
-// blocks that a thread keeps for later for used ones, and knows no threads.
+// Counts what this program and its libraries allocate. malloc's own statistics count freed blocks
+// that a thread keeps for later as used, and do not tell threads apart.
 #include "tests/sim/allocated_bytes.h"
 
 #include <cerrno>

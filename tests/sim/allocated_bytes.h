@@ -1,12 +1,12 @@
-// What a thread of a test program holds of the heap.
+// How much heap memory a thread of a test program holds.
 #pragma once
 
 #include <cstdint>
 
 namespace touchline {
 
-/// By malloc and its kin, as they round it, less what this thread freed. 0 under a sanitizer of
-/// addresses or threads.
+/// Returns the bytes that malloc and its kin gave, as they round them, less what this thread freed.
+/// Returns 0 under the address or thread sanitizer.
 [[nodiscard]] std::int64_t allocated_bytes();
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
-// What came of one run of a fault, whichever way the board is reached. The tests judge the runs and
-// tell them here; tests/sim/faults makes its table of what they told. Threads: one.
+// The outcome of one run of a fault, for every way to reach the board. The tests judge the runs and
+// report them here; tests/sim/faults makes its table from the reports. Threads: one.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,16 @@
 
 namespace touchline {
 
-/// left_out: umockdev opens sockets of its own, and closes them when it likes.
+/// left_out: umockdev opens its own sockets and closes them at any time.
 enum class Sockets : std::uint8_t { counted, left_out };
 
-/// What is held: descriptors of a process, bytes of a thread.
+/// Held resources: descriptors of a process, bytes of a thread.
 struct Holdings {
     int descriptors = 0;
     std::int64_t bytes = 0;
 
-    /// Here. Under a sanitizer the bytes are 0: it looks for leaks itself.
+    /// Returns what this thread and process hold now. Under a sanitizer, which looks for leaks
+    /// itself, the bytes are 0.
     [[nodiscard]] static Holdings now(Sockets sockets = Sockets::counted);
 
     friend Holdings operator-(const Holdings& a, const Holdings& b) {
@@ -25,7 +26,7 @@ struct Holdings {
     }
 };
 
-/// Of any process of this user; 0 where there is none.
+/// Returns the count for any process of this user; 0 if there is no such process.
 [[nodiscard]] int open_descriptors(int pid, Sockets sockets = Sockets::counted);
 
 struct FaultLine {
@@ -35,18 +36,19 @@ struct FaultLine {
     std::optional<double>
         zero_s;         // from when it could be seen to zero torque; none: torque went on
     std::string state;  // the worst of the run, and what was said
-    std::optional<double> back_s;  // until torque was there again; none: not yet when the run ended
+    std::optional<double> back_s;  // until torque was back; none: not before the run ended
     bool is_back_by_itself = false;
     Holdings left;  // more than before the run
 };
 
-/// A fault's name as GoogleTest takes one.
+/// Returns a fault's name in a form that GoogleTest accepts.
 [[nodiscard]] std::string test_name(std::string_view fault);
 
-/// Adds a line to the file that TOUCHLINE_FAULT_LINES names, if it does.
+/// Adds a line to the file that TOUCHLINE_FAULT_LINES names, if it is set.
 void tell(const FaultLine& line);
 
-/// How many seeds a kind of fault is run with: so many, or with TOUCHLINE_EXHAUSTIVE set, `all`.
+/// Returns the number of seeds for each kind of fault: `everyday`, or `all` if TOUCHLINE_EXHAUSTIVE
+/// is set.
 [[nodiscard]] std::uint64_t fault_runs(std::uint64_t everyday, std::uint64_t all = 100);
 
 }  // namespace touchline

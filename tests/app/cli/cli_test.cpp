@@ -1,4 +1,4 @@
-// Every option of trace, curve and feel, through the command line as a user types it.
+// Tests every option of trace, curve and feel through the command line, as a user types it.
 #include "app/cli/command_line.h"
 #include "app/cli/hand_csv.h"
 #include "app/decode/files.h"
@@ -27,7 +27,7 @@ double number(const std::string& text) {
     return value;
 }
 
-/// A folder of its own for each test, and a command line that works in it.
+/// A separate folder for each test, and a command line that works in it.
 class Cli : public testing::Test {
   protected:
     void SetUp() override {
@@ -40,7 +40,7 @@ class Cli : public testing::Test {
               "d='M 8 42 L 108 42'/><path id='ring' data-detail='2' d='M 58 20 m -10 0 a 10 10 0 1 "
               "0 20 0 "
               "a 10 10 0 1 0 -20 0 z'/></svg>");
-        // Down onto the wall at y = 0, along it, and off again.
+        // Goes down onto the wall at y = 0, along it, and off again.
         std::string hand = "t_s,x_m,y_m\n";
         for (int i = 0; i < 300; ++i) {
             const double y =
@@ -111,7 +111,7 @@ class Cli : public testing::Test {
         return all;
     }
 
-    /// A disc on white, 160 x 120.
+    /// Writes a disc on white, 160 x 120.
     void write_disc() const {
         Picture picture{160, 120, std::vector<std::uint8_t>(160 * 120 * 3, 255)};
         for (int y = 0; y < 120; ++y) {
@@ -202,7 +202,7 @@ TEST_F(Cli, FeelWithAShapeAddsAngleAndTorque) {
     write("bar.svg",
           "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 30 30'>"
           "<path d='M 5 14 L 25 14 L 25 16 L 5 16 Z'/></svg>");
-    std::string hand = "t_s,x_m,y_m,angle_rad\n";  // down onto the wall, tilted, and off again
+    std::string hand = "t_s,x_m,y_m,angle_rad\n";  // goes down onto the wall, tilted, and off again
     for (int i = 0; i < 300; ++i) {
         const double y = i < 150 ? 0.008 - 0.00008 * i : -0.004 + 0.00008 * (i - 150);
         hand += std::to_string(0.001 * i) + ",-0.02," + std::to_string(y) + ",0.2\n";
@@ -275,7 +275,7 @@ TEST_F(Cli, FeelTakesAFixedLevelAFractionAndAuto) {
     EXPECT_GT(coarsest, 1.0);
     EXPECT_LT(coarsest, 99.0);
     ASSERT_EQ(feel({"--level", "auto", "--h0", "0.0001"}), 0);
-    EXPECT_GE(number(rows()[50].at("level")), 1.0);  // the default device cannot tell 0.1 mm
+    EXPECT_GE(number(rows()[50].at("level")), 1.0);  // the default device cannot resolve 0.1 mm
     ASSERT_EQ(feel({"--level", "auto", "--h0", "0.0001", "--profile", "mk2"}), 0);
     EXPECT_EQ(number(rows()[0].at("level")), 0.0);
 }
@@ -298,7 +298,7 @@ TEST_F(Cli, FeelResamplesAndBudgets) {
 
 TEST_F(Cli, FeelOfAPictureEqualsFeelOfItsTracedMapBitForBit) {
     write_disc();
-    std::string hand = "t_s,x_m,y_m\n";  // across the whole disc
+    std::string hand = "t_s,x_m,y_m\n";  // goes across the whole disc
     for (int i = 0; i < 300; ++i) {
         hand += std::to_string(0.001 * i) + "," + std::to_string(0.0003 * i - 0.045) + ",0.001\n";
     }

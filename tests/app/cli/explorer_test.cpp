@@ -36,7 +36,7 @@ Scene scene_of(const TactileMap& map) {
     return std::move(*scene);
 }
 
-/// A servo that renders at once and a hand that nothing ever touches.
+/// A servo that renders at once, and a hand that never touches anything.
 Felt nothing_felt(const Explorer& explorer) {
     return {explorer.intention().position,
             {},
@@ -44,7 +44,7 @@ Felt nothing_felt(const Explorer& explorer) {
             explorer.is_lifted() ? Rendering::off : Rendering::on};
 }
 
-/// Ticks until it is done; -1 when that takes longer than `limit_s`.
+/// Ticks until the explorer is done and returns the time; -1 if that takes longer than `limit_s`.
 double run_without_contact(Explorer& explorer, double limit_s) {
     for (int tick = 0; tick * dt_s < limit_s; ++tick) {
         if (explorer.is_done()) return tick * dt_s;

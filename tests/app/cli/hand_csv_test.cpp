@@ -1,4 +1,4 @@
-// The hand's path as spreadsheets and programs write tables.
+// Tests the hand's path in tables as spreadsheets and programs write them.
 #include "app/cli/hand_csv.h"
 
 #include "app/cli/csv_table.h"
@@ -18,7 +18,7 @@ std::string error_of(std::string_view text, HandColumns wanted = HandColumns::pl
     return rows ? "no error" : rows.error().line;
 }
 
-/// Two steps of a hand, in whichever form.
+/// Expects two steps of a hand, in any form.
 void expect_two_steps(std::string_view text) {
     const auto rows = parse_hand_csv(text);
     ASSERT_TRUE(rows) << text << ": " << rows.error().line;
@@ -73,7 +73,7 @@ TEST(HandCsv, AFaultIsOneLineWithTheLineOfTheText) {
               "line 4: t_s does not increase");
 }
 
-/// Numbers with commas where commas part the values: said, never taken for others.
+/// Numbers with decimal commas between comma-separated values are reported, never misread.
 TEST(HandCsv, ADecimalCommaIsReadRightlyOrRefused) {
     EXPECT_EQ(error_of("t_s,x_m,y_m\n0,0,01,-0,02\n"),
               "line 2: 5 values, but the first line names 3 columns; numbers need a decimal point");
@@ -90,7 +90,7 @@ TEST(HandCsv, OtherEncodingsAreRefusedWithWhatToDo) {
               "line 3: this is no text; save it as CSV in UTF-8");
 }
 
-/// As RFC 4180 has it: whatever stands in the fields, it is read back.
+/// Whatever is in the fields is read back, as RFC 4180 says.
 RC_GTEST_PROP(CsvTable, WhatWasQuotedIsReadBack, ()) {
     const auto field =
         rc::gen::container<std::string>(rc::gen::elementOf(std::string("ab \",;\t\r\n'\xc3")));
@@ -123,7 +123,7 @@ RC_GTEST_PROP(CsvTable, WhatWasQuotedIsReadBack, ()) {
         RC_ASSERT(table->rows[i + 1].fields == filled[i]);
 }
 
-/// Any bytes are rows or one line.
+/// Any bytes give rows or one line.
 RC_GTEST_PROP(HandCsv, OfAnyBytesIsRowsOrOneLine, ()) {
     std::string text = "t_s,x_m,y_m\n0,0.01,-0.02\n0.001,\"0.5\",0.25\n0.002,0,0\n";
     const int changes = *rc::gen::inRange(1, 6);

@@ -1,4 +1,4 @@
-// Whatever a file, an option or a folder is called: each command says one line that no terminal
+// Tests files, options and folders of any name: each command prints one line that no terminal
 // obeys.
 #include "app/cli/command_line.h"
 #include "app/cli/tour.h"
@@ -18,11 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Newline, ESC, BEL, a mark that turns the direction of writing, CSI in one character and in one
-/// byte.
+/// A newline, ESC, BEL, a mark that turns the direction of text, and CSI as one character and as
+/// one byte.
 const std::string hostile = "a\n\x1b[2J\x07\xe2\x80\xae\xc2\x9b\x9b";
 
-/// "@" in an argument stands for the folder of the test and a hostile name.
+/// "@" in an argument stands for the test's folder and a hostile name.
 struct Call {
     const char* name;
     std::vector<std::string> arguments;
@@ -86,7 +86,7 @@ TEST_P(HostileNames, AreOneHarmlessLine) {
     std::ostringstream err;
     const Programs programs{[](const KioskArguments&) { return 0; }, run_tour};
     const int status = run_command_line(arguments, programs, out, err);
-    constexpr std::size_t longest_list = 20;  // of a pack's findings
+    constexpr std::size_t longest_list = 20;  // for the findings about a pack
     expect_harmless(out.str(), longest_list);
     expect_harmless(err.str(), 1);
     EXPECT_EQ(err.str().empty(), status == 0) << err.str();

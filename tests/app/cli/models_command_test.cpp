@@ -1,4 +1,4 @@
-// touchline models, as a user types it.
+// Tests touchline models, as a user types it.
 #include "app/cli/command_line.h"
 #include "app/models/networks.h"
 
@@ -23,7 +23,7 @@ struct Answer {
     std::string err;
 };
 
-/// Somebody who has got no network yet.
+/// The user has no network yet.
 class ModelsCommand : public ::testing::Test {
   protected:
     ModelsCommand() {

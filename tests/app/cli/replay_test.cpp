@@ -1,4 +1,4 @@
-// feel --replay on recordings of a servo that felt a picture of the gallery.
+// Tests feel --replay on recordings of a servo that felt a picture of the gallery.
 
 #include "app/cli/command_line.h"
 #include "app/cli/load.h"
@@ -64,7 +64,7 @@ class Replay : public testing::Test {
     [[nodiscard]] int rows() const {
         std::ifstream file(run_);
         std::string line;
-        int count = -1;  // the first names the columns
+        int count = -1;  // the first line names the columns
         while (std::getline(file, line)) ++count;
         return count;
     }

@@ -1,4 +1,4 @@
-// touchline settings, as a user types it.
+// Tests touchline settings, as a user types it.
 #include "app/cli/command_line.h"
 #include "config/settings/settings_text.h"
 

@@ -1,4 +1,4 @@
-// A picture is the same to every command and to the kiosk: the same view of it, the same lines.
+// Tests that every command and the kiosk see the same view and the same lines of a picture.
 #include "app/cli/command_line.h"
 #include "app/cli/tour.h"
 #include "app/decode/files.h"
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A part of a turned square, and a second one of it.
+// A part of a turned square, used a second time.
 constexpr const char* svg_of_uses =
     "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 200 150'>"
     "<defs><clipPath id='c'><rect width='70' height='200'/></clipPath>"
@@ -38,7 +38,7 @@ Picture disc() {
     return picture;
 }
 
-/// Two figures, of which the first is so small that it is drawn again.
+/// Two figures; the first is so small that it is drawn again.
 encoders::Bytes pdf_of_two_figures() {
     return drawn_pdf({{{100, 600, 150, 100}, {100, 100, 200, 300}}});
 }
@@ -50,7 +50,7 @@ class Views : public testing::Test {
         std::ofstream(path("uses.svg")) << svg_of_uses;
         ASSERT_TRUE(write_png(path("disc.png"), disc()));
         ASSERT_TRUE(write_whole_file(path("figures.pdf"), pdf_of_two_figures()));
-        std::ofstream hand(path("hand.csv"));  // across the middle
+        std::ofstream hand(path("hand.csv"));  // goes across the middle
         hand << "t_s,x_m,y_m\n";
         for (int i = 0; i < 300; ++i)
             hand << 0.001 * i << "," << 0.0003 * i - 0.045 << "," << 0.001 << "\n";
@@ -68,7 +68,7 @@ class Views : public testing::Test {
         return text.str();
     }
 
-    /// Names of files begin with "@".
+    /// Runs a command; names of files begin with "@".
     int run(std::vector<std::string> arguments) {
         for (std::string& argument : arguments)
             if (argument.starts_with("@")) argument = path(argument.substr(1));
@@ -80,7 +80,7 @@ class Views : public testing::Test {
         return status;
     }
 
-    /// What the tour says of the hand's way.
+    /// Returns what the tour says about the hand's path.
     std::string tour_of(const std::vector<std::string>& arguments) {
         testing::internal::CaptureStdout();
         EXPECT_EQ(run(arguments), 0) << err_;

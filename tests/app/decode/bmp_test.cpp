@@ -1,4 +1,4 @@
-// The reader of BMP, which is ours: what no other program writes for us.
+// Tests our own BMP reader with files that no other program writes for us.
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/encoders.h"
 
@@ -16,7 +16,7 @@ void add(Bytes& bytes, std::uint64_t value, std::size_t count) {
         bytes.push_back(static_cast<std::byte>(value >> (8 * i) & 0xffU));
 }
 
-/// A header of 40 bytes, two colours where there are indices, then `pixels`.
+/// A 40-byte header, two colours if the pixels are indices, then `pixels`.
 Bytes bmp(int width, int height, std::uint32_t bits, std::uint32_t packing,
           const std::vector<int>& pixels) {
     Bytes bytes = encoders::bytes_of("BM");
@@ -54,7 +54,8 @@ TEST(BmpReader, RowsGoUpUnlessTheHeightIsNegative) {
 }
 
 TEST(BmpReader, RunsStretchesAndJumps) {
-    // Two lit, a jump of one to the right and one up, a stretch of three with its filling byte.
+    // Two lit pixels, a jump of one right and one up, then a literal run of three with its padding
+    // byte.
     const auto picture =
         decode_picture(bmp(6, 2, 8, 1, {2, 1, 0, 2, 1, 1, 0, 3, 1, 0, 1, 0, 0, 1}));
     ASSERT_TRUE(picture.has_value()) << picture.error().line;
@@ -70,7 +71,7 @@ TEST(BmpReader, RunsOutsideThePictureAreNotDrawn) {
     EXPECT_TRUE(decode_picture(bmp(2, 1, 8, 1, {0, 2, 255, 255, 9, 1, 0, 1})).has_value());
 }
 
-/// A file header of OS/2: two letters, its size, a hot spot, where the pixels are.
+/// An OS/2 file header: two letters, its size, a hot spot, and where the pixels are.
 void add_file_header(Bytes& bytes, const std::string& kind, std::size_t pixels_at) {
     for (const char letter : kind) bytes.push_back(static_cast<std::byte>(letter));
     add(bytes, 26, 4);
@@ -79,8 +80,7 @@ void add_file_header(Bytes& bytes, const std::string& kind, std::size_t pixels_a
     add(bytes, pixels_at, 4);
 }
 
-/// The header of 12 bytes, and as many colours of three bytes as there can be: lit but for the
-/// first.
+/// The 12-byte header and as many 3-byte colours as there can be; all are lit but the first.
 void add_oldest_header(Bytes& bytes, int width, int height, unsigned bits) {
     add(bytes, 12, 4);
     add(bytes, static_cast<std::uint64_t>(width), 2);
@@ -110,10 +110,10 @@ TEST(BmpReader, AHotSpotIsNoReasonToRefuse) {
     }
 }
 
-/// OS/2's header of 64 bytes may end after any of its fields; what is left off is 0.
+/// OS/2's 64-byte header may end after any of its fields; missing fields are 0.
 TEST(BmpReader, HeadersOfOs2OfEveryLength) {
     for (std::size_t size = 16; size <= 64; size += 2) {
-        if (size == 40 || size == 52 || size == 56) continue;  // those are of Windows
+        if (size == 40 || size == 52 || size == 56) continue;  // these sizes are Windows headers
         SCOPED_TRACE(size);
         Bytes header;
         add(header, size, 4);
@@ -143,14 +143,15 @@ TEST(BmpReader, RunsOfThreeBytesAreOs2s) {
     add(bytes, 24, 2);
     add(bytes, 4, 4);
     bytes.resize(14 + 64);
-    // A run of two, a stretch of three, the last beyond the side, a byte to fill it, the end.
+    // A run of two, a literal run of three whose last pixel lies beyond the side, a padding byte,
+    // the end.
     add_pixels(bytes, {2, 0x30, 0x20, 0x10, 0, 3, 1, 1, 1, 0x30, 0x20, 0x10, 5, 5, 5, 0, 0, 1});
     const auto picture = decode_picture(bytes);
     ASSERT_TRUE(picture) << picture.error().line;
     for (int x = 0; x < 4; ++x) EXPECT_EQ(is_lit(*picture, x, 0), x != 2) << x;
 }
 
-/// Of an array the largest: the same picture for screens of several kinds.
+/// An array holds the same picture for several kinds of screens.
 TEST(BmpReader, OfAnArrayTheLargestIsTaken) {
     Bytes bytes;
     const std::size_t second = 14 + 26 + 6 + 4;
@@ -177,7 +178,8 @@ TEST(BmpReader, OfAnArrayTheLargestIsTaken) {
     for (int x = 0; x < 3; ++x) EXPECT_EQ(is_lit(*picture, x, 0), x > 0) << x;
 }
 
-/// Twice as high as it is: above, where nothing is drawn; below, where black becomes white.
+/// The bitmap is twice as high as the icon: the upper half masks what is not drawn; in the lower
+/// half black becomes white.
 TEST(BmpReader, IconsAndPointersOfOs2) {
     for (const auto* kind : {"IC", "PT"}) {
         Bytes bytes;
@@ -218,14 +220,14 @@ TEST(BmpReader, PixelsAMetreMakeThemSquare) {
     ASSERT_TRUE(picture) << picture.error().line;
     EXPECT_EQ(picture->width, 4);
     EXPECT_EQ(picture->height, 4);
-    set(42, 0x80000000U);  // below nought
+    set(42, 0x80000000U);  // negative
     EXPECT_EQ(decode_picture(bytes)->height, 2);
 }
 
 TEST(BmpReader, WhatIsCutShortOrUnknownIsOneLine) {
     EXPECT_FALSE(decode_picture(bmp(5, 5, 24, 0, {1, 2, 3})).has_value());
     EXPECT_FALSE(decode_picture(bmp(5, 5, 8, 1, {1, 2, 3})).has_value());
-    EXPECT_FALSE(decode_picture(bmp(5, 5, 24, 4, {})).has_value());  // a JPEG within
+    EXPECT_FALSE(decode_picture(bmp(5, 5, 24, 4, {})).has_value());  // a JPEG inside
     EXPECT_FALSE(decode_picture(bmp(5, 5, 7, 0, {})).has_value());
     EXPECT_FALSE(decode_picture(bmp(-5, 5, 8, 0, {})).has_value());
     EXPECT_FALSE(decode_picture(bmp(5, 0, 8, 0, {})).has_value());

@@ -1,4 +1,4 @@
-// Colours of another profile become sRGB.
+// Tests that colours of another profile become sRGB.
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/encoders.h"
 #include "tests/app/decode/with_metadata.h"
@@ -14,7 +14,7 @@ namespace {
 
 using encoders::Bytes;
 
-/// sRGB's primaries with the number of light itself in each pixel.
+/// A profile with sRGB's primaries and linear light.
 std::vector<std::uint8_t> profile_of_light() {
     const cmsCIExyY white{0.3127, 0.3290, 1.0};
     const cmsCIExyYTRIPLE primaries{{0.64, 0.33, 1.0}, {0.30, 0.60, 1.0}, {0.15, 0.06, 1.0}};
@@ -47,7 +47,7 @@ Picture grey(std::uint8_t level) {
 }
 
 TEST(ColourProfile, IsTakenIntoAccount) {
-    // A fifth of the light is 124 of 255 in sRGB.
+    // 51 of 255 of the light is 124 of 255 in sRGB.
     const Bytes jpeg = with_profile(encoders::jpeg(grey(51)), profile_of_light());
     const Picture picture = decode_picture(jpeg).value();
     for (const std::uint8_t value : picture.bgr) EXPECT_NEAR(value, 124, 2);

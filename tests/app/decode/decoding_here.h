@@ -1,5 +1,5 @@
-// The decoders without their worker: in the test's own process, where a debugger and the sanitizers
-// see them.
+// The decoders without their worker: they run in the test's own process, where a debugger and the
+// sanitizers see them.
 #pragma once
 
 #include "app/decode/decoding.h"
@@ -23,7 +23,7 @@ inline Result<Picture> decode_picture(std::span<const std::byte> bytes) {
     return decode_page(bytes).map([](Page page) { return std::move(page.picture); });
 }
 
-/// A picture that has to be one.
+/// Decodes bytes that must be a picture.
 inline Picture decoded(std::span<const std::byte> bytes) {
     auto picture = decode_picture(bytes);
     EXPECT_TRUE(picture.has_value()) << picture.error().line;

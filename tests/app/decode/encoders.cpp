@@ -278,7 +278,7 @@ Bytes heif(const Picture& picture, const HeifForm& form) {
                     plane + y * static_cast<std::size_t>(stride));
     heif_image_set_pixel_aspect_ratio(image, form.pixel_width, form.pixel_height);
     heif_encoding_options* options = heif_encoding_options_alloc();
-    options->macOS_compatibility_workaround = 0;  // which would hide the picture in another
+    options->macOS_compatibility_workaround = 0;  // it would hide the picture in another
     options->image_orientation = static_cast<heif_orientation>(form.orientation);
     heif_context_encode_image(context, image, encoder, options, nullptr);
     Bytes out;

@@ -1,4 +1,4 @@
-// The pictures of a PDF's page.
+// Tests which figures are found on a PDF page.
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/files_of_formats.h"
 
@@ -11,7 +11,7 @@
 namespace touchline {
 namespace {
 
-/// At 72 dpi, so that a pixel is a point; each box as "left top right bottom".
+/// Returns each figure's box as "left top right bottom", at 72 dpi so that a pixel is a point.
 std::vector<std::string> boxes_of(const encoders::Bytes& pdf, int page = 1) {
     const auto opened = decode_page(pdf, {page, 72});
     EXPECT_TRUE(opened.has_value()) << opened.error().line;
@@ -43,7 +43,7 @@ TEST(Figures, AreAtTheirPlaceAtEveryResolution) {
 }
 
 TEST(Figures, WhatDecoratesIsNone) {
-    // A bullet, a rule along the page, the ground of the page, and what lies beside it.
+    // A bullet, a rule across the page, the page's background, and something beside the page.
     const auto pdf = drawn_pdf({{{0, 0, 600, 800},
                                  {100, 100, 20, 20},
                                  {50, 400, 500, 3},
@@ -66,7 +66,7 @@ TEST(Figures, AScanInTilesIsThePageItself) {
 }
 
 TEST(Figures, PartsThatJoinOneByOneAreOneInTheEnd) {
-    // Two that touch a third only, drawn last.
+    // Two that touch only the third, which is drawn last.
     const auto pdf = drawn_pdf(
         {{{100, 100, 100, 100}, {300, 100, 100, 100}, {200, 100, 100, 100}, {100, 600, 50, 50}}});
     EXPECT_EQ(boxes_of(pdf), (Boxes{"100 150 150 200", "100 600 400 700"}));

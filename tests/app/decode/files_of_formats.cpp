@@ -38,7 +38,7 @@ void put_little_endian(Bytes& bytes, std::size_t at, std::uint32_t value, std::s
 
 }  // namespace
 
-/// As its box "ispe" says it: behind the name and four bytes.
+/// Writes the size into the box "ispe", after its name and four bytes.
 void put_heif_size(Bytes& bytes, std::uint32_t width, std::uint32_t height) {
     const Bytes name = encoders::bytes_of("ispe");
     const auto found = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
@@ -48,7 +48,7 @@ void put_heif_size(Bytes& bytes, std::uint32_t width, std::uint32_t height) {
 }
 
 Bytes tagged_pdf(const std::vector<std::string>& texts, const std::string& alt) {
-    // Numbers follow from the order: catalogue 1, tree 2, pages 3, font 4, then four a page.
+    // The order fixes the numbers: catalogue 1, tree 2, pages 3, font 4, then five a page.
     const auto first_of = [](std::size_t page) { return 5 + 5 * static_cast<int>(page); };
     std::string kids;
     std::string elements;
@@ -86,7 +86,7 @@ Bytes tagged_pdf(const std::vector<std::string>& texts, const std::string& alt) 
 
 namespace {
 
-/// A dark square on white, as an inline image whose longer side has more pixels.
+/// A dark square on white, as an inline image with more pixels along its longer side.
 std::string drawn(const DrawnImage& image) {
     const int width = image.width_pt > image.height_pt ? 8 : 4;
     const int height = image.height_pt > image.width_pt ? 8 : 4;

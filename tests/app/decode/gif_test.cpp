@@ -1,4 +1,4 @@
-// GIFs in all the ways in which they are put together, written by the tests themselves.
+// Tests every way to put a GIF together; the tests write the files themselves.
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/encoders.h"
 
@@ -21,7 +21,7 @@ void add(Bytes& bytes, std::uint32_t value, std::size_t count) {
         bytes.push_back(static_cast<std::byte>(value >> (8 * i) & 0xffU));
 }
 
-/// Codes of a growing number of bits, the lowest first.
+/// Writes codes of a growing number of bits, lowest bit first.
 class CodeWriter {
   public:
     void add(unsigned code, unsigned bits) {
@@ -30,7 +30,7 @@ class CodeWriter {
             bytes_.push_back(static_cast<std::byte>(held_ & 0xffU));
     }
 
-    /// In blocks of at most 255 bytes.
+    /// Returns the bytes in blocks of at most 255.
     Bytes blocks() {
         if (held_bits_ > 0) bytes_.push_back(static_cast<std::byte>(held_ & 0xffU));
         Bytes out;
@@ -50,7 +50,7 @@ class CodeWriter {
     unsigned held_bits_ = 0;
 };
 
-/// With 4096 codes the table is full: it is cleared then, or kept to the end as some encoders do.
+/// The table is full at 4096 codes: it is then cleared, or kept to the end as some encoders do.
 Bytes packed(const Indices& indices, bool is_kept_when_full) {
     constexpr unsigned index_bits = 8;
     constexpr unsigned clear = 1U << index_bits;
@@ -91,16 +91,16 @@ Bytes packed(const Indices& indices, bool is_kept_when_full) {
 struct Frame {
     std::uint32_t left = 0, top = 0, width = 1, height = 1;
     Indices indices{};
-    int pause = -1;        // in hundredths of a second; below 0: nothing is told
+    int pause = -1;        // in hundredths of a second; negative: not stated
     int transparent = -1;  // index
     unsigned disposal = 0;
     bool is_interlaced = false;
     bool is_kept_when_full = false;
-    std::uint8_t green = 0;  // of its own colours, which are else (i, 0, 255 - i)
-    bool is_grey = false;    // or (i, i, i)
+    std::uint8_t green = 0;  // of the frame's colours (i, green, 255 - i)
+    bool is_grey = false;    // then the colours are (i, i, i)
 };
 
-/// Colour i of a frame.
+/// Returns colour i of a frame.
 std::array<std::uint8_t, 3> bgr_of(const Frame& frame, std::uint8_t i) {
     if (frame.is_grey) return {i, i, i};
     return {static_cast<std::uint8_t>(255 - i), frame.green, i};
@@ -138,7 +138,7 @@ Bytes gif(const Screen& screen, const std::vector<Frame>& frames) {
     Bytes bytes = encoders::bytes_of("GIF89a");
     add(bytes, screen.width, 2);
     add(bytes, screen.height, 2);
-    add(bytes, 0, 2);  // no colours of its own, background 0
+    add(bytes, 0, 2);  // no global colours, background 0
     add(bytes, screen.aspect, 1);
     if (screen.is_repeated) {
         add(bytes, 0x0bff21, 3);
@@ -204,7 +204,7 @@ TEST(GifReader, AFullTableIsClearedOrKept) {
     }
 }
 
-/// Each with its own 256 colours: more than one frame may have.
+/// Each tile has its own 256 colours, so together they have more than one frame may have.
 TEST(GifReader, TilesWithoutAPauseAreOnePicture) {
     std::vector<Frame> tiles;
     for (std::uint32_t i = 0; i < 6; ++i) {
@@ -240,11 +240,11 @@ TEST(GifReader, AFilmWithoutPausesShowsItsFirstFrame) {
     std::vector<Frame> frames{plain_frame(0, 0, 4, 4, 10), plain_frame(0, 0, 4, 4, 20)};
     for (const bool is_repeated : {false, true})
         EXPECT_TRUE(is(decoded(gif({4, 4, is_repeated}, frames)), 2, 2, bgr_of(frames[0], 10)));
-    frames[1] = plain_frame(1, 1, 2, 2, 20);  // only what changes
+    frames[1] = plain_frame(1, 1, 2, 2, 20);  // only what changed
     EXPECT_TRUE(is(decoded(gif({4, 4, true}, frames)), 2, 2, bgr_of(frames[0], 10)));
 }
 
-/// Each adds what the ones before had no colours for.
+/// Each layer adds what the earlier ones had no colours for.
 TEST(GifReader, LayersWithoutAPauseAreOnePicture) {
     Frame second = plain_frame(0, 0, 4, 4, 0);
     second.transparent = 0;
@@ -308,7 +308,7 @@ TEST(GifReader, ATileThatIsMissingIsRefused) {
     EXPECT_NE(picture.error().line.find("GIF"), std::string::npos);
 }
 
-/// (15 + n) / 64 is how wide a pixel is for its height.
+/// The aspect byte n means a pixel's width over its height of (15 + n) / 64.
 TEST(GifReader, TheShapeOfItsPixelsIsKept) {
     const Picture wide = decoded(gif({4, 4, false, 113}, {plain_frame(0, 0, 4, 4, 10)}));
     EXPECT_EQ(wide.width, 8);

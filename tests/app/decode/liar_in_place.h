@@ -1,4 +1,4 @@
-// A liar in the place of the workers, and what it may not leave behind.
+// Puts the liar in place of the workers, and checks what it may not leave behind.
 #pragma once
 
 #include <algorithm>
@@ -37,10 +37,10 @@ namespace touchline {
     return 0;
 }
 
-/// As long as it lives the liar stands in the workers' place.
+/// The liar replaces the workers as long as this object lives.
 class LiarInPlace {
   public:
-    /// `folder`: of the liar.
+    /// `folder`: the liar's folder.
     explicit LiarInPlace(const char* folder) { setenv("TOUCHLINE_PROGRAMS", folder, 1); }
 
     ~LiarInPlace() { setenv("TOUCHLINE_PROGRAMS", programs_.c_str(), 1); }

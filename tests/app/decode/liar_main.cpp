@@ -1,6 +1,6 @@
-// A worker that lies, as its input says: what a captured decoder, reader or tracer could do. In the
-// place of touchline-decode, touchline-read or touchline-trace (TOUCHLINE_PROGRAMS), shut in like
-// it.
+// A worker that lies as its input says, as a captured decoder, reader or tracer could. It replaces
+// touchline-decode, touchline-read or touchline-trace (TOUCHLINE_PROGRAMS) and runs in the same
+// sandbox.
 #include "app/decode/found_words.h"
 #include "app/process/descriptor.h"
 #include "app/sandbox/sandbox.h"
@@ -30,7 +30,7 @@ Page honest_page() {
     return page;
 }
 
-/// In the picture that the test hands to a reader.
+/// Words in the picture that the test hands to a reader.
 FoundWords honest_words() {
     return {20, 1, {{0, 0, 2, 1}}, {0.002, 0.0001}, {{"honest", {0.0, 0.0}}}};
 }
@@ -49,7 +49,7 @@ TracedMap honest_trace() {
     return traced;
 }
 
-/// The honest answer of the worker whose place it takes.
+/// Returns the honest answer of the worker that it replaces.
 Bytes honest_answer(WorkerKind kind) {
     switch (kind) {
         case WorkerKind::ocr:
@@ -61,7 +61,7 @@ Bytes honest_answer(WorkerKind kind) {
     }
 }
 
-/// The end of its name tells.
+/// The end of the program's name tells its kind.
 WorkerKind kind_of(std::string_view program) {
     if (program.ends_with("read")) return WorkerKind::ocr;
     return program.ends_with("trace") ? WorkerKind::trace : WorkerKind::raster;
@@ -73,8 +73,8 @@ void put(const Bytes& bytes) {
     _exit(0);
 }
 
-/// The text after "liar ", which makes the input a file of no format; a reader and a tracer have it
-/// in their pixels.
+/// Returns the text after "liar ", which makes the input a file of no format; a reader and a tracer
+/// get it as pixels.
 std::string lie() {
     std::array<char, 128> text{};
     const ssize_t size = pread(worker_input, text.data(), text.size() - 1, 0);

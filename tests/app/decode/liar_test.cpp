@@ -1,5 +1,5 @@
-// Workers that lie, bombs and noise: the kiosk gets a page or one line, keeps its memory, and keeps
-// nothing of the worker.
+// Tests workers that lie, bombs and noise: the kiosk gets a page or one line, keeps its memory, and
+// keeps nothing of the worker.
 #include "app/decode/opening.h"
 #include "tests/app/decode/encoders.h"
 #include "tests/app/decode/files_of_formats.h"
@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(All, Lies,
                                          "abort", "crash", "fork", "connect", "fill", "eat", "spin",
                                          "sleep"));
 
-/// Its errors go nowhere, however many.
+/// The liar's error output is dropped, however much it writes.
 TEST(Liar, ShoutsUnheard) {
     const LiarInPlace liar(TOUCHLINE_LIARS);
     EXPECT_TRUE(told("shout").has_value());
@@ -64,7 +64,7 @@ struct Bomb {
     Bytes bytes;
 };
 
-/// The worst of them is told for the table of reliability.
+/// Reports the worst one for the table of reliability.
 TEST(Bombs, AreRefusedWithoutHarm) {
     long worst_kB = 0;
     double worst_ms = 0.0;
@@ -78,7 +78,7 @@ TEST(Bombs, AreRefusedWithoutHarm) {
             std::chrono::steady_clock::now() - start;
         ASSERT_FALSE(page.has_value());
         EXPECT_TRUE(is_one_sentence(page.error().line)) << page.error().line;
-        // Its true reason: whoever brought it knows then what to do.
+        // The true reason tells its owner what to do.
         const bool is_large = name.find("megapixels") != std::string::npos;
         EXPECT_TRUE(!is_large || page.error().line.find("megapixels") != std::string::npos)
             << page.error().line;
@@ -93,7 +93,7 @@ TEST(Bombs, AreRefusedWithoutHarm) {
     RecordProperty("worst_ms", static_cast<int>(std::ceil(worst_ms)));
 }
 
-/// Few a day; as many as the environment says for the hazard table.
+/// Returns a few for each day's test run; the environment sets more for the hazard table.
 int count_of(const char* name, int a_day) {
     const char* const wished = std::getenv(name);
     return wished != nullptr ? std::atoi(wished) : a_day;
@@ -122,7 +122,7 @@ TEST(MutationsOf, EveryFormatAreTried) {
     EXPECT_EQ(files_of_formats().size(), formats);
 }
 
-/// Of a file, however often: no descriptor, no zombie, no memory.
+/// Opening a file any number of times leaves no descriptor, no zombie and no memory.
 TEST(Opening, ManyDocumentsLeaveNothing) {
     const int count = count_of("TOUCHLINE_DOCUMENTS", 200);
     const Bytes file = encoders::png(encoders::test_picture());

@@ -1,5 +1,5 @@
-// What programs and cameras write by themselves, of each kind, and what people write that resembles
-// it.
+// Tests each kind of text that programs and cameras write by themselves, and similar text that
+// people write.
 #include "app/decode/machine_words.h"
 
 #include <gtest/gtest.h>
@@ -248,7 +248,7 @@ TEST(MachineWords, OfOfficesAndScanners) {
                         "X"});
 }
 
-/// A sentence of five or more plain words is a person's, whichever the words.
+/// A sentence of five or more plain words is a person's, whatever the words are.
 RC_GTEST_PROP(MachineWords, NoSentenceOfPlainWordsIsTakenForOne, ()) {
     const auto words = *rc::gen::container<std::vector<std::string>>(
         5, rc::gen::element<std::string>("boat", "lake", "the", "of", "a", "camera", "digital",
@@ -256,7 +256,7 @@ RC_GTEST_PROP(MachineWords, NoSentenceOfPlainWordsIsTakenForOne, ()) {
                                          "created", "Olympus", "Kodak", "night", "three"));
     std::string text;
     for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-    // Nothing but a maker's words in a row is a maker's.
+    // A row of makers' words alone counts as a maker's.
     RC_PRE(text.find("boat") != std::string::npos || text.find("lake") != std::string::npos);
     RC_ASSERT(!is_of_a_machine(text));
 }

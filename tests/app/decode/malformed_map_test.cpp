@@ -1,4 +1,5 @@
-// What is no map is one clear line, and no file makes the reader slow, large or wrong.
+// Tests that anything but a map gives one clear line, and that no file makes the reader slow, large
+// or wrong.
 #include "app/decode/map_svg.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ TEST(MalformedMap, TooManyPointsAreRefused) {
     std::string d = "M0 0";
     for (std::size_t i = 0; i < max_map_points / 2; ++i) d += "h1h1";
     expect_refused(plain_svg("<path d='" + d + "'/>"), "more than 4000000");
-    // Few bytes that mean many points: refused before they are made.
+    // A few bytes that mean many points are refused before the points are made.
     std::string curves = "M0 0";
     for (int i = 0; i < 1000; ++i) curves += "a9e8 9e8 0 1 1 1 1";
     expect_refused(plain_svg("<path d='" + curves + "'/>"), "more than 4000000");
@@ -104,7 +105,7 @@ TEST(MalformedMap, DeepNestingIsRefusedAndManyEqualIdsAreQuick) {
     EXPECT_EQ(map->outlines.back().id, "same-100000");
 }
 
-/// Seeded, so that a failure repeats. Bytes of an SVG replaced, removed and doubled.
+/// Replaces, removes and doubles bytes of an SVG; seeded, so that a failure repeats.
 TEST(MalformedMap, MutationsNeverCrashAndWhatIsReadIsWhole) {
     const std::string good = R"svg(<?xml version="1.0"?><svg xmlns="http://www.w3.org/2000/svg"
         viewBox="0 0 116 84"><title>T</title><g transform="rotate(30 4 4) scale(2)">
@@ -149,7 +150,7 @@ TEST(MalformedMap, MutationsNeverCrashAndWhatIsReadIsWhole) {
             ASSERT_TRUE(outline.detail >= 1 && outline.detail <= 5);
         }
     }
-    EXPECT_GT(read, 500);  // or the mutations are too wild to reach anything
+    EXPECT_GT(read, 500);  // otherwise the mutations are too wild to reach anything
 }
 
 }  // namespace

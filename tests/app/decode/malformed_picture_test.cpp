@@ -1,4 +1,4 @@
-// What a stick may bring: every broken file is one clear line, and never a crash.
+// Tests untrusted input from a stick: every broken file gives one clear line and never a crash.
 #include "app/decode/picture.h"
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/encoders.h"
@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <tiff.h>
 
-/// librsvg 2.54 does not free the source text of an entity that a document declares: the length of
-/// the entity, once a document, for as long as the process that decodes it lives.
+/// librsvg 2.54 does not free the source text of an entity that a document declares: each document
+/// leaks the length of the entity, until the process that decodes it ends.
 extern "C" const char* __lsan_default_suppressions();  // NOLINT: the sanitizer's name
 
 extern "C" const char* __lsan_default_suppressions() {  // NOLINT
@@ -79,7 +79,7 @@ TEST(PictureReader, AFileCutShortAnywhereIsOneClearLine) {
             SCOPED_TRACE(sample.format + " cut at " + std::to_string(part) + "/20");
             const auto size = static_cast<std::ptrdiff_t>(sample.bytes.size() * part / 20);
             const Bytes cut(sample.bytes.begin(), sample.bytes.begin() + size);
-            // So little of an SVG that it is not known as one.
+            // So little of an SVG is left that it is not recognised as one.
             expect_refused(cut, sample.format == "SVG" && size < 4 ? "no picture" : sample.format);
         }
     }
@@ -136,7 +136,7 @@ TEST(PictureReader, AWebpHeaderBeyondTheLimitsIsRefused) {
     expect_refused(bytes, "16384 x 16384 pixels, more than 120 megapixels");
 }
 
-/// One directory of long numbers, little-endian: the sides, and one strip at the beginning.
+/// One little-endian directory of long numbers: the sides, and one strip at the beginning.
 Bytes tiff_header(std::uint32_t width, std::uint32_t height) {
     Bytes bytes = encoders::bytes_of(std::string("II*\0\x08\0\0\0\x04\0", 10));
     for (const auto& [tag, value] :
@@ -185,11 +185,12 @@ TEST(PictureReader, AnXmlBombIsHarmless) {
     }
 }
 
-/// Seeded, so that a failure repeats; the sanitizers are the judges.
+/// Seeded, so that a failure repeats; the sanitizers find the errors.
 TEST(PictureReader, FlippedBitsNeverCrash) {
     std::mt19937 random(2024);
     for (const Sample& sample : samples()) {
-        const int flips = sample.format == "SVG" ? 50 : 1000;  // an SVG is drawn large every time
+        const int flips = sample.format == "SVG" ? 50 : 1000;  // an SVG is rendered large every
+                                                               // time
         for (int i = 0; i < flips; ++i) {
             Bytes bytes = sample.bytes;
             for (unsigned k = 0; k <= random() % 4; ++k) {

@@ -1,4 +1,4 @@
-// The words of a map in the language that was asked for.
+// Tests that a map's words come in the requested language.
 #include "app/decode/map_svg.h"
 
 #include <algorithm>
@@ -82,7 +82,7 @@ TEST(MapLanguages, EmptyDoubledAndMissingWords) {
     EXPECT_EQ(words_of_svg(svg_with_line("<desc xml:lang='de'>D</desc>")).description, "D");
 }
 
-/// Whoever asks for English gets it on a machine that speaks German.
+/// A visitor who asks for English gets it on a machine that speaks German.
 TEST(MapLanguages, TheProcessLocaleChangesNothing) {
     for (const char* name : {"LANG", "LC_ALL", "LANGUAGE"})
         ::setenv(name, "de_DE.UTF-8", 1);  // NOLINT(concurrency-mt-unsafe): one thread
@@ -102,7 +102,7 @@ TEST(MapLanguages, AMapIsWrittenInTheOneItWasReadIn) {
     EXPECT_EQ(format_map_svg(german).find("poisson"), std::string::npos);
 }
 
-/// Whatever is there: the first of the best kind, and never nothing where there is something.
+/// The first of the best kind is taken; the result is empty only if there is nothing.
 RC_GTEST_PROP(MapLanguages, TheFirstOfTheBestKindIsTaken, ()) {
     const std::vector<std::string> tags{"", "de", "de-AT", "DE-at", "fr", "en", "es-MX"};
     const std::string wanted = *rc::gen::elementOf(tags);

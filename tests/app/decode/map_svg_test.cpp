@@ -87,7 +87,7 @@ TEST(MapSvg, BasicShapesAreOutlines) {
     EXPECT_TRUE(map.outlines[3].is_closed);
     EXPECT_EQ(map.outlines[4].points.front(), from_view_box(15, 20, page));
     for (const Position p : map.outlines[4].points) {
-        // Outside the rectangle without its corners only near the arcs' centres.
+        // Outside the rectangle without its corners, points lie only near the arcs' centres.
         const Position from_centre{std::abs(p.x + 0.033), std::abs(p.y - 0.002)};
         if (from_centre.x > 0.01 && from_centre.y > 0.015) {
             EXPECT_NEAR(norm(from_centre - Position{0.01, 0.015}), 0.005, 1e-8);
@@ -189,7 +189,7 @@ std::string drawn_text() {
     return text;
 }
 
-/// Points from `make`, no two in a row equal, and the ends apart.
+/// A map of points from `make`, no two equal in a row, and with distinct ends.
 template <class Make>
 TactileMap drawn_map(const Area& area, const Make& make) {
     TactileMap map;

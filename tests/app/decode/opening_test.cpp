@@ -1,4 +1,4 @@
-// Real files through the real worker.
+// Tests real files with the real worker.
 #include "app/decode/opening.h"
 
 #include "app/decode/files.h"
@@ -80,7 +80,7 @@ TEST(Opening, WithoutTheProgramItSaysSo) {
     EXPECT_NE(page.error().line.find("installed anew"), std::string::npos);
 }
 
-/// A folder of its own, gone with its owner.
+/// A folder for this test, removed at the end.
 class Folder {
   public:
     Folder() { std::filesystem::create_directories(path_); }
@@ -123,7 +123,7 @@ TEST(Opening, ATextBesideThePictureTellsOfIt) {
     EXPECT_EQ(open_page_of(alone).error().line.find(alone + ": "), 0U);
 }
 
-/// What the text says goes before what the file says of itself.
+/// The text's words replace the file's own.
 TEST(Opening, ATextBesideTheDrawingGoesBeforeItsOwnTitle) {
     const Folder folder;
     const std::string drawing = folder.write(
@@ -136,7 +136,7 @@ TEST(Opening, ATextBesideTheDrawingGoesBeforeItsOwnTitle) {
     EXPECT_EQ(open_page_of(drawing)->told.description, "At the upper left.");
 }
 
-/// White, but for the middle ninth, which is black.
+/// White except for the middle ninth, which is black.
 bool is_dark_at(int x, int y, int width, int height) {
     return x >= width / 3 && x < 2 * width / 3 && y >= height / 3 && y < 2 * height / 3;
 }
@@ -152,7 +152,7 @@ void expect_dark_middle(const Picture& picture) {
     }
 }
 
-/// One bit a pixel: many pixels, and yet written fast.
+/// One bit a pixel: many pixels, but quick to write.
 encoders::Bytes large_png(int width, int height, bool is_interlaced) {
     std::vector<std::uint8_t> rows;
     for (int y = 0; y < height; ++y)
@@ -189,7 +189,7 @@ Picture with_dark_middle(int width, int height) {
     return picture;
 }
 
-/// As telephones have them.
+/// A common size of telephone pictures.
 constexpr int large_width = 8'064;
 constexpr int large_height = 6'048;
 
@@ -203,15 +203,15 @@ void expect_half_as_large(const encoders::Bytes& bytes, int width = large_width,
     expect_dark_middle(page->picture);
 }
 
-/// Encoding takes most of the time.
+/// Encoding takes most of the test's time.
 TEST(Opening, AHeicOfFortyEightMegapixelsIsMadeSmaller) {
     encoders::HeifForm form;
     form.quality = 40;
     expect_half_as_large(encoders::heif(with_dark_middle(large_width, large_height), form));
 }
 
-/// It has 48 megapixels with TOUCHLINE_EXHAUSTIVE, else 27: the encoder takes a quarter of a
-/// minute.
+/// The picture has 48 megapixels with TOUCHLINE_EXHAUSTIVE, otherwise 27: the encoder takes a
+/// quarter of a minute.
 TEST(Opening, AnAvifOfManyMegapixelsIsMadeSmaller) {
     const bool is_exhaustive = std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr;
     const int width = is_exhaustive ? large_width : 6'048;
@@ -239,8 +239,7 @@ TEST(Opening, ALosslessWebpOfFortyEightMegapixelsIsMadeSmaller) {
     expect_half_as_large(encoders::lossless_webp(large_width, large_height, bgra));
 }
 
-/// A filter that any renderer works at for minutes. How long is the sandbox's business
-/// (policy_test).
+/// Any renderer needs minutes for this filter. The sandbox limits the time (policy_test).
 TEST(Opening, ADrawingThatTakesForEverIsOneSentence) {
     const auto page = open_page(bytes_of(
         "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1600 1600'><filter id='f' x='0' "

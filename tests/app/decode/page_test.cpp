@@ -1,4 +1,4 @@
-// Answers of a worker, honest and not.
+// Tests answers of a worker, honest and not.
 #include "app/decode/page.h"
 
 #include <random>

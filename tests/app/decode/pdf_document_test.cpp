@@ -1,4 +1,4 @@
-// Documents of many pages, and locked ones.
+// Tests documents of many pages, and locked ones.
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/pdf_writer.h"
 
@@ -43,7 +43,7 @@ TEST(PdfDocument, EveryPageOfManyIsCountedAndOpens) {
 
 using Text = std::string;
 
-/// The cipher of the first encrypted documents.
+/// Applies the cipher of the first encrypted documents.
 Text enciphered(const Text& key, Text data) {
     std::array<std::uint8_t, 256> box{};
     for (std::size_t i = 0; i < 256; ++i) box.at(i) = static_cast<std::uint8_t>(i);
@@ -90,13 +90,13 @@ Text padded(const Text& password) {
     return (password + padding).substr(0, 32);
 }
 
-/// A page with words, locked by 40 bits.
+/// A page with words, locked with a 40-bit key.
 encoders::Bytes locked_pdf(const Text& user, const Text& owner) {
     const Text id = "sixteen letters.";
     const Text owner_entry = enciphered(sum_of(padded(owner), 5), padded(user));
     const Text key = sum_of(padded(user) + owner_entry + Text("\xfc\xff\xff\xff", 4) + id, 5);
     const Text user_entry = enciphered(key, padded(""));
-    // The page's content is object 6: five are before it and no other.
+    // The page's content is object 6, as five objects come before it.
     const Text content_key = sum_of(key + Text("\6\0\0\0\0", 5), 10);
     const Text content =
         enciphered(content_key, "BT /F 40 Tf 100 400 Td (Locked words) Tj ET 3 w 50 50 90 90 re S");

@@ -1,4 +1,4 @@
-// Documents whose letters lie in files of the system, drawn by the worker that is shut in.
+// Tests documents whose fonts lie in system files; the sandboxed worker draws them.
 #include "app/decode/opening.h"
 #include "tests/app/decode/pdf_writer.h"
 
@@ -12,14 +12,14 @@ namespace touchline {
 namespace {
 
 struct Script {
-    std::string ordering;  // of Adobe's collections
-    std::string map;       // from codes to letters, one of poppler's data
-    std::string font;      // that no document brings along
+    std::string ordering;  // one of Adobe's collections
+    std::string map;       // from codes to letters, in poppler's data
+    std::string font;      // not embedded in the document
     std::string codes;     // two letters
     std::string text;
 };
 
-/// A page with two large letters, written in codes.
+/// A page with two large letters, written as codes.
 encoders::Bytes page_in(const Script& script) {
     return written_pdf(
         {{fmt::format("BT /C 120 Tf 100 400 Td <{}> Tj ET", script.codes),
@@ -49,7 +49,7 @@ TEST(PdfFence, LettersOfEastAsiaAreDrawnAndTold) {
         ASSERT_TRUE(page.has_value()) << script.map << ": " << page.error().line;
         ASSERT_EQ(page->told.labels.size(), 1U) << script.map;
         EXPECT_EQ(page->told.labels[0].text, script.text) << script.map;
-        // Both letters have ink, each in its cell of 120 points.
+        // Both letters have ink, each in its 120 point cell.
         ASSERT_EQ(page->words.size(), 1U) << script.map;
         const WordBox& box = page->words[0];
         EXPECT_GT(box.right - box.left, 1.2 * 250) << script.map;

@@ -1,4 +1,5 @@
-// A PDF's pictures and words are where they are drawn, whatever boxes, turns and units a page has.
+// Tests that a PDF's pictures and words are where they are drawn, for any boxes, turns and units of
+// a page.
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/pdf_writer.h"
 
@@ -27,15 +28,15 @@ struct Box {
     double top = 0.0;
 };
 
-/// A page whose crop box is part of its media box, turned, in units of its own.
+/// A turned page with its own units whose crop box is part of its media box.
 struct Frame {
     Box media;
     Box crop;
-    int turn = 0;  // quarters, clockwise
+    int turn = 0;  // quarter turns, clockwise
     std::string unit;
 };
 
-/// Where a point of the page's own space is drawn, from the upper left corner, 0 ... 1 each way.
+/// Where a point in page space is drawn, from the upper left corner, 0 ... 1 in each direction.
 Spot drawn_at(const Frame& frame, Spot p) {
     const double x = (p.x - frame.crop.left) / (frame.crop.right - frame.crop.left);
     const double y = (frame.crop.top - p.y) / (frame.crop.top - frame.crop.bottom);
@@ -98,7 +99,7 @@ bool is_near(const Colour& a, const Colour& b) {
     return std::abs(a[0] - b[0]) < 60 && std::abs(a[1] - b[1]) < 60 && std::abs(a[2] - b[2]) < 60;
 }
 
-/// Around all pixels that are nearer to a colour than to white and to the other colours.
+/// Bounds all pixels that are nearer to a colour than to white and to the other colours.
 WordBox bounds_of(const Picture& picture, bool (*is_it)(const Colour&)) {
     WordBox box{65535, 65535, 0, 0};
     for (int y = 0; y < picture.height; ++y)
@@ -119,7 +120,7 @@ void expect_near(const WordBox& box, const WordBox& right, int slack_px) {
     RC_ASSERT(std::abs(box.bottom - right.bottom) <= slack_px);
 }
 
-/// Four pixels: red, green, blue, black, from the upper left; turned by quarters on the page.
+/// Four pixels from the upper left: red, green, blue, black; turned by quarters on the page.
 std::string four_colours(Spot corner, double width, double height, int turn) {
     const std::array<std::string, 4> matrices{
         fmt::format("{} 0 0 {} {} {}", width, height, corner.x, corner.y),
@@ -136,7 +137,7 @@ RC_GTEST_PROP(PdfPage, PicturesAndWordsAreWhereTheyAreDrawn, ()) {
     const Box& crop = frame.crop;
     const double wide = crop.right - crop.left;
     const double high = crop.top - crop.bottom;
-    // The picture above, a line below it, words at the bottom.
+    // The picture at the top, a line below it, words at the bottom.
     const double picture_width = whole(60, 300);
     const double picture_height = whole(60, 150);
     const Spot corner{crop.left + whole(5, static_cast<int>(wide - picture_width) - 5),
@@ -194,7 +195,7 @@ RC_GTEST_PROP(PdfPage, PicturesAndWordsAreWhereTheyAreDrawn, ()) {
 }
 
 TEST(PdfPage, AnImageThatIsTurnedByAnyAngleIsInItsBox) {
-    // 100 by 50 points, turned by 30 degrees about its lower left corner.
+    // 100 by 50 points, turned by 30 degrees about the lower left corner.
     const auto page = decode_page(
         written_pdf(
             {{"q 86.6 50 -25 43.3 200 300 cm BI /W 1 /H 1 /CS /G /BPC 8 /F /AHx ID 40> EI Q"}}),

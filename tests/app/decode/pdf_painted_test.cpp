@@ -1,4 +1,5 @@
-// Whatever a PDF paints is in the picture; what is hidden is neither there nor told.
+// Tests that everything a PDF paints is in the picture, and that what is hidden is neither drawn
+// nor told.
 #include "app/decode/files.h"
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/pdf_writer.h"
@@ -22,7 +23,7 @@ using encoders::Bytes;
 
 constexpr int side_px = 64;
 
-/// Black, 16 pixels within white on each side.
+/// A black square with 16 white pixels on each side.
 bool is_black(int x, int y) {
     return x >= 16 && x < 48 && y >= 16 && y < 48;
 }
@@ -35,7 +36,7 @@ std::string text_of(const Bytes& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The square by ImageMagick.
+/// The square, made by ImageMagick.
 std::string made_by_convert(const std::string& options, const std::string& ending) {
     const std::string path = temporary("square." + ending);
     EXPECT_TRUE(run_command(
@@ -46,7 +47,7 @@ std::string made_by_convert(const std::string& options, const std::string& endin
     return bytes ? text_of(*bytes) : std::string();
 }
 
-/// The square as a fax has it, without a frame around.
+/// The square as fax data, without a frame.
 std::string fax() {
     const std::string path = temporary("square.tif");
     TIFF* const file = TIFFOpen(path.c_str(), "w");
@@ -92,7 +93,7 @@ std::string jbig2() {
            segment(1, 38, size + nothing + '\0' + '\1' + fax());
 }
 
-/// Between 0, black, and 255 of a pixel of the page at 72 dpi, whose places are points from the
+/// The grey, from 0 (black) to 255, of a pixel of the page at 72 dpi; x and y are points from the
 /// lower left corner.
 int grey_at(const Page& page, int x, int y) {
     const std::size_t i = 3 * (static_cast<std::size_t>(page.picture.height - 1 - y) *
@@ -111,7 +112,7 @@ struct Painting {
 };
 
 const std::string images = "/XObject << /I 5 0 R >>";
-/// From (100, 300) to (400, 600), so that the square is from (175, 375) to (325, 525).
+/// The image fills (100, 300) to (400, 600), so the square fills (175, 375) to (325, 525).
 const std::string place_image = "q 300 0 0 300 100 300 cm /I Do Q";
 const std::string square = "175 375 150 150 re f";
 
@@ -263,7 +264,7 @@ TEST(PdfPainting, WhateverPaintsIsInThePicture) {
     }
 }
 
-/// Where a document says what a field holds and not how it looks, poppler does.
+/// If a document gives a field's content but no appearance, poppler makes one.
 TEST(PdfPainting, WhatAFieldHoldsIsPaintedAndTold) {
     const std::string looks = "/DR << /Font << /F 4 0 R >> >> /DA (/F 12 Tf 0 g)";
     for (const std::string& field :

@@ -1,4 +1,5 @@
-// What a PDF writes is told as a person would read it, and its letters' boxes hold letters alone.
+// Tests that a PDF's text is told as a person would read it, and that its letter boxes hold only
+// letters.
 #include "app/decode/pdf_words.h"
 
 #include "tests/app/decode/decoding_here.h"
@@ -89,7 +90,7 @@ TEST(PdfWords, WhatDrawsIsNoWord) {
     EXPECT_EQ(told(list), Texts{"apples"});
 }
 
-/// White, with the square that a drawing has; then words that are not painted.
+/// A white page with the square of a drawing, then words that are not painted.
 TEST(PdfWords, WordsThatAreNotPaintedHaveNoBoxes) {
     const std::string drawing =
         "2 w 150 350 300 200 re S 200 400 40 40 re S 300 400 m 330 440 l S ";
@@ -110,7 +111,7 @@ TEST(PdfWords, WordsThatAreNotPaintedHaveNoBoxes) {
 /// A scan: letters in its pixels, and the same words over them without ink.
 TEST(PdfWords, WordsThatWereReadInAScanAreToldAndPaintedOver) {
     const std::string letters = "BT /F 24 Tf 100 600 Td (A harbour) Tj ET ";
-    // Another typeface in the picture than in the invisible text.
+    // The picture has another typeface than the invisible text.
     const std::string courier = "<< /Type /Font /Subtype /Type1 /BaseFont /Courier >>";
     const Page page = page_with(letters +
                                     "3 Tr BT /C 20 Tf 100 600 Td (A harbour) Tj ET "
@@ -167,7 +168,7 @@ TEST(PdfWords, LinesThroughWordsDoNotHideThem) {
 TEST(PdfWords, ALanguageFromTheRightIsReadFromTheRight) {
     using decode::DrawnLetter;
     std::vector<DrawnLetter> letters;
-    // Drawn from the left: "12", a gap, then the word whose first letter is on the right.
+    // Drawn from left to right: "12", a gap, then a word whose first letter is on the right.
     const Texts drawn{"1", "2", " ", "\u05dd", "\u05d5", "\u05dc", "\u05e9"};
     double x = 0.0;
     for (const std::string& sign : drawn) {

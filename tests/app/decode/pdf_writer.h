@@ -8,10 +8,10 @@
 
 namespace touchline {
 
-/// Objects with the table of their places, as PDF wants it.
+/// Writes objects with the table of their offsets, as PDF needs it.
 class PdfWriter {
   public:
-    /// Its number: the first is 1.
+    /// Returns the object's number; the first is 1.
     int add(const std::string& body);
 
     [[nodiscard]] encoders::Bytes finish(int catalogue, const std::string& trailer = {});
@@ -21,17 +21,17 @@ class PdfWriter {
     std::vector<std::size_t> places_;
 };
 
-/// A dictionary and what it is of.
+/// Returns a stream: the dictionary and its data.
 [[nodiscard]] std::string stream_of(const std::string& dictionary, const std::string& data);
 
 struct WrittenPage {
-    std::string content;                             // its operators
-    std::string box = "/MediaBox [0 0 600 800]";     // and what else the page says of itself
+    std::string content;                             // content operators
+    std::string box = "/MediaBox [0 0 600 800]";     // and further entries of the page
     std::string resources = "/Font << /F 4 0 R >>";  // Helvetica
 };
 
-/// Object 1 is the catalogue, 2 the tree of pages, 3 empty, 4 Helvetica; `objects` begin with 5.
-/// `catalogue` and `trailer` are put into those.
+/// Object 1 is the catalogue, 2 the page tree, 3 empty, 4 Helvetica; `objects` begin with 5.
+/// `catalogue` and `trailer` are added to theirs.
 [[nodiscard]] encoders::Bytes written_pdf(const std::vector<WrittenPage>& pages,
                                           const std::vector<std::string>& objects = {},
                                           const std::string& catalogue = {},

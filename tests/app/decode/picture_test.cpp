@@ -1,4 +1,4 @@
-// Every format both ways: encoded by its library, read back by ours.
+// Tests every format both ways: its library encodes, our reader reads back.
 #include "app/decode/picture.h"
 
 #include "app/decode/files.h"
@@ -24,7 +24,7 @@ namespace {
 void expect_same(const Picture& actual, const Picture& expected) {
     EXPECT_EQ(actual.width, expected.width);
     EXPECT_EQ(actual.height, expected.height);
-    EXPECT_TRUE(actual.bgr == expected.bgr);  // the failure would print every byte
+    EXPECT_TRUE(actual.bgr == expected.bgr);  // EXPECT_EQ would print every byte
     EXPECT_EQ(actual.scale, expected.scale);
 }
 
@@ -37,7 +37,7 @@ int worst_difference(const Picture& a, const Picture& b) {
     return worst;
 }
 
-/// One pixel of each given grey.
+/// Returns a picture with one pixel for each grey.
 Picture greys(const std::vector<std::uint8_t>& values) {
     Picture picture{static_cast<int>(values.size()), 1, {}};
     for (const auto value : values) picture.bgr.insert(picture.bgr.end(), 3, value);
@@ -129,8 +129,7 @@ TEST(SquarePixels, WhatIsNotKnownOrBeyondBeliefChangesNothing) {
         EXPECT_EQ(decode::with_square_pixels(fax, {x, y}).bgr, fax.bgr);
 }
 
-/// Every row is there: some programs leave the mark at the end off, and some telephones write films
-/// behind it.
+/// Every row is there: some programs omit the end mark, and some telephones append films.
 TEST(JpegReader, IsWholeWithoutItsEndMarkAndWithWhatFollowsIt) {
     const Picture picture = encoders::test_picture();
     encoders::JpegForm progressive;
@@ -149,7 +148,7 @@ TEST(JpegReader, IsWholeWithoutItsEndMarkAndWithWhatFollowsIt) {
 }
 
 TEST(JpegReader, PrintingInksBecomeLightInBothConventions) {
-    // Cyan ink at full, magenta at half, no yellow, black at a fifth.
+    // Full cyan, half magenta, no yellow, a fifth of black.
     const std::vector<std::uint8_t> inks{255, 128, 0, 51};
     std::vector<std::uint8_t> plain;
     std::vector<std::uint8_t> inverted;
@@ -192,7 +191,7 @@ TEST(JpegReader, MoreThanTwentyFourMegapixelsAreDecodedSmaller) {
     EXPECT_NEAR(picture.bgr[12345], 100, 2);
 }
 
-/// Independent of the code: the eight orientations as flips and a transposition.
+/// Independent of the code: the eight orientations are flips and a transposition.
 Picture flipped_x(const Picture& in) {
     Picture out = in;
     for (int y = 0; y < in.height; ++y) {
@@ -293,7 +292,7 @@ encoders::TiffDirectory directory_of(const Picture& picture, std::uint32_t subfi
     return {picture.width, picture.height, form, encoders::rgb_of(picture)};
 }
 
-/// What a scanner or an editor writes before the picture: a small copy of it, or where it is solid.
+/// Scanners and editors write a small copy or a mask before the picture.
 TEST(TiffReader, APreviewOrAMaskBeforeThePictureIsNotTaken) {
     const Picture picture = encoders::test_picture(64, 48);
     const auto whole = directory_of(picture, 0);
@@ -367,7 +366,7 @@ bool is_ink(int x, int y) {
     return x >= 8 && x < 16 && y >= 8 && y < 16;
 }
 
-/// A square of ink in the middle of nothing: `channels` of ink a pixel, then alpha.
+/// A square of ink on a transparent ground: `channels` of ink a pixel, then alpha.
 std::vector<std::uint8_t> icon(std::uint8_t ink, std::size_t channels) {
     std::vector<std::uint8_t> samples;
     for (int y = 0; y < icon_px; ++y)

@@ -22,7 +22,7 @@ class Writer {
     bool is_big_endian_;
 };
 
-/// Samples of whole bytes in the file's order, others packed with the highest bit first.
+/// Writes whole-byte samples in the file's byte order; packs others highest bit first.
 class SampleWriter {
   public:
     SampleWriter(Writer& to, unsigned bits) : to_(to), bits_(bits) {}
@@ -54,10 +54,10 @@ class SampleWriter {
 };
 
 struct Piece {
-    std::uint32_t left, top, width, height, first, last;  // samples first ... last - 1
+    std::uint32_t left, top, width, height, first, last;  // samples first to last - 1
 };
 
-/// Strips or tiles, those of a sample after those of the one before.
+/// Returns strips or tiles; all pieces of a sample come before those of the next.
 std::vector<Piece> pieces_of(const PlainTiff& form) {
     const std::uint32_t strip = form.strip_rows != 0 ? form.strip_rows : form.height;
     const std::uint32_t across = form.tile != 0 ? form.tile : form.width;
@@ -90,7 +90,7 @@ void write_piece(const PlainTiff& form, const std::vector<std::uint64_t>& stored
 }
 
 struct Entry {
-    unsigned tag, type;  // 3: 16 bits, 4: 32 bits, 5: a fraction
+    unsigned tag, type;  // type 3: 16 bits, 4: 32 bits, 5: a fraction
     std::vector<std::uint32_t> values;
 };
 
@@ -135,7 +135,7 @@ Bytes plain_tiff(const PlainTiff& form, const std::vector<std::uint64_t>& stored
     Writer to(form.is_big_endian);
     to.bytes = bytes_of(form.is_big_endian ? "MM" : "II");
     to.number(42, 2);
-    to.number(0, 4);  // where the directory is, in the end
+    to.number(0, 4);  // the directory's offset, filled in at the end
     std::vector<std::uint32_t> places;
     std::vector<std::uint32_t> sizes;
     for (const Piece& piece : pieces_of(form)) {
@@ -144,7 +144,7 @@ Bytes plain_tiff(const PlainTiff& form, const std::vector<std::uint64_t>& stored
         sizes.push_back(static_cast<std::uint32_t>(to.bytes.size()) - places.back());
     }
     const std::vector<Entry> entries = entries_of(form, places, sizes);
-    std::vector<std::uint32_t> far;  // where the values of each entry are that do not fit in it
+    std::vector<std::uint32_t> far;  // offsets of values that do not fit in their entry
     for (const Entry& entry : entries) {
         if (to.bytes.size() % 2 != 0) to.bytes.push_back(std::byte{0});
         far.push_back(static_cast<std::uint32_t>(to.bytes.size()));

@@ -1,4 +1,4 @@
-// The reader of PNM, which is ours.
+// Tests our own PNM reader.
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/encoders.h"
 

@@ -1,5 +1,5 @@
-// A reader of words that lies, and damaged input to the honest one: the kiosk gets words or one
-// line.
+// Tests a reader of words that lies, and damaged input to the honest one: the kiosk gets words or
+// one line.
 #include "app/decode/words_in_picture.h"
 #include "app/process/memory.h"
 #include "app/process/places.h"
@@ -18,7 +18,7 @@
 namespace touchline {
 namespace {
 
-/// The lie stands in the pixels.
+/// Puts the lie in the pixels.
 Result<FoundWords> read_lie(const std::string& lie) {
     Picture picture{20, 1, std::vector<std::uint8_t>(60), 1.0};
     const std::string text = "liar " + lie;
@@ -48,7 +48,7 @@ TEST_P(ReadingLies, EndInOneSentenceAndLeaveNothing) {
     EXPECT_LT(resident_kB() - before_kB, 1024);
 }
 
-// What spins or sleeps ends as every worker does (liar_test.cpp), only later.
+// A worker that spins or sleeps ends as every worker does (liar_test.cpp), only later.
 INSTANTIATE_TEST_SUITE_P(All, ReadingLies,
                          testing::Values("a page", "elsewhere", "wrong magic", "wrong size",
                                          "huge header", "short", "long", "second header",
@@ -62,8 +62,8 @@ Result<Mapping, WorkerEnd> run_reader(const encoders::Bytes& input,
                        sealed_copy(input).value());
 }
 
-/// Ours crosses whole between two programs of ours; a captured kiosk is no concern of the worker's,
-/// but an error of ours should not be more than an error.
+/// Our input crosses whole between two of our programs. The worker need not fear a captured kiosk,
+/// but one of our errors should have no worse effect.
 TEST(Reader, DamagedInputIsWordsOrOneSentence) {
     const Picture picture = encoders::test_picture(60, 40);
     const auto whole = answer_of(picture).value();

@@ -1,4 +1,4 @@
-// Pictures in which nothing is written: no label, nothing masked.
+// Tests pictures without any writing: no label, nothing masked.
 #include "app/decode/opening.h"
 #include "app/decode/words_in_picture.h"
 #include "app/gallery/gallery.h"
@@ -25,7 +25,7 @@ std::string labels_in(const Picture& picture, const ReadingOrder& order = {}) {
     return texts;
 }
 
-/// Each word of the labels begins one that is written: a line beside it may hide its end.
+/// Expects each word of the labels to begin a written word: a line beside it may hide its end.
 void expect_written(const std::string& labels, const TactileMap& map, const std::string& path) {
     std::istringstream read(labels);
     for (std::string word; read >> word;) {
@@ -50,7 +50,7 @@ TEST(ReadingNothing, InTheGalleryNothingButWhatIsWrittenOnIt) {
     EXPECT_GE(written, 5) << "the pictures with words on them";
 }
 
-/// Strokes, rings, hatchings and boxes as a hand draws them.
+/// Strokes, rings, hatchings and boxes, as drawn by hand.
 std::string drawing(unsigned seed) {
     std::mt19937 random(seed);
     const auto any = [&random](int most) {
@@ -97,7 +97,7 @@ TEST(ReadingNothing, InDrawings) {
     }
 }
 
-/// Noise of several grains: what a photo of grass, hair or gravel looks like.
+/// Noise of several grain sizes, like a photo of grass, hair or gravel.
 Picture noise(unsigned seed, int grain_px) {
     std::mt19937 random(seed);
     constexpr int width = 640;

@@ -1,4 +1,4 @@
-// Pages of text without a text layer, through the real reader: how many words are read right.
+// Tests pages of text without a text layer with the real reader: how many words it reads right.
 #include "app/decode/opening.h"
 #include "app/decode/words_in_picture.h"
 #include "tests/app/decode/encoders.h"
@@ -18,7 +18,7 @@ namespace {
 
 using Words = std::multiset<std::string>;
 
-/// As it is printed, scanned or photographed.
+/// How a page is printed, scanned or photographed.
 struct Look {
     int letters_px = 20;
     const char* font = "DejaVu Sans";
@@ -54,7 +54,7 @@ const std::vector<Sample> samples{
       "sul fiume, perciò qui più navi", "Popolazione nel 2021: 59 milioni",
       "Università di Forlì, Cefalù"}}};
 
-/// Drawn pixel by pixel as large as it says: 1600 is what the decoder makes of the longer side.
+/// The SVG is rendered at its stated size: the decoder makes the longer side 1600 pixels.
 std::string svg_of(const Sample& sample, const Look& look) {
     std::ostringstream svg;
     svg << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1600 400'>"
@@ -111,7 +111,7 @@ std::string all_of(const Sample& sample) {
     return text;
 }
 
-/// Each language in letters of each size, the looks in turn.
+/// Each language in letters of each size, with the looks in turn.
 const std::vector<Look> looks{
     {10, "DejaVu Sans", 0.0, 255, 95},   {12, "DejaVu Serif", 1.0, 220, 80},
     {14, "Nimbus Roman", -2.0, 255, 60}, {18, "Nimbus Sans", 2.0, 190, 60},
@@ -152,7 +152,7 @@ TEST(Reading, MostWordsOfEveryLanguageAndSizeAreRightAndHardlyAnyIsWrong) {
     }
 }
 
-/// A diagram: its words stand apart, in and beside shapes, and are masked where they stand.
+/// A diagram: its words stand apart, in and beside shapes, and are masked there.
 constexpr auto diagram =
     "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1600 1200'>"
     "<rect width='1600' height='1200' fill='white'/><g font-family='DejaVu Sans' font-size='30'>"
@@ -168,7 +168,7 @@ constexpr auto diagram =
 TEST(Reading, LabelsOfADiagramStandAtTheirPlaces) {
     const auto drawn = open_page(encoders::bytes_of(diagram));
     ASSERT_TRUE(drawn.has_value());
-    Page page;  // as a scan would be: nobody tells its words
+    Page page;  // like a scan: it has no words of its own
     page.picture = drawn->picture;
     page.told.area = drawn->told.area;
     const auto found = read_words(page.picture);
@@ -192,7 +192,7 @@ TEST(Reading, LabelsOfADiagramStandAtTheirPlaces) {
 
 class WithoutData : public testing::Test {
   protected:
-    /// A folder that is there: for one that is not, tesseract takes its own since 5.4.
+    /// The folder must exist: since 5.4, tesseract uses its own folder instead of a missing one.
     WithoutData() { setenv("TESSDATA_PREFIX", "/usr/share/fonts", 1); }
 
     ~WithoutData() override { unsetenv("TESSDATA_PREFIX"); }

@@ -34,7 +34,7 @@ FileFormat format_at(const std::string& path) {
     return format_of(std::as_bytes(std::span(head)));
 }
 
-/// A command that writes the picture as PPM.
+/// Returns a command that writes the picture as PPM.
 std::string command_for(const std::string& path, const Page& like) {
     const int width = like.picture.width;
     const int height = like.picture.height;
@@ -57,7 +57,7 @@ std::string command_for(const std::string& path, const Page& like) {
     }
 }
 
-/// P6 with 255 levels.
+/// Reads P6 with 255 levels.
 Picture picture_of_ppm(const std::vector<std::uint8_t>& bytes) {
     Picture picture;
     int most = 0;
@@ -106,7 +106,7 @@ Tolerance tolerance_for(const std::string& path) {
         case FileFormat::heif:
             return {3, 0.5};
         default:
-            return {1, 0.25};  // what is transparent is rounded by everybody in his own way
+            return {1, 0.25};  // every decoder rounds transparency differently
     }
 }
 

@@ -1,4 +1,4 @@
-// Other people's decoders, to be compared with: ImageMagick, rsvg-convert, pdftoppm.
+// Other decoders to compare with: ImageMagick, rsvg-convert, pdftoppm.
 #pragma once
 
 #include "app/decode/page.h"
@@ -7,20 +7,20 @@
 
 namespace touchline {
 
-/// The picture in a file as they show it: upright, over white, in sRGB. SVG and PDF at the size of
-/// `like`. Fails with their words.
+/// Returns a file's picture as they show it: upright, over white, in sRGB. SVG and PDF have the
+/// size of `like`. Fails, with one line, if they show nothing.
 [[nodiscard]] Result<Picture> reference_picture(const std::string& path, const Page& like);
 
-/// Of channels, 0 ... 255.
+/// Differences of channels, 0 ... 255.
 struct Difference {
     int most = 0;
     double mean = 0.0;
-    bool is_comparable = false;  // the same size
+    bool is_comparable = false;  // the sizes are equal
 };
 
 [[nodiscard]] Difference difference(const Picture& a, const Picture& b);
 
-/// What may differ: a codec that loses, a drawing, or neither.
+/// The allowed difference: for a lossy codec, a drawing, or neither.
 struct Tolerance {
     int most = 0;
     double mean = 0.0;
@@ -28,7 +28,7 @@ struct Tolerance {
 
 [[nodiscard]] Tolerance tolerance_for(const std::string& path);
 
-/// Runs a command of the shell; false unless it ended well.
+/// Runs a shell command; returns false unless it succeeds.
 [[nodiscard]] bool run_command(const std::string& command);
 
 }  // namespace touchline

@@ -1,5 +1,5 @@
-// Every form that a format comes in, made by ImageMagick, opened by our workers, compared with what
-// ImageMagick shows.
+// Tests every variant of each format: ImageMagick makes it, our workers open it, and ImageMagick
+// shows the reference.
 #include "tests/app/decode/reference.h"
 
 #include "app/decode/opening.h"
@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Form {
-    std::string name;       // with its ending
-    std::string arguments;  // of convert, between the drawing and the file
+    std::string name;       // with its extension
+    std::string arguments;  // of convert, after the drawing
     std::string prefix;     // before the file's name
     int most = 0;
     double mean = 0.0;
@@ -27,11 +27,11 @@ void PrintTo(const Form& form, std::ostream* out) {
     *out << form.name;
 }
 
-// Transparent and of 16 bits: everybody rounds, we to the nearest. What codecs lose, too.
+// For lossy codecs, and for transparency and 16 bits: every decoder rounds; ours rounds to nearest.
 constexpr int most_of_lossy = 3;
 constexpr double mean_of_lossy = 0.5;
 
-// Colours, edges and slopes; sides that no block and no byte divides.
+// Colours, edges and gradients; no block and no byte divides the sides.
 constexpr auto drawing =
     "convert -seed 1 -size 131x77 plasma:red-blue -fill yellow -draw 'circle 40,40 60,50' "
     "-fill black -draw 'rectangle 90,10 120,70' -depth 8 ";

@@ -1,5 +1,4 @@
-// Two maps that must be the same, bit for bit.
-// Threads: any.
+// Compares two maps that must be the same, bit for bit. Threads: any.
 #pragma once
 
 #include "config/types/tactile_map.h"
@@ -10,7 +9,7 @@
 
 namespace touchline {
 
-/// All but the versions.
+/// Expects all but the versions to be equal.
 inline void expect_same(const TactileMap& a, const TactileMap& b) {
     EXPECT_EQ(a.area, b.area);
     EXPECT_EQ(a.title, b.title);

@@ -1,5 +1,5 @@
-// Pictures of more pixels than are kept: each pixel that is kept is the mean of those that it
-// stands for, whatever order they come in.
+// Tests pictures with more pixels than are kept: each kept pixel is the mean of those it replaces,
+// whatever order they come in.
 #include "app/decode/shrinking.h"
 
 #include "app/decode/formats.h"
@@ -50,10 +50,10 @@ std::vector<std::uint8_t> noise_bytes(std::size_t count, unsigned seed) {
     return bytes;
 }
 
-constexpr std::size_t long_side = 10'013;  // by 2, and the last stands for one
+constexpr std::size_t long_side = 10'013;  // the last kept pixel replaces only one column
 constexpr std::size_t short_side = 5;
 
-/// Of the pixels themselves, in floating numbers, over white.
+/// The mean of the pixels, in floating point, over white.
 double mean_of(const std::vector<std::uint8_t>& pixels, std::size_t channels, std::size_t x,
                std::size_t y, std::size_t part) {
     double sum = 0.0;
@@ -75,7 +75,7 @@ TEST(Shrinking, KeepsTheMeans) {
         for (std::size_t y = short_side; y-- > 0;) {
             const std::span row =
                 std::span(pixels).subspan(channels * long_side * y, channels * long_side);
-            // The row's odd pixels, then its even ones.
+            // The row's odd pixels, then its even pixels.
             for (const std::size_t first : {1U, 0U}) {
                 std::vector<std::uint8_t> part;
                 for (std::size_t x = first; x < long_side; x += 2)
@@ -106,7 +106,7 @@ TEST(Shrinking, WhatLiesBesideThePictureIsLeftOut) {
     EXPECT_EQ(std::move(shrinking).picture().bgr, std::vector<std::uint8_t>(6, 7));
 }
 
-/// A picture 12000 wide, whose columns are light and dark in turn, 40 pixels each.
+/// A picture 12000 wide; its columns are light and dark in turn, 40 pixels each.
 constexpr int panorama_width = 12'000;
 constexpr int panorama_height = 64;
 

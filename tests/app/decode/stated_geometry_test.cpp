@@ -1,5 +1,5 @@
-// What a file says of how its pixels lie: which way up, and how wide for their height. Each format
-// says it in its own place.
+// Tests what a file states about its pixels: which way is up, and their width over height. Each
+// format states it in its own place.
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/encoders.h"
 #include "tests/app/decode/plain_tiff.h"
@@ -22,8 +22,8 @@ using encoders::Bytes;
 constexpr int across_px = 64;
 constexpr int down_px = 32;
 
-/// White, but for the upper left quarter, which is black: each of the eight ways differs in its
-/// corner or in the longer side.
+/// White except for the upper left quarter, which is black: each of the eight orientations differs
+/// in its dark corner or its longer side.
 Picture dark_corner() {
     Picture picture{across_px, down_px, {}};
     for (int y = 0; y < down_px; ++y)
@@ -40,7 +40,7 @@ bool is_dark(const Picture& picture, bool is_right, bool is_low) {
     return picture.bgr.at(3 * static_cast<std::size_t>(y * picture.width + x)) < 128;
 }
 
-/// Where the upper left corner comes to lie; EXIF 2.3, table 6.
+/// Expects the upper left corner where EXIF 2.3, table 6 puts it.
 void expect_turned(const Picture& picture, int orientation) {
     SCOPED_TRACE(orientation);
     const bool is_turned = orientation >= 5;
@@ -61,7 +61,7 @@ void add_big_endian(Bytes& bytes, std::uint32_t value, std::size_t count) {
         bytes.push_back(static_cast<std::byte>(value >> (8 * (count - 1 - i)) & 0xffU));
 }
 
-/// Behind the header of a PNG.
+/// Inserts the chunk after the header of a PNG.
 Bytes with_chunk(Bytes png, const std::string& name, const Bytes& content) {
     Bytes named = encoders::bytes_of(name);
     named.insert(named.end(), content.begin(), content.end());
@@ -82,7 +82,7 @@ Bytes with_orientation(const Bytes& bytes, int orientation) {
     });
 }
 
-/// TIFF's form, which EXIF has: one entry.
+/// An EXIF block in TIFF's form with one entry.
 Bytes exif_of(int orientation) {
     Bytes exif =
         encoders::bytes_of(std::string("MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01", 18));
@@ -141,7 +141,8 @@ TEST(StatedOrientation, OfHeicAndAvif) {
     }
 }
 
-/// A picture of 64 x 32 pixels that are twice as high as wide is 64 x 64.
+/// Expects 64 x 32 pixels that are twice as high as wide to become 64 x 64, and pixels twice as
+/// wide as high to become 128 x 32.
 void expect_square(const Bytes& twice_across, const Bytes& twice_down) {
     const Picture high = decoded(twice_across);
     EXPECT_EQ(high.width, across_px);
@@ -168,7 +169,7 @@ TEST(StatedResolution, OfAPngByTheMetreOrAsAShape) {
     EXPECT_EQ(decoded(png_of_pixels(0xffffffff, 1, 1)).height, down_px);
 }
 
-/// JFIF's segment is the first: mark 2, length 2, name 5, version 2, unit 1, densities 2 each.
+/// JFIF's segment comes first: mark 2, length 2, name 5, version 2, unit 1, densities 2 each.
 Bytes jpeg_of_density(unsigned across, unsigned down, unsigned unit) {
     Bytes bytes = encoders::jpeg(dark_corner());
     Bytes told;
@@ -193,7 +194,7 @@ TEST(StatedResolution, OfAJpegByJfifInEachUnit) {
     EXPECT_EQ(decoded(jpeg_of_density(0, 0, 1)).height, down_px);
 }
 
-/// JFIF that knows nothing says so by 1 to 1 without a unit.
+/// JFIF states an unknown density as 1 to 1 without a unit.
 TEST(StatedResolution, OfExifWhereTheFormatKnowsNothing) {
     const Bytes jpeg = jpeg_of_density(1, 1, 0);
     expect_square(with_exif_resolution(jpeg, 144, 72), with_exif_resolution(jpeg, 72, 144));
@@ -218,8 +219,8 @@ TEST(StatedResolution, OfATiff) {
     expect_square(twice_across, plain_tiff(form, samples));
 }
 
-/// libheif 1.15 writes the size of the turned picture where the standard wants that of the stored
-/// one, as telephones write it.
+/// libheif 1.15 writes the turned picture's size. The standard wants the stored picture's size,
+/// which telephones write.
 Bytes with_stored_size(Bytes bytes) {
     const std::string name = "ispe";
     Bytes turned = encoders::bytes_of(name);

@@ -1,4 +1,4 @@
-// Every command of SVG's path syntax against points worked out by hand.
+// Tests every command of SVG's path syntax against points worked out by hand.
 #include "app/decode/map_svg.h"
 #include "app/decode/svg_shapes.h"
 
@@ -28,7 +28,7 @@ Points one(std::string_view d) {
     return subpaths.empty() ? Points{} : subpaths[0].points;
 }
 
-/// Independent of the tracer: the distance to a polyline over all its segments.
+/// The distance to a polyline over all its segments, independent of the tracer.
 double distance_to(const Points& polyline, UserPoint p) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
@@ -43,7 +43,7 @@ TEST(SvgPath, LinesAbsoluteAndRelative) {
     const Points expected{{1, 2}, {4, 6}, {10, 6}, {10, -1}};
     EXPECT_EQ(one("M1 2L4 6H10V-1"), expected);
     EXPECT_EQ(one("m1 2l3 4h6v-7"), expected);
-    EXPECT_EQ(one("M1,2 4,6 10,6 10,-1"), expected);  // after a move, lines
+    EXPECT_EQ(one("M1,2 4,6 10,6 10,-1"), expected);  // after a move come lines
     EXPECT_EQ(one("m1,2 3,4 6,0 0,-7"), expected);
     EXPECT_EQ(one(" M 1 , 2 L 4 6 H 7 10 v -3 -4 "),
               (Points{{1, 2}, {4, 6}, {7, 6}, {10, 6}, {10, 3}, {10, -1}}));
@@ -78,7 +78,7 @@ TEST(SvgPath, EndingWhereItBeganClosesIt) {
         EXPECT_TRUE(subpaths[0].is_closed);
         EXPECT_EQ(subpaths[0].points, (Points{{0, 0}, {4, 0}, {4, 4}}));
     }
-    // Ten times a tenth is not one; it is near enough.
+    // Ten times 0.1 is not exactly 1, but near enough.
     const auto wandering = traced("M0 0h.1h.1h.1h.1h.1h.1h.1h.1h.1h.1v1h-1v-1");
     EXPECT_TRUE(wandering[0].is_closed);
 }
@@ -113,7 +113,7 @@ TEST(SvgPath, CubicsPassWhereDeCasteljauSays) {
 TEST(SvgPath, SmoothCubicsMirrorTheLastControlPoint) {
     EXPECT_EQ(one("M0 0C0 5 5 5 5 0S10-5 10 0"), one("M0 0C0 5 5 5 5 0C5-5 10-5 10 0"));
     EXPECT_EQ(one("M0 0c0 5 5 5 5 0s5-5 5 0"), one("M0 0C0 5 5 5 5 0C5-5 10-5 10 0"));
-    // With nothing to mirror, the pen itself is the control point.
+    // Without a curve to mirror, the pen itself is the control point.
     EXPECT_EQ(one("M0 0L5 0S10-5 10 0"), one("M0 0L5 0C5 0 10-5 10 0"));
     EXPECT_EQ(one("M0 0Q2 2 5 0S10-5 10 0"), one("M0 0Q2 2 5 0C5 0 10-5 10 0"));
 }
@@ -124,13 +124,13 @@ TEST(SvgPath, QuadraticsAndTheirSmoothForm) {
     EXPECT_EQ(one("M0 0q5 10 10 0"), one("M0 0Q5 10 10 0"));
     EXPECT_EQ(one("M0 0Q5 10 10 0T20 0T30 0"), one("M0 0Q5 10 10 0Q15-10 20 0Q25 10 30 0"));
     EXPECT_EQ(one("M0 0q5 10 10 0t10 0t10 0"), one("M0 0Q5 10 10 0Q15-10 20 0Q25 10 30 0"));
-    // With nothing to mirror, the pen itself is the control point.
+    // Without a curve to mirror, the pen itself is the control point.
     EXPECT_EQ(one("M0 0L5 0T10 3"), one("M0 0L5 0Q5 0 10 3"));
 }
 
 TEST(SvgPath, TheFourArcsThroughTwoPoints) {
-    // Radius 5 through (0, 0) and (6, 0): centres (3, -4) and (3, 4); y grows downward, so a
-    // sweeping arc runs clockwise on the screen: the small one bulges up.
+    // Radius 5 through (0, 0) and (6, 0): centres (3, -4) and (3, 4); y grows downward, so an arc
+    // with the sweep flag runs clockwise on the screen: the small one bulges up.
     struct Case {
         const char* d;
         UserPoint centre;
@@ -154,9 +154,9 @@ TEST(SvgPath, ArcsRelativeCompactTurnedTooSmallAndFlat) {
     EXPECT_EQ(one("M1 1a5 5 0 0 1 6 0"), one("M1 1A5 5 0 0 1 7 1"));
     EXPECT_EQ(one("M1 1a5 5 0 016 0"), one("M1 1A5 5 0 0 1 7 1"));  // flags touch
     EXPECT_EQ(one("M1 1a-5 5 0 0 1 6 0"), one("M1 1A5 5 0 0 1 7 1"));
-    // Half an ellipse turned by 90 degrees: 6 long upward, 2 wide.
+    // Half an ellipse turned by 90 degrees: its radii are 6 vertically and 2 horizontally.
     EXPECT_LT(distance_to(one("M0 0A6 2 90 0 1 4 0"), {2, -6}), flattening_tolerance_mm + 1e-6);
-    // A radius that cannot reach grows to half the distance.
+    // A radius that is too short grows to half the distance.
     EXPECT_EQ(one("M0 0A1 1 0 0 1 10 0"), one("M0 0A5 5 0 0 1 10 0"));
     EXPECT_EQ(one("M0 0A0 5 0 0 1 10 0"), (Points{{0, 0}, {10, 0}}));
     EXPECT_EQ(one("M0 0L1 1A5 5 0 0 1 1 1L2 5"), (Points{{0, 0}, {1, 1}, {2, 5}}));
@@ -198,7 +198,8 @@ RC_GTEST_PROP(SvgPath, ArcsStayOnTheirEllipseAndReachTheirEnd, ()) {
                   *rc::gen::arbitrary<bool>(), to);
     const auto points = tracer.take().at(0).points;
     RC_ASSERT(points.back() == to);
-    // In the ellipse's own axes, scaled to a circle, three points give the centre for all others.
+    // In the ellipse's own axes, scaled to a circle, three points give the centre; all others are
+    // checked against it.
     const double turn = angle_deg * 3.14159265358979323846 / 180.0;
     const auto on_circle = [&](UserPoint p) {
         return UserPoint{(p.x * std::cos(turn) + p.y * std::sin(turn)) / radii.x,

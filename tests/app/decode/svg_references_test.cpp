@@ -1,4 +1,4 @@
-// How often parts of a drawing are drawn again, beside counting by drawing.
+// Tests how often parts of a drawing are drawn again, against a count by drawing.
 #include "app/decode/svg_references.h"
 
 #include <algorithm>
@@ -48,11 +48,11 @@ TEST(SvgReferences, ALongChainIsTooMuch) {
 }
 
 struct Group {
-    std::size_t in_all = 2;  // itself and its path
+    std::size_t in_all = 2;  // the group and its path
     std::size_t again = 0;
 };
 
-/// Groups, each of a path and of uses of groups before it.
+/// Groups, each with a path and with uses of earlier groups.
 RC_GTEST_PROP(SvgReferences, CountsWhatDrawingWouldDraw, ()) {
     const auto count = *rc::gen::inRange<std::size_t>(1, 12);
     std::vector<Group> groups(count);

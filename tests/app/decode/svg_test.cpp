@@ -1,4 +1,4 @@
-// SVGs of anybody are pictures, whatever way they are written; maps of our own are maps.
+// Tests that any SVG is a picture, however it is written, and that our own maps are maps.
 #include "app/decode/files.h"
 #include "app/decode/map_svg.h"
 #include "app/gallery/gallery.h"
@@ -38,7 +38,7 @@ Page page_of(const std::string& text) {
     return page ? std::move(*page) : Page{};
 }
 
-/// Whether a place of the drawing, in its own units, is dark.
+/// Returns true if a place of the drawing, in its own units, is dark.
 bool is_dark(const Page& page, double x, double y, double width = 400.0) {
     const double px = page.picture.width / width;
     const auto at = static_cast<std::size_t>(std::lround(y * px)) *
@@ -48,9 +48,9 @@ bool is_dark(const Page& page, double x, double y, double width = 400.0) {
 }
 
 void expect_circle_and_box(const Page& page) {
-    EXPECT_TRUE(is_dark(page, 300, 150));   // in the box
+    EXPECT_TRUE(is_dark(page, 300, 150));   // inside the box
     EXPECT_TRUE(is_dark(page, 50, 150));    // on the circle
-    EXPECT_FALSE(is_dark(page, 120, 150));  // in it
+    EXPECT_FALSE(is_dark(page, 120, 150));  // inside the circle
 }
 
 std::string in_utf16(const std::string& text, bool is_big_endian) {
@@ -81,7 +81,7 @@ TEST(Svg, IsKnownHoweverItIsWritten) {
         R"(<!DOCTYPE svg [<!ENTITY black "fill:#000">]>)" +
         at_size(R"(<circle cx="120" cy="150" r="70" style="fill:none;stroke:#000;stroke-width:3"/>)"
                 R"(<rect x="230" y="70" width="120" height="160" style="&black;"/>)");
-    // A public name, an address, and what the document itself declares.
+    // A public name, an address, and entities that the document itself declares.
     const std::string of_an_old_editor =
         R"(<?xml version="1.0" encoding="utf-8"?><!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.0//EN" )"
         R"("http://www.w3.org/TR/2001/REC-SVG-20010904/DTD/svg10.dtd" [)"
@@ -151,7 +151,7 @@ struct PlacedText {
     double x, y;
 };
 
-/// As plotting programs letter their axes: two or three pixels of the screen a stroke.
+/// Plotting programs label their axes like this: strokes of two or three screen pixels.
 TEST(Svg, TinyTextsBesideAStyleSheetAreLabelsWhereTheyArePainted) {
     const Page page = page_of(at_size(
         "<style>.tick{font-size:8px;fill:#333} path{stroke:#000}</style><path d='M40 20V250H380'/>"

@@ -1,5 +1,5 @@
-// TIFFs of every depth and kind, written by the tests themselves: what a pixel is told to be, it
-// is.
+// Tests TIFFs of every depth and kind, which the tests write themselves: each pixel is what the
+// file says.
 #include "tests/app/decode/decoding_here.h"
 #include "tests/app/decode/plain_tiff.h"
 
@@ -19,10 +19,10 @@ namespace {
 using encoders::plain_tiff;
 using encoders::PlainTiff;
 
-constexpr std::uint32_t tiff_columns = 37;  // no byte, no tile and no strip ends with it
+constexpr std::uint32_t tiff_columns = 37;  // no byte, tile or strip ends at it
 constexpr std::uint32_t tiff_rows = 21;
 
-/// Of `parts` samples a pixel, each other than its neighbours, from 0 to 1 with both.
+/// A value from 0 to 1, both included, for each of a pixel's parts; it differs from its neighbours.
 double brightness(std::uint32_t x, std::uint32_t y, unsigned part) {
     const std::uint32_t i = (y * tiff_columns + x) * 4 + part;
     if (i == 0) return 0.0;
@@ -64,7 +64,7 @@ PlainTiff form_of(unsigned bits, unsigned samples, unsigned photometric) {
     return form;
 }
 
-/// Grey is grey and a colour its colour, within one level and what the depth can tell.
+/// Expects grey or colour within one level plus what the depth cannot tell apart.
 void expect_brightness(const PlainTiff& form, const Picture& picture) {
     ASSERT_EQ(picture.width, static_cast<int>(form.width));
     ASSERT_EQ(picture.height, static_cast<int>(form.height));
@@ -158,7 +158,7 @@ TEST(TiffForms, FloatingNumbersFromNoughtToOne) {
     }
 }
 
-/// Heights of a landscape; where none was measured, no number.
+/// Heights of a landscape; NaN where none was measured.
 TEST(TiffForms, MeasurementsAreStretchedOverAllLevels) {
     PlainTiff form = floating_form(32);
     form.width = 4;
@@ -225,7 +225,7 @@ TEST(TiffForms, InksOfEightAndSixteenBits) {
     }
 }
 
-/// White, black, a grey by CIE's formula, and what is surely red and blue.
+/// White, black, a grey by CIE's formula, and clear red and blue.
 TEST(TiffForms, LabOfBothEncodingsAndDepths) {
     struct Colour {
         double lightness, a, b;
@@ -267,7 +267,7 @@ TEST(TiffForms, LabOfBothEncodingsAndDepths) {
     }
 }
 
-/// By the formula of ITU-R BT.601 over all levels, as the specification has it.
+/// By the formula of ITU-R BT.601 over all levels, as in the specification.
 TEST(TiffForms, BrightnessAndColourApartInStripsAndTiles) {
     for (const std::uint32_t tile : {0U, 16U}) {
         for (const std::uint32_t strip : {0U, 5U}) {
@@ -303,7 +303,7 @@ TEST(TiffForms, AlphaOfSixteenBitsStraightAndMultiplied) {
             form.height = 1;
             form.extra_sample = kind;
             form.is_planar = is_planar;
-            const std::uint64_t red = kind == 1 ? 0x8000 : 0xffff;  // half of it shows
+            const std::uint64_t red = kind == 1 ? 0x8000 : 0xffff;  // half of the red shows
             const Picture picture = decoded(plain_tiff(form, {red, 0, 0, 0x8000, 0, 0, 0, 0xffff}));
             EXPECT_NEAR(part_at(picture, 0, 0, 2), 255, 1);
             EXPECT_NEAR(part_at(picture, 0, 0, 0), 127, 2);
@@ -322,7 +322,7 @@ TEST(TiffForms, SamplesThatAreNotToldAreNoAlpha) {
     EXPECT_EQ(part_at(picture, 1, 0, 0), 200);
 }
 
-/// The corner that is dark lies where TIFF 6.0 says, and sides swap from 5 on.
+/// The dark corner lies where TIFF 6.0 says, and the sides swap from orientation 5 on.
 TEST(TiffForms, AllOrientationsOfTilesAndStrips) {
     struct Corner {
         bool is_right, is_low;

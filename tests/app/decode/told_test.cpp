@@ -1,4 +1,4 @@
-// What is written for those who cannot see a picture survives its opening.
+// Tests that text written for people who cannot see a picture survives opening it.
 #include "app/decode/files.h"
 #include "app/decode/machine_words.h"
 #include "app/decode/one_line.h"
@@ -71,7 +71,7 @@ TEST(Told, AltTextOfXmpWinsOverACaption) {
             image.exifData()["Exif.Image.ImageDescription"] = "IMG 20";
             image.xmpData()["Xmp.dc.title"] = "lang=\"x-default\" The beach";
             image.xmpData()["Xmp.dc.description"] = "lang=\"x-default\" My holidays";
-            // An older libexiv2 does not know its type.
+            // An older libexiv2 does not know the type of this key.
             const auto alt_text = Exiv2::Value::create(Exiv2::langAlt);
             alt_text->read("lang=\"x-default\" A dog that runs to the left");
             image.xmpData().add(Exiv2::XmpKey("Xmp.iptc.AltTextAccessibility"), alt_text.get());
@@ -96,7 +96,7 @@ TEST(Told, SvgTitleAndDescription) {
            </title><desc>A fish</desc><rect width="5" height="5"/><rect x="1" width="5" height="5"/></svg>)"));
     EXPECT_EQ(told.title, "Fish");
     EXPECT_EQ(told.description, "A fish");
-    EXPECT_TRUE(told.outlines.empty());  // one covers the other
+    EXPECT_TRUE(told.outlines.empty());  // one outline covers the other
 }
 
 TactileMap told_of_svg(const std::string& title, const std::string& description) {
@@ -106,7 +106,7 @@ TactileMap told_of_svg(const std::string& title, const std::string& description)
         title, description)));
 }
 
-/// A page without a heading has the title that the document gives itself.
+/// A page without a heading gets the document's own title.
 TactileMap told_of_pdf(const std::string& title) {
     return told_of(written_pdf({{"100 100 300 200 re S"}},
                                {fmt::format("<< /Title ({}) >>", title)}, "", "/Info 5 0 R"));
@@ -134,8 +134,8 @@ TEST(Told, TaggedPdfGivesHeadingFigureAndWordsOfEachPage) {
         EXPECT_EQ(page->told.description, "A black box");
         ASSERT_EQ(page->told.labels.size(), 2U);
         EXPECT_EQ(page->told.labels[0].text, "A black box");
-        // Centre (230, 50) points from below, of 300 x 200, drawn as large as A5; a pixel is 1e-4
-        // m.
+        // Centre (230, 50) points from the bottom left of 300 x 200 points, drawn as large as A5; a
+        // pixel is 1e-4 m.
         const double px = page->picture.width / 300.0;
         EXPECT_NEAR(page->told.labels[0].place.x, px * 80e-4, 2e-4);
         EXPECT_NEAR(page->told.labels[0].place.y, px * -50e-4, 2e-4);
@@ -163,7 +163,7 @@ TEST(Told, LabelsLieWhereTheyLieInTheTracedMap) {
     ASSERT_TRUE(trace.has_value()) << trace.error().line;
     EXPECT_EQ(trace->map.title, "Fish");
     ASSERT_EQ(trace->map.labels.size(), 2U);
-    // The figure's own outline is around its label.
+    // The figure's outline surrounds its label.
     const Position label = trace->map.labels[0].place;
     double nearest_m = 1.0;
     for (const Outline& outline : trace->map.outlines)
@@ -183,8 +183,8 @@ TEST(SideCar, FirstLineIsTheTitle) {
     EXPECT_EQ(short_one.description, "A fish");
 }
 
-/// As Windows' editor writes them: "ANSI", "Unicode", "Unicode big endian"; the latter two without
-/// their mark as well, and with the line ends of old Macs.
+/// As Windows' editor saves them: "ANSI", "Unicode", "Unicode big endian"; the latter two also
+/// without their byte order mark, and once with the line ends of old Macs.
 TEST(SideCar, IsReadInWhateverCodeItWasSaved) {
     const std::string ansi =
         "Schlo\xdf Neuschwanstein\r\nDie T\xfcrme \x96 von S\xfc"

@@ -1,4 +1,4 @@
-// A file with what libexiv2 puts into it. Threads: one at a time.
+// Adds metadata to a file with libexiv2. Threads: one at a time.
 #pragma once
 
 #include "app/decode/exiv2_generations.h"
@@ -8,7 +8,7 @@
 
 namespace touchline {
 
-/// `change` is called with the picture's Exiv2::Image.
+/// Calls `change` with the picture's Exiv2::Image.
 template <class Change>
 encoders::Bytes with_metadata(const encoders::Bytes& bytes, const Change& change) {
     auto image = Exiv2::ImageFactory::open(reinterpret_cast<const Exiv2::byte*>(bytes.data()),

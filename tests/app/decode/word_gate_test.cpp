@@ -1,4 +1,4 @@
-// Which of the words that tesseract sees are believed.
+// Tests which of tesseract's words are believed.
 #include "app/decode/word_gate.h"
 
 #include "app/decode/formats.h"
@@ -69,7 +69,7 @@ TEST(WordGate, LettersOfTheLanguagesCount) {
     EXPECT_EQ(texts({word("¿año", 96)}), (Texts{"¿año"}));
 }
 
-/// A line that is text may hold a word that alone would not be believed.
+/// A line of text may hold a word that would not be believed alone.
 TEST(WordGate, WhatStandsInALineOfTextIsMeasuredByLess) {
     EXPECT_EQ(texts({word("the", 60, 10, true), word("heart", 96, 45)}), (Texts{"the heart"}));
     EXPECT_EQ(texts({word("the", 59, 10, true), word("heart", 96, 45)}), (Texts{"heart"}));
@@ -82,7 +82,7 @@ TEST(WordGate, WhatIsNotBelievedIsNotMaskedEither) {
     EXPECT_TRUE(believed(std::vector{word("igh", 90), word("=", 99, 100)}, 400, 200).boxes.empty());
 }
 
-/// As many boxes as the answer can hold, whole lines only.
+/// The answer keeps as many boxes as it can hold, in whole lines.
 TEST(WordGate, ManyWordsHaveAnEnd) {
     std::vector<SeenWord> seen;
     for (int i = 0; i < 20'000; ++i) seen.push_back(word("heart", 96, 10, i % 7 == 0));
@@ -92,7 +92,7 @@ TEST(WordGate, ManyWordsHaveAnEnd) {
     EXPECT_TRUE(words_of(answer_of(Result<FoundWords>(found)).value(), 400, 200).has_value());
 }
 
-/// Whatever tesseract says, the kiosk takes it.
+/// The kiosk accepts any words of tesseract.
 TEST(WordGate, AnyWordsCross) {
     std::mt19937 random(7);
     const std::vector<std::string> some{"heart", "a",  "\xff\xfe",   "\xc3",

@@ -1,4 +1,4 @@
-// The files of boards and units: what is kept is read again, what is wrong is said.
+// Tests the files of boards and units: what is kept reads back, and what is wrong is reported.
 #include "app/device/board_files.h"
 
 #include <filesystem>
@@ -105,7 +105,7 @@ TEST(Units, OfAnotherKindKeepTheSitesTorqueLimitAndNothingElse) {
     EXPECT_EQ(taken.calibration.encoders, Plugs{});
     EXPECT_EQ(taken.calibration.motors, Plugs{});
     EXPECT_EQ(taken.calibration.torque_limit_Nm, 0.05);
-    unit.calibration.torque_limit_Nm = 0.9;  // of stronger motors
+    unit.calibration.torque_limit_Nm = 0.9;  // for stronger motors
     EXPECT_EQ(as_kind(unit, haplet).calibration.torque_limit_Nm, std::nullopt);
     const UnitSettings anew = as_kind(unit, find_profile("2diy-gen3.1").value());
     EXPECT_EQ(anew.calibration.torque_limit_Nm, 0.9);

@@ -1,4 +1,4 @@
-// touchline device, through libusb against the emulated board. Runs under umockdev-wrapper.
+// Tests touchline device, through libusb against the emulated board. Runs under umockdev-wrapper.
 #include "app/cli/device.h"
 #include "app/device/board_files.h"
 #include "tests/app/device/person.h"
@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Hands over every line as soon as it is whole.
+/// Hands each line over as soon as it is complete.
 class Lines final : public std::streambuf {
   public:
     explicit Lines(std::function<void(const std::string&)> hear) : hear_(std::move(hear)) {}
@@ -58,7 +58,7 @@ struct Visit {
 
     Result<void> run(DeviceAction action) {
         std::atomic<bool> is_over{false};
-        // Lets go where the words say so, and takes the handle again for the next ones.
+        // Lets go when the words say so, and takes the handle again for the next words.
         std::thread hand([&] {
             for (; !is_over; std::this_thread::sleep_for(std::chrono::milliseconds(5)))
                 board.with([&](BoardEmulator& emulator, UsbFaults&) {
@@ -160,7 +160,7 @@ TEST_F(DeviceCommand, NudgeHomesAKnownUnitAndTellsWhetherTheMotorsHavePower) {
         << without.error().line;
     EXPECT_EQ(held(visit.board), JointTorques{});
     visit.board.with([](BoardEmulator& emulator, UsbFaults&) { emulator.switch_motors(true); });
-    // A late tick lets a pulse throw the free handle; the words then ask for another try.
+    // If a tick is late, a pulse may throw the free handle; the words then ask for another try.
     auto with = visit.run(DeviceAction::nudge);
     for (int tries = 1; tries < 10 && !with && asks_for_another_try(with.error()); ++tries)
         with = visit.run(DeviceAction::nudge);
@@ -179,7 +179,7 @@ TEST_F(DeviceCommand, TheKindOfANewUnitIsAskedAndNotAssumed) {
     EXPECT_EQ(held(board), JointTorques{});
 }
 
-/// What is stored of it is wrong, and would never fit.
+/// The stored calibration is wrong and would never fit.
 TEST_F(DeviceCommand, HomeOfANamedKindMeasuresAnewAndKeepsWhatItFound) {
     BoardTruth truth;
     truth.scale_error = {0.015, 0.015};

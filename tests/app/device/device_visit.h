@@ -14,7 +14,7 @@
 
 namespace touchline {
 
-/// Waiting moves the rig's time on.
+/// A clock that moves the rig's time on when somebody waits.
 class RigClock final : public Clock {
   public:
     RigClock(VirtualTime& time, std::function<void()> after_wait)
@@ -33,7 +33,7 @@ class RigClock final : public Clock {
 };
 
 struct DeviceVisit {
-    /// `kind`: what the driver takes the board for; the unit's own profile where there is none.
+    /// `kind`: the kind that the driver assumes; the unit's own profile if null.
     explicit DeviceVisit(const BoardTruth& truth = {}, const Calibration& stored = {},
                          const DeviceProfile* kind = nullptr)
         : person(std::make_shared<Person>(truth.profile)), rig(truth, {}, stored, person) {
@@ -48,7 +48,7 @@ struct DeviceVisit {
                 }};
     }
 
-    /// Takes the handle, or lets go of it, as the person wants.
+    /// Takes the handle or lets go of it, as the person wants.
     void follow_hand() {
         if (std::exchange(is_held, person->holds(rig.time.now_s)) == is_held) return;
         rig.board.grip(is_held ? rig.board.truth().hand : no_hand);
@@ -59,7 +59,7 @@ struct DeviceVisit {
                            [&](const auto& line) { return line.find(what) != std::string::npos; });
     }
 
-    /// Between where the tip is and where the driver has it.
+    /// The distance between the true tip and the driver's tip.
     [[nodiscard]] double tip_off_m() {
         const auto angles = rig.tick({});
         const Geometry& arms = rig.driver->frame().profile().geometry;

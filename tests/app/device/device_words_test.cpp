@@ -1,4 +1,4 @@
-// What is said during homing: every step has something to do, every remark a reason.
+// Tests what is said during homing: every step gives something to do, every remark a reason.
 #include "app/device/device_words.h"
 
 #include "app/servo/messages.h"
@@ -24,7 +24,7 @@ constexpr std::array remarks{
     HomingRemark::lost_count, HomingRemark::replugged,     HomingRemark::not_left,
     HomingRemark::measured,   HomingRemark::no_such_scale, HomingRemark::other_kind};
 
-/// Everything that is said of the device, of whatever kind it is.
+/// Returns everything that is said about any kind of device.
 std::set<std::string> all_words() {
     std::set<std::string> all;
     for (const DeviceProfile& profile : device_profiles()) {
@@ -71,7 +71,7 @@ TEST(DeviceWords, AMisfitIsToldInMillimetres) {
               "stops. Hold it still there.");
 }
 
-/// A number has no stop of its own.
+/// Splits texts into sentences; a decimal point ends none.
 std::set<std::string> sentences_in(const std::set<std::string>& all) {
     std::set<std::string> sentences;
     for (const std::string& words : all) {
@@ -84,8 +84,8 @@ std::set<std::string> sentences_in(const std::set<std::string>& all) {
     return sentences;
 }
 
-/// The kiosk says it sentence by sentence in other languages: so the catalogue must have each,
-/// those with a measure too.
+/// The kiosk says the words sentence by sentence in other languages, so the catalogue must have
+/// each one, including those with a measure.
 TEST(DeviceWords, EverySentenceIsInTheCatalogue) {
     const auto codes = languages_in(TOUCHLINE_CATALOGUES).value();
     ASSERT_GE(codes.size(), 4U);
@@ -110,7 +110,7 @@ TEST(DeviceWords, AllReachTheKioskWhole) {
         EXPECT_LE(words_again(words).size(), sizeof Message::line) << words;
 }
 
-/// Nothing moves after a motor that is wrong until somebody begins anew.
+/// After a wrong motor nothing moves until somebody starts again.
 TEST(DeviceWords, EveryVerdictSaysWhatToDo) {
     const std::string next = "Then find the handle’s starting point again.";
     std::set<std::string> all;

@@ -13,10 +13,10 @@
 
 namespace touchline {
 
-/// Goes where the words say, 0.15 m/s. Threads: hear() from one, the rest from any.
+/// Goes where the words say, at 0.15 m/s. Threads: hear() from one, the rest from any.
 class Person final : public IntendedPath {
   public:
-    /// `unit`: with the stops that it really has.
+    /// `unit`: has the true stops.
     explicit Person(const DeviceProfile& unit)
         : home_(place(unit, unit.home)),
           check_(place(unit, unit.check.angles)),
@@ -53,13 +53,13 @@ class Person final : public IntendedPath {
         lets_go_ = false;
     }
 
-    /// Not once they came to where they were to let go.
+    /// Returns false once the person has come to where the words said to let go.
     [[nodiscard]] bool holds(double now_s) const {
         const std::lock_guard lock(mutex_);
         return !lets_go_ || 0.15 * (now_s - since_s_) < norm(to_ - from_) + 0.05;
     }
 
-    /// Takes the left for the right.
+    /// From now on confuses left and right.
     void mistake_left() { takes_right_for_left_ = true; }
 
     [[nodiscard]] Intention at(double t_s) const override {
@@ -76,7 +76,7 @@ class Person final : public IntendedPath {
   private:
     static constexpr Position left{-0.045, 0.0}, right{0.045, 0.0};
 
-    /// Where arms lie straight on each other there is no pose: the hand leans out beyond their
+    /// Arms that lie straight on each other have no pose: the hand then leans out beyond their
     /// reach.
     static Position place(const DeviceProfile& unit, JointAngles angles) {
         const auto pose = forward(unit.geometry, angles);
@@ -85,7 +85,7 @@ class Person final : public IntendedPath {
         return picture_from_device(unit, pose ? pose->p_DH : out);
     }
 
-    /// The bent arms, at their stop, as fingers feel them.
+    /// Returns true if the bent arms feel straight to fingers at their stop.
     static bool is_straight(const DeviceProfile& unit) {
         const bool is_home = unit.home_place != StopPlace::towards;
         return (is_home ? unit.home : unit.check.angles).x > 3.09;

@@ -1,5 +1,5 @@
-// Every way in which motors and encoders can be plugged in and turned, up to a wall that a hand
-// presses against: each ends right or is refused, and none pushes the hand on through the wall.
+// Tests every way to plug in and reverse motors and encoders, up to a wall that a hand presses
+// against: each ends right or is refused, and none pushes the hand on through the wall.
 #include "haptics/servo/servo_loop.h"
 #include "tests/app/device/device_visit.h"
 #include "tests/haptics/servo/rigs.h"
@@ -16,9 +16,9 @@
 namespace touchline {
 namespace {
 
-constexpr double nudge_Nm = 0.0305;  // what the test of the motors may tell, to a step of the duty
+constexpr double nudge_Nm = 0.0305;  // the most that the motor test may tell, to a step of the duty
 
-/// Of the motors on the hand, across the line, in the picture: up is on through the wall.
+/// The motors' force on the hand, across the line, in the picture: up pushes on through the wall.
 double made_force_y_N(const BoardEmulator& board) {
     const auto pose = forward(board.truth().profile.geometry, board.true_angles());
     const auto force_D = pose ? tip_force(pose->jacobian, board.plant().torques()) : std::nullopt;
@@ -26,12 +26,12 @@ double made_force_y_N(const BoardEmulator& board) {
 }
 
 struct Pressed {
-    double most_on_N = 0.0;  // through the wall, at any moment
-    double at_last_N = 0.0;  // while the hand presses
-    double tip_off_m = 0.0;  // between where the tip is and where the loop has it
+    double most_on_N = 0.0;  // through the wall, at most
+    double at_last_N = 0.0;  // at the end, while the hand presses
+    double tip_off_m = 0.0;  // between the true tip and the loop's tip
 };
 
-/// From below against a line through the middle of the picture.
+/// Presses from below against a line through the middle of the picture.
 Pressed press(DeviceVisit& visit) {
     constexpr Position below{0.0, -0.015}, beyond{0.0, 0.008};
     Pressed pressed;
@@ -67,7 +67,7 @@ double most_told_Nm(const BoardEmulator& board) {
 }
 
 struct Wires {
-    std::uint32_t motors = 0, encoders = 0;  // number_of()
+    std::uint32_t motors = 0, encoders = 0;  // as number_of() counts them
 };
 
 void PrintTo(const Wires& wires, std::ostream* out) {
@@ -89,10 +89,10 @@ BoardTruth plugged(const Wires& wires) {
     return truth;
 }
 
-/// Motors by encoders, each on its own ports or the other's, each joint this way round or that.
+/// Motors by encoders: each on its own port or the other's, each joint in either direction.
 class Plugged : public testing::TestWithParam<Wires> {
   protected:
-    /// What it is, once it became ready. Nothing but nudges was told until then.
+    /// Returns the calibration once the unit became ready. Until then only nudges are told.
     static std::optional<Calibration> made_ready(DeviceVisit& visit, const Calibration& stored) {
         visit.end_s = visit.rig.time.now_s + 250.0;
         EXPECT_TRUE(visit.rig.driver->open().has_value());
@@ -118,7 +118,7 @@ TEST_P(NewlyPlugged, AUnitEndsRight) {
     DeviceVisit visit(plugged(GetParam()));
     const auto unit = made_ready(visit, {});
     ASSERT_TRUE(unit.has_value()) << visit.person->heard.back();
-    // From then on it is known.
+    // From now on the unit is known.
     visit.rig.connect({}, *unit);
     visit.person->go({}, visit.rig.time.now_s);
     visit.person->heard.clear();
@@ -128,15 +128,16 @@ TEST_P(NewlyPlugged, AUnitEndsRight) {
     expect_a_wall(visit);
 }
 
-/// As it was measured everything was as usual; somebody has plugged it otherwise since. Encoders
-/// show in homing, and the unit is measured anew; motors alone are refused.
+/// Everything was as usual when the unit was measured; somebody has plugged it differently since.
+/// Homing notices encoders, and the unit is measured anew; motors alone are refused.
 TEST_P(Replugged, AKnownUnitEndsRightOrIsRefused) {
     Calibration stored;
     stored.is_measured = true;
     DeviceVisit visit(plugged(GetParam()), stored);
     const bool is_ready = made_ready(visit, stored).has_value();
     if (is_ready) expect_a_wall(visit);
-    // All exchanged and turned round is the mirror image, which two stops do not tell from itself.
+    // With everything exchanged and reversed it is the mirror image, which two stops cannot tell
+    // apart.
     const bool is_unseen = GetParam().encoders == 0 || GetParam().encoders == 7;
     const bool is_refused = is_unseen && GetParam().motors != GetParam().encoders;
     EXPECT_EQ(is_ready, !is_refused) << visit.person->heard.back();
@@ -145,11 +146,10 @@ TEST_P(Replugged, AKnownUnitEndsRightOrIsRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Every, NewlyPlugged,
                          testing::ValuesIn(wires_of({0, 1, 2, 3, 4, 5, 6, 7})));
-// Ports as usual or exchanged, both motors this way round or that, both encoders likewise.
+// Ports as usual or exchanged; both motors in either direction, and both encoders too.
 INSTANTIATE_TEST_SUITE_P(Sixteen, Replugged, testing::ValuesIn(wires_of({0, 1, 6, 7})));
 
-/// A person who takes the right for the left both times has a picture that is mirrored; the force
-/// is right all the same.
+/// A person who confuses right and left both times gets a mirrored picture, but the force is right.
 TEST(PluggedAsUsual, WhoTakesRightForLeftIsNotPushedOn) {
     DeviceVisit visit(plugged({}));
     visit.person->mistake_left();

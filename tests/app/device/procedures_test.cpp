@@ -1,4 +1,5 @@
-// Homing and the nudge test with the driver, an emulated board and a person who does what is said.
+// Tests homing and the nudge test with the driver, an emulated board and a person who does what is
+// said.
 #include "tests/app/device/device_visit.h"
 
 #include <algorithm>
@@ -135,7 +136,7 @@ TEST(Procedures, NoForceComesWhileTheMotorsHaveNoPowerAndThenItDoes) {
     EXPECT_TRUE(visit.was_heard("power of the motors"));
 }
 
-/// Homed, with the hand at the second stop from then on, whatever is said.
+/// A homed unit; the hand stays at the second stop, whatever is said.
 struct Homebody {
     explicit Homebody(bool have_motors_power = true) : visit(truth(have_motors_power)) {
         EXPECT_TRUE(visit.rig.driver->open().has_value());
@@ -149,7 +150,7 @@ struct Homebody {
         return truth;
     }
 
-    /// As long as it may take; what is said is not done.
+    /// A procedure that may take so long; the person does not do what is said.
     Procedure deaf(double longest_s) {
         Procedure procedure = visit.procedure();
         procedure.longest_s = longest_s;
@@ -201,7 +202,7 @@ TEST(Procedures, MotorsWithoutPowerAreTriedNoLongerThanItMayTake) {
     EXPECT_EQ(std::adjacent_find(heard.begin(), heard.end()), heard.end());
 }
 
-/// What the hand does with the handle decides nothing: it is asked to let go, for ever.
+/// A hand that holds on settles nothing: it is asked to let go again and again.
 TEST(Procedures, AHandleThatIsHeldProvesNothing) {
     BoardTruth truth;
     truth.hand = {0.5, 20.0, 6000.0, {}};  // a fist that leans on the table

@@ -1,5 +1,5 @@
-// Units as they were found in the field: each becomes ready with the tip within a millimetre, or it
-// is said what does not fit.
+// Tests units as found in the field: each becomes ready with the tip within a millimetre, or hears
+// what does not fit.
 #include "tests/app/device/device_visit.h"
 
 #include <algorithm>
@@ -17,13 +17,13 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double counts_4096 = 4096.0 / 4880.0 - 1.0;
 
-/// A unit, and the kind that whoever was asked said it is.
+/// A unit, and the kind that people say it is.
 struct FieldUnit {
     std::string name;
     std::string kind = "2diy-gen3.1";
-    JointAngles stop;             // of its bent arms, degrees
-    double scale_error = 0.0;     // relative: counts that it makes too many
-    bool has_all_counts = false;  // firmware that does not halve
+    JointAngles stop;             // for its bent arms, degrees
+    double scale_error = 0.0;     // relative: surplus of counts
+    bool has_all_counts = false;  // firmware that does not halve the counts
     bool do_counts_step_back = false;
     Plugs motors{}, encoders{};
 };
@@ -71,8 +71,7 @@ BoardTruth truth_of(const FieldUnit& unit) {
     const JointAngles stop = degree * unit.stop;
     const bool is_home_stretched = truth.profile.home_place == StopPlace::towards;
     (is_home_stretched ? truth.profile.check.angles : truth.profile.home) = stop;
-    truth.hand =
-        stiff_arm;  // that leans on the stop, so that friction leaves it a tenth from there
+    truth.hand = stiff_arm;  // leans on the stop, so that friction leaves it a tenth off
     truth.type = unit.kind == "haplet" ? BoardType::due : BoardType::m0;
     truth.firmware.has_all_counts = unit.has_all_counts;
     truth.scale_error = {unit.scale_error, unit.scale_error};
@@ -82,7 +81,7 @@ BoardTruth truth_of(const FieldUnit& unit) {
     return truth;
 }
 
-/// The worst of places all over the drawing area.
+/// Returns the worst error over places all over the drawing area.
 double worst_tip_off_m(DeviceVisit& visit) {
     const Area& area = visit.rig.board.truth().profile.area;
     double worst_m = 0.0;
@@ -110,7 +109,7 @@ TEST_P(Unit, BecomesReadyWithTheTipWithinAMillimetre) {
     EXPECT_EQ(ready->has_all_counts, unit.has_all_counts);
     const double worst_m = worst_tip_off_m(visit);
     EXPECT_LT(worst_m, 1e-3);
-    // And a second time as a known unit, in the order in which it is plugged in.
+    // A second time as a known unit, as when it is plugged in again.
     visit.rig.connect({}, *ready, &kind);
     visit.person->go({}, visit.rig.time.now_s);
     visit.end_s = visit.rig.time.now_s + 120.0;
@@ -122,7 +121,7 @@ TEST_P(Unit, BecomesReadyWithTheTipWithinAMillimetre) {
 INSTANTIATE_TEST_SUITE_P(Field, Unit, testing::ValuesIn(field_units()),
                          [](const auto& made) { return made.param.name; });
 
-/// A unit, taken for another kind than it is.
+/// A unit that is taken for another kind.
 struct Taken {
     FieldUnit unit;
     std::string kind;
@@ -140,19 +139,19 @@ std::vector<Taken> wrongly_taken() {
     return all;
 }
 
-/// The two gen 2 are a degree apart at the stop, which is less than can be read where their arms
-/// lie stretched.
+/// The two gen 2 differ by a degree at the stop, which cannot be read while their arms are
+/// stretched.
 double allowed_m(const Taken& taken) {
     return taken.unit.kind.starts_with("2diy-gen2") ? 1.25e-3 : 1e-3;
 }
 
 class WrongKind : public testing::TestWithParam<Taken> {};
 
-/// Two stops cannot tell a stop that stands elsewhere from an encoder that counts otherwise.
+/// Two stops cannot tell a stop in another place from an encoder that counts differently.
 TEST_P(WrongKind, IsSaidOrTheTipIsWithinAMillimetreAllTheSame) {
     const DeviceProfile kind = find_profile(GetParam().kind).value();
     DeviceVisit visit(truth_of(GetParam().unit), {}, &kind);
-    if (!visit.rig.driver->open()) return;  // a board that this kind has not
+    if (!visit.rig.driver->open()) return;  // this kind has no such board
     Procedure procedure = visit.procedure();
     const auto is_said = [&] {
         return visit.was_heard("of another kind") ||

@@ -16,7 +16,7 @@ namespace {
 const cv::Scalar kBlack(0, 0, 0);
 const cv::Scalar kWhite(255, 255, 255);
 
-/// Writes each thing into the file and into what is known of it.
+/// Writes each thing into the file and into the list of known paints.
 class Board {
   public:
     void stroke(const Polyline& line, double width_mm, const cv::Scalar& bgr = kBlack,
@@ -43,7 +43,7 @@ class Board {
 
     void bar(const cv::Rect2d& r, const cv::Scalar& bgr) { area(box(r), bgr); }
 
-    /// What nobody should feel: pale lines behind a chart.
+    /// Pale lines behind a chart, which nobody should feel.
     void grid_line(const cv::Point2d& a, const cv::Point2d& b) {
         body_ += fmt::format(
             R"(<path d="M{:.3f} {:.3f}L{:.3f} {:.3f}" stroke="#d8d8d8" stroke-width="0.25"/>)", a.x,
@@ -193,7 +193,7 @@ Drawing pie(Chance& chance) {
     return board.drawing();
 }
 
-/// A door's leaf and its quarter of a circle, in a gap of the wall from `at` along `along`.
+/// Adds a door's leaf and its quarter circle, in a gap of the wall from `at` along `along`.
 void add_door(Board& board, const cv::Point2d& at, const cv::Point2d& along,
               const cv::Point2d& into) {
     board.line(at, at + into, 0.35);
@@ -229,7 +229,7 @@ Drawing floor_plan(Chance& chance) {
 
 Drawing tactile_map(Chance& chance) {
     Board board;
-    board.bar({0.0, 0.0, kSheet_mm.width, kSheet_mm.height}, kWhite);  // no line of the map
+    board.bar({0.0, 0.0, kSheet_mm.width, kSheet_mm.height}, kWhite);  // not a line of the map
     const cv::Scalar road(119, 119, 119);
     const double width = chance.between(1.2, 2.4);
     const double y = chance.between(36.0, 48.0);

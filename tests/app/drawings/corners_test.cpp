@@ -1,5 +1,5 @@
-// Closed lines of a pen with sharp corners, from the file to the map: one closed line each, whose
-// corners are where they were drawn. TOUCHLINE_EXHAUSTIVE=1 tries more (tests/README.md).
+// Tests closed pen lines with sharp corners, from the file to the map: each must be one closed line
+// with its corners where they were drawn. TOUCHLINE_EXHAUSTIVE=1 tries more (tests/README.md).
 #include "tests/app/decode/encoders.h"
 #include "tests/app/drawings/felt.h"
 
@@ -25,7 +25,7 @@ using testing::Polyline;
 
 constexpr double kPx_mm = 1200.0 / 116.0;
 
-/// As a drawing program saves it: black on white, anti-aliased.
+/// Returns a PNG as a drawing program saves it: black on white, anti-aliased.
 testing::Drawing png_of(const Polyline& line, const Pen& pen) {
     testing::Canvas canvas({1200, 869}, cv::Scalar::all(255));
     canvas.stroke({line}, pen, cv::Scalar::all(0));
@@ -62,8 +62,9 @@ double length_of(const Polyline& ring) {
     return sum;
 }
 
-/// What is wrong with it, in words; nothing where it is one closed line, each corner within a
-/// millimetre, nowhere aside, and no longer than drawn: no spur, no way there and back.
+/// Returns what is wrong, in words. Returns nothing for one closed line whose corners are all
+/// within a millimetre, which nowhere strays and is no longer than drawn: no spur, no way there and
+/// back.
 std::string fault_of(const Polyline& drawn, const Pen& pen) {
     const auto view = testing::whole_view_of(png_of(drawn, pen), 3, 1e12);
     if (!view) return view.error().line;
@@ -91,14 +92,14 @@ struct Figure {
     Polyline line;
 };
 
-/// Upright, 600 pixels high.
+/// An upright triangle, 600 pixels high.
 Figure triangle(double apex_deg) {
     const double half = 600.0 * std::tan(apex_deg * std::numbers::pi / 360.0);
     return {fmt::format("triangle of {} degrees", apex_deg),
             ring_of({{600.0 - half, 740.0}, {600.0 + half, 740.0}, {600.0, 140.0}})};
 }
 
-/// Corners at even angles, at one distance from the middle and another in turn.
+/// Corners at even angles, alternating between two distances from the middle.
 Figure star(int rays, double inner) {
     Polyline line{{}, true};
     for (int i = 0; i < 2 * rays; ++i) {

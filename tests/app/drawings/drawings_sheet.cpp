@@ -1,6 +1,6 @@
-// Drawings beside what a hand gets of them: drawings_sheet -o SHEET.png NUMBER:SEED ... ; --files
-// FOLDER writes one file of each kind there. Numbers count the features of SVG, then the kinds of
-// charts; pdf:SEED is a page of PDF, and pdfNUMBER:SEED a drawing written as one.
+// Shows drawings beside what a hand gets of them: drawings_sheet -o SHEET.png NUMBER:SEED ... ;
+// --files FOLDER writes one file of each kind there. Numbers count the features of SVG, then the
+// kinds of charts; pdf:SEED is a page of PDF, and pdfNUMBER:SEED a drawing written as one.
 #include "app/decode/files.h"
 #include "app/decode/png_writer.h"
 #include "tests/app/drawings/charts.h"
@@ -36,7 +36,7 @@ int write_files(const std::string& folder) {
     return 0;
 }
 
-/// What an argument asks for.
+/// Returns the drawing that an argument asks for.
 std::optional<testing::Drawing> asked_for(const char* argument) {
     int number = 0;
     int seed = 0;

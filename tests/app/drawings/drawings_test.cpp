@@ -1,4 +1,4 @@
-// What is painted is what is felt: drawings made up at random, from the file to the map.
+// Tests that what is painted is what is felt, on random drawings from the file to the map.
 // TOUCHLINE_EXHAUSTIVE=1 makes more than 300 (tests/README.md).
 #include "tests/app/drawings/charts.h"
 #include "tests/app/drawings/felt.h"
@@ -16,13 +16,13 @@
 namespace touchline {
 namespace {
 
-constexpr double kLeastShare = 0.99;   // of one drawing: less is told
-constexpr double kLeastOfOne = 0.95;   // 0.974 and more were measured
-constexpr double kLeastOfKind = 0.97;  // of all of one kind
-constexpr double kLeastOfAll = 0.995;  // 0.9988 and more were measured
-constexpr double kMostFelt = 1.06;     // a line is felt once; 1.045 and less were measured
+constexpr double kLeastShare = 0.99;   // for one drawing: less is reported
+constexpr double kLeastOfOne = 0.95;   // the least measured was 0.974
+constexpr double kLeastOfKind = 0.97;  // for all of one kind
+constexpr double kLeastOfAll = 0.995;  // the least measured was 0.9988
+constexpr double kMostFelt = 1.06;     // a line is felt once; the most measured was 1.045
 
-/// What became of all drawings of some kinds, in words where one is below the bar.
+/// Adds up the results of all drawings of some kinds, and names each one below the bar.
 class Tally {
   public:
     void add(const testing::Drawing& drawing) {
@@ -94,7 +94,7 @@ TEST(Drawings, ChartsAndPlansAreFeltAsTheyArePainted) {
     tally.judge();
 }
 
-/// Most of its lines show in short pieces between the bars only.
+/// Most lines of the grid show only in short pieces between the bars.
 TEST(Drawings, AGridBetweenHighBarsIsNotFelt) {
     Tally tally;
     for (const int seed : {17, 28}) tally.add(testing::chart_drawing(0, seed));

@@ -19,16 +19,16 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kLeastLine_mm = 3.0;  // shorter ones are not asked for
+constexpr double kLeastLine_mm = 3.0;  // shorter lines are not judged
 
-/// A point of a line, which line, and how far along it.
+/// A point of a line: which line, and how far along it.
 struct Mark {
     cv::Point2d at;
     std::size_t line = 0;
     double along_mm = 0.0;
 };
 
-/// Points by place, for questions of what lies near.
+/// Points sorted by place, to find those nearby.
 class Marks {
   public:
     void add(const Mark& mark) {
@@ -55,7 +55,7 @@ class Marks {
     static constexpr int kColumns = 120;
     static constexpr int kRows = 90;
 
-    /// A millimetre wide.
+    /// Cells are a millimetre wide.
     static cv::Point cell_of(const cv::Point2d& at) {
         return {static_cast<int>(std::floor(at.x)) + 2, static_cast<int>(std::floor(at.y)) + 3};
     }
@@ -78,13 +78,13 @@ std::vector<Mark> marks_of(std::span<const cv::Point2d> points, std::size_t line
     return out;
 }
 
-/// As OpenCV measures them.
+/// Converts points to the type that OpenCV measures.
 std::vector<cv::Point2f> in_floats(const std::vector<cv::Point2d>& points) {
     return {points.begin(), points.end()};
 }
 
-/// Two lines, or one that comes back, lie within the gap: one of them is chosen, or led to the
-/// other.
+/// Returns true if two lines, or one that comes back, lie within the gap: one of them is then
+/// chosen, or led to the other.
 bool is_crowded(const Marks& seen, const cv::Point2d& at, double gap_mm) {
     bool is_first = true;
     Mark first;

@@ -106,7 +106,7 @@ Form star(Chance& chance, const cv::Point2d& c, double r) {
     return {line, fmt::format(R"(<path d="{}")", relative_path(line.points))};
 }
 
-/// Four smooth quarters, the second handle of each but the first left to be mirrored (S).
+/// Four smooth quarters; the second handle of all but the first is left out for mirroring (S).
 Form smooth(Chance& chance, const cv::Point2d& c, double r) {
     const double turn = chance.between(0.0, 90.0);
     const double pull = 0.5523 * r;

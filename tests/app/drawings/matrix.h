@@ -20,7 +20,7 @@ struct Matrix {
         return line;
     }
 
-    /// Areas are not nothing.
+    /// Requires that areas do not vanish.
     [[nodiscard]] Matrix inverse() const {
         const double area = a * d - b * c;
         return {d / area,
@@ -32,7 +32,7 @@ struct Matrix {
     }
 };
 
-/// First `n`, then `m`.
+/// Applies `n` first, then `m`.
 inline Matrix operator*(const Matrix& m, const Matrix& n) {
     return {m.a * n.a + m.c * n.b, m.b * n.a + m.d * n.b,       m.a * n.c + m.c * n.d,
             m.b * n.c + m.d * n.d, m.a * n.e + m.c * n.f + m.e, m.b * n.e + m.d * n.f + m.f};

@@ -13,9 +13,9 @@ namespace touchline::testing {
 namespace {
 
 constexpr double kPixels_per_mm = 20.0;
-constexpr int kShift = 8;  // fixed point of OpenCV's drawing
+constexpr int kShift = 8;  // bits of fixed point in OpenCV's drawing
 constexpr double kBeside_mm = 0.16;
-constexpr double kLeastDifference = 25.0;  // of a channel, 0 ... 255
+constexpr double kLeastDifference = 25.0;  // in a channel, 0 ... 255
 
 using Points = std::vector<cv::Point2d>;
 
@@ -56,7 +56,7 @@ void add_turns(const Points& ring, cv::Mat& turns) {
     }
 }
 
-/// How often the rings go round each pixel decides, or whether that is odd.
+/// Masks each pixel by how often the rings go round it, or by whether that number is odd.
 cv::Mat inside_of(const std::vector<Polyline>& rings, bool is_even_odd) {
     cv::Mat mask = blank_mask();
     if (is_even_odd) {
@@ -102,7 +102,7 @@ class Sheet {
     explicit Sheet(const Drawing& drawing)
         : colours_(painted(drawing.paints)), unjudged_(drawing.unjudged) {}
 
-    /// White beyond the sheet: there is nothing to see.
+    /// Returns white beyond the sheet, where there is nothing to see.
     [[nodiscard]] cv::Vec3b at(const cv::Point2d& mm) const {
         const cv::Point pixel(static_cast<int>(std::floor(mm.x * kPixels_per_mm)),
                               static_cast<int>(std::floor(mm.y * kPixels_per_mm)));
@@ -131,7 +131,7 @@ class Sheet {
     std::vector<cv::Rect2d> unjudged_;
 };
 
-/// Points in even steps, and across them.
+/// Points in even steps, and the normals there.
 struct Walk {
     Points points;
     Points normals;  // of length 1
@@ -154,7 +154,7 @@ Walk walk_along(const Polyline& line) {
     return walk;
 }
 
-/// Stretches of neighbouring points that are there.
+/// Adds stretches of neighbouring points that are set.
 void add_stretches(const std::vector<std::optional<cv::Point2d>>& points, bool is_closed,
                    bool is_border, std::vector<SeenLine>& out) {
     if (std::all_of(points.begin(), points.end(), [](const auto& p) { return p.has_value(); })) {
@@ -163,7 +163,7 @@ void add_stretches(const std::vector<std::optional<cv::Point2d>>& points, bool i
         out.push_back(std::move(line));
         return;
     }
-    std::size_t start = 0;  // a ring is cut where a point is missing
+    std::size_t start = 0;  // a ring is cut at a missing point
     if (is_closed)
         start = static_cast<std::size_t>(std::find(points.begin(), points.end(), std::nullopt) -
                                          points.begin());
@@ -211,14 +211,14 @@ double distance_mm(const cv::Point2d& at, const Polyline& line) {
     return least;
 }
 
-/// Whether the stroke itself goes on there, round a corner.
+/// Returns true if the stroke itself goes on there, round a corner.
 bool is_own(const Paint& paint, const cv::Point2d& at) {
     return std::any_of(paint.lines.begin(), paint.lines.end(), [&](const Polyline& line) {
         return distance_mm(at, line) < 0.5 * paint.width_mm + 0.5 * kBeside_mm;
     });
 }
 
-/// Where a thin stroke is felt here: its middle, or the one side that can be seen.
+/// Returns where a thin stroke is felt here: its middle, or its one visible side.
 std::optional<cv::Point2d> seen_stroke(const Sheet& sheet, const Paint& paint,
                                        const cv::Point2d& at, const cv::Point2d& across) {
     if (!sheet.is_asked(at) || !is_inside(at, paint)) return std::nullopt;
@@ -243,7 +243,8 @@ double turn_deg(const cv::Point2d& before, const cv::Point2d& at, const cv::Poin
     return std::abs(std::atan2(in.cross(out), in.dot(out))) * 180.0 / std::numbers::pi;
 }
 
-/// The sides of a wide stroke: beside each point of its line, and round its corners and ends.
+/// Returns the sides of a wide stroke: beside each point of its line, and round its corners and
+/// ends.
 std::vector<Polyline> sides_of(const Polyline& line, double width_mm) {
     const double half = 0.5 * width_mm;
     std::vector<Polyline> out;

@@ -1,19 +1,19 @@
-// Pages of PDF made up at random, with what is painted on them known from the generator's own
-// numbers. Threads: pure functions.
+// Random PDF pages; the generator's own numbers tell what is painted on them.
+// Threads: pure functions.
 #pragma once
 
 #include "tests/app/drawings/paint.h"
 
 namespace touchline::testing {
 
-/// So many pages have every kind of figure.
+/// Returns how many pages are needed for every kind of figure.
 [[nodiscard]] int pdf_page_count();
 
-/// Six figures beside each other, of kinds that follow each other from page to page; the same for
-/// the same number.
+/// Returns a page of six figures side by side, whose kinds follow each other from page to page; the
+/// same for the same number.
 [[nodiscard]] Drawing pdf_page(int number);
 
-/// What the drawing paints, as a page of PDF with a caption or none.
+/// Returns what the drawing paints as a PDF page, with or without a caption.
 [[nodiscard]] Drawing as_pdf(const Drawing& drawing, int seed);
 
 }  // namespace touchline::testing

@@ -12,7 +12,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kFigure_mm = 15.0;  // its radius
+constexpr double kFigure_mm = 15.0;  // radius
 
 using Place = cv::Point2d;
 
@@ -112,7 +112,7 @@ void clipped_lines_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
     }
 }
 
-/// The pen is uneven, as the map of its units.
+/// The pen is as uneven as the map of its units.
 void uneven_pen_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
     const Matrix units{chance.between(0.6, 1.0),  chance.between(-0.4, 0.4),
                        chance.between(-0.5, 0.5), chance.between(0.5, 0.9),
@@ -127,7 +127,7 @@ const Polyline& triangle() {
     return line;
 }
 
-/// One form, placed three times.
+/// One form XObject, placed three times.
 void form_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
     const Paint paint = stroked(triangle(), chance.between(0.4, 1.0), any_ink(chance).bgr);
     const std::string form = sheet.add_resource(
@@ -159,7 +159,7 @@ void tiled_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
         sheet.know(stroked(moved(triangle(), corner + tile), paint.width_mm, paint.colour));
 }
 
-/// Shaded: one dark colour goes over into another, along or outwards.
+/// Shading: one dark colour blends into another, along a line or outwards.
 void shaded_figure(PdfSheet& sheet, Chance& chance, const Place& at) {
     const Form form = any_form(chance, at, kFigure_mm);
     const std::string way =

@@ -1,5 +1,5 @@
-// Figures that pages of PDF are made of, each around one feature of the format. Threads: pure
-// functions of the chance.
+// Figures for PDF pages, each around one feature of the format.
+// Threads: pure functions of the chance.
 #pragma once
 
 #include "tests/app/drawings/pdf_sheet.h"
@@ -14,7 +14,7 @@ struct PdfFigure {
     void (*draw)(PdfSheet&, Chance&, const cv::Point2d& centre);
 };
 
-/// Each of 15 mm around its centre.
+/// Returns figures with a radius of 15 mm around their centre.
 [[nodiscard]] std::span<const PdfFigure> pdf_figures();
 
 }  // namespace touchline::testing

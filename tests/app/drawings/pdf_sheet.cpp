@@ -10,8 +10,8 @@
 namespace touchline::testing {
 namespace {
 
-/// Leads from the sheet to a page with this many points for a millimetre, which a viewer turns
-/// clockwise by so many quarters.
+/// Maps the sheet to a page with this many points per millimetre, which a viewer turns clockwise by
+/// so many quarters.
 Matrix page_matrix(double k, int quarter_turns) {
     const double width = k * kSheet_mm.width;
     const double height = k * kSheet_mm.height;
@@ -27,7 +27,7 @@ Matrix page_matrix(double k, int quarter_turns) {
     }
 }
 
-/// How much longer than written a line can become.
+/// Returns how much longer than written a line can become.
 double most_stretch(const Matrix& m) {
     const double sum = m.a * m.a + m.b * m.b + m.c * m.c + m.d * m.d;
     const double area = m.a * m.d - m.b * m.c;
@@ -115,7 +115,7 @@ void PdfSheet::say(std::string_view words, const cv::Point2d& at, double size_mm
 }
 
 std::string PdfSheet::add_object(const std::string& body) {
-    constexpr std::size_t first = 5;  // of those that written_pdf leaves
+    constexpr std::size_t first = 5;  // after those that written_pdf uses
     objects_.push_back(body);
     return fmt::format("{} 0 R", first + objects_.size() - 1);
 }

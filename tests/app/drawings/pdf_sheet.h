@@ -1,5 +1,5 @@
-// A page of PDF in writing, and what is painted on it. Millimetres of the sheet, y downwards.
-// Threads: one sheet, one thread.
+// Writes a PDF page and records what is painted on it. Lengths are millimetres of the sheet, y
+// downwards. Threads: one sheet, one thread.
 #pragma once
 
 #include "tests/app/drawings/matrix.h"
@@ -15,38 +15,38 @@ namespace touchline::testing {
 
 class PdfSheet {
   public:
-    /// Its size, boxes, turn and unit are chosen at random.
+    /// Chooses size, boxes, turn and unit at random.
     explicit PdfSheet(Chance& chance);
 
-    /// Written with joins, caps and units of length by chance; broad strokes are round.
+    /// Paints with random joins, caps and units of length; broad strokes are round.
     void paint(const Paint& paint);
 
-    /// Written in units that become the sheet's by this map; it may make the pen uneven, whose
-    /// width is that of its broad side.
+    /// Paints in units that this map turns into the sheet's. It may make the pen uneven; the pen's
+    /// width is then that of its broad side.
     void paint(const Paint& paint, const Matrix& units);
 
-    /// The operators that paint it so.
+    /// Returns the operators that paint this.
     [[nodiscard]] std::string operators_of(const Paint& paint, const Matrix& units = {});
 
-    /// Painted by operators that were written otherwise.
+    /// Records what operators written elsewhere paint.
     void know(const Paint& paint) { paints_.push_back(paint); }
 
     void write(std::string_view operators) { content_ += operators; }
 
-    /// Words from here on, turned; grey from black (0) to white (1).
+    /// Writes words from here on, turned; grey from black (0) to white (1).
     void say(std::string_view words, const cv::Point2d& at, double size_mm, double turn_deg = 0.0,
              double grey = 0.0);
 
-    /// How it is asked for: "7 0 R".
+    /// Adds an object and returns its reference: "7 0 R".
     [[nodiscard]] std::string add_object(const std::string& body);
 
-    /// A resource of a category as "/Pattern", its name: "/R3".
+    /// Adds a resource to a category such as "/Pattern" and returns its name: "/R3".
     [[nodiscard]] std::string add_resource(const std::string& category, const std::string& value);
 
-    /// What patterns are written in, by this map.
+    /// Returns the map of the units that patterns are written in.
     [[nodiscard]] Matrix units_of_patterns() const;
 
-    /// Without kind and name.
+    /// Returns the drawing, without kind and name.
     [[nodiscard]] Drawing drawing();
 
   private:
@@ -59,16 +59,16 @@ class PdfSheet {
     int quarter_turns_ = 0;
     cv::Point2d corner_pt_;
     bool is_cropped_ = false;
-    bool is_form_ = false;  // all of it in one form
+    bool is_form_ = false;  // everything is in one form XObject
     Matrix to_page_;        // from the sheet
     std::string content_;
     std::vector<std::string> objects_;
-    std::map<std::string, std::string> resources_;  // of each category
+    std::map<std::string, std::string> resources_;  // by category
     int resource_count_ = 0;
     std::vector<Paint> paints_;
 };
 
-/// Six numbers as PDF has them.
+/// Writes six numbers as PDF does.
 [[nodiscard]] std::string written(const Matrix& matrix);
 
 }  // namespace touchline::testing

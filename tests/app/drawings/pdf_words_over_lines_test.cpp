@@ -1,4 +1,4 @@
-// Words on a PDF's drawing take none of its lines away, be they to be seen or not.
+// Tests that words on a PDF's drawing, visible or not, take none of its lines away.
 #include "tests/app/decode/pdf_writer.h"
 #include "tests/app/drawings/felt.h"
 #include "vision/simplify/detail_limits.h"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPt_per_mm = 5.0;  // on a page of 580 x 420
 
-/// Points from the lower left corner: a house with a door, a window and a path.
+/// A house with a door, a window and a path, in points from the lower left corner.
 const std::vector<std::vector<cv::Point2d>>& house() {
     static const std::vector<std::vector<cv::Point2d>> lines{
         {{120, 80}, {460, 80}, {460, 250}, {120, 250}, {120, 80}},

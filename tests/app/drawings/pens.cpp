@@ -66,7 +66,7 @@ std::span<const Dashing> dashings() {
 Drawing dashed_drawing(const Dashing& dashing, int seed) {
     Chance chance(700'000 + seed);
     const double width = dashing.width_mm;
-    // A cap of half a width stands out of either end of a dash.
+    // A round cap extends each end of a dash by half the width.
     const double on = dashing.dash_mm > 0.0 && dashing.is_round
                           ? std::max(0.0, dashing.dash_mm - width)
                       : dashing.dash_mm > 0.0 ? dashing.dash_mm

@@ -1,5 +1,5 @@
-// Strokes that come as pixels: dashes and dots, each line felt as one; thin and thick ones across
-// each other, each a line or an area all along.
+// Tests strokes that come as pixels: each line of dashes or dots is felt as one line; crossing
+// strokes, thin and thick, are a line or an area all along.
 #include "tests/app/drawings/pens.h"
 
 #include "tests/app/drawings/felt.h"
@@ -102,7 +102,7 @@ TEST(Pens, BrokenLinesAloneAreFeltAndNamed) {
         }
 }
 
-/// A stroke, and not its two sides.
+/// One stroke is felt, not its two sides.
 TEST(Pens, AThinFilledOutlineIsOneLine) {
     for (const double width_mm : {0.6, 2.0})
         for (const bool is_even_odd : {true, false})
@@ -118,7 +118,7 @@ TEST(Pens, AThinFilledOutlineIsOneLine) {
             }
 }
 
-/// Strokes of no length are painted where their caps are round.
+/// Strokes of zero length are painted if their caps are round.
 TEST(Pens, ADotOfARoundCapAloneIsARing) {
     testing::Drawing drawing;
     drawing.file = R"(<svg xmlns="http://www.w3.org/2000/svg" width="400" height="300">)"

@@ -40,13 +40,13 @@ Drawing with_file(const Drawing& drawing, const cv::Mat& bgr, std::string_view w
 struct Bed {
     std::string_view name;
     bool is_dark = false;
-    double free_left = 0.0;  // of the picture's sides: between its frame and the sheet
+    double free_left = 0.0;  // share of the picture's side between its frame and the sheet
     double free_top = 0.0;
     double free_right = 0.0;
     double free_bottom = 0.0;
     double most_turn_deg = 0.0;
     double shadow_mm = 0.0;
-    double corner_mm = 0.0;  // radius of the sheet's
+    double corner_mm = 0.0;  // radius of the sheet's corners
     bool has_holes = false;
 };
 
@@ -63,7 +63,7 @@ constexpr std::array<Bed, 10> kBeds{{
     {"rounded, on a dark bed", true, 0.06, 0.06, 0.06, 0.06, 3.0, 0.0, 5.0},
 }};
 
-/// Leads from millimetres of the sheet to those of the picture.
+/// Maps millimetres of the sheet to those of the picture.
 class Placing {
   public:
     Placing(const Bed& bed, double turn_deg)
@@ -81,7 +81,7 @@ class Placing {
         return middle_ + cv::Point2d(c * x - s * y, s * x + c * y);
     }
 
-    /// The sides differ by a few hundredths: a stroke is as wide in the middle.
+    /// The two scales differ by a few hundredths, so a stroke gets their mean.
     [[nodiscard]] double of_width(double mm) const { return 0.5 * (wide_ + high_) * mm; }
 
     [[nodiscard]] std::vector<Polyline> of(std::vector<Polyline> lines) const {
@@ -102,7 +102,7 @@ class Placing {
         return {low, high};
     }
 
-    /// The same between pixels, counted from the first one's corner.
+    /// The same map between pixels, counted from the first pixel's corner.
     [[nodiscard]] cv::Matx23d in_pixels(double px_mm) const {
         const cv::Point2d o = (*this)({0.0, 0.0});
         const cv::Point2d x = (*this)({1.0, 0.0}) - o;
@@ -117,8 +117,8 @@ class Placing {
     cv::Point2d middle_;
 };
 
-/// The sheet's own form, in pixels of the drawing: rounded, with holes; 255 inside. real: a
-/// millimetre of the paper at the hand.
+/// The sheet's own shape in pixels of the drawing: rounded, with holes; 255 inside. real: a
+/// millimetre of paper at the hand.
 cv::Mat form_of(const Bed& bed, double real, cv::Size size) {
     const double px_mm = size.width / kSheet_mm.width;
     const int r = static_cast<int>(bed.corner_mm * px_mm);

@@ -1,5 +1,5 @@
-// Drawings as a scanner or a camera sees them: softer, shaded, noisy, on a bed. Threads: pure
-// functions.
+// Drawings as a scanner or a camera sees them: softer, shaded, noisy, on a bed.
+// Threads: pure functions.
 #pragma once
 
 #include "config/types/result.h"
@@ -8,18 +8,18 @@
 
 namespace touchline::testing {
 
-/// The drawing printed and scanned: softer, unevenly lit, noisy, as a JPEG; differently for each
-/// seed. Fails, with one line, where the kiosk does not open the drawing.
+/// Returns the drawing printed and scanned, as a JPEG: softer, unevenly lit, noisy; different for
+/// each seed. Fails with one line if the kiosk does not open the drawing.
 [[nodiscard]] Result<Drawing> scanned(const Drawing& drawing, int seed);
 
-/// The drawing as pixels, as they are painted but for `effects`. Fails likewise.
+/// Returns the drawing as pixels, as painted except for `effects`. Fails likewise.
 [[nodiscard]] Result<Drawing> as_pixels(const Drawing& drawing, const Effects& effects);
 
-/// How many ways there are for a sheet to lie.
+/// Returns the number of ways in which a sheet can lie.
 [[nodiscard]] int bed_kind_count();
 
-/// The drawing on its sheet, scanned with what lies around it; nothing around the sheet is a line
-/// to be seen. kind: 0 ... count - 1, the same for the same seed. Fails likewise.
+/// Returns the drawing on its sheet, scanned with what lies around it; nothing around the sheet is
+/// a line to be seen. kind: 0 ... count - 1, the same for the same seed. Fails likewise.
 [[nodiscard]] Result<Drawing> scanned_on_bed(const Drawing& drawing, int kind, int seed);
 
 }  // namespace touchline::testing

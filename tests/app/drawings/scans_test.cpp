@@ -1,4 +1,4 @@
-// Drawings that come as scans: what is felt of them, and of what lies around their sheet.
+// Tests drawings that come as scans: what is felt of them, and of what lies around their sheet.
 // TOUCHLINE_EXHAUSTIVE=1 makes five times as many (tests/README.md).
 #include "tests/app/drawings/scans.h"
 
@@ -19,7 +19,7 @@ int seeds_of_scans() {
     return std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr ? 5 : 1;
 }
 
-/// Adds what became of one scan, in words where it is below the share.
+/// Adds the result of one scan, and prints it if it is below the share.
 void add_scan(const Result<testing::Drawing>& scan, double least_share, testing::Counted& seen,
               testing::Counted& felt) {
     ASSERT_TRUE(scan.has_value()) << scan.error().line;
@@ -49,7 +49,7 @@ TEST(Scans, ChartsAreFeltAsTheyWerePrinted) {
 }
 
 TEST(Scans, WhatLiesAroundASheetIsNotFelt) {
-    constexpr std::array<int, 3> kWithoutNumbers{4, 5, 6};  // pie, floor plan, map of streets
+    constexpr std::array<int, 3> kWithoutNumbers{4, 5, 6};  // pie, floor plan, street map
     testing::Counted seen;
     testing::Counted felt;
     for (int bed = 0; bed < testing::bed_kind_count(); ++bed)

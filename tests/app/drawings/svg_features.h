@@ -1,5 +1,5 @@
-// The features of SVG that drawings are made around, by what they change. Threads: pure functions
-// of the chance.
+// The features of SVG that drawings are made around, grouped by what they change.
+// Threads: pure functions of the chance.
 #pragma once
 
 #include "tests/app/drawings/paint.h"
@@ -13,16 +13,16 @@ namespace touchline::testing {
 
 struct SvgFeature {
     std::string_view name;
-    Drawing (*draw)(Chance&);  // without kind and name
+    Drawing (*draw)(Chance&);  // draws without kind and name
 };
 
-/// Fills, strokes, colours and what is painted over.
+/// Returns fills, strokes, colours and what is painted over.
 [[nodiscard]] std::span<const SvgFeature> svg_paint_features();
 
-/// Sizes, units, transforms, clips, masks and what is used again.
+/// Returns sizes, units, transforms, clips, masks and reuse.
 [[nodiscard]] std::span<const SvgFeature> svg_place_features();
 
-/// An SVG of the sheet's size around `body`.
+/// Returns an SVG of the sheet's size around `body`.
 [[nodiscard]] std::string svg_sheet(std::string_view body);
 
 inline const cv::Point2d kLeftHalf_mm(30.0, 42.0);
@@ -31,7 +31,7 @@ inline const cv::Point2d kRightHalf_mm(86.0, 42.0);
 /// One of eight dark colours.
 struct Ink {
     cv::Scalar bgr;
-    std::string css;  // written in one of several ways
+    std::string css;  // in one of several notations
 };
 
 [[nodiscard]] Ink any_ink(Chance& chance);
@@ -39,7 +39,7 @@ struct Ink {
 [[nodiscard]] Paint filled(const Polyline& line, const cv::Scalar& bgr);
 [[nodiscard]] Paint stroked(const Polyline& line, double width_mm, const cv::Scalar& bgr);
 
-/// A pen's width: 0.4 ... 2.6 mm.
+/// Returns a pen's width: 0.4 ... 2.6 mm.
 [[nodiscard]] double pen_mm(Chance& chance);
 
 }  // namespace touchline::testing

@@ -183,7 +183,7 @@ Drawing painted_over(Chance& chance) {
          filled(above.line, is_white ? cv::Scalar(255, 255, 255) : cv::Scalar(0x40, 0xb0, 0xf0))});
 }
 
-/// What is there and cannot be seen, each in one of the ways to hide it.
+/// Elements that exist but cannot be seen, each hidden in one of several ways.
 Drawing hidden(Chance& chance) {
     const Form form = any_form(chance, kLeftHalf_mm, 23.0);
     const Form other = any_form(chance, kRightHalf_mm, 23.0);

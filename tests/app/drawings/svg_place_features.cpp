@@ -147,7 +147,7 @@ Drawing masks(Chance& chance) {
         {paint});
 }
 
-/// The sheet in another unit of length, with and without a viewBox.
+/// The sheet in another unit of length, with or without a viewBox.
 Drawing units(Chance& chance) {
     struct Unit {
         std::string_view name;
@@ -201,7 +201,7 @@ Drawing percents(Chance& chance) {
         {stroked(box, width, {0, 0, 0}), filled(oval, {0x40, 0x60, 0x20})});
 }
 
-/// A viewBox that begins elsewhere and counts in other units.
+/// A viewBox with another origin and other units.
 Drawing view_boxes(Chance& chance) {
     const Pair pair = any_pair(chance);
     const bool in_px = chance.coin();
@@ -259,7 +259,7 @@ Drawing entities(Chance& chance) {
     return in_file(head + sheet.substr(sheet.find("<svg")), pair.paints());
 }
 
-/// On a ground of the sheet's own size, pale or dark; and on none, in white.
+/// Forms on a ground of the sheet's own size, pale or dark, or in white without a ground.
 Drawing grounds(Chance& chance) {
     Pair pair = any_pair(chance);
     const int way = chance.below(3);

@@ -18,7 +18,7 @@ constexpr int columns = 7;
 constexpr int words_px = 16;
 constexpr int rim_px = 6;
 
-/// One picture in its frame, its file's name below.
+/// Draws one picture in its frame, with its file's name below.
 void draw(const ShippedPicture& picture, cv::Mat1b cell) {
     const cv::Rect frame(0, 0, cell.cols - rim_px, cell.rows - rim_px - words_px);
     cv::rectangle(cell, frame, 200);

@@ -1,4 +1,4 @@
-// What a hand needs of the lines of every shipped picture (app/gallery/README.md).
+// Tests what a hand needs of the lines of every shipped picture (app/gallery/README.md).
 #include "app/decode/map_svg.h"
 #include "tests/app/gallery/pictures.h"
 
@@ -13,10 +13,11 @@ namespace {
 
 constexpr double least_gap_m = 0.003;
 constexpr double rim_m = 0.003;
-constexpr double touching_m = 0.00002;      // two flattened curves that meet, at 0.01 mm each
-constexpr double junction_reach_m = 0.008;  // around a touch, lines are bound to be near
+constexpr double touching_m = 0.00002;      // two flattened curves that meet may each be 0.01 mm
+                                            // off
+constexpr double junction_reach_m = 0.008;  // around a junction, lines are bound to be near
 
-/// Points along an outline, half a millimetre apart or less.
+/// Returns points along an outline, half a millimetre apart or less.
 std::vector<Position> sampled(const Outline& outline) {
     std::vector<Position> points;
     const std::size_t n = outline.points.size();
@@ -43,7 +44,7 @@ Position nearest_on(const Outline& outline, Position p) {
     return best;
 }
 
-/// Where two outlines meet: crossings of their segments, and ends of one on the other.
+/// Returns where two outlines meet: crossings of their segments, and ends of one on the other.
 std::vector<Position> junctions(const Outline& a, const Outline& b) {
     std::vector<Position> found;
     const auto cut = [](const Outline& outline, std::size_t i) {
@@ -74,7 +75,7 @@ std::vector<Position> junctions(const Outline& a, const Outline& b) {
     return found;
 }
 
-/// The least distance of a to b, away from where they meet.
+/// Returns the least distance of a to b, away from where they meet.
 double gap_between(const Outline& a, const Outline& b) {
     const auto met = junctions(a, b);
     double least = std::numeric_limits<double>::infinity();
@@ -87,7 +88,7 @@ double gap_between(const Outline& a, const Outline& b) {
     return least;
 }
 
-/// The least distance between two places of one outline that are far apart along it.
+/// Returns the least distance between two places of one outline that are far apart along it.
 double gap_within(const Outline& outline) {
     const auto points = sampled(outline);
     std::vector<double> at{0.0};

@@ -1,4 +1,4 @@
-// What a listener needs of the words of every shipped picture, in each of their languages.
+// Tests what a listener needs of the words of every shipped picture, in each language.
 #include "app/decode/files.h"
 #include "app/decode/map_svg.h"
 #include "tests/app/gallery/pictures.h"
@@ -19,7 +19,7 @@ using Words = std::vector<std::string>;
 constexpr std::size_t longest_sentence_words = 15;
 constexpr std::size_t longest_name_words = 7;
 
-/// What nobody says to who cannot see: colours, and to look. Small letters, whole words.
+/// Words that are unfit for people who cannot see: colours, and "look". In lower case, whole words.
 const std::map<std::string, std::set<std::string>> unfit_words{
     {"en",
      {"see", "sees", "seen", "saw", "view", "look", "looks", "looking", "watch", "red", "green",
@@ -37,8 +37,8 @@ const std::map<std::string, std::set<std::string>> unfit_words{
      {"vedere", "vede", "veda", "visto", "vista", "guarda", "guardare", "guardando", "rosso",
       "rossa", "verde", "blu", "azzurro", "giallo", "nero", "nera", "bianco", "bianca", "grigio"}}};
 
-/// What the ear takes for something else: the kiosk's level, the handle in the visitor's hand, the
-/// white stick; or what the voice says as another word.
+/// Words that the ear takes for something else (the kiosk's level, the handle in the visitor's
+/// hand, the white stick), or that the voice says as another word.
 const std::map<std::string, std::set<std::string>> misheard_words{
     {"en", {"level", "stick", "bow", "bows"}},
     {"fr", {"dos", "roues", "ouïe", "l’est"}},
@@ -57,8 +57,7 @@ std::string with_plain_blanks(std::string text) {
     return text;
 }
 
-/// Small letters; marks at the ends of a word dropped; what has neither letter nor digit is no
-/// word.
+/// Returns the words in lower case, without marks at their ends.
 Words words_in(const std::string& sentence) {
     Words words;
     std::istringstream stream(with_plain_blanks(sentence));
@@ -94,7 +93,7 @@ void expect_fit(const std::string& text, const std::string& language) {
     }
 }
 
-/// The marks before which the text lacks the blank that French has there.
+/// Returns the marks that lack the blank that French puts before them.
 std::string marks_without_blank(const std::string& text) {
     std::string marks;
     for (std::size_t at = 0; at < text.size(); ++at) {
@@ -110,7 +109,7 @@ std::string marks_without_blank(const std::string& text) {
 
 constexpr auto gap = "nobody said it";
 
-/// What stands between every `opening` and the next '<' becomes the gap.
+/// Replaces the text between every `opening` and the next '<' by the gap.
 std::string with_gaps(std::string text, const std::string& opening) {
     for (auto at = text.find(opening); at != std::string::npos; at = text.find(opening, at + 1)) {
         const auto begin = at + opening.size();
@@ -119,7 +118,7 @@ std::string with_gaps(std::string text, const std::string& opening) {
     return text;
 }
 
-/// What stands between the last '>' and every `closing` becomes the gap.
+/// Replaces the text between the last '>' and every `closing` by the gap.
 std::string with_gaps_before(std::string text, const std::string& closing) {
     for (auto at = text.find(closing); at != std::string::npos; at = text.find(closing, at + 1)) {
         const auto begin = text.rfind('>', at) + 1;
@@ -129,12 +128,12 @@ std::string with_gaps_before(std::string text, const std::string& closing) {
     return text;
 }
 
-/// The file with everything that is said in no language of its own replaced.
+/// Replaces every text of the file that has no language tag.
 std::string without_english(const std::string& text) {
     return with_gaps_before(with_gaps(with_gaps(text, "<title>"), "<desc>"), "</text>");
 }
 
-/// Everything that a map says.
+/// Returns everything that a map says.
 Words said_by(const TactileMap& map) {
     Words said{map.title, map.description};
     for (const Outline& outline : map.outlines) said.push_back(outline.label);
@@ -170,7 +169,7 @@ TEST_P(PictureWords, SentencesAreShortAndPlain) {
     }
 }
 
-/// The title is said first.
+/// The title is said before the description.
 TEST_P(PictureWords, TheDescriptionGoesOnWhereTheTitleEnds) {
     for (const ShippedPicture& picture : shipped_pictures({GetParam()}))
         EXPECT_FALSE(picture.map.description.starts_with(picture.map.title)) << picture.name;
@@ -257,7 +256,7 @@ TEST(Pictures, GradesRiseWithThePartsAndNoneIsEmpty) {
     for (int grade = 1; grade <= 5; ++grade) EXPECT_GE(pictures_of[grade], 3) << grade;
 }
 
-/// Else run gallery_sheet, which also draws them all in one picture.
+/// If this fails, run gallery_sheet, which also draws them all in one picture.
 TEST(Pictures, TheReadmeListsThem) {
     const auto bytes = read_file(TOUCHLINE_SOURCE_DIR "/app/gallery/README.md").value();
     const std::string readme(reinterpret_cast<const char*>(bytes.data()), bytes.size());

@@ -32,7 +32,7 @@ std::vector<ShippedPicture> shipped_pictures(const LanguageTag& language) {
 
 std::vector<std::string> part_names(const TactileMap& map) {
     std::vector<std::string> names;
-    const Outline* path = nullptr;  // the first outline of the path that is read
+    const Outline* path = nullptr;  // the first outline of the current path
     for (const Outline& outline : map.outlines) {
         if (path != nullptr && outline.label == path->label &&
             outline.id.starts_with(path->id + "-"))

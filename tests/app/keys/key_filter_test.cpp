@@ -1,4 +1,4 @@
-// Presses that count (accessibility IN-4).
+// Tests which presses count (accessibility IN-4).
 #include "app/keys/key_filter.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ TEST(KeyFilter, AnotherKeyIsNoSecondStrike) {
     EXPECT_TRUE(filter.takes(down(b, 1.001)));
 }
 
-/// A hand that trembles faster than the filter is heard twice a second, not never.
+/// A hand that trembles faster than the filter is still heard twice a second.
 TEST(KeyFilter, TremblingIsHeard) {
     KeyFilter filter(0.5);
     int counted = 0;
@@ -61,8 +61,8 @@ TEST(KeyFilter, TremblingIsHeard) {
     EXPECT_LE(counted, 20);
 }
 
-/// Whatever comes: two presses of a key that count are never nearer than the filter says, and
-/// there is a release between them.
+/// Two counted presses of a key are never closer than the filter says, and there is a release
+/// between them.
 RC_GTEST_PROP(KeyFilter, NeverCountsTwiceWithinTheFilter, ()) {
     const double double_strike_s = *rc::gen::inRange(0, 51) / 100.0;
     KeyFilter filter(double_strike_s);

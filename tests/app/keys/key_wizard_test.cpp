@@ -1,5 +1,5 @@
-// The wizard that learns the keys: whatever is pressed, its table has all six roles or none is
-// kept.
+// Tests the wizard that learns the keys: whatever is pressed, its table has all six roles or none
+// is kept.
 #include "app/keys/key_wizard.h"
 
 #include <gtest/gtest.h>

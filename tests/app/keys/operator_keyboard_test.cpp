@@ -1,4 +1,4 @@
-// A FIFO stands for the device: what an input device gives is read from it byte for byte.
+// Tests reading an input device byte for byte; a FIFO stands for the device.
 #include "app/keys/operator_keyboard.h"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// All of a screen with two switches, and with one (accessibility IN-9).
+// Tests that two switches, or one, reach all of a screen (accessibility IN-9).
 #include "app/keys/two_switches.h"
 
 #include <set>
@@ -8,7 +8,7 @@
 namespace touchline {
 namespace {
 
-/// A list that takes roles as every screen does.
+/// A list that handles roles as every screen does.
 struct List {
     SpokenScreen screen;
     std::vector<KeyRole> pressed;

@@ -1,5 +1,4 @@
-// Operators who come in by the six keys and what is said, also while a visit runs.
-// Threads: one.
+// An operator who uses only the six keys and what is said, also while a visit runs. Threads: one.
 #pragma once
 
 #include "tests/app/kiosk/blind_visitor.h"
@@ -8,16 +7,16 @@
 
 namespace touchline {
 
-/// The keys that open the operator's screens.
+/// Presses the keys that open the operator's screens.
 void enter(BlindVisitor& staff);
 
-/// Digits 1, 2, 3, 4.
+/// Enters the digits 1, 2, 3, 4.
 void enter_pin(BlindVisitor& staff);
 
-/// enter(), a new PIN, and down to a setting by these names, which is then held.
+/// Calls enter(), sets a new PIN, goes down to a setting by these names, and holds it.
 void hold_setting(BlindVisitor& staff, std::initializer_list<const char*> names);
 
-/// The setting that is held, down to its least value.
+/// Turns the held setting down to its least value.
 void turn_to_least(BlindVisitor& staff);
 
 }  // namespace touchline

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int longest_list = 80;
 
-/// Is any line of what was said this item? Items are said first in their sentence.
+/// Returns true if any line of what was said begins with this item; a sentence says its item first.
 bool names(const std::string& heard, const std::string& item) {
     return ("\n" + heard).find("\n" + item) != std::string::npos;
 }
@@ -35,7 +35,7 @@ bool BlindVisitor::find(const std::string& item) {
 }
 
 bool BlindVisitor::choose(const std::string& item) {
-    press(KeyRole::up);  // what has the focus now is said when it is come back to
+    press(KeyRole::up);  // coming back to the item with the focus says it
     press(KeyRole::down);
     if (!find(item)) return false;
     press(KeyRole::select);

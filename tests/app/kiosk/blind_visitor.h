@@ -1,4 +1,4 @@
-// A visitor who knows nothing but what was said, presses one of six keys and moves the handle.
+// A visitor who knows only what was said, presses one of six keys and moves the handle.
 // Threads: one.
 #pragma once
 
@@ -10,25 +10,26 @@ namespace touchline {
 
 class BlindVisitor {
   public:
-    /// `pause_s`: between one key and the next.
+    /// `pause_s`: the time between two keys.
     explicit BlindVisitor(KioskWorld& world, double pause_s = 0.5)
         : world_(world), pause_s_(pause_s) {}
 
-    /// Goes down the list until an item begins so, as it is said. False: it came round without one.
+    /// Goes down the list until an item begins with these words as it is said. Returns false if the
+    /// list came round without one.
     [[nodiscard]] bool find(const std::string& item);
 
-    /// Finds it and selects it. What was said since is heard().
+    /// Finds the item and selects it. heard() then returns what was said since.
     [[nodiscard]] bool choose(const std::string& item);
 
     void press(KeyRole role);
 
-    /// All that was said since the last key.
+    /// Returns all that was said since the last key.
     [[nodiscard]] std::string heard() const { return world_.heard().text_since(since_); }
 
-    /// Until something with these words is said, or the time is over.
+    /// Waits until something with these words is said. Returns false if that takes longer.
     [[nodiscard]] bool wait_for(const std::string& words, double most_s = 20.0);
 
-    /// The longest answer of all keys so far: from the key to the first sound or word.
+    /// Returns the longest answer to any key so far: from the key to the first sound or word.
     [[nodiscard]] double slowest_answer_s() const { return slowest_answer_s_; }
 
     [[nodiscard]] int keys() const { return keys_; }

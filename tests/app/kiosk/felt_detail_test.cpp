@@ -1,4 +1,4 @@
-// The operator's detail through the whole kiosk, from the key to the force on the handle.
+// Tests the operator's detail through the whole kiosk, from the key to the force on the handle.
 #include "tests/app/kiosk/blind_operator.h"
 #include "tests/app/kiosk/felt_wall.h"
 
@@ -10,7 +10,8 @@
 namespace touchline {
 namespace {
 
-/// A line of "A house" and how the hand meets it: from a place that is free at every detail.
+/// A line of "A house" and how the hand meets it, starting from a place that is free at every
+/// detail.
 struct LineOfHouse {
     int detail;
     Position free;
@@ -28,7 +29,7 @@ constexpr std::array lines{
 
 class FeltDetail : public testing::TestWithParam<int> {};
 
-/// In the visit that runs: lines above it are not there, all others are walls.
+/// The visit goes on: lines above the detail are not felt, all others are walls.
 TEST_P(FeltDetail, IsEveryValueThatTheOperatorCanSet) {
     WallWorld world;
     BlindVisitor staff(world, 0.2);

@@ -1,4 +1,4 @@
-// The operator's levels through the whole kiosk, from the key to the force on the handle.
+// Tests the operator's levels through the whole kiosk, from the key to the force on the handle.
 #include "tests/app/kiosk/blind_operator.h"
 #include "tests/app/kiosk/felt_wall.h"
 
@@ -13,7 +13,7 @@ namespace touchline {
 namespace {
 
 constexpr int most_level = 16;
-constexpr double least_told = 1e-6;  // of a level, and in metres of a place
+constexpr double least_told = 1e-6;  // for levels, and in metres for places
 
 constexpr Position middle{0.0, 0.0};  // of "A heart" and "A circle"
 
@@ -25,7 +25,7 @@ double distance_m(Position p, const Segment& segment) {
     return norm(p - (segment.a + share * way));
 }
 
-/// From the curves as they are at a level.
+/// The distance to the curves as they are rendered at a level.
 double distance_m(Position p, const CurveSet& curves, double level) {
     double least_m = std::numeric_limits<double>::infinity();
     for (int piece = 0; piece < static_cast<int>(curves.pieces().size()); ++piece) {
@@ -35,7 +35,7 @@ double distance_m(Position p, const CurveSet& curves, double level) {
     return least_m;
 }
 
-/// Behind the outline, as seen from the middle, where its coarsest level is farthest from its
+/// A place behind the outline, seen from the middle, where its coarsest level is farthest from its
 /// finest.
 Position behind_line(KioskWorld& world) {
     constexpr double push_m = 0.003;
@@ -52,7 +52,8 @@ Position behind_line(KioskWorld& world) {
     return (1.0 + push_m / norm(place)) * place;
 }
 
-/// The level that acts where this one is fixed: device, proxy, time and picture go before.
+/// The level that acts if the operator fixes `set`: device, proxy, time and picture take
+/// precedence.
 double possible_level(KioskWorld& world, int set) {
     LevelTerms terms = world.kiosk().hand().level_terms;
     terms.finest = terms.coarsest = set;
@@ -78,7 +79,7 @@ void hold_level(KioskWorld& world, BlindVisitor& staff, const char* setting,
     ASSERT_NO_FATAL_FAILURE(hold_setting(staff, {"How it feels", "Levels", setting}));
 }
 
-/// In the visit that runs; the wall under the hand moves to that of the level.
+/// The visit goes on; the wall under the hand moves to that of the level.
 TEST(FeltLevel, IsEveryFixedLevelThatTheOperatorCanSet) {
     WallWorld world;
     BlindVisitor staff(world, 0.2);
@@ -109,7 +110,7 @@ TEST(FeltLevel, IsEveryFixedLevelThatTheOperatorCanSet) {
     EXPECT_EQ(world.kiosk().force().fault, Fault::none);
 }
 
-/// Of a hand that stands still the finest level is the one that is felt.
+/// A hand that stands still feels the finest level.
 TEST(FeltLevel, GetsNoFinerThanEveryFinestLevelThatTheOperatorCanSet) {
     WallWorld world;
     BlindVisitor staff(world, 0.2);
@@ -131,8 +132,7 @@ TEST(FeltLevel, GetsNoFinerThanEveryFinestLevelThatTheOperatorCanSet) {
     }
 }
 
-/// Level 1 of a circle feels the same as level 0, so that it is felt unless the operator forbids
-/// it.
+/// Level 1 of a circle feels the same as level 0, so it acts unless the operator forbids it.
 TEST(FeltLevel, GetsNoCoarserThanEveryCoarsestLevelThatTheOperatorCanSet) {
     WallWorld world;
     BlindVisitor staff(world, 0.2);

@@ -1,4 +1,4 @@
-// The operator's stiffness through the whole kiosk, from the key to the force on the handle.
+// Tests the operator's stiffness through the whole kiosk, from the key to the force on the handle.
 #include "tests/app/kiosk/blind_operator.h"
 #include "tests/app/kiosk/felt_wall.h"
 
@@ -11,10 +11,10 @@
 namespace touchline {
 namespace {
 
-constexpr double tolerance = 0.02;  // of a stiffness; what is left of the encoders' steps
+constexpr double tolerance = 0.02;  // share of a stiffness; what the encoders' steps leave
 constexpr double tick_s = 0.001;
 
-// Of "A house": a corridor between the right window and the right wall, which is at x = 38 mm.
+// In "A house": a corridor between the right window and the right wall, which is at x = 38 mm.
 constexpr Position corridor{0.0345, -0.005};
 constexpr Position behind_wall{0.0406, -0.005};
 constexpr Position along_wall{0.0, -0.012};
@@ -23,7 +23,7 @@ double felt_N_per_m(KioskWorld& world) {
     return feel_wall(world, behind_wall, along_wall).stiffness_N_per_m;
 }
 
-/// Until the stiffness no longer changes, with a hand that pushes and moves as hands do.
+/// Waits until the stiffness no longer changes; the hand pushes and moves as hands do.
 void wait_for_ramp(KioskWorld& world) {
     for (int i = 0; i < 60; ++i) {
         const double before = world.kiosk().hand().stiffness_N_per_m;
@@ -39,7 +39,7 @@ void hold_stiffness(KioskWorld& world, BlindVisitor& staff) {
     ASSERT_NO_FATAL_FAILURE(hold_setting(staff, {"How it feels", "Lines and force", "Firmness"}));
 }
 
-/// In the visit that runs, each as it is turned to.
+/// The visit goes on; each value is felt as soon as the operator turns to it.
 TEST(FeltStiffness, IsEveryValueThatTheOperatorCanSet) {
     WallWorld world;
     BlindVisitor staff(world, 0.2);
@@ -57,7 +57,7 @@ TEST(FeltStiffness, IsEveryValueThatTheOperatorCanSet) {
     EXPECT_EQ(world.kiosk().force().fault, Fault::none);
 }
 
-/// What a ramp may do in a tick: the stiffness rises by 5 % a second, and falls by 15 N a second.
+/// The largest changes in one tick. A ramp may rise by 5 % a second and fall by 15 N a second.
 struct Ramp {
     double most_rise = 0.0;    // share in a tick
     double most_fall_N = 0.0;  // in a tick
@@ -90,7 +90,7 @@ TEST(FeltStiffness, IsRampedUnderAHandThatPushes) {
     world.servo().on_tick = [&ramp](const HandState& hand) { ramp.watch(hand); };
     for (const KeyRole role : {KeyRole::up, KeyRole::down}) {
         for (int i = 0; i < 12; ++i) staff.press(role);
-        for (int i = 0; i < 45; ++i) {  // who stands still for long has let go
+        for (int i = 0; i < 45; ++i) {  // a hand that stands still for long has let go
             lead_hand(world, behind_wall + (i % 2 == 0 ? 0.1 : 0.0) * along_wall);
             world.run(1.0);
         }
@@ -102,7 +102,7 @@ TEST(FeltStiffness, IsRampedUnderAHandThatPushes) {
     EXPECT_GT(ramp.most_rise, 0.0);
     EXPECT_LE(ramp.most_fall_N, 1.1 * 15.0 * tick_s);
     EXPECT_GT(ramp.most_fall_N, 0.0);
-    // The step of an encoder makes the most of it: 0.1 mm at 700 N/m, of two encoders.
+    // Encoder steps make up most of it: 0.1 mm at 700 N/m, on two encoders.
     EXPECT_LE(ramp.most_force_step_N, 0.15);
 }
 
@@ -128,7 +128,7 @@ TEST(FeltStiffness, IsWhatTheLoopAllowsAndTheScreenSaysSo) {
     EXPECT_NEAR(felt_N_per_m(world), 400.0, tolerance * 400.0);
 }
 
-/// Without real-time priority a device is held to half of what is set.
+/// Without real-time priority a device gets half of what is set.
 TEST(FeltStiffness, IsTheShareThatTheTierLeavesAndTheScreenSaysSo) {
     WallWorld world;
     world.servo().set_tier(limits_of(RealTimeTier::best_effort));
@@ -147,7 +147,7 @@ TEST(FeltStiffness, IsTheShareThatTheTierLeavesAndTheScreenSaysSo) {
     EXPECT_EQ(world.kiosk().force().fault, Fault::none);
 }
 
-/// The visitor's named steps lie round what the operator sets, also while it changes.
+/// The visitor's named steps follow the operator's stiffness, also while it changes.
 TEST(FeltStiffness, OfAVisitorsStepsIsAShareOfTheOperators) {
     WallWorld world;
     BlindVisitor visitor(world, 0.2);
@@ -170,7 +170,7 @@ TEST(FeltStiffness, OfAVisitorsStepsIsAShareOfTheOperators) {
     }
 }
 
-/// Before anybody came; of a file that says what cannot be, nothing holds.
+/// Tested before any visitor comes. A file with an impossible value changes nothing.
 TEST(FeltStiffness, OfTheSitesFileHoldsAtOnceAndBadOnesDoNot) {
     WallWorld world;
     const auto write = [&world](const std::string& value) {

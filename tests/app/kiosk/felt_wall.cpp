@@ -15,7 +15,7 @@ Position meant(KioskWorld& world) {
     return world.servo().hand().at(0.0).position;
 }
 
-/// On average, while the hand slides.
+/// Averages while the hand slides.
 struct Push {
     double force_N = 0.0;
     double depth_m = 0.0;
@@ -65,7 +65,7 @@ void lead_hand(KioskWorld& world, Position place_W) {
 }
 
 FeltWall feel_wall(KioskWorld& world, Position deep, Position along) {
-    constexpr double light_share = 0.56;  // of the way to `deep`: just behind the wall
+    constexpr double light_share = 0.56;  // share of the way to `deep`: just behind the wall
     const Position before = meant(world);
     const Push light = push(world, before + light_share * (deep - before), along);
     const Push hard = push(world, deep, along);

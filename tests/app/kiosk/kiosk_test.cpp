@@ -1,4 +1,4 @@
-// What the kiosk carries out of a visit, and what it tells it, with all its parts.
+// Tests what the kiosk carries out for a visit and what it tells the visit, with all its parts.
 #include "tests/app/kiosk/blind_visitor.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
@@ -25,8 +25,8 @@ TEST(Kiosk, SP1_AKeyBeginsAVisitWithSpeechAtOnce) {
     EXPECT_TRUE(is_visit_on(world.kiosk().visit()));
 }
 
-/// Another part of what a visitor brought is of the same file, though its place in the list is
-/// another's by now.
+/// Another part of a visitor's picture comes from the same file, even if another file now has its
+/// place in the list.
 TEST(Kiosk, ADetailOfAPictureOfAStickThatWasPulledIsOfThatPicture) {
     KioskWorld world;
     BlindVisitor visitor(world);
@@ -43,7 +43,7 @@ TEST(Kiosk, ADetailOfAPictureOfAStickThatWasPulledIsOfThatPicture) {
     EXPECT_GT(world.servo().felt_count, felt) << visitor.heard();
 }
 
-/// What a visitor calls a picture is nobody's business but theirs.
+/// The log never names a visitor's picture.
 TEST(Kiosk, AFileOfAStickIsNotNamedInTheLog) {
     KioskWorld world;
     BlindVisitor visitor(world);
@@ -53,13 +53,14 @@ TEST(Kiosk, AFileOfAStickIsNotNamedInTheLog) {
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.choose("English"));
     ASSERT_TRUE(visitor.choose("Your USB stick"));
-    (void)world.kiosk().take_report();  // of parts that are not there
+    (void)world.kiosk().take_report();  // about missing parts
     ASSERT_TRUE(visitor.choose("secret")) << visitor.heard();
     ASSERT_TRUE(visitor.wait_for("This file is no picture that can be felt.")) << visitor.heard();
     EXPECT_EQ(world.kiosk().take_report(), "a visitor's picture cannot be felt\n");
 }
 
-/// A camera's card: found in its folder, named by its date in the list and when it is felt.
+/// A camera's card: its pictures are found in their folder and named by date, in the list and when
+/// felt.
 TEST(Kiosk, APictureOfACameraIsNamedByItsDateInTheVisitorsLanguage) {
     KioskWorld world;
     BlindVisitor visitor(world);

@@ -27,7 +27,7 @@ Result<cv::Mat> read_bgr(const fs::path& file) {
     return cv::Mat(picture->height, picture->width, CV_8UC3, picture->bgr.data()).clone();
 }
 
-/// Of a test of its own, as tests may run at once.
+/// Each test has its own folder, as tests may run at once.
 fs::path own_folder_of_test() {
     const auto* const info = testing::UnitTest::GetInstance()->current_test_info();
     return fs::path(testing::TempDir()) / (std::to_string(getpid()) + "-" + info->name());
@@ -94,7 +94,7 @@ void KioskWorld::put_stick(const std::vector<fs::path>& files) {
     for (const fs::path& file : files)
         fs::copy(file, folder_ / "arriving" / file.filename(), fs::copy_options::recursive);
     fs::rename(folder_ / "arriving", folder_ / "stick");
-    // The folder is watched and listed in real time, by a process.
+    // A process watches and lists the folder in real time.
     for (int i = 0; i < 200 && !kiosk_->visit().visitor.stick_list; ++i) {
         run(0.2);
         std::this_thread::sleep_for(std::chrono::milliseconds(10));

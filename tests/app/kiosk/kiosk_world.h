@@ -1,5 +1,5 @@
-// The whole kiosk but its window on a virtual clock: real gallery, real workers, a stick in a
-// folder, a camera of pictures, a simulated pantograph. Threads: one.
+// The whole kiosk without its window on a virtual clock: real gallery, real workers, a folder as
+// the stick, a camera of pictures, a simulated pantograph. Threads: one.
 #pragma once
 
 #include "app/kiosk/kiosk.h"
@@ -17,25 +17,25 @@ namespace touchline {
 
 class KioskWorld {
   public:
-    /// In all languages. `is_in_window`: of somebody's desktop. `gallery`: in
-    /// these languages. `finder`: of main things; empty: there is no network.
+    /// Speaks all languages. `is_in_window`: runs in a desktop window. `gallery`: in these
+    /// languages. `finder`: finds main things; empty: there is no network.
     explicit KioskWorld(bool is_in_window = false, Gallery gallery = whole_gallery(all_languages()),
                         ThingFinder finder = {});
     ~KioskWorld();
     KioskWorld(const KioskWorld&) = delete;
     KioskWorld& operator=(const KioskWorld&) = delete;
 
-    /// Time goes on, frame by frame.
+    /// Passes time, frame by frame.
     void run(double for_s);
 
-    /// A key, then a frame.
+    /// Presses a key, then steps one frame.
     void press(KeyRole role);
 
-    /// A stick with these files, and folders with all that is in them.
+    /// Puts in a stick with these files, and folders with all their contents.
     void put_stick(const std::vector<std::filesystem::path>& files);
     void pull_stick();
 
-    /// What lies under the camera from now on.
+    /// Lays this picture under the camera.
     void lay(const std::filesystem::path& picture);
 
     [[nodiscard]] double now_s() const { return now_s_; }
@@ -48,7 +48,7 @@ class KioskWorld {
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
-    /// What the operator sets, in a folder of this world.
+    /// The operator's files, in a folder of this world.
     [[nodiscard]] OperatorFiles site_files() const;
 
     int minute_of_day = 12 * 60;
@@ -57,7 +57,7 @@ class KioskWorld {
     double now_s_ = 0.0;
     std::filesystem::path folder_;
     std::shared_ptr<Heard> heard_ = std::make_shared<Heard>();
-    SteppedServo* servo_ = nullptr;  // the kiosk's
+    SteppedServo* servo_ = nullptr;  // owned by the kiosk
     std::unique_ptr<Kiosk> kiosk_;
 };
 

@@ -50,7 +50,7 @@ TEST(MissingParts, ASoundThatGoesIsOneLineOfTheLog) {
     EXPECT_EQ(world.kiosk().take_report(), "");
 }
 
-/// A folder stands where the counters would be written, whoever the test runs as.
+/// A folder stands in place of the counters' file, so writing fails for any user.
 TEST(MissingParts, ADiskThatTakesNothingIsOneLine) {
     KioskWorld world;
     OperatorFiles files = world.site_files();

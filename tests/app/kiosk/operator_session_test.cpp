@@ -1,4 +1,4 @@
-// The operator's operator_session on real files, through restarts of the kiosk.
+// Tests OperatorSession on real files, through restarts of the kiosk.
 #include "app/kiosk/operator_session.h"
 
 #include "app/decode/files.h"
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A kiosk that can be switched off at any moment; its clock begins anew each time.
+/// A kiosk that can be switched off at any moment; its clock restarts each time.
 class PinAndPlug : public testing::Test {
   protected:
     PinAndPlug() {
@@ -37,7 +37,7 @@ class PinAndPlug : public testing::Test {
         (void)operator_->apply(MomentPassed{}, language_, now_s_);
     }
 
-    /// A kiosk of the PIN 0001 that reads sticks by this script instead of touchline-import.
+    /// Starts a kiosk with the PIN 0001 that runs this script instead of touchline-import.
     void start_with_import(const std::string& script) {
         EXPECT_TRUE(keep_pin(files_.pin, "0001"));
         const fs::path program = world_.folder() / "import";
@@ -57,7 +57,8 @@ class PinAndPlug : public testing::Test {
                 heard_ += (said_ = say->text) + '\n';
     }
 
-    /// From the visitors' screen: the way in, and a PIN that is all zeros but its last digit.
+    /// Opens the operator's screens from the visitors' screen and tries a PIN of zeros and this
+    /// last digit.
     void try_pin(int last_digit) {
         for (const KeyRole role : {KeyRole::help, KeyRole::up, KeyRole::up, KeyRole::down,
                                    KeyRole::down, KeyRole::select})
@@ -75,7 +76,7 @@ class PinAndPlug : public testing::Test {
         press(KeyRole::back);
     }
 
-    /// An item of the screen that is open; false where there is none of that name.
+    /// Selects an item of the open screen; returns false if no item has that name.
     bool choose(const std::string& label) {
         for (int i = 0; i < 40; ++i) {
             const SpokenScreen screen = operator_->screen(language_);
@@ -99,8 +100,8 @@ class PinAndPlug : public testing::Test {
     std::vector<std::string> problems_;
     std::optional<OperatorSession> operator_;
     double now_s_ = 0.0;
-    std::string said_;   // last
-    std::string heard_;  // at the last key
+    std::string said_;   // last sentence
+    std::string heard_;  // since the last key
 };
 
 TEST_F(PinAndPlug, PullingThePlugGivesNoTryForNothing) {
@@ -150,7 +151,7 @@ TEST_F(PinAndPlug, WhereNothingCanBeNotedEachWrongOneCostsTime) {
     EXPECT_TRUE(operator_->is_inside()) << said_;
 }
 
-/// What to do, in the operator's language; the log has the line, with its path.
+/// The operator hears what to do in their language; the log gets the line with its path.
 TEST_F(PinAndPlug, WhatCannotBeReadOrKeptIsSaidAndItsLineIsTheLogs) {
     ASSERT_TRUE(keep_pin(files_.pin, "0001"));
     start();
@@ -177,7 +178,7 @@ TEST_F(PinAndPlug, WhatCannotBeReadOrKeptIsSaidAndItsLineIsTheLogs) {
     }
 }
 
-/// What stands in for touchline-import leaves a mark and then hangs.
+/// A script replaces touchline-import: it leaves a mark and then hangs.
 class StickOfTheOperator : public PinAndPlug {
   protected:
     StickOfTheOperator() {
@@ -209,7 +210,7 @@ TEST_F(StickOfTheOperator, IsNotEvenListedBeforeThePinIsGiven) {
     EXPECT_TRUE(fs::exists(mark_));
 }
 
-/// What stands in for touchline-import lists one network, which is none.
+/// A script replaces touchline-import: it lists one network that is damaged.
 class NetworkOnTheStick : public PinAndPlug {
   protected:
     NetworkOnTheStick() {
@@ -221,7 +222,7 @@ class NetworkOnTheStick : public PinAndPlug {
         try_pin(1);
     }
 
-    /// A sentence of the stick's, which has to come.
+    /// Waits for a sentence about the stick, which must come.
     std::string poll() {
         std::optional<std::string> line;
         for (int i = 0; !line && i < 6000; ++i) {
@@ -250,7 +251,7 @@ TEST_F(NetworkOnTheStick, IsTakenByItsChecksumAlone) {
     EXPECT_FALSE(is_installed(networks().front()));
 }
 
-/// However long the stick takes, a call of the operator_session does not wait for it.
+/// No call of OperatorSession waits for the stick, however slow it is.
 TEST_F(StickOfTheOperator, KeepsNobodyWaiting) {
     try_pin(1);
     ASSERT_TRUE(operator_->is_inside());

@@ -1,4 +1,4 @@
-// The packs on the operator's stick, by the real touchline-import.
+// Tests the packs on the operator's stick with the real touchline-import.
 #include "app/kiosk/operator_stick.h"
 
 #include "tests/app/sticks/stick_folder.h"
@@ -17,7 +17,7 @@ using Names = std::vector<std::string>;
 
 class OperatorStickTest : public testing::Test {
   protected:
-    /// Until there are so many, which has to come.
+    /// Waits until there are `count` names, which must come.
     void wait_for_names(std::size_t count) {
         for (int i = 0; i < 6000 && packs.names().size() != count; ++i) {
             EXPECT_EQ(packs.poll(), "");
@@ -53,7 +53,7 @@ TEST_F(OperatorStickTest, AreForgottenWithTheirStick) {
     const StickFolder other;
     other.file("a.zip");
     other.file("b.zip");
-    packs.look_at(stick.root());  // and pulled while it is listed
+    packs.look_at(stick.root());  // pulled while it is being listed
     (void)packs.poll();
     packs.look_at(other.root());
     ASSERT_NO_FATAL_FAILURE(wait_for_names(2));

@@ -1,4 +1,4 @@
-// The operator in the whole kiosk: by six keys and what is said, from a fresh install.
+// Tests the operator in the whole kiosk, by six keys and what is said, from a fresh install.
 #include "config/settings/settings_text.h"
 #include "tests/app/kiosk/blind_operator.h"
 #include "tests/app/kiosk/kiosk_world.h"
@@ -23,7 +23,7 @@ TEST(OperatorRun, FromAFreshInstallToPinStiffnessLevelsAndACopy) {
     BlindVisitor staff(world, 0.2);
     enter(staff);
     ASSERT_TRUE(world.kiosk().is_operator_in()) << staff.heard();
-    enter_pin(staff);  // a new one, twice
+    enter_pin(staff);  // a new PIN, twice
     enter_pin(staff);
     EXPECT_TRUE(fs::exists(world.site_files().pin));
     EXPECT_EQ(text_of(world.site_files().pin).find("1234"), std::string::npos);
@@ -115,7 +115,7 @@ TEST(OperatorRun, AKindThatIsChosenReachesTheServoAndItsWordsTheOperator) {
     EXPECT_EQ(world.servo().kinds_chosen.size(), 1U);
 }
 
-/// Nobody pressed Begin: it began with the kiosk.
+/// Homing began with the kiosk; nobody pressed Begin.
 TEST(OperatorRun, AWrongPlugIsToldOnThePagesOfTheHandle) {
     KioskWorld world;
     world.servo().words = "There is no force. Turn its plug round.";
@@ -130,7 +130,7 @@ TEST(OperatorRun, AWrongPlugIsToldOnThePagesOfTheHandle) {
     EXPECT_NE(staff.heard().find(world.servo().words), std::string::npos) << staff.heard();
 }
 
-/// A visitor would be told to call them.
+/// A visitor would be told to call the staff.
 TEST(OperatorRun, TheStaffAreToldWhatToDoAboutADeadHandle) {
     KioskWorld world;
     world.servo().words = "homing ended: the board was unplugged or gave up; plug it in";
@@ -147,7 +147,7 @@ TEST(OperatorRun, TheStaffAreToldWhatToDoAboutADeadHandle) {
     EXPECT_EQ(world.kiosk().live_facts().message, told);
 }
 
-/// Whoever is in.
+/// The emergency stop acts whoever uses the kiosk.
 TEST(OperatorRun, TheEmergencyStopActsWhileTheOperatorIsIn) {
     KioskWorld world;
     BlindVisitor staff(world, 0.2);
@@ -168,7 +168,7 @@ void strike_r(KioskWorld& world) {
     strike(world, 'R');
 }
 
-/// A house whose operator has chosen a PIN and gone.
+/// The operator has chosen a PIN and left.
 void choose_pin(KioskWorld& world) {
     BlindVisitor staff(world, 0.2);
     enter(staff);
@@ -178,7 +178,7 @@ void choose_pin(KioskWorld& world) {
     ASSERT_FALSE(world.kiosk().is_operator_in());
 }
 
-/// What the operator's keys order.
+/// What the operator's keys have ordered.
 struct Ordered {
     bool is_stopped = false;
     std::uint32_t cleared = 0;
@@ -235,7 +235,7 @@ TEST(OperatorRun, WhoGaveThePinUsesTheStaffsKeysAtAnyKeyboard) {
               (Ordered{false, stopped.cleared + 1, stopped.homings + 1, stopped.held, true}));
 }
 
-/// Any key is one to be learned there, and Q must not end the kiosk.
+/// On that screen any key can be assigned, and Q must not end the kiosk.
 TEST(OperatorRun, AKeyThatIsLearnedIsNoOrder) {
     KioskWorld world;
     choose_pin(world);
@@ -249,7 +249,7 @@ TEST(OperatorRun, AKeyThatIsLearnedIsNoOrder) {
     EXPECT_FALSE(world.kiosk().desk().is_quitting);
 }
 
-/// As long as there is no PIN to give, and in a window of somebody's desktop.
+/// The keys are free as long as no PIN is set, and in a desktop window.
 TEST(OperatorRun, WithoutAPinAndInAWindowTheKeysAreAnybodys) {
     for (const bool is_in_window : {false, true}) {
         KioskWorld world(is_in_window);
@@ -262,7 +262,7 @@ TEST(OperatorRun, WithoutAPinAndInAWindowTheKeysAreAnybodys) {
     }
 }
 
-/// Anybody at a keyboard may hold the last minute in memory; a file is made behind the PIN alone.
+/// Anybody at a keyboard may hold the last minute in memory; only the PIN lets one write a file.
 TEST(OperatorRun, OnlyWhoGaveThePinSavesARecording) {
     KioskWorld world;
     strike_r(world);
@@ -322,7 +322,7 @@ TEST(OperatorRun, APinIsOnNoScreen) {
     EXPECT_EQ(world.kiosk().caption(), "");
 }
 
-/// The visit that is under way neither asks nor shakes, and the operator's hand begins none.
+/// The running visit neither asks nor shakes, and the operator's hand starts none.
 TEST(OperatorRun, LeavesAVisitAsItWas) {
     KioskWorld world;
     BlindVisitor visitor(world);
@@ -378,7 +378,7 @@ TEST(House, IsMaintainedUntilItIsNot) {
     EXPECT_FALSE(is_visit_on(world.kiosk().visit()));
 }
 
-/// Kept by a site's file that somebody edited while the kiosk runs.
+/// Somebody edits the site's file while the kiosk runs.
 TEST(House, AFileOfSettingsThatChangesHoldsAtOnceAndABadOneDoesNot) {
     KioskWorld world;
     const fs::path site = world.site_files().settings.site;

@@ -11,7 +11,7 @@
 namespace touchline {
 namespace {
 
-/// All that tracing calls a line.
+/// All labels that tracing gives to lines.
 std::set<std::string> traced_labels() {
     std::set<std::string> labels;
     for (int of = 0; of <= static_cast<int>(LineOf::background); ++of) {

@@ -9,7 +9,7 @@
 namespace touchline {
 namespace {
 
-/// Gives a preview at every step, and the still when it was asked for.
+/// Gives a preview at every step, and a still after one was asked for.
 class MadeUpCamera final : public Camera {
   public:
     struct State {
@@ -51,7 +51,7 @@ class MadeUpCamera final : public Camera {
     bool is_wanted_ = false;
 };
 
-/// A toy on a table, without any paper: dark, on grey.
+/// A dark toy on a grey table, without any paper.
 cv::Mat toy() {
     cv::Mat scene(600, 800, CV_8UC3, cv::Scalar::all(190));
     cv::circle(scene, {400, 300}, 150, cv::Scalar::all(70), cv::FILLED);

@@ -37,7 +37,7 @@ TEST(PictureFacts, ATitleThatAPersonGaveIsSaidElseTheNameOfTheFile) {
     EXPECT_EQ(title(""), "") << "a photograph has no name";
 }
 
-/// The list says "photo 20 41, J P G", for there is a "photo 20 41, H E I C" too.
+/// The list says "photo 20 41, J P G", because there is a "photo 20 41, H E I C" too.
 TEST(PictureFacts, TheNameOfAFileIsSaidAsItsListSaysIt) {
     LoadedScene scene = house();
     const PictureFile file{"IMG_2041.jpg", "IMG_2041", "", true, {}, "IMG_2041.jpg"};

@@ -1,4 +1,5 @@
-// A visit with a shape in the hand, by the six keys and what is said, through the production servo.
+// Tests a visit with a shape in the hand, by the six keys and what is said, through the production
+// servo.
 #include "tests/app/kiosk/blind_visitor.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
@@ -31,7 +32,7 @@ void take(BlindVisitor& visitor, const std::string& shape) {
     ASSERT_TRUE(visitor.choose(shape)) << visitor.heard();
 }
 
-/// Where the heart's outline lies to the right of its middle.
+/// The place where the heart's outline lies to the right of its middle.
 Position right_side(KioskWorld& world) {
     Position farthest;
     for (const Outline& outline : world.servo().picture().map->outlines) {
@@ -60,13 +61,13 @@ TEST(ShapeVisit, ABarIsTakenStoppedTurnedAndPutDown) {
     const HandState& hand = world.kiosk().hand();
     EXPECT_EQ(hand.shape, HeldShape::bar);
     ASSERT_TRUE(hand.is_shape_placed);
-    // Its end meets the line before the hand does.
+    // The shape's end meets the line before the hand does.
     world.servo().hand().move_to({side.x - 0.005, side.y});
     world.run(1.0);
     EXPECT_NE(hand.state, ContactState::free);
     EXPECT_LT(hand.p_WP.x, side.x - 0.007);
     EXPECT_LT(hand.force.x, -0.3);
-    // Beside the line it has to turn against it.
+    // Turning a shape beside the line presses it against the line.
     ASSERT_TRUE(visitor.choose("Turn it left")) << visitor.heard();
     double most_Nm = 0.0;
     for (int i = 0; i < 5; ++i) {

@@ -23,7 +23,7 @@ class SteppedServo final : public ServoClient {
   public:
     SteppedServo();
 
-    /// Ticks at 1 kHz up to then.
+    /// Ticks at 1 kHz up to `now_s`.
     void run_until(double now_s);
 
     void set(const ServoCommands& commands) override { commands_ = commands; }
@@ -71,13 +71,13 @@ class SteppedServo final : public ServoClient {
 
     MouseHand& hand() { return *hand_; }
 
-    /// Where the tip truly is.
+    /// The true position of the tip.
     [[nodiscard]] Position handle_W() const { return device_.tip().position; }
 
-    /// That the motors make there now.
+    /// The force that the motors make at the tip now.
     [[nodiscard]] Force force_on_handle_W() const;
 
-    /// As of the real-time priority that a loop has; until then nothing is held back.
+    /// Sets the limits that depend on a loop's real-time priority; before, nothing is limited.
     void set_tier(const TierLimits& tier);
 
     void break_device(bool is_broken) { is_broken_ = is_broken; }
@@ -87,12 +87,12 @@ class SteppedServo final : public ServoClient {
     int recordings_held = 0;
     int recordings_kept = 0;
     int recordings_forgotten = 0;
-    std::optional<std::string> own_kind;    // none: a simulated one
-    std::vector<std::string> kinds_chosen;  // in turn
+    std::optional<std::string> own_kind;    // none: a simulated device
+    std::vector<std::string> kinds_chosen;  // in order
     std::string words;
-    std::string notice;  // told when it is next asked for
+    std::string notice;  // told on the next request
     double most_force_N = 0.0;
-    double delay_s = 0.0;                           // that the loop measures of itself
+    double delay_s = 0.0;                           // the loop's measured delay
     std::function<void(const HandState&)> on_tick;  // may be empty
 
   private:
@@ -103,7 +103,7 @@ class SteppedServo final : public ServoClient {
     std::optional<ServoStep> step_;
     ServoCommands commands_;
     FeltPicture picture_;
-    std::deque<std::shared_ptr<const Scene>> alive_;  // the step may feel the one before still
+    std::deque<std::shared_ptr<const Scene>> alive_;  // the step may still feel the previous scene
     ServoReport report_;
     double now_s_ = 0.0;
     bool is_broken_ = false;

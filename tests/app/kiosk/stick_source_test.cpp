@@ -1,5 +1,4 @@
-// A stick's files in the list: a port that does as it is told, the real touchline-import, real
-// workers.
+// Tests a stick's files in the list: a scripted port, the real touchline-import, real workers.
 #include "app/kiosk/stick_source.h"
 
 #include "app/sticks/folder_port.h"
@@ -17,7 +16,7 @@
 namespace touchline {
 namespace {
 
-/// What a test says happens.
+/// A port whose events the test sets.
 class ToldPort final : public StickPort {
   public:
     std::vector<StickEvent> poll(std::int64_t) override { return std::exchange(events, {}); }
@@ -41,7 +40,7 @@ class StickSourceTest : public testing::Test {
   protected:
     void ready() { port->events.push_back({StickNews::ready, stick.root(), ""}); }
 
-    /// Waits for a change, which has to come.
+    /// Waits for a change, which must come.
     FilesChange change() {
         for (;;) {
             if (auto changed = sticks.poll(0)) return std::move(*changed);

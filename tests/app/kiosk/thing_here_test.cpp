@@ -1,5 +1,5 @@
-// A visitor asks for the thing under the hand: from the stick to what is said, with a network that
-// is made up.
+// Tests a visitor's request for the thing under the hand, from the stick to what is said, with a
+// made-up network.
 #include "app/trace/finding_things.h"
 #include "tests/app/kiosk/blind_visitor.h"
 #include "tests/app/kiosk/kiosk_world.h"
@@ -15,7 +15,7 @@
 namespace touchline {
 namespace {
 
-/// A dark disc, light and grain everywhere, as no program paints it: a PPM file.
+/// Writes a PPM file: a dark disc with light and grain everywhere, as no program paints it.
 void write_photograph(const std::filesystem::path& file) {
     constexpr int width = 420;
     constexpr int height = 300;
@@ -36,7 +36,7 @@ void write_photograph(const std::filesystem::path& file) {
     }
 }
 
-/// Who asks for a place gets nothing, then a failure, then the middle of the picture.
+/// For a place, it returns nothing at first, then a failure, then the middle of the picture.
 ThingFinder made_up_finder(std::shared_ptr<int> looks) {
     return [looks](const Page& page,
                    const std::optional<PlaceInPicture>& place) -> Result<std::optional<Page>> {

@@ -1,5 +1,5 @@
-// Why a visitor's file or stick cannot be felt, from its bytes through the workers to what is said,
-// in every language.
+// Tests why a visitor's file or stick cannot be felt, from its bytes through the workers to what is
+// said, in every language.
 #include "app/session/told_lines.h"
 #include "app/sticks/spoken_name.h"
 #include "app/sticks/stick_words.h"
@@ -25,7 +25,7 @@ struct BadFile {
     const char* told;  // in English
 };
 
-/// A drawing of `size` that is white all over.
+/// A drawing of `size` that is all white.
 std::string white_picture(const std::string& size, std::size_t pixels) {
     return "P5 " + size + " 255\n" + std::string(pixels, '\xff');
 }
@@ -53,7 +53,7 @@ std::vector<BadFile> bad_files() {
              "The file is damaged. Copy it again, or choose another one."}};
 }
 
-/// The parameter: which of all_languages().
+/// The parameter is an index into all_languages().
 class ToldReasons : public testing::TestWithParam<std::size_t> {
   protected:
     void begin() {

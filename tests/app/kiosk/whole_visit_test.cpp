@@ -1,4 +1,5 @@
-// Whole visits: by the transcript alone, slowly, with two switches, in every language, rudely.
+// Tests whole visits: by the transcript alone, slowly, with two switches, in every language,
+// rudely.
 #include "tests/app/kiosk/blind_visitor.h"
 #include "tests/app/kiosk/kiosk_world.h"
 
@@ -18,8 +19,8 @@ namespace fs = std::filesystem;
 
 const fs::path pictures = TOUCHLINE_SOURCE_DIR "/app/gallery/pictures";
 
-/// The hand goes along each outline of what is felt; how much of its length was felt: the handle
-/// within 2 mm of it while it held the hand.
+/// Moves the hand along each outline of what is felt and returns the share of the length that was
+/// felt: the handle within 2 mm of the outline while the outline held the hand.
 double traced_share(KioskWorld& world) {
     const auto map = world.servo().picture().map;
     double length_m = 0.0;
@@ -40,7 +41,7 @@ double traced_share(KioskWorld& world) {
     return length_m > 0.0 ? felt_m / length_m : 0.0;
 }
 
-/// From the attract screen to the screen of choices, in English.
+/// Goes from the attract screen to the screen of choices, in English.
 void begin(BlindVisitor& visitor) {
     visitor.press(KeyRole::select);
     ASSERT_TRUE(visitor.choose("English")) << visitor.heard();
@@ -95,7 +96,7 @@ TEST(WholeVisit, BlindByTheTranscriptAloneToThreePictures) {
     finish(world, visitor);
 }
 
-/// 25 s before every key, and the handle idle: nobody is sent away who answers.
+/// A key every 25 s and an idle handle: a visitor who answers is never sent away.
 TEST(WholeVisit, SlowlyAndWithTheHandleIdle) {
     KioskWorld world;
     BlindVisitor visitor(world, 25.0);
@@ -106,7 +107,7 @@ TEST(WholeVisit, SlowlyAndWithTheHandleIdle) {
     EXPECT_LE(visitor.slowest_answer_s(), 0.3);
 }
 
-/// Captions hold all that was said, and the handle asks for attention before time is over.
+/// Captions show all that was said, and the handle asks for attention before time runs out.
 TEST(WholeVisit, DeafByCaptionsAndTheHandle) {
     KioskWorld world;
     BlindVisitor visitor(world);
@@ -142,7 +143,7 @@ TEST(WholeVisit, InEveryLanguage) {
     }
 }
 
-/// Two keys alone: one moves on, the other selects.
+/// Uses two keys only: one moves on, the other selects.
 TEST(WholeVisit, WithTwoSwitches) {
     KioskWorld world;
     Settings settings;
@@ -177,7 +178,7 @@ TEST(WholeVisit, WithTwoSwitches) {
     EXPECT_TRUE(is_visit_on(world.kiosk().visit()));
 }
 
-/// 10 000 keys, seeded, in any order and at any pace.
+/// Presses 10 000 seeded random keys, in any order and at any pace.
 TEST(WholeVisit, RudelyItIsNeverStuckAndEveryKeyIsAnswered) {
     KioskWorld world;
     Settings settings;
@@ -195,19 +196,19 @@ TEST(WholeVisit, RudelyItIsNeverStuckAndEveryKeyIsAnswered) {
         silent_s = std::max(silent_s, world.heard().things[before].at_s - pressed_s);
         if (i % 1000 == 0) world.heard().things.clear();
     }
-    // From wherever it is, Back leads to the choices, and from there on.
+    // Back leads to the choices from anywhere, and on from there.
     for (int i = 0; i < 12; ++i) {
         world.press(KeyRole::back);
         world.run(1.0);
     }
     BlindVisitor visitor(world);
     EXPECT_LE(silent_s, 0.3);
-    world.run(400.0);  // whoever was here has left
+    world.run(400.0);  // the visitor has left
     EXPECT_FALSE(is_visit_on(world.kiosk().visit()));
     begin(visitor);
 }
 
-/// Every file below a folder, and what is in it.
+/// Returns every file below a folder with its contents.
 std::map<fs::path, std::string> files_below(const fs::path& folder) {
     std::map<fs::path, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {

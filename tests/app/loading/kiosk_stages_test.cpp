@@ -1,4 +1,4 @@
-// The stages on real files, by real workers.
+// Tests the stages on real files with real workers.
 #include "app/loading/kiosk_stages.h"
 
 #include "app/decode/files.h"
@@ -20,7 +20,7 @@
 namespace touchline {
 namespace {
 
-/// A document in memory, opened by a worker; counts how often, and how finely last.
+/// A document in memory that a worker opens; counts the openings and keeps the last resolution.
 struct Document {
     explicit Document(encoders::Bytes bytes)
         : file(std::make_shared<const PictureFile>(
@@ -80,7 +80,7 @@ TEST(KioskStages, ASmallFigureIsDrawnAgainFiner) {
     const auto found = stages.find(*document.file, *page, 2, {3});
     ASSERT_TRUE(found.has_value()) << found.error().line;
     EXPECT_EQ(document.opened, 2);
-    // 100 points, rounded up at 150 dpi before: 209 pixels.
+    // The figure has 100 points, which was 209 pixels, rounded up, at 150 dpi.
     EXPECT_NEAR(document.dpi, 432, 3);
     EXPECT_NEAR((*found)->view->picture.width, 600, 5);
 }
@@ -203,7 +203,7 @@ TEST(KioskStages, WordsThatWereReadAreHeardAndNotFelt) {
     EXPECT_EQ(scene->felt.map->labels[0].text, "dark");
 }
 
-/// A scan: the words are pixels until they are read, and then no lines for the hand.
+/// A scan: its words are pixels until they are read; afterwards they are no lines for the hand.
 TEST(KioskStages, WordsInPixelsAreHeardAndNoLongerFelt) {
     const auto language = std::make_shared<std::atomic<WrittenLanguage>>(WrittenLanguage::english);
     const KioskStages stages(default_profile(), page_reader(language));

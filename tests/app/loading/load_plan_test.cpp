@@ -1,4 +1,4 @@
-// Loading as a state machine, on an executor that ends jobs in any order, or never.
+// Tests loading as a state machine, on an executor that ends jobs in any order, or never.
 #include "app/loading/load_plan.h"
 
 #include "tests/app/loading/loading_world.h"
@@ -58,7 +58,7 @@ TEST(Loading, FetchesTheNextViewAndPageOnceThePresentIsFelt) {
     for (const auto& [page, view] : {std::pair(1, 2), std::pair(2, 1)}) {
         world.want(page, view);
         ASSERT_GE(world.jobs->held(), 1U);
-        world.end();  // the scene alone
+        world.end();  // only the scene
         EXPECT_EQ(world.last(), "0 " + std::to_string(page) + " " + std::to_string(view) + " 3");
         world.until_idle();
     }
@@ -77,7 +77,7 @@ TEST(Loading, APageThatIsBeingFetchedIsNotOpenedTwice) {
     World world({three_pages()});
     world.want(1, 3);
     world.until_felt();
-    ASSERT_EQ(world.jobs->held(), 1U);  // page 2
+    ASSERT_EQ(world.jobs->held(), 1U);  // for page 2
     world.want(2, 1);
     EXPECT_EQ(world.jobs->held(), 1U);
     world.until_felt();
@@ -99,7 +99,7 @@ TEST(Loading, AJobThatIsNotWantedAnyMoreIsNeverBegun) {
     World world({three_pages(), three_pages(), three_pages()});
     for (std::size_t file = 0; file < 3; ++file) world.want(1, 1, 3, file);
     world.want(1, 1, 4, 2);
-    EXPECT_EQ(world.jobs->held(), 2U);  // of the first two: no more fit
+    EXPECT_EQ(world.jobs->held(), 2U);  // for the first two: no more fit
     world.until_idle();
     ASSERT_EQ(world.delivered.size(), 1U);
     EXPECT_EQ(world.last(), "2 1 1 4");
@@ -150,7 +150,7 @@ TEST(Loading, WordsThatAreReadLaterTakeThePlaceOfTheFirstResult) {
     world.want(1, 1, 5);
     world.until_idle();
     EXPECT_EQ(world.last(), "0 1 1 5+");
-    EXPECT_EQ(world.delivered.size(), 3U);  // once read is read
+    EXPECT_EQ(world.delivered.size(), 3U);  // words are read only once
     EXPECT_EQ(world.stages->reread_count, 1);
 }
 
@@ -218,7 +218,7 @@ TEST(Loading, ThePresentViewIsKeptHoweverLarge) {
     EXPECT_LE(world.stages->opened, opened);
 }
 
-/// What a request must come to, said without the machine.
+/// Returns what a request must lead to, without the state machine.
 std::string expected(const MadeUpStages& stages, const FilePtr& file, int page, int view,
                      int detail) {
     const MadeUpDocument& document = stages.document(file);

@@ -1,5 +1,4 @@
-// A loader, its jobs, which wait until the test says so, and everything that it delivered.
-// Threads: one.
+// A loader, its jobs, which wait for the test, and everything that it delivered. Threads: one.
 #pragma once
 
 #include "app/loading/loader.h"
@@ -17,7 +16,7 @@
 
 namespace touchline {
 
-/// Jobs wait until the test says so.
+/// Jobs wait until the test ends them.
 class HeldJobs final : public Executor {
   public:
     void start(std::uint64_t number, std::function<JobOutcome()> work) override {
@@ -56,7 +55,7 @@ struct World {
         loader.want(++request, {stages->files().at(file), page, view, {detail}});
     }
 
-    /// The thing at a place of a view.
+    /// Asks for the thing at a place of a view.
     void want_thing(int view, const Position& place) {
         loader.want(++request, {stages->files().at(0), 1, view, {3}, place});
     }
@@ -70,7 +69,7 @@ struct World {
         for (Delivery& delivery : loader.poll()) delivered.push_back(std::move(delivery));
     }
 
-    /// Until an answer to the last request is there. What runs in the background goes on.
+    /// Ends jobs until the last request has an answer. Background work goes on.
     void until_felt() {
         const std::size_t before = delivered.size();
         while (delivered.size() == before && jobs->held() > 0) end(jobs->held() - 1);

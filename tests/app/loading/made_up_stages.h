@@ -1,4 +1,4 @@
-// Documents that are made up: how many pages, which views, what fails. Everything done is counted.
+// Made-up documents: how many pages, which views, what fails. Counts everything that is done.
 // Threads: any.
 #pragma once
 
@@ -17,16 +17,17 @@
 namespace touchline {
 
 struct MadeUpDocument {
-    std::vector<int> figures = {};  // of each page
+    std::vector<int> figures = {};  // for each page
     int page_px = 4;
     std::set<int> torn_pages = {};
     std::set<std::pair<int, int>> empty_views = {};  // page, view
-    std::map<int, int> photos = {};  // page, its main things; -1: cannot look; -2: but for people
+    std::map<int, int> photos = {};  // main things by page; -1: cannot look; -2: a photo of people
+                                     // only
 };
 
 class MadeUpStages final : public Stages {
   public:
-    /// `with_words`: where words can be read, page and view; none: nothing reads.
+    /// `with_words`: pages and views whose words can be read; none: nothing reads.
     using Places = std::set<std::pair<int, int>>;
 
     explicit MadeUpStages(std::vector<MadeUpDocument> documents,
@@ -74,7 +75,7 @@ class MadeUpStages final : public Stages {
         return std::make_shared<const FoundView>(std::move(result));
     }
 
-    /// The title names file, page, view and detail; a '+' says that words were read.
+    /// The title names file, page, view and detail; a '+' means that words were read.
     [[nodiscard]] Result<LoadedScene> build(const PictureFile& file, const FoundView& view,
                                             const FeltPart& part) const override {
         ++built;
@@ -107,7 +108,7 @@ class MadeUpStages final : public Stages {
         return std::make_shared<const Page>(std::move(seen));
     }
 
-    /// To the left of the middle there is a thing, to the right nothing; far up looking fails.
+    /// There is a thing to the left of the middle and nothing to the right; far up, looking fails.
     [[nodiscard]] Result<PagePtr> look_at(const PagePtr& page, int,
                                           const Position& place) const override {
         ++looked_at_count;

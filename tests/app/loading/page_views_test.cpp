@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-/// Each pixel says where it is: x, y, and a third that no pixel beside it has.
+/// Each pixel tells its place: x, y, and a third value that no neighbour has.
 Page page_of_pixels(int width, int height) {
     Page page;
     page.picture = {width, height, {}, 1.0};
@@ -30,7 +30,7 @@ Page page_of_pixels(int width, int height) {
     return page;
 }
 
-/// Where the centre of a pixel lies.
+/// Returns the place of a pixel's centre.
 Position place_of(const Page& page, int x, int y) {
     const double m_per_px = page.told.area.width_m / page.picture.width;
     return {(x + 0.5 - page.picture.width / 2.0) * m_per_px,
@@ -96,7 +96,7 @@ TEST(PageViews, ASmallFigureIsDrawnFiner) {
     EXPECT_EQ(dpi_for(page, 2), 150);
     EXPECT_EQ(dpi_for(page, 3), most_view_dpi);
     EXPECT_EQ(dpi_for(page, 4), 150);
-    page.dpi = 0;  // a photo: there is nothing finer
+    page.dpi = 0;  // a photo has nothing finer
     EXPECT_EQ(dpi_for(page, 1), 0);
     EXPECT_EQ(dpi_for(page_of_pixels(400, 200), 1), 225);
 }

@@ -1,4 +1,4 @@
-// Photographs: their main things, and the thing under a hand.
+// Tests photographs: their main things, and the thing under a hand.
 #include "tests/app/loading/loading_world.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace touchline {
 namespace {
 
-/// One photograph with so many main things, felt as a whole; nobody has looked at it yet.
+/// A photograph with so many main things, felt as a whole; the search has not started.
 World photograph(int things) {
     World world({MadeUpDocument{.figures = {0}, .photos = {{1, things}}}}, {}, {}, true);
     world.want(1, 1);
@@ -102,7 +102,7 @@ TEST(Loading, NothingIsRenumberedUnderAnOrder) {
     World world = photograph(2);
     ASSERT_EQ(world.jobs->held(), 1U);  // looking
     world.want(1, 1, 5);
-    world.end(0);  // it was looked at before the other detail is built
+    world.end(0);  // looked at before the other detail is built
     EXPECT_FALSE(world.loader.take_things());
     world.until_felt();
     EXPECT_EQ(world.last(), "0 1 1 5");
@@ -227,7 +227,7 @@ TEST(Loading, ALookThatEndsWhileAnotherPictureIsOpenedIsDoneAgainForWhoComesBack
     world.until_felt();
     ASSERT_EQ(world.jobs->held(), 1U);  // looking
     world.want(1, 1, 3, 1);
-    world.end(0);  // looked at, while the other is opened
+    world.end(0);  // looked at while the other one is opened
     world.loader.cancel();
     world.until_idle();
     const auto things = world.loader.take_things();

@@ -1,4 +1,4 @@
-// The same loading on real threads.
+// Tests the same loading on real threads.
 #include "app/loading/thread_executor.h"
 
 #include "app/loading/loader.h"
@@ -44,7 +44,7 @@ TEST(ThreadExecutor, JobsRunSideBySide) {
     ThreadExecutor executor(2);
     std::promise<void> second_runs;
     auto seen = second_runs.get_future();
-    // The first ends only after the second has begun.
+    // The first job ends only after the second has begun.
     executor.start(1, [&seen]() -> JobOutcome {
         seen.wait();
         return Result<PagePtr>(PagePtr());

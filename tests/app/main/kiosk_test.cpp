@@ -1,5 +1,5 @@
-// The program itself, in a window on a virtual display, driven by keys. Nothing here depends on how
-// fast the machine is: waits are for something to happen, with a limit far away.
+// Tests the program itself, in a window on a virtual display, driven by keys. No test depends on
+// the machine's speed: each waits for something to happen, with a limit far off.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 class Kiosk : public testing::Test {
   protected:
-    /// With a folder for a stick: there is no bus here, which the kiosk would say.
+    /// Uses a folder as the stick, since there is no bus here and the kiosk would say so.
     void SetUp() override {
         fs::create_directories(folder_ / "stick");
         std::ofstream(folder_ / "kiosk.toml")
@@ -27,9 +27,9 @@ class Kiosk : public testing::Test {
 
     void TearDown() override { fs::remove_all(folder_); }
 
-    /// Exit status of a script in which `kiosk ARGUMENTS` starts the program, `keys KEY ...`
-    /// presses keys in its window, `wait_for PATTERN FILE` waits for words and `finish` ends with
-    /// its status.
+    /// Runs a script and returns its exit status. In it, `kiosk ARGUMENTS` starts the program,
+    /// `keys KEY ...` presses keys in its window, `wait_for PATTERN FILE` waits for words, and
+    /// `finish` ends with the program's status.
     int run_script(const std::string& script, bool has_display = true) {
         const fs::path path = folder_ / "script.sh";
         std::ofstream(path) << "cd '" << folder_.string() << "'\n" << tools << script << '\n';
@@ -50,7 +50,7 @@ class Kiosk : public testing::Test {
         return text.str();
     }
 
-    /// What the program complained of, but for the parts that the machine of a test may lack.
+    /// Returns the program's complaints, except about parts that a test machine may lack.
     [[nodiscard]] std::string complaints() const {
         std::ifstream file(folder_ / "err.txt");
         std::string text;
@@ -94,7 +94,7 @@ TEST_F(Kiosk, EveryKeyLeavesItRunning) {
     EXPECT_EQ(complaints(), "");
 }
 
-/// R alone holds it; after the way in and a PIN, chosen twice, R saves it.
+/// R alone holds the recording; after the operator's screens and a PIN, chosen twice, R saves it.
 TEST_F(Kiosk, KeepsARecordingForTheOperatorThatRunsAgainTheSame) {
     EXPECT_EQ(
         run_script("kiosk; keys b r b; [ -e kept ] && exit 9; keys h Up Up Down Down Return;"
@@ -108,7 +108,7 @@ TEST_F(Kiosk, KeepsARecordingForTheOperatorThatRunsAgainTheSame) {
         << text_of("out.txt");
 }
 
-/// What SDL writes to a file instead of a card: more than clicks, so somebody spoke.
+/// SDL writes to a file instead of a card: it has more than clicks, so somebody spoke.
 TEST_F(Kiosk, IsHeard) {
     EXPECT_EQ(
         run_script(
@@ -154,7 +154,7 @@ TEST_F(Kiosk, EndsAsAskedByTheSystem) {
     EXPECT_EQ(run_script("kiosk; keys b; kill -TERM $pid; finish"), 0);
 }
 
-/// A display that does not answer holds the main thread for ever.
+/// A display that does not answer blocks the main thread for ever.
 TEST_F(Kiosk, EndsAsAskedThoughItsDisplayHangs) {
     EXPECT_EQ(
         run_script("server=$(pgrep -x Xvfb -P \"$(ps -o ppid= -p $PPID | tr -d ' ')\") || exit 9;"

@@ -1,4 +1,4 @@
-// The kiosk's signs of life: when the watchdog is fed, and what arrives at whoever listens.
+// Tests the kiosk's signs of life: when it feeds the watchdog, and what listeners get.
 #include "app/main/life_signs.h"
 
 #include <array>
@@ -49,7 +49,7 @@ TEST(WatchdogPace, WithoutAWatchdogNothingIsFed) {
     for (int frame = 0; frame < 100; ++frame) EXPECT_FALSE(pace.step(frame * second_ns, 1U));
 }
 
-/// Who started the kiosk, with a socket that it may talk to.
+/// The process that started the kiosk, with a socket for it to talk to.
 class Starter {
   public:
     Starter() {

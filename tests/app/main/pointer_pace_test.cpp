@@ -15,7 +15,7 @@ TEST(PointerPace, GetsThereAndNoFaster) {
     EXPECT_NEAR(paced({0.0, 0.0}, {0.05, 0.0}, 1.0 / 60).x, 0.01, 1e-12);
 }
 
-/// From corner to corner of the picture, twice a second.
+/// The pointer leaps from corner to corner of the picture, twice a second.
 TEST(PointerPace, APointerThatLeapsLeavesTheForceOn) {
     const auto hand = std::make_shared<MouseHand>(Position{});
     SimulatedPantograph device(default_profile(), {}, hand);

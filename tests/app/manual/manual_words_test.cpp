@@ -67,7 +67,8 @@ TEST(ManualWords, TheSettingsAreAllThereInEveryLanguage) {
     }
 }
 
-/// What is looked up in the context "manual" is there, or a page would be half English.
+/// Every text that is looked up in the context "manual" exists; otherwise a page would be half
+/// English.
 TEST(ManualWords, NoPageSaysTheSettingsHalfInEnglish) {
     const PoFile texts = read_po(TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue/touchline.pot");
     for (const SettingRow& row : setting_rows()) {

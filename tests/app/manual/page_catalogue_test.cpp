@@ -1,5 +1,5 @@
-// The catalogues of the pages (app/manual/po), without po4a: whole, of the pages as they are, and
-// true to what is no word.
+// Tests the catalogues of the pages (app/manual/po), without po4a: complete, up to date with the
+// pages, and true to code and options.
 #include "app/manual/manual_words.h"
 #include "tests/audio-cues/words/po_file.h"
 
@@ -31,7 +31,7 @@ std::set<std::string> codes_in(const std::string& folder) {
     return codes;
 }
 
-/// Each run of blanks and ends of lines is one blank; none at the ends.
+/// Replaces each run of blanks and line ends by one blank; removes those at both ends.
 std::string with_single_blanks(const std::string& text) {
     std::string single;
     for (const char c : text) {
@@ -48,7 +48,7 @@ std::string page_text(const std::string& name) {
     return with_single_blanks({std::istreambuf_iterator<char>(file), {}});
 }
 
-/// What stands between two marks: "`" for code, "**" for commands and options.
+/// Returns the texts between two marks: "`" for code, "**" for commands and options.
 std::multiset<std::string> spans(const std::string& text, const std::string& mark) {
     std::multiset<std::string> found;
     auto open = text.find(mark);
@@ -66,7 +66,8 @@ std::multiset<std::string> names(const std::string& text) {
     return {found.begin(), found.end()};
 }
 
-/// A language of the kiosk may be without pages at first; pages in another are made with its words.
+/// A language of the kiosk may have no pages at first; pages in another language are made with its
+/// words.
 TEST(PageCatalogue, IsOfLanguagesThatTheKioskSpeaks) {
     const auto of_pages = codes_in(manual_folder + "/po");
     const auto of_kiosk = codes_in(words_folder);
@@ -90,7 +91,7 @@ TEST(PageCatalogue, EveryTextIsTranslatedAndNoneDoubtful) {
     }
 }
 
-/// A page that was changed has texts which the catalogue lacks, and the other way round.
+/// A changed page has texts that the catalogue lacks, and vice versa.
 TEST(PageCatalogue, IsOfThePagesAsTheyAre) {
     std::string left = page_text("manual.md") + ' ' + page_text("touchline.1.md");
     std::vector<std::string> texts;

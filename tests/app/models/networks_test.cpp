@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "abc" as a network's file, in a folder of its own.
+/// A network whose file holds "abc", in a separate folder.
 class Networks : public ::testing::Test {
   protected:
     Networks() {
@@ -124,7 +124,7 @@ TEST_F(Networks, AFileThatSomebodyBringsIsTakenByItsSum) {
     EXPECT_EQ(*read_network(small_), std::vector(abc.begin(), abc.end()));
 }
 
-/// What stands in for npm gives an archive that is not the publisher's.
+/// A fake npm gives an archive that is not the publisher's.
 TEST_F(Networks, WhereItCannotBeGotNothingIsLeft) {
     const fs::path npm = write("bin/npm", "#!/bin/sh\necho other > other.tgz; echo other.tgz\n");
     fs::permissions(npm, fs::perms::owner_all);

@@ -1,4 +1,4 @@
-// Prints what shipped_outputs.csv holds.
+// Prints the contents of shipped_outputs.csv.
 #include "tests/app/models/shipped_outputs.h"
 
 #include <fmt/core.h>

@@ -13,7 +13,7 @@
 namespace touchline::testing {
 namespace {
 
-using Colour = std::array<double, 3>;  // of 255, in the network's own order of planes
+using Colour = std::array<double, 3>;  // 0 ... 255, in the network's own order of planes
 
 struct Oval {
     double x, y, half_width, half_height;
@@ -22,7 +22,7 @@ struct Oval {
 
 struct Drawing {
     std::string_view name;
-    std::vector<Oval> ovals;  // of the picture's side, the later ones in front
+    std::vector<Oval> ovals;  // in shares of the picture's side, later ones in front
 };
 
 constexpr Colour skin{205, 160, 135};
@@ -58,7 +58,7 @@ std::vector<Drawing> drawings() {
               {0.5, 0.44, 0.045, 0.012, lips}}}};
 }
 
-/// Its colour at a place, over a ground that grows lighter downwards and to the right.
+/// Returns the colour at a place, over a ground that grows lighter downwards and to the right.
 Colour colour_at(const Drawing& drawing, double x, double y) {
     Colour colour{90 + 60 * x, 110 + 70 * y, 120 + 40 * x * y};
     for (const Oval& oval : drawing.ovals) {
@@ -72,8 +72,8 @@ Colour colour_at(const Drawing& drawing, double x, double y) {
 struct Shipped {
     std::string_view name;
     int side_px;
-    double middle;  // what of 255 is nothing to it
-    double one;     // how many of 255 are one to it
+    double middle;  // value of 0 ... 255 that becomes 0
+    double one;     // step of 0 ... 255 that becomes 1
     std::vector<std::vector<int>> outputs;
 };
 
@@ -108,7 +108,7 @@ std::string text_of(const std::vector<int>& shape) {
     return text;
 }
 
-/// The matrix lies in one piece, as a network's answer does.
+/// The matrix must be contiguous, as a network's answer is.
 std::vector<double> numbers_of(const cv::Mat1f& output) {
     constexpr std::size_t places = 16;
     std::vector<double> numbers{cv::norm(output, cv::NORM_INF), cv::mean(output)[0]};

@@ -1,4 +1,4 @@
-// What the networks that ship make of three pictures, in numbers that can be written down.
+// What the shipped networks answer to three pictures, as numbers that can be written down.
 // Threads: one, with OpenCV's own switched off.
 #pragma once
 
@@ -9,11 +9,11 @@ namespace touchline::testing {
 
 struct OutputRow {
     std::string name;             // network, picture and shape: "facemesh,face,1x1404"
-    std::vector<double> numbers;  // the greatest size, the mean, and 16 of the output's own
+    std::vector<double> numbers;  // the greatest size, the mean, and 16 values of the output
 };
 
-/// Every output of every network for three pictures that are made here: shapes, a face, a person.
-/// Throws std::runtime_error where a network cannot be read or run.
+/// Returns every output of every network for three pictures that are made here: shapes, a face, a
+/// person. Throws std::runtime_error if a network cannot be read or run.
 [[nodiscard]] std::vector<OutputRow> shipped_outputs();
 
 }  // namespace touchline::testing

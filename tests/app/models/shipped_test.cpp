@@ -1,5 +1,5 @@
-// The networks that ship answer as they did when they were recorded, on this OpenCV. After a change
-// that is meant: build/release/tests/app/models/record_outputs >
+// Tests that the shipped networks answer on this OpenCV as they did when recorded. After an
+// intended change: build/release/tests/app/models/record_outputs >
 // tests/app/models/shipped_outputs.csv
 #include "tests/app/models/shipped_outputs.h"
 
@@ -15,9 +15,9 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double most_apart = 1e-3;  // of an output's greatest number
+constexpr double most_apart = 1e-3;  // share of an output's greatest number
 
-/// The numbers of each row by its name, which is its first three words.
+/// Returns the numbers of each row by its name, which is its first three words.
 std::map<std::string, std::vector<double>> recorded() {
     std::ifstream file(std::string(TOUCHLINE_SOURCE_DIR) + "/tests/app/models/shipped_outputs.csv");
     std::map<std::string, std::vector<double>> rows;

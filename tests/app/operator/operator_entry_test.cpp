@@ -1,4 +1,4 @@
-// The way to the operator's screens: keys and PIN.
+// Tests the way to the operator's screens: keys and PIN.
 #include "tests/app/operator/operator_rig.h"
 
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ TEST(OperatorPin, FiveWrongOnesLockForGrowingTimes) {
     }
 }
 
-/// One that a restart would forget must cost its time at once.
+/// A restart would forget such a try, so it must cost its time at once.
 TEST(OperatorPin, AWrongOneThatCouldNotBeNotedLocks) {
     PinTries tries = after_wrong_pin({}, 100.0, false);
     EXPECT_EQ(tries.locked_until_s, 160.0);

@@ -1,4 +1,4 @@
-// The operator's files: what is kept comes back; what is wrong is refused in one sentence.
+// Tests the operator's files: what is kept comes back; what is wrong is refused in one sentence.
 #include "app/operator/backup.h"
 #include "app/operator/counters.h"
 #include "app/operator/pin.h"

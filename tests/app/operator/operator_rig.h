@@ -1,5 +1,5 @@
-// An operator with six keys before a kiosk that carries his orders out, with real files in a folder
-// of its own, on a clock that only goes where it is told.
+// An operator with six keys at a kiosk that carries the orders out, with real files in a separate
+// folder, on a clock that only the test moves.
 #pragma once
 
 #include "app/operator/operator.h"
@@ -22,7 +22,7 @@ class OperatorRig {
     OperatorRig(const OperatorRig&) = delete;
     OperatorRig& operator=(const OperatorRig&) = delete;
 
-    /// Half a second passes before each.
+    /// Lets half a second pass before each key.
     void press(std::initializer_list<KeyRole> roles);
 
     void press(KeyRole role) { press({role}); }
@@ -31,20 +31,20 @@ class OperatorRig {
     void wait(double time_s);  // in ticks of a second
     void take(const OperatorEvent& event);
 
-    /// The keys that open the operator's screens.
+    /// Presses the keys that open the operator's screens.
     void enter();
     void enter_pin(const std::string& pin);
 
-    /// Down until the item of that name has the focus; false where there is none.
+    /// Presses Down until the item with this name has the focus; returns false if there is none.
     bool find(const std::string& name);
 
-    /// find() and Select, one after the other.
+    /// Calls find() and presses Select for each name.
     bool open(std::initializer_list<const char*> names);
 
     [[nodiscard]] OperatorWorld world() const;
     [[nodiscard]] SpokenScreen screen() const;
 
-    /// All that was said since the last call, in lines.
+    /// Returns all that was said since the last call, a line each.
     std::string heard();
 
     template <class Order>
@@ -56,15 +56,15 @@ class OperatorRig {
     }
 
     Operator state;
-    std::vector<OperatorOrder> orders;  // all there were
+    std::vector<OperatorOrder> orders;  // all orders so far
     Language language;
     double now_s = 1000.0;
     bool is_private = true;
     bool answers_tests = true;
     bool passes_tests = true;
     bool is_device_allowed = true;
-    std::optional<Settings> in_memory;  // in place of the file of settings
-    Settings felt;                      // what the servo has
+    std::optional<Settings> in_memory;  // replaces the settings file
+    Settings felt;                      // the servo's settings
     SoundSettings sound;
     KeyTable keys = default_keys();
     Counters counters{12, 30, 5, 2, 90};

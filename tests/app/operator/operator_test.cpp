@@ -1,4 +1,4 @@
-// The operator's screens by six keys: settings, tests, upkeep.
+// Tests the operator's screens by six keys: settings, tests, upkeep.
 #include "app/operator/backup.h"
 #include "app/operator/kinds.h"
 #include "app/operator/operator_places.h"
@@ -149,7 +149,7 @@ TEST_F(OperatorTest, ASwitchIsSwitchedAtOnce) {
     EXPECT_NE(rig.heard().find("Level follows the hand, off, setting, 1 of 4"), std::string::npos);
 }
 
-/// The ceiling: lower at once, higher after a question, and never by going away.
+/// The ceiling gets lower at once, higher only after a question, and never by leaving the screen.
 TEST_F(OperatorTest, TheCeilingOfTheForceIsRaisedOnlyByASecondWord) {
     ASSERT_TRUE(rig.open({"How it feels", "Lines and force", "Greatest force"}));
     rig.press({R::down, R::down, R::select});
@@ -260,8 +260,8 @@ TEST_F(OperatorTest, TheSelfTestAsksWherePeopleMustSay) {
     EXPECT_EQ(rig.screen().text, "Did the handle push to both sides?");
     rig.press(R::select);
     EXPECT_EQ(rig.state.test.step, TestStep::sound_left) << "the camera answered by itself";
-    rig.press({R::select, R::down, R::select});  // begin; no
-    rig.press({R::down, R::select});             // skip the right
+    rig.press({R::select, R::down, R::select});  // begin; answer no
+    rig.press({R::down, R::select});             // skip the right ear
     EXPECT_EQ(rig.state.test.step, TestStep::keys);
     rig.press({R::up, R::down, R::back, R::repeat, R::select, R::help});
     EXPECT_EQ(rig.state.test.step, TestStep::stick_port);
@@ -356,7 +356,7 @@ TEST_F(OperatorTest, HomingIsFollowedOnItsPage) {
     EXPECT_EQ(rig.heard(), "") << "on its own page only";
 }
 
-/// At an ordinary start, with nobody on that page.
+/// An ordinary start, with nobody on that page.
 TEST_F(OperatorTest, WhatTheHandleWaitsForIsSaidWhereItsHomeIsFound) {
     rig.device_words = "There is no force. Turn its plug round.";
     rig.wait(3.0);
@@ -364,7 +364,7 @@ TEST_F(OperatorTest, WhatTheHandleWaitsForIsSaidWhereItsHomeIsFound) {
     EXPECT_NE(rig.heard().find(rig.device_words), std::string::npos);
 }
 
-/// Nobody said which kind of handle it is: that is asked before the first homing.
+/// Nobody has said which kind of handle it is, so the kind is asked before the first homing.
 TEST_F(OperatorTest, AHandleThatIsNewIsAskedForItsKindFirst) {
     rig.kind = "";
     ASSERT_TRUE(rig.open({"Handle and tests", "Find the handle’s starting point", "Begin"}));
@@ -395,7 +395,7 @@ TEST_F(OperatorTest, HowToTellAKindIsHeardBySixKeysAndChoosesNothing) {
     EXPECT_NE(rig.heard().find("Press Repeat for an explanation"), std::string::npos);
 }
 
-/// What was measured of it would be lost.
+/// Otherwise the measurements of the handle would be lost.
 TEST_F(OperatorTest, AnotherKindIsMeasuredOnlyAfterAYes) {
     ASSERT_TRUE(rig.open({"Handle and tests", "Kind of handle", "Haplet"}));
     EXPECT_EQ(rig.state.place, OperatorPlace::question);

@@ -1,5 +1,5 @@
-// Every screen of the operator's: walked in each language, left by few keys, set up from nothing by
-// six keys, and whatever is pressed.
+// Tests every screen of the operator: walked in each language, left by few keys, set up from
+// nothing by six keys, and with random keys.
 #include "app/operator/kinds.h"
 #include "app/operator/operator_items.h"
 #include "app/operator/operator_places.h"
@@ -38,7 +38,7 @@ std::vector<Language> all_languages() {
     return languages;
 }
 
-/// A world without disk: what is ordered does not come to pass.
+/// A world without disk: orders have no effect.
 OperatorWorld still_world(const Language& language) {
     OperatorWorld world{language};
     world.now_s = 100.0;
@@ -53,8 +53,8 @@ OperatorWorld still_world(const Language& language) {
     return world;
 }
 
-/// All that tells two moments of the screens apart, but values; what belongs to another screen is
-/// left out.
+/// Returns all that tells two states of the screens apart, except values; leaves out what belongs
+/// to another screen.
 auto key_of(const Operator& state) {
     const bool is_test = state.place == P::test_step;
     const bool is_wizard = state.place == P::key_wizard;
@@ -85,7 +85,7 @@ OperatorStep pressed(const Operator& state, R role, const OperatorWorld& world) 
     return step_operator(state, KeyStruck{key, role}, world);
 }
 
-/// What one key leads to, and what the kiosk's answer to an order then leads to.
+/// Returns what one key leads to, and what the kiosk's answer to an order then leads to.
 std::vector<Operator> next_states(const Operator& state, R role, const OperatorWorld& world) {
     const OperatorStep step = pressed(state, role, world);
     std::vector<Operator> found{step.state};
@@ -120,7 +120,7 @@ std::map<Key, Operator> all_states(const OperatorWorld& world) {
     return known;
 }
 
-/// Presses until `is_there`; more than `most`: none.
+/// Returns the presses until `is_there` holds; nothing if that takes more than `most`.
 template <class Condition>
 std::optional<int> presses_until(const Operator& start, const OperatorWorld& world, int most,
                                  const Condition& is_there) {
@@ -179,7 +179,8 @@ TEST(OperatorWalk, EveryScreenIsReachedAndLeftByFourPressesAtMost) {
     }
 }
 
-/// SP-3: whatever is drawn has words, and every key but those of a cleaned handle is answered.
+/// SP-3: whatever is drawn has words, and every key is answered, except while the handle is
+/// cleaned.
 TEST(OperatorWalk, EveryScreenSpeaksInEveryLanguage) {
     const auto languages = all_languages();
     ASSERT_GE(languages.size(), 4U);
@@ -206,7 +207,7 @@ TEST(OperatorWalk, EveryScreenSpeaksInEveryLanguage) {
     }
 }
 
-/// Whatever has the focus, but for a value that is held, a digit, a test and the wizard.
+/// Tests any focus, except in a held value, a digit, a test and the wizard.
 TEST(OperatorWalk, RepeatTellsAndNeverActs) {
     const Language english;
     const OperatorWorld world = still_world(english);
@@ -388,7 +389,7 @@ void expect_sound(const OperatorRig& rig, double ceiling_before_N, bool was_aske
     ASSERT_TRUE(!screen.focus || *screen.focus < screen.items.size());
 }
 
-/// Every hundred events it begins on another screen, so that it comes everywhere.
+/// Every hundred events the run begins on another screen, so that it reaches all.
 void begin_on(OperatorRig& rig, P place) {
     const bool needs_more = place == P::test_step || place == P::cleaning_lock ||
                             place == P::new_pin_again || place == P::question;
@@ -400,8 +401,8 @@ void begin_on(OperatorRig& rig, P place) {
     if (place == P::key_wizard) rig.state.wizard = start_key_wizard(rig.now_s);
 }
 
-/// Ten thousand events of any kind: never without an answer, never stuck, never a ceiling raised
-/// without a question.
+/// Ten thousand events of any kind: each is answered, nothing is ever stuck, and no ceiling is
+/// raised without a question.
 TEST(OperatorRun, TenThousandRudeEvents) {
     OperatorRig rig;
     rig.in_memory = Settings{};

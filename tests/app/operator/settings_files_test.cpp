@@ -1,4 +1,4 @@
-// The site's file of settings: missing, good, wrong, cut off, written by two at once.
+// Tests the site's settings file: missing, good, wrong, cut off, written by two at once.
 #include "app/operator/settings_files.h"
 
 #include "config/settings/settings_text.h"
@@ -100,7 +100,7 @@ TEST_F(SettingsFilesTest, WithNoGoodOneTheProgramsOwnHold) {
     EXPECT_EQ(read_settings(files).settings, Settings{});
 }
 
-/// A writer that died left half a file: at whichever byte, what was good before holds.
+/// A writer died and left half a file: wherever it is cut, the last good settings stay in force.
 TEST_F(SettingsFilesTest, CutOffAnywhereNothingIsHalf) {
     Settings before;
     before.friction = 0.5;

@@ -1,4 +1,4 @@
-// What teachers are told, as touchline pack says it.
+// Tests what teachers are told, as touchline pack says it.
 #include "app/cli/command_line.h"
 #include "app/decode/files.h"
 #include "app/packs/pack_check.h"
@@ -34,7 +34,7 @@ bool has(const std::vector<PackFinding>& findings, FindingKind kind, const std::
     });
 }
 
-/// The small pack with another picture.
+/// Checks the small pack with another picture.
 std::vector<PackFinding> findings_of(const std::string& svg) {
     auto members = made::small_pack();
     members[1].contents = svg;
@@ -134,7 +134,7 @@ TEST(Command, SaysWhatIsWrongInOneLineAndAStatus) {
     EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1);
 }
 
-/// The guide says what is said.
+/// The guide shows what the command really says.
 TEST(Command, SaysWhatTheGuideShows) {
     auto pack = read_pack(made::example_pack());
     ASSERT_TRUE(pack.has_value());

@@ -1,4 +1,4 @@
-// Layered pictures of the IMAGE project, read and written.
+// Tests layered pictures of the IMAGE project, read and written.
 #include "app/decode/image_layers.h"
 
 #include "app/decode/map_svg.h"
@@ -13,7 +13,7 @@
 namespace touchline {
 namespace {
 
-/// By the guidelines of the project's Monarch client: y up to 0, pixels, one title, layers.
+/// After the guidelines of the project's Monarch client: y up to 0, pixels, one title, layers.
 const std::string layered = R"svg(<?xml version="1.0"?>
 <svg xmlns="http://www.w3.org/2000/svg" width="1160" height="420" viewBox="0 -420 1160 420">
   <title>Two people beside a tree</title>
@@ -74,7 +74,7 @@ bool is_before(const Outline& a, const Outline& b) {
     return a.id < b.id;
 }
 
-/// Written and read, every picture of the gallery says and shows the same.
+/// Every picture of the gallery says and shows the same after it was written and read.
 TEST(ImageLayers, OfTheGalleryHoldTheSameMap) {
     const auto gallery = list_gallery(gallery_folder());
     ASSERT_TRUE(gallery.has_value());

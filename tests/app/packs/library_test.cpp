@@ -1,4 +1,4 @@
-// Packs as they are installed, replaced, listed and heard.
+// Tests packs as they are installed, replaced, listed and heard.
 #include "app/packs/pack_check.h"
 #include "app/packs/pack_library.h"
 #include "app/packs/pack_toml.h"
@@ -77,7 +77,7 @@ TEST(Library, KeepsTheOldVersionWhenTheNewOneCannotBeUsed) {
     EXPECT_TRUE(*read_pack(library.path() + "/shapes-and-a-boat") == example());
 }
 
-/// Whatever was left by an import that lost its power.
+/// Leftovers of an import that lost power.
 TEST(Library, LeftoversAreNoPacksAndAreCleaned) {
     const made::Folder library;
     library.write(".unfinished-x-1/pack.toml", made::bytes_of("half"));

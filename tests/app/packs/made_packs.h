@@ -1,4 +1,4 @@
-// Packs, zip files and recordings, good and evil, made for the tests.
+// Packs, zip files and recordings, good and evil, for the tests.
 #pragma once
 
 #include "app/packs/pack.h"
@@ -17,43 +17,44 @@ using Bytes = std::vector<std::byte>;
 [[nodiscard]] Bytes bytes_of(std::string_view text);
 [[nodiscard]] std::string text_of(const Bytes& bytes);
 
-/// One member of a zip file, every field as it is written; nothing is corrected.
+/// One member of a zip file; every field is written as it is, and nothing is corrected.
 struct Member {
     std::string name;
     std::string contents;
     std::uint16_t flags = 0;
     unsigned made_by = 3;  // Unix
     std::uint32_t attributes = 0100644U << 16U;
-    std::uint32_t claimed_bytes = 0xffffffff;  // 0xffffffff: as many as there are
-    bool is_deflated = false;                  // zeros in place of the contents' bytes
-    std::string local_name;                    // empty: as name
+    std::uint32_t claimed_bytes = 0xffffffff;  // 0xffffffff: the true number
+    bool is_deflated = false;                  // then the contents are zeros
+    std::string local_name;                    // empty: same as name
 };
 
-/// The raw bytes, list and end included.
+/// Returns the raw bytes of a zip file, with its list and its end.
 [[nodiscard]] Bytes zip(const std::vector<Member>& members);
 
-/// `name` with `count` zeros, deflated: a thousandth of them.
+/// Returns a member of `count` zeros, deflated to about a thousandth.
 [[nodiscard]] Member zeros(const std::string& name, std::size_t count);
 
-/// A pack.toml and one picture.
+/// Returns a pack.toml and one picture.
 [[nodiscard]] std::vector<Member> small_pack();
 
-/// Mono, a tone of 440 Hz. `format`: of libsndfile, SF_FORMAT_WAV | SF_FORMAT_PCM_16 and so on.
+/// Returns a tone of 440 Hz, the same in every channel. `format`: libsndfile's, such as SF_FORMAT_WAV |
+/// SF_FORMAT_PCM_16.
 [[nodiscard]] Bytes recording(int format, int rate_Hz, double length_s, int channels = 1,
                               float loudness = 0.5F);
 
 [[nodiscard]] Bytes ogg();
 
-/// One to eight bytes changed, or a piece cut out or cut off.
+/// Returns the bytes with one to eight of them changed, or a piece cut out or cut off.
 [[nodiscard]] Bytes mutated(Bytes bytes, std::mt19937& random);
 
-/// Every page of an Ogg file gets the sum that its bytes have.
+/// Gives every page of an Ogg file the checksum of its bytes.
 void mend_ogg_sums(Bytes& bytes);
 
-/// Few a day; as many as TOUCHLINE_MUTATIONS says for the hazard table.
+/// Returns a few for each day's test run; TOUCHLINE_MUTATIONS sets more for the hazard table.
 [[nodiscard]] int mutation_count(int a_day);
 
-/// A folder of its own, gone with it.
+/// A separate folder, removed with this object.
 class Folder {
   public:
     Folder();
@@ -69,7 +70,7 @@ class Folder {
     std::filesystem::path path_;
 };
 
-/// The pack that the guide shows.
+/// Returns the path of the pack that the guide shows.
 [[nodiscard]] std::string example_pack();
 
 }  // namespace touchline::made

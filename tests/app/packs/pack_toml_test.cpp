@@ -1,4 +1,4 @@
-// pack.toml: what is read, and what is refused with which line.
+// Tests what pack.toml may hold, and which line refuses the rest.
 #include "app/packs/pack_toml.h"
 
 #include "audio-cues/words/language.h"

@@ -1,4 +1,4 @@
-// Untrusted recordings, through the worker.
+// Tests untrusted recordings with the worker.
 #include "app/packs/unpacking.h"
 #include "audio-cues/words/language.h"
 #include "tests/app/decode/liar_in_place.h"
@@ -13,7 +13,7 @@
 namespace touchline {
 namespace {
 
-/// Amplitude at 440 Hz, and root mean square of everything.
+/// Returns the amplitude at 440 Hz, and the root mean square of everything.
 std::pair<double, double> heard(const std::vector<float>& samples) {
     std::complex<double> sum = 0.0;
     double square = 0.0;
@@ -80,7 +80,7 @@ void expect_sound_or_sentence(const std::string& name, const made::Bytes& bytes,
     int taken = 0;
     for (int i = 0; i < count; ++i) {
         auto changed = made::mutated(bytes, random);
-        // Else libogg would leave out every page that was hit, and nothing else be tried.
+        // Otherwise libogg would drop every damaged page, and nothing else would be tested.
         if (is_ogg) made::mend_ogg_sums(changed);
         const auto sound = open_sound({name, changed});
         taken += sound ? 1 : 0;

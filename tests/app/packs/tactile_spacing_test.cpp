@@ -1,4 +1,4 @@
-// Lines that a hand cannot tell apart.
+// Tests lines that a hand cannot tell apart.
 #include "app/packs/tactile_spacing.h"
 
 #include "app/decode/map_svg.h"
@@ -39,7 +39,7 @@ TEST(HandRoom, ParallelLinesAreNearBelowThreeMillimetres) {
 TEST(HandRoom, LinesThatMeetMayBeNearThere) {
     EXPECT_TRUE(near_lines(map_of_lines({line(-30, 0, 30, 0), line(-30, -20, 30, 20)}), 5).empty());
     EXPECT_TRUE(near_lines(map_of_lines({line(-30, 0, 30, 0), line(0, 0, 0, 20)}), 5).empty());
-    // One end is near the other line and does not reach it.
+    // One end is near the other line but does not reach it.
     EXPECT_EQ(near_lines(map_of_lines({line(-30, 0, 30, 0), line(0, 1.5, 0, 20)}), 5).size(), 1U);
 }
 
@@ -68,11 +68,11 @@ TEST(HandRoom, ATangleIsLookedAtInBoundedTime) {
     const auto start = std::chrono::steady_clock::now();
     EXPECT_LE(near_lines(map_of_lines(std::move(tangle)), 5).size(), 5U);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(took.count(), 20.0);  // under a sanitizer
+    EXPECT_LT(took.count(), 20.0);  // even under a sanitizer
     std::printf("%.2f s\n", took.count());
 }
 
-/// Pictures that were drawn with care have nothing to be told.
+/// Carefully drawn pictures cause no finding.
 TEST(HandRoom, ThePicturesOfTheGalleryHaveRoom) {
     const auto gallery = list_gallery(gallery_folder());
     ASSERT_TRUE(gallery.has_value());

@@ -1,4 +1,4 @@
-// What touchline-unpack answers: only what it would have written is believed.
+// Tests answers of touchline-unpack: only what the real program would write is believed.
 #include "app/packs/unpack_answer.h"
 
 #include "app/packs/pack_limits.h"

@@ -1,4 +1,5 @@
-// Untrusted zip files, through the worker: what is taken, and what is refused with which words.
+// Tests untrusted zip files with the worker: what is accepted, and what is refused with which
+// words.
 #include "app/packs/pack_export.h"
 #include "app/packs/pack_limits.h"
 #include "app/packs/unpacking.h"
@@ -144,7 +145,7 @@ TEST(Zip, NoiseIsNoZip) {
     EXPECT_EQ(unpack_zip({}).error().kind, FindingKind::empty);
 }
 
-/// Memory of the kiosk, and the clock.
+/// Expects no effect on the kiosk's memory, and little time.
 void expect_no_harm(const made::Bytes& bytes, FindingKind kind) {
     (void)unpack_zip(made::bytes_of("warm"));
     const long before_kB = resident_kB();
@@ -170,7 +171,7 @@ TEST(Bombs, ThatSayTheirSizeAreRefusedByTheList) {
     expect_no_harm(made::zip(many), FindingKind::all_too_large);
 }
 
-/// More comes than the list says: not a byte of it is kept.
+/// More bytes come than the list says: none of them is kept.
 TEST(Bombs, ThatLieAboutTheirSizeAreRefused) {
     Member liar = made::zeros("a.txt", std::size_t{64} << 20U);
     liar.claimed_bytes = 10;

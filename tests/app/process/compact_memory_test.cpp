@@ -13,7 +13,7 @@
 namespace touchline {
 namespace {
 
-/// How many arenas glibc has.
+/// Returns how many arenas glibc has.
 int arenas() {
     char* text = nullptr;
     std::size_t size = 0;
@@ -27,7 +27,7 @@ int arenas() {
     return count;
 }
 
-/// After some threads at once have each taken memory.
+/// Returns the number after several threads allocated memory at once.
 int arenas_after_threads() {
     std::atomic<int> ready{0};
     std::array<std::vector<char>, 4> taken;
@@ -42,7 +42,7 @@ int arenas_after_threads() {
     return arenas();
 }
 
-/// In processes of their own: what glibc once has it keeps.
+/// Each case has its own process, since glibc keeps the arenas that it once has.
 TEST(CompactMemoryDeathTest, ThreadsShareOneArena) {
     EXPECT_EXIT(
         {

@@ -51,13 +51,13 @@ TEST(Memory, IsNotSealedUnderAWriter) {
     EXPECT_TRUE(seal(memory).has_value());
 }
 
-/// What `script` wrote into the second of two descriptors, the first of them full of `text`; its
-/// end.
+/// Returns what `script` wrote into the second of two descriptors, and how it ended. The first
+/// descriptor holds `text_in`.
 std::pair<std::string, ChildEnd> run(const std::string& script, bool is_swapped) {
     const std::string text_in = "hello\n";
     Descriptor first = sealed_copy(std::as_bytes(std::span(text_in))).value();
     Descriptor second = fresh_memory().value();
-    // Numbers that cross those over there.
+    // These numbers cross those in the child.
     if (is_swapped) {
         const int low = dup(second.number());
         const int high = dup(first.number());

@@ -22,7 +22,7 @@
 namespace touchline {
 namespace {
 
-// Straight to the kernel: the C library may choose another call than the one that is named.
+// Calls the kernel directly: the C library may make another call than the named one.
 template <class... Arguments>
 long call(long number, Arguments... arguments) {
     return syscall(number, arguments...);

@@ -8,19 +8,19 @@ namespace touchline {
 
 struct Act {
     std::string_view name;
-    /// 0 or more: it worked. -1: refused, with errno.
+    /// Returns 0 or more if it worked; -1, with errno, if it was refused.
     long (*run)();
     bool is_of_files = false;  // Landlock alone denies it too
-    bool is_reading = false;   // Landlock alone denies it where fonts may be read
+    bool is_reading = false;   // Landlock alone denies it if fonts may be read
 };
 
 [[nodiscard]] const std::vector<Act>& acts();
 
-/// What a process dies of that the filter of calls kills for the act: SIGSYS; SIGSEGV for a 32-bit
-/// call where the kernel has none for anybody, which is tried in a process of its own.
+/// Returns the signal that ends a process whose call the filter kills for this act: SIGSYS, or
+/// SIGSEGV for a 32-bit call if the kernel has none at all, which is tried in a separate process.
 [[nodiscard]] int deadly_signal(const Act& act);
 
-/// Reads a file of the system, as a library does while it is prepared. As Act::run.
+/// Reads a system file, as a library does during preparation. Returns like Act::run.
 [[nodiscard]] long read_system_file();
 
 }  // namespace touchline

@@ -1,4 +1,5 @@
-// What each kind of worker may do, asked of the rules themselves; sandbox_test.cpp asks the kernel.
+// Tests what each kind of worker may do by asking the rules themselves; sandbox_test.cpp asks the
+// kernel.
 #include "app/sandbox/policy.h"
 
 #include "app/sandbox/sandbox.h"
@@ -42,7 +43,7 @@ bool holds(const CallRule& rule, int call, const Arguments& arguments) {
            (arguments.at(rule.where->argument) & rule.where->mask) == rule.where->value;
 }
 
-/// What the filter says; a contradiction is none of its answers.
+/// Returns what the filter answers; it must never be a contradiction.
 std::string answer(const std::vector<CallRule>& rules, int call, const Arguments& arguments = {}) {
     std::set<std::string> answers;
     for (const CallRule& rule : rules)
@@ -186,7 +187,7 @@ TEST(SandboxPolicy, ThreadsOnlyWhereACodecNeedsThemAndNeverAProcess) {
     }
 }
 
-/// Every combination of what an opening can ask for.
+/// Tries every combination of what an opening can ask for.
 TEST(SandboxPolicy, FilesAreOpenedForReadingOnlyAndOnlyWhereDocumentsAreDrawn) {
     constexpr std::array changes{O_WRONLY, O_RDWR, O_CREAT, O_TRUNC, O_APPEND, O_PATH, 0x400000};
     for (const WorkerKind kind : all_kinds) {
@@ -248,7 +249,7 @@ TEST(SandboxPolicy, FoldersThatAreRead) {
     }
 }
 
-/// soft and hard of a limit; nothing: there is none.
+/// Returns the soft and the hard limit; empty if there is none.
 std::vector<std::uint64_t> limit_of(const std::vector<ResourceLimit>& limits, int what) {
     std::vector<std::uint64_t> found;
     for (const ResourceLimit& limit : limits)
@@ -276,7 +277,7 @@ TEST(SandboxPolicy, LimitsOfEachResource) {
     }
 }
 
-/// The table of app/sandbox/README.md.
+/// Tests the table of app/sandbox/README.md.
 TEST(SandboxPolicy, WhatEachKindMayTakeOfTheMachine) {
     constexpr std::size_t MiB = 1024 * 1024;
 

@@ -33,7 +33,7 @@ namespace {
 
 constexpr std::string_view without = "without:";
 
-/// From here on the kernel refuses the call, as one does that does not know it.
+/// From here on the kernel refuses the call as if it did not know it.
 bool refuse_call(const std::string& call) {
     const std::size_t slash = call.find('/');
     const int number = seccomp_syscall_resolve_name(call.substr(0, slash).c_str());
@@ -62,7 +62,7 @@ Result<void> enter(const std::string& steps, WorkerKind kind) {
     _exit(0);
 }
 
-/// Gigabytes, touched.
+/// Allocates and writes gigabytes.
 int allocate() {
     constexpr std::size_t block = std::size_t{64} << 20U;
     std::vector<std::vector<char>> blocks;
@@ -74,7 +74,7 @@ void* wait_for_ever(void* /*unused*/) {
     for (std::atomic<int> never = 0;;) never.wait(0);
 }
 
-/// As many threads as there may be, 3000 at most, each with the smallest stack; writes how many.
+/// Starts as many threads as it can, at most 3000, each with the smallest stack; writes how many.
 int start_threads() {
     constexpr int wanted = 3000;
     pthread_attr_t small;
@@ -93,13 +93,13 @@ int write_much() {
     return 0;
 }
 
-/// As far as the sandbox was entered.
+/// Returns true if the steps before made the process untraceable and let it die with its parent.
 bool is_shut_off() {
     int death = 0;
     return prctl(PR_GET_DUMPABLE) == 0 && prctl(PR_GET_PDEATHSIG, &death) == 0 && death == SIGKILL;
 }
 
-/// One that a library has started before the process shuts itself in.
+/// A thread that a library started before the process enters the sandbox.
 class EarlierThread {
   public:
     EarlierThread()

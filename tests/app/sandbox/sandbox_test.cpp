@@ -1,4 +1,4 @@
-// Everything that a captured worker might try, tried from inside.
+// Tries everything that a captured worker might try, from inside the sandbox.
 #include "app/sandbox/sandbox.h"
 
 #include "tests/app/sandbox/acts.h"
@@ -31,24 +31,24 @@ struct Ending {
 
 constexpr Ending worked{0, 0};
 constexpr Ending was_refused{1, 0};
-constexpr Ending was_killed{-1, SIGSYS};  // by the filter of calls
+constexpr Ending was_killed{-1, SIGSYS};  // by the call filter
 constexpr Ending was_not_shut_in{3, 0};
 
 Ending killed_for(const Act& act) {
     return {-1, deadly_signal(act)};
 }
 
-/// It stands beside this program.
+/// The probe lies beside this program.
 fs::path probe_program() {
     return fs::read_symlink("/proc/self/exe").parent_path() / "sandbox_probe";
 }
 
 constexpr uid_t id_of_nobody = 65534;
 
-/// As whom the probe runs: root, as which a test may run, is bound by no limit of processes.
+/// The user that the probe runs as: a test may run as root, whom no process limit binds.
 enum class As : std::uint8_t { we_are, nobody };
 
-/// Its process; its output goes to `memory`.
+/// Starts the probe and returns its process; the output goes to `memory`.
 pid_t start_probe(const std::string& steps, WorkerKind kind, std::string_view act, int memory,
                   As who = As::we_are) {
     const std::string kind_text = std::to_string(static_cast<int>(kind));
@@ -141,7 +141,7 @@ TEST_F(SandboxAlone, WhileLibrariesArePreparedOnlyTheSystemIsRead) {
     EXPECT_EQ(probe("system", WorkerKind::document, "read system file"), worked);
 }
 
-/// Each step in turn, on a kernel that cannot take it. A worker that is not shut in does no work.
+/// Tries a kernel that lacks each step in turn. A worker outside the sandbox does no work.
 TEST_F(SandboxAlone, IsNotEnteredWhereAnyStepFails) {
     const std::string prctl = "without:prctl/";
     for (const std::string& steps :
@@ -154,7 +154,7 @@ TEST_F(SandboxAlone, IsNotEnteredWhereAnyStepFails) {
     }
 }
 
-/// Asked where the last step fails: inside no one could ask any more.
+/// The last step is made to fail, because inside the sandbox nobody could ask.
 TEST_F(SandboxAlone, DiesWithItsParentAndCannotBeTraced) {
     EXPECT_EQ(probe("without:seccomp", WorkerKind::raster, "settings"), was_not_shut_in);
 }
@@ -164,7 +164,7 @@ TEST_F(SandboxAlone, TheFilterOfCallsHoldsForThreadsStartedBefore) {
     EXPECT_EQ(probe("none", WorkerKind::heif, "thread"), worked);
 }
 
-/// Or the tests above would prove nothing.
+/// Otherwise the tests above would prove nothing.
 TEST_F(SandboxAlone, WithoutItTheActsWork) {
     for (const char* act : {"open", "openat", "stat", "socket", "unix socket", "fork",
                             "memory with code", "data made code", "memfd", "duplicate"}) {
@@ -176,7 +176,7 @@ TEST_F(SandboxAlone, MemoryHasAnEnd) {
     EXPECT_EQ(probe("all", WorkerKind::raster, "allocate"), (Ending{70, 0}));
 }
 
-/// How many of 3000 threads it got.
+/// Returns how many of 3000 threads it got.
 int threads_started(const std::string& steps, WorkerKind kind) {
     const int memory = memfd_create("probe", 0);
     const pid_t pid = start_probe(steps, kind, "threads", memory, As::nobody);
@@ -199,7 +199,7 @@ TEST_F(SandboxAlone, ThreadsHaveAnEnd) {
     }
 }
 
-/// What the kernel would kill first when memory is short.
+/// When memory is short, the kernel kills the worker first.
 TEST_F(SandboxAlone, GoesBeforeAllOthersWhenMemoryIsShort) {
     for (const WorkerKind kind : {WorkerKind::raster, WorkerKind::heif, WorkerKind::document,
                                   WorkerKind::ocr, WorkerKind::speech, WorkerKind::pack}) {

@@ -1,5 +1,5 @@
-// How the parent takes each way in which a worker ends. The worker is a shell; tests/app/decode has
-// the liars.
+// Tests how the parent handles each way in which a worker ends. The worker is a shell;
+// tests/app/decode has the liars.
 #include "app/sandbox/worker.h"
 
 #include "app/process/child.h"
@@ -47,7 +47,7 @@ TEST(Worker, ReadsItsInputAndItsOutputIsSealed) {
     EXPECT_LT(write(answer->number(), "x", 1), 0);
 }
 
-/// Both sides count the descriptors alike.
+/// Both sides number the descriptors alike.
 TEST(Worker, FindsItsDescriptorsWhereTheyAreHanded) {
     EXPECT_EQ(worker_input, Child::first_handed);
     EXPECT_EQ(worker_output, Child::first_handed + 1);
@@ -91,7 +91,7 @@ TEST(Worker, AProgramThatIsMissingIsNotStarted) {
               WorkerEnd::not_started);
 }
 
-/// By the clock on the wall, of its kind: 6 s. Not sooner, however busy the machine is.
+/// The deadline is wall-clock time, 6 s for this kind, and no sooner on a busy machine.
 TEST(Worker, ThatSleepsIsEndedAtItsDeadline) {
     timespec begin{};
     timespec end{};
@@ -104,12 +104,12 @@ TEST(Worker, ThatSleepsIsEndedAtItsDeadline) {
     EXPECT_GE(end.tv_sec - begin.tv_sec, 5);
 }
 
-/// Somebody listens to a voice for as long as it speaks.
+/// A voice may speak as long as somebody listens.
 TEST(Worker, ThatSpeaksHasNoDeadline) {
     EXPECT_EQ(text_of(worked("sleep 0.2; echo spoken >&4", WorkerKind::speech)), "spoken\n");
 }
 
-/// A timer's, a profiler's: the wait goes on where they interrupt it.
+/// A timer or a profiler may interrupt the wait; it then goes on.
 TEST(Worker, IsWaitedForThroughSignals) {
     struct sigaction nothing {};
 
@@ -123,7 +123,7 @@ TEST(Worker, IsWaitedForThroughSignals) {
     EXPECT_EQ(text, "spoken\n");
 }
 
-/// Every descriptor that this process may have is taken.
+/// Takes every descriptor that this process may have.
 TEST(Worker, IsNotStartedWhereNothingIsLeftForItsAnswer) {
     const Descriptor input = sealed_copy(std::as_bytes(std::span("x"))).value();
     std::vector<Descriptor> all;

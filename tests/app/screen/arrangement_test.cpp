@@ -66,7 +66,7 @@ TEST(TextSizes, AreThoseOfTheirAngles) {
 TEST(TextSizes, TheLargestHasItsSizeFromEightHundredLinesOn) {
     EXPECT_NEAR(text_sizes(TextSize::largest, 27.0, 1280, 800).cap_px, 77.1, 0.1);
     const double small_px = text_sizes(TextSize::largest, 27.0, 800, 600).cap_px;
-    EXPECT_LT(small_px, 54.0);  // a screen of 16 cm
+    EXPECT_LT(small_px, 54.0);  // on a screen of 16 cm
     EXPECT_GT(small_px, 45.0);
 }
 

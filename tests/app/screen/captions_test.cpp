@@ -1,4 +1,4 @@
-// VI-5: everything spoken has a caption, every short sound a sign.
+// Tests VI-5: everything spoken has a caption, and every short sound a sign.
 #include "app/screen/captions.h"
 
 #include "app/screen/canvas.h"

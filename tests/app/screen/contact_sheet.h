@@ -1,4 +1,4 @@
-// Screens painted into memory as the window shows them, alone or many on one sheet.
+// Paints screens into memory as the window shows them, alone or many on one sheet.
 #pragma once
 
 #include "app/screen/canvas.h"
@@ -9,7 +9,7 @@
 
 namespace touchline {
 
-/// The layers as they lie on a screen of this size. Marks are not layers and not here.
+/// Composes the layers as they lie on a screen of this size. Marks are not layers and are left out.
 [[nodiscard]] Canvas composed(const ScreenLayers& layers, int width_px, int height_px);
 
 struct Thumbnail {
@@ -17,7 +17,7 @@ struct Thumbnail {
     Canvas canvas;
 };
 
-/// In rows of `columns`, each `width_px` wide with its name above.
+/// Lays screens out in rows of `columns`, each `width_px` wide with its name above.
 [[nodiscard]] Canvas contact_sheet(const std::vector<Thumbnail>& screens, int columns,
                                    int width_px);
 

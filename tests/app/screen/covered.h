@@ -1,4 +1,4 @@
-// What strokes cover, as the shader would fill it.
+// Which pixels strokes cover, as the shader fills them.
 #pragma once
 
 #include "app/screen/strokes.h"
@@ -14,7 +14,7 @@ inline int stroke_count(const Strokes& strokes) {
     return static_cast<int>(strokes.vertices().size()) / Strokes::vertices_per_stroke;
 }
 
-/// True when the shader would fill the pixel at p for some stroke of this colour.
+/// Returns true if the shader would fill the pixel at p for some stroke of this colour.
 inline bool covers(const Strokes& strokes, PixelPoint p, Colour colour) {
     const auto& vertices = strokes.vertices();
     for (std::size_t i = 0; i < vertices.size(); i += Strokes::vertices_per_stroke) {

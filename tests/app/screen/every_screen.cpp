@@ -42,7 +42,7 @@ OperatorWorld busy_world(const Language& language) {
 }
 
 void add_operator(const Language& language, std::vector<NamedScreen>& screens) {
-    for (std::size_t i = 1; i < operator_place_count; ++i) {  // 0: closed
+    for (std::size_t i = 1; i < operator_place_count; ++i) {  // 0 is closed
         Operator state;
         state.place = static_cast<OperatorPlace>(i);
         state.wizard = start_key_wizard(0.0);

@@ -1,4 +1,4 @@
-// Every screen of visitor and operator as the kiosk makes it, to be measured and looked at.
+// Every screen of visitor and operator as the kiosk makes it, for measuring and viewing.
 #pragma once
 
 #include "tests/app/screen/sample_screens.h"
@@ -7,8 +7,8 @@
 
 namespace touchline {
 
-/// Of the visit one for each of its screens, of the operator one for each place; in a language of
-/// every_language().
+/// Returns one screen for each kind of screen of the visit and for each place of the operator, in a
+/// language of every_language().
 [[nodiscard]] std::vector<NamedScreen> every_screen(const Language& language);
 
 }  // namespace touchline

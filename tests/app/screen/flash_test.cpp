@@ -1,5 +1,5 @@
-// VI-4: ten seconds of frames of a visit that changes as fast as it can. No area but the handle's
-// marker, which is no layer, changes more than twice a second.
+// Tests VI-4 on ten seconds of frames of a visit that changes as fast as it can: no area changes
+// more than twice a second, except the handle's marker, which is no layer.
 #include "app/screen/change_pace.h"
 #include "app/screen/screen_layers.h"
 #include "tests/app/screen/contact_sheet.h"
@@ -20,7 +20,7 @@ constexpr int small_height = 400;
 constexpr int tile_px = 20;
 constexpr int frame_rate_Hz = 60;
 
-/// Mean brightness of each tile, 0 ... 1.
+/// Returns the mean brightness of each tile, 0 ... 1.
 std::vector<double> tiles_of(const Canvas& canvas) {
     std::vector<double> tiles;
     for (int top = 0; top < small_height; top += tile_px) {
@@ -38,7 +38,7 @@ std::vector<double> tiles_of(const Canvas& canvas) {
     return tiles;
 }
 
-/// The most changes that any tile had within any second.
+/// Records the most changes that any tile had within any second.
 class FrameLog {
   public:
     void add(std::vector<double> tiles, std::int64_t now_ns) {
@@ -116,7 +116,7 @@ TEST(Flashing, TwoItemsInTurnAndTwoSoundsInTurnDoNot) {
 
 TEST(Flashing, PagesThatTurnByThemselvesDoNot) {
     ScreenContent content;
-    content.screen = sample_screens(Language())[5].screen;  // text of many pages
+    content.screen = sample_screens(Language())[5].screen;  // a text of many pages
     content.text_size = TextSize::largest;
     content.caption = content.screen.text;
     const FrameLog log = log_of([&](int) { return content; });

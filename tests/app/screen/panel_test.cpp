@@ -42,7 +42,7 @@ TEST(Text, BytesThatAreNoTextAreDrawnAsReplacements) {
     EXPECT_GT(ink_of(canvas).width, 20.0);
 }
 
-/// Ink stays off the rim: nothing is cut off.
+/// Expects ink to stay off the edge, so that nothing is cut off.
 void expect_inside(const Canvas& canvas) {
     const Rect ink = ink_of(canvas);
     EXPECT_GT(ink.width, 0.0);

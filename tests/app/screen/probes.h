@@ -1,5 +1,5 @@
-// What the tests of the screen share: the usual size of its letters, reading pixels of a canvas,
-// words as they are compared.
+// What the tests of the screen share: the usual letter size, reading pixels of a canvas, and
+// comparing words.
 #pragma once
 
 #include "app/screen/canvas.h"
@@ -14,10 +14,10 @@
 
 namespace touchline {
 
-inline constexpr double usual_cap_px = 27.0;  // 0.6 m before 0.27 mm pixels
+inline constexpr double usual_cap_px = 27.0;  // at 0.6 m from pixels of 0.27 mm
 inline constexpr std::int64_t one_second_ns = 1'000'000'000;
 
-/// Colour of the pixel that holds p, as drawn over black.
+/// Returns the colour of the pixel at p, drawn over black.
 inline Colour colour_at(const Canvas& canvas, PixelPoint p) {
     const unsigned char* pixel = canvas.pixels() +
                                  static_cast<std::ptrdiff_t>(p.y) * canvas.stride() +
@@ -35,7 +35,7 @@ inline bool is_black(Colour c) {
     return is_near(c, {0.0, 0.0, 0.0});
 }
 
-/// The rows and columns that hold any ink; width 0 where there is none.
+/// Returns the rectangle of rows and columns with any ink; width 0 if there is none.
 inline Rect ink_of(const Canvas& canvas) {
     int left = canvas.width(), right = -1, top = canvas.height(), bottom = -1;
     for (int y = 0; y < canvas.height(); ++y) {

@@ -82,7 +82,7 @@ SpokenScreen keys_screen(const Language& language) {
     return screen;
 }
 
-/// Nothing to choose, and more than one page in large letters.
+/// A screen without items whose text takes more than one page in large letters.
 SpokenScreen text_screen(const Language& language) {
     SpokenScreen screen{language.text("fault", "The force is off."), "", {}, {}, ScreenView::none};
     for (const SettingRow& row : setting_rows())
@@ -103,7 +103,7 @@ SpokenScreen long_list(const Language& language) {
     return screen;
 }
 
-/// As files of a stick are named.
+/// Long words, as in the names of files on a stick.
 SpokenScreen long_words(const Language& language) {
     const std::string word =
         "Rindfleischetikettierungs\xC3\xBC"
@@ -140,7 +140,7 @@ std::vector<NamedScreen> sample_screens(const Language& language) {
 }
 
 std::string stretched(const std::string& text) {
-    constexpr int letters_each = 5;  // then two more
+    constexpr int letters_each = 5;  // then two are added
     std::string longer;
     int letters = 0;
     for (const char c : text) {

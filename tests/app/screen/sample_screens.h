@@ -1,5 +1,4 @@
-// Screens of every kind, made from words that the catalogues have, for measuring how they are
-// drawn.
+// Screens of every kind, made from words of the catalogues, for measuring how they are drawn.
 #pragma once
 
 #include "app/session/screen_model.h"
@@ -15,14 +14,14 @@ struct NamedScreen {
     SpokenScreen screen;
 };
 
-/// English and every catalogue. Throws where one cannot be read.
+/// Returns English and every catalogue. Throws if one cannot be read.
 [[nodiscard]] std::vector<Language> every_language();
 
-/// A list, settings beside a picture, a camera, a text of many pages, a list of 500.
+/// Returns a list, settings beside a picture, a camera, a text of many pages, and a list of 500.
 [[nodiscard]] std::vector<NamedScreen> sample_screens(const Language& language);
 
-/// With every text two fifths longer, inside its words: what a language does that nobody has
-/// translated to yet.
+/// Makes every text two fifths longer, within its words, as a language might that has no
+/// translation yet.
 [[nodiscard]] SpokenScreen stretched(SpokenScreen screen);
 [[nodiscard]] std::string stretched(const std::string& text);
 

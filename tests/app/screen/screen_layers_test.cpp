@@ -1,4 +1,4 @@
-// What a screen looks like, measured from its pixels: VI-1, VI-2, VI-3, VI-7.
+// Measures what a screen looks like from its pixels: VI-1, VI-2, VI-3, VI-7.
 #include "app/screen/screen_layers.h"
 
 #include "tests/app/screen/contact_sheet.h"
@@ -34,7 +34,7 @@ Canvas drawn(const ScreenContent& content) {
     return composed(layers, screen_width, screen_height);
 }
 
-/// The rows of a part of a canvas in which a colour stands, as first and one past the last.
+/// Returns the rows of a part of a canvas that hold a colour, as first and one past the last.
 std::pair<int, int> rows_with(const Canvas& canvas, const Rect& rect, Colour colour) {
     int first = -1;
     int last = -1;
@@ -86,17 +86,17 @@ std::vector<Colour> main_colours(const Canvas& canvas) {
 TEST(ScreenPixels, VI2_LettersHaveTheContrastOfTheirPalette) {
     for (const PaletteName name : palette_list) {
         ScreenContent content = list_content(name);
-        content.screen.focus.reset();  // nothing but letters
+        content.screen.focus.reset();  // only letters are left
         content.caption = "Something is said here, in quite a few words, so that they count.";
         const std::vector<Colour> colours = main_colours(drawn(content));
         const double measured = contrast(colours.at(0), colours.at(1));
-        const bool is_high = name == PaletteName::white_on_black ||  // the default too
+        const bool is_high = name == PaletteName::white_on_black ||  // includes the default
                              name == PaletteName::black_on_white;
         EXPECT_GE(measured, is_high ? 20.0 : 7.0) << static_cast<int>(name);
     }
 }
 
-/// Lengths of the runs along a row of pixels that stand out from the ground at least 3:1.
+/// Returns the lengths of runs along a row of pixels that contrast with the ground at least 3:1.
 std::vector<int> runs_standing_out(const Canvas& canvas, int y, int from_x, int to_x,
                                    Colour ground) {
     std::vector<int> runs;
@@ -124,9 +124,10 @@ TEST(ScreenPixels, VI3_TheFocusIsAThickFrameAndAPointerThatStandOut) {
         const Colour ground = palette_of(name).background;
         const int left = static_cast<int>(face.focus->x);
         const int middle = static_cast<int>(face.focus->y + face.focus->height / 2.0);
-        const auto letters_px = static_cast<int>(1.4 * sizes.cap_px);  // not that far
+        const auto letters_px = static_cast<int>(1.4 * sizes.cap_px);  // the letters do not reach
+                                                                       // so far
         const auto with = runs_standing_out(canvas, middle, left, left + letters_px, ground);
-        ASSERT_EQ(with.size(), 2U) << static_cast<int>(name);  // frame, pointer
+        ASSERT_EQ(with.size(), 2U) << static_cast<int>(name);  // frame and pointer
         EXPECT_GE(with[0], 4);
         EXPECT_GE(with[1], 10);
         const int other = middle + static_cast<int>(face.focus->height);
@@ -178,7 +179,7 @@ TEST(Curtain, IsBlackWhateverThereIsAndFallsAtOnce) {
     content.screen.focus = 0;
     layers.update(content, screen_width, screen_height, 1);
     content.is_curtain = true;
-    layers.update(content, screen_width, screen_height, 2);  // a third change within a second
+    layers.update(content, screen_width, screen_height, 2);  // a third change within one second
     EXPECT_TRUE(is_all_black(composed(layers, screen_width, screen_height)));
     content.caption = "More of it";
     content.screen.title = "Another screen";

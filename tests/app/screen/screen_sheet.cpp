@@ -1,4 +1,4 @@
-// Writes every screen in every language as one picture, to be looked at.
+// Writes every screen in every language as one picture, for viewing.
 #include "app/decode/png_writer.h"
 #include "audio-cues/words/guidance_words.h"
 #include "tests/app/screen/contact_sheet.h"
@@ -22,7 +22,7 @@ struct SheetOrder {
     PaletteName palette = PaletteName::white_on_black;
 };
 
-/// Grey steps, so that it is seen where a picture lies.
+/// Grey steps, which show where a picture lies.
 std::shared_ptr<const Canvas> grey_steps() {
     constexpr int width = 320;
     constexpr int height = 240;
@@ -45,7 +45,7 @@ ScreenContent content_of(const SpokenScreen& screen, const Language& language,
     return content;
 }
 
-/// `screens` of one language.
+/// Adds `screens` in one language.
 void add_screens(std::vector<Thumbnail>& thumbnails, const std::vector<NamedScreen>& screens,
                  const Language& language, const SheetOrder& order) {
     for (const NamedScreen& each : screens) {
@@ -73,7 +73,7 @@ int write_sheet(const SheetOrder& order) {
 }  // namespace
 }  // namespace touchline
 
-/// screen_sheet OUT.png [WIDTH HEIGHT [SIZE 0 ... 3 [PALETTE 0 ... 3]]]
+/// Usage: screen_sheet OUT.png [WIDTH HEIGHT [SIZE 0 ... 3 [PALETTE 0 ... 3]]]
 int main(int count, char** words) {
     using namespace touchline;
     if (count < 2) {

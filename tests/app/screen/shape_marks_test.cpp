@@ -1,4 +1,4 @@
-// A shape in the hand, drawn.
+// Tests how a shape in the hand is drawn.
 #include "app/screen/shape_marks.h"
 
 #include "app/screen/marks.h"
@@ -47,7 +47,7 @@ TEST(ShapeMarks, ItTurns) {
 
 TEST(ShapeMarks, ItsTorqueIsAnArcOnTheSideToWhichItTurns) {
     HandState hand = with_bar();
-    hand.torque_Nm = 0.011;  // a quarter of a turn, to the left
+    hand.torque_Nm = 0.011;  // a quarter turn to the left
     const PixelPoint left = view.to_px(hand.p_WH) + PixelPoint{-31.0, -31.0};
     const PixelPoint right = view.to_px(hand.p_WH) + PixelPoint{31.0, -31.0};
     EXPECT_TRUE(covers(drawn(hand), left, white_on_black.force));

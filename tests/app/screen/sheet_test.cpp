@@ -1,4 +1,4 @@
-// VI-6: nothing is cut off in any language, at any size, on any screen.
+// Tests VI-6: nothing is cut off in any language, at any size, on any screen.
 #include "app/screen/sheet.h"
 
 #include "app/screen/captions.h"
@@ -29,14 +29,14 @@ bool is_inside(const Rect& inner, const Rect& outer) {
            inner.y + inner.height <= outer.y + outer.height + tolerance_px;
 }
 
-/// With what its mark takes beside it.
+/// Returns the line's box, including its mark.
 Rect box_of(const FaceLine& line) {
     const double mark_px = mark_room_px(line.mark, line.style.cap_px);
     return {line.at.x - mark_px, line.at.y, line.width_px + 2.0 * mark_px,
             line_height_px(line.style.cap_px)};
 }
 
-/// All words of the pages, one after the other.
+/// Joins all words of the pages.
 std::string words_of(const std::vector<SheetPage>& pages) {
     std::string words;
     for (const SheetPage& page : pages) {
@@ -57,7 +57,7 @@ struct Case {
     Language language;
 };
 
-/// Every screen in every language, and stretched by two fifths where a language is twice there.
+/// Returns every screen in every language, plain and stretched by two fifths.
 std::vector<Case> all_cases() {
     std::vector<Case> cases;
     for (const Language& language : every_language()) {
@@ -71,7 +71,7 @@ std::vector<Case> all_cases() {
     return cases;
 }
 
-/// Every line, mark and frame of a pair of pages lies where it belongs.
+/// Expects every line, mark and frame of a pair of pages to lie where it belongs.
 void expect_face_inside(const SheetFace& face, const SheetLayout& layout, const std::string& name) {
     for (const FaceLine& line : face.lines) {
         ASSERT_TRUE(is_inside(box_of(line), line.part)) << name << ": " << line.text;
@@ -127,7 +127,7 @@ TEST(Sheet, VI6_NothingIsCutOffInAnyLanguageAtAnySizeOnAnyScreen) {
     });
 }
 
-/// As the kiosk itself makes them.
+/// Returns every screen as the kiosk itself makes it.
 std::vector<Case> cases_of_the_kiosk() {
     std::vector<Case> cases;
     for (const Language& language : every_language())
@@ -169,7 +169,7 @@ TEST(Sheet, TheFocusIsAlwaysOnThePageShown) {
     });
 }
 
-/// The box of a line holds all its ink.
+/// Expects the box of a line to hold all its ink.
 void expect_ink_inside(const Canvas& canvas, const std::string& text, double cap_px) {
     constexpr double rim_px = 6.0;
     const double width_px = line_width_px(canvas.context(), {cap_px, true}, text);

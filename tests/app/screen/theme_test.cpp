@@ -19,7 +19,7 @@ double least_text_contrast(const Palette& palette) {
     return least;
 }
 
-/// What a pixel of a picture looks like, dimmed over the background.
+/// Returns how a pixel of a picture looks, dimmed over the background.
 Colour dimmed(double grey, const Palette& palette) {
     const auto over = [&](double ground) {
         return palette.picture_alpha * grey + (1.0 - palette.picture_alpha) * ground;
@@ -64,7 +64,7 @@ TEST(Contrast, OfBlackAndWhiteIsTwentyOne) {
 }
 
 TEST(CapHeight, SubtendsSevenTenthsOfADegree) {
-    EXPECT_NEAR(cap_height_px(0.6, 0.25) * 0.25, 7.33, 0.01);  // mm, EN 301 549 gives 7.3 at 0.6 m
+    EXPECT_NEAR(cap_height_px(0.6, 0.25) * 0.25, 7.33, 0.01);  // mm; EN 301 549 gives 7.3 at 0.6 m
 }
 
 TEST(CapHeight, AScreenThatLiesAboutItsSizeStaysReadable) {

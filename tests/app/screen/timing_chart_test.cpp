@@ -18,7 +18,7 @@ TEST(LatenessBars, HoldEveryTickOnce) {
               (std::array<std::uint64_t, LatenessBars::count>{2, 2, 1, 1, 1, 2}));
 }
 
-/// Pixels of a row that have the colour of bars.
+/// Counts the pixels of a row in the colour of bars.
 int bar_px(const Canvas& canvas, double y_px) {
     int length = 0;
     for (int x = 0; x < canvas.width(); ++x)

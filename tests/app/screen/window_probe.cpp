@@ -51,7 +51,7 @@ ScreenContent fish_content() {
     return content;
 }
 
-/// What stands in the window now, rows from the top.
+/// Returns what the window shows now, rows from the top.
 Picture pixels_of(const Window& window) {
     Picture picture;
     picture.width = window.width_px();
@@ -73,7 +73,7 @@ void draw_and_measure(Window& window, KioskScreen& screen, ScreenContent& conten
     for (int i = 0; i < frames; ++i) {
         const std::int64_t start_ns = now_ns();
         content.hand.p_WH.x = 0.010 + 0.0001 * i;
-        // On a clock of its own: which page is shown depends on no machine.
+        // Its own clock decides which page is shown, so no machine does.
         screen.draw(content, window.width_px(), window.height_px(), i * 1'000'000'000LL / 60);
         glFinish();
         (i == 0 ? first_ns : rest_ns) += now_ns() - start_ns;
@@ -89,7 +89,7 @@ void write(const std::string& file, const Window& window) {
     if (!written) throw std::runtime_error(written.error().line);
 }
 
-/// Nobody writes into it.
+/// Nobody ever writes to the input.
 bool has_input_ended() {
     pollfd input{STDIN_FILENO, POLLIN, 0};
     return ::poll(&input, 1, 0) > 0;
@@ -107,7 +107,7 @@ void run(const std::string& file, TextSize size) {
     fmt::print("ready\n");
     std::fflush(stdout);
     constexpr std::int64_t frame_ns = 50'000'000;
-    // The clock stands still from now on: no page turns while the display is read.
+    // From now on the clock stands still: no page turns while the display is read.
     const auto draw = [&] {
         screen.draw(content, window->width_px(), window->height_px(),
                     frames * 1'000'000'000LL / 60);

@@ -1,4 +1,4 @@
-// The window on a bare display, without a window manager, and what OpenGL makes of a screen.
+// Tests the window on a bare display, without a window manager, and what OpenGL makes of a screen.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -20,7 +20,7 @@ class BareDisplay : public testing::Test {
 
     void TearDown() override { fs::remove_all(folder_); }
 
-    /// The window shows its screen while the script runs; drawn.png is what it drew, root.png what
+    /// Runs the script while the window shows its screen. drawn.png is what it drew, root.png what
     /// the display shows.
     int run_script(const std::string& display_size, const std::string& script) {
         const fs::path path = folder_ / "script.sh";
@@ -49,7 +49,7 @@ class BareDisplay : public testing::Test {
                         testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
-/// Pixel for pixel: no border, no gap, nothing in front.
+/// Compares pixel for pixel: no border, no gap, nothing in front.
 constexpr const char* compare =
     "compare -metric AE drawn.png root.png null: 2>differing.txt;"
     "identify -format '%wx%h' root.png >size.txt";
@@ -66,7 +66,7 @@ TEST_F(BareDisplay, TheWindowCoversAnUprightMonitor) {
     EXPECT_EQ(text_of("differing.txt"), "0");
 }
 
-/// What the window drew last beside what the display shows, after the screen has changed.
+/// Compares the window's last frame with the display after the screen has changed.
 std::string after(const std::string& change) {
     return change + R"(
         sleep 3
@@ -108,7 +108,7 @@ TEST_F(BareDisplay, TheWindowOutlivesAScreenThatIsUnpluggedAndComesBackAnother) 
     EXPECT_EQ(text_of("differing.txt"), "0");
 }
 
-/// How much of a part of the picture has a colour.
+/// Computes the share of a part of the picture that has a colour.
 std::string share_of(const std::string& colour, const std::string& crop, const std::string& file) {
     return "convert drawn.png -crop " + crop + " +repage -fill black +opaque '" + colour +
            "' -fill white -opaque '" + colour + "' -format '%[fx:mean]' info: >" + file + ";";

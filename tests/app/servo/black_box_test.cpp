@@ -30,7 +30,7 @@ class BlackBoxFiles : public testing::Test {
         box_.update(recorder_, exchange_.report().force.fault);
     }
 
-    /// Ticks until another line was told. The writer needs its own time; the limit is far away.
+    /// Ticks until another line was told. The writer needs its own time, so the limit is far off.
     void tick_until_told() {
         const std::size_t before = told_.size();
         for (int i = 0; i < 20'000'000 && told_.size() == before; ++i) {
@@ -47,7 +47,7 @@ class BlackBoxFiles : public testing::Test {
         return count;
     }
 
-    /// The device is lost for so long, and is back.
+    /// Loses the device for a while and brings it back.
     void fault() {
         device_.angles.reset();
         for (int i = 0; i < 100; ++i) tick();
@@ -77,7 +77,7 @@ TEST_F(BlackBoxFiles, AFaultHoldsTheRecordingInMemoryAndWritesNothing) {
     EXPECT_FALSE(recorder_.is_held());
     fault();
     EXPECT_TRUE(recorder_.is_held());
-    fault();  // another one changes nothing
+    fault();  // another fault changes nothing
     EXPECT_EQ(files(), 0);
     EXPECT_TRUE(told_.empty());
     ASSERT_FALSE(recorder_.ticks().empty());
@@ -109,7 +109,7 @@ TEST_F(BlackBoxFiles, WhatSomebodyHeldIsOverwrittenWhenTheVisitIsOver) {
     ASSERT_TRUE(recorder_.is_held());
     const TickRecord* const place = recorder_.newest();
     ASSERT_NE(place->p_WH, Position{});
-    // Held until it is overwritten: nothing else can change it.
+    // Still held until overwritten: nothing else can change the record.
     box_.forget();
     box_.update(recorder_, Fault::none);
     EXPECT_EQ(place->p_WH, Position{});
@@ -156,7 +156,7 @@ TEST_F(BlackBoxFiles, WhatCannotBeWrittenIsOneLineAndTheServoGoesOn) {
     fs::create_directories(folder_);
 }
 
-/// Files of this process may grow to so many bytes and no more, while it lives.
+/// While it lives, files of this process may grow to so many bytes and no more.
 class FullDisk {
   public:
     explicit FullDisk(rlim_t bytes_left) : before_(std::signal(SIGXFSZ, SIG_IGN)) {

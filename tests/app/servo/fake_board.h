@@ -13,28 +13,28 @@
 
 namespace touchline {
 
-/// What the device of the servo does at its next tick.
+/// What the servo's device does at its next tick.
 enum class Mischief : int { none, write_nowhere, throw_something, spin };
 
 struct FakeBoard {
-    std::atomic<int> is_pressed{0};  // by the hand, against the line
+    std::atomic<int> is_pressed{0};  // the hand presses it against the line
     std::atomic<Mischief> mischief{Mischief::none};
     std::atomic<int> owner{0};            // the process that holds it
-    std::atomic<int> opened{0};           // times
+    std::atomic<int> opened{0};           // how often
     std::atomic<std::uint64_t> reads{0};  // since it was opened
     std::atomic<int> is_torque_on{0};
     std::atomic<std::int64_t> zeroed_ns{0};  // when torque last went to zero
     std::atomic<int> zeroed_by_guard{0};
     std::atomic<int> zeroed_by_handler{0};
-    std::atomic<int> is_zero_unconfirmed{0};  // it does not answer at the end
-    std::atomic<int> is_tried{0};             // its motors, before it counts as opened
+    std::atomic<int> is_zero_unconfirmed{0};  // does not answer at the end
+    std::atomic<int> is_tried{0};             // motors are tried before it counts as opened
 
     void put(JointTorques torques) {
         const int is_on = torques == JointTorques{} ? 0 : 1;
         if (is_torque_on.exchange(is_on) == 1 && is_on == 0) zeroed_ns = steady_now_ns();
     }
 
-    /// Whoever held it last is gone.
+    /// Returns true if the process that held it last is gone.
     [[nodiscard]] bool is_free() const { return owner == 0 || kill(owner, 0) != 0; }
 };
 

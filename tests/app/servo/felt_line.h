@@ -1,4 +1,4 @@
-// A picture of one line across the drawing area, to be felt. Threads: plain values.
+// A picture of one line across the drawing area, for feeling. Threads: plain values.
 #pragma once
 
 #include "app/servo/scene_order.h"
@@ -10,7 +10,7 @@
 
 namespace touchline {
 
-/// At that height. A picture of another version is another picture.
+/// A line at height y_m. Another version makes another picture.
 [[nodiscard]] inline FeltPicture felt_line(double y_m, std::uint64_t version) {
     TactileMap map;
     Outline line;

@@ -1,5 +1,5 @@
-// Loaded before a servo where its user may lock all memory by a right of its own, and not lift the
-// limit: the limit counts as lifted, as for a servo whose unit has none.
+// A library to load before a servo whose user has the right to lock all memory but cannot lift the
+// limit: it reports the limit as lifted, as for a servo whose unit has no limit.
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// Is the servo's memory really locked? Read from outside, of the real process.
+// Tests that the servo's memory is really locked, as read from outside of the real process.
 #include "tests/app/servo/process_rig.h"
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 namespace touchline {
 namespace {
 
-constexpr long recording_kB = 27'000;  // of the last minute
+constexpr long recording_kB = 27'000;  // for the last minute
 constexpr rlim_t MiB = rlim_t{1} << 20U;
-constexpr unsigned long cap_sys_resource = 24;  // of capabilities(7)
+constexpr unsigned long cap_sys_resource = 24;  // from capabilities(7)
 
-/// As LimitMEMLOCK=infinity of the servo's unit has it. False where whoever runs this test may not
-/// lock so much, neither without a limit nor by a right of root's.
+/// Lifts the limit, as LimitMEMLOCK=infinity does in the servo's unit. Returns false if the user of
+/// this test may not lock so much, neither without a limit nor by root's right.
 bool lift_limit() {
     const rlimit none{RLIM_INFINITY, RLIM_INFINITY};
     if (setrlimit(RLIMIT_MEMLOCK, &none) == 0) return true;
@@ -32,7 +32,7 @@ class LockedMemory : public ProcessRig {
   protected:
     ~LockedMemory() override { unsetenv("LD_PRELOAD"); }
 
-    /// Of the servo that a kiosk has started, in kB.
+    /// Returns the locked memory of a servo that a kiosk has started, in kB.
     long locked_kB() {
         start_kiosk();
         EXPECT_TRUE(wait_until([&] { return board_.reads > 100; }));
@@ -56,7 +56,7 @@ TEST_F(LockedMemory, IsAllOfItWithoutALimit) {
     }
 }
 
-/// Why a large limit will not do: with any, locking what comes later would make allocations fail.
+/// A large limit is not enough: under any limit, locking later memory would make allocations fail.
 TEST_F(LockedMemory, IsNothingWithALimitThatTheServoCannotLift) {
     rlimit limit{};
     ASSERT_EQ(getrlimit(RLIMIT_MEMLOCK, &limit), 0);

@@ -11,7 +11,8 @@
 
 namespace touchline {
 
-/// Mapped for as long as the process lives. T is made of atomic numbers whose start is all zero.
+/// Maps the file for as long as the process lives. T consists of atomic numbers that all start at
+/// zero.
 template <class T>
 T& mapped(const std::string& path) {
     const int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
@@ -21,7 +22,7 @@ T& mapped(const std::string& path) {
     return *static_cast<T*>(start);
 }
 
-/// A new one, all zero.
+/// Makes a new value, all zero.
 template <class T>
 T& make_mapped(const std::string& path) {
     std::ofstream(path, std::ios::binary).write(std::string(sizeof(T), '\0').data(), sizeof(T));

@@ -1,6 +1,6 @@
-// Kiosk and servo as real processes, killed, frozen and crashed: zero torque, what is said, the way
-// back, nothing left behind. The times are told, not judged; the rules are tested on a virtual
-// clock (tests/sim/loop).
+// Tests kiosk and servo as real processes that are killed, frozen and crashed: zero torque, what is
+// said, the way back, nothing left behind. Times are reported but not judged; tests/sim/loop tests
+// the rules on a virtual clock.
 #include "tests/app/servo/process_rig.h"
 #include "tests/sim/fault_lines.h"
 
@@ -19,18 +19,18 @@ constexpr double far_away_ms = 5000.0;
 constexpr std::array crash_signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU};
 constexpr std::array crashes{Mischief::write_nowhere, Mischief::throw_something};
 
-/// How a fault of the processes ends.
+/// Which process a fault ends.
 enum class Ends { kiosk, servo, neither };
 
 struct ProcessFaultKind {
     const char* name;
     Ends ends;
     void (*act)(FakeBoard& board, pid_t kiosk, std::uint64_t seed);
-    const char* words;                                 // that the operator is told
-    std::atomic<int> FakeBoard::*zeroed_by = nullptr;  // who did, besides the loop
+    const char* words;                                 // what the operator is told
+    std::atomic<int> FakeBoard::*zeroed_by = nullptr;  // who zeroed it, besides the loop
 };
 
-/// As GoogleTest shows it.
+/// Prints the kind for GoogleTest.
 void PrintTo(const ProcessFaultKind& kind, std::ostream* out) {
     *out << kind.name;
 }
@@ -69,7 +69,7 @@ const std::vector<ProcessFaultKind> kinds{
 
 class ProcessFault : public ProcessRig, public testing::WithParamInterface<ProcessFaultKind> {
   protected:
-    /// It ended as it should, and nobody else is left.
+    /// Expects the servo to have ended well, and no other child to be left.
     void bury_servo(int servo) {
         int status = 0;
         EXPECT_EQ(waitpid(servo, &status, 0), servo);
@@ -77,7 +77,7 @@ class ProcessFault : public ProcessRig, public testing::WithParamInterface<Proce
         EXPECT_EQ(waitpid(-1, &status, WNOHANG), -1);
     }
 
-    /// What the dead leave to be done, and torque again.
+    /// Reaps the dead and waits for the next servo, or lets the kiosk go on.
     void recover(const ProcessFaultKind& kind, int servo) {
         if (kind.ends == Ends::kiosk) {
             int status = 0;
@@ -88,7 +88,7 @@ class ProcessFault : public ProcessRig, public testing::WithParamInterface<Proce
             ++deaths_;
             next_servo_ = opened_before_ + 1;
             EXPECT_TRUE(wait_until([&] { return board_.opened > opened_before_; }));
-            EXPECT_FALSE(is_there(servo));  // no zombie either
+            EXPECT_FALSE(is_there(servo));  // not even a zombie
         } else {
             kill(kiosk_, SIGCONT);
         }

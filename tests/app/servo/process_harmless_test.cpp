@@ -1,5 +1,5 @@
-// What real processes of kiosk and servo must not even notice: a full disk, a step of the wall
-// clock.
+// Tests what real processes of kiosk and servo must not even notice: a full disk, a step of the
+// wall clock.
 #include "tests/app/servo/process_rig.h"
 #include "tests/app/servo/stepped_clock.h"
 #include "tests/sim/fault_lines.h"
@@ -15,8 +15,8 @@
 namespace touchline {
 namespace {
 
-/// What must not cost the force at all. A machine that stands still for 10 ms costs it too, by
-/// other rules: such a run is done again.
+/// These must not interrupt the force at all. A machine that stands still for 10 ms interrupts it
+/// too, by other rules; such a run is repeated.
 class Harmless : public ProcessRig {
   protected:
     void run_each_seed(const std::function<bool(std::uint64_t)>& keeps_torque) {
@@ -25,7 +25,7 @@ class Harmless : public ProcessRig {
             SCOPED_TRACE("seed " + std::to_string(seed));
             int tries = 0;
             do {
-                // A hand that rests for 20 s is taken to be off: it presses anew each time.
+                // A hand that rests for 20 s counts as off the handle: it presses anew each time.
                 board_.is_pressed = 0;
                 EXPECT_TRUE(wait_until([&] { return board_.is_torque_on == 0; }));
                 ASSERT_NO_FATAL_FAILURE(be_pressed(seed));
@@ -34,7 +34,7 @@ class Harmless : public ProcessRig {
         }
     }
 
-    /// It was on before, and went to zero at no time meanwhile.
+    /// Returns true if torque was on and never went to zero meanwhile.
     [[nodiscard]] bool is_torque_kept(const std::function<void()>& meanwhile) {
         const std::int64_t zeroed_ns = board_.zeroed_ns;
         meanwhile();
@@ -51,13 +51,13 @@ class FullDisk : public Harmless {
         std::filesystem::remove_all(folder_);
     }
 
-    /// The servo may write so many bytes into a file and no more, as on a disk with that much left.
+    /// Lets the servo write so many bytes into a file and no more, as on a nearly full disk.
     void leave_bytes(rlim_t bytes) {
         const rlimit limit{bytes, RLIM_INFINITY};
         (void)prlimit(board_.owner, RLIMIT_FSIZE, &limit, nullptr);
     }
 
-    /// Asks for a recording; what is said of it.
+    /// Asks for a recording and returns what is said about it.
     std::string words_of_recording() {
         std::string words;
         kill(kiosk_, SIGUSR1);
@@ -80,7 +80,7 @@ class FullDisk : public Harmless {
         const int descriptors = open_descriptors(servo);
         const std::int64_t from_ns = steady_now_ns();
         std::string words;
-        if (!wait_for_ticks(100)) return false;  // more to be kept than there is room for
+        if (!wait_for_ticks(100)) return false;  // more to keep than there is room for
         (void)new_words();
         leave_bytes(random() % 10'000);
         if (!is_torque_kept([&] { words = words_of_recording(); })) return false;
@@ -128,7 +128,7 @@ TEST_F(Harmless, AStepOfTheWallClockIsNoticedByNobody) {
             EXPECT_TRUE(wait_for_ticks(100));
         });
         if (!is_kept) return false;
-        EXPECT_EQ(clock.reads, reads);  // neither guard nor servo asked what time it is
+        EXPECT_EQ(clock.reads, reads);  // neither guard nor servo read the wall clock
         tell({"processes", "clock step", seed, {}, "force goes on", {}, true, {}});
         return true;
     });
@@ -136,7 +136,7 @@ TEST_F(Harmless, AStepOfTheWallClockIsNoticedByNobody) {
     std::filesystem::remove(path);
 }
 
-/// Or the test before proves nothing.
+/// Otherwise the test before proves nothing.
 TEST_F(Harmless, TheSteppedClockIsTheOneThatAProgramSees) {
     const std::string path = path_ + ".clock";
     SteppedClock& clock = make_mapped<SteppedClock>(path);

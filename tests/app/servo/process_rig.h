@@ -1,5 +1,5 @@
-// A kiosk and its servo as real processes with a fake board, for tests that kill them. Nothing here
-// judges how fast the machine is: limits are far away.
+// A kiosk and its servo as real processes with a fake board, for tests that kill them. No test here
+// judges the machine's speed: limits are far off.
 #pragma once
 
 #include "config/types/steady_clock.h"
@@ -27,7 +27,7 @@ namespace touchline {
 inline constexpr int longest_wait_ms = 60'000;
 inline constexpr std::uint64_t everyday_runs = 2;
 
-/// Until the condition holds, or a minute has passed.
+/// Waits until the condition holds, or a minute has passed.
 [[nodiscard]] inline bool wait_until(const std::function<bool()>& condition) {
     for (int i = 0; i < longest_wait_ms; ++i) {
         if (condition()) return true;
@@ -41,7 +41,7 @@ class ProcessRig : public testing::Test {
     ProcessRig()
         : path_(testing::TempDir() + "board-" + std::to_string(getpid())),
           board_(make_mapped<FakeBoard>(path_)) {
-        // The servos of dead kiosks are ours.
+        // Servos of dead kiosks become children of this process.
         prctl(PR_SET_CHILD_SUBREAPER, 1UL, 0UL, 0UL, 0UL);
     }
 
@@ -58,10 +58,10 @@ class ProcessRig : public testing::Test {
 
     void start_kiosk();
 
-    /// From now on a kiosk asks for its servo, and this starts it, as systemd would.
+    /// From now on a kiosk asks for its servo, and this process starts it, as systemd would.
     void start_listener();
 
-    /// Its status.
+    /// Ends the kiosk and returns its status.
     int end_kiosk(int signal) {
         kill(kiosk_, signal);
         kill(kiosk_, SIGCONT);
@@ -70,15 +70,15 @@ class ProcessRig : public testing::Test {
         return status;
     }
 
-    /// What kiosk and servo said since this was last asked.
+    /// Returns what kiosk and servo said since the last call.
     [[nodiscard]] std::string new_words() {
         std::ifstream file(words_path());
         const std::string all{std::istreambuf_iterator<char>(file), {}};
         return all.substr(std::min(std::exchange(words_read_, all.size()), all.size()));
     }
 
-    /// Lifts the handle until force is armed, then presses until there is torque; again where the
-    /// scene came late or force was held off for a moment.
+    /// Lifts the handle until force is armed, then presses until there is torque; tries again if
+    /// the scene came late or force was held off for a moment.
     [[nodiscard]] bool press() {
         for (int i = 0; i < 20 && board_.is_torque_on == 0; ++i) {
             board_.is_pressed = 0;
@@ -94,15 +94,14 @@ class ProcessRig : public testing::Test {
         return wait_until([&] { return board_.reads > from + count; });
     }
 
-    /// A servo of this number or a later one, with torque on.
+    /// Presses on the servo with this number or a later one until torque is on.
     [[nodiscard]] bool press_on_servo(int number) {
         return wait_until([&] { return board_.opened >= number && board_.reads > 0; }) && press();
     }
 
-    /// Torque is on, at a moment that the seed chooses; by a servo that was not there before where
-    /// one died.
+    /// Turns torque on, at a moment that the seed chooses; if a servo died, by a new one.
     void be_pressed(std::uint64_t seed) {
-        constexpr int most_deaths = 2;  // of servos, for after each a kiosk waits twice as long
+        constexpr int most_deaths = 2;  // of servos: after each, a kiosk waits twice as long
         if (kiosk_ != 0 && deaths_ == most_deaths) {
             EXPECT_EQ(end_kiosk(SIGTERM), 0);
         }
@@ -119,12 +118,12 @@ class ProcessRig : public testing::Test {
 
     [[nodiscard]] static bool is_there(int process) { return kill(process, 0) == 0; }
 
-    /// Milliseconds until the torque is zero after `act`.
+    /// Returns the milliseconds from `act` until the torque is zero.
     double ms_to_zero(const std::function<void()>& act) {
         const std::int64_t start_ns = steady_now_ns();
         act();
         EXPECT_TRUE(wait_until([&] { return board_.is_torque_on == 0; }));
-        board_.is_pressed = 0;  // above the line when the next scene comes: that is the side it has
+        board_.is_pressed = 0;  // above the line when the next scene comes, which decides the side
         return 1e-6 * static_cast<double>(board_.zeroed_ns - start_ns);
     }
 
@@ -137,7 +136,7 @@ class ProcessRig : public testing::Test {
     pid_t kiosk_ = 0;
     pid_t listener_ = 0;
     int deaths_ = 0;      // of its servos
-    int next_servo_ = 0;  // as the board counts them
+    int next_servo_ = 0;  // in the board's count
 
   private:
     std::size_t words_read_ = 0;

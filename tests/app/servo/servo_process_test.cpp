@@ -1,5 +1,5 @@
-// The servo as a real process, and a kiosk around it: what is asked of both, and what a servo makes
-// of a kiosk that is mad or gone. What kills them is in process_fault_test.cpp.
+// Tests the servo as a real process, and a kiosk around it: the orders to both, and how a servo
+// copes with a kiosk that is mad or gone. process_fault_test.cpp kills them.
 #include "app/servo/servo_process.h"
 
 #include "app/process/child.h"
@@ -36,7 +36,7 @@ TEST_F(ServoProcess, MakesForceAndEndsAsAsked) {
     EXPECT_NE(kill(servo, 0), 0);
 }
 
-/// What a guard goes by holds while the motors are tried, too.
+/// What a guard relies on also holds while the motors are tried.
 TEST_F(ServoProcess, TellsTheTorqueThatComesBeforeItsLoop) {
     board_.is_tried = 1;
     auto servo = start_servo(TOUCHLINE_SERVO_RIG, {path_}).value();
@@ -65,8 +65,8 @@ TEST_F(ServoProcess, TheGuardZeroesABoardThatDidNotConfirmItAtTheEnd) {
     EXPECT_EQ(board_.zeroed_by_guard, 1);
 }
 
-/// Each start of a servo that fails as the one before would be news of a repair otherwise; and of a
-/// tier.
+/// Otherwise each start of a servo that fails like the one before would be news of a repair, and of
+/// a tier.
 TEST_F(ServoProcess, WhyThereIsNoServoStaysToBeReadWhileTheNextIsTried) {
     board_.owner = getpid();  // the board is busy
     int failures = 0;
@@ -90,8 +90,8 @@ TEST_F(ServoProcess, WhyThereIsNoServoStaysToBeReadWhileTheNextIsTried) {
     board_.owner = 0;
 }
 
-/// A board was said to work between the servo that it was pulled from and the next, which finds
-/// none.
+/// Otherwise a board would count as working between the servo that it was unplugged from and the
+/// next one, which finds none.
 TEST(ServoConnection, TheDeviceIsLostFromAServosEndUntilMoreIsSaidOrTheNextReports) {
     ServoConnection line;
     ServoReport report;
@@ -114,10 +114,10 @@ TEST(ServoConnection, TheDeviceIsLostFromAServosEndUntilMoreIsSaidOrTheNextRepor
     line.disconnect();
     EXPECT_EQ(fault(), Fault::device_lost);
     const auto second = connect();
-    EXPECT_EQ(fault(), Fault::device_lost);  // it has told nothing yet
+    EXPECT_EQ(fault(), Fault::device_lost);  // the next one has told nothing yet
     line.say("No board is plugged in.");
     line.disconnect();
-    EXPECT_EQ(fault(), Fault::none);  // the words stand for it
+    EXPECT_EQ(fault(), Fault::none);  // the words replace the fault
     const auto third = connect();
     line.say("");
     line.disconnect();
@@ -125,12 +125,12 @@ TEST(ServoConnection, TheDeviceIsLostFromAServosEndUntilMoreIsSaidOrTheNextRepor
     const auto fourth = connect();
     EXPECT_EQ(fault(), Fault::device_lost);
     line.say("Move the handle to the left.");
-    EXPECT_EQ(fault(), Fault::none);  // it is homed: the words count
+    EXPECT_EQ(fault(), Fault::none);  // it is being homed: the words count
     fourth->region.channel().reports.write({});
     EXPECT_EQ(fault(), Fault::none);
 }
 
-/// Of a board that nobody has named the kind of; zeroed until it confirmed that once.
+/// Options for a board of unknown kind; it confirms zero after `failures` tries.
 ServoProcessOptions without_kind(std::atomic<int>& zeroed, int failures) {
     ServoProcessOptions options{TOUCHLINE_SERVO_RIG, {}, [&zeroed, failures](const std::string&) {
                                     return ++zeroed > failures ? Result<void>() : failure("busy");
@@ -139,7 +139,7 @@ ServoProcessOptions without_kind(std::atomic<int>& zeroed, int failures) {
     return options;
 }
 
-/// Another program may have left torque on it.
+/// Another program may have left torque on the board.
 TEST_F(ServoProcess, ABoardIsToldZeroAndNoMoreBeforeItsKindIsSaid) {
     std::atomic<int> zeroed{0};
     ServoProcessOptions options = without_kind(zeroed, 1);
@@ -163,7 +163,7 @@ TEST_F(ServoProcess, ABoardIsToldZeroAndNoMoreBeforeItsKindIsSaid) {
     EXPECT_LT(1e-9 * static_cast<double>(steady_now_ns() - chosen_ns), 2.0);
 }
 
-/// While the kind said before is written to the disk, and the servo of that one begins.
+/// The first kind is still being written to the disk, and its servo starts.
 TEST_F(ServoProcess, TheKindThatIsSaidLastHolds) {
     std::atomic<int> zeroed{0};
     std::mutex mutex;
@@ -196,7 +196,7 @@ TEST_F(ServoProcess, TheKindThatIsSaidLastHolds) {
     }));
 }
 
-/// What is to be done for the next servo, rather than what was to be done for the last.
+/// The words tell what to do for the next servo, not what was to do for the last one.
 TEST_F(ServoProcess, WordsAreOfTheHomingThatIsWanted) {
     touchline::ServoProcess servo(
         {TOUCHLINE_SERVO_RIG, {path_}, [](const std::string&) { return Result<void>(); }});
@@ -221,7 +221,7 @@ TEST(GuardWords, AreInTheCatalogue) {
     }
 }
 
-/// A corrupted kiosk: it scribbles over all that is shared, sends nonsense, and dies.
+/// A corrupted kiosk scribbles over all shared memory, sends nonsense, and dies.
 TEST_F(ServoProcess, AKioskGoneMadNeitherCrashesTheServoNorLeavesTorque) {
     auto sockets = socket_pair().value();
     auto region = SharedRegion::create().value();

@@ -2,14 +2,12 @@
 //
 //   servo_rig SOCKET BOARD         the servo
 //   servo_rig SOCKET usb DEVICE    the servo with a board on the USB, whatever its tier
-//   servo_rig usb-kiosk DEVICE     the kiosk of one, with a hand that is pulled at, until it is
-//                                  killed
-//   servo_rig kiosk BOARD [PATH]   the kiosk, until SIGTERM; SIGUSR1: keeps a recording; SIGUSR2:
-//   its
-//                                  main thread hangs for 0.8 s. PATH: it asks there for its servo
-//   servo_rig listen PATH          as systemd does with touchline-servo.socket: a servo for each
-//   that asks servo_rig SOCKET               the servo that is started so: the kiosk names its
-//   board
+//   servo_rig usb-kiosk DEVICE     its kiosk, with a hand that is pulled, until killed
+//   servo_rig kiosk BOARD [PATH]   the kiosk, until SIGTERM; asks at PATH for its servo; SIGUSR1:
+//                                  keeps a recording; SIGUSR2: its main thread hangs for 0.8 s
+//   servo_rig listen PATH          like systemd with touchline-servo.socket: starts a servo for
+//                                  each request
+//   servo_rig SOCKET               the servo started so: the kiosk names its board
 #include "app/process/child.h"
 #include "app/servo/servo_process.h"
 #include "app/servo/servo_program.h"
@@ -44,7 +42,7 @@ constexpr Position pressed{0.0, -0.002};
 void do_mischief(Mischief mischief) {
     if (mischief == Mischief::write_nowhere) *static_cast<volatile int*>(nullptr) = 1;
     if (mischief == Mischief::throw_something) throw std::runtime_error("a bug");
-    // Volatile, or a compiler may take it that a loop without effects ends.
+    // Volatile, because a compiler may assume that a loop without effects ends.
     for (volatile bool spins = mischief == Mischief::spin; spins;) {
     }
 }
@@ -56,7 +54,7 @@ class FakeDevice final : public ForceDevice {
     [[nodiscard]] std::optional<JointAngles> read_angles(double /*now_s*/) override {
         ++board_.reads;
         do_mischief(board_.mischief.exchange(Mischief::none));
-        // At 0.12 m/s: a handle that leaps is a fault.
+        // Moves at 0.12 m/s: a handle that leaps is a fault.
         const double down_m = above.y - pressed.y;
         const double goal_m = board_.is_pressed != 0 ? down_m : 0.0;
         moved_m_ += std::clamp(goal_m - moved_m_, -1.2e-4, 1.2e-4);
@@ -159,7 +157,7 @@ int run_usb_kiosk(const std::string& program, const std::vector<std::string>& wo
     }
 }
 
-/// Until it is killed. Its dead are buried by the kernel.
+/// Listens until it is killed. The kernel reaps its children.
 int listen_at(const std::string& program, const std::string& path) {
     std::signal(SIGCHLD, SIG_IGN);
     const Descriptor socket(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0));
@@ -176,7 +174,7 @@ int listen_at(const std::string& program, const std::string& path) {
     }
 }
 
-/// How busy the machine of a test is decides nothing.
+/// Opens the device whatever the tier, so that a busy machine changes nothing.
 Result<OpenedDevice> open_at_any_tier(std::span<const std::string> arguments,
                                       const Opening& opening) {
     auto opened = open_usb_device(device_of(arguments).value(), opening);

@@ -1,7 +1,7 @@
-// Kiosk, servo and board as three processes, the board behind a file of the USB: the servo killed
-// and frozen with torque on, and how soon the board is at zero. The guard has the servo's own
-// descriptor. Every day a few, whose times are told; with TOUCHLINE_EXHAUSTIVE set 200 of each,
-// at rest and beside other work, judged by 20 ms.
+// Tests kiosk, servo and board as three processes, with the board behind a USB file: the servo is
+// killed or frozen with torque on, and the board must soon be at zero. The guard has the servo's
+// own descriptor. A few runs every day report their times; with TOUCHLINE_EXHAUSTIVE set there are
+// 200 of each, at rest and beside other work, judged by 20 ms.
 #include "app/device/board_files.h"
 #include "app/process/child.h"
 #include "app/servo/usb_search.h"
@@ -37,15 +37,15 @@ constexpr int busy_programs = 4;
 struct Death {
     const char* name;
     int signal;
-    bool is_busy;  // the machine, with other work
+    bool is_busy;  // the machine has other work
 };
 
-/// As GoogleTest shows it.
+/// Prints the death for GoogleTest.
 void PrintTo(const Death& death, std::ostream* out) {
     *out << death.name;
 }
 
-/// While it lives, programs that want all there is of the processors.
+/// While it lives, programs take all the processor time they can get.
 class OtherWork {
   public:
     explicit OtherWork(int programs) {
@@ -97,7 +97,7 @@ class SharedNode : public testing::TestWithParam<Death> {
 
     void start_kiosk() {
         UsbDevice device = find_usb_device(read_board_files(board_files()).value()).value().value();
-        device.is_homed_first = false;  // the hand of the test rests at home
+        device.is_homed_first = false;  // the test's hand rests at home
         device.profile = default_profile().name;
         std::vector<std::string> words{"usb-kiosk"};
         for (const std::string& word : arguments_of(device)) words.push_back(word);
@@ -123,7 +123,7 @@ class SharedNode : public testing::TestWithParam<Death> {
         return torques;
     }
 
-    /// The servo: the only child of the kiosk's guard.
+    /// Returns the servo: the only child of the kiosk's guard.
     [[nodiscard]] pid_t servo() {
         const std::string tasks = "/proc/" + std::to_string(kiosk_->pid()) + "/task";
         for (const auto& task : std::filesystem::directory_iterator(tasks)) {
@@ -133,7 +133,8 @@ class SharedNode : public testing::TestWithParam<Death> {
         return 0;
     }
 
-    /// The board's time. From the look at the clock to the signal no time passes.
+    /// Sends the signal and returns the board's time. No time passes between reading the clock and
+    /// the signal.
     [[nodiscard]] double end_servo(int signal) {
         const pid_t pid = servo();
         double now_s = 0.0;
@@ -147,7 +148,8 @@ class SharedNode : public testing::TestWithParam<Death> {
 
     MockedUsb mocked_;
     std::unique_ptr<UsbNodeServer> board_;
-    std::unique_ptr<Child> kiosk_;  // GCC 14 takes one in an optional for uninitialised
+    std::unique_ptr<Child> kiosk_;  // a pointer, since GCC 14 takes a Child in an optional for
+                                    // uninitialised
 };
 
 TEST_P(SharedNode, IsZeroedByTheGuardAtOnce) {

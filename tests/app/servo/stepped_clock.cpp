@@ -1,5 +1,5 @@
-// Loaded before a program (LD_PRELOAD): what it reads of the wall clock is counted and stepped;
-// every other clock is as it is.
+// A library to load before a program (LD_PRELOAD): it counts the program's reads of the wall clock
+// and steps it; every other clock stays as it is.
 #include "tests/app/servo/stepped_clock.h"
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// A servo that somebody else starts when the kiosk asks at a socket, as systemd does with a unit of
-// its own: whatever ends kiosk or servo ends in zero torque, and in another servo.
+// Tests a servo that another program starts when the kiosk asks at a socket, as systemd does with a
+// separate unit: whatever ends kiosk or servo leads to zero torque and another servo.
 #include "tests/app/servo/process_rig.h"
 
 #include <csignal>
@@ -19,7 +19,7 @@ class SummonedServo : public ProcessRig {
         servo_ = board_.owner;
     }
 
-    /// The words that say so, and force again with another servo.
+    /// Expects these words, and force again from another servo.
     void expect_another(const std::string& words) {
         std::string said;
         EXPECT_TRUE(wait_until([&] {

@@ -1,6 +1,6 @@
-// The whole way: the kiosk's guard, the program touchline-servo, libusb and an emulated board that
-// holds its last torque. What dies and is killed is in servo_process_test.cpp: umockdev does not
-// outlive a program that is killed in the middle of a call.
+// Tests the whole chain: the kiosk's guard, the program touchline-servo, libusb and an emulated
+// board that holds its last torque. servo_process_test.cpp tests what dies and is killed: umockdev
+// does not survive a program that is killed in the middle of a call.
 #include "app/device/board_files.h"
 #include "app/servo/servo_process.h"
 #include "app/servo/usb_search.h"
@@ -25,17 +25,17 @@ class UsbServo : public testing::Test {
   protected:
     void start(const std::string& program, std::vector<std::string> arguments = {}) {
         device_.profile = default_profile().name;
-        device_.is_homed_first = false;  // the hand of the test rests at home
+        device_.is_homed_first = false;  // the test's hand rests at home
         for (const std::string& argument : arguments_of(device_)) arguments.push_back(argument);
         servo_ = std::make_unique<ServoProcess>(ServoProcessOptions{
             program, arguments,
             [this](const std::string& bus_path) { return zero_usb_device(device_, bus_path); }});
     }
 
-    /// Its force does not depend on how busy the machine is.
+    /// Starts a servo whose force does not depend on how busy the machine is.
     void start_at_any_tier() { start(TOUCHLINE_SERVO_RIG, {"usb"}); }
 
-    /// As the kiosk does, frame by frame, until the condition holds or a minute has passed.
+    /// Runs frames as the kiosk does, until the condition holds or a minute has passed.
     [[nodiscard]] bool frames_until(const std::function<bool()>& condition) {
         for (int i = 0; i < longest_wait_ms; ++i) {
             (void)servo_->latest();
@@ -56,7 +56,7 @@ class UsbServo : public testing::Test {
         return torques;
     }
 
-    /// A groove a millimetre beside the hand pulls at it.
+    /// Sets a groove a millimetre beside the hand, which pulls it.
     void feel_a_pull() {
         servo_->feel(felt_line(0.045, ++version_));
         ServoCommands commands;
@@ -84,7 +84,7 @@ TEST_F(UsbServo, TheProgramItselfTakesTheBoardAndGivesItBackWithZeroTorque) {
     EXPECT_LT(norm(servo_->latest().p_WH - home_W), 0.001);
     servo_->stop();
     EXPECT_EQ(held(), JointTorques{});
-    EXPECT_TRUE(zero_usb_device(device_).has_value());  // nobody holds it any more
+    EXPECT_TRUE(zero_usb_device(device_).has_value());  // no process holds it any more
 }
 
 TEST_F(UsbServo, PullsAtTheHandAndEndsWithZeroTorque) {

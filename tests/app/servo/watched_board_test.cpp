@@ -1,4 +1,4 @@
-// The board as the servo has it, when the machine slept meanwhile.
+// Tests the board as the servo sees it after the machine slept.
 #include "app/servo/watched_board.h"
 
 #include "tests/sim/board/board_rig.h"
@@ -30,7 +30,7 @@ class SleepyBoard : public testing::Test {
         EXPECT_TRUE(board_.open(false, opening, clock).has_value());
     }
 
-    /// The angles of the last tick.
+    /// Ticks so often and returns the angles of the last tick.
     std::optional<JointAngles> tick(int times) {
         std::optional<JointAngles> angles;
         for (int i = 0; i < times; ++i) {

@@ -1,5 +1,5 @@
-// A small house for a visit: twelve pictures, a stick, a camera, a handle that leads. It carries
-// orders out on a virtual clock and writes down what a visitor hears and feels.
+// A small simulated kiosk for a visit: twelve pictures, a stick, a camera, a handle that leads. It
+// carries orders out on a virtual clock and records what a visitor hears and feels.
 #pragma once
 
 #include "app/session/visit.h"
@@ -11,10 +11,10 @@
 
 namespace touchline {
 
-/// English and all catalogues. Read once.
+/// English and all catalogues, read once.
 const std::vector<Language>& all_languages();
 
-/// Facts of picture `index`, in a language: two pages where it comes from the stick.
+/// Facts of picture `index`, in a language; a picture of the stick has two pages.
 PictureFacts fake_facts(const LoadPicture& order);
 
 struct HeardText {
@@ -28,20 +28,21 @@ class FakeHouse {
   public:
     explicit FakeHouse(VisitRules rules = {});
 
-    /// Carries the orders out; answers of things come by later ticks.
+    /// Steps the visit and carries its orders out; answers to slow orders come in later ticks.
     void apply(const VisitEvent& event);
 
     void press(KeyRole role) { apply(KeyPressed{role}); }
 
     void press(std::initializer_list<KeyRole> roles);
 
-    /// In steps of 50 ms, with all that comes due.
+    /// Passes time in steps of 50 ms and applies all events that come due.
     void wait(double seconds);
 
-    /// Down until the item has the focus, at most once round. False: there is none.
+    /// Presses Down until the item has the focus, at most once round. Returns false if there is
+    /// none.
     bool find(const std::string& name);
 
-    /// find() and Select.
+    /// Calls find() and presses Select.
     bool choose(const std::string& name);
 
     [[nodiscard]] SpokenScreen screen() const { return screen_of(visit, world()); }
@@ -50,7 +51,7 @@ class FakeHouse {
 
     [[nodiscard]] VisitWorld world() const { return {languages, settings, gallery, rules}; }
 
-    /// Orders of a kind in the last step.
+    /// Returns the last step's orders of this kind.
     template <class Order>
     [[nodiscard]] std::vector<Order> last() const {
         std::vector<Order> found;
@@ -60,25 +61,25 @@ class FakeHouse {
         return found;
     }
 
-    /// A sentence that was said in the last step, or since `from` of the transcript.
+    /// Returns true if a sentence with this part was said since `from` of the transcript.
     [[nodiscard]] bool has_said(const std::string& part, std::size_t from) const;
     [[nodiscard]] std::string last_said() const;
 
-    // The house may be changed between steps.
+    // These may change between steps.
     std::vector<Language> languages = all_languages();
     Settings settings;
     std::vector<std::vector<GalleryTitle>> gallery;
     VisitRules rules;
-    double load_s = 0.2;  // how long a picture takes
-    double lead_s = 2.0;  // how long leading takes
+    double load_s = 0.2;  // loading time of a picture
+    double lead_s = 2.0;  // time that leading takes
     bool loads_fail = false;
 
     Visit visit;
-    VisitOrders orders;                 // of the last step
-    VisitOrders all_orders;             // of all steps
-    std::vector<HeardText> transcript;  // nothing is ever taken away
+    VisitOrders orders;                 // from the last step
+    VisitOrders all_orders;             // from all steps
+    std::vector<HeardText> transcript;  // only grows
     double now_s = 0.0;
-    double sounded_s = 0.0;  // the last speech or cue
+    double sounded_s = 0.0;  // time of the last speech or cue
     bool is_leading = false;
 
   private:

@@ -1,5 +1,5 @@
-// What a text asks for can be done with the keys that are there: with the six of a keypad, with two
-// switches, and with a full keyboard.
+// Tests that the keys can do what a text asks for: the six of a keypad, two switches, and a full
+// keyboard.
 #include "app/keys/two_switches.h"
 #include "app/operator/operator_places.h"
 #include "app/session/fault_words.h"
@@ -24,7 +24,7 @@ const std::string catalogue_folder = TOUCHLINE_SOURCE_DIR "/audio-cues/words/cat
 struct Layout {
     const char* name;
     int two_switches;            // Settings::two_switches
-    std::vector<KeyRole> roles;  // of keys to press
+    std::vector<KeyRole> roles;  // whose keys can be pressed
     bool is_keyboard;            // with letters
 };
 
@@ -54,7 +54,7 @@ std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
-/// What is told and asked for: names and values of items are not, though they may be called Back.
+/// Returns what is told and asked, without the names and values of items, which may be called Back.
 std::vector<std::string> texts_of(const SpokenScreen& screen) {
     std::vector<std::string> texts{screen.text};
     for (const ScreenItem& item : screen.items) texts.push_back(item.hint);
@@ -71,7 +71,7 @@ std::set<KeyRole> roles_named_in(const std::string& text) {
     return roles;
 }
 
-/// Those that the switches reach on this screen, one after the other.
+/// Returns the keys that the switches reach on this screen, one after the other.
 std::set<KeyRole> reached_by_switches(const SpokenScreen& screen, const Language& language) {
     std::set<KeyRole> reached{KeyRole::select};
     SwitchScan scan;
@@ -114,7 +114,7 @@ TEST(KeysInTexts, EveryKeyThatAScreenNamesIsThere) {
     EXPECT_GT(named, 1000U);
 }
 
-/// Those that step_switches() gives to a visit; Down only where there is an item to move to.
+/// Returns the keys that step_switches() gives to a visit; Down only if there is an item.
 std::vector<KeyRole> presses_of(const Layout& layout, const SpokenScreen& screen) {
     if (layout.two_switches == 0) return layout.roles;
     std::vector<KeyRole> roles{KeyRole::select, KeyRole::repeat, KeyRole::back, KeyRole::help};
@@ -122,7 +122,7 @@ std::vector<KeyRole> presses_of(const Layout& layout, const SpokenScreen& screen
     return roles;
 }
 
-/// The keys of the layout, and what comes of itself.
+/// Returns presses of the layout's keys, and events that come without a key.
 std::vector<VisitEvent> events_at(const Visit& visit, const Layout& layout,
                                   const SpokenScreen& screen) {
     std::vector<VisitEvent> events{DeadKeyPressed{},
@@ -136,7 +136,7 @@ std::vector<VisitEvent> events_at(const Visit& visit, const Layout& layout,
     return events;
 }
 
-/// What is said on the way from one screen to the next, as on the screen itself.
+/// Tests what is said on the way from one screen to the next.
 TEST(KeysInTexts, EveryKeyThatIsSpokenOfIsThere) {
     std::size_t named = 0;
     for (std::size_t i = 0; i < 2; ++i) {  // one switch reaches what two do; a keyboard has all
@@ -145,8 +145,8 @@ TEST(KeysInTexts, EveryKeyThatIsSpokenOfIsThere) {
         house.settings.two_switches = layout.two_switches;
         const VisitWorld world = house.world();
         for (Visit visit : scenes_of_all_screens()) {
-            visit.visitor.caption = {};   // it was heard with a keyboard's keys
-            visit.visitor.dead_keys = 2;  // words come with the third
+            visit.visitor.caption = {};   // said for a keyboard's keys
+            visit.visitor.dead_keys = 2;  // the third dead key is answered in words
             for (const VisitEvent& event : events_at(visit, layout, screen_of(visit, world))) {
                 const VisitStep next = step(visit, event, world);
                 for (const VisitOrder& order : next.orders) {
@@ -165,7 +165,7 @@ TEST(KeysInTexts, EveryKeyThatIsSpokenOfIsThere) {
     EXPECT_GT(named, 1000U);
 }
 
-/// A key that a text names is not refused, and Help, Back and Select do something there.
+/// No key that a text names is refused, and each has an effect.
 TEST(KeysInTexts, EveryKeyThatAScreenNamesDoesSomething) {
     FakeHouse house;
     for (const Visit& visit : scenes_of_all_screens()) {
@@ -184,7 +184,7 @@ TEST(KeysInTexts, EveryKeyThatAScreenNamesDoesSomething) {
     }
 }
 
-/// "call the staff": by an item, one Down list away from any picture, and the staff hear of it.
+/// "call the staff" is an item, one Down list away from any picture, and the staff hear of it.
 TEST(KeysInTexts, WhoIsToldToCallTheStaffCan) {
     for (const Layout& layout : layouts()) {
         FakeHouse house;
@@ -209,7 +209,7 @@ TEST(KeysInTexts, WhoIsToldToChooseSofterLinesCan) {
     EXPECT_LT(house.visit.visitor.feel.stiffness, before);
 }
 
-/// What ends a fault for the staff is an item of their menu: it needs the six keys alone.
+/// What ends a fault for the staff is an item of their menu, so the six keys are enough.
 TEST(KeysInTexts, WhatTheStaffAreToldToChooseIsInTheirMenu) {
     const auto is_item = [](std::string_view name) {
         return std::ranges::any_of(action_rows(),
@@ -223,7 +223,7 @@ TEST(KeysInTexts, WhatTheStaffAreToldToChooseIsInTheirMenu) {
         << "it ends by itself";
 }
 
-/// A letter of the staff's keys within a sentence, as in "press C", or a key with a name.
+/// Finds a letter of the staff's keys within a sentence, as in "press C", or a key with a name.
 std::string keyboard_key_in(const std::string& text) {
     static const std::set<std::string> names{"Space",  "Leertaste", "Espace", "Espacio", "Spazio",
                                              "Enter",  "Eingabe",   "Entrée", "Intro",   "Invio",

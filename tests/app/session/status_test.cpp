@@ -173,7 +173,7 @@ TEST(Status, TheHandIsTheDeviceByItsNumberInEachLanguage) {
     EXPECT_EQ(told.lines.back().value, "Gerät 2diy-gen3 0042");
 }
 
-/// Every value of `language` beside the English one; numbers are alike.
+/// Expects every value except numbers to differ from the English one.
 void expect_translated(const LiveFacts& facts, const HandState& hand, const ForceStatus& force,
                        const Language& language) {
     const Status english = describe(facts, hand, force, Language());
@@ -189,13 +189,13 @@ void expect_translated(const LiveFacts& facts, const HandState& hand, const Forc
     EXPECT_NE(told.title, english.title);
 }
 
-/// Each reason for a level once.
+/// Gives each reason for a level once.
 std::vector<LevelTerms> terms_that_decide() {
     return {{.speed = 3.0},   {.percept = 2.0}, {.finest = 2.0}, {.speed = 3.0, .coarsest = 1.0},
             {.encoder = 1.0}, {.radius = 1.0},  {.cost = 4.0},   {.speed = 9.0, .safe = 5.0}};
 }
 
-/// A language of the catalogue folder: all of them.
+/// Returns all languages of the catalogue folder except English.
 std::vector<Language> translations() {
     std::vector<Language> all;
     const auto codes = languages_in(TOUCHLINE_CATALOGUES).value();

@@ -1,4 +1,4 @@
-// Every line that can reach a visitor has a sentence of its own, in every language.
+// Tests that every line that can reach a visitor has its own sentence, in every language.
 #include "app/session/told_lines.h"
 
 #include "tests/audio-cues/words/po_file.h"
@@ -30,7 +30,7 @@ std::string text_of(const fs::path& file) {
     return text.str();
 }
 
-/// Texts that stand side by side, or around a value, are one. Comments and #include lines are gone.
+/// Joins texts that stand side by side or around a value, and drops comments and #include lines.
 std::string joined(const std::string& code) {
     static const std::regex comment("//[^\n]*|#include[^\n]*");
     static const std::regex side_by_side("\"\\s*\n\\s*\"");
@@ -39,7 +39,7 @@ std::string joined(const std::string& code) {
     return std::regex_replace(std::regex_replace(told, side_by_side, ""), around_a_value, "7");
 }
 
-/// Texts between quotes, of code that is joined.
+/// Returns the texts between quotes of joined code.
 std::vector<std::string> quoted_in(const std::string& code) {
     static const std::regex quoted("\"((?:[^\"\\\\\n]|\\\\.)*)\"");
     std::vector<std::string> all;
@@ -52,7 +52,7 @@ std::vector<std::string> literals_in(const std::string& code) {
     return quoted_in(joined(code));
 }
 
-/// Where the parenthesis that opens before `at` closes.
+/// Returns where the parenthesis that opens before `at` closes.
 std::size_t closing(const std::string& code, std::size_t at) {
     bool is_quoted = false;
     for (int depth = 1; at < code.size(); ++at) {
@@ -66,7 +66,7 @@ std::size_t closing(const std::string& code, std::size_t at) {
     return at;
 }
 
-/// Of each call of failure(): its texts, one after the other. None where it has only a name.
+/// Returns the joined texts of each call of failure(). Skips calls with only a name.
 std::vector<std::string> failures_in(const std::string& code) {
     static const std::string call = "failure(";
     const std::string whole = joined(code);
@@ -81,7 +81,7 @@ std::vector<std::string> failures_in(const std::string& code) {
     return all;
 }
 
-/// Where what a visitor brings is opened, read, traced and built.
+/// Returns the sources that open, read, trace and build what a visitor brings.
 std::vector<fs::path> files_of_reasons() {
     std::vector<fs::path> files;
     for (const char* folder : {"app/decode", "app/trace", "app/loading", "app/sticks",
@@ -93,8 +93,8 @@ std::vector<fs::path> files_of_reasons() {
     return files;
 }
 
-/// They reach the command line alone, or are never told: what reads words or looks for main things
-/// leaves a picture as it was.
+/// Their lines reach only the command line, or nobody: code that reads words or looks for main
+/// things leaves a picture as it was if it fails.
 bool is_of_the_command_line(const fs::path& file) {
     static const std::set<std::string> names{
         "files.cpp",       "png_writer.cpp",     "word_reader.cpp", "words_in_picture.cpp",
@@ -103,8 +103,8 @@ bool is_of_the_command_line(const fs::path& file) {
     return names.contains(file.filename().string());
 }
 
-/// What is wrong with an order is the kiosk's own; what is wrong with a shape becomes a part of the
-/// map's line; an SVG that is no map of ours is a picture.
+/// A bad order is the kiosk's own fault; a bad shape becomes part of the map's line; an SVG that is
+/// not one of our maps is a picture.
 bool is_told_to_nobody(const std::string& line) {
     static const std::array parts{"it must be 1 to",
                                   "the kiosk starts it by itself",
@@ -117,7 +117,7 @@ bool is_told_to_nobody(const std::string& line) {
         parts, [&line](const char* part) { return line.find(part) != std::string::npos; });
 }
 
-/// A Result's lines: what is given to failure(), and what happened; what to do.
+/// Returns the lines of a Result: the arguments of failure(), and what happened and what to do.
 std::vector<std::string> reasons_in(const std::string& code) {
     std::vector<std::string> reasons = failures_in(code);
     for (const std::string& literal : literals_in(code))
@@ -164,7 +164,7 @@ TEST(ToldLines, AFailureIsReadWithOrWithoutWhatToDo) {
     EXPECT_EQ(told("what came is no shared memory of a fixed size"), told("no sealed memory"));
 }
 
-/// "*" stands for anything.
+/// "*" matches anything.
 bool holds(const std::string& line, std::string_view part) {
     std::size_t at = 0;
     for (std::size_t star = 0; star != std::string_view::npos;) {
@@ -177,7 +177,7 @@ bool holds(const std::string& line, std::string_view part) {
     return true;
 }
 
-/// A row for a line that no program gives any more is dead.
+/// A row is dead if no program gives its line any more.
 TEST(ToldLines, EveryRowIsOfALineInASource) {
     std::vector<fs::path> files = files_of_reasons();
     for (const char* folder : {"app/servo", "app/device", "haptics/device", "vision/camera"})
@@ -195,7 +195,7 @@ TEST(ToldLines, EveryRowIsOfALineInASource) {
     }
 }
 
-/// A whole sentence is a text of the catalogue as it is.
+/// The catalogue has each whole sentence as it is.
 TEST(ToldLines, EverySentenceOfThoseSourcesIsInTheCatalogue) {
     int count = 0;
     for (const char* name : {"vision/prepare/capture_trouble.cpp", "app/sticks/stick_rules.cpp"}) {
@@ -231,7 +231,7 @@ bool calls_the_staff(std::string_view text) {
     return text.ends_with("all the staff.");
 }
 
-/// Nobody can call themselves: they hear what to do.
+/// The staff cannot call themselves: they hear what to do.
 TEST(ToldLines, TellTheStaffWhatToDoWhereAVisitorCallsThem) {
     int count = 0;
     for (const auto rows : {file_lines(), device_lines()}) {
@@ -253,7 +253,7 @@ TEST(ToldLines, TellTheStaffWhatToDoWhereAVisitorCallsThem) {
               told("the file is empty; copy it again"));
 }
 
-/// A row that another one before it always hides is dead.
+/// A row is dead if an earlier one always hides it.
 TEST(ToldLines, EveryRowIsReached) {
     for (const auto rows : {file_lines(), device_lines()}) {
         for (std::size_t i = 0; i < rows.size(); ++i)
@@ -263,7 +263,7 @@ TEST(ToldLines, EveryRowIsReached) {
     }
 }
 
-/// Nobody should translate what no program says.
+/// Nobody should translate text that no program says.
 TEST(ToldLines, AndFaultsAndTheLiveViewLeaveNoTextUnused) {
     std::set<std::string> literals;
     for (const char* folder : {"app/session", "app/kiosk", "app/loading", "app/main", "app/sticks",

@@ -1,4 +1,4 @@
-// Keys, lists and ways: IN of the requirements, over every state that can be reached.
+// Tests keys, lists and ways in every reachable state: IN of the requirements.
 #include "tests/app/session/fake_world.h"
 #include "tests/app/session/visit_scenes.h"
 
@@ -11,7 +11,7 @@ namespace touchline {
 namespace {
 
 TEST(Visit, IN1_SixRolesReachEveryScreenThatKeysCanReach) {
-    // The graph is followed by KeyRole alone; volume keys lead nowhere.
+    // Follows the graph by KeyRole alone; volume keys lead nowhere.
     std::set<VisitScreen> reached;
     for (const Visit& visit : scenes_of_all_screens()) reached.insert(open_screen(visit));
     EXPECT_EQ(reached.size(), visit_screen_count);
@@ -53,8 +53,8 @@ TEST(Visit, IN2_AKeyMeansTheSameEverywhere) {
 }
 
 TEST(Visit, IN3_OnePressAfterAnotherIsAllThatIsEverNeeded) {
-    // A press has no length and no end, and nothing else is told of a key: the same presses lead to
-    // the same place however long each takes.
+    // A press has no length and no end, and a key tells nothing else: the same presses lead to the
+    // same place however long each takes.
     const std::vector<KeyRole> keys{KeyRole::select, KeyRole::select, KeyRole::down,
                                     KeyRole::select, KeyRole::down,   KeyRole::select};
     FakeHouse quick;
@@ -88,7 +88,7 @@ TEST(Visit, IN5_ChooseIsFourPressesAwayFromAnywhere) {
     EXPECT_GT(graph.visits.size(), 2000U);
     for (std::size_t i = 0; i < graph.visits.size(); ++i) {
         const VisitScreen screen = open_screen(graph.visits[i]);
-        if (screen == VisitScreen::closed) continue;  // nobody may come in
+        if (screen == VisitScreen::closed) continue;  // closed to visitors
         ASSERT_GE(graph.presses_to_choose[i], 0) << graph.names[i];
         ASSERT_LE(graph.presses_to_choose[i], 4) << graph.names[i];
     }
@@ -165,7 +165,7 @@ TEST(Visit, APictureIsOrderedByTheNameThatTheListSays) {
     EXPECT_EQ(house.visit.visitor.loading->order.form, (NameForm{NameDetail::with_ending}));
 }
 
-/// A camera's names, a person's, and dates.
+/// Names as a camera gives them, a person's names, and dates.
 std::vector<std::string> a_thousand_names() {
     std::vector<std::string> names;
     for (int i = 0; i < 900; ++i) names.push_back("IMG_" + std::to_string(1000 + i) + ".JPG");
@@ -202,7 +202,7 @@ TEST(Visit, AThousandFilesAreFoundByTheirLetters) {
     EXPECT_TRUE(house.has_said("Page 1 of 100", house.transcript.size() - 1));
 }
 
-/// What a camera names: some more letters, until ten are left.
+/// Names that a camera gives: the list asks for more letters until ten are left.
 TEST(Visit, ACamerasThousandNeedsFewPresses) {
     FakeHouse house;
     to_choose(house);

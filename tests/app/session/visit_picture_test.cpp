@@ -1,4 +1,4 @@
-// The picture, the hand on it and the handle that leads: HA of the requirements.
+// Tests the picture, the hand on it and the handle that leads: HA of the requirements.
 #include "tests/app/session/fake_world.h"
 #include "tests/app/session/visit_scenes.h"
 
@@ -9,7 +9,7 @@
 namespace touchline {
 namespace {
 
-/// Of the last step: where the first order of a kind stands; none: the number of orders.
+/// The index of the first order of a kind; the number of orders if there is none.
 template <class Order>
 std::size_t place_of_first(const VisitOrders& orders) {
     const auto found = std::find_if(orders.begin(), orders.end(), [](const VisitOrder& order) {
@@ -52,7 +52,7 @@ TEST(Visit, HA1_AnyKeyStopsInTheSameStepAndDoesNothingElse) {
         keys.emplace_back(KeyPressed{static_cast<KeyRole>(role)});
     }
     for (const VisitEvent& key : keys) {
-        for (const double after_s : {0.5, 3.0}) {  // while it is announced, and under way
+        for (const double after_s : {0.5, 3.0}) {  // while it is announced, and while it leads
             FakeHouse house;
             to_picture(house);
             house.lead_s = 100.0;
@@ -161,7 +161,7 @@ TEST(Visit, HA4_DetailIsOpenedAgainAndSaid) {
         << house.last_said();
 }
 
-/// As the kiosk tells of what the operator set.
+/// Changes a setting and tells the visit, as the kiosk does.
 void set(FakeHouse& house, void (*change)(Settings&)) {
     const Settings before = house.settings;
     change(house.settings);
@@ -202,7 +202,7 @@ TEST(Visit, TheOperatorsDetailHoldsForWhatIsBeingOpened) {
     EXPECT_TRUE(house.has_said("Now 2 times as large.", 0));
 }
 
-/// Of a visitor and the operator the later word holds; of a change that did not come nothing does.
+/// The later choice of the visitor or the operator holds; one that was not reached does not.
 TEST(Visit, ADetailThatIsNotReachedIsNotKept) {
     FakeHouse house;
     to_picture(house);
@@ -217,7 +217,7 @@ TEST(Visit, ADetailThatIsNotReachedIsNotKept) {
     EXPECT_EQ(house.visit.visitor.detail, 3) << "cancelled";
 }
 
-/// Whatever becomes of what was being opened: a picture, another view, a capture.
+/// The operator's detail holds whatever happens to what is being opened.
 TEST(Visit, TheOperatorsDetailHoldsWhenWhatIsBeingOpenedDoesNotCome) {
     for (const bool is_cancelled : {true, false}) {
         FakeHouse house;
@@ -349,7 +349,7 @@ TEST(Visit, ZoomGoesAroundAPartTwiceThenFourTimes) {
     ASSERT_TRUE(house.choose("Tail en"));
     EXPECT_EQ(house.last<LoadPicture>()[0].zoom, (ZoomWanted{2.0, {0.04, -0.02}}));
     house.wait(0.5);
-    // Now in the middle of what is felt.
+    // The middle of what is felt now.
     PictureFacts facts = house.visit.visitor.felt->facts;
     facts.parts[1].place_W = {};
     house.apply(PictureReady{house.visit.visitor.felt->order.request, facts});

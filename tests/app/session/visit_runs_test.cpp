@@ -1,4 +1,4 @@
-// Whole visits by people who differ, on a virtual clock.
+// Tests whole visits by different people, on a virtual clock.
 #include "tests/app/session/fake_world.h"
 #include "tests/app/session/visit_scenes.h"
 
@@ -11,12 +11,12 @@
 namespace touchline {
 namespace {
 
-/// Somebody who knows only what was said: presses a key, waits, listens.
+/// A visitor who knows only what was said: presses a key, waits, listens.
 class Listener {
   public:
     Listener(FakeHouse& house, double every_s) : house_(house), every_s_(every_s) {}
 
-    /// The utterances since the key, as one text.
+    /// Presses a key and returns what was said since, as one text.
     std::string press(KeyRole role) {
         const std::size_t before = house_.transcript.size();
         house_.press(role);
@@ -28,7 +28,7 @@ class Listener {
         return last_ = heard;
     }
 
-    /// Presses `key` until `name` is heard as an item; false after 40.
+    /// Presses `key` until an item with this name is heard; false after 40 presses.
     bool listen_for(const std::string& name, KeyRole key = KeyRole::down) {
         for (int presses = 0; presses < 40; ++presses) {
             if (press(key).find(name) != std::string::npos) return true;
@@ -48,7 +48,7 @@ void expect_heard(const Listener& listener, const std::string& text) {
     EXPECT_NE(listener.last().find(text), std::string::npos) << listener.last();
 }
 
-/// Gallery, stick and camera, by what is heard alone.
+/// Visits gallery, stick and camera, by what is heard alone.
 void visit_all(FakeHouse& house, double every_s) {
     Listener visitor(house, every_s);
     visitor.press(KeyRole::help);  // any key begins
@@ -101,7 +101,7 @@ TEST(VisitRun, Blind) {
 }
 
 TEST(VisitRun, OneHand) {
-    // The hand is on the keys or on the handle, never on both: the handle is never seen to move.
+    // The hand is on the keys or on the handle, never on both: the handle never seems to move.
     FakeHouse house;
     visit_all(house, 2.0);
 }
@@ -114,7 +114,7 @@ TEST(VisitRun, Slow) {
 
 TEST(VisitRun, TwoKeys) {
     FakeHouse house;
-    // Down moves, Select takes: nothing else is ever pressed.
+    // Down moves and Select selects; no other key is pressed.
     house.press({KeyRole::select, KeyRole::select});
     ASSERT_TRUE(house.choose("Practice shape"));
     house.wait(0.5);
@@ -150,7 +150,7 @@ TEST(VisitRun, EveryScreenCanBeLeftByItsItemsAlone) {
             const auto id = static_cast<VisitItem>(item.id);
             leads_away = leads_away || id == VisitItem::back || id == VisitItem::no ||
                          id == VisitItem::cancel || screen == VisitScreen::language ||
-                         screen == VisitScreen::values ||  // each of them leads back
+                         screen == VisitScreen::values ||  // every value leads back
                          screen == VisitScreen::choose;
         }
         ASSERT_TRUE(leads_away) << static_cast<int>(screen);
@@ -192,7 +192,7 @@ TEST(VisitRun, AllLanguages) {
                 const std::string said = house.transcript[at].text;
                 if (said.find("Picture ") == 0 ||
                     said.find(" " + language.code()) != std::string::npos)
-                    continue;  // names of the house's pictures
+                    continue;  // the simulated pictures' names
                 EXPECT_EQ(said.find(english), std::string::npos) << said;
             }
         }
@@ -207,7 +207,7 @@ StickCame stick_of(unsigned count, bool is_whole) {
     return came;
 }
 
-/// Anything that can happen, by chance; keys more often than all else.
+/// Returns any event that can happen, at random; keys more often than all else.
 VisitEvent rude_event(std::mt19937& random, FakeHouse& house) {
     const auto upto = [&random](unsigned count) { return static_cast<unsigned>(random()) % count; };
     switch (upto(25)) {
@@ -290,7 +290,7 @@ TEST(VisitRun, Rude) {
                 key_s = house.now_s;
                 ASSERT_EQ(house.sounded_s, house.now_s) << "answered in the same step: " << i;
             }
-            // Sometimes long enough for the question and for the end.
+            // Sometimes long enough for the question and for the end of the visit.
             double left_s =
                 random() % 200 == 0 ? 130.0 : 0.001 * static_cast<double>(random() % 2500);
             for (; left_s > 0.0; left_s -= 0.5) {
@@ -303,7 +303,7 @@ TEST(VisitRun, Rude) {
                 }
             }
         }
-        // Never stuck: choose is there by a few presses.
+        // Never stuck: a few presses lead to choose.
         house.apply(OpeningChanged{SiteOpening::open});
         for (int i = 0; i < 8 && house.open() != VisitScreen::choose; ++i) {
             const bool is_forward =

@@ -11,7 +11,7 @@
 namespace touchline {
 namespace {
 
-/// What tells two states apart as far as ways lead; values of settings do not.
+/// Names what tells two states apart for navigation; values of settings do not.
 std::string name_of(const Visit& visit) {
     const Visitor& visitor = visit.visitor;
     std::string name;
@@ -117,8 +117,8 @@ class Search {
         return events;
     }
 
-    /// Backwards from choose; work that ends by itself costs no press, but is not waited for: the
-    /// way by keys alone counts.
+    /// Goes backwards from choose. Work that ends by itself costs no press, but is not waited for:
+    /// only the way by keys counts.
     void measure() {
         std::vector<std::vector<std::size_t>> back(graph_.visits.size());
         for (const Edge& edge : edges_) {

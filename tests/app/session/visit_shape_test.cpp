@@ -1,4 +1,4 @@
-// A shape in the hand, as a visitor chooses and turns it.
+// Tests a shape in the hand, as a visitor chooses and turns it.
 #include "tests/app/session/visit_scenes.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What is heard: SP, VO, LA and VI of the requirements, at the level of the visit.
+// Tests what is heard, at the level of the visit: SP, VO, LA and VI of the requirements.
 #include "audio-cues/speech/speech_rate.h"
 #include "tests/app/session/fake_world.h"
 #include "tests/app/session/visit_scenes.h"
@@ -230,7 +230,7 @@ TEST(Visit, WhoTurnsSpeechOffHearsHowItComesBack) {
     EXPECT_EQ(house.last_said(), "Speech is on. Settings. Speech, on, setting, 6 of 12");
 }
 
-/// Its hint is among its words.
+/// The spoken words include the hint.
 TEST(Visit, AnErrorSaysWhatToPressOnce) {
     FakeHouse house;
     to_choose(house);

@@ -1,4 +1,4 @@
-// The main things of a photograph: looked for, told, opened, kept.
+// Tests the main things of a photograph: looked for, told, opened, kept.
 #include "tests/app/session/fake_world.h"
 #include "tests/app/session/visit_scenes.h"
 
@@ -31,7 +31,7 @@ TEST(Visit, APhotographsMainThingTakesItsPlaceBeforeAHandHasTouchedIt) {
     EXPECT_EQ(house.last<LoadPicture>()[0].view, 2);
 }
 
-/// A photograph whose main thing is being looked for.
+/// Opens a photograph whose main thing is still being looked for.
 PictureFacts shortly_told(FakeHouse& house) {
     to_choose(house);
     EXPECT_TRUE(house.choose("Camera"));
@@ -45,7 +45,7 @@ PictureFacts shortly_told(FakeHouse& house) {
     return facts;
 }
 
-/// The rest is told once, with the item that has the focus, and Repeat says it again.
+/// Expects the rest to be told once, with the item that has the focus; Repeat says it again.
 void expect_rest(const FakeHouse& house) {
     const std::string told = house.last_said();
     EXPECT_NE(told.find("From the side"), std::string::npos) << told;
@@ -55,7 +55,7 @@ void expect_rest(const FakeHouse& house) {
     EXPECT_FALSE(house.visit.visitor.is_told_shortly);
 }
 
-/// What comes in a moment would cut a long telling of the whole.
+/// The result comes in a moment and would cut a long description of the whole.
 TEST(Visit, APhotographWhoseMainThingIsLookedForIsToldWithIt) {
     FakeHouse house;
     PictureFacts facts = shortly_told(house);
@@ -74,7 +74,7 @@ TEST(Visit, APhotographIsToldAllWhateverTheSearchFinds) {
         (void)shortly_told(house);
         HandleSeen handle;
         handle.part = 0;
-        if (things == ThingSearch::found) house.apply(handle);  // keeps the whole
+        if (things == ThingSearch::found) house.apply(handle);  // the hand keeps the whole
         ThingsLookedFor looked = looked_for(house, things == ThingSearch::found ? 1 : 0);
         looked.place.things = things;
         house.apply(looked);
@@ -87,7 +87,7 @@ TEST(Visit, APhotographIsToldAllWhateverTheSearchFinds) {
     expect_rest(house);
 }
 
-/// The main thing would be drawn under a screen whose parts are those of the whole.
+/// Otherwise the main thing would be drawn under a screen that lists the parts of the whole.
 TEST(Visit, WhoGoesToAnotherScreenKeepsTheWhole) {
     FakeHouse house;
     (void)shortly_told(house);

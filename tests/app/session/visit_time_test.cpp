@@ -1,4 +1,4 @@
-// Time-outs, the end of a visit, and troubles: TI and ER of the requirements.
+// Tests time-outs, the end of a visit, and troubles: TI and ER of the requirements.
 #include "tests/app/session/fake_world.h"
 #include "tests/app/session/visit_scenes.h"
 
@@ -20,7 +20,7 @@ TEST(Visit, TI1_AfterSilenceAQuestionInThreeSenses) {
     EXPECT_EQ(house.last<GiveCue>()[0].event, ScreenEvent::time_out);
 }
 
-/// A kiosk that is started anew on a machine that has run for long.
+/// A kiosk restarts on a machine that has run for long.
 TEST(Visit, TI1_AKeyBeforeTheClockIsToldWasNotLongAgo) {
     FakeHouse house;
     house.visit.site.now_s = 0.0;
@@ -56,7 +56,7 @@ TEST(Visit, TI1_MotionCountsButNotThatOfAHandleThatLeads) {
         house.apply(moved);
     }
     EXPECT_EQ(house.open(), VisitScreen::picture);
-    house.lead_s = 1e9;  // waits for a hand that is gone
+    house.lead_s = 1e9;  // it waits for a hand that has let go
     ASSERT_TRUE(house.choose("Guide me round the outer outline"));
     moved.is_led = true;
     for (int i = 0; i < 420 && house.open() == VisitScreen::picture; ++i) {
@@ -273,7 +273,7 @@ TEST(Visit, ER1_EveryErrorSaysWhatWhyAndWhatToDoAndOneKeyGoesOn) {
             EXPECT_EQ(house.open(), VisitScreen::trouble);
             const SpokenScreen screen = house.screen();
             EXPECT_EQ(screen.items.front().id, static_cast<int>(VisitItem::go_on));
-            // Two sentences at least: what is wrong, and what to do about it.
+            // At least two sentences: what is wrong, and what to do about it.
             const auto stop = screen.text.find(". ");
             EXPECT_NE(stop, std::string::npos) << screen.text;
             EXPECT_NE(house.last_said().find(screen.text), std::string::npos);

@@ -1,4 +1,4 @@
-// The words of the visit and what the README says of the requirements: read from the sources.
+// Tests the words of the visit and what the README says of the requirements, read from the sources.
 #include "tests/audio-cues/words/po_file.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::string read(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Literals of a source; what only blanks part is one. Comments and includes are left out.
+/// Returns a source's literals; blanks between two join them. Skips comments and includes.
 std::vector<std::string> literals_of(const std::string& source) {
     std::vector<std::string> found;
     std::istringstream lines(source);
@@ -70,7 +70,7 @@ TEST(VisitWords, EveryTextInTheSourcesIsInTheCatalogue) {
               (std::vector<std::string>{"One two", "three"}));
 }
 
-/// LA-2: the catalogue's rules hold for all texts; here that the visit has no others.
+/// LA-2: the catalogue's rules hold for all texts; this tests that the visit has no others.
 TEST(Visit, LA2_TextsOfTheVisitAreThoseOfTheCatalogueAndShort) {
     std::size_t count = 0;
     for (const auto& [key, entry] : read_po(root + "/audio-cues/words/catalogue/touchline.pot")) {
@@ -88,7 +88,7 @@ TEST(Visit, LA2_TextsOfTheVisitAreThoseOfTheCatalogueAndShort) {
     EXPECT_GT(count, 180U);
 }
 
-/// "| SP-1 | Visit.SP1_... |" of the README's table.
+/// Returns rows such as "| SP-1 | Visit.SP1_... |" of the README's table.
 std::vector<std::pair<std::string, std::string>> conformance_rows() {
     std::vector<std::pair<std::string, std::string>> rows;
     std::istringstream lines(read(root + "/app/session/README.md"));
@@ -134,7 +134,7 @@ TEST(VisitWords, EveryRequirementOfTheReadmeHasItsTest) {
     }
 }
 
-/// The other way: a test that names a requirement is in the table.
+/// Conversely, every test that names a requirement is in the table.
 TEST(VisitWords, EveryTestThatNamesARequirementIsInTheReadme) {
     const std::string readme = read(root + "/app/session/README.md");
     for (const auto& file : std::filesystem::directory_iterator(root + "/tests/app/session")) {

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the environment, as long as it lives.
+/// Sets a variable of the environment for as long as it lives.
 class Chosen {
   public:
     Chosen(const char* name, const std::string& value) : name_(name) {

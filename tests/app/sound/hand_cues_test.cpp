@@ -30,7 +30,7 @@ TEST(ServoClock, TheQuickestReportDecides) {
     clock.told(1.001, 5'001'500'000);
     clock.told(1.002, 5'009'000'000);
     EXPECT_NEAR(static_cast<double>(*clock.ns_of(1.002)), 5.0025e9, 1e3);
-    clock.told(1.002, 9'000'000'000);  // the same report again, much later
+    clock.told(1.002, 9'000'000'000);  // the same report, much later
     EXPECT_NEAR(static_cast<double>(*clock.ns_of(1.002)), 5.0025e9, 1e3);
 }
 
@@ -53,8 +53,8 @@ TEST(ServoClock, FollowsAClockThatIsSlower) {
     EXPECT_NEAR(static_cast<double>(*clock.ns_of(600.0)), 600.03e9, 2e6);
 }
 
-/// A servo, the loop of sound and a device on one virtual clock; each sample is heard when the
-/// device, which holds two periods, has played it.
+/// A servo, the sound loop and a device on one virtual clock; each sample is heard when the device,
+/// which holds two periods, has played it.
 class Chain {
   public:
     Chain() {
@@ -63,10 +63,10 @@ class Chain {
         servo_start_ns_ = now_ns();
     }
 
-    /// From the event at `phase_us` in a block, which the loop reads `read_after_us` later, to the
-    /// first sample at the ear.
+    /// Returns the time from the event at `phase_us` in a block, which the loop reads
+    /// `read_after_us` later, to the first sample at the ear.
     double latency_s(std::int64_t phase_us, std::int64_t read_after_us) {
-        for (int i = 0; i < 40; ++i) render_block();  // the last sound is over
+        for (int i = 0; i < 40; ++i) render_block();  // by then the last sound is over
         const std::int64_t event_ns = now_ns() + phase_us * us;
         const double event_s = 1e-9 * static_cast<double>(event_ns - servo_start_ns_);
         const std::int64_t read_ns = event_ns + read_after_us * us;
@@ -81,7 +81,7 @@ class Chain {
             if (heard == sound.end()) continue;
             const auto frame = first + (heard - sound.begin());
             const double played_s =
-                static_cast<double>(frame + block_frames) / frame_rate_Hz;  // a period waits
+                static_cast<double>(frame + block_frames) / frame_rate_Hz;  // one period waits
             return played_s - 1e-9 * static_cast<double>(event_ns);
         }
         return 1.0;
@@ -106,7 +106,7 @@ class Chain {
     std::int64_t servo_start_ns_ = 0;
 };
 
-/// One tick, one block, two device periods.
+/// One tick, one block and two device periods.
 TEST(HandCues, FromTheTickToTheEarInTenMilliseconds) {
     constexpr double block_s = static_cast<double>(block_frames) / frame_rate_Hz;
     Chain chain;

@@ -86,7 +86,7 @@ RC_GTEST_PROP(SwitchStream, AnyBytesAreTaken, (const std::vector<std::uint8_t>& 
     RC_ASSERT(state.has_value());
 }
 
-/// A folder of pipes that stand for input devices; the second is the switch.
+/// A folder of pipes that stand for input devices; the second one is the switch.
 class HeadphoneSwitchTest : public testing::Test {
   protected:
     HeadphoneSwitchTest() {
@@ -143,7 +143,7 @@ TEST_F(HeadphoneSwitchTest, ComesAndGoesWithItsDevice) {
     EXPECT_EQ(headphones.are_in(1.0), std::nullopt) << "looks every two seconds";
     EXPECT_EQ(headphones.are_in(2.1), false);
     is_there_ = false;
-    writer_ = Descriptor();  // the last writer: the pipe ends
+    writer_ = Descriptor();  // the last writer closes: the pipe ends
     EXPECT_EQ(headphones.are_in(2.2), std::nullopt);
 }
 

@@ -1,4 +1,4 @@
-// The kiosk's sound as a whole: the real voice, a device and headphones of our own.
+// Tests the kiosk's sound as a whole: the real voice, with a test device and test headphones.
 #include "app/sound/sound.h"
 
 #include "tests/audio-cues/spectrum.h"
@@ -15,7 +15,7 @@
 namespace touchline {
 namespace {
 
-/// Asks for a block as fast as it is allowed to, on a thread of its own, and keeps what it got.
+/// Asks for blocks as fast as it may, on its own thread, and keeps what it got.
 class FastDevice final : public SoundDevice {
   public:
     struct Heard {
@@ -96,7 +96,7 @@ class SoundTest : public testing::Test {
         event_ = event;
     }
 
-    /// Steps until `is_so`; a test that waits in vain ends by the limit of its program.
+    /// Steps until `is_so`; if that never happens, the test program times out.
     template <class Condition>
     void step_until(Condition is_so) {
         while (!is_so()) {
@@ -124,7 +124,7 @@ class SoundTest : public testing::Test {
                            [](const StereoFrame& frame) { return frame.left != 0.0F; });
     }
 
-    /// The last tenth of a second.
+    /// Returns true if the last tenth of a second was quiet.
     [[nodiscard]] bool is_quiet() const {
         const std::lock_guard lock(heard_->mutex);
         const auto& frames = heard_->frames;
@@ -241,7 +241,7 @@ TEST_F(SoundTest, ADeviceThatIsLostIsToldAndComesBackByItself) {
     sound_->choose(wanted);
     EXPECT_EQ(sound_->problem(), "Es kommt kein Ton. Bitte rufen Sie das Personal.");
     say("A house.");
-    wait_for_said("A house.");  // all else goes on
+    wait_for_said("A house.");  // everything else goes on
     heard_->is_gone = false;
     heard_->is_missing = false;
     step_until([&] { return sound_->problem().empty(); });
@@ -257,7 +257,7 @@ TEST_F(SoundTest, SP9_AKeyIsHeardAndADeadOneSoundsElse) {
     step_until([&] { return is_heard(); });
 }
 
-/// As far as pan goes: one ear is 20 dB softer, not silent.
+/// Pan goes so far that one ear is 20 dB softer, not silent.
 TEST_F(SoundTest, ATestToneIsLouderOnItsSide) {
     wait_for_device();
     for (const bool is_left : {true, false}) {

@@ -1,5 +1,5 @@
-// A speech engine that a text has taken over: loaded before the real one, it does what the text
-// names, within touchline-speak as it is installed. Threads: the program's only one.
+// A speech engine that a text has captured. It is loaded before the real one and does what the text
+// names, within touchline-speak as installed. Threads: the program's only one.
 #include "tests/app/speak/captured_voice.h"
 
 #include "tests/app/sandbox/acts.h"
@@ -23,8 +23,7 @@ int end_of_act(std::string_view name) {
 using Synth = int (*)(const void*, std::size_t, unsigned, int, unsigned, unsigned, unsigned*,
                       void*);
 
-/// The engine warms up with one text of its own before the sandbox is entered; the next is a
-/// stranger's.
+/// The engine warms up with its own text before the sandbox is entered; the next text is untrusted.
 extern "C" int espeak_Synth(const void* text, std::size_t size, unsigned position, int type,
                             unsigned end, unsigned flags, unsigned* identifier, void* data) {
     static bool is_warm = false;

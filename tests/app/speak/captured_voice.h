@@ -1,4 +1,5 @@
-// How a voice ends that a text has taken over (captured_voice.cpp). Threads: constant data.
+// The exit statuses of a voice that a text has captured (captured_voice.cpp).
+// Threads: constant data.
 #pragma once
 
 namespace touchline {

@@ -28,7 +28,7 @@ class SpeakerTest : public testing::Test {
         return *speaker_;
     }
 
-    /// One step of the kiosk: 16 ms of sound.
+    /// Steps the kiosk once: 16 ms of sound.
     std::vector<float> step() {
         speaker_->step(now_s_);
         now_s_ += 768.0 / frame_rate_Hz;
@@ -37,7 +37,7 @@ class SpeakerTest : public testing::Test {
         return sound;
     }
 
-    /// Steps until something sounds: the process needs its time, the clock here does not pass.
+    /// Steps until something sounds: the process needs its time, and the clock here stands still.
     void wait_for_sound() {
         while (peak(step()) == 0.0F) {
             now_s_ -= 768.0 / frame_rate_Hz;
@@ -116,15 +116,16 @@ TEST_F(SpeakerTest, AKilledVoiceIsNotHeard) {
         if (is_killed) kill(speaker.voice().pid(), SIGKILL);
         std::vector<float> sound;
         for (int i = 0; i < 625; ++i) {
-            // This clock is faster than the process: it waits where nobody would have to.
+            // This clock is faster than the process: it waits where nobody else would have to.
             while (mixer_.speech().waiting() < 768) speaker.step(now_s_);
             const auto part = step();
-            now_s_ -= 768.0 / frame_rate_Hz;  // else a busy machine's voice would be taken for dead
+            now_s_ -= 768.0 / frame_rate_Hz;  // otherwise a busy machine's voice would count as
+                                              // dead
             sound.insert(sound.end(), part.begin(), part.end());
         }
         speaker.stop(now_s_);
         for (int i = 0; i < 10; ++i) (void)step();
-        // From its first word on: on a busy machine that may come a part later.
+        // Compares from the first word on: on a busy machine it may come a part later.
         sound.erase(sound.begin(), std::find_if(sound.begin(), sound.end(),
                                                 [](float value) { return value != 0.0F; }));
         sound.resize(400'000);

@@ -25,7 +25,8 @@ const std::string& long_text() {
     return text;
 }
 
-/// Until `count` samples are there or no more come. The clock stands: nobody is too slow.
+/// Receives until `count` samples are there or no more come. The clock stands still, so nothing is
+/// too slow.
 void receive(VoiceProcess& voice, std::vector<float>& samples, std::size_t count) {
     while (!voice.is_done() && samples.size() < count) {
         voice.receive(0.0, samples);
@@ -39,7 +40,7 @@ std::vector<float> all_of(VoiceProcess& voice) {
     return samples;
 }
 
-/// What nothing disturbed.
+/// The samples of an undisturbed process.
 std::vector<float> expected(const std::string& voice, const std::string& text,
                             const EngineRate& rate) {
     VoiceProcess fresh(TOUCHLINE_SPEAK);
@@ -47,7 +48,8 @@ std::vector<float> expected(const std::string& voice, const std::string& text,
     return all_of(fresh);
 }
 
-/// What the engine says in this process. Its state is not what it was, so the length only.
+/// Returns the length of what the engine says in this process; its state differs, so only the
+/// length compares.
 std::size_t expected_length(const std::string& voice, const std::string& text,
                             const EngineRate& rate) {
     auto engine = EspeakEngine::start(voice);
@@ -89,7 +91,8 @@ TEST(VoiceProcess, KilledInMidSentenceItGoesOnWhereItWas) {
         const int before = voice.restarts();
         while (voice.restarts() == before) voice.receive(0.0, samples);
         receive(voice, samples, samples.size() + 1);
-        // Told, not judged: the machine may be busy. 1 s of speech waits in the mixer meanwhile.
+        // Reported, not judged: the machine may be busy. 1 s of speech waits in the mixer
+        // meanwhile.
         std::printf("back after %.1f ms\n",
                     static_cast<double>(steady_now_ns() - killed_ns) * 1e-6);
     }
@@ -134,7 +137,7 @@ TEST(VoiceProcess, DiedWhileIdleItIsStartedForTheNextText) {
     EXPECT_EQ(all_of(voice), expected("en", "Two.", slow));
 }
 
-/// Kills the process that waits, over and over; whether one waited before each kill.
+/// Kills the waiting process again and again; returns whether one waited before each kill.
 std::vector<bool> waits_before_kills(VoiceProcess& voice, int kills, double now_s) {
     std::vector<float> samples;
     std::vector<bool> waits;

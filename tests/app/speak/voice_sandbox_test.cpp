@@ -1,4 +1,4 @@
-// What a text could do that takes the voice over: tried in the real program, by an engine that is
+// Tries what a text could do if it captured the voice: in the real program, with an engine that is
 // loaded before its own.
 #include "app/process/child.h"
 #include "app/speak/messages.h"
@@ -28,12 +28,12 @@ namespace fs = std::filesystem;
 constexpr ChildEnd worked{act_worked, 0};
 constexpr ChildEnd was_refused{act_refused, 0};
 
-/// What ends a voice that the filter of calls kills.
+/// Returns how a voice ends that the call filter kills.
 ChildEnd killed_for(const Act& act) {
     return {0, deadly_signal(act)};
 }
 
-/// How touchline-speak ends when its engine, at the text `act`, tries that act.
+/// Returns how touchline-speak ends when its engine tries the act that the text names.
 ChildEnd captured_by(std::string_view act) {
     std::array<int, 2> ends{-1, -1};
     EXPECT_EQ(socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()), 0);
@@ -85,7 +85,8 @@ TEST_F(VoiceSandbox, EveryActOfACapturedVoiceIsDenied) {
     }
 }
 
-/// Or the test above would prove nothing: what captures is there, and what it may do works.
+/// Otherwise the test above would prove nothing: the captured engine is loaded, and what it may do
+/// works.
 TEST_F(VoiceSandbox, WhatACapturedVoiceMayDoIsSeen) {
     EXPECT_EQ(captured_by("nothing"), was_refused);
     EXPECT_EQ(captured_by("no such act"), (ChildEnd{act_unknown, 0}));

@@ -1,5 +1,4 @@
-// Names as people and attackers make them, and their characters.
-// Threads: pure functions.
+// Names such as people and attackers make, and their characters. Threads: pure functions.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +11,7 @@
 
 namespace touchline {
 
-/// What people and attackers put into names.
+/// Generates a name from what people and attackers put into names.
 inline rc::Gen<std::string> any_name() {
     const auto piece = rc::gen::oneOf(
         rc::gen::map(rc::gen::arbitrary<char>(), [](char c) { return std::string(1, c); }),

@@ -88,8 +88,8 @@ TEST_F(StickCopy, WhatIsNoFileIsNotOpened) {
     stick.folder("folder.png");
     ASSERT_EQ(::mkfifo((stick.path() / "pipe.png").c_str(), 0644), 0);
     EXPECT_EQ(refusal("", "folder.png"), StickRefusal::no_file);
-    EXPECT_EQ(refusal("", "pipe.png"), StickRefusal::no_file);  // and nobody waited for a writer
-    if (::geteuid() != 0) return;                               // only root makes devices
+    EXPECT_EQ(refusal("", "pipe.png"), StickRefusal::no_file);  // and did not wait for a writer
+    if (::geteuid() != 0) return;                               // only root can make devices
     ASSERT_EQ(::mknod((stick.path() / "zero.png").c_str(), S_IFCHR | 0644, makedev(1, 5)), 0);
     ASSERT_EQ(::mknod((stick.path() / "disk.png").c_str(), S_IFBLK | 0644, makedev(7, 0)), 0);
     EXPECT_EQ(refusal("", "zero.png"), StickRefusal::no_file);
@@ -116,7 +116,7 @@ TEST_F(StickCopy, AFileThatIsLockedIsToldSo) {
     stick.file("a.png");
     fs::permissions(stick.path() / "a.png", fs::perms::none);
     const bool is_root = ::geteuid() == 0;
-    ASSERT_TRUE(!is_root || ::seteuid(65534) == 0);  // whom permissions do bind
+    ASSERT_TRUE(!is_root || ::seteuid(65534) == 0);  // permissions bind this user
     const StickRefusal why = refusal("", "a.png");
     ASSERT_TRUE(!is_root || ::seteuid(0) == 0);
     EXPECT_EQ(why, StickRefusal::locked);

@@ -1,4 +1,4 @@
-// What is installed for sticks agrees with the program, and does what it says.
+// Tests that what is installed for sticks agrees with the program, and does what it says.
 #include "app/sticks/mount_options.h"
 #include "config/settings/boards.h"
 
@@ -59,7 +59,7 @@ struct Device {
     Words interfaces;
 };
 
-/// "08:06:50" fits "08:*:*".
+/// Returns true if a value fits a pattern: "08:06:50" fits "08:*:*".
 bool fits(const std::string& value, const std::string& pattern) {
     const std::size_t star = pattern.find('*');
     return star == std::string::npos ? value == pattern
@@ -83,7 +83,7 @@ bool fits_interfaces(const Device& device, const std::string& operation, const W
     return false;
 }
 
-/// "allow", "reject" or "block", by usbguard-rules.conf(5): the first rule that fits.
+/// Returns "allow", "reject" or "block" by the first rule that fits, as in usbguard-rules.conf(5).
 std::string judged(const Device& device) {
     std::istringstream lines(installed("touchline-usbguard.conf"));
     for (std::string line; std::getline(lines, line);) {

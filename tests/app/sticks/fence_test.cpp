@@ -1,4 +1,4 @@
-// Everything that a captured import might try, tried from inside.
+// Tries everything that a captured import might try, from inside the sandbox.
 #include "app/sandbox/sandbox.h"
 #include "app/sticks/beneath.h"
 #include "app/sticks/import_program.h"
@@ -32,8 +32,8 @@ class Fence : public testing::Test {
 
     ~Fence() override { fs::current_path("/"); }
 
-    /// The act in a process of its own, shut in; it works if it returns 0 or more, and was killed
-    /// if it died of `deadly`.
+    /// Runs the act in a sandboxed child process. It worked if it returned 0 or more, and was
+    /// killed if it died of `deadly`.
     Outcome try_inside(const std::function<long(const Descriptor& root)>& act,
                        int deadly = SIGSYS) {
         const pid_t pid = fork();
@@ -62,7 +62,7 @@ class Fence : public testing::Test {
     StickFolder elsewhere;
 };
 
-/// Without any of the promises that open_beneath() asks for.
+/// Opens without any of the guarantees that open_beneath() asks for.
 long open_anyhow(int folder, const char* name, int flags) {
     open_how how{};
     how.flags = static_cast<unsigned>(flags);
@@ -115,7 +115,7 @@ TEST_F(Fence, TheOneCallThatOpensLeadsNowhereElse) {
     EXPECT_TRUE(refused("/", O_RDONLY | O_DIRECTORY));
     EXPECT_TRUE(refused("victim", O_WRONLY));
     EXPECT_TRUE(refused("must-not-exist", O_CREAT | O_WRONLY));
-    // Or the lines above would prove nothing.
+    // Otherwise the lines above would prove nothing.
     EXPECT_GE(Descriptor(static_cast<int>(open_anyhow(AT_FDCWD, "/etc/passwd", O_RDONLY))).number(),
               0);
 }

@@ -1,4 +1,4 @@
-// A long list parted by its letters.
+// Tests how a long list is split by letters.
 #include "app/sticks/first_letters.h"
 
 #include "tests/app/sticks/any_names.h"
@@ -24,7 +24,7 @@ std::vector<LetterGroup> groups_of(const std::vector<std::string>& names,
     return letter_groups(names, all_rows(names.size()), language);
 }
 
-/// "A 2": beginning and how many.
+/// Returns each group as "A 2": how its names begin, and their number.
 std::vector<std::string> told(const std::vector<LetterGroup>& groups) {
     std::vector<std::string> all;
     for (const LetterGroup& group : groups) {
@@ -59,7 +59,7 @@ TEST(FirstLetters, OfOtherScriptsAreLettersToo) {
               (Told{"A 1", "\u0391 2", "\u041c 2", "other 2"}));
 }
 
-/// What a camera wrote begins alike: the first place where the names differ parts them.
+/// A camera's names begin alike: they are split at the first place where they differ.
 TEST(FirstLetters, LeadThroughThousandsOfACamera) {
     std::vector<std::string> names;
     for (int i = 0; i < 3000; ++i) {
@@ -91,8 +91,8 @@ TEST(FirstLetters, NamesThatEndOrAreTheSameAreAGroup) {
     EXPECT_TRUE(groups_of({}).empty());
 }
 
-/// Every one of any names is in one group, in its order; and parting goes on until nothing is
-/// left that tells them apart.
+/// Every name is in exactly one group, in order, and splitting goes on until nothing tells the
+/// names apart.
 RC_GTEST_PROP(FirstLetters, LoseNoNameAndComeToAnEnd, ()) {
     const auto names = *rc::gen::container<std::vector<std::string>>(any_name());
     RC_PRE(!names.empty());

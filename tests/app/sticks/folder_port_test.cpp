@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 class FolderPortTest : public testing::Test {
   protected:
-    /// Half a second later.
+    /// Polls half a second later.
     std::vector<StickEvent> poll() {
         now_ns += 500'000'000;
         return port.poll(now_ns);

@@ -1,6 +1,6 @@
-// A stick that never answers: a FUSE file system whose server takes what it is asked and says
-// nothing. Who asks cannot be ended before the server is. Only root can mount it.
-// Threads: its own serves; the rest by one.
+// A stick that never answers: a FUSE file system whose server takes requests and says nothing. A
+// process that asks cannot be ended before the server is. Only root can mount it.
+// Threads: one of its own serves; one for the rest.
 #pragma once
 
 #include "app/process/descriptor.h"
@@ -38,7 +38,7 @@ class HungStick {
 
     [[nodiscard]] bool is_mounted() const { return is_mounted_; }
 
-    /// The server ends: every question is answered with an error now.
+    /// Ends the server: from now on every request fails.
     void pull_out() {
         if (!is_mounted_) return;
         server_ = std::jthread();

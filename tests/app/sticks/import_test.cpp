@@ -1,4 +1,4 @@
-// The kiosk's side and the program together.
+// Tests the kiosk's side and the program together.
 #include "app/sticks/import.h"
 
 #include "app/process/memory.h"
@@ -143,11 +143,11 @@ TEST_F(StickImportTest, OneThatNeverEndsIsEnded) {
     StickImport hanging(TOUCHLINE_LYING_IMPORT, {0.05, 0.05});
     EXPECT_EQ(hanging.read(stick.root(), picture("", "hang")).error(), StickRefusal::out_of_time);
     for (int i = 0; hanging.left_behind() > 0 && i < 1000; ++i) (void)hanging.list(stick.root());
-    EXPECT_EQ(hanging.left_behind(), 0U);  // where the machine is busy it takes a while to die
+    EXPECT_EQ(hanging.left_behind(), 0U);  // on a busy machine it takes a while to die
 }
 
-/// A hundred thousand files: the list is there, within little memory. In memory, since a disk that
-/// is busy takes minutes to make so many.
+/// A hundred thousand files are listed within little memory. They lie in memory, since a busy disk
+/// takes minutes to make so many.
 TEST_F(StickImportTest, MemoryDoesNotGrowWithTheStick) {
     const StickFolder many("/dev/shm");
     many.files("f", 100'000);
@@ -172,7 +172,7 @@ TEST_F(StickImportTest, AThousandFilesLeaveNothingBehind) {
         ASSERT_TRUE(import.read(stick.root(), picture("", "a.png")).has_value());
     EXPECT_EQ(open_descriptors(), before);
     EXPECT_EQ(import.left_behind(), 0U);
-    EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);  // no child at all, so no zombie
+    EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);  // no child at all, so no zombie either
 }
 
 }  // namespace

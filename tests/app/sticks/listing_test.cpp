@@ -128,7 +128,7 @@ TEST(StickListing, OfALiarIsRefused) {
     EXPECT_FALSE(listing_of(bytes));
     bytes[11] = {};
     EXPECT_TRUE(listing_of(bytes));
-    bytes[8] = {};  // not whole, and no reason
+    bytes[8] = {};  // not whole, but without a reason
     EXPECT_FALSE(listing_of(bytes));
     bytes.back() = std::byte{1};
     EXPECT_TRUE(listing_of(bytes));

@@ -1,4 +1,4 @@
-// In the place of touchline-import: `list ROOT` answers with bytes that are no listing, `read ROOT
+// Replaces touchline-import: `list ROOT` answers with bytes that are no listing, and `read ROOT
 // FOLDER hang MOST` never ends.
 #include <string_view>
 

@@ -1,4 +1,4 @@
-// A bus of our own with python3-dbusmock's udisks2 on it, for as long as its owner lives.
+// A private bus with python3-dbusmock's udisks2 on it, for as long as its owner lives.
 // Threads: one.
 #pragma once
 
@@ -20,7 +20,7 @@
 
 namespace touchline {
 
-/// Asked again and again until it is so, at most some thirty seconds.
+/// Asks again and again until the condition holds, for about thirty seconds at most.
 [[nodiscard]] inline bool becomes(const std::function<bool()>& is_so) {
     for (int i = 0; i < 15000; ++i) {
         if (is_so()) return true;
@@ -66,7 +66,7 @@ class MockedUdisks {
         std::filesystem::remove(folder_.path() / "bus");
     }
 
-    /// `plugged`: what is there from the start, as JSON: lists of what the mock's Plug takes.
+    /// `plugged`: the devices at the start, as JSON: lists of the arguments of the mock's Plug.
     void start_service(const std::string& plugged = "[]") {
         service_.emplace(
             start("/usr/bin/python3", {"-m", "dbusmock", "--system", "--parameters",

@@ -1,4 +1,5 @@
-// Real file systems with real mount options. Where only root can mount, only root's run asks.
+// Tests real file systems with real mount options. Only root can mount some, so only a run by root
+// tests them.
 #include "app/sticks/import.h"
 #include "app/sticks/mount_options.h"
 #include "tests/app/sticks/hung_stick.h"
@@ -20,12 +21,13 @@ StickEntry picture(std::string name) {
 
 class MountedStick : public testing::Test {
   protected:
-    /// An ext4 image of what `content` holds.
+    /// Makes an ext4 image of what `content` holds.
     void make_image() {
         ASSERT_TRUE(does("mkfs.ext4 -q -F -d " + content.root() + " " + image.string() + " 16M"));
     }
 
-    /// The same as a stick that was pulled out while something wrote on it: its journal is full.
+    /// Makes the same image, but with a full journal, as if the stick was pulled out while it was
+    /// written.
     void make_dirty_image() {
         make_image();
         const fs::path live = desk.path() / "live";
@@ -71,7 +73,8 @@ TEST_F(MountedStick, IsReadWithoutChangingAByte) {
     }
     EXPECT_TRUE(bytes_of_file(image) == before);
     {
-        // Or the line above would prove nothing: read-only alone lets the journal be played.
+        // Otherwise the line above would prove nothing: read-only alone allows the journal to be
+        // replayed.
         const MountedImage mounted(image, mount_point.path(), "ro");
         ASSERT_TRUE(mounted.is_mounted());
     }
@@ -133,7 +136,7 @@ TEST_F(MountedStick, PulledOutInTheMidstIsOneRefusalAndTheNextWorks) {
         const MountedImage mounted(image, mount_point.path(), options());
         ASSERT_TRUE(mounted.is_mounted());
         ASSERT_TRUE(import.list(mount_point.root()).has_value());
-        fs::resize_file(image, 0);  // from now on the device has only errors
+        fs::resize_file(image, 0);  // from now on the device gives only errors
         const auto refused = import.read(mount_point.root(), picture("boat.png"));
         ASSERT_FALSE(refused.has_value());
         EXPECT_EQ(refused.error(), StickRefusal::unreadable);
@@ -152,7 +155,7 @@ TEST_F(MountedStick, OneThatHoldsTheImportForEverIsLeftBehind) {
     ASSERT_TRUE(hung.is_mounted());
     EXPECT_EQ(hasty.list(mount_point.root()).error(), StickRefusal::out_of_time);
     EXPECT_EQ(hasty.left_behind(), 1U);
-    // The next stick works meanwhile.
+    // Meanwhile the next stick works.
     content.file("boat.png");
     EXPECT_TRUE(hasty.read(content.root(), picture("boat.png")).has_value());
     EXPECT_EQ(hasty.left_behind(), 1U);

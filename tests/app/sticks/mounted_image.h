@@ -1,4 +1,4 @@
-// A file system in a file, mounted for as long as its owner lives. Only root can.
+// A file system in a file, mounted for as long as its owner lives. Only root can do this.
 // Threads: one.
 #pragma once
 
@@ -12,12 +12,12 @@
 
 namespace touchline {
 
-/// The kernel's loop devices and mounts are root's.
+/// Returns true for root, to whom the kernel gives loop devices and mounts.
 [[nodiscard]] inline bool may_mount() {
     return ::geteuid() == 0 && ::access("/dev/loop-control", W_OK) == 0;
 }
 
-/// True where the command ended well.
+/// Runs a command; returns true if it succeeded.
 [[nodiscard]] inline bool does(const std::string& command) {
     return std::system(("{ " + command + "; } >/dev/null 2>&1").c_str()) ==
            0;  // NOLINT(cert-env33-c)
@@ -28,10 +28,10 @@ namespace touchline {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The file `image` mounted on the folder `where`.
+/// Mounts the file `image` on the folder `where`.
 class MountedImage {
   public:
-    /// The device below can be written, whatever the options say: as a stick's.
+    /// The device below stays writable, whatever the options say, like a stick's.
     MountedImage(const std::filesystem::path& image, std::filesystem::path where,
                  const std::string& options)
         : where_(std::move(where)),

@@ -52,7 +52,7 @@ TEST(StickNames, LongOnesAreCutWhereItIsSaid) {
     EXPECT_EQ(shown_name(std::string(81, 'w')), std::string(79, 'w') + "\u2026");
     std::string wide;
     for (int i = 0; i < 60; ++i) wide += "\u732b";
-    EXPECT_EQ(characters_of(shown_name(wide)).size(), 40U);  // 39 of two columns, the ellipsis
+    EXPECT_EQ(characters_of(shown_name(wide)).size(), 40U);  // 39 of two columns, and the ellipsis
 }
 
 TEST(StickNames, AccentsArePiledNoHigherThanThree) {

@@ -23,7 +23,7 @@ StickListing scan(const StickFolder& stick, const ScanLimits& limits = {},
     return listing.value_or(StickListing{});
 }
 
-/// "folder/name" of each.
+/// Returns "folder/name" of each.
 std::vector<std::string> paths_of(const StickListing& listing) {
     std::vector<std::string> paths;
     for (const StickEntry& entry : listing.entries)
@@ -92,8 +92,8 @@ TEST(StickScan, HostileNamesAreListedAsTheyAre) {
     EXPECT_TRUE(listing_of(bytes_of(listing)).has_value());
 }
 
-/// One name for the eye, two for the file system, which keeps both: letters with marks written as
-/// one character and as two.
+/// One name for the eye, but two for the file system, which keeps both: letters with marks written
+/// as one character or as two.
 TEST(StickScan, NamesOfEveryLanguageAreListedByTheirBytes) {
     const StickFolder stick;
     const Paths names{"Fu\u00df b\u00e4r.png", "Fu\u00df ba\u0308r.png",
@@ -161,7 +161,7 @@ TEST(StickScan, AFolderThatCannotBeReadIsPassedOver) {
     for (const char* name : {"shut/a.png", "open/a.png"}) stick.file(name);
     fs::permissions(stick.path() / "shut", fs::perms::none);
     const bool is_root = ::geteuid() == 0;
-    ASSERT_TRUE(!is_root || ::seteuid(65534) == 0);  // whom permissions do bind
+    ASSERT_TRUE(!is_root || ::seteuid(65534) == 0);  // permissions bind this user
     const StickListing listing = scan(stick);
     ASSERT_TRUE(!is_root || ::seteuid(0) == 0);
     fs::permissions(stick.path() / "shut", fs::perms::owner_all);
@@ -189,7 +189,7 @@ TEST(StickScan, FoldersAreEnteredToDepthEightAndDeeperOnesTold) {
     EXPECT_EQ(scan(stick).rest, (StickRest{0, true, false, false}));
 }
 
-/// 255 bytes a folder: the kernel takes no longer path, and the rest is still listed.
+/// Each folder has 255 bytes: the kernel takes no longer path, and the rest is still listed.
 TEST(StickScan, PathsAsLongAsTheyGetAreReadOrTold) {
     const StickFolder stick;
     std::string deep(255, 'd');

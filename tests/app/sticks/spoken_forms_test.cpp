@@ -1,4 +1,4 @@
-// Lists of names as they are said: no two alike to the ear, and none longer than that takes.
+// Tests lists of names as they are said: no two sound alike, and none is longer than that needs.
 #include "app/sticks/spoken_forms.h"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ TEST(SpokenForms, NumberWhatHasTheSameWords) {
     EXPECT_EQ(said_list({}), Names{});
 }
 
-/// Whether two are one to the ear; the tests' names have accents on "a" and "e" alone.
+/// Returns true if two sound the same; the tests' names have accents only on "a" and "e".
 bool are_two_alike(const Names& said) {
     Names heard;
     for (const std::string& text : said) {
@@ -83,7 +83,7 @@ bool are_two_alike(const Names& said) {
     return std::ranges::adjacent_find(heard) != heard.end();
 }
 
-/// "Foto" is the German word for what a camera made.
+/// German says "Foto" for a camera's picture.
 TEST(SpokenForms, TellApartWhatSoundsAlikeInOneLanguage) {
     const Names names{"IMG_4512.jpg", "Foto 4512.jpg", "photo 4512.jpg", "boat.png"};
     ASSERT_GE(all_languages().size(), 5U);
@@ -106,7 +106,7 @@ TEST(SpokenForms, CapitalsAndTheWayOfAnAccentAreNotHeard) {
               (Names{"\u0416, J P G, number 1", "\u0436, J P G, number 2"}));
 }
 
-/// The date sounds like the first name in German and like the last in French.
+/// The date sounds like the first name in German and like the last one in French.
 TEST(SpokenForms, NumberAllThatAreJoined) {
     const Names names{"vom f\u00fcnften April 2023", "2023-04-05", "5 avril 2023"};
     const auto forms = spoken_forms(names, all_languages());
@@ -116,7 +116,7 @@ TEST(SpokenForms, NumberAllThatAreJoined) {
         EXPECT_FALSE(are_two_alike(said_in(language, names, forms))) << language.code();
 }
 
-/// Of any names of a few letters and signs, which sound alike often.
+/// Names of a few letters and signs often sound alike.
 RC_GTEST_PROP(SpokenForms, NoTwoOfAListSoundAlike, ()) {
     const auto beginning =
         rc::gen::elementOf(Names{"", "IMG_4512", "img_4512", "Foto 4512", "foto 45", "photo 4512"});
@@ -145,7 +145,7 @@ TEST(SpokenForms, OfTenThousandFilesAreThereAtOnce) {
     EXPECT_EQ(forms.size(), names.size());
     RecordProperty("seconds", std::to_string(took.count()));
     EXPECT_LT(took.count(),
-              5.0);  // a tenth of a second, but for sanitizers; n squared takes minutes
+              5.0);  // a tenth of a second without sanitizers; n squared takes minutes
 }
 
 }  // namespace

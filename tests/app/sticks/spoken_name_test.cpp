@@ -1,4 +1,4 @@
-// Names of files as they are said. The right values are what a person reads aloud.
+// Tests names of files as they are said. The expected values are what a person reads aloud.
 #include "app/sticks/spoken_name.h"
 
 #include "app/sticks/name_parts.h"
@@ -44,7 +44,7 @@ TEST(SpokenName, OfWordsIsThoseWords) {
                Language());
 }
 
-/// As old cards have them: capitals tell nothing of a word there.
+/// Old cards have such names: there capitals say nothing about a word.
 TEST(SpokenName, OfCapitalsAloneIsWordsStill) {
     expect_all({{"THE CAT.JPG", "THE CAT"},
                 {"THE CAT.jpg", "THE CAT"},
@@ -61,7 +61,7 @@ TEST(SpokenName, OfCapitalsAloneIsWordsStill) {
                Language());
 }
 
-/// As people name them, and no longer than they need be.
+/// Said as people would name them, and no longer than needed.
 TEST(SpokenName, OfACameraIsAPhoto) {
     expect_all({{"IMG_20240511_142233.jpg", "photo of 11th May 2024, 14:22"},
                 {"DSC04512.JPG", "photo 45 12"},
@@ -148,7 +148,7 @@ TEST(SpokenName, AYearBesideAWordIsAYear) {
                Language());
 }
 
-/// A moment as cameras, telephones and systems write it.
+/// Cameras, telephones and systems write a moment in these ways.
 TEST(SpokenName, ADateWithItsTimeIsReadAsOne) {
     const std::string moment = "5th April 2023, 10:15";
     for (const char* name : {"20230405_101500.jpg",
@@ -229,7 +229,8 @@ TEST(SpokenName, LongOnesAreCutBetweenWords) {
     EXPECT_EQ(spoken_name(std::string(200, '7'), Language()).size(), 80U);
 }
 
-/// Every day of two hundred years, and none besides: by the calendar of the C++ library.
+/// Every day of two hundred years is a date, and nothing else is, by the calendar of the C++
+/// library.
 TEST(SpokenName, EveryDayOfTheCalendarIsOneAndNoOther) {
     using namespace std::chrono;
     const auto is_date = [](int year, unsigned month, unsigned day) {
@@ -247,7 +248,7 @@ TEST(SpokenName, EveryDayOfTheCalendarIsOneAndNoOther) {
             }
 }
 
-/// A moment written in any way is read back to the same day and time.
+/// A moment in any form reads back as the same day and time.
 RC_GTEST_PROP(SpokenName, AMomentInAnyFormIsItself, ()) {
     const int year = *rc::gen::inRange(1900, 2100);
     const int month = *rc::gen::inRange(1, 13);
@@ -271,7 +272,7 @@ RC_GTEST_PROP(SpokenName, AMomentInAnyFormIsItself, ()) {
     RC_ASSERT(moment->clock->second == second);
 }
 
-/// All of any digits are said, in their order, never more than three together but a year.
+/// All digits are said, in their order, and never more than three together except for a year.
 RC_GTEST_PROP(SpokenName, NoNumberIsLongAndNoDigitIsLost, ()) {
     std::string digits;
     const int count = *rc::gen::inRange(1, 40);

@@ -1,5 +1,4 @@
-// A folder that stands for a stick, gone with its owner.
-// Threads: one.
+// A folder that stands for a stick; it is removed with its owner. Threads: one.
 #pragma once
 
 #include "app/process/descriptor.h"
@@ -47,7 +46,7 @@ class StickFolder {
         std::ofstream(path_ / name, std::ios::binary) << bytes;
     }
 
-    /// `count` files "NAME0.png" ... of no bytes, fast.
+    /// Quickly makes `count` empty files "NAME0.png" ...
     void files(const std::string& name, std::size_t count) const {
         const Descriptor here = open();
         for (std::size_t i = 0; i < count; ++i) {

@@ -38,7 +38,7 @@ class StickRulesTest : public testing::Test {
   protected:
     StickRulesTest() { (void)rules.on_volumes({}); }
 
-    /// The number of the only order of a step; 0 where it is not one to `kind` this object.
+    /// Returns the number of a step's only order; 0 if it is not one to `kind` this object.
     static std::uint64_t number_of(const StickStep& step, OrderKind kind,
                                    const std::string& object) {
         const bool is_it = step.orders.size() == 1 && step.orders[0].kind == kind &&
@@ -54,7 +54,7 @@ class StickRulesTest : public testing::Test {
         return number_of(step, OrderKind::unmount, object);
     }
 
-    /// sdb1 is mounted on "/m" by us, and offered.
+    /// Mounts sdb1 on "/m" by our order, and offers it.
     void hold() {
         const auto number = mounts(rules.on_volumes({first}), "sdb1");
         ASSERT_NE(number, 0U);
@@ -76,7 +76,7 @@ TEST_F(StickRulesTest, AStickIsMountedAndOffered) {
     EXPECT_TRUE(step.events.empty());
     EXPECT_TRUE(rules.on_volumes({first}).orders.empty());  // once
     rules.on_mounted(step.orders[0].number, "sdb1", "/m");
-    // The volumes may not know yet, but the answer does.
+    // The volumes may not know it yet, but the answer does.
     EXPECT_EQ(rules.on_volumes({first}).events, Events{ready("/m")});
     EXPECT_TRUE(rules.on_volumes({first}).events.empty());
     EXPECT_TRUE(rules.on_volumes({mounted(first, "/m")}).events.empty());
@@ -103,7 +103,7 @@ TEST_F(StickRulesTest, EachFileSystemHasItsOptions) {
     EXPECT_EQ(options("ntfs", FileSystems::more), plain + ",norecover");
 }
 
-/// Whoever mounted it: what the operator has not allowed is not read.
+/// A file system that the operator has not allowed is not read, whoever mounted it.
 TEST_F(StickRulesTest, WhatIsNotAllowedIsRefusedWithWhatToDo) {
     for (const char* kind : {"ext4", "ntfs"}) {
         StickRules fresh;
@@ -144,7 +144,7 @@ TEST_F(StickRulesTest, PulledOutIsTold) {
     hold();
     EXPECT_EQ(rules.on_vanished("sdb1").events, Events{gone("/m")});
     EXPECT_TRUE(rules.on_volumes({}).events.empty());
-    EXPECT_EQ(rules.on_volumes({first}).orders.size(), 1U);  // and put in again
+    EXPECT_EQ(rules.on_volumes({first}).orders.size(), 1U);  // and plugged in again
 }
 
 TEST_F(StickRulesTest, TheLastOneWinsAndTheFirstComesBack) {
@@ -152,7 +152,7 @@ TEST_F(StickRulesTest, TheLastOneWinsAndTheFirstComesBack) {
     auto step = rules.on_volumes({mounted(first, "/m"), second});
     EXPECT_EQ(step.events, Events{gone("/m")});
     rules.on_unmounted(unmounts(step, "sdb1"), true);
-    // The volumes may still tell what is unmounted.
+    // The volumes may still show what is already unmounted.
     const auto number = mounts(rules.on_volumes({mounted(first, "/m"), second}), "sdc1");
     rules.on_mounted(number, "sdc1", "/n");
     EXPECT_EQ(rules.on_volumes({first, mounted(second, "/n")}).events, Events{ready("/n")});
@@ -278,7 +278,7 @@ TEST_F(StickRulesTest, AnOrderThatARestartSwallowedIsGivenAgain) {
     (void)rules.on_volumes({first});
     rules.on_service_lost();
     EXPECT_EQ(rules.on_volumes({first}).orders.size(), 1U);
-    // Or it was carried out, and only the answer is lost.
+    // Or the order was carried out, and only the answer is lost.
     rules.on_service_lost();
     EXPECT_EQ(rules.on_volumes({mounted(first, "/m")}).events, Events{ready("/m")});
     EXPECT_NE(unmounts(rules.on_session_ended(), "sdb1"), 0U);

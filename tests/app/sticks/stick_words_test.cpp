@@ -20,7 +20,7 @@ TEST(StickWords, SayWhatIsNotInTheList) {
               "There is no picture or PDF on the USB stick. Put some on it and bring it again.");
 }
 
-/// Every reason has its own words in every language.
+/// Each reason has its own words in every language.
 TEST(StickWords, AreOfTheVisitorsLanguage) {
     std::set<std::string> said;
     std::size_t count = 0;

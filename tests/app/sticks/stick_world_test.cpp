@@ -1,5 +1,5 @@
-// The rules of sticks against a world that does anything in any order: sticks come and go, udisks2
-// answers late, wrongly or not at all, others mount and unmount.
+// Tests the rules of sticks against a world that does anything in any order: sticks come and go,
+// udisks2 answers late, wrongly or not at all, and others mount and unmount.
 #include "app/sticks/stick_rules.h"
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace {
 
 struct Partition {
     Volume volume;
-    bool fails = false;    // when it is mounted
-    bool is_ours = false;  // was mounted by an order
-    bool is_plain = true;  // nothing has happened that could keep it from being offered
+    bool fails = false;    // to mount
+    bool is_ours = false;  // one of our orders mounted it
+    bool is_plain = true;  // nothing has kept it from being offered
 };
 
 class World {
   public:
-    /// ext4 is one that the operator has allowed.
+    /// The operator has allowed ext4.
     World() {
         rules_.allow(FileSystems::more);
         tell_volumes();
@@ -60,7 +60,7 @@ class World {
 
     void answer(std::size_t which, bool tells_volumes_first) {
         if (orders_.empty()) return;
-        // Those of one device in the order in which they were given.
+        // Orders for one device are answered in the order in which they were given.
         const std::string& device = orders_[which % orders_.size()].object;
         const auto next = std::find_if(orders_.begin(), orders_.end(),
                                        [&device](const auto& one) { return one.object == device; });
@@ -112,8 +112,8 @@ class World {
         for (Partition& partition : partitions_) partition.is_plain = false;
     }
 
-    /// Whatever was under way is lost. A stick that is pulled out and put in again unnoticed is
-    /// taken for the same.
+    /// Loses whatever was under way. A stick that is pulled out and put back unnoticed counts as
+    /// the same.
     void restart() {
         if (!queue_.empty())
             for (Partition& partition : partitions_) partition.is_plain = false;
@@ -123,7 +123,7 @@ class World {
             const auto& roots = partition.volume.roots;
             if (roots.empty() || (root_ && roots.front() == *root_)) continue;
             partition.is_plain = false;
-            partition.is_ours = false;  // nobody knows any more
+            partition.is_ours = false;  // nobody knows it any more
         }
         rules_.on_service_lost();
         tell_volumes();
@@ -143,7 +143,7 @@ class World {
         }
     }
 
-    /// What must hold when nothing is under way.
+    /// Checks what must hold when nothing is under way.
     void check_settled() const {
         std::size_t ours = 0;
         for (const Partition& partition : partitions_) {
@@ -184,7 +184,7 @@ class World {
                (volume.file_system == "vfat" || volume.file_system == "ext4") && !partition.fails;
     }
 
-    /// The newest stick is the one that is offered, if nothing stood in its way.
+    /// Checks that the newest stick is offered if nothing stood in its way.
     void check_newest() const {
         const Partition* newest = nullptr;
         for (const Partition& one : partitions_)
@@ -239,7 +239,7 @@ class World {
     StickRules rules_;
     std::vector<Partition> partitions_;
     std::deque<std::function<void()>> queue_;  // from udisks2 to us, in order
-    std::vector<StickOrder> orders_;           // that it has not answered
+    std::vector<StickOrder> orders_;           // not answered yet
     std::optional<std::string> root_;          // what the visitor was told
     std::uint64_t time_ = 0;
     int mounts_ = 0;
@@ -281,7 +281,8 @@ RC_GTEST_PROP(StickWorld, WhateverComesTheVisitorHearsATrueStory, ()) {
     }
 }
 
-/// A swap in less than a second, and five hundred plugs: nothing piles up, the last one is offered.
+/// After a swap in less than a second, and five hundred plugs, nothing piles up and the last stick
+/// is offered.
 TEST(StickWorld, FiveHundredPlugsLeaveNothingBehind) {
     World world;
     for (int i = 0; i < 500; ++i) {

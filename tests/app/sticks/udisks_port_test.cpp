@@ -1,4 +1,4 @@
-// The port against a udisks2 that is mocked, on a bus of its own.
+// Tests the port against a mocked udisks2 on a private bus.
 #include "app/sticks/udisks_port.h"
 
 #include "tests/app/sticks/mocked_udisks.h"
@@ -14,8 +14,8 @@ using Lines = std::vector<std::string>;
 
 class UdisksPortTest : public testing::Test {
   protected:
-    /// Polls until so many things have happened; all of them as "ready ROOT", "gone ROOT",
-    /// "refused".
+    /// Polls until so many events have come and returns all of them, as "ready ROOT", "gone ROOT"
+    /// or "refused".
     Lines news(std::size_t count) {
         Lines lines;
         EXPECT_TRUE(becomes([&] {
@@ -143,7 +143,7 @@ TEST_F(UdisksPortTest, UdisksMayBeAbsentAndComeAndGo) {
     EXPECT_TRUE(watches(false));
     udisks.start_service(R"([["sdb1", "one", "usb", "vfat", 11, "mounted"]])");
     EXPECT_TRUE(watches(true));
-    EXPECT_TRUE(unexpected.empty());  // to the visitor nothing has happened
+    EXPECT_TRUE(unexpected.empty());  // for the visitor nothing has happened
     port.end_session();
     EXPECT_TRUE(
         becomes([&] { return port.poll(now_ns).empty() && !udisks.asked("sdb1").empty(); }));
@@ -180,7 +180,7 @@ TEST_F(UdisksPortTest, ManyPlugsLeaveNothingBehind) {
         ASSERT_EQ(news(1), Lines{"ready /media/sdb1"});
         udisks.pull("sdb1", "one");
         ASSERT_EQ(news(1), Lines{"gone /media/sdb1"});
-        if (i == 10) before = count_descriptors();  // libraries keep some from their first use
+        if (i == 10) before = count_descriptors();  // libraries keep some after their first use
     }
     EXPECT_EQ(count_descriptors(), before);
 }

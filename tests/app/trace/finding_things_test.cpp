@@ -1,4 +1,4 @@
-// Main things by way of their worker: a network made by hand takes what is red for the thing.
+// Tests main things with their worker: a handmade network takes what is red for the thing.
 #include "app/trace/finding_things.h"
 
 #include "app/models/picture_network_files.h"
@@ -32,7 +32,7 @@ Page red_discs() {
     return page;
 }
 
-/// Those that ship, and what takes red for a main thing.
+/// Returns the shipped networks, but with one that takes red for a main thing.
 const PictureNetworkFiles& files() {
     static const PictureNetworkFiles read = [] {
         auto shipped = read_picture_networks();
@@ -71,7 +71,7 @@ TEST(FindingThings, TheThingsOfAPageAreItsViewsTheLargestFirst) {
     for (const Position& p : ring.points) EXPECT_NEAR(norm(p), 0.0368, 0.0012);
 }
 
-/// The small disc, as it lies under a hand that feels the whole picture or the large disc's view.
+/// The small disc lies under a hand that feels the whole picture or the large disc's view.
 TEST(FindingThings, TheThingUnderAHandIsFoundByItself) {
     const Page page = red_discs();
     const double m_per_px = 0.116 / 700;

@@ -1,4 +1,4 @@
-// Found lines between two workers.
+// Tests found lines as they pass between two workers.
 #include "app/trace/lines_bytes.h"
 
 #include <cstring>
@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// A ring, a stroke and something of everything else.
+/// A ring, a stroke and some of everything else.
 Found lines_of_a_picture() {
     cv::Mat picture(300, 400, CV_8UC3, cv::Scalar::all(240));
     cv::circle(picture, {150, 150}, 90, {40, 90, 200}, cv::FILLED);
@@ -21,7 +21,7 @@ Found lines_of_a_picture() {
     return find_lines(picture, {}).value();
 }
 
-/// The same map and the same report mean that nothing of the lines was lost.
+/// The same map and the same report show that no part of the lines was lost.
 TEST(LinesBytes, GiveTheSameMapAtEveryDetailAndZoom) {
     const Found before = lines_of_a_picture();
     const auto after = found_of(bytes_of(before));

@@ -1,4 +1,4 @@
-// Words of a page are heard; the lines beneath them are felt.
+// Tests that a page's words are heard, and that the lines beneath them are felt.
 #include "app/trace/page_lines.h"
 
 #include "app/decode/page.h"
@@ -14,7 +14,7 @@ namespace {
 constexpr int kWidth = 600;
 constexpr int kHeight = 400;
 
-/// A line from the left to the right through the middle, and a word.
+/// A line from left to right through the middle, and a word.
 Page page_with(const std::string& word, const WordBox& box, double size_px, const cv::Scalar& ink) {
     testing::Canvas canvas({kWidth, kHeight}, {255, 255, 255});
     if (!word.empty())
@@ -29,7 +29,7 @@ Page page_with(const std::string& word, const WordBox& box, double size_px, cons
     return page;
 }
 
-/// Length of all lines, in pixels of the page.
+/// Returns the length of all lines, in pixels of the page.
 double length_px(const Page& page) {
     const auto bytes = answer_of(page);
     EXPECT_TRUE(bytes.has_value());
@@ -64,13 +64,13 @@ TEST(PageLines, ADarkWordOnAPaleLineGoesAndTheLineStays) {
     page.picture = {kWidth, kHeight, {drawn.datastart, drawn.dataend}};
     page.told.area = {0.06, 0.04};
     page.words = {{200, 180, 372, 214}};
-    // Without what the strokes of the letters cover.
+    // This leaves out what the strokes of the letters cover.
     EXPECT_NEAR(length_px(page), 495.0, 30.0);
 }
 
 TEST(PageLines, ASmallDrawingBesideALargePaleLetterStays) {
-    // Boxes of letters one by one: when the last is painted over the others are gone already, and
-    // the drawing is most of what is left around it.
+    // Letters are painted over one by one: at the last one the others are already gone, and the
+    // drawing is most of what is left around it.
     testing::Canvas canvas({kWidth, kHeight}, {255, 255, 255});
     const testing::Font font{"DejaVu Sans", 200.0, false, false};
     canvas.write("I", {120.0, 300.0}, font, {215, 215, 215});

@@ -1,4 +1,4 @@
-// What a worker is told on its command line is what it was started for, bit for bit.
+// Tests that a worker reads from its command line what it was started for, bit for bit.
 #include "app/trace/trace_work.h"
 
 #include <limits>
@@ -58,7 +58,7 @@ TEST(TraceWork, AnythingElseIsRefused) {
     EXPECT_FALSE(trace_work_in(longer).has_value());
 }
 
-/// Whether a number can be used is asked where it is used; it must come there as it is.
+/// The code that uses a number checks it, so it must arrive unchanged.
 TEST(TraceWork, NotANumberStaysOne) {
     TraceWork work;
     work.options.zoom.factor = std::numeric_limits<double>::quiet_NaN();

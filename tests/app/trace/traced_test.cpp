@@ -1,4 +1,4 @@
-// What a worker answers that traced a picture.
+// Tests answers of a worker that traced a picture.
 #include "app/trace/traced.h"
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// A tracer that lies: the kiosk gets a map or one line, and keeps nothing of the worker.
+// Tests a tracer that lies: the kiosk gets a map or one line, and keeps nothing of the worker.
 #include "app/trace/tracing.h"
 #include "tests/app/decode/liar_in_place.h"
 
@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-/// The lie stands in the pixels.
+/// Puts the lie in the pixels.
 Result<TracedMap> trace_lie(const std::string& lie) {
     Page page;
     page.picture = {20, 1, std::vector<std::uint8_t>(60), 1.0};

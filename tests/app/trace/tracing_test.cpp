@@ -1,4 +1,4 @@
-// A picture's way through the workers that find its lines gives what the algorithms give.
+// Tests that the workers that find a picture's lines give what the algorithms give.
 #include "app/trace/tracing.h"
 
 #include "app/decode/opening.h"
@@ -142,7 +142,7 @@ TEST(Tracing, AFrameThatIsNoneIsOneLine) {
     EXPECT_TRUE(is_one_sentence(empty.error().line)) << empty.error().line;
 }
 
-/// However often: no descriptor, no child, no memory.
+/// Tracing any number of pictures leaves no descriptor, no child and no memory.
 TEST(Tracing, ManyPicturesLeaveNothing) {
     const Page page = page_of(pictures()[1]);
     for (int i = 0; i < 5; ++i) (void)trace_page(page, {});

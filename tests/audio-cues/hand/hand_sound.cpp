@@ -92,7 +92,7 @@ std::vector<StereoFrame> sound_of(const HandRun& run, CueAmount amount) {
             state = step.state;
             if (step.cue) mixer.send(sound_of(*step.cue, now));
         }
-        if (tick % 16 == 0) {  // as often as the screen
+        if (tick % 16 == 0) {  // as often as a frame of the screen
             const bool is_there = tick < run.handle.size();
             const Position hand = is_there ? run.handle[tick] : Position{};
             const double distance_m = is_there ? run.distance_m[tick] : no_line_m;

@@ -13,7 +13,7 @@
 namespace touchline {
 namespace {
 
-/// Upright lines from rim to rim.
+/// Vertical lines from edge to edge.
 TactileMap fence(const std::vector<double>& at_m) {
     TactileMap map;
     for (const double x_m : at_m) {
@@ -31,7 +31,7 @@ HandRun across(const TactileMap& map, double from_m, double to_m) {
     return run.value_or(HandRun{});
 }
 
-/// Where a sound begins after at least 60 ms of near silence, in frames.
+/// The frames at which a sound begins after at least 60 ms of near silence.
 std::vector<std::size_t> onsets(const std::vector<StereoFrame>& sound) {
     std::vector<std::size_t> found;
     std::size_t quiet = 48000;
@@ -43,7 +43,7 @@ std::vector<std::size_t> onsets(const std::vector<StereoFrame>& sound) {
     return found;
 }
 
-/// Right less left over 50 ms from there, in dB.
+/// The level of right over left in the next 50 ms, in dB.
 double side_dB(const std::vector<StereoFrame>& sound, std::size_t at) {
     const auto part = std::span(sound).subspan(at, std::min<std::size_t>(2400, sound.size() - at));
     return 20.0 * std::log10(rms(right_of_stereo(part)) / rms(left_of_stereo(part)));
@@ -79,7 +79,7 @@ TEST(HandSound, LeftAndRightAreToldApart) {
     EXPECT_GT(side_dB(sound, found.back()), 6.0);
 }
 
-/// Pulses a second that a hand hears that sways between two distances from a line.
+/// The pulses a second that are heard by a hand that sways between two distances from a line.
 double pulses_Hz(double nearest_m, double furthest_m) {
     constexpr double line_x_m = 0.03;
     std::vector<Position> way;

@@ -1,4 +1,4 @@
-// What a simulated hand hears: hear_picture MAP.svg OUT.wav OUT.png
+// Shows what a simulated hand hears: hear_picture MAP.svg OUT.wav OUT.png
 #include "app/decode/map_svg.h"
 #include "app/decode/png_writer.h"
 #include "tests/audio-cues/hand/hand_sound.h"

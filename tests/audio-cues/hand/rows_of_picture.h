@@ -1,4 +1,4 @@
-// The way of a hand that reads a picture as a page. Threads: pure functions.
+// The path of a hand that reads a picture like a page. Threads: pure functions.
 #pragma once
 
 #include "config/types/tactile_map.h"
@@ -7,7 +7,8 @@
 
 namespace touchline {
 
-/// Three rows, at a quarter, the middle and three quarters of the height: right, left, right again.
+/// Three rows, at a quarter, the middle and three quarters of the height: to the right, to the
+/// left, and to the right again.
 [[nodiscard]] inline std::vector<Position> rows_of_picture(const Area& area) {
     const double x = 0.48 * area.width_m;
     const double y = 0.25 * area.height_m;

@@ -8,12 +8,12 @@
 namespace touchline {
 namespace {
 
-constexpr int rows = 72;   // of one ear
-constexpr int row_px = 2;  // high
+constexpr int rows = 72;   // per ear
+constexpr int row_px = 2;  // height
 constexpr std::size_t window = 2048;
 constexpr double darkest_dB = -70.0;
 
-/// Of one row, in the powers of a window.
+/// The power of one row, from the powers of a window.
 double power_of_row(const std::vector<double>& powers, int row) {
     const auto bin_of = [](double r) {
         const double frequency_Hz = 110.0 * std::exp2(r / 12.0);

@@ -26,7 +26,7 @@ TEST(FrameClock, KeepsTheTimesBetweenSoundsThoughTheDeviceAsksInBursts) {
         if (block < 200) continue;
         const std::int64_t now_ns = 5000 * ms + frame * 1'000'000'000 / 48000;
         const auto late_frames = clock.frame_at(now_ns) - frame;
-        // By the lead, less the mean of the jitter (2 ms, 96 frames), give or take half a ms.
+        // The lead, less the mean of the jitter (2 ms, 96 frames), give or take half a ms.
         EXPECT_NEAR(static_cast<double>(late_frames), FrameClock::lead_frames - 96.0, 24.0);
     }
 }
@@ -34,7 +34,7 @@ TEST(FrameClock, KeepsTheTimesBetweenSoundsThoughTheDeviceAsksInBursts) {
 TEST(FrameClock, FollowsADeviceWhoseSecondIsNotOurs) {
     FrameClock clock;
     for (FrameTime frame = 0; frame < FrameTime{48000} * 3600; frame += 48000 / 100) {
-        // 200 parts in a million quicker.
+        // Faster by 200 parts in a million.
         clock.told(frame,
                    static_cast<std::int64_t>(static_cast<double>(frame) / 48000.0 * 1e9 / 1.0002));
     }

@@ -66,12 +66,12 @@ TEST(JackControl, AsksFourTimesASecondAndTellsWhatItHeardLast) {
     switches = {{"Headphone Jack", true}};
     for (int i = 1; i < 15; ++i) EXPECT_EQ(jack.are_in(i / 60.0), std::nullopt);
     EXPECT_EQ(jack.are_in(0.26), true);
-    switches.clear();  // the USB headset was pulled
+    switches.clear();  // the USB headset was unplugged
     EXPECT_EQ(jack.are_in(0.52), std::nullopt);
     EXPECT_EQ(asked, 3);
 }
 
-/// Whatever cards this machine has, or none.
+/// This works with any cards this machine has, or none.
 TEST(JackControl, TheCardsOfThisMachineCanBeAsked) {
     for (const CardSwitch& found : card_switches()) EXPECT_TRUE(is_headphone_jack(found.name));
     JackControl jack;

@@ -60,7 +60,7 @@ TEST(Profile, VO3_HeadsetAndSpeakerHaveTheirOwnLevelsAndTheMixerKeepsEachCap) {
         const auto cap = static_cast<float>(output.cap);
         EXPECT_LE(peak(left_of_stereo(out)), cap);
         EXPECT_LE(peak(right_of_stereo(out)), cap);
-        // The cap as it arrives: a sine of that peak beside a full one in the middle.
+        // The cap as it is heard: a sine of that peak against a full one in the middle.
         EXPECT_NEAR(profile.full_scale_dB + 3.01 + dB_of_gain(output.cap), profile.cap_dB, 0.01);
     }
 }

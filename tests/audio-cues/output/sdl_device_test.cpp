@@ -17,7 +17,7 @@
 namespace touchline {
 namespace {
 
-/// Until the device asked for `count` frames; a device that never asks ends in the test's time-out.
+/// Waits until the device asked for `count` frames; if it never asks, the test times out.
 void wait_for(const std::atomic<std::size_t>& asked, std::size_t count) {
     while (asked < count) (void)poll(nullptr, 0, 1);
 }

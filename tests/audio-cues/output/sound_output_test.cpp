@@ -9,12 +9,12 @@
 namespace touchline {
 namespace {
 
-/// A card in the hands of the test.
+/// A sound card that the test controls.
 struct Card {
     bool is_there = true;
     bool is_gone = false;
     int opened = 0;
-    FrameSource source;  // while open
+    FrameSource source;  // set while open
 };
 
 class TestDevice final : public SoundDevice {
@@ -38,7 +38,7 @@ class TestDevice final : public SoundDevice {
 
 class SoundOutputTest : public testing::Test {
   protected:
-    /// A step of 16 ms, six blocks; the card asks if it plays.
+    /// Steps 16 ms, six blocks; the card asks for them if it plays.
     void step(bool plays = true) {
         output_.step();
         for (int i = 0; i < 6 && plays && card_.source; ++i) {
@@ -73,7 +73,7 @@ TEST_F(SoundOutputTest, WithoutACardEverythingElseGoesOnAndSoundComesByItself) {
     card_.is_there = false;
     const std::vector<float> speech(24000, 0.5F);
     (void)mixer_.speech().write(speech);
-    steps(63);  // a second
+    steps(63);  // one second
     EXPECT_FALSE(output_.is_working());
     EXPECT_EQ(output_.problem(), "no card");
     EXPECT_EQ(mixer_.speech().waiting(), 0U) << "half a second of speech came to its end";

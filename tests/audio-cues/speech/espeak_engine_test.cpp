@@ -23,7 +23,7 @@ std::vector<std::int16_t> said(EspeakEngine& engine, const std::string& text,
     return all;
 }
 
-/// Other sentences than those that the rates were measured with.
+/// These are not the sentences that the rates were measured with.
 const std::map<std::string, std::string> reading{
     {"en",
      "This picture is a house with a garden. The handle is on the left wall now. Move up to "
@@ -74,13 +74,14 @@ TEST(EspeakEngine, SP6_SevenRatesInEveryLanguageAreWithinTenPercent) {
     }
 }
 
-/// The voice's own pitch: the strongest repetition between 60 and 250 Hz, the middle one of all.
+/// The voice's pitch: the median over all windows of the strongest repetition between 60 and 250
+/// Hz.
 double pitch_Hz(const std::vector<std::int16_t>& samples) {
     std::vector<double> found;
     for (std::size_t start = 0; start + 2048 < samples.size(); start += 1024) {
         double power = 0.0;
         for (std::size_t i = 0; i < 1024; ++i) power += std::pow(double(samples[start + i]), 2);
-        double best = 0.5 * power;  // else it is no vowel
+        double best = 0.5 * power;  // otherwise it is not a vowel
         std::size_t best_lag = 0;
         for (std::size_t lag = 88; lag < 367; ++lag) {
             double sum = 0.0;

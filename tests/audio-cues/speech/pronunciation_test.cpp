@@ -1,6 +1,6 @@
-// What the voices make of what must be understood at once: letters, digits, keys, places, hours,
-// codes, dates and names of files. Every line of said/CODE.txt was read as phonemes; whatever
-// is said otherwise fails, with the line as it would be. Listen before you put it in.
+// Tests how the voices say what must be understood at once: letters, digits, keys, places, hours,
+// codes, dates and names of files. Somebody has read every line of said/CODE.txt as phonemes; a
+// test fails on anything said otherwise and shows the new line. Listen to it before you put it in.
 #include "app/sticks/spoken_name.h"
 #include "audio-cues/speech/espeak_engine.h"
 #include "audio-cues/speech/respelling.h"
@@ -24,7 +24,7 @@ const std::string said_folder = TOUCHLINE_SOURCE_DIR "/tests/audio-cues/speech/s
 const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 const std::string digits = "0123456789";
 
-/// A language with its voice, which is the engine's until another one is made.
+/// A language with its voice. The engine keeps this voice until another one is made.
 struct Voice {
     Language language;
     std::vector<Respelling> respellings;
@@ -37,8 +37,8 @@ Voice voice_of(const std::string& code) {
     return {*language, respellings_of(language->respelling())};
 }
 
-/// As the voice gets it from the kiosk; clauses are parted by " | ". The Spanish "rr" of "erre" is
-/// R2 since espeak-ng 1.52, ** before.
+/// Returns the phonemes of a text as the kiosk gives it to the voice; " | " separates clauses. The
+/// Spanish "rr" of "erre" is R2 since espeak-ng 1.52; before, it was **.
 std::string phonemes(const Voice& voice, const std::string& text) {
     const std::string spoken = respelled(text, voice.respellings);
     const void* rest = spoken.c_str();
@@ -54,7 +54,7 @@ std::string phonemes(const Voice& voice, const std::string& text) {
     return all;
 }
 
-/// "text = phonemes" a line.
+/// Reads lines of "text = phonemes".
 std::map<std::string, std::string> lines_of(const std::string& code) {
     std::map<std::string, std::string> lines;
     std::ifstream file(said_folder + code + ".txt");
@@ -65,7 +65,7 @@ std::map<std::string, std::string> lines_of(const std::string& code) {
     return lines;
 }
 
-/// The languages whose phonemes somebody has read.
+/// Returns the languages whose phonemes somebody has read.
 std::vector<std::string> read_codes() {
     std::vector<std::string> codes = languages_in(TOUCHLINE_CATALOGUES).value();
     std::erase_if(codes, [](const std::string& code) { return lines_of(code).empty(); });
@@ -85,7 +85,7 @@ std::vector<std::string> keys_and_places(const Language& language) {
     return texts;
 }
 
-/// Every day and every month once.
+/// Returns dates with every day and every month once.
 std::vector<std::string> dates(const Language& language) {
     std::vector<std::string> texts;
     for (int day = 1; day <= 31; ++day)
@@ -131,7 +131,7 @@ TEST(Pronunciation, SomebodyHasReadFiveLanguages) {
     EXPECT_GE(read_codes().size(), 5U);
 }
 
-/// Without marks of stress and joining, words parted at pauses, Spanish b, d, g as hard as soft.
+/// Drops marks of stress and joining, separates words at pauses, and makes Spanish b, d, g hard.
 std::string plainly(const std::string& phonemes) {
     std::string plain = " ";
     for (std::size_t at = 0; at < phonemes.size(); ++at) {
@@ -144,12 +144,12 @@ std::string plainly(const std::string& phonemes) {
     return plain.back() == ' ' ? plain : plain + ' ';
 }
 
-/// Said as a word of its own.
+/// Returns true if the name is said as a word of its own.
 bool is_heard(const std::string& said, const std::string& name) {
     return plainly(said).find(plainly(name)) != std::string::npos;
 }
 
-/// A letter beside others, as in a name that is spelled.
+/// Letters next to others, as in a name that is spelled out.
 TEST(Pronunciation, ALetterInARowIsTheLetterStill) {
     for (const std::string& code : read_codes()) {
         const Voice voice = voice_of(code);
@@ -165,7 +165,7 @@ TEST(Pronunciation, ALetterInARowIsTheLetterStill) {
     }
 }
 
-/// The letters that the English title of a picture names: "The letters A, B and C".
+/// Returns the letters that the English title of a picture names: "The letters A, B and C".
 std::string signs_of(const std::string& title) {
     std::string signs;
     for (std::size_t at = title.find("he letters "); at < title.size(); ++at) {
@@ -197,7 +197,7 @@ TEST(Pronunciation, TheLettersOfTheGalleryAreHeardInEverySentenceAboutThem) {
     }
 }
 
-/// "Letter A", "Digit 4": the last that is heard is its name.
+/// "Letter A", "Digit 4": the last sound is the name itself.
 TEST(Pronunciation, TheNamesOfPartsEndWithTheirLetterOrDigit) {
     const auto english = shipped_pictures();
     for (const std::string& code : read_codes()) {
@@ -222,12 +222,12 @@ TEST(Pronunciation, TheNamesOfPartsEndWithTheirLetterOrDigit) {
     }
 }
 
-/// Names of things, which are English wherever they are said.
+/// Names of things that stay English in every language.
 const std::set<std::string> english_names{"Byte",      "Office",  "input",  "Escape",    "Joystick",
                                           "Joysticks", "Mark",    "Newton", "Touchline", "WAV",
                                           "newton",    "newtons", "toml",   "udisks"};
 
-/// Parted by all that is no letter, hard blanks and typographic signs too.
+/// Separates words at everything that is not a letter, including hard blanks and typographic signs.
 std::vector<std::string> words_in(const std::string& text) {
     std::vector<std::string> words{""};
     for (std::size_t at = 0; at < text.size(); ++at) {
@@ -248,7 +248,7 @@ bool is_english(const std::string& phonemes) {
     return phonemes.find("(en)") != std::string::npos;
 }
 
-/// French "dos" was DOS to the voice.
+/// The voice once read the French "dos" as DOS.
 TEST(Pronunciation, NoWordIsTakenForEnglish) {
     const std::string folder = TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue/";
     for (const std::string& code : read_codes()) {

@@ -21,7 +21,7 @@ TEST(Respelling, WholeWordsAreReplacedAndNoOthers) {
     EXPECT_EQ(said(table, "dos"), "dau");
 }
 
-/// The article is one before a word, the letter is not.
+/// An A before a word is an article; a letter is not.
 TEST(Respelling, TheFirstRowThatFitsCounts) {
     const std::string table = "letter A \u2026 = letter eh \u2026; A \u2026 = A \u2026; A = eh";
     EXPECT_EQ(said(table, "A star. A USB stick, A 4-digit PIN, A \u201cstar\u201d"),

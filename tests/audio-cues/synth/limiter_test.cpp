@@ -68,7 +68,7 @@ TEST(Limiter, AnOverloadStaysASineRatherThanAClippedOne) {
     limiter.process(frames, 0.5);
     const auto sound = left_of_stereo(std::span(frames).subspan(24000));
     EXPECT_GT(peak(sound), 0.48F);
-    EXPECT_LT(loudest_above_dB(sound, 2500.0), -50.0);  // clipped so hard it would be -16 dB
+    EXPECT_LT(loudest_above_dB(sound, 2500.0), -50.0);  // hard clipping would give -16 dB
 }
 
 }  // namespace

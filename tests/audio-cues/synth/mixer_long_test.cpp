@@ -11,7 +11,7 @@ namespace {
 
 constexpr FrameTime hour = FrameTime{3600} * frame_rate_Hz;
 
-/// A second of a busy hand, speech and all, that begins at frame `start` of the mixer.
+/// A second of a busy hand with speech, from frame `start` of the mixer.
 std::vector<StereoFrame> busy_second(Mixer& mixer, FrameTime start) {
     Earcon earcon;
     earcon.note_count = 1;
@@ -34,8 +34,8 @@ TEST(MixerLong, EightHoursOnEverySampleIsWhatItWasAtTheStart) {
     EXPECT_EQ(busy_second(fresh, 0), busy_second(old, 8 * hour));
 }
 
-/// 8 h with TOUCHLINE_EXHAUSTIVE, else a minute: the last second sounds as the second one, when
-/// all had sounded once.
+/// Runs 8 h with TOUCHLINE_EXHAUSTIVE, otherwise a minute: the last second sounds like the second
+/// one, when everything had sounded once.
 TEST(MixerLong, ALongSessionNeitherDriftsNorGrows) {
     const FrameTime seconds = std::getenv("TOUCHLINE_EXHAUSTIVE") != nullptr ? 8 * 3600 : 60;
     const auto mixer = std::make_unique<Mixer>();

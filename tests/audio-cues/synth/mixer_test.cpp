@@ -56,11 +56,11 @@ TEST_F(MixerTest, AClickSoundsWithinOneBlockOfItsTimeStamp) {
 
 TEST_F(MixerTest, FromATickOfTheServoToTheEarTakesTenMillisecondsAtMost) {
     // A device asks for a period while two are under way; an event comes one tick before it is
-    // seen; the next block carries it.
+    // seen, and the next block carries it.
     constexpr double tick_s = 0.001;
     constexpr double device_s = 2.0 * block_frames / frame_rate_Hz;
     (void)render(block_frames);
-    mixer_->send({0, PlayEarcon{tick()}});  // late already: at once
+    mixer_->send({0, PlayEarcon{tick()}});  // already late: plays at once
     const auto sound = left_of_stereo(render(1024));
     const double in_block_s = static_cast<double>(first_sound(sound)) / frame_rate_Hz;
     EXPECT_LE(tick_s + in_block_s + device_s, 0.010);
@@ -98,7 +98,7 @@ TEST_F(MixerTest, SpeechPushesTheContinuousSoundDownByTwelveDecibelsAndInTime) {
     steady(0.5);
     (void)render(9600);
     const double before = rms(left_of_stereo(render(4800)));
-    const std::vector<float> silence(24000, 0.0F);  // of speech: only the ducking is heard
+    const std::vector<float> silence(24000, 0.0F);  // silent speech: only the ducking is heard
     (void)mixer_->speech().write(silence);
     const auto ducked = left_of_stereo(render(24000));
     const auto level_dB = [&](std::span<const float> sound, double at_s) {

@@ -72,7 +72,7 @@ TEST(SpeechFeed, NothingSoundsInAPauseThatBeganWhileTheVoiceWasLate) {
     SpeechFeed feed;
     (void)feed.write(ones(1000));
     (void)read(feed, 1000);
-    (void)read(feed, 1000, true);  // the whole fade passes with nothing to fade
+    (void)read(feed, 1000, true);  // the whole fade passes without anything to fade
     (void)feed.write(ones(1000));
     EXPECT_EQ(read(feed, 1000, true), std::vector<float>(1000, 0.0F));
     EXPECT_EQ(feed.waiting(), 1000U);

@@ -49,7 +49,7 @@ TEST(Voice, EveryTimbreStartsAndStopsWithoutAClick) {
         sound.insert(sound.end(), 1024, 0.0F);
         EXPECT_LT(loudest_above_dB(sound, 8000.0), -60.0);
     }
-    // What the check is worth: the same note cut off is a click.
+    // This shows that the check works: the same note cut off is a click.
     Voice voice(one_note(660.0, 0.06), 1.0, 0.0);
     auto cut = heard(voice, 3072);
     std::fill(cut.begin() + 1510, cut.end(), 0.0F);

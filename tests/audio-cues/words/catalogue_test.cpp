@@ -1,4 +1,4 @@
-// The rules of audio-cues/words/README.md, on every catalogue.
+// Tests the rules of audio-cues/words/README.md on every catalogue.
 #include "app/session/fault_words.h"
 #include "app/session/status.h"
 #include "app/session/visit_orders.h"
@@ -38,12 +38,12 @@ std::vector<std::string> all_codes() {
     return languages_in(TOUCHLINE_CATALOGUES).value();
 }
 
-/// What is written for the voice alone is no text of anybody.
+/// Text written only for the voice is not said to anybody.
 bool is_said(const std::pair<std::string, std::string>& key) {
     return !key.second.empty() && key.first != "respelling";
 }
 
-/// Every text that is said, with what it is for the message of a failure.
+/// Returns every text that is said, with its language for failure messages.
 std::vector<std::pair<std::string, std::string>> all_texts() {
     std::vector<std::pair<std::string, std::string>> texts;
     for (const auto& [key, entry] : english()) {
@@ -60,7 +60,7 @@ std::vector<std::pair<std::string, std::string>> all_texts() {
     return texts;
 }
 
-/// In lower case, as far as ASCII goes, without stops; places are no words.
+/// Returns the words in lower case (ASCII only), without stops and placeholders.
 std::vector<std::string> words_of_sentence(const std::string& sentence) {
     std::vector<std::string> words;
     std::istringstream stream(sentence);
@@ -76,7 +76,7 @@ std::vector<std::string> words_of_sentence(const std::string& sentence) {
     return words;
 }
 
-/// What a semicolon parts is heard as two.
+/// A semicolon also separates sentences, as it is heard so.
 std::vector<std::string> sentences_of(const std::string& text) {
     std::vector<std::string> sentences{""};
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -157,7 +157,8 @@ TEST(Catalogue, NothingIsSaidOfSeeingOrOfColours) {
               (std::vector<std::string>{"press", "it", "then", "see"}));
 }
 
-/// A singular may be a word: its {0} may be missing. Which form is one, CountsAreSaid... decides.
+/// A singular may say its count as a word, so its {0} may be missing. CountsAreSaid... checks which
+/// form is the singular.
 std::multiset<std::string> places_but_the_count(const std::string& text) {
     std::multiset<std::string> places = places_of(text);
     places.erase("{0}");
@@ -189,7 +190,8 @@ TEST(Catalogue, PlacesStopsAndBlanksAreAsInEnglish) {
     }
 }
 
-/// The counts but one that are not heard; a language's forms all come up to 200.
+/// Returns the counts, other than 1, that are not heard. Up to 200, every form of a language
+/// occurs.
 std::vector<int> unheard_counts(const std::function<std::string(int)>& counted) {
     std::vector<int> unheard;
     for (int count = 0; count <= 200; ++count) {
@@ -212,13 +214,13 @@ TEST(Catalogue, CountsAreSaidExceptByTheFormOfOneAlone) {
             EXPECT_EQ(unheard_counts(counted), none) << code << ": " << key.second;
         }
     }
-    const auto of_two_forms = [](int count) {  // zero shares the word for one
+    const auto of_two_forms = [](int count) {  // here zero shares the word for one
         return count < 2 ? std::string("une image") : std::to_string(count) + " images";
     };
     EXPECT_EQ(unheard_counts(of_two_forms), (std::vector<int>{0}));
 }
 
-/// A form that no count asks for is a mistake of the head's rule, or one form too many.
+/// If no count uses a form, the header's plural rule is wrong, or there is one form too many.
 TEST(Catalogue, EveryFormIsSaidOfSomeCount) {
     for (const auto& [code, file] : translations()) {
         const auto language = Language::load(TOUCHLINE_CATALOGUES, code);
@@ -238,7 +240,7 @@ TEST(Catalogue, EveryFormIsSaidOfSomeCount) {
     }
 }
 
-/// What the program says today: by the functions that say it.
+/// Asks the functions that say a text what they say.
 TEST(Catalogue, HasAllThatKeysPanelAndFaultsSay) {
     const auto expect = [](const std::string& context, std::string_view text) {
         EXPECT_TRUE(english().contains({context, std::string(text)})) << context << ": " << text;

@@ -14,7 +14,7 @@ std::string trimmed(std::string_view text) {
     return std::string(text.substr(begin, text.find_last_not_of(' ') + 1 - begin));
 }
 
-/// Without what is empty; a sign within parentheses parts nothing.
+/// Splits at a sign, but not within parentheses, and drops empty parts.
 std::vector<std::string> parted(std::string_view text, std::string_view sign) {
     std::vector<std::string> parts;
     int depth = 0;
@@ -31,7 +31,7 @@ std::vector<std::string> parted(std::string_view text, std::string_view sign) {
     return parts;
 }
 
-/// "clé (clé USB or key)"
+/// Parses "clé (clé USB or key)".
 BarredWord barred_word(const std::string& text) {
     const auto bracket = text.find(" (");
     if (bracket == std::string::npos) return {text, {}};
@@ -39,7 +39,7 @@ BarredWord barred_word(const std::string& text) {
     return {text.substr(0, bracket), parted(inside, " or ")};
 }
 
-/// "de: Knauf; fr: pommeau"
+/// Parses "de: Knauf; fr: pommeau".
 std::map<std::string, std::vector<BarredWord>> barred_words(const std::string& cell) {
     std::map<std::string, std::vector<BarredWord>> barred;
     for (const std::string& part : parted(cell, ";")) {
@@ -51,7 +51,7 @@ std::map<std::string, std::vector<BarredWord>> barred_words(const std::string& c
     return barred;
 }
 
-/// "| a | b |" as "a" and "b".
+/// Splits "| a | b |" into "a" and "b".
 std::vector<std::string> cells_of(std::string_view line) {
     std::vector<std::string> cells;
     if (!line.starts_with("|")) return cells;
@@ -63,13 +63,13 @@ std::vector<std::string> cells_of(std::string_view line) {
     return cells;
 }
 
-/// "German (de)": "de"
+/// Returns "de" for "German (de)".
 std::string code_in(const std::string& head) {
     const auto begin = head.find('(');
     return begin == std::string::npos ? "" : head.substr(begin + 1, head.find(')') - begin - 1);
 }
 
-/// Typographic signs as those of a keyboard, so that they part words as these do.
+/// Replaces typographic signs by keyboard signs, so that they separate words in the same way.
 std::string plain(std::string text) {
     constexpr std::array<std::pair<const char*, const char*>, 10> signs{{{"\u2019", "'"},
                                                                          {"\u00a0", " "},
@@ -94,7 +94,7 @@ bool is_of_word(char c) {
            c == '-';
 }
 
-/// Of ASCII and Latin-1.
+/// Lowers letters of ASCII and Latin-1.
 std::string in_small_letters(std::string text) {
     bool is_latin = false;
     for (char& letter : text) {
@@ -106,7 +106,7 @@ std::string in_small_letters(std::string text) {
     return text;
 }
 
-/// "clé" as "Clé", "écran" as "Écran".
+/// Returns "Clé" for "clé", "Écran" for "écran".
 std::string with_capital(std::string word) {
     const bool is_accented = word.size() > 1 && word[0] == '\xc3';
     if (is_accented) {
@@ -117,7 +117,7 @@ std::string with_capital(std::string word) {
     return word;
 }
 
-/// Where `word` begins in the text as whole words; npos where it does not.
+/// Returns where `word` begins in the text as whole words; npos if it does not occur.
 std::size_t word_at(const std::string& text, const std::string& word) {
     for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
         const auto end = at + word.size();
@@ -169,7 +169,7 @@ std::string first_letters(std::string_view word) {
     return std::string(word.substr(0, end));
 }
 
-/// The first five letters of each word of a cell but its articles and what stands before ":".
+/// Returns the first five letters of each word of a cell, without articles and words before ":".
 std::vector<std::string> beginnings_of(const std::string& cell) {
     constexpr std::array<std::string_view, 9> articles{"der", "die", "das", "les", "los",
                                                        "las", "une", "una", "gli"};

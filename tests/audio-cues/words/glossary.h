@@ -1,4 +1,5 @@
-// audio-cues/words/glossary.md, and whether a text keeps to it. Threads: pure functions.
+// Reads audio-cues/words/glossary.md and checks whether a text keeps to it.
+// Threads: pure functions.
 #pragma once
 
 #include <map>
@@ -10,27 +11,29 @@ namespace touchline {
 
 struct BarredWord {
     std::string word;
-    std::vector<std::string> unless;  // begins words of the English text, or holds the word
+    std::vector<std::string> unless;  // beginnings of English words, or phrases with the word, that
+                                      // allow it
 };
 
 struct GlossaryRow {
-    std::string english;                      // the term
-    bool is_always = false;                   // in bold: translated so wherever it stands
-    std::map<std::string, std::string> said;  // the term, by language code
+    std::string english;                                    // the English term
+    bool is_always = false;                                 // in bold: must always be translated so
+    std::map<std::string, std::string> said;                // the translated term, by language code
     std::map<std::string, std::vector<BarredWord>> barred;  // by language code
 };
 
-/// The rows of the table, whose head names each language's code in parentheses. A line that is no
-/// row is passed over.
+/// Returns the rows of the table, whose header names each language's code in parentheses. Ignores
+/// lines that are not rows.
 [[nodiscard]] std::vector<GlossaryRow> glossary_of(std::string_view markdown);
 
-/// Every barred word of the language in the text, as a line that says what to use instead; a
-/// language without a column has none. `english`: the text that it translates.
+/// Returns a line for every barred word of the language in the text, which says what to use
+/// instead; none for a language without a column. `english`: the original of the text.
 [[nodiscard]] std::vector<std::string> barred_in(const std::vector<GlossaryRow>& glossary,
                                                  const std::string& code, const std::string& text,
                                                  const std::string& english);
 
-/// Every term in bold of the English text that the translation says otherwise, as barred_in().
+/// Returns a line, like barred_in(), for every bold term of the English text that the translation
+/// renders otherwise.
 [[nodiscard]] std::vector<std::string> missing_in(const std::vector<GlossaryRow>& glossary,
                                                   const std::string& code, const std::string& text,
                                                   const std::string& english);

@@ -1,4 +1,4 @@
-// Whether every text of the catalogues keeps to audio-cues/words/glossary.md.
+// Tests that every text of the catalogues keeps to audio-cues/words/glossary.md.
 #include "tests/audio-cues/words/glossary.h"
 
 #include "audio-cues/words/language.h"
@@ -61,7 +61,7 @@ TEST(Glossary, IsATableWithAWordForEveryTermInEveryLanguageOfIt) {
     }
 }
 
-/// Else nobody could keep to it.
+/// Otherwise nobody could keep to it.
 TEST(Glossary, BarsNoTermOfItsOwn) {
     for (const GlossaryRow& row : glossary()) {
         for (const auto& [code, said] : row.said)

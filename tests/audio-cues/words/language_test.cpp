@@ -69,7 +69,7 @@ TEST(Language, CountsByItsOwnRule) {
     EXPECT_EQ(outlines(loaded("it"), 21), "21 contorni");
 }
 
-/// What the French decimal is called: the form of none, "1,5 newton"; English has the many.
+/// French decimals below 2 take the singular, "1,5 newton"; English takes the plural.
 TEST(Language, MeasuresTakeTheFormOfTheirValue) {
     const auto newtons = [](const Language& language, double value) {
         return language.measured("unit", "{0} newton", "{0} newtons", value);

@@ -5,7 +5,7 @@
 namespace touchline {
 namespace {
 
-/// What stands between the quotes of a line, with its escapes read.
+/// Returns the text between the quotes of a line, with escapes resolved.
 std::string unquoted(const std::string& line) {
     const auto begin = line.find('"');
     const auto end = line.rfind('"');

@@ -1,4 +1,4 @@
-// A gettext catalogue as people write it. Threads: pure functions but for the file.
+// Reads a gettext catalogue as people write it. Threads: pure functions except for the file.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,19 @@
 namespace touchline {
 
 struct PoEntry {
-    std::string plural;             // the English of several; empty: not counted
-    std::vector<std::string> said;  // one, or one a form of plural
-    bool is_doubtful = false;       // "fuzzy"
+    std::string plural;             // the English plural; empty: not counted
+    std::vector<std::string> said;  // one text, or one for each plural form
+    bool is_doubtful = false;       // marked "fuzzy"
 };
 
-/// By context and English; the head is ("", "").
+/// Entries by context and English text; the header is ("", "").
 using PoFile = std::map<std::pair<std::string, std::string>, PoEntry>;
 
-/// How many forms a counted text has, as the head says: 2 where it says nothing, as in English.
+/// Returns the number of forms of a counted text as the header says; 2, as in English, if it says
+/// nothing.
 [[nodiscard]] std::size_t plural_forms(const PoFile& file);
 
-/// Empty for a file that is not there.
+/// Returns an empty catalogue if the file does not exist.
 [[nodiscard]] PoFile read_po(const std::string& path);
 
 }  // namespace touchline

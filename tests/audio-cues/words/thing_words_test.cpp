@@ -35,7 +35,7 @@ std::vector<ThingName> all_names() {
     return names;
 }
 
-/// A small box with its middle there.
+/// A small box with this middle.
 ThingBox box_at(double x, double y) {
     return {x - 0.05, y - 0.05, x + 0.05, y + 0.05};
 }
@@ -50,7 +50,7 @@ std::string said(const std::vector<NamedThing>& things, const std::string& code)
 
 const ThingBox whole{0.0, 0.0, 1.0, 1.0};
 
-/// Every place that there is, as a box.
+/// Returns a box for every place that has a name.
 std::vector<ThingBox> all_places() {
     std::vector<ThingBox> boxes{whole};
     for (const double y : {0.1, 0.5, 0.9}) {
@@ -155,7 +155,7 @@ TEST(ThingWords, EveryNameHasWordsOfItsOwnInEveryLanguage) {
     }
 }
 
-/// All sentences of one name, as long as they get.
+/// Returns all sentences with one name, up to the longest ones.
 std::vector<std::string> all_sentences(const std::string& code) {
     std::vector<std::string> sentences;
     for (const ThingName name : all_names()) {
@@ -173,7 +173,7 @@ std::vector<std::string> all_sentences(const std::string& code) {
     return sentences;
 }
 
-/// Lowers the letters of ASCII and of Latin-1 in UTF-8: "Ä" is 0xC3 0x84, "ä" 0xC3 0xA4.
+/// Lowers letters of ASCII and of Latin-1 in UTF-8: "Ä" is 0xC3 0x84, "ä" 0xC3 0xA4.
 std::string lowered(std::string word) {
     bool is_latin = false;
     for (char& letter : word) {
@@ -215,7 +215,7 @@ TEST(ThingWords, EverySentenceIsAGuessOfFifteenWordsAtMost) {
     }
 }
 
-/// Age, gender, feelings, identity, food, sports gear, ties, small goods: one and many.
+/// Age, gender, feelings, identity, food, sports gear, ties, small goods: singular and plural.
 const std::map<std::string, std::set<std::string>> never_said{
     {"en", {"man",      "men",    "woman",     "women",      "boy",      "boys",      "girl",
             "girls",    "child",  "children",  "baby",       "babies",   "adult",     "old",
@@ -252,7 +252,7 @@ const std::map<std::string, std::set<std::string>> never_said{
             "cravatta", "tazza",    "bicchiere", "bottiglia", "coltello", "forchetta", "libro",
             "orologio", "telefono", "valigia",   "zaino",     "bagno"}}};
 
-/// Every name of a part, and every name of a page that tells of a face.
+/// Returns every name of a part, and every name of a page that mentions a face.
 std::vector<std::string> face_texts(const std::string& code) {
     const PoFile file = read_po(TOUCHLINE_SOURCE_DIR "/audio-cues/words/catalogue/touchline.pot");
     std::vector<std::string> texts;

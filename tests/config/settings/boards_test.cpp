@@ -52,7 +52,8 @@ TEST(Boards, UdevRulesOpenEveryBoardOfTheTable) {
                       static_cast<unsigned>(id.vendor), static_cast<unsigned>(id.product));
         const std::size_t at = rules.find(line);
         ASSERT_NE(at, std::string::npos) << line;
-        // For whoever sits there, and for the group of the installed kiosk, at which nobody sits.
+        // The user at the seat gets access, and so does the group of the installed kiosk, which has
+        // no seat.
         const std::string rest = rules.substr(at, rules.find('\n', at) - at);
         EXPECT_NE(rest.find("TAG+=\"uaccess\", GROUP=\"touchline\", MODE=\"0660\""),
                   std::string::npos)
@@ -61,7 +62,7 @@ TEST(Boards, UdevRulesOpenEveryBoardOfTheTable) {
     }
 }
 
-/// So that a desktop offers the program to who plugs one in.
+/// A desktop can then offer the program to a user who plugs in a board.
 TEST(Boards, TheMetainfoNamesTheBoardsThatAreOpenedUnasked) {
     std::ifstream in(std::string(TOUCHLINE_SOURCE_DIR) +
                      "/app/package/desktop/org.touchline.touchline.metainfo.xml");
@@ -144,7 +145,7 @@ TEST(Boards, ValuesOutOfRangeAreRefused) {
                   "boards.toml:4: 'reversed_motors' must be true or false twice, one a joint");
 }
 
-/// As units_text() wrote it before motors and encoders were told apart.
+/// This is what units_text() wrote before motors and encoders were told apart.
 TEST(Boards, AUnitOfVersion0HasNoKindAndIsNotMeasured) {
     const std::string old =
         "[[unit]]\nserial = 'A1B2'\nprofile = '2diy-gen3.1'\n"

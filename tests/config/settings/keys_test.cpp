@@ -1,5 +1,5 @@
-// The table of keys: every name, every wrong file, and the rules IN-1 and IN-3 on what is
-// installed.
+// Tests the table of keys: every name, every wrong file, and the rules IN-1 and IN-3 for the
+// installed keys.
 #include "config/settings/keys.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ TEST(Keys, WhatIsInstalledIsWhatIsCompiledIn) {
     EXPECT_NE(installed().find(keys_text(default_keys())), std::string::npos);
 }
 
-/// IN-1, IN-3: each role by one key alone, from a keyboard and from a keypad; Select by the handle.
+/// IN-1, IN-3: one key for each role, on a keyboard and on a keypad; the handle can also Select.
 TEST(Keys, EachRoleIsOneKeyOfEachKindOfDevice) {
     const KeyTable keys = default_keys();
     EXPECT_FALSE(role_without_key(keys));

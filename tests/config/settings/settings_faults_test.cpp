@@ -1,4 +1,4 @@
-// Every fault of a file of settings at once, each with its line.
+// Tests that all faults of a settings file are reported at once, each with its line.
 #include "config/settings/settings_text.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Lines faults_of(std::string_view text) {
     return settings_faults(text, "f", SettingLayer::site, shipped_languages());
 }
 
-/// "2 4": the lines that the faults name.
+/// Returns the lines that the faults name, as "2 4".
 std::string lines_of(std::string_view text) {
     std::string lines;
     for (const std::string& fault : faults_of(text)) {
@@ -116,7 +116,7 @@ TEST(SettingsFaults, AreAHundredAtMost) {
     EXPECT_GE(faults_of(broken).size(), 100U);
 }
 
-/// The first is the one that the kiosk tells, and there are none where it takes the file.
+/// The kiosk reports the first fault; there are none if it accepts the file.
 RC_GTEST_PROP(SettingsFaults, AreThereWhereTheKioskRefusesAndNowhereElse, ()) {
     std::string text = settings_text(Settings{});
     const int changes = *rc::gen::inRange(0, 6);
@@ -136,7 +136,7 @@ RC_GTEST_PROP(SettingsFaults, AreThereWhereTheKioskRefusesAndNowhereElse, ()) {
     }
 }
 
-/// Wrong values in any lines of a good file: those lines are told, and no others.
+/// Spoils values in some lines of a good file: exactly those lines are reported.
 RC_GTEST_PROP(SettingsFaults, NameTheLinesThatWereSpoiled, ()) {
     Lines lines;
     std::string line;
@@ -160,7 +160,7 @@ RC_GTEST_PROP(SettingsFaults, NameTheLinesThatWereSpoiled, ()) {
         }
         text += lines[i] + '\n';
     }
-    // A value that is left out may set two others at odds.
+    // A missing value may bring two others into conflict.
     Lines told = settings_faults(text, "f", SettingLayer::site, {});
     std::erase_if(told, [](const std::string& fault) {
         return fault.find("must be one of '") != std::string::npos ||

@@ -1,5 +1,5 @@
-// Every key of the settings with every kind of wrong value: one line that names file, line, key and
-// what is allowed, and nothing of the file holds.
+// Tests every key of the settings with every kind of wrong value: one line names file, line, key
+// and what is allowed, and nothing of the file is applied.
 #include "config/settings/settings_text.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace touchline {
 namespace {
 
-/// In TOML; of every type it has, of every size, and what no number is.
+/// TOML values of every type and size, and values that are not numbers.
 const std::vector<std::string>& values() {
     static const std::vector<std::string> all{"true",
                                               "false",
@@ -97,7 +97,7 @@ TEST(SettingsFuzz, AnyOtherNameIsRefused) {
     }
 }
 
-/// A good file with one wrong value anywhere is wrong as a whole.
+/// One wrong value anywhere makes a good file wrong as a whole.
 RC_GTEST_PROP(SettingsFuzz, OneWrongValueSpoilsTheFile, ()) {
     const auto rows = setting_rows();
     const auto at = *rc::gen::inRange<std::size_t>(0, rows.size());
@@ -114,7 +114,7 @@ RC_GTEST_PROP(SettingsFuzz, OneWrongValueSpoilsTheFile, ()) {
     RC_ASSERT(settings.error().line.find(std::string(rows[at].key)) != std::string::npos);
 }
 
-/// At whichever byte a file is cut: what is left is judged as a file, and never anything between.
+/// A file may be cut at any byte: the rest is judged as a file, and is either sound or one line.
 TEST(SettingsFuzz, CutOffAnywhereIsSoundOrOneLine) {
     const std::string whole = settings_text(Settings{});
     for (std::size_t length = 0; length <= whole.size(); ++length) {

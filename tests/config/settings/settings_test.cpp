@@ -1,4 +1,4 @@
-// The table of settings, and settings as text: every row, every wrong value, any bytes.
+// Tests the table of settings, and settings as text: every row, every wrong value, any bytes.
 #include "config/settings/setting_texts.h"
 #include "config/settings/settings_text.h"
 
@@ -50,7 +50,7 @@ TEST(SettingRows, OfATableAreNeighbours) {
     }
 }
 
-/// What holds at first is allowed, and no row leaves a member out.
+/// The defaults are allowed, and no row leaves a member out.
 TEST(SettingRows, TakeBackWhatTheySay) {
     for (const SettingRow& row : setting_rows()) {
         const auto same = with_value(Settings{}, row, value_of(Settings{}, row));
@@ -143,7 +143,7 @@ TEST(SettingRows, APathIsWholeOrNone) {
         EXPECT_FALSE(with_value({}, row, text));
 }
 
-/// Up and up comes to the top and stays; down and down to the bottom; never out of the range.
+/// Steps up end at the top, steps down at the bottom, and never leave the range.
 TEST(SettingRows, StepsComeToBothEnds) {
     for (const SettingRow& row : setting_rows()) {
         const SettingValue first = value_of({}, row);
@@ -168,7 +168,7 @@ TEST(SettingRows, StepsComeToBothEnds) {
 TEST(SettingRows, AStepComesBack) {
     for (const SettingRow& row : setting_rows()) {
         const Settings up = stepped({}, row, true);
-        if (up == Settings{}) continue;  // at its end
+        if (up == Settings{}) continue;  // it is at its end
         EXPECT_EQ(value_in_words(stepped(up, row, false), row), value_in_words({}, row))
             << full_key(row);
     }
@@ -257,7 +257,7 @@ RC_GTEST_PROP(SettingsText, IsReadBackToTheSameBits, ()) {
     RC_ASSERT(*changed == settings);
 }
 
-/// Bytes out of a good file changed, doubled, left out: settings in their ranges, or one line.
+/// Changes, doubles and removes bytes of a good file: the result is settings in range, or one line.
 RC_GTEST_PROP(SettingsText, OfAnyBytesIsSoundOrOneLine, ()) {
     std::string text = settings_text(any_settings());
     const int changes = *rc::gen::inRange(1, 6);

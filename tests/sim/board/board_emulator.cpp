@@ -10,14 +10,14 @@ namespace touchline {
 namespace {
 
 constexpr double plant_step_s = 1.25e-4;
-constexpr double host_wait_s = 0.07;  // for a host that does not read, once
+constexpr double host_wait_s = 0.07;  // waits this long, once, for a host that does not read
 constexpr std::uint32_t deadly_baud = 1200;
 
 std::uint64_t seed_of(std::uint64_t seed, int power_up) {
     return seed + 1000003 * static_cast<std::uint64_t>(power_up);
 }
 
-// Of four edges a cycle the fourth counts back: half of them in the mean.
+// Counts four edges a cycle and steps back on the fourth: on average, half of them.
 std::int64_t counted_with_steps_back(double counts) {
     const auto edge = static_cast<std::int64_t>(std::floor(2.0 * counts));
     const std::int64_t within = (edge % 4 + 4) % 4;

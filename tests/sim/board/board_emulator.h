@@ -1,7 +1,6 @@
-// A pantograph's board as the USB shows it, with motors, mechanics and a hand behind it, on the
-// time that its caller passes in. One library behind every way to reach it: in-process
-// (emulated_link.h), through libusb (tests/sim/umockdev) or into a virtual machine.
-// Threads: one at a time.
+// A pantograph's board as the USB shows it, with motors, mechanics and a hand behind it; the caller
+// passes time in. One library serves every way to reach it: in-process (emulated_link.h), through
+// libusb (tests/sim/umockdev) or into a virtual machine. Threads: one at a time.
 #pragma once
 
 #include "config/types/calibration.h"
@@ -21,16 +20,16 @@
 
 namespace touchline {
 
-/// What is really there, whatever the host believes.
+/// The true state, whatever the host believes.
 struct BoardTruth {
     DeviceProfile profile = default_profile();
     BoardType type = BoardType::m0;
     FirmwareVariant firmware;
     HandModel hand = normal_hand;
-    Plugs motors, encoders;  // as they really are, against the profile's wiring
+    Plugs motors, encoders;  // the real plugs; the profile's wiring may differ
     bool have_motors_power = true;
-    JointAngles scale_error;           // relative, of what an encoder counts
-    bool do_counts_step_back = false;  // 1, 2, 3, 2 a cycle, as one published decoder counts
+    JointAngles scale_error;           // relative error of an encoder's counts
+    bool do_counts_step_back = false;  // counts 1, 2, 3, 2 a cycle, as one published decoder does
     std::string serial = "0123456789ABCDEF0123456789ABCDEF";
     std::uint64_t seed = 1;
 };
@@ -41,26 +40,26 @@ struct SentPacket {
     PacketBytes bytes;
 };
 
-/// Torque of the motors, by joint, from a moment on.
+/// The motors' torque by joint, from a moment on.
 struct TorqueChange {
     double at_s = 0.0;
     JointTorques torques;
-    double handle_Nm = 0.0;  // where the handle turns
+    double handle_Nm = 0.0;  // for a handle that turns
 };
 
 class BoardEmulator {
   public:
     BoardEmulator(const BoardTruth& truth, std::shared_ptr<const IntendedPath> path);
 
-    /// Lives up to t_s; never back.
+    /// Runs the board up to t_s; never goes back.
     void advance_to(double t_s);
 
     [[nodiscard]] double now_s() const { return plant_.time_s(); }
 
-    // The USB side. A board that is absent or in its boot loader takes and gives nothing.
+    // The USB side. A board that is absent or in its boot loader neither takes nor gives anything.
 
     void host_sends(std::span<const std::uint8_t> bytes);
-    /// The host has an IN transfer waiting, or no longer.
+    /// Tells whether the host has an IN transfer waiting.
     void host_listens(bool is_listening);
     [[nodiscard]] std::optional<SentPacket> take_packet();
 
@@ -69,12 +68,12 @@ class BoardEmulator {
     void set_lines(bool dtr, bool rts);
 
     void unplug();
-    /// With power anew: nothing is set up, another device number.
+    /// Powers the board again: nothing is set up, and its device number is new.
     void plug();
 
     [[nodiscard]] bool is_plugged() const { return is_plugged_; }
 
-    /// 1200 baud with DTR low was its death: it shows up as a boot loader now.
+    /// True after 1200 baud with DTR low killed the firmware: the board now shows a boot loader.
     [[nodiscard]] bool is_boot_loader() const { return is_boot_loader_; }
 
     [[nodiscard]] int device_number() const { return device_number_; }
@@ -83,16 +82,16 @@ class BoardEmulator {
 
     [[nodiscard]] const BoardTruth& truth() const { return truth_; }
 
-    // What a person does to it.
+    // What a person does to the board.
 
     void switch_motors(bool have_power);
 
     void plug_motors(const Plugs& motors) { truth_.motors = motors; }
 
-    /// An encoder misses counts.
+    /// Makes an encoder miss counts.
     void lose_counts(int joint, std::int64_t counts);
 
-    /// Another hand takes the handle where it is, or none does: no_hand.
+    /// Another hand takes the handle where it is; with no_hand, nobody holds it.
     void grip(const HandModel& hand) { plant_.grip(hand); }
 
     // What only a test can see.
@@ -103,10 +102,10 @@ class BoardEmulator {
 
     [[nodiscard]] JointAngles true_angles() const { return plant_.angles().value_or(angles_); }
 
-    /// Every change of the torque that the motors would make with power.
+    /// Returns every change of the torque that powered motors would make.
     [[nodiscard]] const std::vector<TorqueChange>& told_torques() const { return changes_; }
 
-    /// All but the last change are forgotten: for runs of hours.
+    /// Forgets all changes but the last, for runs of hours.
     void forget_told_torques() {
         if (changes_.size() > 1) changes_.erase(changes_.begin(), changes_.end() - 1);
     }
@@ -133,9 +132,9 @@ class BoardEmulator {
     int device_number_ = 2;
     int power_ups_ = 0;
     bool is_host_listening_ = false;
-    std::deque<SentPacket> on_the_way_;       // taken by a listening host
-    std::optional<PacketBytes> in_endpoint_;  // nobody has asked for it yet
-    bool is_dropping_ = false;                // it has waited for the host once
+    std::deque<SentPacket> on_the_way_;       // a listening host has taken them
+    std::optional<PacketBytes> in_endpoint_;  // the host has not asked for it yet
+    bool is_dropping_ = false;                // it has already waited for the host once
 };
 
 }  // namespace touchline

@@ -14,7 +14,7 @@ namespace touchline {
 
 inline constexpr double rig_tick_s = 1e-3;
 
-/// A hand that stays where the tip is at home, or at `place` in W.
+/// A hand that stays where the tip is at home.
 inline std::shared_ptr<const IntendedPath> resting_hand(const DeviceProfile& profile) {
     const Position home = forward(profile.geometry, profile.home).value().p_DH;
     return std::make_shared<WaypointPath>(
@@ -30,8 +30,8 @@ class BoardRig {
         connect(std::move(faults), calibration);
     }
 
-    /// A driver anew, as another program would make one; the one before gives the board back.
-    /// `kind`: what it takes the board for, if not for what it is.
+    /// Makes a new driver, as another program would; the previous one gives the board back. `kind`:
+    /// the kind that the driver assumes, if not the true one.
     void connect(std::vector<PlannedFault> faults = {}, const Calibration& calibration = {},
                  const DeviceProfile* kind = nullptr) {
         driver.reset();
@@ -41,7 +41,8 @@ class BoardRig {
             std::move(made), kind ? *kind : board.truth().profile, calibration);
     }
 
-    /// One servo tick: time passes, read, write. `torques` only where there are angles, else zero.
+    /// Does one servo tick: passes time, reads, writes. Writes zero instead of `torques` if there
+    /// are no angles.
     std::optional<JointAngles> tick(JointTorques torques) {
         time.now_s += rig_tick_s;
         const auto angles = driver->read_angles(time.now_s + clock_step_s);
@@ -53,7 +54,7 @@ class BoardRig {
         for (double left_s = span_s; left_s > 0.0; left_s -= rig_tick_s) (void)tick(torques);
     }
 
-    /// Torques that the board holds now, as told.
+    /// The torques that the board was last told to hold.
     [[nodiscard]] JointTorques held() {
         board.advance_to(time.now_s);
         const auto& changes = board.told_torques();
@@ -65,7 +66,7 @@ class BoardRig {
     EmulatedLink* link = nullptr;
     std::unique_ptr<PantographBoard> driver;
     bool is_written = false;
-    double clock_step_s = 0.0;  // of the clock that the driver is shown
+    double clock_step_s = 0.0;  // offset of the driver's clock
 };
 
 }  // namespace touchline

@@ -199,7 +199,7 @@ void EmulatedLink::spoil(SentPacket packet) {
     }
 }
 
-// In order: nothing overtakes what is late. A halted endpoint gives nothing more.
+// Packets arrive in order: none overtakes a late one. A halted endpoint gives nothing more.
 void EmulatedLink::arrive(double at_s, LinkStatus status, PacketBytes bytes) {
     if (is_in_stalled_ && status != LinkStatus::stalled) return;
     const double after_s = waiting_.empty() ? 0.0 : waiting_.back().at_s;

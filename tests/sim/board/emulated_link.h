@@ -1,5 +1,5 @@
-// The emulated board as a BoardLink in the same process, on a virtual clock that whoever waits
-// moves on; with faults at chosen sends. Threads: one at a time.
+// The emulated board as a BoardLink in the same process, on a virtual clock that advances while
+// somebody waits, with faults at chosen sends. Threads: one at a time.
 #pragma once
 
 #include "haptics/device/board_link.h"
@@ -24,18 +24,18 @@ enum class LinkFault : std::uint8_t {
     none,
     short_send,        // only the first bytes get through, and the link says so
     late_send,         // hangs for a while, then gets through
-    lost_send,         // never gets through: timed out
-    unconfirmed_send,  // gets through whole, and its end is never told
+    lost_send,         // never gets through: times out
+    unconfirmed_send,  // gets through whole, but its end is never reported
     stalled_send,      // the OUT endpoint halts
     late_reply,
     lost_reply,
     garbled_reply,  // some bits flipped
-    cut_reply,      // of another length
+    cut_reply,      // of the wrong length
     duplicate_reply,
-    empty_packet,   // before the reply
-    stalled_reply,  // the IN endpoint halts, the reply with it
+    empty_packet,   // comes before the reply
+    stalled_reply,  // the IN endpoint halts and loses the reply
     failed_reply,
-    reset_board,  // it forgets its set-up just before
+    reset_board,  // the board forgets its set-up just before
     unplugged_before,
     unplugged_after,
     lost_counts,  // an encoder leaps
@@ -43,18 +43,18 @@ enum class LinkFault : std::uint8_t {
 
 inline constexpr int link_faults = 18;
 
-/// At the send with this number, from 0.
+/// A fault at the send with this number, counted from 0.
 struct PlannedFault {
     std::size_t at_send = 0;
     LinkFault fault = LinkFault::none;
-    double span_s = 0.0;     // of what is late
-    std::uint64_t seed = 0;  // of what is random
+    double span_s = 0.0;     // how late it is
+    std::uint64_t seed = 0;  // for what is random
 };
 
-/// Gives the board back when it goes: it stops listening, lines low.
+/// Gives the board back when destroyed: it stops listening and sets the lines low.
 class EmulatedLink final : public BoardLink {
   public:
-    /// Both must outlive it. Listens at once.
+    /// Both must outlive it. It listens at once.
     EmulatedLink(BoardEmulator& board, VirtualTime& time, std::vector<PlannedFault> faults = {});
     ~EmulatedLink() override;
     EmulatedLink(const EmulatedLink&) = delete;
@@ -70,21 +70,20 @@ class EmulatedLink final : public BoardLink {
     [[nodiscard]] LinkStatus clear_stall() override;
     void rest(double span_s) override;
 
-    /// Every command that was sent, whole; none while only the numbers are kept.
+    /// Returns every command that was sent, whole; none while commands are only counted.
     [[nodiscard]] const std::vector<PacketBytes>& commands() const { return commands_; }
 
-    /// Commands are counted and no longer kept: for runs of hours.
+    /// From now on only counts commands, for runs of hours.
     void keep_no_commands() { keeps_commands_ = false; }
 
-    /// The fault of the next send, in place of those that were planned. Its at_send is not looked
-    /// at.
+    /// Sets the fault of the next send and drops the planned ones. Ignores the fault's at_send.
     void spoil_next(PlannedFault fault) {
         fault.at_send = sends_;
         faults_ = {fault};
     }
 
-    /// The process that holds it was killed: its transfers are cancelled, nothing passes any more,
-    /// and the board keeps what it was told last.
+    /// Acts as if the process that holds the link was killed: its transfers are cancelled, nothing
+    /// passes any more, and the board keeps what it was told last.
     void sever();
 
   private:
@@ -112,10 +111,10 @@ class EmulatedLink final : public BoardLink {
     std::optional<PlannedFault> reply_fault_;
     Sent sending_;
     double send_ends_s_ = 0.0;
-    std::optional<PacketBytes> held_back_;  // of a send that hangs
+    std::optional<PacketBytes> held_back_;  // command of a send that hangs
     std::deque<Waiting> waiting_;
     bool is_out_stalled_ = false, is_in_stalled_ = false;
-    std::optional<double> stall_ends_s_;  // once it was asked for
+    std::optional<double> stall_ends_s_;  // set once clearing was asked for
 };
 
 }  // namespace touchline

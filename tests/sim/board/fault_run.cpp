@@ -22,20 +22,20 @@ constexpr auto kinds = with_link_faults(std::array{
     FaultKind{"loop stands still 50 ms", LinkFault::none, 0.0, false, 0.0, 0.05},
 });
 
-// In the middle of the area and as fast as a hand that looks for something.
+// Moves in the middle of the area, as fast as a searching hand.
 std::shared_ptr<const IntendedPath> moving_hand() {
     return std::make_shared<WaypointPath>(std::vector<WaypointPath::Waypoint>{
         {0.0, {}}, {0.2, {}}, {0.5, {0.03, 0.02}}, {1.5, {-0.03, -0.02}}, {2.0, {}}});
 }
 
-// The handle is not at home when the board is set up, and the driver knows where it is.
+// The handle is not at home when the board is set up, but the driver knows its place.
 Calibration known_start(const DeviceProfile& profile) {
     Calibration calibration;
     calibration.offset = inverse(profile.geometry, profile.centre).value() - profile.home;
     return calibration;
 }
 
-/// A run under way.
+/// A run in progress.
 class Run {
   public:
     Run(const FaultKind& kind, std::uint64_t seed)
@@ -86,7 +86,7 @@ class Run {
             result_.largest_error_counts = std::max(result_.largest_error_counts, error_counts());
     }
 
-    /// From where the joints were within the last ticks, for angles may be that old.
+    /// The error against the joints of the last ticks, since angles may be that old.
     double error_counts() {
         const JointAngles quantum = encoder_quantum(truth_.profile);
         double least = never_s;
@@ -109,7 +109,7 @@ class Run {
             result_.recovery_s = static_cast<double>(k - fault_tick_ - 1) * rig_tick_s;
     }
 
-    /// What is late shows only later, so that the run goes on past it.
+    /// A late reply shows only later, so the run goes on past it.
     bool is_over() const {
         const int patience = good_ticks_that_count + static_cast<int>(kind_.longest_s / rig_tick_s);
         const BoardState state = rig_->driver->report().state;
@@ -146,7 +146,7 @@ class Run {
     double seen_s_ = 0.0;
     int good_ticks_ = 0;
     std::optional<JointAngles> angles_;
-    std::vector<JointAngles> recent_;  // true ones
+    std::vector<JointAngles> recent_;  // true angles
     FaultRun result_;
 };
 

@@ -60,7 +60,7 @@ std::optional<PacketBytes> Firmware::pass(double now_s, const PortCounts& counts
     if (block_) return finish(now_s, counts);
     switch (read(now_s)) {
         case 0:
-            (void)read(now_s);  // an address, which it does not look at
+            (void)read(now_s);  // an address, which it ignores
             address_ = 0;
             return std::nullopt;
         case 1:
@@ -113,7 +113,9 @@ std::optional<PacketBytes> Firmware::begin_write(double now_s) {
     if (address != address_) return PacketBytes{address};
     for (std::size_t i = 0; i < pwm_outputs_; ++i) (void)read(now_s);
     block_ = Block{2, 4 * static_cast<std::size_t>(std::popcount(motors_)), now_s};
-    if (next_pass_s() <= busy_until_s_) busy_until_s_ = now_s;  // all there: the same pass
+    if (next_pass_s() <= busy_until_s_)
+        busy_until_s_ = now_s;  // if all bytes are there: in the
+                                // same pass
     return std::nullopt;
 }
 
@@ -130,7 +132,7 @@ std::optional<PacketBytes> Firmware::finish(double now_s, const PortCounts& coun
     return reply(counts);
 }
 
-// What has not come is whatever the memory held.
+// Bytes that have not come are whatever the memory held.
 std::vector<float> Firmware::floats_of_block(double now_s) {
     std::vector<std::uint8_t> bytes(block_->bytes);
     for (std::uint8_t& byte : bytes) {
@@ -155,7 +157,7 @@ void Firmware::set_up(const std::vector<float>& values, const PortCounts& counts
     }
 }
 
-// Not a number passes every comparison of the firmware's clamp as the limit.
+// NaN passes every comparison of the firmware's clamp and comes out as the limit.
 void Firmware::set_duty(const std::vector<float>& torques) {
     const double steps = type_ == BoardType::m0 ? 1023.0 : 255.0;
     const double limit_Nm = variant_.torque_limit_Nm;

@@ -1,6 +1,5 @@
 // The published firmware of the pantograph's boards, byte for byte and pass for pass: what it does
-// with bytes that come, are cut short or never come. No mechanics, no USB.
-// Threads: a plain value.
+// with bytes that come, are cut short or never come. No mechanics, no USB. Threads: a plain value.
 #pragma once
 
 #include <array>
@@ -16,61 +15,63 @@
 namespace touchline {
 
 /// m0: two ports, 1023 steps of duty, sees half the counts that it is told, waits 1 s in all for
-/// the rest of a float block. due: four ports, 256 steps, all the counts, waits 1 s a byte, is mute
-/// while DTR and RTS are low.
+/// the rest of a float block. due: four ports, 255 steps, sees all the counts, waits 1 s a byte, is
+/// mute while DTR and RTS are low.
 enum class BoardType : std::uint8_t { m0, due };
 
 inline constexpr double full_duty_Nm = 0.123;
 
-/// What a firmware may have been changed in by those who built it.
+/// Changes that builders of a board may have made to its firmware.
 struct FirmwareVariant {
-    bool has_all_counts = false;            // m0: counts all that it is told
-    double torque_limit_Nm = full_duty_Nm;  // full duty, which it takes for this
-    bool scales_together = false;           // torques beyond the limit; else each for itself
+    bool has_all_counts = false;            // m0: sees all the counts that it is told
+    double torque_limit_Nm = full_duty_Nm;  // the torque that it takes for full duty
+    bool scales_together = false;           // scales all torques if one is beyond the limit; else
+                                            // clamps each
 };
 
 inline constexpr double never_s = std::numeric_limits<double>::infinity();
 
 using PacketBytes = std::vector<std::uint8_t>;
 
-/// Ports that are looked at here: the fourth has nothing to do.
+/// The ports in use; the fourth has no function.
 inline constexpr std::size_t port_count = 3;
 
-/// Counts of the encoders since the board got power, counted clockwise, by port.
+/// Encoder counts since the board got power, counted clockwise, by port.
 using PortCounts = std::array<std::int64_t, port_count>;
 
 class Firmware {
   public:
-    /// The seed fills memory that the firmware reads before anything was written to it.
+    /// The seed fills memory that the firmware reads before it writes it.
     Firmware(BoardType type, std::uint64_t seed, const FirmwareVariant& variant = {})
         : type_(type), variant_(variant), garbage_(seed) {}
 
-    /// Bytes that are there from at_s on; later calls, later times.
+    /// Gives bytes that arrive at at_s; later calls have later times.
     void take(std::span<const std::uint8_t> bytes, double at_s);
 
-    /// When the next pass has something to do; never_s when it waits for the host.
+    /// Returns when the next pass has something to do; never_s while it waits for the host.
     [[nodiscard]] double next_pass_s() const;
 
-    /// One pass of its loop at next_pass_s(). A reply that it sends.
+    /// Runs one pass of its loop at next_pass_s(). Returns a reply if it sends one.
     [[nodiscard]] std::optional<PacketBytes> pass(double now_s, const PortCounts& counts);
 
-    /// It can do nothing until then (it waits for the host to read).
+    /// Blocks the firmware until then, as it waits for the host to read.
     void hold_until(double t_s) { busy_until_s_ = t_s; }
 
-    /// Fraction of full duty by port, as told: -1 to 1. Held for ever.
+    /// Returns the fraction of full duty by port, as told: -1 to 1. It is held for ever.
     [[nodiscard]] std::array<double, port_count> duty() const { return duty_; }
 
-    /// Direction bits that the motors were set up with, by port.
+    /// Returns the direction bits that the motors were set up with, by port.
     [[nodiscard]] std::array<std::uint8_t, port_count> motor_turns() const { return motor_turns_; }
 
     [[nodiscard]] bool is_set_up() const { return address_ != 0; }
 
     [[nodiscard]] std::uint64_t set_ups() const { return set_ups_; }
 
-    /// It was told something that makes the real one write where it must not: address 0 or pin 59.
+    /// True if it was told something that makes the real firmware write where it must not: address
+    /// 0 or pin 59.
     [[nodiscard]] bool is_broken() const { return is_broken_; }
 
-    /// Waits for the rest of a block of floats.
+    /// True while it waits for the rest of a block of floats.
     [[nodiscard]] bool is_waiting() const { return block_.has_value(); }
 
   private:
@@ -90,7 +91,7 @@ class Firmware {
         float offset_deg = 0.0F;
         float counts_told = 1.0F;
         std::uint8_t turn = 0;
-        std::int64_t start_count = 0;  // the encoder's own when it was set up
+        std::int64_t start_count = 0;  // the encoder's own count at set-up
         std::int64_t counter = 0;
     };
 
@@ -113,7 +114,7 @@ class Firmware {
     std::deque<Arrived> arrived_;
     double busy_until_s_ = 0.0;
     std::optional<Block> block_;
-    std::uint8_t address_ = 0;  // set up; 0: none
+    std::uint8_t address_ = 0;  // address at set-up; 0: not set up
     std::uint8_t address_to_set_up_ = 0;
     std::uint8_t motors_ = 0, encoders_ = 0;  // masks
     std::size_t analog_inputs_ = 0, pwm_outputs_ = 0;

@@ -1,5 +1,5 @@
-// The emulated firmware does what the published one does: without this, no test of the driver means
-// anything.
+// Tests that the emulated firmware does what the published one does: every test of the driver
+// relies on that.
 #include "tests/sim/board/firmware.h"
 
 #include "haptics/device/board_frame.h"
@@ -97,7 +97,7 @@ TEST(Firmware, UnknownBytesAreSwallowedOneByOne) {
 TEST(Firmware, BytesThatHaveNotComeReadAsFF) {
     Bench bench;
     bench.set_up();
-    // 02 alone: the address is read as ff, which is not set up. 05 is then swallowed.
+    // 02 alone: the firmware reads the address as ff, which is not set up. It then swallows 05.
     EXPECT_EQ(bench.tell(PacketBytes{2}), (Replies{{0xff}}));
     EXPECT_TRUE(bench.tell(PacketBytes{5}).empty());
     EXPECT_EQ(bench.tell(write_command({})).size(), 1U);
@@ -192,7 +192,7 @@ TEST(BoardEmulator, AnUnreadReplyStaysTheNextWaitsThenAllAreDropped) {
     EXPECT_FALSE(board.take_packet().has_value());
     board.advance_to(0.2);
     board.host_listens(true);
-    ASSERT_TRUE(board.take_packet().has_value());  // the first
+    ASSERT_TRUE(board.take_packet().has_value());  // the first packet
     const auto empty = board.take_packet();
     ASSERT_TRUE(empty.has_value());
     EXPECT_TRUE(empty->bytes.empty());

@@ -12,7 +12,7 @@ namespace touchline {
 struct LinkFaultKind {
     std::string_view name;
     LinkFault link = LinkFault::none;
-    double longest_s = 0.0;  // of what is late; the seed says how late
+    double longest_s = 0.0;  // the seed says how late
 };
 
 inline constexpr std::array link_fault_kinds{
@@ -35,7 +35,7 @@ inline constexpr std::array link_fault_kinds{
     LinkFaultKind{"encoder jump", LinkFault::lost_counts},
 };
 
-/// These, then `more`. A Kind begins with the members of LinkFaultKind.
+/// Returns these, then `more`. A Kind begins with the members of LinkFaultKind.
 template <class Kind, std::size_t count>
 [[nodiscard]] constexpr auto with_link_faults(const std::array<Kind, count>& more) {
     std::array<Kind, link_fault_kinds.size() + count> all{};

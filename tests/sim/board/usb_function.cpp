@@ -109,7 +109,7 @@ PacketBytes configuration_descriptor(const BoardEmulator& board) {
             0x00,         0xa0, 0xfa,  // 75 bytes in all
             0x08,         0x0b, 0x00,
             0x02,         0x02, 0x02,
-            iad_protocol, 0x00,  // two interfaces belong together
+            iad_protocol, 0x00,  // groups two interfaces
             0x09,         0x04, 0x00,
             0x00,         0x01, 0x02,
             0x02,         0x00, 0x00,  // CDC control, ACM

@@ -1,5 +1,5 @@
-// What the emulated board says about itself on the USB and how it answers control requests: the
-// same for every way that leads to it. Threads: as BoardEmulator.
+// What the emulated board says about itself on the USB and how it answers control requests, the
+// same for every way to reach it. Threads: as BoardEmulator.
 #pragma once
 
 #include "tests/sim/board/board_emulator.h"
@@ -22,13 +22,14 @@ struct UsbRequest {
     std::uint16_t length = 0;
 };
 
-/// From its wire form, at least 8 bytes.
+/// Parses the wire form of at least 8 bytes.
 [[nodiscard]] UsbRequest request_of(std::span<const std::uint8_t> bytes);
 
 [[nodiscard]] PacketBytes device_descriptor(const BoardEmulator& board);
 [[nodiscard]] PacketBytes configuration_descriptor(const BoardEmulator& board);
 
-/// What it answers, cut to the length asked for; nothing: it stalls. `data`: of a request to it.
+/// Returns the board's answer, cut to the requested length; nothing if it stalls. `data`: sent with
+/// a request to the board.
 [[nodiscard]] std::optional<PacketBytes> answer(BoardEmulator& board, const UsbRequest& request,
                                                 std::span<const std::uint8_t> data);
 

@@ -1,5 +1,5 @@
-// What a controller and the kernel do with transfers to and from the emulated board: submitted,
-// completed, reaped, discarded; with faults. For every way in which a program gets at it.
+// What a controller and the kernel do with transfers to and from the emulated board: submit,
+// complete, reap, discard; with faults. Used for every way in which a program reaches the board.
 // Threads: as BoardEmulator.
 #pragma once
 
@@ -14,26 +14,26 @@
 
 namespace touchline {
 
-/// What the next transfers run into, in the order of their kind.
+/// Faults of the next transfers of each kind, in order.
 struct UsbFaults {
     bool is_held = false;  // claiming fails: another program has the interface
     int stalls_out = 0;    // OUT transfers that halt the endpoint
     int drops_out = 0;     // OUT transfers that hang until they are given up
-    int short_out = 0;     // OUT transfers of which only 4 bytes get through
+    int short_out = 0;     // OUT transfers that get only 4 bytes through
     int lost_in = 0;       // packets that never come
-    int late_in = 0;       // packets that come late_s later, and all after them
+    int late_in = 0;       // packets that come late_s later, and delay all after them
     double late_s = 0.0;
     int garbled_in = 0;  // packets with flipped bits
     int doubled_in = 0;
     int empty_in = 0;  // empty packets before the real one
     int stalls_in = 0;
-    int unplug_after_out = 0;  // the plug goes with the n-th OUT transfer from now
+    int unplug_after_out = 0;  // the n-th OUT transfer from now pulls the plug
 };
 
 class UsbTransfers {
   public:
-    /// A transfer that has ended. status: 0 or an error number, negative. sent: its bytes that got
-    /// through, of an OUT transfer.
+    /// A transfer that has ended. status: 0 or a negative error number. sent: bytes of an OUT
+    /// transfer that got through.
     struct Ended {
         std::uint64_t id = 0;
         int status = 0;
@@ -44,24 +44,24 @@ class UsbTransfers {
     explicit UsbTransfers(BoardEmulator& board) : board_(board) {}
 
     void send(std::uint64_t id, std::span<const std::uint8_t> bytes);
-    /// What send() would come to, at once and not to be reaped; nothing: it hangs.
+    /// Returns how send() would end, at once and without reaping; nothing if it hangs.
     [[nodiscard]] std::optional<Ended> sent(std::uint64_t id, std::span<const std::uint8_t> bytes);
     void listen(std::uint64_t id, std::uint8_t endpoint);
-    /// The eight bytes of the request, and data after them.
+    /// Takes the eight bytes of the request, followed by its data.
     void control(std::uint64_t id, std::span<const std::uint8_t> bytes);
 
-    /// False: no such transfer is under way.
+    /// Returns false if no such transfer is under way.
     bool discard(std::uint64_t id);
 
-    /// All that are under way end so.
+    /// Ends all transfers that are under way with this status.
     void end_all(int status);
 
-    /// Nobody is there any more to reap what has ended.
+    /// Drops transfers that have ended, as nobody is left to reap them.
     void forget_all();
 
     void clear_halts() { is_out_halted_ = is_in_halted_ = false; }
 
-    /// Packets that have come go to those who listen. The board's clock is at now.
+    /// Gives arrived packets to waiting transfers. The board's clock must be at now.
     void deliver();
 
     [[nodiscard]] bool has_ended() const { return !ended_.empty(); }
@@ -76,9 +76,10 @@ class UsbTransfers {
     void spoil(PacketBytes packet);
 
     BoardEmulator& board_;
-    std::map<std::uint64_t, std::uint8_t> under_way_;  // to the endpoint that it waits at
-    std::deque<std::uint64_t> listening_;              // to the board's packets
-    std::deque<PacketBytes> ready_;                    // packets that nobody waits for
+    std::map<std::uint64_t, std::uint8_t> under_way_;  // the endpoint where each waits
+    std::deque<std::uint64_t> listening_;              // transfers that wait for the board's
+                                                       // packets
+    std::deque<PacketBytes> ready_;                    // packets that no transfer waits for
     std::deque<Ended> ended_;
     std::deque<PacketBytes> held_back_;  // until held_until_s_
     double held_until_s_ = 0.0;

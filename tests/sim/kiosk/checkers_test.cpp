@@ -1,4 +1,4 @@
-// Each checker of ticks sees what it is there for, and nothing where all is well.
+// Tests that each checker of ticks finds what it is made for, and nothing if all is well.
 #include "tests/sim/kiosk/checkers/board_truth.h"
 #include "tests/sim/kiosk/checkers/force_limits.h"
 #include "tests/sim/kiosk/checkers/given_energy.h"
@@ -22,7 +22,7 @@ struct Looks {
 
     Looks() { sight.is_hand_on = true; }
 
-    /// The next one, with a tick of the servo.
+    /// Goes on by a millisecond with a tick of the servo.
     const TickSight& next() {
         sight.now_s += 1e-3;
         sight.tick = &tick;
@@ -87,7 +87,8 @@ TEST(BoardTruthChecker, SeesTorqueThatNobodyTold) {
     EXPECT_TRUE(looks.has_found()) << "nobody told the other motor that";
 }
 
-/// Joules found given when a force goes along with a hand for so many millimetres.
+/// Returns true if the checker finds the energy of a force that goes along with a hand for so many
+/// millimetres.
 bool is_energy_found(double force_N, int millimetres) {
     Looks looks;
     GivenEnergyChecker checker;
@@ -142,7 +143,7 @@ TEST(NoHandChecker, SeesAHandleThatIsDrivenAloneOrPushedForLong) {
     EXPECT_EQ(found_after_ms(true, true), 25'000) << "somebody holds it";
 }
 
-/// Whether anything is found when the states follow each other so, 0.6 s each.
+/// Returns true if anything is found when these states follow each other, lasting_s each.
 bool is_found(std::initializer_list<ForceState> states, double lasting_s = 0.6) {
     Looks looks;
     SafetyTransitionsChecker checker;

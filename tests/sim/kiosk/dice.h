@@ -1,5 +1,5 @@
-// Chance from a seed: the same numbers with every compiler and library, which the distributions of
-// the standard library are not. Threads: a plain value.
+// Random numbers from a seed, the same with every compiler and library; the standard library's
+// distributions are not. Threads: a plain value.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@ class Dice {
   public:
     explicit Dice(std::uint64_t seed) : state_(seed) {}
 
-    /// Another one for a purpose of its own: what one purpose draws changes nothing for the others.
+    /// Returns separate dice for each purpose: what one purpose draws changes nothing for the
+    /// others.
     [[nodiscard]] static Dice of(std::uint64_t seed, std::uint64_t purpose) {
         Dice dice(seed ^ (purpose * 0x9e3779b97f4a7c15ULL));
         return Dice(dice.next());
@@ -25,12 +26,12 @@ class Dice {
         return mixed ^ (mixed >> 31U);
     }
 
-    /// 0 ... below 1, 53 bits of it.
+    /// Returns a number from 0 to below 1, with 53 random bits.
     double share() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
 
     double between(double low, double high) { return low + (high - low) * share(); }
 
-    /// 0 ... count - 1; count > 0.
+    /// Returns 0 to count - 1; count > 0.
     std::uint64_t below(std::uint64_t count) { return next() % count; }
 
     bool is_hit(double chance) { return share() < chance; }

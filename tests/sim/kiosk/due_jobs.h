@@ -1,5 +1,5 @@
-// Jobs of loading on a virtual clock: each is done when its time has come, and may go wrong as a
-// worker does. Threads: one.
+// Load jobs on a virtual clock: each is done when its time has come, and may fail as a worker does.
+// Threads: one.
 #pragma once
 
 #include "app/loading/executor.h"
@@ -12,16 +12,16 @@
 
 namespace touchline {
 
-/// How a job goes: its result comes so much later, or a line of failure in its place.
+/// How a job ends: after so long, its result comes, or a failure instead.
 struct JobFate {
     double after_s = 0.0;
-    std::string failure;  // empty: none
+    std::string failure;  // empty: no failure
 };
 
 class DueJobs final : public Executor {
   public:
-    /// `now_s` must outlive it. `fate` of each job as it starts; none: all are done as soon as they
-    /// are asked for.
+    /// `now_s` must outlive it. `fate` decides about each job as it starts; without it, every job
+    /// is done at once.
     explicit DueJobs(const double& now_s, std::function<JobFate()> fate = {})
         : now_s_(now_s), fate_(std::move(fate)) {}
 

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double stale_s = 5e-3;
 constexpr double lost_peer_s = 20e-3;
-// Clearing a halt takes a millisecond: a tick that comes early after a late one finds it not done.
+// Clearing a halt takes a millisecond: a tick that comes early after a late one finds it
+// unfinished.
 constexpr double halted_s = 2.0 * tick_s;
 constexpr std::optional<double> goes_on{};
 

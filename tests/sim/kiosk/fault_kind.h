@@ -1,4 +1,4 @@
-// What can go wrong in a simulated house, and how soon the motors must be without torque for it.
+// What can go wrong at a simulated site, and how soon the motors must then be without torque.
 // Threads: constant data.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace touchline {
 
-/// In the order of sim_fault_kinds().
+/// The order is that of sim_fault_kinds().
 enum class SimFault : std::uint8_t {
     short_send,
     late_send,
@@ -59,26 +59,26 @@ inline constexpr std::size_t sim_fault_count = 39;
 
 struct SimFaultKind {
     std::string_view name;
-    LinkFault link = LinkFault::none;  // of the board's link
-    double shortest_s = 0.0;           // how long it lasts, or how late it is
+    LinkFault link = LinkFault::none;  // fault of the board's link
+    double shortest_s = 0.0;           // of its duration, or of its delay
     double longest_s = 0.0;
-    /// From when it can be seen to zero torque, at most; none: the force may go on. The bars are
-    /// those of tests/sim/loop: 1 ms for what a tick sees, 5 ms for what is stale, 20 ms for a lost
-    /// peer, and 10 ms for a send that hangs, which blocks the zero too. `wire_s` comes on top.
+    /// The most time from when it can be seen to zero torque; none: the force may go on. The bars
+    /// are those of tests/sim/loop: 1 ms for what a tick sees, 5 ms for what is stale, 20 ms for a
+    /// lost peer, and 10 ms for a send that hangs, which blocks the zero too. `wire_s` is added.
     std::optional<double> zero_s;
 };
 
-/// From the host's send to the board's motors.
+/// The time from the host's send to the board's motors.
 inline constexpr double wire_s = 3e-4;
 
 [[nodiscard]] std::span<const SimFaultKind> sim_fault_kinds();
 
 [[nodiscard]] const SimFaultKind& kind_of(SimFault fault);
 
-/// Nothing for a name that no fault has.
+/// Returns nothing if no fault has this name.
 [[nodiscard]] std::optional<SimFault> fault_named(std::string_view name);
 
-/// Every kind, a bit each.
+/// All kinds, one bit each.
 inline constexpr std::uint64_t all_faults = (std::uint64_t{1} << sim_fault_count) - 1;
 
 [[nodiscard]] constexpr std::uint64_t bit_of(SimFault fault) {

@@ -1,5 +1,5 @@
-// What a simulated house came to: counts, worst values, the hash of each second, and the first
-// thing that was not as it must be. Threads: plain values.
+// The outcome of a simulated site: counts, worst values, the hash of each second, and the first
+// failure. Threads: plain values.
 #pragma once
 
 #include "tests/sim/kiosk/fault_kind.h"
@@ -14,35 +14,35 @@
 namespace touchline {
 
 struct SimFailure {
-    double at_s = 0.0;    // of the house's time
-    std::string checker;  // that found it
+    double at_s = 0.0;    // site time
+    std::string checker;  // which found it
     std::string words;
 };
 
 struct SimFigures {
     std::uint64_t seeds = 0;
-    std::uint64_t ticks = 0;  // of the servo's loop
-    double servo_s = 0.0;     // with a servo that ticks
-    double session_s = 0.0;   // of the house, spans that were skipped too
+    std::uint64_t ticks = 0;  // ticks of the servo's loop
+    double servo_s = 0.0;     // time with a servo that ticks
+    double session_s = 0.0;   // site time, including skipped spans
     std::uint64_t visits = 0;
     std::uint64_t pictures = 0;
     std::uint64_t keys = 0;
     std::uint64_t cues = 0;
     std::uint64_t utterances = 0;
     std::array<std::uint64_t, sim_fault_count> fired{};
-    std::array<std::uint64_t, sim_fault_count> pressed{};  // of these, with torque on
-    std::array<double, sim_fault_count> zero_s{};          // the longest, to zero torque
-    double most_N = 0.0, most_N_share = 0.0;               // of the device's limit
+    std::array<std::uint64_t, sim_fault_count> pressed{};  // of these, while torque was on
+    std::array<double, sim_fault_count> zero_s{};          // the longest time to zero torque
+    double most_N = 0.0, most_N_share = 0.0;               // share of the device's limit
     double most_torque_Nm = 0.0;
     double most_rise_N_per_s = 0.0, most_change_N_per_s = 0.0;
-    double most_given_J = 0.0;  // in a second, beyond what the hand gave before
+    double most_given_J = 0.0;  // in one second, beyond what the hand gave before
     double longest_answer_s = 0.0, longest_cue_s = 0.0;
     double longest_ready_s = 0.0, longest_silence_s = 0.0;
-    std::vector<std::uint64_t> hashes;  // of each second
-    std::optional<SimFailure> failure;  // the first
+    std::vector<std::uint64_t> hashes;  // one per second
+    std::optional<SimFailure> failure;  // the first failure
     std::uint64_t failed_seeds = 0;
 
-    /// Those of another house too. Hashes and failure stay those of this one.
+    /// Adds the figures of another site. Hashes and failure stay those of this one.
     void add(const SimFigures& other);
 };
 

@@ -1,5 +1,5 @@
-// kiosk_sim_gather COMMAND FIGURES...: the figures of several runs as one, for people on the
-// standard output, as rows of the reliability table in the file that SIM_CSV names.
+// kiosk_sim_gather COMMAND FIGURES...: combines the figures of several runs. Prints them for people
+// on standard output, and writes rows of the reliability table to the file that SIM_CSV names.
 #include "tests/sim/kiosk/sim_report.h"
 
 #include <cstdlib>

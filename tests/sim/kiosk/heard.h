@@ -1,4 +1,4 @@
-// A sound that writes down what was said and given instead. Threads: one.
+// A sound that records what would be said and given. Threads: one.
 #pragma once
 
 #include "app/sound/visitor_sound.h"
@@ -8,7 +8,7 @@
 
 namespace touchline {
 
-/// One of speech or sign, with its time.
+/// One utterance or cue, with its time.
 struct HeardThing {
     double at_s = 0.0;
     std::string language;
@@ -16,7 +16,7 @@ struct HeardThing {
     ScreenEvent event = ScreenEvent::key_taken;
 };
 
-/// Everything heard; outlives the sound that belongs to a kiosk.
+/// Everything heard; outlives the kiosk's sound.
 struct Heard {
     double now_s = 0.0;
     std::vector<HeardThing> things;
@@ -28,7 +28,7 @@ struct Heard {
     std::optional<bool> headphones;
     std::string problem;
 
-    /// Since then, in order, one a line.
+    /// Returns the text since `first`, in order, one utterance a line.
     [[nodiscard]] std::string text_since(std::size_t first) const;
 
     [[nodiscard]] std::string last_text() const;

@@ -30,7 +30,7 @@ Page blank_page(TactileMap told) {
     return page;
 }
 
-/// The same file of the list, whose page was read beforehand.
+/// Returns the same file of the list with a page that was read beforehand.
 FilePtr read_beforehand(const FilePtr& file, const Language& language) {
     auto map = read_map_svg((pictures / file->gallery_file).string(), {language.code()});
     const auto page = std::make_shared<const Page>(blank_page(std::move(map).value()));

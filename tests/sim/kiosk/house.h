@@ -1,4 +1,4 @@
-// What every kiosk in a test has of the house: languages, pictures, files of its operator.
+// What every kiosk in a test takes from its site: languages, pictures, the operator's files.
 // Threads: any; what is read once is shared and constant.
 #pragma once
 
@@ -11,16 +11,16 @@
 
 namespace touchline {
 
-/// Those that a kiosk offers at first, in that order.
+/// Returns the languages that a kiosk offers at first, in that order.
 [[nodiscard]] std::vector<Language> all_languages();
 
-/// The real gallery, opened by the real workers.
+/// Returns the real gallery, opened by the real workers.
 [[nodiscard]] Gallery whole_gallery(const std::vector<Language>& languages);
 
-/// The lines of the real gallery on blank pages, read once: no process, no pixels.
+/// Returns the lines of the real gallery on blank pages, read once: no process, no pixels.
 [[nodiscard]] const Gallery& gallery_without_workers();
 
-/// In this folder, which is made.
+/// Returns the operator's files in this folder, and makes the folder.
 [[nodiscard]] OperatorFiles site_files_in(const std::filesystem::path& folder);
 
 }  // namespace touchline

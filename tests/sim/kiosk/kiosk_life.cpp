@@ -10,7 +10,7 @@
 namespace touchline {
 namespace {
 
-/// Within `owner`, as it was made.
+/// Makes a part, gives it to `owner` and returns a pointer to it.
 template <class Part, class Owner, class... Arguments>
 Part* make(Owner& owner, Arguments&&... arguments) {
     auto made = std::make_unique<Part>(std::forward<Arguments>(arguments)...);
@@ -19,7 +19,8 @@ Part* make(Owner& owner, Arguments&&... arguments) {
     return part;
 }
 
-/// The first four alone: one item more in a list, and each recorded seed is another run.
+/// Returns the first four only: one more item in a list would change the run of every recorded
+/// seed.
 const std::vector<Language>& languages_of_seeds() {
     static const std::vector<Language> all = all_languages();
     static const std::vector<Language> four(all.begin(), all.begin() + 4);

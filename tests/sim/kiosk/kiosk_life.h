@@ -1,6 +1,5 @@
-// One kiosk process in a simulated house: the real kiosk with sound, loader, stick and camera that
-// a simulation leads, and its end of the line to the servo.
-// Threads: one.
+// One kiosk process at a simulated site: the real kiosk with simulated sound, loader, stick and
+// camera, and its end of the line to the servo. Threads: one.
 #pragma once
 
 #include "app/kiosk/kiosk.h"
@@ -19,10 +18,10 @@
 
 namespace touchline {
 
-/// What a kiosk has of the house. All must outlive it.
+/// What the site gives a kiosk. All must outlive it.
 struct KioskPlace {
-    const double& now_s;           // of the house
-    std::filesystem::path folder;  // of the operator's files
+    const double& now_s;           // site time
+    std::filesystem::path folder;  // for the operator's files
     std::shared_ptr<Heard> heard;
     std::function<JobFate()> fate;
     std::function<int()> minute_of_day;
@@ -32,15 +31,15 @@ class KioskLife {
   public:
     explicit KioskLife(const KioskPlace& place);
 
-    /// A key of the staff's keyboard.
+    /// Presses a key of the staff's keyboard.
     void press(Key key) { strike({KeySource::key, static_cast<std::uint32_t>(key)}); }
 
-    /// A visitor's key.
+    /// Presses a visitor's key.
     void press(KeyRole role) { strike(keys_of(default_keys(), role).at(0)); }
 
     ServoConnection line;
     Restart restart;  // of its servo
-    // Within the kiosk:
+    // Owned by the kiosk:
     LineServo* servo = nullptr;
     SimFileSource* sticks = nullptr;
     SimCamera* camera = nullptr;
@@ -48,7 +47,8 @@ class KioskLife {
     std::unique_ptr<Kiosk> kiosk;
 
   private:
-    /// Now by the house's time, as a window stamps it: the kiosk's own stands while it hangs.
+    /// Strikes at site time, as a window stamps it: the kiosk's own time stands still while it
+    /// hangs.
     void strike(const PhysicalKey& key);
 
     const double& now_s_;

@@ -1,5 +1,4 @@
-// The servo as a simulated kiosk has it: the real line to it, on the house's time.
-// Threads: one.
+// The servo as a simulated kiosk sees it: the real line to it, on site time. Threads: one.
 #pragma once
 
 #include "app/servo/servo_client.h"
@@ -14,7 +13,7 @@ namespace touchline {
 
 class LineServo final : public ServoClient {
   public:
-    /// Both must outlive it. `now_s` of the house.
+    /// Both must outlive it. `now_s`: site time.
     LineServo(ServoConnection& line, const double& now_s) : line_(line), now_s_(now_s) {}
 
     void set(const ServoCommands& commands) override {

@@ -1,4 +1,4 @@
-// kiosk_sim: runs simulated houses, seed after seed.
+// kiosk_sim: runs simulated sites, seed after seed.
 #include "tests/sim/kiosk/shrink.h"
 #include "tests/sim/kiosk/sim_report.h"
 #include "tests/sim/kiosk/simulation.h"

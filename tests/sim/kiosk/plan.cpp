@@ -15,12 +15,12 @@ constexpr std::uint64_t of_swarm = 2;
 constexpr std::uint64_t of_kind = 100;
 
 constexpr double first_visit_s = 20.0;
-constexpr double apart_s = 240.0;    // the longest end of a visit fits in between
-constexpr double settling_s = 12.0;  // of a visit, before anything goes wrong
-constexpr double calm_s = 20.0;      // at the end of a visit nothing does
+constexpr double apart_s = 240.0;    // leaves room for the longest end of a visit
+constexpr double settling_s = 12.0;  // at the start of a visit nothing goes wrong
+constexpr double calm_s = 20.0;      // nor at its end
 constexpr double no_faults_at_all = 0.12;
 constexpr double kind_is_there = 0.4;
-constexpr double at_a_visit = 0.3;  // of a kind that is there
+constexpr double at_a_visit = 0.3;  // for a kind that is there
 
 std::vector<PlannedVisit> visits(const PlanOptions& options) {
     Dice dice = Dice::of(options.seed, of_visits);
@@ -34,7 +34,7 @@ std::vector<PlannedVisit> visits(const PlanOptions& options) {
     return planned;
 }
 
-/// The causes of one kind, whatever other kinds there are.
+/// Adds the causes of one kind, independent of other kinds.
 void add_kind(SimFault fault, const PlanOptions& options, const std::vector<PlannedVisit>& visits,
               std::vector<PlannedCause>& causes) {
     Dice dice = Dice::of(options.seed, of_kind + static_cast<std::uint64_t>(fault));

@@ -1,5 +1,4 @@
-// What is to happen in one simulated house, all of it from a seed.
-// Threads: values and pure functions.
+// What happens at one simulated site, all of it from a seed. Threads: values and pure functions.
 #pragma once
 
 #include "tests/sim/kiosk/fault_kind.h"
@@ -12,22 +11,22 @@ namespace touchline {
 
 struct PlannedVisit {
     double at_s = 0.0;
-    double length_s = 0.0;  // after which the visitor says goodbye, or walks away
+    double length_s = 0.0;  // then the visitor says goodbye, or walks away
     std::uint64_t seed = 0;
 };
 
 struct PlannedCause {
     double at_s = 0.0;
     SimFault fault = SimFault::short_send;
-    double span_s = 0.0;  // it lasts, or is late
+    double span_s = 0.0;  // how long it lasts, or how late it is
     std::uint64_t seed = 0;
 };
 
 struct PlanOptions {
     std::uint64_t seed = 1;
-    double span_s = 3600.0;             // of the house's time
-    std::uint64_t faults = all_faults;  // kinds that may be in it
-    double until_s = 1e9;               // no fault begins later: to find the ones that matter
+    double span_s = 3600.0;             // site time
+    std::uint64_t faults = all_faults;  // kinds that may occur
+    double until_s = 1e9;               // no fault begins later; narrows down which ones matter
 };
 
 struct Plan {
@@ -36,11 +35,11 @@ struct Plan {
     std::vector<PlannedCause> causes;  // by time
 };
 
-/// Each kind of fault draws from dice of its own: leaving one out changes nothing of the others.
-/// Of every seed some kinds stay away altogether, and of one in eight all do.
+/// Each kind of fault has its own dice: leaving one out changes nothing for the others. Each seed
+/// leaves some kinds out altogether, and one seed in eight leaves all out.
 [[nodiscard]] Plan make_plan(const PlanOptions& options);
 
-/// For people, a line each.
+/// Returns the plan for people, one event a line.
 [[nodiscard]] std::string text_of(const Plan& plan);
 
 }  // namespace touchline

@@ -14,7 +14,7 @@ constexpr double longest_absence_s = 2.0;  // of the device, as in the program
 
 }  // namespace
 
-/// The board, but for one angle that is no number, and for what a test breaks.
+/// The board, except for one angle that is NaN and for what a test breaks.
 class ServoLife::Device final : public ForceDevice {
   public:
     explicit Device(ServoLife& life) : life_(life) {}
@@ -110,7 +110,7 @@ void ServoLife::feel(const Arrival& arrival) {
         tell(MessageKind::notice, scene.error().line);
 }
 
-/// Whoever homed it lets go.
+/// The person who homed the device lets go.
 void ServoLife::end_homing() {
     if (!place_.hand.is_homing()) return;
     place_.hand.hear({}, place_.time.now_s);

@@ -1,6 +1,5 @@
-// One servo process in a simulated house, from its start to its end: what app/servo/servo_program.h
-// does with the real driver, loop and messages, in the house's one thread and time.
-// Threads: one.
+// One servo process at a simulated site, from its start to its end: what app/servo/servo_program.h
+// does with the real driver, loop and messages, in the site's one thread and time. Threads: one.
 #pragma once
 
 #include "app/servo/messages.h"
@@ -17,17 +16,17 @@
 
 namespace touchline {
 
-/// Breaks the product on purpose, so that a test sees that checkers see it.
+/// Breaks the product on purpose, to test that the checkers notice.
 enum class Sabotage : std::uint8_t {
     none,
-    doubled_torque,  // twice what the servo tells reaches the driver
-    held_torque,     // zero never does
+    doubled_torque,  // the driver gets twice what the servo tells
+    held_torque,     // the driver never gets zero
     silent_sound,    // nothing that is said or given is heard
-    deaf_guard,      // a servo that falls silent is not killed
+    deaf_guard,      // a silent servo is not killed
     lost_jobs,       // no picture ever comes
 };
 
-/// What a servo process has of the house. All must outlive it.
+/// What the site gives a servo process. All must outlive it.
 struct ServoPlace {
     BoardEmulator& board;
     VirtualTime& time;
@@ -36,7 +35,7 @@ struct ServoPlace {
     Sabotage sabotage = Sabotage::none;
 };
 
-/// SIGKILL: thrown out of the loop's clock.
+/// SIGKILL, thrown out of the loop's clock.
 struct ServoKilled {};
 
 class ServoLife {
@@ -44,30 +43,31 @@ class ServoLife {
     ServoLife(const ServoPlace& place, SharedRegion region, Descriptor socket)
         : place_(place), region_(std::move(region)), socket_(std::move(socket)) {}
 
-    /// Opens and homes the board, then ticks until its end; the exit status. Throws ServoKilled.
+    /// Opens and homes the board, then ticks until its end. Returns the exit status. Throws
+    /// ServoKilled.
     [[nodiscard]] int run(const Calibration& stored);
 
-    /// Its main thread: messages that came, and whether the device still answers. Several times a
-    /// second.
+    /// Does the main thread's work several times a second: reads messages, and checks that the
+    /// device still answers.
     void serve();
 
-    /// Killed: nothing of it reaches the board any more.
+    /// Kills the process: nothing of it reaches the board any more.
     void die();
 
     [[nodiscard]] bool is_ticking() const { return loop_start_s_.has_value(); }
 
-    /// Of the board's time, when the loop's began.
+    /// The board time at which the loop began.
     [[nodiscard]] double loop_start_s() const { return loop_start_s_.value_or(0.0); }
 
-    /// The newest tick; null before the first.
+    /// Returns the newest tick; null before the first.
     [[nodiscard]] const TickRecord* newest() const { return recorder_.newest(); }
 
-    /// Null once the board was given back.
+    /// Returns null once the board was given back.
     [[nodiscard]] EmulatedLink* link() { return link_; }
 
     void break_next_angle() { is_next_angle_broken_ = true; }
 
-    /// The kiosk died: SIGHUP.
+    /// The kiosk died: sends SIGHUP.
     void hang_up() { end_.is_cut = true; }
 
     [[nodiscard]] std::uint64_t dropped_events() const { return exchange_.dropped_events(); }
@@ -101,7 +101,7 @@ class ServoLife {
     double answered_s_ = 0.0;
     std::string lost_;  // why it ends
     bool is_next_angle_broken_ = false;
-    bool is_held_ = true;  // while it is homed
+    bool is_held_ = true;  // while it is being homed
 };
 
 }  // namespace touchline

@@ -47,7 +47,7 @@ class Shrinking {
         }
     }
 
-    /// From the last fault back: everything from it on is left out.
+    /// Goes back from the last fault and leaves out that fault and all after it.
     void drop_late_faults() {
         while (!best_.causes.empty()) {
             PlanOptions earlier = best_.options;

@@ -1,5 +1,5 @@
-// The smallest plan that still fails: fewer kinds of faults, no fault after the one that matters.
-// Threads: pure functions, each as long as many simulations.
+// Finds the smallest plan that still fails: fewer kinds of faults, no fault after the one that
+// matters. Threads: pure functions; each takes as long as many simulations.
 #pragma once
 
 #include "tests/sim/kiosk/figures.h"
@@ -9,14 +9,14 @@
 
 namespace touchline {
 
-/// How a plan fails, if it does.
+/// Returns how a plan fails, if it does.
 using RunPlan = std::function<std::optional<SimFailure>(const Plan&)>;
 
-/// Of a plan that fails. Drops one kind after the other, then the last fault again and again, as
-/// long as the same checker finds something.
+/// Shrinks a plan that fails. Drops one kind after the other, then the last fault again and again,
+/// as long as the same checker finds something.
 [[nodiscard]] Plan shrunk(const Plan& failing, const RunPlan& run);
 
-/// The same by simulation.
+/// Shrinks a plan by simulation.
 [[nodiscard]] Plan shrunk(const Plan& failing);
 
 }  // namespace touchline

@@ -1,4 +1,4 @@
-// A camera above a sheet with a drawing, which can be pulled out. Threads: one.
+// A camera above a sheet with a drawing; it can be unplugged. Threads: one.
 #pragma once
 
 #include "vision/camera/camera.h"

@@ -1,4 +1,4 @@
-// The people of the house, and what goes wrong in it.
+// The people at the site, and what goes wrong there.
 #include "tests/sim/kiosk/house.h"
 #include "tests/sim/kiosk/sim_house.h"
 
@@ -10,14 +10,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double wire_is_broken_s = 0.08;  // until all that was on its way has come or is lost
-constexpr double board_looks_s = 1e-3;     // a fault of the link can be seen by the next tick
+constexpr double wire_is_broken_s = 0.08;  // by then all packets have arrived or are lost
+constexpr double board_looks_s = 1e-3;     // the next tick can see a link fault
 constexpr double longest_unnoticed_s = 6e-3;
-constexpr double guard_gives_up_s = 0.5;  // a kiosk whose main thread does not look
-constexpr double job_s = 0.03;            // of loading, as a rule
+constexpr double guard_gives_up_s = 0.5;  // on a kiosk whose main thread is stuck
+constexpr double job_s = 0.03;            // a usual load job
 constexpr double staff_comes_s = 1.0;
 constexpr double staff_takes_s = 3.0;
-constexpr double staff_homes = 0.04;  // before a visit
+constexpr double staff_homes = 0.04;  // chance that they home the device before a visit
 
 }  // namespace
 
@@ -44,7 +44,7 @@ void SimHouse::begin(const PlannedCause& cause) {
     if (is_done) ++figures_.fired[static_cast<std::size_t>(cause.fault)];
 }
 
-/// Torque that is on now must be off in time; without torque there is nothing to see.
+/// Torque that is on now must be off in time; without torque there is nothing to check.
 void SimHouse::expect_zero(SimFault fault, double after_s) {
     if (board_.plant().torques() == JointTorques{}) return;
     ++figures_.pressed[static_cast<std::size_t>(fault)];
@@ -54,7 +54,7 @@ void SimHouse::expect_zero(SimFault fault, double after_s) {
 bool SimHouse::break_link(const PlannedCause& cause) {
     if (!servo_ || !servo_->is_ticking() || servo_->link() == nullptr) return false;
     const LinkFault link = kind_of(cause.fault).link;
-    // A reply that is late for less than this may go unnoticed.
+    // A reply that is late by less than this may go unnoticed.
     const bool is_short = cause.span_s > 0.0 && cause.span_s < longest_unnoticed_s;
     if (!is_short) expect_zero(cause.fault, board_looks_s);
     servo_->link()->spoil_next({0, link, cause.span_s, cause.seed});
@@ -79,7 +79,7 @@ bool SimHouse::break_servo(const PlannedCause& cause) {
     return true;
 }
 
-/// Processes and people.
+/// Causes faults of processes and people.
 bool SimHouse::break_kiosk(const PlannedCause& cause) {
     const double until_s = now_s_ + cause.span_s;
     if (!is_kiosk_up() || !servo_) return false;
@@ -142,7 +142,7 @@ bool SimHouse::break_house(const PlannedCause& cause) {
         case SimFault::decoder_slow:
             armed_decoder_ = cause.fault;
             armed_decoder_s_ = cause.span_s;
-            return false;  // counted when a job meets it
+            return false;  // counted once a job meets it
         case SimFault::stick_yanked:
             if (!kiosk_->sticks->is_in())
                 kiosk_->sticks->put(gallery_without_workers().files.front(), 0.5);
@@ -207,7 +207,7 @@ void SimHouse::end(SimFault fault) {
     }
 }
 
-/// A file where the folder was: nothing can be written below it.
+/// Replaces the folder by a file, so that nothing can be written below it.
 void SimHouse::fill_disk(bool is_full) {
     const fs::path site = folder_ / "site";
     const fs::path away = folder_ / "site-away";
@@ -248,7 +248,7 @@ JobFate SimHouse::fate_of_job() {
     }
 }
 
-/// Whoever comes, presses and moves.
+/// Lets a visitor come, press and move.
 void SimHouse::welcome() {
     if (!visitor_ && next_visit_ < plan_.visits.size() &&
         plan_.visits[next_visit_].at_s <= now_s_) {

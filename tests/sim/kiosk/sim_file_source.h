@@ -13,7 +13,7 @@ namespace touchline {
 
 class SimFileSource final : public FileSource {
   public:
-    /// A stick with these files, read after so long.
+    /// Puts in a stick with these files; listing takes so long.
     void put(std::vector<FilePtr> files, double listing_s) {
         files_ = std::move(files);
         listing_s_ = listing_s;
@@ -23,7 +23,7 @@ class SimFileSource final : public FileSource {
 
     [[nodiscard]] bool is_in() const { return !root_.empty(); }
 
-    /// At any moment, that of listing too.
+    /// Pulls the stick out at any moment, even while it is listed.
     void pull() {
         if (root_.empty()) return;
         root_.clear();
@@ -47,7 +47,7 @@ class SimFileSource final : public FileSource {
 
     void end_session() override { pull(); }
 
-    /// None that a program beside this one could read at a time of its own.
+    /// Returns no root: another program would read it in its own time.
     [[nodiscard]] const std::string& root() const override { return no_root_; }
 
     [[nodiscard]] bool is_watching() const override { return true; }

@@ -18,17 +18,17 @@ namespace fs = std::filesystem;
 constexpr double frame_s = 1.0 / 60.0;
 constexpr double beat_s = 1e-3 * guard_beat_ms;
 constexpr double sound_s = 4e-3;
-constexpr double look_s = 0.05;  // of the servo's main thread, when nothing wakes it
+constexpr double look_s = 0.05;  // of the servo's main thread, unless something wakes it
 constexpr double plan_s = 1e-3;
 constexpr double skipped_frame_s = 0.25;
 constexpr double quiet_s = 12.0;          // after the last sound
-constexpr double before_plan_s = 2.0;     // nothing is skipped
-constexpr double most_jitter_s = 6e-5;    // of a tick's begin
-constexpr int most_zero_tries = 100;      // of the guard
-constexpr double between_tries_s = 0.01;  // likewise
+constexpr double before_plan_s = 2.0;     // nothing is skipped so close to a planned event
+constexpr double most_jitter_s = 6e-5;    // of a tick's start
+constexpr int most_zero_tries = 100;      // by the guard
+constexpr double between_tries_s = 0.01;  // by the guard
 constexpr std::uint64_t of_schedule = 3;
 
-/// Of this run alone.
+/// Each run has its own folder.
 fs::path own_folder() {
     static std::atomic<int> count{0};
     return fs::temp_directory_path() /
@@ -62,7 +62,7 @@ SimHouse::SimHouse(const Plan& plan, Sabotage sabotage)
     stored_.is_measured = true;
     fs::remove_all(folder_);
     fs::create_directories(folder_);
-    // Whose turn it is first where several are due.
+    // Shuffles who acts first when several are due.
     for (std::size_t i = actors_.size(); i > 2; --i)
         std::swap(actors_[i - 1], actors_[1 + dice_.below(i - 1)]);
     figures_.seeds = 1;
@@ -83,7 +83,7 @@ SimFigures SimHouse::run() {
         if (is_kiosk_dying_) {
             kiosk_.reset();
             is_kiosk_dying_ = false;
-            // A service that is started again.
+            // The service is started again.
             while (!ongoing_.empty() && !is_over()) pass_ms();
             start_kiosk();
         } else {
@@ -112,7 +112,7 @@ void SimHouse::start_kiosk() {
     heard_->headphones = true;
 }
 
-/// As the guard does it: one servo from its start to its end, and zero torque after it.
+/// Does as the guard: runs one servo from its start to its end, then sets zero torque.
 void SimHouse::serve_one() {
     auto sockets = socket_pair();
     auto region = SharedRegion::create();
@@ -154,7 +154,7 @@ void SimHouse::follow_end(bool is_good, bool has_run) {
     }
 }
 
-/// Everything up to this moment of the board's.
+/// Does everything up to this moment of board time.
 void SimHouse::come_to(double board_s) {
     time_.now_s = std::max(time_.now_s, board_s);
     board_.advance_to(time_.now_s);
@@ -219,7 +219,7 @@ bool SimHouse::may_skip() const {
            !kiosk_->servo->is_homing_wanted && next_plan_s() - now_s_ > before_plan_s + 1.0;
 }
 
-/// For the kiosk alone, in long frames.
+/// Passes time for the kiosk alone, in long frames.
 void SimHouse::skip() {
     const double until_s = next_plan_s() - before_plan_s;
     const std::size_t heard = heard_ever();
@@ -232,7 +232,7 @@ void SimHouse::skip() {
     next_due_s_ = now_s_;
 }
 
-/// Beats for the kiosk, looks for the servo's life and hears it, every 2 ms.
+/// Beats for the kiosk, checks that the servo lives and hears it, every 2 ms.
 void SimHouse::guard() {
     if (!is_kiosk_up() || !connection_ || !watch_) return;
     ServoChannel& channel = connection_->region.channel();
@@ -268,11 +268,11 @@ void SimHouse::frame() {
     staff();
     kiosk_->kiosk->step(std::llround(1e9 * now_s_));
     (void)kiosk_->kiosk->take_report();
-    if (servo_ && !is_servo_frozen_) servo_->serve();  // what it was sent wakes it
+    if (servo_ && !is_servo_frozen_) servo_->serve();  // the message wakes it
     look_at_frame();
 }
 
-/// What the hand met, as the sound's own thread hears of it.
+/// Gives cues for what the hand met, as the sound's own thread hears it.
 void SimHouse::sound() {
     if (!is_kiosk_up() || !servo_) return;
     while (const auto event = kiosk_->servo->next_event()) {

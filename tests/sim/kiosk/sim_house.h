@@ -1,4 +1,4 @@
-// The house of a simulation (simulation.h): its time, who is due when, and what they share.
+// The site of a simulation (simulation.h): its time, who acts when, and what they share.
 // Threads: one.
 #pragma once
 
@@ -28,9 +28,9 @@
 
 namespace touchline {
 
-/// The board's time is the house's, but for the spans in which nobody is there and nothing moves or
-/// sounds: those pass for the kiosk alone. The servo's clock is this: while it sleeps, all others
-/// do what is due.
+/// Board time is site time, except for spans without a visitor in which nothing moves or sounds:
+/// those pass for the kiosk alone. This is the servo's clock: while the servo sleeps, all others
+/// act when due.
 class SimHouse final : public Clock {
   public:
     SimHouse(const Plan& plan, Sabotage sabotage);
@@ -48,7 +48,7 @@ class SimHouse final : public Clock {
     void sleep_until(std::int64_t t_ns) override;
 
   private:
-    /// Somebody who does a thing every so often.
+    /// Acts at regular intervals.
     struct Actor {
         void (SimHouse::*act)();
         double every_s;
@@ -84,7 +84,7 @@ class SimHouse final : public Clock {
     void sound();
     void servo_main();
 
-    // People and what goes wrong (sim_causes.cpp).
+    // People, and what goes wrong (sim_causes.cpp).
     void follow_plan();
     void begin(const PlannedCause& cause);
     [[nodiscard]] bool break_link(const PlannedCause& cause);
@@ -99,7 +99,7 @@ class SimHouse final : public Clock {
     void welcome();
     void staff();
 
-    // Looks (sim_looks.cpp).
+    // Checks (sim_looks.cpp).
     void look_at_tick();
     void look_at_frame();
     void forget_heard();
@@ -113,9 +113,9 @@ class SimHouse final : public Clock {
 
     Plan plan_;
     Sabotage sabotage_;
-    Dice dice_;  // of the scheduler and the staff
+    Dice dice_;  // for the scheduler and the staff
 
-    VirtualTime time_;  // of the board
+    VirtualTime time_;  // board time
     double now_s_ = 0.0;
     double skipped_s_ = 0.0;
     std::filesystem::path folder_;
@@ -123,7 +123,7 @@ class SimHouse final : public Clock {
     std::shared_ptr<VisitorHand> hand_;
     BoardEmulator board_;
     std::shared_ptr<Heard> heard_ = std::make_shared<Heard>();
-    std::size_t heard_before_ = 0;  // things that were forgotten
+    std::size_t heard_before_ = 0;  // forgotten ones
     std::unique_ptr<KioskLife> kiosk_;
     std::shared_ptr<const Connection> connection_;
     std::unique_ptr<ServoLife> servo_;
@@ -144,7 +144,7 @@ class SimHouse final : public Clock {
     std::vector<Ongoing> ongoing_;
     double kiosk_frozen_until_s_ = 0.0;
     double frames_off_until_s_ = 0.0;
-    double link_broken_until_s_ = 0.0;  // of the board's time
+    double link_broken_until_s_ = 0.0;  // board time
     std::optional<SimFault> armed_decoder_;
     double armed_decoder_s_ = 0.0;
     std::optional<double> staff_due_s_;
@@ -157,7 +157,7 @@ class SimHouse final : public Clock {
     StateHash hash_;
     double hashed_s_ = 0.0;
     std::uint64_t seen_ticks_ = 0;
-    bool has_ticked_ = false;  // this servo
+    bool has_ticked_ = false;  // since this servo started
     bool is_led_ = false;
     double held_since_s_ = 0.0;
     JointTorques held_;

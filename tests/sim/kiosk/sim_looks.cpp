@@ -1,4 +1,4 @@
-// What checkers see of the house, and its hash.
+// What checkers see of the site, and its hash.
 #include "haptics/pantograph/kinematics.h"
 #include "haptics/safety/safety_state.h"
 #include "tests/sim/kiosk/sim_house.h"
@@ -9,7 +9,7 @@
 namespace touchline {
 namespace {
 
-constexpr double pattern_s = 1.0;  // longer than any
+constexpr double pattern_s = 1.0;  // longer than any pattern
 constexpr std::size_t most_heard = 20'000;
 
 bool leads(GuidancePhase phase) {
@@ -78,7 +78,7 @@ bool SimHouse::is_servo_ready() const {
            kiosk_->kiosk->force().fault == Fault::none && !is_servo_frozen_;
 }
 
-/// A fault that only a person may clear.
+/// Returns true for a fault that only a person may clear.
 bool SimHouse::needs_staff() const {
     const Fault fault = kiosk_->kiosk->force().fault;
     if (fault == Fault::none) return false;

@@ -50,7 +50,7 @@ std::string name_of(const char* what, std::size_t kind) {
     return name;
 }
 
-/// Every number of the figures, by name.
+/// Visits every number of the figures, by name.
 template <class Figures, class Count, class Value>
 void visit_all(Figures& figures, Count count, Value value) {
     for (const auto& row : counts) count(row.name, figures.*row.member);

@@ -9,10 +9,10 @@ namespace touchline {
 namespace {
 
 constexpr std::array grips{light_hand, normal_hand, relaxed_arm, stiff_arm};
-constexpr double half_width_m = 0.045, half_height_m = 0.033;  // of what hands wander over
+constexpr double half_width_m = 0.045, half_height_m = 0.033;  // of the area where hands wander
 constexpr double tap_m = 0.012;
 constexpr double pushed_m = 0.025;    // beyond a line
-constexpr double farewell_s = 150.0;  // whoever walked away is not waited for any longer
+constexpr double farewell_s = 150.0;  // then nobody waits any longer for a visitor who walked away
 
 bool is_leading(const Kiosk& kiosk) {
     return kiosk.hand().guidance.phase == GuidancePhase::running;
@@ -131,7 +131,7 @@ void SimVisitor::begin(Doing doing, const VisitorPlace& place) {
     point_ = dice_.below(place.felt->outlines[outline_].points.size());
 }
 
-/// The next stretch of what the hand does.
+/// Starts the next stretch of what the hand does.
 void SimVisitor::go_on(const VisitorPlace& place) {
     const bool has_lines = place.felt && outline_ < place.felt->outlines.size();
     const double calm_m_per_s = dice_.between(0.02, 0.12);
@@ -187,7 +187,7 @@ KeyRole SimVisitor::key_of_screen(const VisitorPlace& place, VisitScreen screen)
             if (is_leaving) return KeyRole::back;
             return dice_.is_hit(0.3) ? KeyRole::select : KeyRole::down;
         case VisitScreen::help:
-            return KeyRole::help;  // twice leads out; every other key only says its use
+            return KeyRole::help;  // pressed twice it leads out; other keys only explain themselves
         case VisitScreen::opening:
             return dice_.is_hit(0.05) ? KeyRole::select : KeyRole::repeat;
         case VisitScreen::practice:
@@ -200,11 +200,11 @@ KeyRole SimVisitor::key_of_screen(const VisitorPlace& place, VisitScreen screen)
         case VisitScreen::values:
             return is_leaving ? KeyRole::back : key_while_feeling(place);
         default:
-            return KeyRole::select;  // whatever it asks or says
+            return KeyRole::select;  // for anything else it asks or says
     }
 }
 
-/// Keys are few while one feels; now and then another picture.
+/// A feeling visitor presses few keys, and now and then wants another picture.
 KeyRole SimVisitor::key_while_feeling(const VisitorPlace& place) {
     next_key_s_ = place.now_s + dice_.between(1.0, 12.0);
     const double share = dice_.share();

@@ -1,5 +1,5 @@
-// A visitor of a simulated house: hears nothing but knows the screens, presses keys, moves the
-// handle as people do, brings a stick, lets go, leaves. Threads: one.
+// A visitor of a simulated site: cannot hear but knows the screens, presses keys, moves the handle
+// as people do, brings a stick, lets go, leaves. Threads: one.
 #pragma once
 
 #include "app/kiosk/kiosk.h"
@@ -15,32 +15,32 @@
 
 namespace touchline {
 
-/// What a visitor can reach. Of one frame.
+/// What a visitor can reach in one frame.
 struct VisitorPlace {
     Kiosk& kiosk;
     BoardEmulator& board;
     VisitorHand& hand;
     SimFileSource& sticks;
     std::shared_ptr<const TactileMap> felt;  // null: nothing yet
-    double now_s = 0.0;                      // of the house
-    double awake_s = 0.0;                    // of the board
-    bool is_calm = false;                    // nothing wild now: something is being waited for
+    double now_s = 0.0;                      // site time
+    double awake_s = 0.0;                    // board time
+    bool is_calm = false;                    // no wild motion now: something is being waited for
 };
 
 class SimVisitor {
   public:
     explicit SimVisitor(const PlannedVisit& visit);
 
-    /// One frame. A key that is to be pressed now.
+    /// Acts for one frame. Returns the key to press now, if any.
     [[nodiscard]] std::optional<KeyRole> act(const VisitorPlace& place);
 
-    /// For so long no hand is on the handle.
+    /// Takes the hand off the handle until then.
     void lose_grip(double until_s) { hands_off_until_s_ = until_s; }
 
-    /// The handle is thrown at this speed.
+    /// Throws the handle at this speed.
     void throw_handle(const VisitorPlace& place, double speed_m_per_s);
 
-    /// Said goodbye, or walked away and was not waited for any more.
+    /// True after saying goodbye, or after walking away and not being waited for any more.
     [[nodiscard]] bool is_gone() const { return is_gone_; }
 
     [[nodiscard]] bool holds_handle() const { return holds_; }
@@ -63,10 +63,10 @@ class SimVisitor {
     PlannedVisit visit_;
     Dice dice_;
     HandModel grip_;
-    double pace_s_ = 1.0;  // between keys
+    double pace_s_ = 1.0;  // time between keys
     double tremor_m_ = 0.0;
-    bool walks_away_ = false;  // without a goodbye
-    bool keeps_off_ = false;   // hands on the keys only
+    bool walks_away_ = false;  // without saying goodbye
+    bool keeps_off_ = false;   // hands only on the keys
     VisitItem wish_ = VisitItem::practise;
     double next_key_s_ = 0.0;
     double next_doing_s_ = 0.0;

@@ -1,6 +1,5 @@
-// A whole house in one thread on a virtual clock: kiosk, guard, servo, board, hand, visitors and
-// staff, and whatever goes wrong, all of it from a plan.
-// Threads: one; a call starts no other.
+// A whole site in one thread on a virtual clock: kiosk, guard, servo, board, hand, visitors and
+// staff, and whatever goes wrong, all of it from a plan. Threads: one; a call starts no other.
 #pragma once
 
 #include "tests/sim/kiosk/figures.h"

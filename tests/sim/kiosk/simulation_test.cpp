@@ -1,5 +1,5 @@
-// Short simulated houses every day: nothing fails, seeds that once failed hold, a seed is itself
-// again, and what is broken on purpose is seen.
+// Tests short simulated sites every day: none fails, seeds that once failed now hold, a seed
+// repeats exactly, and sabotage is noticed.
 #include "tests/sim/kiosk/simulation.h"
 
 #include "tests/sim/kiosk/shrink.h"
@@ -25,7 +25,7 @@ Plan plan_of(std::uint64_t seed, double span_s = short_s) {
     return make_plan(options);
 }
 
-/// A line "SEED SPAN reason" each; # begins a remark.
+/// Reads a line "SEED SPAN reason" for each; # begins a comment.
 std::vector<PlanOptions> seeds_that_failed() {
     std::ifstream file(TOUCHLINE_SOURCE_DIR "/tests/sim/kiosk/seeds");
     std::vector<PlanOptions> seeds;
@@ -75,7 +75,7 @@ TEST(Simulation, ASeedIsItselfAgain) {
     EXPECT_NE(first.hashes, simulate(plan_of(5, 240.0)).hashes);
 }
 
-/// The first checker that finds the sabotage, among some seeds.
+/// Returns the first checker that notices the sabotage, among some seeds.
 std::string found_by(Sabotage sabotage) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         const SimFigures figures = simulate(plan_of(seed), sabotage);
@@ -104,7 +104,7 @@ TEST(Sabotage, PicturesThatNeverComeAreSeen) {
 }
 
 TEST(Sabotage, AGuardThatLooksAwayIsSeen) {
-    // Without torque on, it is seen a little later by another checker.
+    // While torque is off, another checker notices it a little later.
     std::string checker = "nobody";
     for (std::uint64_t seed = 1; seed < 200 && checker != "zero deadline"; ++seed) {
         PlanOptions options;

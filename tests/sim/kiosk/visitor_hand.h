@@ -1,5 +1,5 @@
-// The hand on the handle: goes where its owner wants, trembles, is led, or homes the device as the
-// words say. Threads: one.
+// The hand on the handle: it goes where its owner wants, trembles, is led, or homes the device as
+// the words say. Threads: one.
 #pragma once
 
 #include "haptics/device/hand.h"
@@ -23,7 +23,7 @@ class VisitorHand final : public IntendedPath {
         return intention;
     }
 
-    /// Straight on from where it means to be now.
+    /// Goes straight on from where it means to be now.
     void go(Position to, double speed_m_per_s, double now_s) {
         from_ = course(now_s).position;
         to_ = to;
@@ -31,20 +31,20 @@ class VisitorHand final : public IntendedPath {
         since_s_ = now_s;
     }
 
-    /// Gives in: it means to be where it is.
+    /// Yields: it means to be where it is.
     void follow(Position here) { from_ = to_ = here; }
 
     [[nodiscard]] bool has_arrived(double now_s) const {
         return speed_m_per_s_ * (now_s - since_s_) >= norm(to_ - from_);
     }
 
-    /// 0: none.
+    /// 0: no tremor.
     void tremble(double amplitude_m, double Hz) {
         tremor_m_ = amplitude_m;
         tremor_per_s_ = 2.0 * pi * Hz;
     }
 
-    /// The words of homing; empty: it is over.
+    /// Hears the words of homing; empty words end it.
     void hear(const std::string& words, double now_s) {
         if (words.empty() && is_homing_) follow(person_.at(now_s).position);
         is_homing_ = !words.empty();
@@ -52,7 +52,7 @@ class VisitorHand final : public IntendedPath {
         person_.heard.clear();
     }
 
-    /// Not where the words had it let go.
+    /// Returns false while the words of homing have it let go.
     [[nodiscard]] bool holds(double now_s) const { return !is_homing_ || person_.holds(now_s); }
 
     [[nodiscard]] bool is_homing() const { return is_homing_; }

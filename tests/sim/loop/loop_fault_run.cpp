@@ -30,11 +30,11 @@ constexpr int first_fault_tick = 1050;
 constexpr double hang_s = 0.5;
 constexpr double lifted_s = 1.6, pressed_again_s = 2.7, end_s = 3.1;
 constexpr double operator_s = 1.7;
-constexpr double return_s = 0.3;  // of the hand, to the start
+constexpr double return_s = 0.3;  // the hand goes to the start
 constexpr Position start{0.0, -0.015};
 
-/// From where it is to the start, armed there, pressed into the line and along it; lifted, and
-/// pressed again.
+/// Goes from where the hand is to the start, waits there until armed, presses into the line and
+/// along it, lifts, and presses again.
 WaypointPath pressing(double now_s, Position here) {
     const double from_s = now_s + return_s;
     return WaypointPath({{now_s, here},
@@ -48,7 +48,7 @@ WaypointPath pressing(double now_s, Position here) {
                          {from_s + end_s, {0.01, 0.008}}});
 }
 
-/// A hand that can be told of another way.
+/// A hand that can be given another path.
 class LedHand final : public IntendedPath {
   public:
     [[nodiscard]] Intention at(double t_s) const override { return way.at(t_s); }
@@ -56,7 +56,7 @@ class LedHand final : public IntendedPath {
     WaypointPath way = pressing(0.0, start);
 };
 
-/// Time is the rig's; before each tick it calls back.
+/// A clock on the rig's time; it calls back before each tick.
 class RigClock final : public Clock {
   public:
     RigClock(VirtualTime& time, std::function<void()> before_tick)
@@ -77,7 +77,7 @@ class RigClock final : public Clock {
     std::function<void()> before_tick_;
 };
 
-/// The driver, but for one reading that is no number.
+/// The driver, except for one reading that is NaN.
 class MaybeBroken final : public ForceDevice {
   public:
     explicit MaybeBroken(ForceDevice& device) : device_(device) {}
@@ -105,7 +105,7 @@ class Run {
         : kind_(kind), random_(seed), fault_tick_(first_fault_tick + static_cast<int>(seed % 50)) {
         BoardTruth truth;
         truth.seed = seed;
-        // Opening takes two sends, and each tick one.
+        // Opening takes two sends, and each tick takes one.
         const auto at_send = static_cast<std::size_t>(fault_tick_) + 2;
         late_s_ = kind.longest_s * std::uniform_real_distribution<double>(0.1, 1.0)(random_);
         rig_.emplace(truth, std::vector{PlannedFault{at_send, kind.link, late_s_, random_()}},
@@ -121,14 +121,14 @@ class Run {
     }
 
   private:
-    /// The place of the handle is known, as after homing.
+    /// The handle's place is known, as after homing.
     static Calibration calibration_at(const DeviceProfile& profile, Position p_W) {
         Calibration calibration;
         calibration.offset = angles_at(profile, p_W) - profile.home;
         return calibration;
     }
 
-    /// A whole session of one servo.
+    /// Runs a whole session of one servo.
     void press(bool has_fault) {
         rig_->time.now_s += return_s;
         rig_->board.advance_to(rig_->time.now_s);
@@ -156,7 +156,7 @@ class Run {
         // A servo that is cut gives its device back.
         if (kind_.event == LoopEvent::kiosk_dies) rig_->driver->stop();
         if (!has_fault) return;
-        rig_->time.now_s += 1e-3;  // what was told last arrives
+        rig_->time.now_s += 1e-3;  // by then the last command has arrived
         rig_->board.advance_to(rig_->time.now_s);
         result_.zero_s = time_to_zero(rig_->board.told_torques(), seen_s_, within_s);
     }
@@ -173,7 +173,7 @@ class Run {
 
     [[nodiscard]] double since_start_s() const { return rig_->time.now_s - start_s_; }
 
-    /// Link faults come by themselves, with the send of this tick.
+    /// Causes the fault; link faults come by themselves with this tick's send.
     void cause(RigClock& clock, MaybeBroken& device, LoopEnd& end) {
         seen_s_ = rig_->time.now_s + (kind_.link == LinkFault::none ? 0.0 : 1e-3);
         if (kind_.event == LoopEvent::angles_not_finite) device.is_next_broken = true;
@@ -212,7 +212,7 @@ class Run {
             result_.was_pushed_before_arm = true;
     }
 
-    static constexpr double within_s = 0.2;  // later zeros are the hand's, lifted
+    static constexpr double within_s = 0.2;  // later zeros come from lifting the hand
 
     LoopFaultKind kind_;
     std::mt19937_64 random_;
@@ -224,7 +224,7 @@ class Run {
     double seen_s_ = 0.0;
     double silent_until_s_ = 0.0;
     bool was_off_ = false;
-    std::optional<double> first_torque_s_;  // of the servo after
+    std::optional<double> first_torque_s_;  // of the servo after the fault
     LoopFaultRun result_;
 };
 

@@ -1,5 +1,6 @@
-// One run of the servo's whole loop - safety, driver, link, emulated board - pressed against a wall
-// by a hand, with one fault at a moment that the seed chooses. On a virtual clock. Threads: pure.
+// One run of the servo's whole loop - safety, driver, link, emulated board - with a hand that
+// presses against a wall, and one fault at a moment that the seed chooses. On a virtual clock.
+// Threads: pure.
 #pragma once
 
 #include "config/types/force_status.h"
@@ -12,12 +13,12 @@
 
 namespace touchline {
 
-/// What happens to the loop besides its link.
+/// What happens to the loop apart from its link.
 enum class LoopEvent : std::uint8_t {
     none,
-    angles_not_finite,  // the device gives a number that is none
+    angles_not_finite,  // the device gives NaN
     stall,              // the machine stands still
-    kiosk_freezes,      // no beat any more
+    kiosk_freezes,      // no more beats
     kiosk_hangs,        // no beat for half a second
     kiosk_dies,         // the socket closes, the kernel sends SIGHUP: the loop is cut
 };
@@ -25,7 +26,7 @@ enum class LoopEvent : std::uint8_t {
 struct LoopFaultKind {
     std::string_view name;
     LinkFault link = LinkFault::none;
-    double longest_s = 0.0;  // of what is late; the seed says how late
+    double longest_s = 0.0;  // the seed says how late
     LoopEvent event = LoopEvent::none;
 };
 
@@ -36,13 +37,12 @@ struct LoopFaultRun {
     std::optional<double> zero_s;    // from when it could be seen to zero torque told; none: never
     Fault fault = Fault::none;       // the gravest that was told
     std::optional<double> back_s;    // from the fault until torque acts again
-    bool is_back_by_itself = false;  // else: the operator cleared it, or with another servo
-    bool was_pushed_before_arm =
-        false;                  // torque came back on though the hand pressed all the while
-    bool is_left_zero = false;  // at the end
+    bool is_back_by_itself = false;  // if not: the operator cleared it, or another servo started
+    bool was_pushed_before_arm = false;  // torque came back while the hand was still pressing
+    bool is_left_zero = false;           // at the end
 };
 
-/// Arms, presses, has the fault; the hand is lifted and presses again; ends.
+/// Arms, presses, causes the fault; lifts the hand, presses again, ends.
 [[nodiscard]] LoopFaultRun run_loop_fault(const LoopFaultKind& kind, std::uint64_t seed);
 
 }  // namespace touchline

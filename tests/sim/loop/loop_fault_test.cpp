@@ -1,5 +1,5 @@
-// Every fault of a device and of a kiosk, met by the whole loop: time to zero torque, what is told
-// and said of it, no force before it is armed again, the way back. On the virtual clock.
+// Tests every fault of a device and of a kiosk with the whole loop, on the virtual clock: time to
+// zero torque, what is told and said, no force before it is armed again, the way back.
 #include "app/session/fault_words.h"
 #include "tests/haptics/tick.h"
 #include "tests/sim/fault_lines.h"
@@ -15,7 +15,7 @@
 
 namespace touchline {
 
-/// As GoogleTest shows it.
+/// Prints the kind for GoogleTest.
 void PrintTo(const LoopFaultKind& kind, std::ostream* out) {
     *out << kind.name;
 }
@@ -24,12 +24,12 @@ namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-/// What must hold for every run of a kind.
+/// What must hold for every run of a kind of fault.
 struct Demand {
     double zero_s;        // at most; inf: torque may go on
     Fault worst;          // none graver is told
-    bool is_sure;         // and it is told in every run
-    bool is_back_itself;  // else another servo, or the operator
+    bool is_sure;         // every run tells it
+    bool is_back_itself;  // if not: another servo, or the operator
 };
 
 const std::map<std::string_view, Demand> demands{
@@ -67,7 +67,7 @@ class LoopFaults : public testing::TestWithParam<LoopFaultKind> {};
 TEST_P(LoopFaults, EndInZeroTorqueAreSaidAndForceComesBackArmed) {
     const LoopFaultKind kind = GetParam();
     const Demand demand = demands.at(kind.name);
-    (void)run_loop_fault(kind, 0);  // what is made once for all runs is made
+    (void)run_loop_fault(kind, 0);  // makes what all runs share
     for (std::uint64_t seed = 0; seed < fault_runs(10); ++seed) {
         SCOPED_TRACE(std::string(kind.name) + ", seed " + std::to_string(seed));
         const Holdings before = Holdings::now();

@@ -1,5 +1,5 @@
-// jitter board|libusb SECONDS: the servo at 1 kHz on the emulated board, in the same process or
-// through libusb (under umockdev-wrapper), for so long; one row of the table of
+// jitter board|libusb SECONDS: runs the servo at 1 kHz on the emulated board, in the same process
+// or through libusb (under umockdev-wrapper), for so long; prints one row of the table of
 // tests/sim/README.md.
 #include "haptics/device/usb_boards.h"
 #include "haptics/servo/servo.h"
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::array<std::size_t, 9> bounds_us{20, 50, 100, 200, 500, 1000, 2000, 5000, 10000};
 
-/// The driver on the emulated board of this process, whose time is the real one.
+/// The driver on an emulated board in this process, in real time.
 class BoardInProcess final : public ForceDevice {
   public:
     BoardInProcess() {
@@ -89,7 +89,7 @@ int run(const std::string& way, int seconds) {
     MonotonicClock clock;
     const std::int64_t end_ns = clock.now_ns() + std::int64_t{seconds} * 1'000'000'000;
     while (clock.now_ns() < end_ns) {
-        clock.sleep_until(clock.now_ns() + 16'000'000);  // as the kiosk, picture by picture
+        clock.sleep_until(clock.now_ns() + 16'000'000);  // as the kiosk does each frame
         (void)servo.latest();
     }
     print(way == "libusb" ? way : "in process", servo);

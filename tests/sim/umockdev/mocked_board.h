@@ -14,7 +14,7 @@
 
 namespace touchline {
 
-/// All of the mocked USB of this process. Threads: calls from one; umockdev's own thread answers.
+/// The whole mocked USB of this process. Threads: calls from one; umockdev's own thread answers.
 class MockedUsb {
   public:
     MockedUsb();
@@ -26,24 +26,23 @@ class MockedUsb {
 
     [[nodiscard]] UMockdevTestbed* testbed() { return testbed_; }
 
-    /// Where its files really are.
+    /// Returns where its files really are.
     [[nodiscard]] std::string folder() const;
 
-    /// A device's node for programs, as they see it.
+    /// Returns a device's node, as programs see it.
     [[nodiscard]] static std::string node_of(int device_number);
 
-    /// What udev says about the board, with its descriptors, from now on. port: of the only hub, 1
-    /// to 9.
+    /// From now on udev shows the board, with its descriptors. port: of the only hub, 1 to 9.
     void show(const BoardEmulator& board, int port, int device_number);
 
   private:
     UMockdevTestbed* testbed_;
 };
 
-/// One board on it, plugged in at once. Threads: as MockedUsb.
+/// A board on the mocked USB, plugged in at once. Threads: as MockedUsb.
 class MockedBoard {
   public:
-    /// port: of the only hub, 1 to 9. path: of the hand; none: it rests at home.
+    /// port: of the only hub, 1 to 9. path: the hand's; none: it rests at home.
     MockedBoard(MockedUsb& usb, const BoardTruth& truth, int port = 1,
                 std::shared_ptr<const IntendedPath> path = nullptr);
     ~MockedBoard();
@@ -53,16 +52,16 @@ class MockedBoard {
     MockedBoard& operator=(MockedBoard&&) = delete;
 
     void unplug();
-    /// Under another device number.
+    /// Plugs the board in under another device number.
     void plug();
 
-    /// The device number that it has now.
+    /// Returns the current device number.
     [[nodiscard]] int device_number() const { return device_number_; }
 
-    /// Its node for programs, as they see it.
+    /// Returns its node, as programs see it.
     [[nodiscard]] std::string node() const;
 
-    /// With the board at rest and its clock at now.
+    /// Calls `look` while the board is at rest and its clock is at now.
     void with(const std::function<void(BoardEmulator&, UsbFaults&)>& look);
 
   private:
@@ -73,7 +72,7 @@ class MockedBoard {
     int port_;
     int device_number_ = 1;
     std::string path_;  // in sysfs, while plugged in
-    std::mutex mutex_;  // board_, requests_
+    std::mutex mutex_;  // guards board_, requests_
     BoardEmulator board_;
     UsbRequests requests_;
     double start_s_;

@@ -1,5 +1,5 @@
-// The driver's libusb half against the emulated board: the library's real code, no USB in the
-// kernel.
+// Tests the driver's libusb half against the emulated board: the library's real code, but no USB in
+// the kernel.
 #include "haptics/device/usb_boards.h"
 
 #include "haptics/device/pantograph_board.h"
@@ -78,7 +78,7 @@ TEST_F(UsbBoardsTest, ListsABoardWithSerialNumberAndPlace) {
               "Haply M0 board (Arduino Zero) (2341:804d, serial number "
               "0123456789ABCDEF0123456789ABCDEF, at 1-3) is ready to be opened");
     board.with([](BoardEmulator& emulator, UsbFaults&) {
-        EXPECT_EQ(emulator.firmware().set_ups(), 0U);  // nothing was sent to it
+        EXPECT_EQ(emulator.firmware().set_ups(), 0U);  // it was sent nothing
     });
 }
 
@@ -268,7 +268,7 @@ TEST_F(UsbBoardsTest, AnotherProgramStopsABoardThatWasLeftPulling) {
         link->rest(0.02);
         ASSERT_EQ(link->send(write_command({0.05, 0.05}).bytes()), LinkStatus::done);
         link->rest(0.02);
-        // The program dies here: nobody tells the board.
+        // The program dies here without telling the board.
     }
     EXPECT_GT(norm(held(board)), 0.06);
     EXPECT_TRUE(zero_torque(open()));

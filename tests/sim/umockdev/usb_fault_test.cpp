@@ -1,5 +1,5 @@
-// Every fault that libusb can meet, at moments that seeds choose, through the library's real code.
-// In real time: the times are told, nothing here judges how fast the machine is.
+// Tests every fault that libusb can meet, at moments that seeds choose, through the library's real
+// code. In real time: times are reported, but no test depends on the machine's speed.
 #include "haptics/device/usb_boards.h"
 #include "tests/sim/board/fault_run.h"
 #include "tests/sim/fault_lines.h"
@@ -32,10 +32,10 @@ struct UsbFaultKind {
     const char* name;
     void (*cause)(BoardEmulator& board, UsbFaults& faults);
     BoardState worst = BoardState::resyncing;
-    bool is_replugged = false;  // else the driver finds its way back, or is told where it is
+    bool is_replugged = false;  // if not, the driver recovers, or is told the position
 };
 
-/// As GoogleTest shows it.
+/// Prints the kind for GoogleTest.
 void PrintTo(const UsbFaultKind& kind, std::ostream* out) {
     *out << kind.name;
 }
@@ -83,7 +83,7 @@ class UsbFault : public testing::TestWithParam<UsbFaultKind> {
         return now_s;
     }
 
-    /// From the moment to zero torque; none where torque went on.
+    /// Returns the time from a moment to zero torque; nothing if torque went on.
     std::optional<double> zero_after(double from_s) {
         std::optional<double> span_s;
         board_.with([&](BoardEmulator& board, UsbFaults&) {
@@ -92,8 +92,8 @@ class UsbFault : public testing::TestWithParam<UsbFaultKind> {
         return span_s;
     }
 
-    /// `ticks`, and more while the driver looks for its way back: on a busy machine the reply
-    /// before the fault may be late, and the lost send then is the zero that followed. The worst
+    /// Does `ticks` ticks, and more while the driver recovers: on a busy machine the reply before
+    /// the fault may be late, and the lost send is then the zero that followed. Returns the worst
     /// state.
     BoardState tick_and_watch(int ticks) {
         constexpr int most_more = 200;
@@ -173,11 +173,11 @@ TEST_P(UsbFault, EndsInZeroTorqueAndFindsBack) {
 INSTANTIATE_TEST_SUITE_P(Every, UsbFault, testing::ValuesIn(kinds),
                          [](const auto& kind) { return test_name(kind.param.name); });
 
-/// A board that cannot be had, again and again: one line says why; once it is free it opens.
+/// Tries a board that cannot be opened again and again: one line says why, and once it is free it
+/// opens.
 class UsbRefusal : public UsbFault {
   protected:
-    /// As another program gets it: umockdev loses descriptors of its own in a program that is
-    /// refused.
+    /// Opens as another program, which umockdev may leak descriptors in when it is refused.
     std::string refusal() {
         std::array<int, 2> ends{};
         EXPECT_EQ(pipe(ends.data()), 0);
@@ -196,7 +196,7 @@ class UsbRefusal : public UsbFault {
 
     void refuse_often(const char* fault, const char* words,
                       const std::function<std::string()>& refused) {
-        (void)refused();  // what is made once for all runs is made
+        (void)refused();  // makes what all runs share
         const int descriptors = open_descriptors(getpid(), Sockets::left_out);
         for (std::uint64_t seed = 0; seed < fault_runs(5); ++seed) {
             SCOPED_TRACE("seed " + std::to_string(seed));
@@ -212,7 +212,7 @@ class UsbRefusal : public UsbFault {
             told.back_s = board_time_s() - from_s;
             tell(told);
         }
-        // umockdev's own thread closes what it opened when it likes.
+        // umockdev's own thread closes what it opened at any time.
         for (int i = 0; i < 5000; ++i) {
             if (open_descriptors(getpid(), Sockets::left_out) <= descriptors) return;
             poll(nullptr, 0, 1);

@@ -25,7 +25,7 @@ void UsbRequests::handle(UMockdevIoctlClient* client) {
     const gulong request = umockdev_ioctl_client_get_request(client);
     const bool is_reap = request == USBDEVFS_REAPURBNDELAY || request == USBDEVFS_REAPURB;
     if (!transfers_.is_plugged()) {
-        // As the kernel does: what is under way ends with ESHUTDOWN, all else fails.
+        // Does as the kernel: transfers under way end with ESHUTDOWN, all else fails.
         transfers_.end_all(-ESHUTDOWN);
         if (!is_reap || !transfers_.has_ended()) return answer(client, -1, ENODEV);
     }

@@ -1,4 +1,4 @@
-// What the kernel does with the requests of usbfs, done by the emulated board, for umockdev.
+// Handles usbfs requests as the kernel does, with the emulated board, for umockdev.
 // Threads: one at a time.
 #pragma once
 
@@ -17,7 +17,7 @@ class UsbRequests {
   public:
     explicit UsbRequests(BoardEmulator& board) : transfers_(board) {}
 
-    /// Answers the request. The board's clock is at now.
+    /// Answers the request. The board's clock must be at now.
     void handle(UMockdevIoctlClient* client);
 
     [[nodiscard]] UsbFaults& faults() { return transfers_.faults; }

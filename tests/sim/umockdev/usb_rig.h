@@ -1,4 +1,4 @@
-// Who drives a mocked board, and who may not. Threads: one.
+// Drives a mocked board, with or without permission. Threads: one.
 #pragma once
 
 #include "haptics/device/pantograph_board.h"
@@ -15,7 +15,7 @@
 
 namespace touchline {
 
-/// Nobody in particular, for whom the file cannot be opened, while it lives.
+/// While it lives, this process is an ordinary user who cannot open the file.
 class Unprivileged {
   public:
     Unprivileged(const std::string& file, const std::string& folder) : file_(file) {
@@ -54,7 +54,7 @@ class Drive {
         return angles;
     }
 
-    /// Until angles came and torque went, at most 3 s.
+    /// Ticks until angles came and torque went, at most 3 s.
     bool tick_until_good(JointTorques torques) {
         for (int k = 0; k < 3000; ++k)
             if (tick(torques) && is_written && driver.report().state == BoardState::ready)

@@ -1,5 +1,5 @@
-// A library before umockdev's: nodes of the USB are opened as the files that they are in its
-// folder, so that requests go to whoever serves the file and not to umockdev.
+// A library loaded before umockdev's: it opens USB nodes as the files that they are in umockdev's
+// folder, so that requests go to the file's server and not to umockdev.
 #include <cstdarg>
 #include <cstdlib>
 #include <cstring>

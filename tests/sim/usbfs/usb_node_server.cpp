@@ -53,7 +53,7 @@ void become_hardware() {
     (void)sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &priority);
 }
 
-/// FUSE's calls. The file system is one file.
+/// FUSE's calls. The file system is a single file.
 struct NodeOperations {
     static void getattr(fuse_req_t request, fuse_ino_t, fuse_file_info*) {
         struct stat status {};
@@ -256,8 +256,8 @@ int UsbNodeServer::submit(pid_t caller, void* arg) {
     return 0;
 }
 
-// As the kernel does, into the memory of whoever asks: another process than the one that submitted
-// it is written to at addresses of the other's.
+// Writes into the caller's memory, as the kernel does: if another process reaps than the one that
+// submitted, the addresses are still those of the submitter.
 int UsbNodeServer::reap(pid_t caller, void* arg) {
     const auto ended = transfers_.reap();
     if (!ended) return -EAGAIN;
@@ -287,7 +287,7 @@ int UsbNodeServer::bulk(pid_t caller, std::uint64_t file, std::string_view given
     return ended->status;
 }
 
-/// The last process that had it has closed it or died.
+/// Called when the last process that had the file has closed it or died.
 void UsbNodeServer::release(std::uint64_t file) {
     bool was_claimed = false;
     for (auto claim = claims_.begin(); claim != claims_.end();) {

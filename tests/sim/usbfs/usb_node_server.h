@@ -1,5 +1,5 @@
-// The emulated board as a file of the USB that programs open, pass on and close as they do the real
-// one: FUSE brings their requests here, so that they may be killed in the middle of one. For what
+// The emulated board as a USB file that programs open, pass on and close like the real one. FUSE
+// brings their requests here, so that they may be killed in the middle of one. It covers what
 // umockdev cannot: descriptors that two processes share, and processes that die.
 #pragma once
 
@@ -22,15 +22,14 @@ struct fuse_pollhandle;
 
 namespace touchline {
 
-/// Puts this thread before everything that is tested, where that is granted.
+/// Gives this thread priority over everything under test, if that is granted.
 void become_hardware();
 
-/// Real time drives the board. Threads: calls from one; two of its own answer and deliver as
-/// hardware does, which is never busy.
+/// Real time drives the board.
+/// Threads: calls from one; two own threads answer and deliver like hardware, which is never busy.
 class UsbNodeServer {
   public:
-    /// `path`: an existing file, which the board takes the place of. Fails without the right to
-    /// mount.
+    /// `path`: an existing file that the board replaces. Fails without the right to mount.
     static std::unique_ptr<UsbNodeServer> create(const std::string& path, const BoardTruth& truth);
     ~UsbNodeServer();
     UsbNodeServer(const UsbNodeServer&) = delete;
@@ -38,7 +37,7 @@ class UsbNodeServer {
     UsbNodeServer& operator=(const UsbNodeServer&) = delete;
     UsbNodeServer& operator=(UsbNodeServer&&) = delete;
 
-    /// With the board at rest and its clock at now.
+    /// Calls `look` while the board is at rest and its clock is at now.
     void with(const std::function<void(BoardEmulator&, UsbFaults&)>& look);
 
   private:
@@ -47,7 +46,7 @@ class UsbNodeServer {
     explicit UsbNodeServer(const BoardTruth& truth);
 
     void advance();
-    /// An error number, or 0; the answer's bytes, if any, in `answer`.
+    /// Returns an error number or 0; `answer` gets the answer's bytes, if any.
     int request(pid_t caller, std::uint64_t file, unsigned command, void* arg,
                 std::string_view given, std::string& answer);
     int claim(std::uint64_t file, unsigned interface);
@@ -58,14 +57,14 @@ class UsbNodeServer {
     void wake();
     void deliver_all_the_time();
 
-    std::mutex mutex_;  // all but the session
+    std::mutex mutex_;  // guards all but the session
     BoardEmulator board_;
     UsbTransfers transfers_;
     double start_s_;
     PacketBytes descriptors_;
-    std::uint64_t files_ = 0;                   // opened ever
-    std::map<unsigned, std::uint64_t> claims_;  // of interfaces, by files
-    /// Where in the program's memory the bytes of a transfer go, by the address of its own words.
+    std::uint64_t files_ = 0;                   // opened so far
+    std::map<unsigned, std::uint64_t> claims_;  // files by interface
+    /// Where in the program's memory a transfer's bytes go, by the address of the program's urb.
     std::map<std::uint64_t, char*> buffers_;
     fuse_pollhandle* waiting_ = nullptr;
     fuse_session* session_ = nullptr;

@@ -1,9 +1,9 @@
 // redirected_board SOCKET [UNPLUG_AFTER_WRITES | led PACE]: an emulated 2diy gen 3.1 for QEMU's
 // usb-redir device, which connects to the unix socket. After that many writes the plug is pulled,
 // once, and put back when QEMU connects again. `led`: hand and plug follow orders on stdin
-// (board_orders.h), and both live PACE seconds in a second: a machine that is emulated slower than
-// it takes itself to be sees the hand leap otherwise. Ends when QEMU has gone; says on stdout what
-// torque the board was left with.
+// (board_orders.h), and both live PACE seconds in a second; without that, an emulated machine that
+// runs slower than it believes sees the hand leap. Ends when QEMU has gone; prints the torque that
+// the board was left with.
 #include "tests/sim/board/board_rig.h"
 #include "tests/sim/usbredir/board_orders.h"
 #include "tests/sim/usbredir/redirected_device.h"
@@ -21,10 +21,10 @@ namespace {
 
 using namespace touchline;
 
-/// The board, with a plug that goes at a certain write.
+/// The board; its plug is pulled at a certain write.
 class BoardFunction : public RedirectedFunction {
   public:
-    /// `orders`: null where nobody gives any.
+    /// `orders`: null if nobody gives any.
     BoardFunction(BoardEmulator& board, int unplug_after_writes, BoardOrders* orders, double pace)
         : board_(board),
           writes_until_unplugged_(unplug_after_writes),
@@ -72,7 +72,7 @@ class BoardFunction : public RedirectedFunction {
     std::optional<double> start_s_;
 };
 
-/// Until QEMU has gone. Without orders the plug is put back at once.
+/// Serves until QEMU has gone. Without orders the plug is put back at once.
 void serve(int listener, BoardEmulator& board, int unplug_after, BoardOrders* orders, double pace) {
     for (;;) {
         BoardFunction function(board, unplug_after, orders, pace);
@@ -86,7 +86,7 @@ void serve(int listener, BoardEmulator& board, int unplug_after, BoardOrders* or
     }
 }
 
-/// What it was left with; the exit status.
+/// Prints what the board was left with and returns the exit status.
 int say_what_is_left(const BoardEmulator& board) {
     const auto& changes = board.told_torques();
     const auto left = changes.empty() ? JointTorques{} : changes.back().torques;

@@ -22,10 +22,10 @@ class BoardOrders {
     BoardOrders(BoardEmulator& board, std::shared_ptr<Person> person)
         : board_(board), person_(std::move(person)) {}
 
-    /// Those that have come; waits for none.
+    /// Follows the orders that have come; does not wait.
     void follow();
 
-    /// Until `plug` comes; false: nobody is left who could say it.
+    /// Waits until `plug` comes; returns false if nobody is left to send it.
     [[nodiscard]] bool wait_for_plug();
 
   private:
@@ -34,9 +34,9 @@ class BoardOrders {
 
     BoardEmulator& board_;
     std::shared_ptr<Person> person_;
-    std::string rest_;  // of a line
+    std::string rest_;  // incomplete line
     std::size_t told_ = 0;
-    bool has_ended_ = false;  // stdin
+    bool has_ended_ = false;  // stdin has ended
 };
 
 }  // namespace touchline

@@ -1,6 +1,6 @@
 // redirected_camera SOCKET [UNPLUG_AFTER_STARTS]: an emulated USB camera for QEMU's usb-redir
 // device, which connects to the unix socket. After that many starts of the stream the plug is
-// pulled, once, and put back when QEMU connects again. Ends when QEMU has gone; says what it was
+// pulled, once, and put back when QEMU connects again. Ends when QEMU has gone; prints what it was
 // asked for.
 #include "tests/sim/usbredir/uvc_camera.h"
 

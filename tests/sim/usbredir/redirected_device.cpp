@@ -25,7 +25,7 @@ std::span<const std::uint8_t> span_of(const std::uint8_t* data, int size) {
     return {data, data == nullptr ? 0 : static_cast<std::size_t>(size)};
 }
 
-/// What the descriptors say, in the words of usbredir.
+/// Translates the descriptors for usbredir.
 usb_redir_interface_info_header interfaces_of(const PacketBytes& configuration) {
     usb_redir_interface_info_header info{};
     for (std::size_t at = 0; at < configuration.size(); at += configuration[at]) {
@@ -138,7 +138,7 @@ void RedirectedDevice::set_callbacks() {
         usb_redir_alt_setting_status_header status{usb_redir_success, header->interface, 0};
         usbredirparser_send_alt_setting_status(self(device).parser_, id, &status);
     };
-    // The kernel listens for changes of the serial lines; the board never tells of one.
+    // The kernel listens for changes of the serial lines; the board never reports any.
     parser_->start_interrupt_receiving_func =
         [](void* device, std::uint64_t id, usb_redir_start_interrupt_receiving_header* header) {
             usb_redir_interrupt_receiving_status_header status{usb_redir_success, header->endpoint};

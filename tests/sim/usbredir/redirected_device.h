@@ -1,5 +1,5 @@
-// An emulated device spoken of in usbredir, the protocol of QEMU's usb-redir device: a virtual
-// machine sees it on its own USB controller, and its kernel drives it as it would the real one.
+// An emulated device that speaks usbredir, the protocol of QEMU's usb-redir device: a virtual
+// machine sees it on its own USB controller, and its kernel drives it like the real one.
 #pragma once
 
 #include "tests/sim/board/usb_function.h"
@@ -14,7 +14,7 @@
 
 namespace touchline {
 
-/// What is emulated. Bulk transfers go to one endpoint each way.
+/// The emulated device. Bulk transfers go to one endpoint each way.
 class RedirectedFunction {
   public:
     RedirectedFunction() = default;
@@ -27,27 +27,28 @@ class RedirectedFunction {
     [[nodiscard]] virtual std::uint8_t speed() const = 0;  // usb_redir_speed_...
     [[nodiscard]] virtual PacketBytes device() const = 0;
     [[nodiscard]] virtual PacketBytes configuration() const = 0;
-    /// The answer to a control request; nothing: it stalls. `data`: of a request to it.
+    /// Returns the answer to a control request; nothing if it stalls. `data`: sent with a request
+    /// to the device.
     [[nodiscard]] virtual std::optional<PacketBytes> control(
         const UsbRequest& request, std::span<const std::uint8_t> data) = 0;
-    /// The host has queued reads, or none any more.
+    /// Tells whether the host has queued reads.
     virtual void listens(bool is_listening) = 0;
     /// The host writes.
     virtual void sends(std::span<const std::uint8_t> data) = 0;
-    /// What the device has for a read of at most so many bytes.
+    /// Returns what the device has for a read of at most this many bytes.
     [[nodiscard]] virtual std::optional<PacketBytes> take(std::size_t most_bytes) = 0;
     /// Real time passes.
     virtual void advance_to(double now_s) = 0;
     [[nodiscard]] virtual bool is_plugged() const = 0;
 };
 
-/// A unix socket that QEMU may connect to; the descriptor, or -1.
+/// Opens a unix socket that QEMU may connect to; returns the descriptor, or -1.
 [[nodiscard]] int listen_at(const char* path);
 
 /// One connection. Threads: one.
 class RedirectedDevice {
   public:
-    /// A connected socket; closes it.
+    /// Takes a connected socket and closes it at the end.
     RedirectedDevice(RedirectedFunction& function, int socket);
     ~RedirectedDevice();
     RedirectedDevice(const RedirectedDevice&) = delete;
@@ -55,7 +56,7 @@ class RedirectedDevice {
     RedirectedDevice& operator=(const RedirectedDevice&) = delete;
     RedirectedDevice& operator=(RedirectedDevice&&) = delete;
 
-    /// In real time, until the other side or the plug has gone.
+    /// Serves in real time, until the other side or the plug has gone.
     void serve();
 
   private:

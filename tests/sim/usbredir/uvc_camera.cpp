@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t frames_per_s = 10;
 constexpr std::uint32_t interval_100ns = 10'000'000 / frames_per_s;
-constexpr std::uint32_t most_payload = 16384;  // what the kernel takes as one transfer
+constexpr std::uint32_t most_payload = 16384;  // the kernel takes this much as one transfer
 constexpr std::uint8_t header_bytes = 2;
 constexpr std::uint32_t clock_Hz = 48'000'000;
 constexpr std::uint8_t streaming_interface = 1;
@@ -25,7 +25,7 @@ constexpr std::uint8_t get_resolution = 0x84;
 constexpr std::uint8_t get_length = 0x85;
 constexpr std::uint8_t get_info = 0x86;
 
-/// Little-endian, as all of USB.
+/// Writes little-endian, as all of USB does.
 void put(PacketBytes& bytes, std::uint32_t value, int count) {
     for (; count > 0; --count, value >>= 8U)
         bytes.push_back(static_cast<std::uint8_t>(value & 0xffU));
@@ -35,7 +35,7 @@ void put(PacketBytes& bytes, const PacketBytes& more) {
     bytes.insert(bytes.end(), more.begin(), more.end());
 }
 
-/// With its length before it.
+/// Puts the length before the body.
 PacketBytes descriptor(const PacketBytes& body) {
     PacketBytes bytes{static_cast<std::uint8_t>(body.size() + 1)};
     put(bytes, body);
@@ -119,7 +119,7 @@ PacketBytes UvcCamera::formats() const {
 }
 
 PacketBytes UvcCamera::configuration() const {
-    // The lens and sensor (with exposure mode and time), and the way out.
+    // The lens and sensor (with exposure mode and time), and the output.
     PacketBytes units =
         descriptor({class_interface, 2, 1, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0x0a, 0, 0});
     put(units, descriptor({class_interface, 3, 3, 1, 1, 0, 1, 0}));
@@ -206,7 +206,7 @@ std::optional<PacketBytes> UvcCamera::streaming(const UsbRequest& request,
     return told;
 }
 
-/// Mode (selector 2, one byte) and time (selector 4, four bytes) of the exposure.
+/// Handles the exposure's mode (selector 2, one byte) and time (selector 4, four bytes).
 std::optional<PacketBytes> UvcCamera::exposure(const UsbRequest& request,
                                                std::span<const std::uint8_t> data) {
     constexpr std::uint8_t held = 1;
@@ -237,7 +237,8 @@ const UvcCamera::Mode& UvcCamera::mode() const {
     return found == modes_.end() ? modes_.front() : *found;
 }
 
-/// A part of a frame, with its header; shorter than the read, so that each read holds one part.
+/// Returns a part of a frame with its header. It is shorter than the read, so each read holds one
+/// part.
 std::optional<PacketBytes> UvcCamera::take(std::size_t most_bytes) {
     if (starts_ == 0 || now_s_ < next_frame_s_) return std::nullopt;
     const auto& bytes = mode().picture.bytes;

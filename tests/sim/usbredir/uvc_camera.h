@@ -1,6 +1,6 @@
 // A USB camera of the UVC class (1.1, bulk streaming): YUYV 640 x 480, and MJPEG without Huffman
-// tables in two sizes, exposure that can be held. It shows testing::scene(), the same in every
-// frame. After USB Device Class Definition for Video Devices 1.1, with its MJPEG and uncompressed
+// tables in two sizes; exposure can be held. It shows testing::scene(), the same in every frame.
+// After USB Device Class Definition for Video Devices 1.1, with its MJPEG and uncompressed
 // payloads.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace touchline {
 
 class UvcCamera : public RedirectedFunction {
   public:
-    /// The plug is pulled in the midst of the third frame after that many starts of the stream; 0:
+    /// The plug is pulled in the middle of the third frame after that many starts of the stream; 0:
     /// never.
     explicit UvcCamera(int unplug_after_starts);
 
@@ -57,7 +57,7 @@ class UvcCamera : public RedirectedFunction {
     std::vector<Mode> modes_;
     std::uint8_t format_ = 1;
     std::uint8_t frame_ = 1;
-    std::uint8_t exposure_mode_ = 8;  // automatic, with a fixed opening
+    std::uint8_t exposure_mode_ = 8;  // automatic, with a fixed aperture
     std::uint32_t exposure_100us_ = 200;
     int unplug_after_starts_;
     int starts_ = 0;
@@ -65,7 +65,7 @@ class UvcCamera : public RedirectedFunction {
     bool is_plugged_ = true;
     double now_s_ = 0.0;
     double next_frame_s_ = 0.0;
-    std::size_t sent_bytes_ = 0;  // of the frame under way
+    std::size_t sent_bytes_ = 0;  // of the current frame
     std::uint8_t toggle_ = 0;     // changes with every frame
     int frames_ = 0;              // since the start
 };

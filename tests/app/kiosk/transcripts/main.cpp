@@ -1,4 +1,4 @@
-// The command that writes the transcripts of all visits in all languages: transcripts OUT.
+// Writes the transcripts of all visits in all languages: transcripts OUT.
 #include "tests/app/kiosk/transcripts/visit_plans.h"
 #include "tests/sim/kiosk/house.h"
 

@@ -23,13 +23,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double frame_s = 1.0 / 60.0;
-constexpr double load_s = 0.6;  // of each job of loading
+constexpr double load_s = 0.6;  // each load job
 constexpr double quickly_s = 0.4;
-constexpr double to_a_place_s = 8.0;  // of the hand, while the device is homed
-constexpr double listing_s = 1.0;     // of a stick
+constexpr double to_a_place_s = 8.0;  // moving the hand while the device is homed
+constexpr double listing_s = 1.0;     // listing a stick
 constexpr double pace_m_per_s = 0.04;
-constexpr double after_a_pause_s = 2.0;  // what is said to who waits was begun by then
-constexpr double longest_s = 120.0;      // of anything that is waited for
+constexpr double after_a_pause_s = 2.0;  // by then, what is said to a waiting visitor has begun
+constexpr double longest_s = 120.0;      // any wait
 
 constexpr std::array<const char*, key_role_count> key_names{"Up",     "Down", "Back",   "Repeat",
                                                             "Select", "Help", "Louder", "Softer"};
@@ -49,7 +49,7 @@ std::unique_ptr<OperatorSession> desk_of(const fs::path& folder, const Staging& 
     Settings settings;
     settings.first_language = staging.language;
     settings.two_switches = staging.two_switches;
-    // Where nothing is set, there is no file.
+    // Without settings there is no file.
     const std::string text = settings_text(settings, Settings{});
     if (!text.empty()) std::ofstream(files.settings.site) << text;
     std::vector<std::string> problems;
@@ -98,7 +98,7 @@ void StagedKiosk::run(double for_s) {
         now_s_ += frame_s;
         hearing_->now_s = now_s_;
         servo_->run_until(now_s_);
-        // A hand that is led gives in.
+        // The hand yields while it is led.
         const GuidancePhase phase = kiosk_->hand().guidance.phase;
         if (phase == GuidancePhase::running || phase == GuidancePhase::pausing)
             servo_->hand().move_to(servo_->handle_W());

@@ -1,5 +1,5 @@
-// A whole kiosk on a virtual clock, with somebody at it: what is said and done becomes a
-// transcript, the same on every machine. All of it is the product's but the window, the device
+// A whole kiosk on a virtual clock with a person at it: what is said and done becomes a transcript,
+// the same on every machine. All parts are the product's except the window, the device
 // (tests/app/kiosk/stepped_servo.h), the voice (timed_voice.h) and what is staged
 // (staged_things.h). Threads: one.
 #pragma once
@@ -17,10 +17,10 @@
 
 namespace touchline {
 
-/// How its house is set.
+/// The kiosk's settings.
 struct Staging {
-    std::string language = "en";  // that visits begin in
-    int two_switches = 0;         // as Settings has it
+    std::string language = "en";  // in which visits begin
+    int two_switches = 0;         // as in Settings
 };
 
 class StagedKiosk {
@@ -30,47 +30,47 @@ class StagedKiosk {
     StagedKiosk(const StagedKiosk&) = delete;
     StagedKiosk& operator=(const StagedKiosk&) = delete;
 
-    // What the person does. Each is a stage direction.
+    // What the person does. Each call writes a stage direction.
     void press(KeyRole role);
     void do_nothing(double for_s);
     void press_quickly(KeyRole role);
     void put_stick();
     void pull_stick();
 
-    /// The board loses its power.
+    /// The board loses power.
     void break_device();
 
-    /// It has power again, and the person does what homing says.
+    /// The board has power again, and the person does what homing says.
     void home_device();
 
-    /// Along the first line of what is felt, for so long, at a slow pace.
+    /// Follows the first line of what is felt for so long, at a slow pace.
     void follow_a_line(double for_s);
 
     // What the person hears meanwhile.
 
-    /// To the end of all that is said, with what is said after a pause.
+    /// Listens to the end of all that is said, including what is said after a pause.
     void listen();
 
-    /// To the end of the first thing that is said.
+    /// Listens to the end of the first thing that is said.
     void hear_one_thing();
 
-    // What the person does by what was heard. Throws std::runtime_error where it is not there.
+    // What the person does after hearing it. Throws std::runtime_error if it is not there.
 
-    /// Down, until the item with this id (ScreenItem::id) is said.
+    /// Presses Down until the item with this id (ScreenItem::id) is said.
     void go_to(int id);
 
-    /// go_to() and Select, then listen().
+    /// Calls go_to(), presses Select, then calls listen().
     void choose(int id);
 
     void choose(VisitItem item) { choose(static_cast<int>(item)); }
 
     void choose(OperatorItem item, std::size_t index);
 
-    /// With two switches: on to the item of this key, which comes after those of the screen, and
-    /// selects it.
+    /// With two switches: moves on to the item of this key, which comes after those of the screen,
+    /// and selects it.
     void choose_key(KeyRole role);
 
-    /// Until a screen of the visit is open that is worth listening to.
+    /// Waits until this screen of the visit is open, then calls listen().
     void wait_for(VisitScreen screen);
 
     [[nodiscard]] SpokenScreen screen() const { return kiosk_->screen(); }
@@ -87,7 +87,7 @@ class StagedKiosk {
     bool has_two_switches_ = false;
     std::filesystem::path folder_;
     std::shared_ptr<Hearing> hearing_ = std::make_shared<Hearing>();
-    SteppedServo* servo_ = nullptr;    // the kiosk's
+    SteppedServo* servo_ = nullptr;    // owned by the kiosk
     SimFileSource* sticks_ = nullptr;  // likewise
     std::unique_ptr<Kiosk> kiosk_;
 };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double still_s = 0.7;
 
-/// A dark disc, light and grain everywhere, as no program paints it.
+/// A dark disc with light and grain everywhere, as no program paints it.
 CameraFrame photograph() {
     constexpr int width = 420;
     constexpr int height = 300;
@@ -49,7 +49,7 @@ MainThings dog() {
     return things;
 }
 
-/// The lines of a picture of the gallery, without a word of it.
+/// The lines of a gallery picture, without its words.
 Page page_of_document(std::size_t picture, int number, int count) {
     Page page = gallery_without_workers().files[0][picture]->open({}).value();
     page.told.title.clear();

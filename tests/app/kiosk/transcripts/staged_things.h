@@ -1,5 +1,5 @@
-// What lies under the camera and on the stick of the visits that are written down: the same on
-// every machine. Threads: one.
+// What lies under the camera and on the stick in the recorded visits: the same on every machine.
+// Threads: one.
 #pragma once
 
 #include "app/loading/kiosk_stages.h"
@@ -11,7 +11,7 @@
 
 namespace touchline {
 
-/// Above a photograph of a dark, round thing. It can be pulled out.
+/// A camera above a photograph of a dark, round thing. It can be unplugged.
 class StagedCamera final : public Camera {
   public:
     [[nodiscard]] std::vector<CameraName> list() override { return {}; }
@@ -29,10 +29,10 @@ class StagedCamera final : public Camera {
     std::optional<double> due_s_;
 };
 
-/// Takes the thing in the middle for a dog, and finds nothing at any other place.
+/// Takes the thing in the middle for a dog, and finds nothing anywhere else.
 [[nodiscard]] ThingFinder staged_finder();
 
-/// A document of three pages, and a file that is none.
+/// A document of three pages, and a file that is no document.
 [[nodiscard]] std::vector<FilePtr> staged_files();
 
 }  // namespace touchline

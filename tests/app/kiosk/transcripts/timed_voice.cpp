@@ -9,15 +9,15 @@
 namespace touchline {
 namespace {
 
-constexpr double signs_a_word = 6.0;  // with the blank behind it
-constexpr double answer_s = 5.0;      // of a key, when its work is done
+constexpr double signs_a_word = 6.0;  // with the space after it
+constexpr double answer_s = 5.0;      // after a key, once its work is done
 constexpr double least_heard_s = 0.25;
 
 bool begins_sign(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
 }
 
-/// So many signs of UTF-8, to the end of the word that was begun.
+/// Returns this many UTF-8 characters, up to the end of the word that had begun.
 std::string heard_of(const std::string& text, double signs) {
     std::size_t at = 0;
     for (double heard = 0.0; at < text.size() && heard < signs; ++at)
@@ -45,7 +45,7 @@ void TimedVoice::carry_out(const SpeechOrder& order) {
     hearing_->is_speaking = queue_.current().has_value();
 }
 
-/// What was hardly begun was not heard.
+/// Speech that had hardly begun was not heard.
 void TimedVoice::cut() {
     Transcript& transcript = hearing_->transcript;
     TranscriptLine& line = transcript.at(line_);

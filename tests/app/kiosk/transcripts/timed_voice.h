@@ -1,6 +1,5 @@
-// A sound on a virtual clock that says nothing and takes as long as a voice: what is cut, what
-// waits and what is never heard is as at a kiosk (audio-cues/speech/speech_queue.h).
-// Threads: one.
+// A sound on a virtual clock that is silent and takes as long as a voice: it cuts, delays and drops
+// speech as a kiosk does (audio-cues/speech/speech_queue.h). Threads: one.
 #pragma once
 
 #include "app/sound/visitor_sound.h"
@@ -13,13 +12,13 @@
 
 namespace touchline {
 
-/// Outlives the voice, which is the kiosk's.
+/// Outlives the voice, which the kiosk owns.
 struct Hearing {
     double now_s = 0.0;
-    double key_s = -1.0;  // the last key
+    double key_s = -1.0;  // of the last key
     Transcript transcript;
-    int ended = 0;             // things that were said to their end
-    bool is_speaking = false;  // or something waits to be said
+    int ended = 0;             // utterances that were said to their end
+    bool is_speaking = false;  // or an utterance waits
 };
 
 class TimedVoice final : public VisitorSound {
@@ -61,10 +60,10 @@ class TimedVoice final : public VisitorSound {
     std::shared_ptr<Hearing> hearing_;
     SpeechQueue queue_;
     std::size_t rate_ = 0;
-    std::size_t line_ = 0;  // of the transcript: what is being said
+    std::size_t line_ = 0;  // in the transcript: what is being said
     double begin_s_ = 0.0;
     double end_s_ = 0.0;
-    std::vector<std::string> asked_;  // by the last key; their turn may come later
+    std::vector<std::string> asked_;  // by the last key; may be said later
 };
 
 }  // namespace touchline

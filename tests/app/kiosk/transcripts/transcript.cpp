@@ -29,7 +29,7 @@ std::string without_stop(std::string text) {
     return text;
 }
 
-/// The words between the places of a text: "On: {0}." has "On: " and ".".
+/// Returns the words between the placeholders of a text: "On: {0}." gives "On: " and ".".
 std::vector<std::string> words_between_places(const std::string& text) {
     std::vector<std::string> words(1);
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -51,7 +51,7 @@ bool has_letters(const std::vector<std::string>& words) {
     return false;
 }
 
-/// Whether it is the text with its places filled.
+/// Returns true if the sentence is the text with its placeholders filled.
 bool is_filled(const std::string& sentence, const std::vector<std::string>& words) {
     if (!sentence.starts_with(words.front())) return false;
     if (words.size() == 1) return sentence == words.front();
@@ -65,7 +65,7 @@ bool is_filled(const std::string& sentence, const std::vector<std::string>& word
     return at == sentence.size();
 }
 
-/// English that another language says in other words, wherever it says it.
+/// Returns the English texts that differ from every text the other language says.
 std::vector<std::vector<std::string>> english_only(const PoFile& catalogue) {
     std::set<std::string> english;
     std::set<std::string> said;
@@ -82,7 +82,7 @@ std::vector<std::vector<std::string>> english_only(const PoFile& catalogue) {
     return only;
 }
 
-/// The whole sentence, and what stands between its commas: the name, value and place of an item.
+/// Returns the whole sentence, and its parts between commas: an item's name, value and place.
 std::vector<std::string> parts_of(const std::string& sentence) {
     std::vector<std::string> parts{sentence};
     for (std::size_t at = 0; at < sentence.size();) {
@@ -130,7 +130,7 @@ std::vector<std::string> said_twice(const Transcript& transcript) {
         if (line.language.empty()) continue;
         std::vector<std::string> sentences = sentences_of(line.text);
         if (line.is_cut && !sentences.empty())
-            sentences.pop_back();  // which begins as another may, and was not said
+            sentences.pop_back();  // it may begin another text, and was not said
         for (const std::string& sentence : sentences) {
             const auto [said, is_new] =
                 ends_s.try_emplace({line.language, without_stop(sentence)}, line.end_s);

@@ -1,4 +1,4 @@
-// What is said in whole visits is what was read by people, in every language.
+// Tests that whole visits say what people have reviewed, in every language.
 #include "tests/app/kiosk/transcripts/visit_plans.h"
 #include "tests/sim/kiosk/house.h"
 

@@ -13,7 +13,7 @@ constexpr int row(int number) {
     return static_cast<int>(VisitItem::entry) + number;
 }
 
-/// The language that the house begins with is the visitor's.
+/// The first language is the visitor's.
 void begin(StagedKiosk& kiosk) {
     for (int i = 0; i < 2; ++i) {
         kiosk.press(KeyRole::select);
@@ -179,7 +179,7 @@ void time_out(StagedKiosk& kiosk) {
     kiosk.do_nothing(40.0);
 }
 
-/// Digits 1, 1, 1, 1.
+/// Enters the digits 1, 1, 1, 1.
 void enter_pin(StagedKiosk& kiosk) {
     for (int i = 0; i < 4; ++i)
         for (const KeyRole role : {KeyRole::up, KeyRole::select}) {
@@ -231,7 +231,7 @@ void operators_visit(StagedKiosk& kiosk) {
     choose(kiosk, OperatorAction::leave);
 }
 
-/// Every key but two is an item.
+/// Every other key is an item.
 void two_switches(StagedKiosk& kiosk) {
     begin(kiosk);
     open_picture_of_gallery(kiosk, 0);

@@ -1,5 +1,4 @@
-// The whole visits of which transcripts are kept (tests/data/transcripts).
-// Threads: one.
+// The whole visits whose transcripts are kept (tests/data/transcripts). Threads: one.
 #pragma once
 
 #include "tests/app/kiosk/transcripts/staged_kiosk.h"
@@ -10,21 +9,21 @@
 
 namespace touchline {
 
-/// Somebody who goes by keys and ids of items, never by what they are called.
+/// A visitor who goes by keys and item ids, never by names.
 struct VisitPlan {
     std::string_view name;
     void (*act)(StagedKiosk& kiosk);
-    int two_switches = 0;  // as Settings has it
+    int two_switches = 0;  // as in Settings
 };
 
-/// Eight.
+/// Returns the eight plans.
 [[nodiscard]] std::span<const VisitPlan> visit_plans();
 
-/// O(its time): a second or two for some minutes. `language`: code. Throws std::runtime_error where
+/// Takes a second or two for some minutes of visit. `language`: code. Throws std::runtime_error if
 /// the kiosk does not offer what the plan chooses.
 [[nodiscard]] Transcript act_out(const VisitPlan& plan, const std::string& language);
 
-/// "first-visit.en.txt".
+/// Returns a name such as "first-visit.en.txt".
 [[nodiscard]] std::string file_of(const VisitPlan& plan, const std::string& language);
 
 }  // namespace touchline

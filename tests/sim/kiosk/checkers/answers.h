@@ -1,4 +1,5 @@
-// Every key is answered, every change that lasts is heard, and nobody is left in silence.
+// Checks that every key is answered, every lasting change is heard, and no visitor is left in
+// silence.
 #pragma once
 
 #include "tests/sim/kiosk/checkers/sight.h"
@@ -11,7 +12,7 @@ namespace touchline {
 
 class AnswersChecker {
   public:
-    /// A key is about to be given to the kiosk.
+    /// Call this just before a key is given to the kiosk.
     void ask(double now_s, std::size_t heard) {
         if (asked_s_) return;
         asked_s_ = now_s;
@@ -19,7 +20,7 @@ class AnswersChecker {
         is_asked_by_fault_ = false;
     }
 
-    /// There were no frames for a while, by a fault: nobody could answer.
+    /// A fault stopped the frames for a while, so the kiosk could not answer.
     void excuse(double now_s) {
         asked_s_.reset();
         alive_s_ = now_s;
@@ -34,7 +35,7 @@ class AnswersChecker {
             ask(sight.now_s, before_);
             is_asked_by_fault_ = true;
         }
-        // A hiccup that is over before anybody could speak of it is not spoken of.
+        // A fault that is over before the kiosk could speak of it is not spoken of.
         if (is_asked_by_fault_ && fault == Fault::none) asked_s_.reset();
         screen_ = screen;
         fault_ = fault;
@@ -46,8 +47,8 @@ class AnswersChecker {
 
   private:
     static constexpr double longest_answer_s = 0.150;
-    static constexpr double longest_silence_s = 100.0;  // a question comes after 90 of rest
-    static constexpr double moved_m = 0.002;            // less is no sign of a person
+    static constexpr double longest_silence_s = 100.0;  // a question comes after 90 s of rest
+    static constexpr double moved_m = 0.002;            // a smaller motion is no sign of a person
     static constexpr double longest_wait_s = 5.0;       // without a sound, while work is under way
 
     void look_at_answer(const FrameSight& sight, SimFigures& figures, Findings& findings) {
@@ -63,7 +64,7 @@ class AnswersChecker {
         });
     }
 
-    /// A hand that goes through empty places hears nothing, and need not.
+    /// A hand that moves through empty places hears nothing, and need not.
     [[nodiscard]] bool has_moved(const FrameSight& sight) {
         const HandleSeen& handle = sight.kiosk.visit().visitor.handle;
         if (norm(handle.place_W - seen_W_) <= moved_m) return false;
@@ -86,7 +87,7 @@ class AnswersChecker {
     std::size_t heard_then_ = 0;
     bool is_asked_by_fault_ = false;
     std::size_t before_ = 0;
-    double alive_s_ = 0.0;  // when something was last heard, or the hand moved the handle
+    double alive_s_ = 0.0;  // when something was last heard, or the hand last moved the handle
     Position seen_W_{};
     VisitScreen screen_ = VisitScreen::attract;
     Fault fault_ = Fault::none;

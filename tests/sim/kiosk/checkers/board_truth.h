@@ -1,5 +1,6 @@
-// Each motor makes what the servo told in one of its last ticks, or nothing. One of both may: the
-// driver completes a send that was cut by zeros, before the zero of its resync.
+// Checks that each motor makes what the servo told in one of its last ticks, or nothing. One motor
+// alone may make nothing: the driver completes a cut send with zeros, before the zero of its
+// resync.
 #pragma once
 
 #include "tests/sim/kiosk/checkers/sight.h"
@@ -36,7 +37,7 @@ class BoardTruthChecker {
         return is_same(told.x, held.x) && is_same(told.y, held.y);
     }
 
-    // One is on its way; a reply that is late holds the next one back for up to 5 ms.
+    // One command is on its way; a late reply holds the next one back for up to 5 ms.
     std::array<JointTorques, 8> told_{};
     std::size_t next_ = 0;
 };

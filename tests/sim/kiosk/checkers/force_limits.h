@@ -1,4 +1,4 @@
-// No tick tells, and no motor makes, more than the device's limits allow, nor faster.
+// Checks that no tick tells, and no motor makes, more than the device's limits allow, nor faster.
 #pragma once
 
 #include "tests/sim/kiosk/checkers/sight.h"
@@ -51,7 +51,8 @@ class ForceLimitsChecker {
         findings.demand(
             rise_N <= limits_.rise_N_per_s * tick_s * exactly, "force limits", now_s,
             [&] { return fmt::format("the force grew by {:.4f} N in a tick", rise_N); });
-        // What ends, or brakes a fast hand, or fits two motors, does so at once.
+        // The force may leap when it ends, brakes a fast hand, or is fitted to what two motors can
+        // make.
         const bool may_leap =
             size_N == 0.0 || tick.limit >= Limit::speed || is_saturated(tick) || was_saturated_;
         if (may_leap) return;

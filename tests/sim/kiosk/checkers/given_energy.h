@@ -1,5 +1,5 @@
-// What the device gave the hand, beyond what the hand gave it before: from one moment without force
-// to the next nothing is stored in any spring, so that all of it was made.
+// Checks what the device gave the hand, beyond what the hand gave it before: no spring stores
+// energy from one moment without force to the next, so the device made all of it.
 #pragma once
 
 #include "tests/sim/kiosk/checkers/sight.h"
@@ -17,7 +17,7 @@ class GivenEnergyChecker {
         place_ = sight.tip.position;
         const double work_J = dot(force_, moved);
         force_ = sight.force_W;
-        // What leads a hand is meant to give; what a broken wire holds is nobody's.
+        // Guidance is meant to give energy; nobody answers for what a broken link holds.
         const bool is_begun_anew =
             sight.is_led || sight.is_send_hanging || norm(force_) < no_force_N;
         if (is_begun_anew) {
@@ -39,7 +39,7 @@ class GivenEnergyChecker {
 
     Position place_;
     Force force_;
-    double since_s_ = 0.0;  // without force
+    double since_s_ = 0.0;  // last moment without force
     double given_J_ = 0.0;
 };
 

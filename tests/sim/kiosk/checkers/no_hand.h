@@ -1,4 +1,4 @@
-// A handle that nobody holds is not driven about, and not pushed at for long.
+// Checks that a handle that nobody holds is not driven about, and not pushed for long.
 #pragma once
 
 #include "tests/sim/kiosk/checkers/sight.h"
@@ -27,9 +27,10 @@ class NoHandChecker {
 
   private:
     static constexpr double tick_s = 1e-3;
-    static constexpr double driving_N = 0.7;  // less is in the noise of the encoders
+    static constexpr double driving_N = 0.7;  // less is within the noise of the encoders
     static constexpr double moving_m_per_s = 0.02;
-    static constexpr double longest_drive_s = 0.15;  // 30 ms to tell, in windows of 10, 50 to fade
+    static constexpr double longest_drive_s = 0.15;  // 30 ms to tell, in windows of 10 ms, 50 ms to
+                                                     // fade
     static constexpr double pushing_N = 0.55;
     static constexpr double longest_push_s = 20.2;
 

@@ -1,4 +1,4 @@
-// Nothing piles up.
+// Checks that nothing piles up.
 #pragma once
 
 #include "tests/sim/kiosk/checkers/sight.h"
@@ -22,7 +22,7 @@ class QueuesChecker {
     }
 
   private:
-    static constexpr std::size_t most_jobs = 8;  // two at a time, and those of a visit before
+    static constexpr std::size_t most_jobs = 8;  // two at a time, and those of the visit before
     static constexpr std::size_t most_screens = 8;
 };
 

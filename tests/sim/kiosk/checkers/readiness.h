@@ -1,4 +1,4 @@
-// Once what was wrong is over, the force may come again within five seconds.
+// Checks that force may come again within five seconds after a fault is over.
 #pragma once
 
 #include "tests/sim/kiosk/checkers/sight.h"

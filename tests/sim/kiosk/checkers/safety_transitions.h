@@ -1,5 +1,5 @@
-// The states of the force follow each other as they may, no faster than they may, and no force acts
-// where none may.
+// Checks that the states of the force follow each other as they may, no faster than they may, and
+// that no force acts in a state that allows none.
 #pragma once
 
 #include "tests/sim/kiosk/checkers/sight.h"
@@ -32,7 +32,8 @@ class SafetyTransitionsChecker {
         demand(now != ForceState::fault || before_ != now || tick.fault >= fault_,
                "a fault became easier to clear by itself");
         const bool may_push = now == ForceState::ramp || now == ForceState::live;
-        // Switched off at more than 1.5 N the force is gone a tick later: no change is faster.
+        // Force of more than 1.5 N that is switched off is gone one tick later: no change is
+        // faster.
         const bool is_falling =
             now == ForceState::off && norm(tick.force) <= norm(force_) - most_fall_N;
         demand(may_push || is_falling || tick.force == Force{}, "force where there is none");
@@ -51,9 +52,9 @@ class SafetyTransitionsChecker {
     }
 
   private:
-    static constexpr double arm_s = 0.198;        // 0.2 s, a tick at each end apart
-    static constexpr double most_fall_N = 1.499;  // 1500 N/s for a tick
-    // 0.5 s from armed to live; 0.3 s where it was faded out and back on the way.
+    static constexpr double arm_s = 0.198;        // 0.2 s, less a tick at each end
+    static constexpr double most_fall_N = 1.499;  // 1500 N/s for one tick
+    // 0.5 s from armed to live; 0.3 s if the force was faded out and back on the way.
     static constexpr double resume_s = 0.298;
 
     static bool is_legal(ForceState before, ForceState now) {
@@ -73,7 +74,7 @@ class SafetyTransitionsChecker {
 
     ForceState before_ = ForceState::off;
     Fault fault_ = Fault::none;
-    Force force_;  // told a tick before
+    Force force_;  // told in the tick before
     double since_s_ = 0.0;
     bool is_starting_ = false;
 };

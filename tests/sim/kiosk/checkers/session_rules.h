@@ -1,4 +1,5 @@
-// What a visit is in always fits together, and nothing of a visitor outlives it.
+// Checks that the parts of a visit's state fit together, and that nothing of a visitor outlives the
+// visit.
 #pragma once
 
 #include "tests/sim/kiosk/checkers/sight.h"
@@ -9,7 +10,7 @@ namespace touchline {
 
 class SessionRulesChecker {
   public:
-    /// Another kiosk was started: it begins at its beginning.
+    /// Call this when another kiosk was started: it begins anew.
     void begin_anew() { before_ = VisitScreen::attract; }
 
     void look(const FrameSight& sight, Findings& findings) {
@@ -36,7 +37,7 @@ class SessionRulesChecker {
     }
 
   private:
-    static constexpr double longest_work_s = 30.0;  // workers are given up long before
+    static constexpr double longest_work_s = 30.0;  // workers are stopped long before
 
     static bool needs_picture(VisitScreen screen) {
         return screen == VisitScreen::picture || screen == VisitScreen::parts ||
@@ -44,7 +45,7 @@ class SessionRulesChecker {
                screen == VisitScreen::pages;
     }
 
-    /// Before somebody has begun there is nothing to choose, and after goodbye neither.
+    /// Nothing can be chosen before somebody has begun, nor after goodbye.
     static bool is_legal(VisitScreen before, VisitScreen now) {
         const bool was_outside = before == VisitScreen::attract || before == VisitScreen::goodbye ||
                                  before == VisitScreen::closed;

@@ -1,4 +1,4 @@
-// After each cause the motors are without torque in time.
+// Checks that the motors are without torque in time after each cause.
 #pragma once
 
 #include "tests/sim/kiosk/checkers/sight.h"
@@ -12,7 +12,7 @@ namespace touchline {
 
 class ZeroDeadlineChecker {
   public:
-    /// Something happened that can be seen from `seen_s` of the board on, with torque on now.
+    /// Call this if a fault can be seen from `seen_s` of the board's time on while torque is on.
     void expect(SimFault fault, double seen_s) { open_.push_back({fault, seen_s}); }
 
     void look(const TickSight& sight, SimFigures& figures, Findings& findings) {
@@ -26,8 +26,8 @@ class ZeroDeadlineChecker {
         double seen_s;
     };
 
-    static constexpr double looked_at_s = 0.2;     // later zeros are the hand's
-    static constexpr double other_wire_s = 0.004;  // another fault of the link, at the same time
+    static constexpr double looked_at_s = 0.2;     // later zeros come from the hand
+    static constexpr double other_wire_s = 0.004;  // for another link fault at the same time
 
     static bool is_over(const Open& open, const TickSight& sight, SimFigures& figures,
                         Findings& findings) {
