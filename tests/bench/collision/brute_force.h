@@ -1,5 +1,5 @@
-// Every edge, every time: the yardstick that is right by inspection.
-// Threads: immutable once built; any thread may query.
+// Looks at every edge, every time: the yardstick that is obviously right. Threads: immutable once
+// built; any thread may query.
 #pragma once
 
 #include "tests/bench/collision/crossing.h"
@@ -8,7 +8,7 @@ namespace touchline::bench {
 
 class BruteForce {
   public:
-    /// `curve` must outlive it.
+    /// `curve` must outlive this object.
     explicit BruteForce(ClosedCurve curve) : curve_(curve) {}
 
     /// O(N).
