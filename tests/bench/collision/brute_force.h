@@ -1,5 +1,5 @@
-// Looks at every edge, every time: the yardstick that is obviously right. Threads: immutable once
-// built; any thread may query.
+// Looks at every edge, every time: the yardstick that is obviously right.
+// Threads: immutable once built; any thread may query.
 #pragma once
 
 #include "tests/bench/collision/crossing.h"

@@ -1,5 +1,5 @@
-// Motions over a curve for tests: short ones of a hand near it, and some right across. Threads:
-// pure functions.
+// Motions over a curve for tests: short ones of a hand near it, and some right across.
+// Threads: pure functions.
 #pragma once
 
 #include "config/types/vec2.h"

@@ -1,4 +1,5 @@
-// One query a step, as renderers of run(): they move and judge nothing. Threads: one.
+// One query a step, as renderers of run(): they move and judge nothing.
+// Threads: one.
 #pragma once
 
 #include "haptics/collision/scene.h"

@@ -1,5 +1,5 @@
-// The benchmark's files: CSV with the machine, its load and the date in the first lines. Threads:
-// one.
+// The benchmark's files: CSV with the machine, its load and the date in the first lines.
+// Threads: one.
 #pragma once
 
 #include "tests/bench/collision/run.h"

@@ -1,4 +1,5 @@
-// Runs a renderer over the hand: what every step cost, and where the proxy went. Threads: one.
+// Runs a renderer over the hand: what every step cost, and where the proxy went.
+// Threads: one.
 #pragma once
 
 #include "config/types/vec2.h"

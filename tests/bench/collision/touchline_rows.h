@@ -1,5 +1,6 @@
 // Touchline's servo step as a renderer of run(): level choice, collision and contact, as the kiosk
-// and `feel` do them; wall mode, 500 N/m, a point proxy, no friction. Threads: one.
+// and `feel` do them; wall mode, 500 N/m, a point proxy, no friction.
+// Threads: one.
 #pragma once
 
 #include "haptics/contact/contact_machine.h"

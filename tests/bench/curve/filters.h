@@ -1,5 +1,5 @@
-// The wavelets that the paper's is measured against. Only the bench has them. Threads: pure
-// functions.
+// The wavelets that the paper's is measured against. Only the bench has them.
+// Threads: pure functions.
 #pragma once
 
 #include "config/types/vec2.h"

@@ -1,4 +1,5 @@
-// Where the bench's results go: tables as CSV for charts, and as words for readers. Threads: one.
+// Where the bench's results go: tables as CSV for charts, and as words for readers.
+// Threads: one.
 #pragma once
 
 #include "config/types/result.h"

@@ -1,5 +1,5 @@
-// Every picture of the gallery as a trial: trace it in time, and identify it by the path. Threads:
-// plain values and pure functions, except for the files read.
+// Every picture of the gallery as a trial: trace it in time, and identify it by the path.
+// Threads: plain values and pure functions, except for the files read.
 #pragma once
 
 #include "config/types/result.h"

@@ -1,5 +1,5 @@
-// How well a path follows a picture: distances both ways, in millimetres on the picture. Threads:
-// pure functions and a plain value.
+// How well a path follows a picture: distances both ways, in millimetres on the picture.
+// Threads: pure functions and a plain value.
 #pragma once
 
 #include "config/types/tactile_map.h"

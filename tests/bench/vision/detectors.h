@@ -1,5 +1,6 @@
 // Edge detectors to measure. Each makes a strength map of a picture, 128 where its own automatic
-// rule would draw the line, as `touchline trace --edges` does. Threads: one.
+// rule would draw the line, as `touchline trace --edges` does.
+// Threads: one.
 #pragma once
 
 #include <functional>

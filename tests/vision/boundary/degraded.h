@@ -1,4 +1,5 @@
-// Changes that must not alter the lines of a picture. Threads: pure functions.
+// Changes that must not alter the lines of a picture.
+// Threads: pure functions.
 #pragma once
 
 #include <string>

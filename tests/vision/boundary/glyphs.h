@@ -1,5 +1,5 @@
-// Letters and pictures of the DejaVu fonts, and how a camera might see them. Threads: pure
-// functions.
+// Letters and pictures of the DejaVu fonts, and how a camera might see them.
+// Threads: pure functions.
 #pragma once
 
 #include "tests/vision/pictures/canvas.h"

@@ -1,5 +1,5 @@
-// A face made of formulas, turned and seen from in front: the points that the lines use. Threads:
-// pure functions.
+// A face made of formulas, turned and seen from in front: the points that the lines use.
+// Threads: pure functions.
 #pragma once
 
 #include "vision/face/face_mesh.h"

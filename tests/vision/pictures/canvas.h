@@ -1,5 +1,5 @@
-// Draws test pictures with Cairo, as a vector program would: anti-aliased. Threads: one canvas, one
-// thread.
+// Draws test pictures with Cairo, as a vector program would: anti-aliased.
+// Threads: one canvas, one thread.
 #pragma once
 
 #include <string>

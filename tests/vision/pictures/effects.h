@@ -1,4 +1,5 @@
-// What a camera and a file do to a picture. Threads: pure functions.
+// What a camera and a file do to a picture.
+// Threads: pure functions.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -1,5 +1,5 @@
-// Small and odd pictures from any bytes: what any stick may hold, and a fuzzer mutates. Threads:
-// pure functions; a ByteReader belongs to one.
+// Small and odd pictures from any bytes: what any stick may hold, and a fuzzer mutates.
+// Threads: pure functions; a ByteReader belongs to one.
 #pragma once
 
 #include <cstdint>

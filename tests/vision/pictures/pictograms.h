@@ -1,5 +1,5 @@
-// Pictograms that exist as strokes and as filled shapes, with known middle lines. Threads: pure
-// functions.
+// Pictograms that exist as strokes and as filled shapes, with known middle lines.
+// Threads: pure functions.
 #pragma once
 
 #include "tests/vision/pictures/canvas.h"

@@ -1,5 +1,5 @@
-// Made-up pictures of each class, all different, for tests that need hundreds of them. Threads:
-// pure functions.
+// Made-up pictures of each class, all different, for tests that need hundreds of them.
+// Threads: pure functions.
 #pragma once
 
 #include <opencv2/core.hpp>
