@@ -73,8 +73,7 @@ class Grid {
     Position low_;
     int columns_ = 1, rows_ = 1;         // of blocks
     std::vector<std::uint32_t> blocks_;  // index of the stored block; `empty` if there is none
-    std::vector<std::uint32_t> first_;   // per cell of a stored block, in entries_; one more at the
-                                         // end
+    std::vector<std::uint32_t> first_;   // per cell of a stored block, in entries_; then one more
     std::vector<Entry> entries_;
 };
 

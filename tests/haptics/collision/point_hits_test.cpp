@@ -23,7 +23,7 @@ constexpr std::int64_t few_ulp = 4;
 // Contacts within four ulp of the whole way count as one moment; each may itself be four ulp off.
 constexpr double one_moment = 8 * 0x1p-52;
 
-/// Both numbers are >= 0.
+/// Both numbers must be >= 0.
 std::int64_t ulps_between(double a, double b) {
     return std::abs(std::bit_cast<std::int64_t>(a + 0.0) - std::bit_cast<std::int64_t>(b + 0.0));
 }

@@ -35,8 +35,7 @@ Motion motion_near(trials::Random& random, const LevelSegments& segments, double
 struct Tally {
     std::size_t asked = 0;
     std::size_t hits = 0;
-    std::size_t started_elsewhere = 0;  // opened fewer or more boxes than the hierarchy: used the
-                                        // grid
+    std::size_t started_elsewhere = 0;  // not as many boxes as the hierarchy: used the grid
     std::size_t spared = 0;
     std::size_t wrong = 0;
 };

@@ -123,7 +123,7 @@ TEST(HandleTorque, NoWorkIsDoneAtRest) {
     EXPECT_EQ(chain.status().fault, Fault::none);
 }
 
-/// Turns of less than 0.2 mm at the fingers are encoder noise.
+/// Turns of less than 0.2 mm at the fingers count as encoder noise.
 TEST(HandleTorque, AHandThatOnlyTurnsIsThere) {
     for (const double turn_rad : {0.0, 0.005, 0.2}) {
         ForceChain chain = live_chain(with_handle());

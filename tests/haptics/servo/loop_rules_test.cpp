@@ -154,8 +154,7 @@ TEST(LoopRules, AfterASilenceForceComesBackByTheArmRuleOnly) {
     });
     EXPECT_GT(run.force_N(999 * ms), 0.9);
     for (std::int64_t t_ns = 1020 * ms; t_ns < 2000 * ms; t_ns += ms) {
-        ASSERT_EQ(run.force_N(t_ns), 0.0) << t_ns;  // nobody is pushed, although the handle is
-                                                    // pressed all the while
+        ASSERT_EQ(run.force_N(t_ns), 0.0) << t_ns;  // pressed all the time, but pushes nobody
     }
     EXPECT_GT(run.force_N(3400 * ms), 0.9);
 }

@@ -11,8 +11,7 @@
 namespace touchline::testing {
 namespace {
 
-constexpr double kReflected = 0.4;  // of another scene, as in a window: edges that are not
-                                    // boundaries
+constexpr double kReflected = 0.4;  // of another scene, as in a window: edges, not boundaries
 constexpr double kNoise_levels = 4.0;
 
 }  // namespace

@@ -128,8 +128,7 @@ TEST(FaceMap, EveryPoseKeepsTheSpacingTheAreaAndTheOrder) {
         const auto left_eye = middle_of(face, FacePart::left_eye);
         const auto right_eye = middle_of(face, FacePart::right_eye);
         const auto mouth = middle_of(face, FacePart::mouth);
-        const bool is_profile = std::abs(made.turn_rad) > 1.2;  // in profile the eyes lie on each
-                                                                // other
+        const bool is_profile = std::abs(made.turn_rad) > 1.2;  // the eyes overlap
         if (left_eye && right_eye && !is_profile) {
             EXPECT_LT(dot(right, *left_eye), dot(right, *right_eye));
             ++eyes;

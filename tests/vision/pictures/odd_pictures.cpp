@@ -275,8 +275,7 @@ void change(cv::Mat3b& picture, ByteReader& bytes) {
 cv::Mat odd_picture(ByteReader& bytes) {
     const cv::Size size = size_of(bytes);
     const int kind = bytes.choice(kKinds);
-    const int beside = bytes.choice(3 * kKinds);  // one time in three another kind in the right
-                                                  // half
+    const int beside = bytes.choice(3 * kKinds);  // another in the right half, one time in three
     const bool is_grey = bytes.choice(4) == 0;
     // Reads the changes first: raw pixels take all remaining bytes.
     std::array<std::uint8_t, 2> ways{};

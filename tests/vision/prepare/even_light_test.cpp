@@ -107,8 +107,7 @@ TEST(EvenLight, AnEvenPageStaysAsItIs) {
 }
 
 TEST(EvenLight, OfPaperWithoutLightNothingIsDividedOut) {
-    LabPicture lab(20, 20, cv::Vec3f(-100.0F, 0.0F, 0.0F));  // as a fitted surface may be far from
-                                                             // its places
+    LabPicture lab(20, 20, cv::Vec3f(-100.0F, 0.0F, 0.0F));  // surfaces may be so far off
     lab(3, 4) = {7.0F, 5.0F, -5.0F};
     const LabPicture lit = evenly_lit(lab, Paper(lab));
     EXPECT_EQ(cv::norm(lit, lab, cv::NORM_INF), 0.0);
