@@ -296,8 +296,7 @@ TEST(Spacing, TwoShapesBesideEachOtherStayTwoDownToWhatAFingerTellsApart) {
 
 TEST(Silhouettes, TheSidesOfAThingAreOneRingWhateverLineLedIntoIt) {
     const std::vector<Chain> lines{line({{20, 20}, {90, 20}, {90, 70}, {55, 70}}),
-                                   line({{55, 70}, {20, 70}, {20, 40}, {55, 40}}),  // into the
-                                                                                    // thing
+                                   line({{55, 70}, {20, 70}, {20, 40}, {55, 40}}),  // into it
                                    line({{20, 40}, {20, 20}}), line({{55, 40}, {55, 70}})};
     const std::vector<Chain> joined = with_silhouettes_joined(lines, Outside(lines, size_mm));
     ASSERT_EQ(joined.size(), 3U);
